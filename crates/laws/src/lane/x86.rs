@@ -1,0 +1,263 @@
+//! Lanes in AVX2 and AVX-512 registers.
+//!
+//! The operations may only be reached from functions that enable the instruction set; [`Isa::available`] guards
+//! every such call. Under `#[inline(always)]` they become single instructions there.
+//!
+//! [`Isa::available`]: super::Isa::available
+
+use super::{Lane, Octet, Row};
+use core::arch::x86_64::*;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Four lanes in one 256-bit register.
+#[derive(Clone, Copy)]
+#[repr(transparent)]
+pub struct Avx2(__m256d);
+
+/// Eight lanes in one 512-bit register.
+#[derive(Clone, Copy)]
+#[repr(transparent)]
+pub struct Avx512(__m512d);
+
+macro_rules! operators {
+    ($lane:ident, $add:ident, $sub:ident, $mul:ident, $div:ident, $splat:ident) => {
+        operators!(@ $lane, Add, add, $add);
+        operators!(@ $lane, Sub, sub, $sub);
+        operators!(@ $lane, Mul, mul, $mul);
+        operators!(@ $lane, Div, div, $div);
+        impl Neg for $lane {
+            type Output = $lane;
+            #[inline(always)]
+            fn neg(self) -> $lane {
+                // SAFETY: reached only where the instruction set is enabled (module documentation).
+                // Subtraction from −0 flips the sign of every number, zeros included.
+                unsafe { $lane($sub($splat(-0.0), self.0)) }
+            }
+        }
+    };
+    (@ $lane:ident, $trait:ident, $function:ident, $intrinsic:ident) => {
+        impl $trait for $lane {
+            type Output = $lane;
+            #[inline(always)]
+            fn $function(self, other: $lane) -> $lane {
+                // SAFETY: reached only where the instruction set is enabled (module documentation).
+                unsafe { $lane($intrinsic(self.0, other.0)) }
+            }
+        }
+    };
+}
+
+operators!(Avx2, _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd, _mm256_div_pd, _mm256_set1_pd);
+operators!(Avx512, _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd, _mm512_set1_pd);
+
+/// Rows a, b, c, d to columns x, y, z, w; its own inverse.
+#[inline(always)]
+unsafe fn transpose(rows: [__m256d; 4]) -> [__m256d; 4] {
+    // SAFETY: reached only where AVX2 is enabled.
+    unsafe {
+        let xz_ab = _mm256_unpacklo_pd(rows[0], rows[1]);
+        let yw_ab = _mm256_unpackhi_pd(rows[0], rows[1]);
+        let xz_cd = _mm256_unpacklo_pd(rows[2], rows[3]);
+        let yw_cd = _mm256_unpackhi_pd(rows[2], rows[3]);
+        [
+            _mm256_permute2f128_pd::<0x20>(xz_ab, xz_cd),
+            _mm256_permute2f128_pd::<0x20>(yw_ab, yw_cd),
+            _mm256_permute2f128_pd::<0x31>(xz_ab, xz_cd),
+            _mm256_permute2f128_pd::<0x31>(yw_ab, yw_cd),
+        ]
+    }
+}
+
+#[inline(always)]
+unsafe fn load_row(rows: &[Row], index: u16) -> __m256d {
+    debug_assert!((index as usize) < rows.len());
+    // SAFETY: the caller keeps the index in range; rows are aligned to 32 bytes.
+    unsafe { _mm256_load_pd(rows.as_ptr().add(index as usize).cast()) }
+}
+
+#[inline(always)]
+unsafe fn load_two_rows(rows: &[Row], low: u16, high: u16) -> __m512d {
+    // SAFETY: the caller keeps the indices in range and AVX-512F is enabled.
+    unsafe {
+        let low = _mm512_castpd256_pd512(load_row(rows, low));
+        _mm512_insertf64x4::<1>(low, load_row(rows, high))
+    }
+}
+
+#[inline(always)]
+unsafe fn add_to_row(rows: &mut [Row], index: u16, vector: __m256d) {
+    debug_assert!((index as usize) < rows.len());
+    // SAFETY: the caller keeps the index in range; rows are aligned to 32 bytes.
+    unsafe {
+        let row: *mut f64 = rows.as_mut_ptr().add(index as usize).cast();
+        _mm256_store_pd(row, _mm256_add_pd(_mm256_load_pd(row), vector));
+    }
+}
+
+impl Lane for Avx2 {
+    type Mask = __m256d;
+    const WIDTH: usize = 4;
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        // SAFETY: reached only where AVX2 is enabled; so below.
+        unsafe { Avx2(_mm256_set1_pd(x)) }
+    }
+    #[inline(always)]
+    fn load(from: &Octet, at: usize) -> Self {
+        debug_assert!(at % 4 == 0 && at < 8);
+        unsafe { Avx2(_mm256_load_pd(from.0.as_ptr().add(at & 4))) }
+    }
+    #[inline(always)]
+    fn store(self, to: &mut Octet, at: usize) {
+        debug_assert!(at % 4 == 0 && at < 8);
+        unsafe { _mm256_store_pd(to.0.as_mut_ptr().add(at & 4), self.0) }
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        unsafe { Avx2(_mm256_fmadd_pd(self.0, b.0, c.0)) }
+    }
+    #[inline(always)]
+    fn neg_mul_add(self, b: Self, c: Self) -> Self {
+        unsafe { Avx2(_mm256_fnmadd_pd(self.0, b.0, c.0)) }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        unsafe { Avx2(_mm256_sqrt_pd(self.0)) }
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        unsafe { Avx2(_mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0)) }
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> __m256d {
+        unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) }
+    }
+    #[inline(always)]
+    fn select(mask: __m256d, yes: Self, no: Self) -> Self {
+        unsafe { Avx2(_mm256_blendv_pd(no.0, yes.0, mask)) }
+    }
+    #[inline(always)]
+    fn any(mask: __m256d) -> bool {
+        unsafe { _mm256_movemask_pd(mask) != 0 }
+    }
+    #[inline(always)]
+    unsafe fn gather(rows: &[Row], index: &[u16; 8], at: usize) -> [Self; 3] {
+        unsafe {
+            let [x, y, z, _] = transpose([
+                load_row(rows, index[at]),
+                load_row(rows, index[at + 1]),
+                load_row(rows, index[at + 2]),
+                load_row(rows, index[at + 3]),
+            ]);
+            [Avx2(x), Avx2(y), Avx2(z)]
+        }
+    }
+    #[inline(always)]
+    unsafe fn scatter_add(rows: &mut [Row], index: &[u16; 8], vector: &[Octet; 3]) {
+        unsafe {
+            for at in [0, 4] {
+                let x = _mm256_load_pd(vector[0].0.as_ptr().add(at));
+                let y = _mm256_load_pd(vector[1].0.as_ptr().add(at));
+                let z = _mm256_load_pd(vector[2].0.as_ptr().add(at));
+                let lanes = transpose([x, y, z, _mm256_setzero_pd()]);
+                add_to_row(rows, index[at], lanes[0]);
+                add_to_row(rows, index[at + 1], lanes[1]);
+                add_to_row(rows, index[at + 2], lanes[2]);
+                add_to_row(rows, index[at + 3], lanes[3]);
+            }
+        }
+    }
+}
+
+impl Lane for Avx512 {
+    type Mask = __mmask8;
+    const WIDTH: usize = 8;
+
+    #[inline(always)]
+    fn splat(x: f64) -> Self {
+        // SAFETY: reached only where AVX-512F is enabled; so below.
+        unsafe { Avx512(_mm512_set1_pd(x)) }
+    }
+    #[inline(always)]
+    fn load(from: &Octet, _: usize) -> Self {
+        unsafe { Avx512(_mm512_load_pd(from.0.as_ptr())) }
+    }
+    #[inline(always)]
+    fn store(self, to: &mut Octet, _: usize) {
+        unsafe { _mm512_store_pd(to.0.as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        unsafe { Avx512(_mm512_fmadd_pd(self.0, b.0, c.0)) }
+    }
+    #[inline(always)]
+    fn neg_mul_add(self, b: Self, c: Self) -> Self {
+        unsafe { Avx512(_mm512_fnmadd_pd(self.0, b.0, c.0)) }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        unsafe { Avx512(_mm512_sqrt_pd(self.0)) }
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        unsafe { Avx512(_mm512_abs_pd(self.0)) }
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> __mmask8 {
+        unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0) }
+    }
+    #[inline(always)]
+    fn select(mask: __mmask8, yes: Self, no: Self) -> Self {
+        unsafe { Avx512(_mm512_mask_blend_pd(mask, no.0, yes.0)) }
+    }
+    #[inline(always)]
+    fn any(mask: __mmask8) -> bool {
+        mask != 0
+    }
+    #[inline(always)]
+    unsafe fn gather(rows: &[Row], index: &[u16; 8], _: usize) -> [Self; 3] {
+        unsafe {
+            // Lanes l and l + 4 share a register; unpacking pairs of them leaves x and z in the even half, y in
+            // the odd one, and one permutation of two registers puts eight lanes in order.
+            let r0 = load_two_rows(rows, index[0], index[4]);
+            let r1 = load_two_rows(rows, index[1], index[5]);
+            let r2 = load_two_rows(rows, index[2], index[6]);
+            let r3 = load_two_rows(rows, index[3], index[7]);
+            let (xz01, y01) = (_mm512_unpacklo_pd(r0, r1), _mm512_unpackhi_pd(r0, r1));
+            let (xz23, y23) = (_mm512_unpacklo_pd(r2, r3), _mm512_unpackhi_pd(r2, r3));
+            let first = _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0);
+            let second = _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2);
+            [
+                Avx512(_mm512_permutex2var_pd(xz01, first, xz23)),
+                Avx512(_mm512_permutex2var_pd(y01, first, y23)),
+                Avx512(_mm512_permutex2var_pd(xz01, second, xz23)),
+            ]
+        }
+    }
+    #[inline(always)]
+    unsafe fn scatter_add(rows: &mut [Row], index: &[u16; 8], vector: &[Octet; 3]) {
+        unsafe {
+            let x = _mm512_load_pd(vector[0].0.as_ptr());
+            let y = _mm512_load_pd(vector[1].0.as_ptr());
+            let z = _mm512_load_pd(vector[2].0.as_ptr());
+            let zero = _mm512_setzero_pd();
+            let (xy_even, xy_odd) = (_mm512_unpacklo_pd(x, y), _mm512_unpackhi_pd(x, y));
+            let (z_even, z_odd) = (_mm512_unpacklo_pd(z, zero), _mm512_unpackhi_pd(z, zero));
+            let first = _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0);
+            let second = _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2);
+            let r0 = _mm512_permutex2var_pd(xy_even, first, z_even);
+            let r1 = _mm512_permutex2var_pd(xy_odd, first, z_odd);
+            let r2 = _mm512_permutex2var_pd(xy_even, second, z_even);
+            let r3 = _mm512_permutex2var_pd(xy_odd, second, z_odd);
+            add_to_row(rows, index[0], _mm512_castpd512_pd256(r0));
+            add_to_row(rows, index[1], _mm512_castpd512_pd256(r1));
+            add_to_row(rows, index[2], _mm512_castpd512_pd256(r2));
+            add_to_row(rows, index[3], _mm512_castpd512_pd256(r3));
+            add_to_row(rows, index[4], _mm512_extractf64x4_pd::<1>(r0));
+            add_to_row(rows, index[5], _mm512_extractf64x4_pd::<1>(r1));
+            add_to_row(rows, index[6], _mm512_extractf64x4_pd::<1>(r2));
+            add_to_row(rows, index[7], _mm512_extractf64x4_pd::<1>(r3));
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Pointwise physics: material laws and element shapes over lanes. No allocation in hot paths, no threads, no I/O.
+
+pub mod lane;
+pub mod material;
+pub mod materials;
+pub mod parameter;
+pub mod shapes;
+pub mod sym3;
+
+pub use lane::{Isa, Lane, Octet, Row};
+pub use material::{History, Material, Moduli, Point, Sym};
+pub use parameter::{BadParameter, Column, Dimension, Kind, LawInfo, Need, Parameter, Value, Values};

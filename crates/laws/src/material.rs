@@ -1,0 +1,111 @@
+//! The seam for material laws.
+
+use crate::lane::Lane;
+use crate::parameter::{BadParameter, Column, LawInfo, Parameter, Values};
+
+/// A symmetric tensor: xx, yy, zz, xy, yz, zx. Strains carry engineering shear.
+pub type Sym<L> = [L; 6];
+
+/// What a law may know of its point besides strain and history.
+#[derive(Clone, Copy)]
+pub struct Point<L> {
+    /// Time step \[s\]; 0 while time stands still (stages).
+    pub dt: L,
+}
+
+/// Elastic constants that bound a law from above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moduli {
+    /// Lamé's first parameter λ \[Pa\].
+    pub lambda: f64,
+    /// Shear modulus μ \[Pa\].
+    pub mu: f64,
+}
+
+impl Moduli {
+    /// From Young's modulus \[Pa\] and Poisson's ratio.
+    pub fn from_young_poisson(young: f64, poisson: f64) -> Self {
+        Moduli {
+            lambda: young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)),
+            mu: young / (2.0 * (1.0 + poisson)),
+        }
+    }
+
+    /// Young's modulus \[Pa\].
+    pub fn young(&self) -> f64 {
+        self.mu * (3.0 * self.lambda + 2.0 * self.mu) / (self.lambda + self.mu)
+    }
+
+    /// Poisson's ratio.
+    pub fn poisson(&self) -> f64 {
+        self.lambda / (2.0 * (self.lambda + self.mu))
+    }
+
+    /// Speeds of P and S waves \[m/s\] at density ρ \[kg/m³\].
+    pub fn wave_speeds(&self, density: f64) -> (f64, f64) {
+        (((self.lambda + 2.0 * self.mu) / density).sqrt(), (self.mu / density).sqrt())
+    }
+}
+
+/// History of one point of a law, a fixed number of lanes.
+pub trait History<L: Lane>: Copy + AsRef<[L]> + AsMut<[L]> {
+    /// All zero, the state of virgin material.
+    fn zero() -> Self;
+}
+
+impl<L: Lane, const N: usize> History<L> for [L; N] {
+    #[inline(always)]
+    fn zero() -> Self {
+        [L::splat(0.0); N]
+    }
+}
+
+/// A material law: stress from the strain since the material was placed, and from history.
+///
+/// Laws are written in [`Lane`] operations alone, never with `if` on data, so that one source serves the scalar
+/// reference and every register width with the same bits. Every law is in total form: what it must remember
+/// (plastic strain, damage, the last strain) is in its history, so nothing drifts and a checkpoint holds all of
+/// it. Laws are isotropic; tensors in a history live in the axes that the caller passes strains in.
+pub trait Material: Send + Sync + Sized + 'static {
+    /// The word after `law =` in a case.
+    const NAME: &'static str;
+    /// One line for `tremolite list materials`.
+    const SUMMARY: &'static str;
+    /// Key of references.bib and equations.
+    const SOURCE: &'static str;
+    const PARAMETERS: &'static [Parameter];
+    const HISTORY: &'static [Column];
+    /// One lane per entry of `HISTORY`.
+    type History<L: Lane>: History<L>;
+
+    /// A checked instance.
+    ///
+    /// # Errors
+    /// Every value the law refuses.
+    fn new(values: &Values) -> Result<Self, Vec<BadParameter>>;
+
+    /// The stiffest elastic moduli the law can show: time step, stabilisation, damping and boundaries go by them.
+    fn moduli(&self) -> Moduli;
+
+    /// Stress \[Pa\] and new history for a strain.
+    fn update<L: Lane>(
+        &self,
+        point: &Point<L>,
+        strain: Sym<L>,
+        history: Self::History<L>,
+    ) -> (Sym<L>, Self::History<L>);
+}
+
+impl LawInfo {
+    /// The description of law `M`.
+    pub const fn of<M: Material>() -> Self {
+        LawInfo {
+            name: M::NAME,
+            summary: M::SUMMARY,
+            source: M::SOURCE,
+            parameters: M::PARAMETERS,
+            history: M::HISTORY,
+            check: |values| M::new(values).map(|_| ()),
+        }
+    }
+}

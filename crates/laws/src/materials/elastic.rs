@@ -1,0 +1,85 @@
+//! Linear isotropic elasticity.
+
+use crate::lane::Lane;
+use crate::material::{Material, Moduli, Point, Sym};
+use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Values};
+
+/// σ = λ tr(ε) I + 2μ ε (Hooke). No damage, no yielding, no rate.
+#[derive(Clone, Copy, Debug)]
+pub struct Elastic {
+    moduli: Moduli,
+}
+
+/// Young's modulus, as every elastic law names it.
+pub const YOUNG: Parameter = Parameter {
+    name: "young",
+    kind: Kind::Number(Dimension::PRESSURE),
+    need: Need::Required,
+    doc: "Young's modulus E",
+};
+
+/// Poisson's ratio, as every elastic law names it.
+pub const POISSON: Parameter = Parameter {
+    name: "poisson",
+    kind: Kind::Number(Dimension::NONE),
+    need: Need::Required,
+    doc: "Poisson's ratio ν, from 0 up to below 0.5",
+};
+
+/// Reads and checks E and ν, for any law that starts from them.
+///
+/// # Errors
+/// E ≤ 0, ν outside \[0, 0.5), or a missing value.
+pub fn read_moduli(values: &Values) -> Result<Moduli, Vec<BadParameter>> {
+    let young = values.number_where("young", |e| e > 0.0, "must be positive", "for rock 1 to 80 GPa is usual");
+    let poisson = values.number_where(
+        "poisson",
+        |nu| (0.0..0.5).contains(&nu),
+        "must be at least 0 and below 0.5",
+        "for rock and concrete 0.15 to 0.35 is usual",
+    );
+    match (young, poisson) {
+        (Ok(e), Ok(nu)) => Ok(Moduli::from_young_poisson(e, nu)),
+        (e, nu) => Err([e.err(), nu.err()].into_iter().flatten().collect()),
+    }
+}
+
+impl Elastic {
+    /// The law with given moduli, checked already.
+    pub const fn from_moduli(moduli: Moduli) -> Self {
+        Elastic { moduli }
+    }
+}
+
+impl Material for Elastic {
+    const NAME: &'static str = "elastic";
+    const SUMMARY: &'static str = "linear isotropic elasticity";
+    const SOURCE: &'static str = "wang2018, effective stress above (2)";
+    const PARAMETERS: &'static [Parameter] = &[YOUNG, POISSON];
+    const HISTORY: &'static [Column] = &[];
+    type History<L: Lane> = [L; 0];
+
+    fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
+        Ok(Elastic { moduli: read_moduli(values)? })
+    }
+
+    fn moduli(&self) -> Moduli {
+        self.moduli
+    }
+
+    #[inline(always)]
+    fn update<L: Lane>(&self, _: &Point<L>, e: Sym<L>, history: [L; 0]) -> (Sym<L>, [L; 0]) {
+        let mu = L::splat(self.moduli.mu);
+        let mu2 = L::splat(2.0 * self.moduli.mu);
+        let pressure = L::splat(self.moduli.lambda) * (e[0] + e[1] + e[2]);
+        let stress = [
+            mu2.mul_add(e[0], pressure),
+            mu2.mul_add(e[1], pressure),
+            mu2.mul_add(e[2], pressure),
+            mu * e[3],
+            mu * e[4],
+            mu * e[5],
+        ];
+        (stress, history)
+    }
+}

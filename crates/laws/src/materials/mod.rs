@@ -1,0 +1,22 @@
+//! Material laws, one a file. A law enters the program by one line in [`for_each_material!`](crate::for_each_material).
+
+pub mod elastic;
+
+pub use elastic::Elastic;
+
+use crate::parameter::LawInfo;
+
+/// Calls a macro with the list of all laws: the one place where a law is registered.
+#[macro_export]
+macro_rules! for_each_material {
+    ($then:ident) => {
+        $then!($crate::materials::Elastic,)
+    };
+}
+
+macro_rules! infos {
+    ($($law:ty,)*) => { &[$(LawInfo::of::<$law>()),*] };
+}
+
+/// Descriptions of all laws, in the order of registration.
+pub const MATERIALS: &[LawInfo] = for_each_material!(infos);

@@ -1,0 +1,179 @@
+//! Parameters of laws as data: what the case reader, the help and the tests all go by.
+
+use std::collections::BTreeMap;
+
+/// Physical dimension as exponents of metre, kilogram, second and plane angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Dimension {
+    pub length: i8,
+    pub mass: i8,
+    pub time: i8,
+    pub angle: i8,
+}
+
+impl Dimension {
+    const fn of(length: i8, mass: i8, time: i8) -> Self {
+        Dimension { length, mass, time, angle: 0 }
+    }
+
+    pub const NONE: Self = Self::of(0, 0, 0);
+    pub const LENGTH: Self = Self::of(1, 0, 0);
+    pub const TIME: Self = Self::of(0, 0, 1);
+    /// Frequency or strain rate, 1/s.
+    pub const RATE: Self = Self::of(0, 0, -1);
+    pub const VELOCITY: Self = Self::of(1, 0, -1);
+    pub const ACCELERATION: Self = Self::of(1, 0, -2);
+    /// Stress or modulus, Pa.
+    pub const PRESSURE: Self = Self::of(-1, 1, -2);
+    pub const DENSITY: Self = Self::of(-3, 1, 0);
+    /// Weight per volume, N/m³.
+    pub const UNIT_WEIGHT: Self = Self::of(-2, 1, -2);
+    pub const FORCE: Self = Self::of(1, 1, -2);
+    /// Energy per area, N/m.
+    pub const FRACTURE_ENERGY: Self = Self::of(0, 1, -2);
+    /// Stiffness per area, Pa/m.
+    pub const STIFFNESS: Self = Self::of(-2, 1, -2);
+    pub const ANGLE: Self = Dimension { length: 0, mass: 0, time: 0, angle: 1 };
+}
+
+/// What a parameter's value looks like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A number with a dimension, in SI once read.
+    Number(Dimension),
+    /// One word out of a list.
+    Word(&'static [&'static str]),
+}
+
+/// Whether a parameter may be left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Need {
+    Required,
+    /// This value is used, and the run lists it as defaulted.
+    Number(f64),
+    /// This word is used, and the run lists it as defaulted.
+    Word(&'static str),
+    /// Nothing is used; the text says what the law does then.
+    Optional(&'static str),
+}
+
+/// One parameter of a law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameter {
+    pub name: &'static str,
+    pub kind: Kind,
+    pub need: Need,
+    /// Meaning, with the symbol of NOTATION.md.
+    pub doc: &'static str,
+}
+
+/// A parameter's value, in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    Number(f64),
+    Word(String),
+}
+
+/// The values of a law's parameters by name, in SI, defaults filled in.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Values(pub BTreeMap<String, Value>);
+
+impl Values {
+    /// The same values with one more.
+    pub fn with(mut self, name: &str, value: f64) -> Self {
+        self.0.insert(name.to_owned(), Value::Number(value));
+        self
+    }
+
+    /// A number, if it is given.
+    pub fn optional(&self, name: &str) -> Option<f64> {
+        match self.0.get(name) {
+            Some(Value::Number(x)) => Some(*x),
+            _ => None,
+        }
+    }
+
+    /// A required number.
+    ///
+    /// # Errors
+    /// If it is missing, a word, or not finite.
+    pub fn number(&self, name: &'static str) -> Result<f64, BadParameter> {
+        match self.optional(name) {
+            Some(x) if x.is_finite() => Ok(x),
+            Some(_) => Err(BadParameter::new(name, "is not a finite number", "give a finite value")),
+            None => Err(BadParameter::new(name, "is missing", "give it in the material's table")),
+        }
+    }
+
+    /// A number that satisfies a condition.
+    ///
+    /// # Errors
+    /// As [`Values::number`], and with the words of `problem` and `remedy` where the condition fails.
+    pub fn number_where(
+        &self,
+        name: &'static str,
+        holds: impl Fn(f64) -> bool,
+        problem: &str,
+        remedy: &str,
+    ) -> Result<f64, BadParameter> {
+        let x = self.number(name)?;
+        if holds(x) { Ok(x) } else { Err(BadParameter::new(name, problem, remedy)) }
+    }
+
+    /// A word, if it is given.
+    pub fn word(&self, name: &str) -> Option<&str> {
+        match self.0.get(name) {
+            Some(Value::Word(w)) => Some(w),
+            _ => None,
+        }
+    }
+}
+
+/// A parameter's value that a law refuses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BadParameter {
+    /// The offending key.
+    pub name: &'static str,
+    /// What is wrong, to be read after the key: 'must be below 0.5'.
+    pub problem: String,
+    /// What to do about it.
+    pub remedy: String,
+}
+
+impl BadParameter {
+    pub fn new(name: &'static str, problem: impl Into<String>, remedy: impl Into<String>) -> Self {
+        BadParameter { name, problem: problem.into(), remedy: remedy.into() }
+    }
+}
+
+impl std::fmt::Display for BadParameter {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} {}; {}", self.name, self.problem, self.remedy)
+    }
+}
+
+impl std::error::Error for BadParameter {}
+
+/// One history variable of a law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column {
+    pub name: &'static str,
+    /// SI unit, '1' for a pure number.
+    pub unit: &'static str,
+    pub doc: &'static str,
+}
+
+/// What is known of a law without an instance of it.
+#[derive(Clone, Copy)]
+pub struct LawInfo {
+    /// The word after `law =` in a case.
+    pub name: &'static str,
+    /// One line for `tremolite list`.
+    pub summary: &'static str,
+    /// Where the equations come from: key of references.bib and equation numbers.
+    pub source: &'static str,
+    pub parameters: &'static [Parameter],
+    pub history: &'static [Column],
+    /// Whether the law accepts these values.
+    pub check: fn(&Values) -> Result<(), Vec<BadParameter>>,
+}

@@ -1,0 +1,205 @@
+//! The eight-node hexahedron with one assumed-strain field at two quadratures.
+//!
+//! Belytschko & Bindeman (1993), ASQBI: the mean strain from the mean gradients (Flanagan & Belytschko 1981), and a
+//! hourglass strain, linear and bilinear in natural coordinates, that bends without shear and without locking at
+//! ν → ½. [`one_point`] integrates the hourglass part in closed form with the law's elastic moduli and evaluates the
+//! law once; [`full`] evaluates the law at 2×2×2 points of the same field.
+//!
+//! **Modal form.** The eight ±1 patterns of the nodes — constant, three linear, four hourglass — turn nodal into
+//! modal values by 24 additions a component ([`to_modes`]). With U_m = Σ_I s_mI u_I the mean gradient is
+//! g_ij = Σ_m b_mj U_mi over the seven patterns m ≠ constant, and the hourglass amplitudes
+//! q_αi = γ_α·u_i = ⅛ (U_αi − Σ_j X_αj g_ij) vanish for every linear field.
+//!
+//! **Hourglass strain.** In the element's frame R (from the polar decomposition of the Jacobian at the centre) with
+//! half-lengths ℓ, s_kα = q̂_kα/ℓ_k, and α = 1, 2, 3, 4 for ηζ, ξζ, ξη, ξηζ (axes x, y, z are the frame's):
+//!
+//! | times | ε_xx | ε_yy | ε_zz | γ |
+//! |---|---|---|---|---|
+//! | ξ | −ν̄ Σ | s_y3 | s_z2 | γ_yz = s_y2 ℓ_y/ℓ_z + s_z3 ℓ_z/ℓ_y |
+//! | η | s_x3 | −ν̄ Σ | s_z1 | γ_zx = s_x1 ℓ_x/ℓ_z + s_z3 ℓ_z/ℓ_x |
+//! | ζ | s_x2 | s_y1 | −ν̄ Σ | γ_xy = s_x1 ℓ_x/ℓ_y + s_y2 ℓ_y/ℓ_x |
+//! | ηζ | s_x4 | −ν s_x4 | −ν s_x4 | |
+//! | ξζ | −ν s_y4 | s_y4 | −ν s_y4 | |
+//! | ξη | −ν s_z4 | −ν s_z4 | s_z4 | |
+//!
+//! with ν̄ = ν/(1 − ν) and Σ the sum of the two normal strains in the row. Limits: small displacements; the
+//! frame and lengths are those of the undeformed element; strongly skewed elements bend too stiffly.
+
+mod full;
+mod geometry;
+mod one_point;
+
+pub use full::{FullGeometry, full};
+pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
+pub use one_point::{OnePointGeometry, one_point};
+
+use crate::lane::{Lane, Octet, Row};
+use crate::material::Moduli;
+
+/// Position of corner k in the binary order that the modal form uses (bit 0 is ξ, bit 1 η, bit 2 ζ).
+pub const BINARY: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+
+/// Modes ξ, η, ζ.
+pub const LINEAR: [usize; 3] = [1, 2, 4];
+
+/// Modes ηζ, ξζ, ξη, ξηζ: α = 1, 2, 3, 4 of Belytschko & Bindeman.
+pub const HOURGLASS: [usize; 4] = [6, 5, 3, 7];
+
+/// Nodal (binary order) to modal values.
+#[inline(always)]
+pub fn to_modes<L: Lane>(x: &mut [L; 8]) {
+    let mut stride = 1;
+    while stride < 8 {
+        let mut i = 0;
+        while i < 8 {
+            if i & stride == 0 {
+                let (minus, plus) = (x[i], x[i | stride]);
+                x[i] = minus + plus;
+                x[i | stride] = plus - minus;
+            }
+            i += 1;
+        }
+        stride *= 2;
+    }
+}
+
+/// The transpose of [`to_modes`]: modal to nodal forces.
+#[inline(always)]
+pub fn to_nodes<L: Lane>(f: &mut [L; 8]) {
+    let mut stride = 1;
+    while stride < 8 {
+        let mut i = 0;
+        while i < 8 {
+            if i & stride == 0 {
+                let (even, odd) = (f[i], f[i | stride]);
+                f[i] = even - odd;
+                f[i | stride] = even + odd;
+            }
+            i += 1;
+        }
+        stride *= 2;
+    }
+}
+
+/// Elastic constants of the hourglass part, the same for all elements of a block.
+#[derive(Clone, Copy, Debug)]
+pub struct Stabilisation {
+    /// Shear modulus μ \[Pa\].
+    pub mu: f64,
+    /// Young's modulus E \[Pa\].
+    pub young: f64,
+    /// E/(1 − ν²) \[Pa\].
+    pub plane_stress: f64,
+    /// ν
+    pub poisson: f64,
+    /// ν/(1 − ν)
+    pub poisson_plane: f64,
+}
+
+impl Stabilisation {
+    pub fn new(moduli: Moduli) -> Self {
+        let (young, nu) = (moduli.young(), moduli.poisson());
+        Stabilisation {
+            mu: moduli.mu,
+            young,
+            plane_stress: young / (1.0 - nu * nu),
+            poisson: nu,
+            poisson_plane: nu / (1.0 - nu),
+        }
+    }
+}
+
+/// What a probing pass brings home beside forces, per octet of elements.
+#[derive(Clone, Copy)]
+pub struct Probe {
+    /// Stress \[Pa\] of each point in global axes: `[point][component]`; only point 0 with one-point quadrature.
+    pub stress: [[Octet; 6]; 8],
+    /// Recoverable energy \[J\] of the mean part, Σ w ½ σ:ε.
+    pub strain_energy: Octet,
+    /// Energy \[J\] of the hourglass stabilisation; zero for full quadrature, where it is strain energy.
+    pub hourglass_energy: Octet,
+}
+
+impl Probe {
+    pub const ZERO: Probe = Probe {
+        stress: [[Octet::ZERO; 6]; 8],
+        strain_energy: Octet::ZERO,
+        hourglass_energy: Octet::ZERO,
+    };
+}
+
+/// Modal displacements of the lanes `at ..` of an octet: `[component][mode]`.
+///
+/// # Safety
+/// All indices must be below `rows.len()`.
+#[inline(always)]
+unsafe fn gather_modes<L: Lane>(rows: &[Row], index: &[[u16; 8]; 8], at: usize) -> [[L; 8]; 3] {
+    let zero = L::splat(0.0);
+    let mut modes = [[zero; 8]; 3];
+    let mut corner = 0;
+    while corner < 8 {
+        // SAFETY: passed on to the caller.
+        let [x, y, z] = unsafe { L::gather(rows, &index[corner], at) };
+        modes[0][BINARY[corner]] = x;
+        modes[1][BINARY[corner]] = y;
+        modes[2][BINARY[corner]] = z;
+        corner += 1;
+    }
+    to_modes(&mut modes[0]);
+    to_modes(&mut modes[1]);
+    to_modes(&mut modes[2]);
+    modes
+}
+
+/// Modal forces to nodal ones, kept until all lanes of the octet are there.
+#[inline(always)]
+fn store_nodal<L: Lane>(modes: &mut [[L; 8]; 3], nodal: &mut [[Octet; 3]; 8], at: usize) {
+    let mut i = 0;
+    while i < 3 {
+        to_nodes(&mut modes[i]);
+        let mut corner = 0;
+        while corner < 8 {
+            modes[i][BINARY[corner]].store(&mut nodal[corner][i], at);
+            corner += 1;
+        }
+        i += 1;
+    }
+}
+
+/// Adds the nodal forces of an octet to the rows, corner by corner and lane by lane.
+///
+/// # Safety
+/// All indices must be below `out.len()`.
+#[inline(always)]
+unsafe fn scatter_nodal<L: Lane>(out: &mut [Row], index: &[[u16; 8]; 8], nodal: &[[Octet; 3]; 8]) {
+    let mut corner = 0;
+    while corner < 8 {
+        // SAFETY: passed on to the caller.
+        unsafe { L::scatter_add(out, &index[corner], &nodal[corner]) };
+        corner += 1;
+    }
+}
+
+/// History of one point from its octets (one per column).
+#[inline(always)]
+fn load_history<L: Lane, M: crate::Material>(octets: &[Octet], at: usize) -> M::History<L> {
+    let mut history = <M::History<L> as crate::History<L>>::zero();
+    let lanes = history.as_mut();
+    let mut i = 0;
+    while i < lanes.len() {
+        lanes[i] = L::load(&octets[i], at);
+        i += 1;
+    }
+    history
+}
+
+/// The inverse of [`load_history`].
+#[inline(always)]
+fn store_history<L: Lane, M: crate::Material>(history: M::History<L>, octets: &mut [Octet], at: usize) {
+    let lanes = history.as_ref();
+    let mut i = 0;
+    while i < lanes.len() {
+        lanes[i].store(&mut octets[i], at);
+        i += 1;
+    }
+}

@@ -1,0 +1,77 @@
+//! Symmetric tensors of order two in three dimensions.
+
+/// Principal values, largest first, by Jacobi's rotations (Golub & Van Loan 2013, section 8.5).
+///
+/// Components are xx, yy, zz, xy, yz, zx (tensor shear, not engineering). Exact to round-off of the largest value
+/// for any finite tensor, equal values included; not finite where the tensor is not.
+pub fn principal_values(t: &[f64; 6]) -> [f64; 3] {
+    let mut a = [[t[0], t[3], t[5]], [t[3], t[1], t[4]], [t[5], t[4], t[2]]];
+    // Convergence is quadratic: six sweeps leave nothing above round-off.
+    for _ in 0..6 {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            if a[p][q] == 0.0 {
+                continue;
+            }
+            let theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+            let tangent = theta.signum() / (theta.abs() + theta.hypot(1.0));
+            let cosine = 1.0 / tangent.hypot(1.0);
+            let sine = tangent * cosine;
+            let r = 3 - p - q;
+            let (rp, rq) = (a[r][p], a[r][q]);
+            a[p][p] -= tangent * a[p][q];
+            a[q][q] += tangent * a[p][q];
+            a[p][q] = 0.0;
+            a[q][p] = 0.0;
+            a[r][p] = cosine * rp - sine * rq;
+            a[p][r] = a[r][p];
+            a[r][q] = sine * rp + cosine * rq;
+            a[q][r] = a[r][q];
+        }
+    }
+    let mut values = [a[0][0], a[1][1], a[2][2]];
+    values.sort_by(|x, y| y.total_cmp(x));
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::principal_values;
+
+    #[test]
+    fn principal_values_of_known_tensors() {
+        assert_eq!(principal_values(&[0.0; 6]), [0.0; 3]);
+        assert_eq!(principal_values(&[3.0, 1.0, 2.0, 0.0, 0.0, 0.0]), [3.0, 2.0, 1.0]);
+        let shear = principal_values(&[0.0, 0.0, 0.0, 5.0, 0.0, 0.0]);
+        for (found, exact) in shear.into_iter().zip([5.0, 0.0, -5.0]) {
+            assert!((found - exact).abs() < 1e-14);
+        }
+        // All components 1: one value of 3, two of 0.
+        let ones = principal_values(&[1.0; 6]);
+        for (found, exact) in ones.into_iter().zip([3.0, 0.0, 0.0]) {
+            assert!((found - exact).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn principal_values_keep_the_invariants() {
+        let mut seed = 1u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        for scale in [1e-300, 1e-9, 1.0, 1e9, 1e150] {
+            for _ in 0..200 {
+                let t = [0; 6].map(|_| scale * random());
+                let [a, b, c] = principal_values(&t);
+                assert!(a >= b && b >= c);
+                let trace = t[0] + t[1] + t[2];
+                assert!((a + b + c - trace).abs() <= 1e-14 * scale);
+                let n = t.map(|x| x / scale);
+                let (a, b, c) = (a / scale, b / scale, c / scale);
+                let det = n[0] * (n[1] * n[2] - n[4] * n[4]) - n[3] * (n[3] * n[2] - n[4] * n[5])
+                    + n[5] * (n[3] * n[4] - n[1] * n[5]);
+                assert!((a * b * c - det).abs() < 1e-14);
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Baseline correction and tapering of a record.
+
+/// A straight line through the samples of a record, in their unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Line {
+    /// Value at the first sample.
+    pub intercept: f64,
+    /// Change from one sample to the next.
+    pub slope: f64,
+}
+
+/// The straight line that fits the samples best (least squares), as `scipy.signal.detrend(type="linear")`
+/// subtracts. Fewer than two samples have slope 0.
+pub fn linear_trend(values: &[f64]) -> Line {
+    if values.is_empty() {
+        return Line { intercept: 0.0, slope: 0.0 };
+    }
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    // About the centre, so that the two unknowns do not disturb each other by cancellation.
+    let centre = 0.5 * (count - 1.0);
+    let moment: f64 = values.iter().enumerate().map(|(i, v)| (i as f64 - centre) * (v - mean)).sum();
+    let inertia = count * (count * count - 1.0) / 12.0;
+    let slope = if inertia > 0.0 { moment / inertia } else { 0.0 };
+    Line { intercept: mean - slope * centre, slope }
+}
+
+/// Takes the straight line of best fit off the samples.
+pub(crate) fn detrend_linear(values: &mut [f64]) {
+    let line = linear_trend(values);
+    for (i, value) in values.iter_mut().enumerate() {
+        *value -= line.intercept + line.slope * i as f64;
+    }
+}
+
+/// Fades both ends in and out with half a cosine wave of `seconds` each, first and last sample to zero.
+pub(crate) fn taper(values: &mut [f64], dt: f64, seconds: f64) {
+    let count = values.len();
+    for (i, value) in values.iter_mut().enumerate() {
+        let from_end = i.min(count - 1 - i) as f64 * dt;
+        if from_end < seconds {
+            *value *= 0.5 * (1.0 - (std::f64::consts::PI * from_end / seconds).cos());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn detrending_a_line_leaves_nothing_and_keeps_what_is_orthogonal_to_lines() {
+        let even = [1.0, -2.0, 1.0];
+        let mut values: Vec<f64> = even.iter().enumerate().map(|(i, e)| e + 5.0 - 0.5 * i as f64).collect();
+        let line = linear_trend(&values);
+        assert!((line.intercept - 5.0).abs() < 1e-14 && (line.slope + 0.5).abs() < 1e-14);
+        detrend_linear(&mut values);
+        for (v, e) in values.iter().zip(even) {
+            assert!((v - e).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn the_taper_is_zero_at_the_ends_half_in_the_middle_and_one_inside() {
+        let mut values = vec![1.0; 21];
+        taper(&mut values, 0.1, 0.4);
+        assert_eq!((values[0], values[20]), (0.0, 0.0));
+        assert!((values[2] - 0.5).abs() < 1e-15 && (values[18] - 0.5).abs() < 1e-15);
+        assert!(values[4..=16].iter().all(|v| *v == 1.0));
+    }
+}

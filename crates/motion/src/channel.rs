@@ -1,0 +1,181 @@
+//! One component of a record.
+
+use std::path::PathBuf;
+
+use crate::{Error, Orientation};
+
+/// One component of a recorded acceleration, equally spaced in time.
+///
+/// Readers hand out channels with at least two samples, all finite, and `dt > 0`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// What to call it in tables: the file's stem, with the component's label where the file has several.
+    pub name: String,
+    /// The file it came from.
+    pub file: PathBuf,
+    /// Sampling interval (s).
+    pub dt: f64,
+    /// Time of the first sample (s): of the file's time column, else 0.
+    pub start: f64,
+    /// Samples (m/s²).
+    pub acceleration: Vec<f64>,
+    /// The unit found in the file, as spelled there, or the one declared for it.
+    pub units: String,
+    /// The positive direction, where the file states it.
+    pub orientation: Option<Orientation>,
+}
+
+impl Channel {
+    /// Time of the last sample (s).
+    pub fn end(&self) -> f64 {
+        self.start + self.duration()
+    }
+
+    /// Time from the first to the last sample (s).
+    pub fn duration(&self) -> f64 {
+        self.acceleration.len().saturating_sub(1) as f64 * self.dt
+    }
+
+    /// The samples between `start` and `end` (s), both in the record's own time and both included.
+    ///
+    /// The window may reach beyond the record; then there is less in it, which `start`, `end()` of the result
+    /// tell. A thousandth of an interval is allowed for round-off in the limits.
+    ///
+    /// # Errors
+    /// [`Error::Unsuitable`] if the limits are not in order or fewer than two samples lie between them.
+    pub fn window(&self, start: f64, end: f64) -> Result<Channel, Error> {
+        // Negated, so that NaN is refused as well.
+        if !(start < end) {
+            return Err(Error::unsuitable(
+                format!("the window from {start} s to {end} s has no length"),
+                "give the earlier time first, as in window = [\"20.5 s\", \"40 s\"]",
+            ));
+        }
+        let first = ((start - self.start) / self.dt - 1e-3).ceil().max(0.0);
+        let last = ((end - self.start) / self.dt + 1e-3).floor().min(self.acceleration.len() as f64 - 1.0);
+        if !(last - first >= 1.0) {
+            return Err(Error::unsuitable(
+                format!(
+                    "the window from {start} s to {end} s holds no two samples of record '{}', which runs \
+                     from {} s to {} s",
+                    self.name,
+                    self.start,
+                    self.end()
+                ),
+                "choose a window inside the record",
+            ));
+        }
+        // Both lie in 0..len by the lines above.
+        let (first, last) = (first as usize, last as usize);
+        Ok(Channel {
+            start: self.start + first as f64 * self.dt,
+            acceleration: self.acceleration[first..=last].to_vec(),
+            ..self.clone()
+        })
+    }
+}
+
+/// Cuts channels to the span of time they share, so that equal indices are equal times.
+///
+/// Nothing is resampled.
+///
+/// # Errors
+/// [`Error::Unsuitable`] if there is no channel, if sampling intervals differ, if first samples are not a whole
+/// number of intervals apart (to 1 %), or if there is no common span.
+pub fn common_time_base(channels: &[&Channel]) -> Result<Vec<Channel>, Error> {
+    let Some(first) = channels.first() else {
+        return Err(Error::unsuitable("no component was given", "name at least one record"));
+    };
+    for other in &channels[1..] {
+        if (other.dt - first.dt).abs() > 1e-6 * first.dt {
+            return Err(Error::unsuitable(
+                format!(
+                    "the components have different sampling intervals: '{}' {} s, '{}' {} s",
+                    first.name, first.dt, other.name, other.dt
+                ),
+                "resample them to one interval with a program of your choice and read the result as text",
+            ));
+        }
+        let shift = (other.start - first.start) / first.dt;
+        if !((shift - shift.round()).abs() < 0.01) {
+            return Err(Error::unsuitable(
+                format!(
+                    "the samples of '{}' and '{}' lie between each other: they start at {} s and {} s, \
+                     interval {} s",
+                    first.name, other.name, first.start, other.start, first.dt
+                ),
+                "resample one of them to the times of the other and read the result as text",
+            ));
+        }
+    }
+    let start = channels.iter().map(|c| c.start).fold(f64::NEG_INFINITY, f64::max);
+    let end = channels.iter().map(|c| c.end()).fold(f64::INFINITY, f64::min);
+    channels
+        .iter()
+        .map(|c| {
+            // A margin of 2 % of an interval, since first samples may be that far from a whole number of them.
+            c.window(start - 0.02 * c.dt, end + 0.02 * c.dt).map_err(|_| {
+                Error::unsuitable(
+                    format!("the components have no span of time in common ('{}' and others)", c.name),
+                    "check that they belong to one event and have the same zero of time",
+                )
+            })
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ramp(start: f64, dt: f64, count: usize) -> Channel {
+        Channel {
+            name: "ramp".into(),
+            file: PathBuf::new(),
+            dt,
+            start,
+            acceleration: (0..count).map(|i| start + i as f64 * dt).collect(),
+            units: "m/s2".into(),
+            orientation: None,
+        }
+    }
+
+    #[test]
+    fn a_window_keeps_the_samples_between_its_limits_with_their_times() {
+        let cut = ramp(20.52, 0.005, 3902).window(25.0, 30.0).unwrap();
+        assert_eq!(cut.acceleration.len(), 1001);
+        assert!((cut.start - 25.0).abs() < 1e-9 && (cut.end() - 30.0).abs() < 1e-9);
+        assert!((cut.acceleration[0] - 25.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_window_beyond_the_record_is_clipped_and_one_outside_is_refused() {
+        let record = ramp(20.52, 0.005, 3902);
+        assert_eq!(record.window(20.5, 50.0).unwrap(), record);
+        for (a, b) in
+            [(0.0, 20.0), (41.0, 50.0), (30.0, 30.0), (30.0, 20.0), (f64::NAN, 30.0), (30.0, f64::NAN)]
+        {
+            assert!(record.window(a, b).is_err(), "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn components_are_cut_to_their_common_span() {
+        let (a, b) = (ramp(0.0, 0.01, 101), ramp(0.20, 0.01, 101));
+        let cut = common_time_base(&[&a, &b]).unwrap();
+        assert_eq!((cut[0].acceleration.len(), cut[1].acceleration.len()), (81, 81));
+        for (x, y) in cut[0].acceleration.iter().zip(&cut[1].acceleration) {
+            assert!((x - y).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn unlike_intervals_and_interleaved_samples_are_refused_with_the_way_out() {
+        let a = ramp(0.0, 0.01, 101);
+        for b in [ramp(0.0, 0.02, 50), ramp(0.005, 0.01, 101), ramp(f64::MAX, 0.01, 3), ramp(5.0, 0.01, 3)] {
+            assert!(common_time_base(&[&a, &b]).is_err());
+        }
+        let message = common_time_base(&[&a, &ramp(0.0, 0.02, 50)]).unwrap_err().to_string();
+        assert!(message.contains("0.02 s") && message.contains("resample"), "{message}");
+    }
+}

@@ -1,0 +1,41 @@
+//! What can be wrong with a record, and the way out.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// An error of this crate. Every message says what is wrong, where, and what to do about it.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The file could not be read or written.
+    #[error("{}: {source}", file.display())]
+    Io { file: PathBuf, source: io::Error },
+
+    /// The content of a file is not what its format promises. `line` counts from 1.
+    #[error("{}, line {line}: {problem}; {remedy}", file.display())]
+    Record { file: PathBuf, line: usize, problem: String, remedy: String },
+
+    /// A step of processing cannot be applied to this channel.
+    #[error("record '{channel}', '{step}': {problem}; {remedy}")]
+    Process { channel: String, step: String, problem: String, remedy: String },
+
+    /// Records do not fit together, or a parameter does not fit the record.
+    #[error("{problem}; {remedy}")]
+    Unsuitable { problem: String, remedy: String },
+}
+
+impl Error {
+    /// A [`Error::Record`]; `line` counts from 1.
+    pub(crate) fn record(
+        file: &Path,
+        line: usize,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Error {
+        Error::Record { file: file.to_path_buf(), line, problem: problem.into(), remedy: remedy.into() }
+    }
+
+    /// A [`Error::Unsuitable`].
+    pub(crate) fn unsuitable(problem: impl Into<String>, remedy: impl Into<String>) -> Error {
+        Error::Unsuitable { problem: problem.into(), remedy: remedy.into() }
+    }
+}

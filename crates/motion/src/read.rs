@@ -1,0 +1,109 @@
+//! Reading of records, one file a format.
+
+mod geonet_v2a;
+mod peer_at2;
+mod source;
+mod text;
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use std::str::FromStr;
+
+use crate::{Channel, Error, Orientation, Units};
+use source::Source;
+pub(crate) use source::shown;
+
+/// What a file of plain numbers does not say itself. For files that do say it, a statement here must agree.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct TextOptions {
+    /// Units of the numbers.
+    pub units: Option<Units>,
+    /// What each column holds, for text. By default one column is acceleration, two are time and acceleration.
+    pub columns: Option<Vec<Column>>,
+    /// Sampling interval (s).
+    pub dt: Option<f64>,
+}
+
+/// What a column of text holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Column {
+    /// Time (s).
+    Time,
+    /// Acceleration, with its direction if it is known.
+    Acceleration(Option<Orientation>),
+    /// Nothing that is wanted.
+    Skip,
+}
+
+impl FromStr for Column {
+    type Err = String;
+
+    /// Reads `time`, `acceleration`, `skip`, or a direction (`east`, `north`, `up`, `N28W`, `332`, see
+    /// [`Orientation::parse`]) for an acceleration in that direction.
+    fn from_str(word: &str) -> Result<Column, String> {
+        match word.trim() {
+            "time" => Ok(Column::Time),
+            "acceleration" => Ok(Column::Acceleration(None)),
+            "skip" => Ok(Column::Skip),
+            other => Orientation::parse(other).map(|o| Column::Acceleration(Some(o))).ok_or_else(|| {
+                format!(
+                    "'{}' is not something a column can hold; use time, acceleration, east, north, up, an \
+                     azimuth such as N28W or 332, or skip",
+                    shown(other)
+                )
+            }),
+        }
+    }
+}
+
+/// One format that can be read.
+pub struct Format {
+    /// Its name, for lists and messages.
+    pub name: &'static str,
+    /// Whether the content looks like this format.
+    recognises: fn(&Source) -> bool,
+    /// Reads all channels of the file.
+    read: fn(&Source, &TextOptions) -> Result<Vec<Channel>, Error>,
+}
+
+/// All formats, tried in this order. The last takes whatever is left.
+pub const FORMATS: &[Format] = &[
+    Format { name: "GeoNet V2A", recognises: geonet_v2a::recognises, read: geonet_v2a::read },
+    Format { name: "PEER AT2", recognises: peer_at2::recognises, read: peer_at2::read },
+    Format { name: "text columns", recognises: |_| true, read: text::read },
+];
+
+/// Larger files than this (bytes) are not records.
+const LARGEST: u64 = 1 << 30;
+
+/// Reads all channels of a file; the format is recognised by its content, never by its name.
+///
+/// # Errors
+/// [`Error::Io`], or [`Error::Record`] with the line, the problem and the way out.
+pub fn read(path: &Path, options: &TextOptions) -> Result<Vec<Channel>, Error> {
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
+        .map_err(|source| Error::Io { file: path.to_path_buf(), source })?;
+    read_bytes(path, &bytes, options)
+}
+
+/// As [`read`], from content already in memory; `path` serves for names and messages alone.
+///
+/// # Errors
+/// [`Error::Record`].
+pub fn read_bytes(path: &Path, bytes: &[u8], options: &TextOptions) -> Result<Vec<Channel>, Error> {
+    if bytes.len() as u64 > LARGEST {
+        return Err(Error::record(path, 1, "the file is larger than 1 GiB", "give a single record"));
+    }
+    if bytes.starts_with(&[0x1f, 0x8b]) || bytes.starts_with(b"PK\x03\x04") {
+        return Err(Error::record(path, 1, "the file is compressed", "unpack it first (gunzip, unzip)"));
+    }
+    let text = String::from_utf8_lossy(bytes);
+    let source = Source::new(path, &text);
+    let Some(format) = FORMATS.iter().find(|f| (f.recognises)(&source)) else {
+        return Err(source.error(0, "the format is not known", "convert the record to two columns of text"));
+    };
+    (format.read)(&source, options)
+}

@@ -1,0 +1,196 @@
+//! Columns of numbers.
+//!
+//! Numbers are separated by blanks, tabs, commas or semicolons. `#` begins a comment. Comments of the form
+//! `# units = "cm/s2"` and `# dt = "0.005 s"` count as declarations, written as in a case file.
+
+use super::source::{Source, number, shown};
+use super::{Column, TextOptions};
+use crate::{Channel, Error, Orientation, Units};
+
+/// The numbers of a file.
+struct Table {
+    /// What each column holds.
+    columns: Vec<Column>,
+    /// One vector a column, equally long, with at least two numbers each.
+    data: Vec<Vec<f64>>,
+    /// Line index of each row, for messages.
+    rows: Vec<usize>,
+}
+
+/// Reads the numbers, the same count on every line.
+fn table(source: &Source, declared: Option<&[Column]>) -> Result<Table, Error> {
+    let mut columns = Vec::new();
+    let mut data: Vec<Vec<f64>> = Vec::new();
+    let mut rows = Vec::new();
+    for (line, text) in source.lines.iter().enumerate() {
+        let text = text.split('#').next().unwrap_or("");
+        let words = || text.split([' ', '\t', ',', ';']).filter(|w| !w.is_empty());
+        let found = words().count();
+        if found == 0 {
+            continue;
+        }
+        if rows.is_empty() {
+            // A line of words is the likelier fault than a wrong number of columns.
+            if let Some(word) = words().find(|w| number(w).is_none()) {
+                return Err(not_a_number(source, line, word));
+            }
+            columns = columns_of(found, declared).map_err(|problem| {
+                source.error(
+                    line,
+                    problem,
+                    "declare every column, for example columns = [\"time\", \"east\", \"north\", \"up\"]",
+                )
+            })?;
+            data = vec![Vec::new(); found];
+        } else if found != data.len() {
+            return Err(source.error(
+                line,
+                format!("{found} number(s) on this line, {} on the first", data.len()),
+                "complete or remove the line",
+            ));
+        }
+        for (column, word) in data.iter_mut().zip(words()) {
+            column.push(number(word).ok_or_else(|| not_a_number(source, line, word))?);
+        }
+        rows.push(line);
+    }
+    match rows[..] {
+        [] => Err(source.error(0, "the file holds no numbers", "check that it is the record you mean")),
+        [only] => Err(source.error(only, "there is one line of numbers", "a record needs at least two")),
+        _ => Ok(Table { columns, data, rows }),
+    }
+}
+
+/// What `found` columns hold: as declared, else acceleration, or time and acceleration.
+fn columns_of(found: usize, declared: Option<&[Column]>) -> Result<Vec<Column>, String> {
+    match (declared, found) {
+        (Some(columns), _) if columns.len() == found => Ok(columns.to_vec()),
+        (Some(columns), _) => {
+            Err(format!("the file has {found} columns, but {} were declared", columns.len()))
+        }
+        (None, 1) => Ok(vec![Column::Acceleration(None)]),
+        (None, 2) => Ok(vec![Column::Time, Column::Acceleration(None)]),
+        (None, _) => Err(format!("the file has {found} columns and does not say what they hold")),
+    }
+}
+
+pub(super) fn read(source: &Source, options: &TextOptions) -> Result<Vec<Channel>, Error> {
+    let (units, dt) = declarations(source, options)?;
+    let Table { columns, data, rows } = table(source, options.columns.as_deref())?;
+    let first = rows[0];
+
+    let times = columns.iter().zip(&data).filter(|(c, _)| **c == Column::Time).map(|(_, d)| d);
+    let times: Vec<&Vec<f64>> = times.collect();
+    let (start, dt) = match (&times[..], dt) {
+        ([times], dt) => time_base(source, &rows, times, dt)?,
+        ([], Some(dt)) => (0.0, source.stated_interval(first, dt, None)?),
+        ([], None) => {
+            return Err(source.error(
+                first,
+                "the sampling interval is not known",
+                "declare it, for example dt = \"0.005 s\", or give a column of time",
+            ));
+        }
+        _ => return Err(source.error(first, "several columns of time", "declare one column as \"time\"")),
+    };
+    let Some(units) = units else {
+        return Err(source.error(
+            first,
+            "the units of the numbers are not known",
+            "declare them, for example units = \"cm/s2\" (or g, m/s2, mm/s2)",
+        ));
+    };
+    let wanted = columns.iter().filter(|c| matches!(c, Column::Acceleration(_))).count();
+    if wanted == 0 {
+        return Err(source.error(first, "no column holds acceleration", "declare one as \"acceleration\""));
+    }
+    let mut channels = Vec::new();
+    for (i, (column, values)) in columns.iter().zip(data).enumerate() {
+        if let Column::Acceleration(orientation) = *column {
+            let name = match wanted {
+                1 => source.stem(),
+                _ => format!("{} {}", source.stem(), label(orientation, i)),
+            };
+            let channel = Channel {
+                name,
+                file: source.file.to_path_buf(),
+                dt,
+                start,
+                acceleration: values,
+                units: units.to_string(),
+                orientation,
+            };
+            channels.push(source.converted(first, units, channel)?);
+        }
+    }
+    Ok(channels)
+}
+
+fn label(orientation: Option<Orientation>, column: usize) -> String {
+    match orientation {
+        Some(Orientation::EAST) => "east".into(),
+        Some(Orientation::NORTH) => "north".into(),
+        Some(orientation) => orientation.to_string(),
+        None => format!("column {}", column + 1),
+    }
+}
+
+fn not_a_number(source: &Source, line: usize, word: &str) -> Error {
+    source.error(
+        line,
+        format!("'{}' is not a finite number, and the file is of no other format known here", shown(word)),
+        "put # before lines of text; GeoNet V2A, PEER AT2 and plain columns of numbers are read",
+    )
+}
+
+/// Units and interval from the file's own comments and from the options, which must not contradict them.
+fn declarations(source: &Source, options: &TextOptions) -> Result<(Option<Units>, Option<f64>), Error> {
+    let (mut units, mut dt) = (options.units, options.dt);
+    for (line, text) in source.lines.iter().enumerate() {
+        let Some((key, value)) = text.trim_start().strip_prefix('#').and_then(|t| t.split_once('=')) else {
+            continue;
+        };
+        let value = value.trim().trim_matches('"');
+        // A comment that only resembles a declaration stays a comment.
+        match key.trim() {
+            "units" if value.parse::<Units>().is_ok() => {
+                units = Some(source.stated_units(line, value, units)?)
+            }
+            "dt" => {
+                let seconds = value.trim_end_matches('s').trim_end();
+                if let Some(seconds) = number(seconds) {
+                    dt = Some(source.stated_interval(line, seconds, dt)?);
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok((units, dt))
+}
+
+/// Start (s) and interval (s) of a column of times, which must be equally spaced.
+fn time_base(
+    source: &Source,
+    rows: &[usize],
+    times: &[f64],
+    declared: Option<f64>,
+) -> Result<(f64, f64), Error> {
+    let (first, last) = (times[0], times[times.len() - 1]);
+    let mean = (last - first) / (times.len() - 1) as f64;
+    // Times are rounded in print; the mean is right to nine figures at best, and 0.005 should read 0.005.
+    let rounded = format!("{mean:.8e}").parse().unwrap_or(mean);
+    let dt = declared.unwrap_or(rounded);
+    // With a declared interval the column need only show that no sample is missing.
+    let allowed = if declared.is_some() { 0.6 } else { 0.1 };
+    for (i, (&t, &line)) in times.iter().zip(rows).enumerate() {
+        if !(dt > 0.0) || !((t - first - i as f64 * dt).abs() <= allowed * dt) {
+            return Err(source.error(
+                line,
+                format!("the time {t} is out of step; the times are not equally spaced by {dt} s"),
+                "resample the record, or declare what the columns hold, for example columns = [\"skip\", \
+                 \"acceleration\"] with dt = \"0.005 s\"",
+            ));
+        }
+    }
+    Ok((first, source.stated_interval(rows[0], dt, None)?))
+}

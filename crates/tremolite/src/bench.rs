@@ -1,0 +1,119 @@
+//! A box of distorted hexahedra through the engine that runs use: what `tremolite bench` times.
+
+use crate::engine::{Engine, Halt, stable_step};
+use crate::material::AnyMaterial;
+use crate::model::{Model, ModelError};
+use crate::parts::Quadrature;
+use crate::phase::Phase;
+use crate::problem::{Base, Body, Problem, Rayleigh, Side};
+use std::sync::Arc;
+use std::time::Instant;
+use tremolite_laws::{Isa, Row};
+use tremolite_mesh::boxes::{BoxError, BoxSpec, Distortion};
+
+/// What to time.
+#[derive(Clone)]
+pub struct BoxBench {
+    /// Elements wanted; the nearest cube is run.
+    pub elements: usize,
+    pub steps: u64,
+    pub threads: usize,
+    pub quadrature: Quadrature,
+    pub material: Arc<dyn AnyMaterial>,
+    pub isa: Isa,
+}
+
+/// What was measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Timing {
+    pub elements: usize,
+    pub nodes: usize,
+    pub steps: u64,
+    pub threads: usize,
+    /// Wall time of the steps alone \[s\].
+    pub seconds: f64,
+    pub element_updates_per_second: f64,
+    /// Kinetic energy at the end \[J\]: equal bits mean equal runs.
+    pub kinetic: f64,
+}
+
+/// Why a benchmark could not run.
+#[derive(Debug, thiserror::Error)]
+pub enum BenchError {
+    #[error(transparent)]
+    Box(#[from] BoxError),
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    #[error("threads could not be started: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    #[error("the run became unstable: {0:?}")]
+    Halt(Halt),
+}
+
+/// The box: `n`³ distorted elements of 1 m, its base fixed, its top struck.
+///
+/// # Errors
+/// If the box cannot be made.
+pub fn box_problem(n: u32, bench: &BoxBench) -> Result<Problem, BoxError> {
+    let side = f64::from(n);
+    let mut spec = BoxSpec::uniform([0.0; 3], [side; 3], [n; 3]);
+    spec.distortion = Some(Distortion { fraction: 0.1, seed: 1, periodic: [false; 2] });
+    let mesh = spec.mesh()?;
+    let elements = (0..mesh.elements.len() as u32).collect();
+    let body = Body {
+        name: "box".into(),
+        elements,
+        material: bench.material.clone(),
+        density: 2700.0,
+        quadrature: bench.quadrature,
+    };
+    let mut problem = Problem::new(mesh, vec![body]);
+    problem.base = Base::Fixed;
+    problem.sides = [Side::Free; 2];
+    problem.rayleigh = Rayleigh { mass: 0.5, stiffness: 0.0 };
+    problem.isa = bench.isa;
+    Ok(problem)
+}
+
+/// Runs the benchmark.
+///
+/// # Errors
+/// If the box cannot be built or run.
+pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
+    let n = (bench.elements as f64).cbrt().round().max(1.0) as u32;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(bench.threads).build()?;
+    pool.install(|| {
+        let model = Model::new(box_problem(n, bench)?)?;
+        let phase = Phase::dynamic(&model)?;
+        let mut state = phase.rest();
+        state.dt = 0.9 * stable_step(&model, &phase).dt;
+        let mut engine = Engine::new(&model, &phase);
+        let top = f64::from(n) - 0.25;
+        let velocity: Vec<Row> = model
+            .mesh_node
+            .iter()
+            .map(|&m| {
+                if model.mesh.nodes[m as usize][2] > top { Row::new([0.05, 0.0, -0.1]) } else { Row::ZERO }
+            })
+            .collect();
+        let u = state.u.clone();
+        engine.start(&mut state, u, &velocity);
+        engine.step(&mut state).map_err(BenchError::Halt)?;
+        let begin = Instant::now();
+        for _ in 0..bench.steps {
+            engine.step(&mut state).map_err(BenchError::Halt)?;
+        }
+        let seconds = begin.elapsed().as_secs_f64();
+        let elements = model.user_elements;
+        let kinetic = engine.observe(&mut state).balance.kinetic;
+        Ok(Timing {
+            elements,
+            nodes: model.user_nodes,
+            steps: bench.steps,
+            threads: bench.threads,
+            seconds,
+            element_updates_per_second: elements as f64 * bench.steps as f64 / seconds,
+            kinetic,
+        })
+    })
+}

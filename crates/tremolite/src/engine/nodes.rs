@@ -1,0 +1,309 @@
+//! The passes over nodes: contributions to forces, forces to motion.
+
+use super::power::stiffness_times;
+use crate::model::Model;
+use crate::parts::base::times;
+use crate::phase::{Dashpot, Phase};
+use crate::state::State;
+use rayon::prelude::*;
+use tremolite_laws::Row;
+
+/// Nodes a chunk: the unit of threads and of sums, whatever their number.
+const CHUNK: usize = 2048;
+
+/// What a pass adds up over the nodes that count \[J\].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NodeSums {
+    /// Of v⁻ when advancing, of v̂ when measuring.
+    pub kinetic: f64,
+    /// Work against each damping over the half-steps that meet at u^n; only the first of them when measuring.
+    pub rayleigh: f64,
+    pub base_dashpots: f64,
+    pub side_dashpots: f64,
+}
+
+impl NodeSums {
+    fn plus(self, o: NodeSums) -> NodeSums {
+        NodeSums {
+            kinetic: self.kinetic + o.kinetic,
+            rayleigh: self.rayleigh + o.rayleigh,
+            base_dashpots: self.base_dashpots + o.base_dashpots,
+            side_dashpots: self.side_dashpots + o.side_dashpots,
+        }
+    }
+}
+
+/// Products with K for ξ ≠ 0; empty otherwise.
+#[derive(Clone, Debug, Default)]
+pub struct Rates {
+    /// K v⁻ and K v̂ by engine node \[N\].
+    minus: Vec<Row>,
+    hat: Vec<Row>,
+    velocity: Vec<Row>,
+    contributions: Vec<Row>,
+}
+
+impl Rates {
+    /// Room for the products, if the model needs them.
+    pub fn new(model: &Model, phase: &Phase) -> Self {
+        if model.rayleigh.stiffness == 0.0 {
+            return Rates::default();
+        }
+        let zero = vec![Row::ZERO; phase.mass.len()];
+        let (.., contributions, _, _) = phase.totals();
+        Rates {
+            minus: zero.clone(),
+            hat: zero.clone(),
+            velocity: zero,
+            contributions: vec![Row::ZERO; contributions],
+        }
+    }
+
+    /// Both products at the state, whose forces are in `contributions`.
+    pub fn update(&mut self, model: &Model, phase: &Phase, contributions: &[Row], state: &State) {
+        if model.rayleigh.stiffness == 0.0 {
+            return;
+        }
+        for (v, du) in self.velocity.iter_mut().zip(&state.du) {
+            *v = Row(du.0.map(|d| d / state.dt));
+        }
+        stiffness_times(phase, &self.velocity, &mut self.contributions, &mut self.minus);
+        // Tied nodes move as their masters, of which alone v̂ is worked out.
+        let (_, hat, _) = measure(model, phase, contributions, self, state);
+        self.velocity = hat;
+        stiffness_times(phase, &self.velocity, &mut self.contributions, &mut self.hat);
+    }
+
+    fn at(rows: &[Row], node: usize) -> Row {
+        rows.get(node).copied().unwrap_or(Row::ZERO)
+    }
+}
+
+/// Sum of a node's contributions, in the order of parts.
+#[inline(always)]
+pub(super) fn force(phase: &Phase, contributions: &[Row], node: usize) -> Row {
+    let mut sum = Row::ZERO;
+    for &slot in &phase.slot[phase.start[node] as usize..phase.start[node + 1] as usize] {
+        let row = &contributions[slot as usize];
+        for i in 0..4 {
+            sum.0[i] += row.0[i];
+        }
+    }
+    sum
+}
+
+/// v̂, dv/dt and the work rates of the dampings at a node.
+struct NodeStep {
+    velocity: Row,
+    acceleration: Row,
+    /// Rayleigh's and the dashpots' forces at v̂ \[N\].
+    rayleigh: Row,
+    dashpots: Option<(Row, Row)>,
+}
+
+/// What a node's step needs besides its rows.
+struct Damping {
+    dt: f64,
+    mass_proportional: f64,
+    stiffness_proportional: f64,
+}
+
+#[inline(always)]
+fn node_step(
+    damping: &Damping,
+    phase: &Phase,
+    rates: &Rates,
+    dashpot: Option<&Dashpot>,
+    node: usize,
+    force: Row,
+    du: Row,
+) -> NodeStep {
+    let inverse = phase.inverse_mass[node];
+    let mass = phase.mass[node];
+    let Damping { dt, mass_proportional: omega, stiffness_proportional: xi } = *damping;
+    let mut step = NodeStep {
+        velocity: Row::ZERO,
+        acceleration: Row::ZERO,
+        rayleigh: Row::ZERO,
+        dashpots: None,
+    };
+    if dashpot.is_none() && xi == 0.0 {
+        for i in 0..4 {
+            let a = -force.0[i] * inverse.0[i];
+            let minus = du.0[i] / dt;
+            let hat = minus + 0.5 * dt * (a - omega * minus);
+            step.velocity.0[i] = hat;
+            step.acceleration.0[i] = a - omega * hat;
+            step.rayleigh.0[i] = omega * mass * hat;
+        }
+        return step;
+    }
+    let minus = du.xyz().map(|d| d / dt);
+    let (base_minus, side_minus) = dashpot_forces(dashpot, minus);
+    let k_minus = Rates::at(&rates.minus, node);
+    let mut hat = [0.0; 3];
+    for i in 0..3 {
+        let damped = omega * minus[i] + inverse.0[i] * (base_minus[i] + side_minus[i] + xi * k_minus.0[i]);
+        hat[i] = minus[i] + 0.5 * dt * (-force.0[i] * inverse.0[i] - damped);
+    }
+    let (base, side) = dashpot_forces(dashpot, hat);
+    let k_hat = Rates::at(&rates.hat, node);
+    for i in 0..3 {
+        let damped = omega * hat[i] + inverse.0[i] * (base[i] + side[i] + xi * k_hat.0[i]);
+        step.velocity.0[i] = hat[i];
+        step.acceleration.0[i] = -force.0[i] * inverse.0[i] - damped;
+        step.rayleigh.0[i] = omega * mass * hat[i] + xi * k_hat.0[i];
+    }
+    step.dashpots = Some((Row::new(base), Row::new(side)));
+    step
+}
+
+fn dashpot_forces(dashpot: Option<&Dashpot>, v: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+    dashpot.map_or(([0.0; 3], [0.0; 3]), |d| (times(&d.base, v), times(&d.sides, v)))
+}
+
+#[inline(always)]
+fn dot(a: Row, b: Row) -> f64 {
+    a.0[0] * b.0[0] + a.0[1] * b.0[1] + a.0[2] * b.0[2]
+}
+
+impl NodeSums {
+    /// Books the work of a node's dampings over an increment.
+    #[inline(always)]
+    fn book(&mut self, step: &NodeStep, du: Row) {
+        self.rayleigh += 0.5 * dot(step.rayleigh, du);
+        if let Some((base, side)) = step.dashpots {
+            self.base_dashpots += 0.5 * dot(base, du);
+            self.side_dashpots += 0.5 * dot(side, du);
+        }
+    }
+}
+
+fn damping(model: &Model, state: &State) -> Damping {
+    Damping {
+        dt: state.dt,
+        mass_proportional: model.rayleigh.mass,
+        stiffness_proportional: model.rayleigh.stiffness,
+    }
+}
+
+/// Dashpots from a node on, in ascending order.
+struct Dashpots<'a> {
+    rest: &'a [(u32, Dashpot)],
+}
+
+impl<'a> Dashpots<'a> {
+    fn from(phase: &'a Phase, node: usize) -> Self {
+        let first = phase.dashpots.partition_point(|(n, _)| (*n as usize) < node);
+        Dashpots { rest: &phase.dashpots[first..] }
+    }
+
+    /// The dashpot of a node; nodes must be asked for in ascending order.
+    #[inline(always)]
+    fn take(&mut self, node: usize) -> Option<&'a Dashpot> {
+        match self.rest.first() {
+            Some((n, dashpot)) if *n as usize == node => {
+                self.rest = &self.rest[1..];
+                Some(dashpot)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// u^n to u^{n+1}.
+pub fn advance(
+    model: &Model,
+    phase: &Phase,
+    contributions: &[Row],
+    rates: &Rates,
+    state: &mut State,
+) -> NodeSums {
+    let damping = damping(model, state);
+    let dt = state.dt;
+    let counted = phase.counted_nodes.end;
+    let sums: Vec<NodeSums> = state
+        .u
+        .par_chunks_mut(CHUNK)
+        .zip(state.du.par_chunks_mut(CHUNK))
+        .enumerate()
+        .map(|(chunk, (u, du))| {
+            let first = chunk * CHUNK;
+            let mut dashpots = Dashpots::from(phase, first);
+            let mut sums = NodeSums::default();
+            for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
+                let node = first + k;
+                let dashpot = dashpots.take(node);
+                let force = force(phase, contributions, node);
+                let step = node_step(&damping, phase, rates, dashpot, node, force, *du);
+                let mut next = Row::ZERO;
+                for i in 0..4 {
+                    next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
+                    u.0[i] += next.0[i];
+                }
+                if node < counted {
+                    sums.kinetic += 0.5 * phase.mass[node] * dot(*du, *du);
+                    let both = Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i]));
+                    sums.book(&step, both);
+                }
+                *du = next;
+            }
+            sums
+        })
+        .collect();
+    for &(node, master) in &phase.tied {
+        // A tied node has no forces of its own: take back its own increment and move with the master.
+        let (own, next) = (state.du[node as usize], state.du[master as usize]);
+        let u = &mut state.u[node as usize];
+        for i in 0..4 {
+            u.0[i] += next.0[i] - own.0[i];
+        }
+        state.du[node as usize] = next;
+    }
+    let mut sums = sums.into_iter().fold(NodeSums::default(), NodeSums::plus);
+    sums.kinetic /= dt * dt;
+    sums
+}
+
+/// v̂ and dv/dt by engine node at u^n; the state is left alone.
+pub fn measure(
+    model: &Model,
+    phase: &Phase,
+    contributions: &[Row],
+    rates: &Rates,
+    state: &State,
+) -> (NodeSums, Vec<Row>, Vec<Row>) {
+    let damping = damping(model, state);
+    let counted = phase.counted_nodes.end;
+    let mut velocity = vec![Row::ZERO; state.u.len()];
+    let mut acceleration = vec![Row::ZERO; state.u.len()];
+    let sums: Vec<NodeSums> = velocity
+        .par_chunks_mut(CHUNK)
+        .zip(acceleration.par_chunks_mut(CHUNK))
+        .enumerate()
+        .map(|(chunk, (velocity, acceleration))| {
+            let first = chunk * CHUNK;
+            let mut dashpots = Dashpots::from(phase, first);
+            let mut sums = NodeSums::default();
+            for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
+                let node = first + k;
+                let dashpot = dashpots.take(node);
+                let du = state.du[node];
+                let force = force(phase, contributions, node);
+                let step = node_step(&damping, phase, rates, dashpot, node, force, du);
+                if node < counted {
+                    sums.kinetic += 0.5 * phase.mass[node] * dot(step.velocity, step.velocity);
+                    sums.book(&step, du);
+                }
+                *velocity = step.velocity;
+                *acceleration = step.acceleration;
+            }
+            sums
+        })
+        .collect();
+    for &(node, master) in &phase.tied {
+        velocity[node as usize] = velocity[master as usize];
+        acceleration[node as usize] = acceleration[master as usize];
+    }
+    (sums.into_iter().fold(NodeSums::default(), NodeSums::plus), velocity, acceleration)
+}

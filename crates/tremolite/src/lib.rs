@@ -1,0 +1,24 @@
+//! Tremolite: the problem and its time loop.
+//!
+//! [`Problem`] → [`Model`] (checked, immutable) → [`Phase`] (what is active) + [`State`] (all that evolves) →
+//! [`Engine`] (the step).
+
+pub mod bench;
+pub mod boundary;
+pub mod column;
+pub mod engine;
+pub mod material;
+pub mod model;
+pub mod parts;
+pub mod phase;
+pub mod problem;
+pub mod state;
+pub mod ties;
+
+pub use engine::{Balance, Engine, Halt, Snapshot, StableStep, stable_step};
+pub use material::{AnyMaterial, Instance, Law, laws};
+pub use model::{Model, ModelError};
+pub use parts::Quadrature;
+pub use phase::Phase;
+pub use problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
+pub use state::State;

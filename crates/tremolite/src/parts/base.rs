@@ -1,0 +1,91 @@
+//! The base: a wave comes in, springs act on the scattered field.
+//!
+//! method.md section 7: traction on the model = 2ρc v_i − ρc v − (αG/R)(u − u_ff). The dashpots ρc act on velocity
+//! and belong to the step (see [`crate::dashpots`]); this part gives the other two terms.
+
+use super::{Motion, Own, Part, Scratch, Tick, Work};
+use tremolite_laws::Row;
+use tremolite_motion::Motion as Record;
+
+/// What one node of the base carries.
+#[derive(Clone, Copy, Debug)]
+pub struct BaseNode {
+    pub node: u32,
+    /// Dashpot matrix Σ ρ A (c_s I + (c_p − c_s) n⊗n) \[N s/m\]: xx, yy, zz, xy, yz, zx.
+    pub dashpot: [f64; 6],
+    /// Spring matrix of the same form from α G A / R \[N/m\]; zero without springs.
+    pub spring: [f64; 6],
+    /// Node of the reference column at this level, which moves as the free field.
+    pub free_field: Option<u32>,
+    /// Whether its work is booked (not the reference column's).
+    pub counted: bool,
+}
+
+/// Product of a symmetric 3×3 matrix (xx, yy, zz, xy, yz, zx) and a vector.
+pub fn times(m: &[f64; 6], v: [f64; 3]) -> [f64; 3] {
+    [
+        m[0] * v[0] + m[3] * v[1] + m[5] * v[2],
+        m[3] * v[0] + m[1] * v[1] + m[4] * v[2],
+        m[5] * v[0] + m[4] * v[1] + m[2] * v[2],
+    ]
+}
+
+/// Incident wave and springs of the base.
+pub struct Base {
+    nodes: Vec<u32>,
+    pushed: Vec<BaseNode>,
+    /// Velocity of the up-going wave, already factored for the kind of motion; none for a base at rest.
+    incident: Option<(Record, f64)>,
+}
+
+impl Base {
+    /// The part; `incident` is a record and the factor from its kind of motion to the up-going wave.
+    pub fn new(pushed: Vec<BaseNode>, incident: Option<(Record, f64)>) -> Self {
+        Base { nodes: pushed.iter().map(|b| b.node).collect(), pushed, incident }
+    }
+}
+
+/// Numbers remembered per node: the last spring force and the last incident force.
+const REMEMBERED: usize = 6;
+
+impl Part for Base {
+    fn nodes(&self) -> &[u32] {
+        &self.nodes
+    }
+
+    fn state_sizes(&self) -> (usize, usize) {
+        (0, REMEMBERED * self.pushed.len())
+    }
+
+    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Work {
+        let velocity = match &self.incident {
+            Some((record, factor)) => record.at(tick.time).v.map(|v| v * factor),
+            None => [0.0; 3],
+        };
+        let mut work = Work::default();
+        let last = own.numbers.chunks_exact_mut(REMEMBERED);
+        for ((base, out), last) in self.pushed.iter().zip(out).zip(last) {
+            let u = x.u[base.node as usize].xyz();
+            let du = x.du[base.node as usize].xyz();
+            let free = base.free_field.map_or([0.0; 3], |n| x.u[n as usize].xyz());
+            let spring = times(&base.spring, [u[0] - free[0], u[1] - free[1], u[2] - free[2]]);
+            let incident = times(&base.dashpot, velocity.map(|v| -2.0 * v));
+            for i in 0..3 {
+                if base.counted {
+                    work.springs += 0.5 * (spring[i] + last[i]) * du[i];
+                    work.input += 0.5 * (incident[i] + last[3 + i]) * du[i];
+                }
+                last[i] = spring[i];
+                last[3 + i] = incident[i];
+                out.0[i] = spring[i] + incident[i];
+            }
+        }
+        work
+    }
+
+    fn stiffness_times(&self, w: &[Row], out: &mut [Row], _: &mut Scratch) {
+        for (base, out) in self.pushed.iter().zip(out) {
+            *out = Row::new(times(&base.spring, w[base.node as usize].xyz()));
+        }
+    }
+}
