@@ -1,0 +1,251 @@
+//! One cavern in its rectangle: the opening with its benches, the lining, the rings of rock.
+
+use super::Cavern;
+use super::layout::Plot;
+use super::section::{Part, Section};
+use super::smooth::smooth;
+
+/// Levels of the wall's nodes over the floor, and for each row of the wall its bench (1 at the top).
+///
+/// Every bench has the same share of the wall; where the rows do not divide evenly the upper benches get one
+/// more.
+fn wall_rows(wall: usize, height: f64, benches: usize) -> (Vec<f64>, Vec<u32>) {
+    let (mut levels, mut bench_of) = (vec![0.0], Vec::with_capacity(wall));
+    let share = height / benches as f64;
+    for bench in (0..benches).rev() {
+        let rows = wall / benches + usize::from(bench < wall % benches);
+        let bottom = (benches - 1 - bench) as f64 * share;
+        for row in 1..=rows {
+            levels.push(bottom + share * row as f64 / rows as f64);
+            bench_of.push(bench as u32 + 1);
+        }
+    }
+    levels[wall] = height;
+    (levels, bench_of)
+}
+
+/// Fills the rectangle whose edge nodes are `rim`, clockwise from the lower left corner, with cavern `k`;
+/// returns the smallest scaled Jacobian in it.
+pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, rim: &[u32]) -> f64 {
+    let counts = plot.counts;
+    let (first_quad, first_point) = (section.quads.len(), section.points.len());
+    let benches = cavern.benches as usize;
+    let (levels, bench_of) = wall_rows(counts.wall, plot.profile.inner.springing, benches);
+    let path = Path { plot, levels: &levels };
+
+    // From the opening outwards: the vault's layers, each from the left foot over the crown to the right one.
+    let vault: Vec<Vec<u32>> = (0..=counts.layers)
+        .map(|layer| {
+            let s = if counts.layers == 0 { 0.0 } else { layer as f64 / counts.layers as f64 };
+            (0..=counts.vault())
+                .map(|t| {
+                    let (a, b) = (path.inner(t), path.outer(t));
+                    section.point(path.place([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]))
+                })
+                .collect()
+        })
+        .collect();
+    for pair in vault.windows(2) {
+        for t in 0..counts.vault() {
+            let part = if path.is_arch(t) { Part::Crown(k) } else { Part::Walls(k) };
+            section.quad([pair[1][t], pair[0][t], pair[0][t + 1], pair[1][t + 1]], part);
+        }
+    }
+
+    let mut free = Vec::new();
+    let floor = core(section, &path, &vault[0], &bench_of, k, &mut free);
+
+    // Below: feet of the lining and clear floor, left to right, then the slab.
+    let mut below: Vec<u32> = vault.iter().rev().map(|layer| layer[0]).collect();
+    below.extend(&floor[1..floor.len() - 1]);
+    below.extend(vault.iter().map(|layer| layer[counts.vault()]));
+    let mut sides: [Vec<u32>; 2] = Default::default();
+    for row in 1..=counts.slab {
+        let depth = plot.profile.floor * row as f64 / counts.slab as f64;
+        let next: Vec<u32> = below
+            .iter()
+            .map(|&n| {
+                let x = section.points[n as usize][0];
+                section.point([x, plot.centre[1] - depth])
+            })
+            .collect();
+        for i in 0..next.len() - 1 {
+            section.quad([next[i], next[i + 1], below[i + 1], below[i]], Part::Floor(k));
+        }
+        sides[0].push(below[0]);
+        sides[1].push(below[below.len() - 1]);
+        below = next;
+    }
+
+    // The outside of the lining as a closed path, clockwise, from the point tied to the lower left corner.
+    let outside = &vault[counts.layers];
+    let inset = counts.inset;
+    let right = below.len() - 1;
+    let mut outline: Vec<u32> = below[..=inset].iter().rev().copied().collect();
+    outline.extend(sides[0].iter().rev());
+    outline.extend(&outside[1..counts.vault()]);
+    outline.extend(&sides[1]);
+    outline.extend(below[inset + 1..=right].iter().rev());
+    debug_assert_eq!(outline.len(), rim.len());
+    rings(section, plot, &outline, rim, &mut free);
+
+    smooth(&mut section.points, &section.quads[first_quad..], first_point, &free);
+    section.quads[first_quad..]
+        .iter()
+        .map(|quad| section.scaled_jacobian(quad))
+        .fold(f64::INFINITY, |a, b| if b.is_nan() { -1.0 } else { a.min(b) })
+}
+
+/// Points of the profile by their number `t` along the vault. Local coordinates.
+struct Path<'a> {
+    plot: &'a Plot,
+    levels: &'a [f64],
+}
+
+impl Path<'_> {
+    fn place(&self, p: [f64; 2]) -> [f64; 2] {
+        [self.plot.centre[0] + p[0], self.plot.centre[1] + p[1]]
+    }
+
+    /// Whether edge `t` lies on the arch.
+    fn is_arch(&self, t: usize) -> bool {
+        let counts = self.plot.counts;
+        (counts.wall..counts.vault() - counts.wall).contains(&t)
+    }
+
+    /// Fraction of the arch at node `t`, −1 to 1, or the number of the wall's node and the side.
+    fn locate(&self, t: usize) -> Result<f64, (usize, f64)> {
+        let counts = self.plot.counts;
+        let edges = 2 * counts.flank + counts.columns;
+        if t < counts.wall {
+            Err((t, -1.0))
+        } else if t <= counts.wall + edges {
+            Ok(2.0 * (t - counts.wall) as f64 / edges as f64 - 1.0)
+        } else {
+            Err((counts.vault() - t, 1.0))
+        }
+    }
+
+    fn inner(&self, t: usize) -> [f64; 2] {
+        let arc = &self.plot.profile.inner;
+        self.locate(t).map_or_else(|(row, side)| [side * arc.half, self.levels[row]], |s| arc.point(s))
+    }
+
+    fn outer(&self, t: usize) -> [f64; 2] {
+        let arc = &self.plot.profile.outer;
+        self.locate(t).map_or_else(|(row, side)| [side * arc.half, self.levels[row]], |s| arc.point(s))
+    }
+
+    /// The edge of the core where a ring lies between it and the intrados: the intrados shrunk sideways by
+    /// one column, and its arch as much in height.
+    fn shrunk(&self, t: usize) -> [f64; 2] {
+        let arc = &self.plot.profile.inner;
+        let share = 1.0 - 2.0 / self.plot.counts.floor() as f64;
+        let p = self.inner(t);
+        let lift = (p[1] - arc.springing).max(0.0);
+        [share * p[0], p[1] - (1.0 - share) * lift]
+    }
+}
+
+/// Fills the opening; returns the nodes of the clear floor from left to right.
+fn core(
+    section: &mut Section,
+    path: &Path,
+    intrados: &[u32],
+    bench_of: &[u32],
+    k: u32,
+    free: &mut Vec<u32>,
+) -> Vec<u32> {
+    let counts = path.plot.counts;
+    let (columns, rows, vault) = (counts.columns, counts.wall + counts.flank, counts.vault());
+    let bench = |row: usize| Part::Bench(k, bench_of.get(row).copied().unwrap_or(1));
+    // The first row of bench 1: up to here all rows are level.
+    let level = bench_of.iter().position(|&b| b == 1).unwrap_or(0);
+
+    let edge: Vec<u32> = if counts.ring == 0 {
+        intrados.to_vec()
+    } else {
+        let edge: Vec<u32> = (0..=vault)
+            .map(|t| {
+                let node = section.point(path.place(path.shrunk(t)));
+                if t > level && vault - t > level {
+                    free.push(node);
+                }
+                node
+            })
+            .collect();
+        for t in 0..vault {
+            let row = t.min(vault - 1 - t);
+            section.quad([intrados[t], edge[t], edge[t + 1], intrados[t + 1]], bench(row));
+        }
+        edge
+    };
+
+    // The core as a grid: left and right column and top row from its edge, the rest in between.
+    let mut grid = vec![vec![0u32; columns + 1]; rows + 1];
+    for j in 0..=rows {
+        grid[j][0] = edge[j];
+        grid[j][columns] = edge[vault - j];
+    }
+    grid[rows].copy_from_slice(&edge[rows..=rows + columns]);
+    let share = |i: usize| i as f64 / columns as f64;
+    let blend = |a: [f64; 2], b: [f64; 2], s: f64| [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
+    for j in 0..rows {
+        for i in 1..columns {
+            let at = |j: usize, i: usize| section.points[grid[j][i] as usize];
+            let across = blend(at(j, 0), at(j, columns), share(i));
+            let p = if j <= level {
+                across
+            } else {
+                // Transfinite interpolation between the level row, the sides and the top.
+                let s = (j - level) as f64 / (rows - level) as f64;
+                let up = blend(at(level, i), at(rows, i), s);
+                let low = blend(at(level, 0), at(level, columns), share(i));
+                let high = blend(at(rows, 0), at(rows, columns), share(i));
+                let corner = blend(low, high, s);
+                [across[0] + up[0] - corner[0], across[1] + up[1] - corner[1]]
+            };
+            grid[j][i] = section.point(p);
+            if j > level {
+                free.push(grid[j][i]);
+            }
+        }
+    }
+    for j in 0..rows {
+        for i in 0..columns {
+            let nodes = [grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i]];
+            section.quad(nodes, bench(j));
+        }
+    }
+    let mut floor = grid.swap_remove(0);
+    if counts.ring > 0 {
+        floor.insert(0, intrados[0]);
+        floor.push(intrados[vault]);
+    }
+    floor
+}
+
+/// The rings of rock between the outside of the lining and the rectangle's rim.
+fn rings(section: &mut Section, plot: &Plot, outline: &[u32], rim: &[u32], free: &mut Vec<u32>) {
+    let n = rim.len();
+    let mut inner = outline.to_vec();
+    for (layer, &s) in plot.rings.iter().enumerate().skip(1) {
+        let outer: Vec<u32> = if layer + 1 == plot.rings.len() {
+            rim.to_vec()
+        } else {
+            (0..n)
+                .map(|t| {
+                    let (a, b) = (section.points[outline[t] as usize], section.points[rim[t] as usize]);
+                    let node = section.point([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]);
+                    free.push(node);
+                    node
+                })
+                .collect()
+        };
+        for t in 0..n {
+            let u = (t + 1) % n;
+            section.quad([outer[t], inner[t], inner[u], outer[u]], Part::Rock);
+        }
+        inner = outer;
+    }
+}

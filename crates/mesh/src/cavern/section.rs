@@ -1,0 +1,145 @@
+//! The section across the caverns: a conforming set of quadrilaterals with a part each.
+
+use std::collections::HashMap;
+
+use super::layout::Layout;
+use super::opening;
+use super::{CavernError, CavernSpec};
+
+/// What a quadrilateral belongs to; the number is that of the cavern.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Part {
+    Rock,
+    Crown(u32),
+    Walls(u32),
+    Floor(u32),
+    /// Bench, counted from 1 at the top.
+    Bench(u32, u32),
+}
+
+impl Part {
+    /// The cavern whose lining this is part of.
+    pub fn lining(self) -> Option<u32> {
+        match self {
+            Part::Crown(k) | Part::Walls(k) | Part::Floor(k) => Some(k),
+            Part::Rock | Part::Bench(..) => None,
+        }
+    }
+
+    /// The cavern whose opening this is part of.
+    pub fn opening(self) -> Option<u32> {
+        match self {
+            Part::Bench(k, _) => Some(k),
+            _ => None,
+        }
+    }
+}
+
+/// Quadrilaterals in the plane (x, z), counter-clockwise with x to the right and z up.
+#[derive(Default)]
+pub(super) struct Section {
+    pub points: Vec<[f64; 2]>,
+    pub quads: Vec<[u32; 4]>,
+    pub parts: Vec<Part>,
+    /// Coordinates of the planes across y.
+    pub y: Vec<f64>,
+    /// Lowest and highest x and z of the block.
+    pub block: [[f64; 2]; 2],
+}
+
+impl Section {
+    pub fn point(&mut self, x: [f64; 2]) -> u32 {
+        self.points.push(x);
+        self.points.len() as u32 - 1
+    }
+
+    pub fn quad(&mut self, nodes: [u32; 4], part: Part) {
+        self.quads.push(nodes);
+        self.parts.push(part);
+    }
+
+    /// Smallest over the corners of the sine between the edges: the scaled Jacobian of the extruded element.
+    pub fn scaled_jacobian(&self, quad: &[u32; 4]) -> f64 {
+        let p = quad.map(|n| self.points[n as usize]);
+        (0..4)
+            .map(|i| {
+                let edge = |j: usize| [p[j % 4][0] - p[i][0], p[j % 4][1] - p[i][1]];
+                let (a, b) = (edge(i + 1), edge(i + 3));
+                (a[0] * b[1] - a[1] * b[0]) / (a[0].hypot(a[1]) * b[0].hypot(b[1]))
+            })
+            .fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// No element round a cavern may be worse.
+const LEAST_JACOBIAN: f64 = 0.2;
+
+/// Good enough not to look for better.
+const GOOD_JACOBIAN: f64 = 0.45;
+
+pub(super) fn build(spec: &CavernSpec) -> Result<Section, CavernError> {
+    let mut insets = vec![None; spec.caverns.len()];
+    let (mut section, mut worst) = assemble(spec, &insets)?;
+    // Where the rings round a cavern are best tied to its rectangle's lower corners is found by trial.
+    for (k, cavern) in spec.caverns.iter().enumerate() {
+        if worst[k] >= GOOD_JACOBIAN {
+            continue;
+        }
+        for inset in 0..=cavern.lining.layers as usize + 2 {
+            let kept = insets[k].replace(inset);
+            // A trial may ask for more elements than a block can have; the usual inset did not.
+            match assemble(spec, &insets) {
+                Ok(trial) if trial.1[k] > worst[k] => (section, worst) = trial,
+                _ => insets[k] = kept,
+            }
+        }
+    }
+    for (cavern, &scaled_jacobian) in spec.caverns.iter().zip(&worst) {
+        if scaled_jacobian < LEAST_JACOBIAN {
+            let cavern = cavern.name.clone();
+            return Err(CavernError::Poor { cavern, scaled_jacobian, limit: LEAST_JACOBIAN });
+        }
+    }
+    Ok(section)
+}
+
+/// The section, and for each cavern the smallest scaled Jacobian in its rectangle.
+fn assemble(spec: &CavernSpec, insets: &[Option<usize>]) -> Result<(Section, Vec<f64>), CavernError> {
+    let layout = Layout::new(spec, insets)?;
+    let ends = |line: &[f64]| [line[0], line[line.len() - 1]];
+    let mut section =
+        Section { y: layout.y.clone(), block: [ends(&layout.x), ends(&layout.z)], ..Section::default() };
+    let mut taken = vec![false; (layout.x.len() - 1) * (layout.z.len() - 1)];
+    for plot in &layout.plots {
+        for j in plot.rows.clone() {
+            let row = j * (layout.x.len() - 1);
+            taken[row + plot.columns.start..row + plot.columns.end].fill(true);
+        }
+    }
+    // Points are made where a cell first needs them: none lies within a cavern's rectangle.
+    let mut at: HashMap<(usize, usize), u32> = HashMap::new();
+    let mut node = |section: &mut Section, (i, j): (usize, usize)| {
+        *at.entry((i, j)).or_insert_with(|| section.point([layout.x[i], layout.z[j]]))
+    };
+    for j in 0..layout.z.len() - 1 {
+        for i in 0..layout.x.len() - 1 {
+            if !taken[j * (layout.x.len() - 1) + i] {
+                let quad = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|at| node(&mut section, at));
+                section.quad(quad, Part::Rock);
+            }
+        }
+    }
+    let mut worst = Vec::with_capacity(layout.plots.len());
+    for (k, plot) in layout.plots.iter().enumerate() {
+        let (c, r) = (&plot.columns, &plot.rows);
+        // Clockwise from the lower left corner.
+        let left = r.clone().map(|j| (c.start, j));
+        let top = c.clone().map(|i| (i, r.end));
+        let right = (r.start + 1..=r.end).rev().map(|j| (c.end, j));
+        let bottom = (c.start + 1..=c.end).rev().map(|i| (i, r.start));
+        let rim: Vec<u32> =
+            left.chain(top).chain(right).chain(bottom).map(|at| node(&mut section, at)).collect();
+        worst.push(opening::fill(&mut section, plot, &spec.caverns[k], k as u32, &rim));
+    }
+    Ok((section, worst))
+}

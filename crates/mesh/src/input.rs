@@ -1,0 +1,331 @@
+//! The bytes of a mesh file in one pass: lines and the fields in them, or raw bytes. Only a piece of the
+//! file is in memory at a time, so that a large mesh is not held twice.
+
+use std::io::{ErrorKind, Read};
+
+use crate::read::Fault;
+
+/// Bytes asked for at a time.
+const PIECE: usize = 1 << 20;
+/// Bytes by which a format is recognised.
+const HEAD: usize = 1 << 16;
+
+/// A file being read.
+pub(crate) struct Input<'a> {
+    source: Box<dyn Read + 'a>,
+    buffer: Vec<u8>,
+    /// End of what is valid in `buffer`.
+    end: usize,
+    /// First byte not given yet.
+    next: usize,
+    /// The current line in `buffer`, without its end.
+    line_start: usize,
+    line_end: usize,
+    /// First byte of the current line whose field has not been taken.
+    cursor: usize,
+    /// Number of the current line, from 1.
+    line: usize,
+    /// Bytes of the file before `buffer`.
+    dropped: u64,
+    /// Whether raw bytes were taken, so that lines have no number any more.
+    raw: bool,
+    ended: bool,
+    /// Whether a comma separates fields as a blank does.
+    pub commas: bool,
+}
+
+impl<'a> Input<'a> {
+    /// Nothing is read yet.
+    pub(crate) fn new(source: impl Read + 'a) -> Self {
+        Input {
+            source: Box::new(source),
+            buffer: Vec::new(),
+            end: 0,
+            next: 0,
+            line_start: 0,
+            line_end: 0,
+            cursor: 0,
+            line: 0,
+            dropped: 0,
+            raw: false,
+            ended: false,
+            commas: false,
+        }
+    }
+
+    /// The file's beginning, without a byte order mark; only before anything else is taken.
+    pub(crate) fn head(&mut self) -> Result<&[u8], Fault> {
+        while self.end < HEAD && self.more()? {}
+        if self.buffer[..self.end].starts_with(b"\xef\xbb\xbf") {
+            self.next = 3;
+        }
+        Ok(&self.buffer[self.next..self.end])
+    }
+
+    /// Reads on, forgetting what has been given. False at the end of the file.
+    fn more(&mut self) -> Result<bool, Fault> {
+        if self.ended {
+            return Ok(false);
+        }
+        self.buffer.copy_within(self.next..self.end, 0);
+        self.dropped += self.next as u64;
+        self.end -= self.next;
+        self.next = 0;
+        if self.buffer.len() - self.end < PIECE {
+            // Doubling, so that one endless line does not cost quadratic time.
+            self.buffer.resize((2 * self.end).max(2 * PIECE), 0);
+        }
+        loop {
+            match self.source.read(&mut self.buffer[self.end..]) {
+                Ok(0) => {
+                    self.ended = true;
+                    return Ok(false);
+                }
+                Ok(count) => {
+                    self.end += count;
+                    return Ok(true);
+                }
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => return Err(Fault::whole(format!("it cannot be read: {error}"))),
+            }
+        }
+    }
+
+    /// Goes to the next line that is not blank. False at the end of the file.
+    pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
+        loop {
+            let mut searched = 0;
+            let end = loop {
+                let fresh = self.next + searched;
+                if let Some(length) = self.buffer[fresh..self.end].iter().position(|&b| b == b'\n') {
+                    break fresh + length;
+                }
+                searched = self.end - self.next;
+                if !self.more()? {
+                    if self.next == self.end {
+                        (self.line_start, self.line_end, self.cursor) = (self.end, self.end, self.end);
+                        return Ok(false);
+                    }
+                    break self.end;
+                }
+            };
+            let first = self.line == 0 && self.buffer[..self.end].starts_with(b"\xef\xbb\xbf");
+            self.line += 1;
+            self.line_start = if first { self.next.max(3) } else { self.next };
+            self.next = (end + 1).min(self.end);
+            let text = self.buffer[self.line_start.min(end)..end].trim_ascii_end();
+            self.line_end = self.line_start + text.len();
+            self.cursor = self.line_start;
+            self.skip_blanks();
+            if self.cursor < self.line_end {
+                return Ok(true);
+            }
+        }
+    }
+
+    /// As [`Input::advance`], where there must be a line.
+    pub(crate) fn expect(&mut self, wanted: &str) -> Result<(), Fault> {
+        if self.advance()? {
+            return Ok(());
+        }
+        Err(self.fault(format!("the file ends here, expected {wanted}; it is cut short")))
+    }
+
+    fn is_blank(&self, byte: u8) -> bool {
+        byte.is_ascii_whitespace() || (self.commas && byte == b',')
+    }
+
+    fn skip_blanks(&mut self) {
+        while self.cursor < self.line_end && self.is_blank(self.buffer[self.cursor]) {
+            self.cursor += 1;
+        }
+    }
+
+    /// What has not been taken of the current line.
+    pub(crate) fn text(&self) -> &[u8] {
+        &self.buffer[self.cursor..self.line_end]
+    }
+
+    /// The current line from its first column, without blanks at its end.
+    pub(crate) fn whole_line(&self) -> &[u8] {
+        &self.buffer[self.line_start..self.line_end]
+    }
+
+    /// The next field of the current line; none at its end.
+    pub(crate) fn field(&mut self) -> Option<&[u8]> {
+        let start = self.cursor;
+        while self.cursor < self.line_end && !self.is_blank(self.buffer[self.cursor]) {
+            self.cursor += 1;
+        }
+        let end = self.cursor;
+        self.skip_blanks();
+        (start < end).then(|| &self.buffer[start..end])
+    }
+
+    /// The next field, a whole number that is not negative.
+    pub(crate) fn count(&mut self, what: &str) -> Result<u64, Fault> {
+        self.parsed(what, whole)
+    }
+
+    /// The next field, a whole number.
+    pub(crate) fn integer(&mut self, what: &str) -> Result<i64, Fault> {
+        self.parsed(what, parse)
+    }
+
+    /// The next field, a finite real number.
+    pub(crate) fn real(&mut self, what: &str) -> Result<f64, Fault> {
+        self.parsed(what, real)
+    }
+
+    fn parsed<T>(&mut self, what: &str, parse: fn(&[u8]) -> Option<T>) -> Result<T, Fault> {
+        match self.field().map(parse) {
+            Some(Some(number)) => Ok(number),
+            None => Err(self.fault(format!("the line ends where {what} should stand"))),
+            Some(None) => {
+                // The field again, for the message only: the common case does not pay for it.
+                let taken = &self.buffer[self.line_start..self.cursor];
+                let end = taken.iter().rposition(|&b| !self.is_blank(b)).map_or(0, |i| i + 1);
+                let start = taken[..end].iter().rposition(|&b| self.is_blank(b)).map_or(0, |i| i + 1);
+                Err(self.misplaced(&taken[start..end], what))
+            }
+        }
+    }
+
+    /// Nothing more may follow in the line.
+    pub(crate) fn done(&self) -> Result<(), Fault> {
+        if self.cursor == self.line_end {
+            return Ok(());
+        }
+        Err(self.misplaced(self.text(), "the end of the line"))
+    }
+
+    /// The fault of text that is not what it should be.
+    pub(crate) fn misplaced(&self, text: &[u8], what: &str) -> Fault {
+        self.fault(format!("`{}` stands where {what} should", shown(text)))
+    }
+
+    /// The next raw bytes, from the end of the current line on; none if the file ends before.
+    pub(crate) fn bytes(&mut self, count: usize) -> Result<Option<&[u8]>, Fault> {
+        self.raw = true;
+        while self.end - self.next < count {
+            if !self.more()? {
+                return Ok(None);
+            }
+        }
+        let start = self.next;
+        self.next += count;
+        Ok(Some(&self.buffer[start..start + count]))
+    }
+
+    /// All that is left from the end of the current line on.
+    pub(crate) fn rest(&mut self) -> Result<Vec<u8>, Fault> {
+        while self.more()? {}
+        let rest = self.buffer[self.next..self.end].to_vec();
+        (self.next, self.end, self.buffer) = (0, 0, Vec::new());
+        Ok(rest)
+    }
+
+    /// Number of the current line.
+    pub(crate) fn line(&self) -> usize {
+        self.line
+    }
+
+    /// A fault in the current line, or at the current byte of a binary file.
+    pub(crate) fn fault(&self, problem: impl Into<String>) -> Fault {
+        if self.raw {
+            return Fault::whole(format!("near byte {}: {}", self.dropped + self.next as u64, problem.into()));
+        }
+        Fault::at(self.line, problem)
+    }
+}
+
+/// Text of a file as it may stand in a message.
+pub(crate) fn shown(text: &[u8]) -> String {
+    text[..text.len().min(40)].escape_ascii().to_string()
+}
+
+/// A whole number that is not negative.
+pub(crate) fn whole(field: &[u8]) -> Option<u64> {
+    let mut number = 0_u64;
+    for &digit in field {
+        if !digit.is_ascii_digit() {
+            return None;
+        }
+        number = number.checked_mul(10)?.checked_add(u64::from(digit - b'0'))?;
+    }
+    (!field.is_empty()).then_some(number)
+}
+
+/// A finite real number; Fortran's `1.5D+3` too.
+pub(crate) fn real(field: &[u8]) -> Option<f64> {
+    let number: Option<f64> = parse(field).or_else(|| {
+        let d = field.iter().position(|b| matches!(b, b'd' | b'D'))?;
+        let mut field = field.get(..64).unwrap_or(field).to_vec();
+        *field.get_mut(d)? = b'e';
+        parse(&field)
+    });
+    number.filter(|x| x.is_finite())
+}
+
+pub(crate) fn parse<T: std::str::FromStr>(field: &[u8]) -> Option<T> {
+    std::str::from_utf8(field).ok()?.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Gives a few bytes at a time.
+    struct Slow<'a>(&'a [u8], usize);
+
+    impl Read for Slow<'_> {
+        fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+            let count = self.1.min(self.0.len()).min(into.len());
+            into[..count].copy_from_slice(&self.0[..count]);
+            self.0 = &self.0[count..];
+            Ok(count)
+        }
+    }
+
+    #[test]
+    fn lines_and_bytes_do_not_depend_on_how_the_file_comes_in() {
+        let file = b"\xef\xbb\xbfone 2\r\n\n  \t\n 3.5,x\nraw\x00\n\xff end\nlast";
+        for step in 1..file.len() {
+            let mut input = Input::new(Slow(file, step));
+            assert!(input.advance().unwrap());
+            assert_eq!(input.field().unwrap(), b"one");
+            assert_eq!(input.count("a number").unwrap(), 2);
+            input.done().unwrap();
+            input.commas = true;
+            assert!(input.advance().unwrap());
+            assert_eq!((input.line(), input.whole_line()), (4, b" 3.5,x".as_slice()));
+            assert_eq!(input.real("a number").unwrap(), 3.5);
+            assert_eq!(input.text(), b"x");
+            assert_eq!(input.bytes(6).unwrap().unwrap(), b"raw\x00\n\xff");
+            assert!(input.advance().unwrap());
+            assert_eq!(input.text(), b"end");
+            assert!(input.advance().unwrap());
+            assert_eq!(input.text(), b"last");
+            assert!(!input.advance().unwrap() && !input.advance().unwrap());
+            assert_eq!(input.bytes(1).unwrap(), None);
+        }
+    }
+
+    #[test]
+    fn numbers_are_read_exactly_or_refused() {
+        assert_eq!((whole(b"18446744073709551615"), whole(b"18446744073709551616")), (Some(u64::MAX), None));
+        assert_eq!((whole(b""), whole(b"-1"), whole(b"1.0")), (None, None, None));
+        assert_eq!((real(b"-1.5D+3"), real(b"1d0"), real(b"inf"), real(b"d")), (Some(-1500.0), Some(1.0), None, None));
+    }
+
+    #[test]
+    fn a_wrong_field_is_named_with_its_line() {
+        let mut input = Input::new(b"\n12 x7 9\n".as_slice());
+        input.expect("a line").unwrap();
+        input.count("a count").unwrap();
+        let fault = input.real("a coordinate").unwrap_err();
+        assert_eq!((fault.line, fault.problem.as_str()), (Some(2), "`x7` stands where a coordinate should"));
+        let fault = input.expect("another line").unwrap_err();
+        assert_eq!(fault.problem, "the file ends here, expected another line; it is cut short");
+    }
+}

@@ -1,0 +1,183 @@
+//! Nodes at the same place: found, and merged where parts of a mesh should be joined.
+
+use std::collections::BTreeMap;
+
+use crate::Mesh;
+use crate::assembly::drop_unused_nodes;
+
+/// Why nodes were not merged.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MergeError {
+    /// Two nodes of one element would become one.
+    #[error(
+        "merging nodes within {tolerance} m would collapse element {element}: nodes {first} and {second} of it are \
+         closer than that; use a smaller tolerance"
+    )]
+    Collapses { tolerance: f64, element: u64, first: u64, second: u64 },
+    /// The tolerance is negative or not finite.
+    #[error("the tolerance for merging nodes is {tolerance} m, expected a small positive length")]
+    Tolerance { tolerance: f64 },
+}
+
+/// Length of the shortest edge \[m\] of all elements; 0 for a mesh without any.
+pub fn shortest_edge(mesh: &Mesh) -> f64 {
+    let mut shortest = f64::INFINITY;
+    for element in &mesh.elements {
+        for face in element.shape.faces() {
+            for k in 0..face.len() {
+                let [a, b] = [face[k], face[(k + 1) % face.len()]];
+                // Each edge is in two faces, once in each direction.
+                if a < b {
+                    let [a, b] = [a, b].map(|k| &mesh.nodes[element.nodes[k] as usize]);
+                    shortest = shortest.min(squared_distance(a, b));
+                }
+            }
+        }
+    }
+    if shortest.is_finite() { shortest.sqrt() } else { 0.0 }
+}
+
+/// Nodes within `tolerance` \[m\] of an earlier one, each with the first such node, ascending.
+///
+/// An earlier node is only one that is not itself near an even earlier one, so chains are cut, not followed.
+pub fn coincident_nodes(mesh: &Mesh, tolerance: f64) -> Vec<(u32, u32)> {
+    let mut pairs = Vec::new();
+    let mut order: Vec<u32> = (0..mesh.nodes.len() as u32).collect();
+    // Pieces of `order`, with the axis to cut along next and along how many axes in turn there was no gap.
+    let mut pieces = vec![(0, order.len(), 0, 0)];
+    while let Some((start, end, axis, tried)) = pieces.pop() {
+        let piece = &mut order[start..end];
+        if tried == 3 {
+            piece.sort_unstable();
+            nearest_earlier(mesh, piece, tolerance, &mut pairs);
+            continue;
+        }
+        let x = |node: u32| mesh.nodes[node as usize][axis];
+        piece.sort_unstable_by(|&a, &b| x(a).total_cmp(&x(b)));
+        let mut from = start;
+        for to in start + 1..=end {
+            if to < end && x(order[to]) - x(order[to - 1]) <= tolerance {
+                continue;
+            }
+            if to - from > 1 {
+                let uncut = to - from == end - start;
+                pieces.push((from, to, (axis + 1) % 3, if uncut { tried + 1 } else { 1 }));
+            }
+            from = to;
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}
+
+/// Adds the pairs in one piece, whose nodes are ascending.
+fn nearest_earlier(mesh: &Mesh, piece: &[u32], tolerance: f64, pairs: &mut Vec<(u32, u32)>) {
+    let mut firsts: Vec<u32> = Vec::new();
+    for &node in piece {
+        let x = &mesh.nodes[node as usize];
+        let near = |&&first: &&u32| squared_distance(&mesh.nodes[first as usize], x) <= tolerance * tolerance;
+        match firsts.iter().find(near) {
+            Some(&first) => pairs.push((node, first)),
+            None => firsts.push(node),
+        }
+    }
+}
+
+/// Merges nodes within `tolerance` \[m\] of an earlier one into that one; how many disappear.
+///
+/// Groups and named faces and points stay. The mesh is unchanged on an error.
+///
+/// # Errors
+/// If two nodes of one element are within the tolerance, or that is no length.
+pub fn merge_nodes(mesh: &mut Mesh, tolerance: f64) -> Result<usize, MergeError> {
+    if !tolerance.is_finite() || tolerance < 0.0 {
+        return Err(MergeError::Tolerance { tolerance });
+    }
+    let into: BTreeMap<u32, u32> = coincident_nodes(mesh, tolerance).into_iter().collect();
+    let target = |node: u32| into.get(&node).copied().unwrap_or(node);
+    for (e, element) in mesh.elements.iter().enumerate() {
+        let nodes = element.nodes();
+        for (i, &node) in nodes.iter().enumerate() {
+            let twin = nodes[..i].iter().find(|&&other| other != node && target(other) == target(node));
+            if let Some(&twin) = twin {
+                let [first, second] = [twin, node].map(|n| mesh.node_id(n as usize));
+                return Err(MergeError::Collapses { tolerance, element: mesh.element_id(e), first, second });
+            }
+        }
+    }
+    for node in mesh.elements.iter_mut().flat_map(|e| &mut e.nodes) {
+        *node = target(*node);
+    }
+    drop_unused_nodes(mesh);
+    Ok(into.len())
+}
+
+fn squared_distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::{Random, distorted_box};
+
+    /// Two boxes side by side that share no nodes; those of the second are up to 1e-5 m off.
+    fn two_boxes() -> Mesh {
+        let mut mesh = distorted_box(4);
+        let mut random = Random(3);
+        let mut second = distorted_box(4);
+        for node in &mut second.nodes {
+            for x in &mut *node {
+                *x += 5e-6 * random.next();
+            }
+            node[0] += 4.0;
+        }
+        let offset = mesh.nodes.len() as u32;
+        mesh.nodes.extend(second.nodes);
+        for mut element in second.elements {
+            element.nodes = element.nodes.map(|n| n + offset);
+            mesh.elements.push(element);
+        }
+        mesh
+    }
+
+    #[test]
+    fn nodes_of_two_boxes_are_found_and_merged_within_the_tolerance() {
+        let mut mesh = two_boxes();
+        assert_eq!(coincident_nodes(&mesh, 0.0), []);
+        let pairs = coincident_nodes(&mesh, 1e-5);
+        assert_eq!(pairs.len(), 25);
+        for &(node, first) in &pairs {
+            assert!(node >= 125 && first < 125);
+            assert!((mesh.nodes[node as usize][1] - mesh.nodes[first as usize][1]).abs() <= 1e-5);
+        }
+        assert_eq!(crate::topology::components(&mesh, None).len(), 2);
+        assert_eq!(merge_nodes(&mut mesh, 1e-5), Ok(25));
+        assert_eq!(mesh.nodes.len(), 225);
+        assert_eq!(crate::topology::components(&mesh, None).len(), 1);
+    }
+
+    #[test]
+    fn pairs_are_those_of_a_search_of_all_with_all() {
+        let mut random = Random(17);
+        let nodes = (0..400).map(|_| [0; 3].map(|_| random.next())).collect();
+        let mesh = Mesh { nodes, ..Mesh::default() };
+        for tolerance in [0.0, 0.01, 0.05, 0.1, 2.0] {
+            let mut naive = Vec::new();
+            let all: Vec<u32> = (0..400).collect();
+            nearest_earlier(&mesh, &all, tolerance, &mut naive);
+            assert_eq!(coincident_nodes(&mesh, tolerance), naive, "{tolerance}");
+        }
+    }
+
+    #[test]
+    fn a_tolerance_that_would_collapse_an_element_is_refused() {
+        let mut mesh = distorted_box(2);
+        let before = mesh.clone();
+        let error = merge_nodes(&mut mesh, 1.1).unwrap_err();
+        assert!(error.to_string().contains("would collapse element 1"), "{error}");
+        assert!(matches!(merge_nodes(&mut mesh, f64::NAN), Err(MergeError::Tolerance { .. })));
+        assert!(shortest_edge(&mesh) > 0.3 && shortest_edge(&mesh) < 1.1);
+        assert_eq!(mesh, before);
+    }
+}

@@ -1,0 +1,77 @@
+//! What a reader or writer did that its user should know.
+
+use std::fmt;
+
+use crate::Shape;
+
+/// One remark on a mesh that was read or written. Its text says what it means for the calculation.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Note {
+    /// `count` elements of `nodes` nodes were reduced to their corners.
+    Reduced { nodes: usize, shape: Shape, count: usize },
+    /// `count` elements of a kind that no model can hold were passed over.
+    Skipped { kind: String, count: usize },
+    /// `count` elements were numbered in mirror image, the first of them `first`, and were renumbered.
+    Turned { count: usize, first: u64 },
+    /// `count` hexahedra with repeated nodes were read as the shape that they are.
+    Collapsed { shape: Shape, count: usize },
+    /// `count` hexahedra with one collapsed edge, the first of them `first`, were split into two pyramids each.
+    Split { count: usize, first: u64 },
+    /// `count` nodes belong to no element and were dropped.
+    UnusedNodes { count: usize },
+    /// `count` nodes lie within `tolerance` \[m\] of another, as `first` does of `second`.
+    Coincident { count: usize, first: u64, second: u64, tolerance: f64 },
+    /// Instances use the same numbers, so nodes or elements were numbered anew.
+    Renumbered,
+    /// The file holds `count` of something that a mesh does not, such as `*TIE`.
+    NotTaken { what: String, count: usize },
+    /// The surface `name` has `count` faces inside the mesh for one side only; the file written names both.
+    BothSides { name: String, count: usize },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Note::Reduced { nodes, shape: Shape::Tet4, count } => write!(
+                f,
+                "{count} {nodes}-node tetrahedra were reduced to their 4 corners: strain is then constant in \
+                 each, which makes the model too stiff in bending and where it yields without change of volume \
+                 (locking); prefer hexahedra, or refine"
+            ),
+            Note::Reduced { nodes, shape, count } => write!(
+                f,
+                "{count} {nodes}-node elements were reduced to {}: curved edges become straight, and bending \
+                 needs about twice as many elements along each edge",
+                shape.name()
+            ),
+            Note::Skipped { kind, count } => write!(f, "{count} {kind} were passed over: the model holds solid elements only"),
+            Note::Turned { count, first } => write!(
+                f,
+                "{count} elements were numbered in mirror image and were renumbered, the first of them is {first}"
+            ),
+            Note::Collapsed { shape, count } => {
+                write!(f, "{count} hexahedra with repeated nodes were read as {}", shape.name())
+            }
+            Note::Split { count, first } => write!(
+                f,
+                "{count} hexahedra with one collapsed edge were split into two pyramids each, the first of them is \
+                 {first}; beside hexahedra their split sides fit only at the nodes"
+            ),
+            Note::UnusedNodes { count } => write!(f, "{count} nodes belong to no solid element and were dropped"),
+            Note::Coincident { count, first, second, tolerance } => write!(
+                f,
+                "{count} nodes lie within {tolerance:.1e} m of another, as {first} does of {second}: parts are not \
+                 joined there; if they should be, merge the nodes within that tolerance"
+            ),
+            Note::Renumbered => {
+                write!(f, "instances use the same numbers; nodes and elements are numbered anew from 1")
+            }
+            Note::NotTaken { what, count } => write!(f, "{count} {what} were not taken over"),
+            Note::BothSides { name, count } => write!(
+                f,
+                "surface `{name}` has {count} faces inside the mesh for one side only; this format names both sides"
+            ),
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! The front door for mesh files: the format is recognised by content, not by the file's name.
+
+use std::fs::File;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::Mesh;
+use crate::input::Input;
+use crate::note::Note;
+
+/// Why a mesh file could not be read.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// The operating system refused.
+    #[error("{}: {source}", path.display())]
+    Io { path: PathBuf, source: io::Error },
+    /// No reader knows the file's kind.
+    #[error(
+        "{}: this is no mesh file of a known kind; known are: {}",
+        path.display(),
+        FORMATS.iter().map(|f| f.name).collect::<Vec<_>>().join(", ")
+    )]
+    Unknown { path: PathBuf },
+    /// The file's contents cannot be used; the text says what to do.
+    #[error("{}, line {line}: {problem}", path.display())]
+    Line { path: PathBuf, line: usize, problem: String },
+    /// The same, where no single line is to blame.
+    #[error("{}: {problem}", path.display())]
+    File { path: PathBuf, problem: String },
+}
+
+/// What a reader finds wrong; [`read`] adds the file.
+#[derive(Debug)]
+pub(crate) struct Fault {
+    /// None if it is the file that was asked for, not one included there.
+    pub file: Option<PathBuf>,
+    /// Counted from 1; none if the whole file is meant.
+    pub line: Option<usize>,
+    pub problem: String,
+}
+
+impl Fault {
+    /// A fault in a line.
+    pub(crate) fn at(line: usize, problem: impl Into<String>) -> Self {
+        Fault { file: None, line: Some(line), problem: problem.into() }
+    }
+
+    /// A fault of the whole file.
+    pub(crate) fn whole(problem: impl Into<String>) -> Self {
+        Fault { file: None, line: None, problem: problem.into() }
+    }
+}
+
+/// One mesh format.
+pub struct Format {
+    /// As the user knows it.
+    pub name: &'static str,
+    /// Whether a file that begins so is of this kind.
+    pub(crate) recognises: fn(&[u8]) -> bool,
+    /// The mesh in a file; the path is there for files that refer to others.
+    pub(crate) parse: fn(&mut Input, &Path) -> Result<(Mesh, Vec<Note>), Fault>,
+}
+
+/// The formats that [`read`] knows. A new one is a module with a `FORMAT` and a line here.
+pub const FORMATS: &[Format] = &[crate::gmsh::FORMAT];
+
+/// Reads a mesh file; as [`read_with_notes`] without the notes.
+///
+/// # Errors
+/// As [`read_with_notes`].
+pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError> {
+    read_with_notes(path).map(|(mesh, _)| mesh)
+}
+
+/// Reads a mesh file, and says what was done to it on the way.
+///
+/// Whatever the format, every element of the result has a positive Jacobian (one numbered in mirror
+/// image is renumbered), every node belongs to an element, and every element to a group; no group is empty.
+/// Coordinates are taken as metres, z up. The notes tell what was reduced, passed over, renumbered or
+/// dropped, and whether nodes coincide.
+///
+/// # Errors
+/// If the file cannot be opened, is of no known kind, or its contents cannot be used: the message names
+/// the file, where there is one the line, and the way out.
+pub fn read_with_notes(path: impl AsRef<Path>) -> Result<(Mesh, Vec<Note>), ReadError> {
+    let path = path.as_ref();
+    let file = File::open(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
+    let mut input = Input::new(file);
+    let place = |Fault { file, line, problem }| {
+        let path = file.unwrap_or_else(|| path.to_owned());
+        match line {
+            Some(line) => ReadError::Line { path, line, problem },
+            None => ReadError::File { path, problem },
+        }
+    };
+    let head = input.head().map_err(place)?;
+    let Some(format) = FORMATS.iter().find(|f| (f.recognises)(head)) else {
+        return Err(ReadError::Unknown { path: path.to_owned() });
+    };
+    (format.parse)(&mut input, path).map_err(place)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    #[test]
+    fn a_file_is_known_by_its_contents_and_faults_name_it() {
+        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+        assert_eq!(read(data.join("tunnel.msh")).unwrap().elements.len(), 160);
+        let error = read(data.join("tunnel.geo")).unwrap_err();
+        assert!(matches!(error, ReadError::Unknown { .. }), "{error}");
+        assert!(error.to_string().contains("tunnel.geo: this is no mesh file of a known kind"), "{error}");
+        let error = read(data.join("absent.msh")).unwrap_err();
+        assert!(matches!(error, ReadError::Io { .. }), "{error}");
+
+        let folder = std::env::temp_dir().join(format!("tremolite-read-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("old.mesh");
+        fs::write(&path, "$MeshFormat\n2.2 0 8\n").unwrap();
+        let message = read(&path).unwrap_err().to_string();
+        assert!(message.contains("old.mesh, line 2: this is MSH version 2.2"), "{message}");
+        fs::write(&path, "").unwrap();
+        assert!(matches!(read(&path), Err(ReadError::Unknown { .. })));
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}

@@ -1,0 +1,72 @@
+//! Small meshes for the tests.
+
+use crate::{Element, Mesh, Shape};
+
+/// Numbers in [0, 1), by Park and Miller's generator.
+pub(crate) struct Random(pub u64);
+
+impl Random {
+    pub(crate) fn next(&mut self) -> f64 {
+        self.0 = self.0 * 48_271 % 2_147_483_647;
+        self.0 as f64 / 2_147_483_647.0
+    }
+
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        (self.next() * n as f64) as usize
+    }
+}
+
+/// The box [0, n]³ of n³ hexahedra, x fastest, inner nodes displaced at random by up to 0.2 an axis.
+pub(crate) fn distorted_box(n: u32) -> Mesh {
+    let mut random = Random(42);
+    let mut mesh = Mesh::default();
+    let node = |i, j, k| i + (n + 1) * (j + (n + 1) * k);
+    for k in 0..=n {
+        for j in 0..=n {
+            for i in 0..=n {
+                let inner = [i, j, k].iter().all(|&c| c > 0 && c < n);
+                mesh.nodes.push([i, j, k].map(|c| {
+                    let off = 0.4 * random.next() - 0.2;
+                    f64::from(c) + if inner { off } else { 0.0 }
+                }));
+            }
+        }
+    }
+    for k in 0..n {
+        for j in 0..n {
+            for i in 0..n {
+                let ring = |k| [node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k)];
+                mesh.elements.push(Element::new(Shape::Hex8, &[ring(k), ring(k + 1)].concat()));
+            }
+        }
+    }
+    mesh
+}
+
+/// A skewed hexahedron with a wedge on its +x face, a pyramid on its top and, apart, a tetrahedron.
+pub(crate) fn one_of_each() -> Mesh {
+    let nodes = vec![
+        [0.0, 0.0, 0.0],
+        [1.0, 0.1, 0.0],
+        [1.0, 1.0, 0.0],
+        [0.0, 1.2, 0.0],
+        [0.1, 0.0, 1.0],
+        [1.0, 0.0, 1.0],
+        [1.0, 0.9, 1.1],
+        [0.0, 1.0, 1.0],
+        [2.0, 0.5, 0.1],
+        [2.1, 0.4, 1.2],
+        [0.5, 0.4, 2.0],
+        [3.0, 0.0, 0.0],
+        [4.0, 0.2, 0.0],
+        [3.0, 1.0, 0.3],
+        [3.2, 0.1, 1.0],
+    ];
+    let elements = vec![
+        Element::new(Shape::Hex8, &[0, 1, 2, 3, 4, 5, 6, 7]),
+        Element::new(Shape::Wedge6, &[1, 8, 2, 5, 9, 6]),
+        Element::new(Shape::Pyramid5, &[4, 5, 6, 7, 10]),
+        Element::new(Shape::Tet4, &[11, 12, 13, 14]),
+    ];
+    Mesh { nodes, elements, ..Mesh::default() }
+}
