@@ -1,0 +1,187 @@
+//! Histories drawn in panels one above the other, over one time axis.
+
+use std::borrow::Cow;
+
+use crate::scale::{Scale, moment};
+use crate::svg::{Anchor, Style, Svg, text_width};
+use crate::thin::thin;
+use crate::ticks::Ticks;
+
+const WIDTH: f64 = 940.0;
+const LEFT: f64 = 56.0;
+const RIGHT: f64 = 16.0;
+/// Room for a panel's heading.
+const HEADING: f64 = 32.0;
+
+/// One line of a panel.
+pub struct Line<'a> {
+    pub name: String,
+    /// In SI, one value for each time.
+    pub values: Cow<'a, [f64]>,
+    /// Which colour; lines of one name have the same in all panels.
+    pub colour: usize,
+}
+
+/// Which point of a panel's lines is marked and named.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mark {
+    Largest,
+    Highest,
+    Lowest,
+}
+
+/// One set of axes.
+pub struct Panel<'a> {
+    pub title: String,
+    pub scale: Scale,
+    pub lines: Vec<Line<'a>>,
+    pub mark: Mark,
+}
+
+/// A figure of one or more panels.
+pub struct Chart<'a> {
+    pub title: String,
+    /// Times (s), ascending.
+    pub time: &'a [f64],
+    pub panels: Vec<Panel<'a>>,
+}
+
+/// The marked point: line, time, value.
+pub struct Peak<'a> {
+    pub line: &'a Line<'a>,
+    pub time: f64,
+    pub value: f64,
+}
+
+/// Whether a value can be drawn. Those of a run that has diverged may be finite and yet beyond any axis.
+fn drawable(x: f64) -> bool {
+    x.abs() < 1e100
+}
+
+impl Panel<'_> {
+    /// The point to be marked; none if no value is finite.
+    pub fn peak(&self, time: &[f64]) -> Option<Peak<'_>> {
+        let rank = |x: f64| match self.mark {
+            Mark::Largest => x.abs(),
+            Mark::Highest => x,
+            Mark::Lowest => -x,
+        };
+        let mut best: Option<Peak<'_>> = None;
+        for line in &self.lines {
+            for (&t, &x) in
+                time.iter().zip(line.values.iter()).filter(|(t, x)| drawable(**t) && drawable(**x))
+            {
+                if best.as_ref().is_none_or(|b| rank(x) > rank(b.value)) {
+                    best = Some(Peak { line, time: t, value: x });
+                }
+            }
+        }
+        best
+    }
+
+    fn range(&self) -> (f64, f64) {
+        let finite = self.lines.iter().flat_map(|line| line.values.iter().copied()).filter(|x| drawable(*x));
+        finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+    }
+}
+
+impl Chart<'_> {
+    /// The figure as SVG.
+    pub fn draw(&self) -> String {
+        let mut svg = Svg::new(WIDTH);
+        let height = match self.panels.len() {
+            0 | 1 => 270.0,
+            2 => 200.0,
+            _ => 158.0,
+        };
+        let finite = || self.time.iter().copied().filter(|t| drawable(*t));
+        let across = Ticks::within(
+            finite().fold(f64::INFINITY, f64::min),
+            finite().fold(f64::NEG_INFINITY, f64::max),
+            10,
+        );
+        let mut top = self.legend(&mut svg) - 4.0;
+        for panel in &self.panels {
+            self.panel(&mut svg, panel, &across, top + HEADING, height);
+            top += HEADING + height;
+        }
+        for (t, label) in &across.marks {
+            svg.text((abscissa(&across, *t), top + 17.0), Anchor::Middle, 12.0, Style::Muted, label);
+        }
+        svg.text((WIDTH - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, "time (s)");
+        let description = self.panels.iter().map(|panel| self.remark(panel)).collect::<Vec<_>>().join("; ");
+        svg.finish(top + 42.0, &self.title, &description)
+    }
+
+    /// Names and colours above the panels, in rows; returns where the rows end.
+    fn legend(&self, svg: &mut Svg) -> f64 {
+        let mut entries: Vec<(&str, usize)> = Vec::new();
+        for line in self.panels.iter().flat_map(|panel| &panel.lines) {
+            if !entries.iter().any(|(name, _)| *name == line.name) {
+                entries.push((&line.name, line.colour));
+            }
+        }
+        let (mut x, mut y) = (LEFT, 14.0);
+        for (name, colour) in entries {
+            let width = 28.0 + text_width(name, 13.0) + 20.0;
+            if x + width > WIDTH && x > LEFT {
+                (x, y) = (LEFT, y + 20.0);
+            }
+            svg.lines(colour, 2.4, &[vec![(x, y - 4.5), (x + 22.0, y - 4.5)]]);
+            svg.text((x + 28.0, y), Anchor::Start, 13.0, Style::Plain, name);
+            x += width;
+        }
+        y + 4.0
+    }
+
+    fn panel(&self, svg: &mut Svg, panel: &Panel<'_>, across: &Ticks, top: f64, height: f64) {
+        let bottom = top + height;
+        let (low, high) = panel.range();
+        let up = Ticks::around(low * panel.scale.factor, high * panel.scale.factor, (height / 38.0) as usize);
+        let ordinate = |value: f64| bottom - up.fraction(value * panel.scale.factor) * height;
+        for (value, label) in &up.marks {
+            let y = bottom - up.fraction(*value) * height;
+            svg.rule((LEFT, y), (WIDTH - RIGHT, y), *value == 0.0);
+            svg.text((LEFT - 7.0, y + 4.0), Anchor::End, 12.0, Style::Muted, label);
+        }
+        for (t, _) in &across.marks {
+            let x = abscissa(across, *t);
+            svg.rule((x, top), (x, bottom), false);
+        }
+        svg.rule((LEFT, top), (LEFT, bottom), true);
+        svg.rule((LEFT, bottom), (WIDTH - RIGHT, bottom), true);
+        let unit =
+            if panel.scale.unit.is_empty() { String::new() } else { format!(" ({})", panel.scale.unit) };
+        svg.text((LEFT, top - 8.0), Anchor::Start, 13.0, Style::Bold, &format!("{}{unit}", panel.title));
+        svg.text((WIDTH - RIGHT, top - 8.0), Anchor::End, 12.0, Style::Muted, &self.remark(panel));
+        for line in &panel.lines {
+            let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
+            let points = self.time.iter().zip(line.values.iter());
+            let points = points.map(|(&t, &x)| (abscissa(across, shown(t)), ordinate(shown(x))));
+            svg.lines(line.colour, 1.3, &thin(points, 0.12));
+        }
+        if let Some(peak) = panel.peak(self.time) {
+            svg.ring((abscissa(across, peak.time), ordinate(peak.value)), peak.line.colour);
+        }
+    }
+
+    /// Names the marked point of a panel.
+    fn remark(&self, panel: &Panel<'_>) -> String {
+        let Some(peak) = panel.peak(self.time) else { return "no values".into() };
+        let what = match panel.mark {
+            Mark::Largest => "largest",
+            Mark::Highest => "highest",
+            Mark::Lowest => "lowest",
+        };
+        let (name, value, duration) = (
+            &peak.line.name,
+            panel.scale.quantity(peak.value),
+            self.time.last().copied().unwrap_or(f64::NAN),
+        );
+        format!("{what}: {name}, {value} at {}\u{a0}s", moment(peak.time, duration))
+    }
+}
+
+fn abscissa(across: &Ticks, time: f64) -> f64 {
+    LEFT + across.fraction(time) * (WIDTH - LEFT - RIGHT)
+}

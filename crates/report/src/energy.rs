@@ -1,0 +1,76 @@
+//! Figure of the energy balance: every line over time, and below it the error.
+
+use tremolite_results::Table;
+
+use crate::chart::{Chart, Line, Mark, Panel};
+use crate::figure::{Figure, Section};
+use crate::scale::{Scale, figures, quantity};
+use crate::source::Source;
+
+const HEADING: &str = "Energy balance";
+/// The dark one; the other lines pass it over.
+const ERROR_COLOUR: usize = 3;
+
+/// The largest error of the balance, and its ratio to the largest line of it, both over all times.
+pub fn worst_error(table: &Table) -> Option<(f64, f64)> {
+    let error = largest(table.column("error")?);
+    let most = lines(table).map(|(_, values)| largest(values)).fold(0.0, f64::max);
+    (most > 0.0).then_some((error, error / most))
+}
+
+fn lines(table: &Table) -> impl Iterator<Item = (&str, &[f64])> {
+    let columns = table.columns.iter().zip(&table.values);
+    columns
+        .map(|(c, values)| (c.name.as_str(), values.as_slice()))
+        .filter(|(name, _)| !matches!(*name, "time" | "error"))
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
+}
+
+/// The section of the page.
+pub fn section<'a>(source: &'a Source) -> Section {
+    let table = match &source.energy {
+        Ok(table) => table,
+        Err(why) => return Section::left_out(HEADING, why),
+    };
+    let most = lines(table).map(|(_, values)| largest(values)).fold(0.0, f64::max);
+    if most == 0.0 {
+        return Section::left_out(HEADING, "energy.csv holds no line that is not zero.");
+    }
+    let (drawn, idle): (Vec<_>, Vec<_>) = lines(table).partition(|(_, values)| largest(values) > 0.0);
+    let scale = Scale::suiting("J", most);
+    let line = |(k, (name, values)): (usize, (&'a str, &'a [f64]))| Line {
+        name: name.replace('_', " "),
+        values: values.into(),
+        colour: if k < ERROR_COLOUR { k } else { k + 1 },
+    };
+    let mut panels = vec![Panel {
+        title: "energy".into(),
+        scale,
+        lines: drawn.into_iter().enumerate().map(line).collect(),
+        mark: Mark::Largest,
+    }];
+    let mut caption = match (table.column("error"), worst_error(table)) {
+        (Some(error), Some((worst, ratio))) => {
+            let line = Line { name: "error".into(), values: error.into(), colour: ERROR_COLOUR };
+            panels.push(Panel {
+                title: "error".into(),
+                scale: Scale::suiting("J", worst),
+                lines: vec![line],
+                mark: Mark::Largest,
+            });
+            let percent = figures(100.0 * ratio, 2);
+            format!("The error is at most {}, {percent}\u{a0}% of the largest line.", quantity("J", worst))
+        }
+        _ => "energy.csv has no column error.".into(),
+    };
+    if !idle.is_empty() {
+        let names = idle.iter().map(|(name, _)| name.replace('_', " ")).collect::<Vec<_>>().join(", ");
+        caption.push_str(&format!(" Zero throughout: {names}."));
+    }
+    let time = table.column("time").unwrap_or(&[]);
+    let svg = Chart { title: HEADING.into(), time, panels }.draw();
+    Section::Drawn(vec![Figure { heading: HEADING.into(), file: "energy.svg".into(), svg, caption }])
+}

@@ -1,0 +1,277 @@
+//! What the page says in words and numbers: outcome, key results, trust, the model, the peaks.
+
+use indexmap::IndexMap;
+use serde::Serialize;
+use tremolite_results::{Bound, Peaks, Status, Summary, Table, TrustLine};
+
+use crate::energy::worst_error;
+use crate::scale::{Scale, count, figures, moment, quantity, span, trimmed};
+use crate::source::Source;
+
+/// The outcome at the top of the page.
+#[derive(Serialize)]
+pub struct Outcome {
+    /// `good`, `warn` or `bad`: the colour.
+    pub class: &'static str,
+    pub headline: String,
+    pub verdict: String,
+}
+
+/// A label with a value, and where or what in small print.
+#[derive(Serialize)]
+pub struct Fact {
+    pub label: String,
+    pub value: String,
+    pub note: String,
+}
+
+/// A line of the trust table.
+#[derive(Serialize)]
+pub struct Check {
+    pub name: String,
+    pub value: String,
+    pub limit: String,
+    pub pass: bool,
+    pub note: String,
+}
+
+/// Peaks of one family of quantities in one unit.
+#[derive(Serialize)]
+pub struct PeakTable {
+    pub heading: &'static str,
+    pub unit: String,
+    pub rows: Vec<PeakRow>,
+}
+
+/// One history's peaks.
+#[derive(Serialize)]
+pub struct PeakRow {
+    /// Empty where it is that of the row above.
+    pub monitor: String,
+    pub quantity: String,
+    pub max: String,
+    pub t_max: String,
+    pub min: String,
+    pub t_min: String,
+    pub residual: String,
+}
+
+/// Outcome of the run and colour of the banner.
+pub fn outcome(source: &Source) -> Outcome {
+    let Ok(summary) = &source.summary else {
+        let why = source.summary.as_ref().err().cloned().unwrap_or_default();
+        return Outcome { class: "warn", headline: "No summary of the run".into(), verdict: why };
+    };
+    let warnings = summary.warnings();
+    let (class, headline) = match summary.status {
+        Status::Failed => ("bad", "The run failed".to_owned()),
+        Status::Stopped => ("warn", "The run was stopped before its end".into()),
+        Status::Done if summary.trust.is_empty() => ("warn", "Done, but nothing was checked".into()),
+        Status::Done if warnings == 0 => ("good", format!("Done; all {} checks pass", summary.trust.len())),
+        Status::Done if warnings == 1 => ("warn", format!("Done; 1 of {} checks warns", summary.trust.len())),
+        Status::Done => ("warn", format!("Done; {warnings} of {} checks warn", summary.trust.len())),
+    };
+    Outcome { class, headline, verdict: summary.verdict.clone() }
+}
+
+/// The few numbers that a reader wants first.
+pub fn key_results(source: &Source) -> Vec<Fact> {
+    let facts = source.facts();
+    let duration = duration(source);
+    let at = |time: f64| format!("{}\u{a0}s", moment(time, duration));
+    let mut cards = Vec::new();
+    if let Ok(table) = &source.monitors
+        && let Some((monitor, time, size)) = longest(table, facts.monitors.keys())
+    {
+        cards.push(card("Largest displacement", quantity("m", size), &format!("{monitor} at {}", at(time))));
+    }
+    let component = |name: &str| ["ux", "uy", "uz"].contains(&name);
+    let most = extreme(&facts.relative, component, |p| p.largest().1.abs());
+    if let Some((pair, name, peaks)) = most {
+        let (time, value) = peaks.largest();
+        let note = format!("{pair}, {}, at {}", name.trim_start_matches('u'), at(time));
+        cards.push(card("Largest relative displacement", quantity("m", value.abs()), &note));
+    }
+    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s1", |p| p.max) {
+        let note = format!("{monitor} at {}", at(peaks.t_max));
+        cards.push(card("Largest principal stress s1", quantity("Pa", peaks.max), &note));
+    }
+    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s3", |p| -p.min) {
+        let note = format!("{monitor} at {}", at(peaks.t_min));
+        cards.push(card("Smallest principal stress s3", quantity("Pa", peaks.min), &note));
+    }
+    if let Ok(table) = &source.energy
+        && let Some((error, ratio)) = worst_error(table)
+    {
+        let note = format!("{}, of the largest line", quantity("J", error));
+        cards.push(card(
+            "Largest error of the energy balance",
+            format!("{}\u{a0}%", figures(100.0 * ratio, 2)),
+            &note,
+        ));
+    }
+    cards
+}
+
+/// How long the histories are (s); without them, how long the run was to be.
+fn duration(source: &Source) -> f64 {
+    let last = source.monitors.as_ref().ok().and_then(|table| table.column("time")?.last().copied());
+    last.unwrap_or(source.facts().model.duration)
+}
+
+/// Monitor, time and length of the longest displacement vector.
+fn longest<'a>(table: &Table, monitors: impl Iterator<Item = &'a String>) -> Option<(&'a str, f64, f64)> {
+    let time = table.column("time")?;
+    let mut best: Option<(&str, f64, f64)> = None;
+    for monitor in monitors {
+        let parts = ["ux", "uy", "uz"].map(|q| table.column(&format!("{monitor}.{q}")));
+        let parts: Vec<&[f64]> = parts.into_iter().flatten().collect();
+        if parts.is_empty() {
+            continue;
+        }
+        for (row, &t) in time.iter().enumerate() {
+            let length = parts.iter().map(|part| part[row] * part[row]).sum::<f64>().sqrt();
+            if length.is_finite() && best.is_none_or(|(_, _, most)| length > most) {
+                best = Some((monitor, t, length));
+            }
+        }
+    }
+    best
+}
+
+type ByName = IndexMap<String, IndexMap<String, Peaks>>;
+
+fn extreme(
+    all: &ByName,
+    wanted: impl Fn(&str) -> bool,
+    rank: impl Fn(&Peaks) -> f64,
+) -> Option<(&str, &str, Peaks)> {
+    let each =
+        all.iter().flat_map(|(name, by_quantity)| by_quantity.iter().map(move |(q, peaks)| (name, q, peaks)));
+    each.filter(|(_, q, peaks)| wanted(q) && rank(peaks).is_finite())
+        .max_by(|a, b| rank(a.2).total_cmp(&rank(b.2)))
+        .map(|(name, q, peaks)| (name.as_str(), q.as_str(), *peaks))
+}
+
+/// The trust table.
+pub fn checks(summary: &Summary) -> Vec<Check> {
+    summary.trust.iter().map(check).collect()
+}
+
+fn check(line: &TrustLine) -> Check {
+    let relation = if line.bound == Bound::AtMost { "≤" } else { "≥" };
+    Check {
+        name: line.name.clone(),
+        value: quantity(&line.unit, line.value),
+        limit: format!("{relation}\u{a0}{}", trimmed(&quantity(&line.unit, line.limit))),
+        pass: line.pass,
+        note: line.note.clone(),
+    }
+}
+
+/// Size, time step and motion.
+pub fn model(summary: &Summary) -> Vec<Fact> {
+    let (model, motion) = (&summary.model, &summary.motion);
+    let mut facts = Vec::new();
+    if model.elements > 0 {
+        let groups: Vec<_> = model.groups.iter().map(|(name, n)| format!("{name} {}", count(*n))).collect();
+        facts.push(card("Elements", count(model.elements), &groups.join(", ")));
+        facts.push(card("Nodes", count(model.nodes), ""));
+    }
+    if model.steps > 0 {
+        facts.push(card("Time step", quantity("s", model.time_step), &model.step_set_by));
+        facts.push(card("Steps", count(model.steps), &format!("{} of shaking", span(model.duration))));
+    }
+    if !motion.kind.is_empty() {
+        let note = format!("incident motion = {} × the motion given", trimmed(&figures(motion.factor, 3)));
+        facts.push(card("Kind of motion given", motion.kind.clone(), &note));
+    }
+    for (axis, &peak) in &motion.peak_acceleration {
+        let source = motion.source.get(axis).map_or("", String::as_str);
+        let value = format!("{} ({}\u{a0}g)", quantity("m/s2", peak), figures(peak / 9.806_65, 2));
+        facts.push(card(&format!("Peak incident acceleration, {axis}"), value, source));
+    }
+    if !summary.positions.is_empty() {
+        let place = |p: &[f64; 3]| p.map(|c| trimmed(&format!("{c:.2}").replace('-', "−"))).join(",\u{a0}");
+        let places: Vec<_> =
+            summary.positions.iter().map(|(name, p)| format!("{name}\u{a0}({})", place(p))).collect();
+        facts.push(card("Monitors (x, y, z in m)", places.join("; "), ""));
+    }
+    facts
+}
+
+/// How the run was made.
+pub fn run(summary: &Summary) -> Vec<Fact> {
+    let run = &summary.run;
+    let mut facts = Vec::new();
+    for (label, value) in [
+        ("Program", &run.program),
+        ("Command", &run.command),
+        ("Started", &run.started),
+        ("Instructions", &run.instruction_set),
+    ] {
+        if !value.is_empty() {
+            facts.push(card(label, value.clone(), ""));
+        }
+    }
+    if run.threads > 0 {
+        facts.push(card("Threads", run.threads.to_string(), ""));
+    }
+    if summary.wall_seconds.is_finite() && summary.wall_seconds > 0.0 {
+        facts.push(card("Wall-clock time", span(summary.wall_seconds), ""));
+    }
+    let rate = summary.element_updates_per_second;
+    if rate.is_finite() && rate > 0.0 {
+        facts.push(card("Element updates", format!("{}\u{a0}million a second", figures(rate / 1e6, 3)), ""));
+    }
+    if run.resumed > 0 {
+        let times = if run.resumed == 1 { "once".into() } else { format!("{} times", run.resumed) };
+        facts.push(card("Resumed from a checkpoint", times, ""));
+    }
+    facts
+}
+
+/// Peaks of all monitors, and of pairs, by family.
+pub fn peaks(source: &Source) -> Vec<PeakTable> {
+    let (summary, duration) = (source.facts(), duration(source));
+    let peak_table = |heading, unit, all, wanted| peak_table(heading, unit, all, wanted, duration);
+    let tables = [
+        peak_table("Displacement", "m", &summary.monitors, &["ux", "uy", "uz"][..]),
+        peak_table("Relative displacement", "m", &summary.relative, &["ux", "uy", "uz"][..]),
+        peak_table("Principal stress, tension positive", "Pa", &summary.monitors, &["s1", "s3"][..]),
+        peak_table("Velocity", "m/s", &summary.monitors, &["vx", "vy", "vz"][..]),
+        peak_table("Acceleration", "m/s2", &summary.monitors, &["ax", "ay", "az"][..]),
+    ];
+    tables.into_iter().filter(|table| !table.rows.is_empty()).collect()
+}
+
+fn peak_table(heading: &'static str, unit: &str, all: &ByName, wanted: &[&str], duration: f64) -> PeakTable {
+    let sizes =
+        all.values().flat_map(|by_quantity| by_quantity.iter()).filter(|(q, _)| wanted.contains(&q.as_str()));
+    let most = sizes.map(|(_, p)| p.largest().1.abs()).filter(|x| x.is_finite()).fold(0.0, f64::max);
+    let scale = Scale::suiting(unit, most);
+    // Round-off of a component that does not move would be the longest numbers of the table.
+    let idle = |x: f64| x.abs() < 1e-6 * most;
+    let number = |x: f64| if idle(x) { "0".into() } else { scale.number(x) };
+    let time = |t: f64, x: f64| if idle(x) { String::new() } else { moment(t, duration) };
+    let mut rows = Vec::new();
+    for (monitor, by_quantity) in all {
+        let mut name = monitor.clone();
+        for (quantity, p) in by_quantity.iter().filter(|(q, _)| wanted.contains(&q.as_str())) {
+            rows.push(PeakRow {
+                monitor: std::mem::take(&mut name),
+                quantity: quantity.clone(),
+                max: number(p.max),
+                t_max: time(p.t_max, p.max),
+                min: number(p.min),
+                t_min: time(p.t_min, p.min),
+                residual: number(p.residual),
+            });
+        }
+    }
+    PeakTable { heading, unit: scale.unit, rows }
+}
+
+fn card(label: &str, value: String, note: &str) -> Fact {
+    Fact { label: label.into(), value, note: note.into() }
+}

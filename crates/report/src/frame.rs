@@ -1,0 +1,186 @@
+//! A map in the plane (x, z) to scale, with axes and a colour bar.
+
+use crate::svg::{Anchor, Style, Svg};
+use crate::ticks::Ticks;
+
+const WIDTH: f64 = 940.0;
+const LEFT: f64 = 56.0;
+/// Right of the map: the colour bar and its labels.
+const BAR: f64 = 110.0;
+const TOP: f64 = 30.0;
+const TALLEST: f64 = 560.0;
+const LEVELS: usize = 24;
+
+/// The colour map magma (N. Smith and S. van der Walt, matplotlib, CC0), from light to dark and without its black
+/// end: evenly graded for the eye, also in grey and for the colour-blind.
+const COLOURS: [[f64; 3]; 9] = [
+    [252.0, 253.0, 191.0],
+    [254.0, 207.0, 146.0],
+    [254.0, 159.0, 109.0],
+    [247.0, 112.0, 92.0],
+    [222.0, 73.0, 104.0],
+    [183.0, 55.0, 121.0],
+    [140.0, 41.0, 129.0],
+    [100.0, 26.0, 128.0],
+    [59.0, 15.0, 112.0],
+];
+
+/// A rectangle in (x, z), in m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Window {
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl Window {
+    /// The smallest that holds all points.
+    pub fn around(points: impl Iterator<Item = [f64; 2]>) -> Self {
+        let mut window = Window { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
+        for point in points {
+            for (i, c) in point.into_iter().enumerate() {
+                window.low[i] = window.low[i].min(c);
+                window.high[i] = window.high[i].max(c);
+            }
+        }
+        window
+    }
+
+    /// Whether it has no extent in x or z.
+    pub fn is_empty(&self) -> bool {
+        self.low
+            .iter()
+            .zip(&self.high)
+            .any(|(low, high)| low.partial_cmp(high) != Some(std::cmp::Ordering::Less))
+    }
+
+    /// Wider on each side by that part of the larger extent.
+    pub fn widened(&self, part: f64) -> Self {
+        let room = part * (self.high[0] - self.low[0]).max(self.high[1] - self.low[1]);
+        Window { low: self.low.map(|c| c - room), high: self.high.map(|c| c + room) }
+    }
+
+    /// The part inside another.
+    pub fn within(&self, other: &Window) -> Self {
+        let at = |i: usize| (self.low[i].max(other.low[i]), self.high[i].min(other.high[i]));
+        let (x, z) = (at(0), at(1));
+        Window { low: [x.0, z.0], high: [x.1, z.1] }
+    }
+
+    /// Whether a convex outline's bounding box meets it.
+    pub fn meets(&self, outline: &[[f64; 2]]) -> bool {
+        let other = Window::around(outline.iter().copied());
+        (0..2).all(|i| other.high[i] >= self.low[i] && other.low[i] <= self.high[i])
+    }
+}
+
+/// The map in the making.
+pub struct Frame {
+    window: Window,
+    /// Figure units per metre.
+    zoom: f64,
+    low: f64,
+    high: f64,
+    levels: Vec<Vec<Vec<(f64, f64)>>>,
+    borders: Vec<Vec<(f64, f64)>>,
+    points: Vec<(String, (f64, f64))>,
+}
+
+impl Frame {
+    /// A map of the window, coloured from `low` to `high` (in the display unit).
+    pub fn new(window: Window, low: f64, high: f64) -> Self {
+        let [width, height] = [0, 1].map(|i| (window.high[i] - window.low[i]).max(1e-9));
+        let zoom = ((WIDTH - LEFT - BAR) / width).min(TALLEST / height);
+        let high = if high > low { high } else { low + low.abs().max(1e-300) };
+        Frame {
+            window,
+            zoom,
+            low,
+            high,
+            levels: vec![Vec::new(); LEVELS],
+            borders: Vec::new(),
+            points: Vec::new(),
+        }
+    }
+
+    /// From metres to units, from the map's upper left corner.
+    fn place(&self, [x, z]: [f64; 2]) -> (f64, f64) {
+        ((x - self.window.low[0]) * self.zoom, (self.window.high[1] - z) * self.zoom)
+    }
+
+    /// An area of one value.
+    pub fn cell(&mut self, outline: &[[f64; 2]], value: f64) {
+        let level = (value - self.low) / (self.high - self.low) * LEVELS as f64;
+        let outline = outline.iter().map(|&p| self.place(p)).collect();
+        self.levels[(level.max(0.0) as usize).min(LEVELS - 1)].push(outline);
+    }
+
+    /// Thin dark lines.
+    pub fn outlines(&mut self, edges: &[[[f64; 2]; 2]]) {
+        self.borders = edges.iter().map(|[a, b]| vec![self.place(*a), self.place(*b)]).collect();
+    }
+
+    /// A named point; left out if it is outside the window.
+    pub fn point(&mut self, name: &str, at: [f64; 2]) {
+        if self.window.meets(&[at]) {
+            let at = self.place(at);
+            self.points.push((name.into(), at));
+        }
+    }
+
+    /// The figure as SVG; `title` stands above the map.
+    pub fn draw(self, title: &str) -> String {
+        let mut svg = Svg::new(WIDTH);
+        let (width, height) = self.place([self.window.high[0], self.window.low[1]]);
+        let bottom = TOP + height;
+        svg.text((LEFT, TOP - 12.0), Anchor::Start, 13.0, Style::Bold, title);
+        svg.begin_map(LEFT, TOP, width, height);
+        for (level, outlines) in self.levels.iter().enumerate().filter(|(_, outlines)| !outlines.is_empty()) {
+            svg.areas(&colour((level as f64 + 0.5) / LEVELS as f64), outlines);
+        }
+        svg.borders(&self.borders);
+        for (name, at) in &self.points {
+            svg.label(*at, name);
+        }
+        svg.end_map();
+        let across = Ticks::within(self.window.low[0], self.window.high[0], (width / 80.0) as usize);
+        for (x, label) in &across.marks {
+            let x = LEFT + (x - self.window.low[0]) * self.zoom;
+            svg.rule((x, bottom), (x, bottom + 5.0), true);
+            svg.text((x, bottom + 19.0), Anchor::Middle, 12.0, Style::Muted, label);
+        }
+        let up = Ticks::within(self.window.low[1], self.window.high[1], (height / 60.0) as usize);
+        for (z, label) in &up.marks {
+            let y = TOP + (self.window.high[1] - z) * self.zoom;
+            svg.rule((LEFT - 5.0, y), (LEFT, y), true);
+            svg.text((LEFT - 9.0, y + 4.0), Anchor::End, 12.0, Style::Muted, label);
+        }
+        svg.text((LEFT + width, bottom + 36.0), Anchor::End, 12.0, Style::Muted, "x (m), z (m)");
+        self.bar(&mut svg, LEFT + width + 24.0, height);
+        svg.finish(bottom + 44.0, title, "a section coloured by element")
+    }
+
+    fn bar(&self, svg: &mut Svg, left: f64, height: f64) {
+        let step = height / LEVELS as f64;
+        for level in 0..LEVELS {
+            let top = TOP + height - (level + 1) as f64 * step;
+            let corners =
+                vec![(left, top), (left + 16.0, top), (left + 16.0, top + step), (left, top + step)];
+            svg.areas(&colour((level as f64 + 0.5) / LEVELS as f64), &[corners]);
+        }
+        let ticks = Ticks::within(self.low, self.high, (height / 50.0) as usize);
+        for (value, label) in &ticks.marks {
+            let y = TOP + height * (1.0 - ticks.fraction(*value));
+            svg.rule((left + 16.0, y), (left + 21.0, y), true);
+            svg.text((left + 25.0, y + 4.0), Anchor::Start, 12.0, Style::Muted, label);
+        }
+    }
+}
+
+/// The colour at `s`, 0 to 1, as `#rrggbb`.
+fn colour(s: f64) -> String {
+    let at = s.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;
+    let i = (at as usize).min(COLOURS.len() - 2);
+    let mix =
+        |k: usize| (COLOURS[i][k] + (at - i as f64) * (COLOURS[i + 1][k] - COLOURS[i][k])).round() as u8;
+    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+}

@@ -1,0 +1,73 @@
+//! The report of a run: figures and one self-contained HTML page, from the result files alone.
+//!
+//! [`write()`] reads a result folder and leaves `figures/*.svg` and `report.html` in it. The page needs no
+//! network and no scripts, prints on A4, and follows the reader's choice of a light or dark screen. What a file or
+//! column does not give is left out with a sentence that says why.
+
+mod chart;
+mod cut_figure;
+mod energy;
+mod facts;
+mod figure;
+mod frame;
+mod histories;
+mod page;
+mod scale;
+mod source;
+mod svg;
+mod thin;
+mod ticks;
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use tremolite_results::replace_file;
+
+use crate::figure::Section;
+use crate::source::Source;
+
+/// Why no report could be written.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The folder holds no results, or the page could not be written into it.
+    #[error(transparent)]
+    Results(#[from] tremolite_results::Error),
+    /// The folder for the figures could not be made.
+    #[error("{}: cannot make this folder: {source}", path.display())]
+    Figures {
+        /// The folder.
+        path: PathBuf,
+        /// Why not.
+        source: io::Error,
+    },
+    /// The page's template and its data disagree: a fault of this program, not of the results.
+    #[error("the page could not be set: {0}")]
+    Template(#[from] minijinja::Error),
+}
+
+/// Writes `figures/*.svg` and `report.html` into the result folder `dir`; returns the page's path.
+///
+/// Equal result files give equal bytes. A summary or table that is missing or damaged costs its part of the
+/// page, which then says so; it is no error.
+///
+/// # Errors
+/// If `dir` holds no results or cannot be written to.
+pub fn write(dir: &Path) -> Result<PathBuf, Error> {
+    let source = Source::read(dir)?;
+    let mut sections = vec![cut_figure::section(&source)];
+    sections.extend(histories::sections(&source));
+    sections.push(energy::section(&source));
+    let folder = source.folder.figures();
+    fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;
+    for section in &sections {
+        if let Section::Drawn(figures) = section {
+            for figure in figures {
+                replace_file(&folder.join(&figure.file), figure.svg.as_bytes())?;
+            }
+        }
+    }
+    let path = source.folder.report();
+    replace_file(&path, page::html(&source, &sections)?.as_bytes())?;
+    Ok(path)
+}

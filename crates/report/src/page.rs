@@ -1,0 +1,92 @@
+//! The page: the template filled in.
+
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::Serde;
+use minijinja::{AutoEscape, Environment, Value};
+use serde::Serialize;
+use tremolite_results::Defaulted;
+
+use crate::facts::{self, Check, Fact, Outcome, PeakTable};
+use crate::figure::Section;
+use crate::source::Source;
+
+const TEMPLATE: &str = include_str!("../template/report.html");
+const STYLE: &str = include_str!("../template/report.css");
+
+#[derive(Serialize)]
+struct Page {
+    style: Value,
+    title: String,
+    outcome: Outcome,
+    cards: Vec<Fact>,
+    checks: Vec<Check>,
+    model: Vec<Fact>,
+    sections: Vec<Part>,
+    peaks: Vec<PeakTable>,
+    defaulted: Vec<Defaulted>,
+    has_summary: bool,
+    run: Vec<Fact>,
+    cut: bool,
+}
+
+/// One section with figures, or the reason for having none.
+#[derive(Serialize)]
+struct Part {
+    heading: String,
+    why: String,
+    figures: Vec<Drawing>,
+}
+
+#[derive(Serialize)]
+struct Drawing {
+    svg: Value,
+    caption: String,
+}
+
+/// The page as text. All text from files is escaped by the template; only the drawings, which escape their
+/// own texts, go in as they are.
+pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::Error> {
+    let summary = source.facts();
+    let title = if summary.title.is_empty() {
+        let path = source.folder.root();
+        path.file_name().map_or_else(|| "Results".into(), |name| name.to_string_lossy().into_owned())
+    } else {
+        summary.title.clone()
+    };
+    let page = Page {
+        style: Value::from_safe_string(STYLE.into()),
+        title,
+        outcome: facts::outcome(source),
+        cards: facts::key_results(source),
+        checks: facts::checks(&summary),
+        model: facts::model(&summary),
+        sections: sections.iter().map(part).collect(),
+        peaks: facts::peaks(source),
+        defaulted: summary.defaulted.clone(),
+        has_summary: source.summary.is_ok(),
+        run: facts::run(&summary),
+        cut: source.monitors.as_ref().is_ok_and(|t| t.cut) || source.energy.as_ref().is_ok_and(|t| t.cut),
+    };
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
+    environment.add_template("report.html", TEMPLATE)?;
+    environment.get_template("report.html")?.render(Serde(&page))
+}
+
+fn part(section: &Section) -> Part {
+    match section {
+        Section::LeftOut { heading, why } => {
+            Part { heading: heading.clone(), why: why.clone(), figures: Vec::new() }
+        }
+        Section::Drawn(figures) => Part {
+            heading: figures.first().map(|figure| figure.heading.clone()).unwrap_or_default(),
+            why: String::new(),
+            figures: figures.iter().map(drawing).collect(),
+        },
+    }
+}
+
+fn drawing(figure: &crate::figure::Figure) -> Drawing {
+    Drawing { svg: Value::from_safe_string(figure.svg.clone()), caption: figure.caption.clone() }
+}

@@ -1,0 +1,77 @@
+//! All that the report knows: what the result files hold, and why a file is of no use where it is not.
+
+use std::path::Path;
+
+use indexmap::IndexMap;
+use tremolite_results::{ResultFolder, Summary, Table, peaks_by_monitor};
+
+use crate::histories::is_pair;
+
+/// The content of a result folder; for each file that could not be read, a sentence that says why.
+pub struct Source {
+    pub folder: ResultFolder,
+    pub summary: Result<Summary, String>,
+    pub monitors: Result<Table, String>,
+    pub energy: Result<Table, String>,
+}
+
+impl Source {
+    /// Reads the folder's files.
+    ///
+    /// # Errors
+    /// If the folder holds no results at all.
+    pub fn read(root: &Path) -> Result<Self, tremolite_results::Error> {
+        let folder = ResultFolder::open_existing(root)?;
+        let mut summary = if folder.summary().exists() {
+            Summary::read(&folder.summary()).map_err(|e| e.to_string())
+        } else {
+            Err("There is no summary.json: the run is still under way, or it was killed.".into())
+        };
+        let monitors = table(&folder.monitors());
+        let energy = table(&folder.energy());
+        if let (Ok(summary), Ok(monitors)) = (&mut summary, &monitors) {
+            complete(summary, monitors);
+        }
+        Ok(Source { folder, summary, monitors, energy })
+    }
+
+    /// The summary, or an empty one.
+    pub fn facts(&self) -> Summary {
+        self.summary.clone().unwrap_or_else(|_| {
+            let mut facts = Summary::default();
+            if let Ok(monitors) = &self.monitors {
+                complete(&mut facts, monitors);
+            }
+            facts
+        })
+    }
+}
+
+/// Fills in peaks that the summary lacks from the histories.
+fn complete(summary: &mut Summary, monitors: &Table) {
+    if !summary.monitors.is_empty() {
+        return;
+    }
+    let all = peaks_by_monitor(monitors);
+    let names: Vec<String> = all.keys().cloned().collect();
+    let (pairs, single): (IndexMap<_, _>, _) = all.into_iter().partition(|(name, _)| is_pair(name, &names));
+    summary.monitors = single;
+    if summary.relative.is_empty() {
+        summary.relative = pairs;
+    }
+}
+
+fn table(path: &Path) -> Result<Table, String> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    if !path.exists() {
+        return Err(format!("There is no {name} in the result folder."));
+    }
+    let table = Table::read(path).map_err(|e| format!("{e}."))?;
+    if table.column("time").is_none() {
+        return Err(format!("{name} has no column time."));
+    }
+    if table.rows() == 0 {
+        return Err(format!("{name} has no rows yet."));
+    }
+    Ok(table)
+}

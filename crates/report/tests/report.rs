@@ -1,0 +1,258 @@
+//! The page holds what the files hold, whatever the files hold.
+
+use std::fs;
+use std::path::Path;
+
+use tremolite_mesh::vtu::{Array, Grid, Values};
+use tremolite_mesh::{Element, Mesh, Shape};
+use tremolite_report::write;
+use tremolite_results::{
+    Column, Defaulted, Pvd, ResultFolder, Status, Summary, Table, TableWriter, TrustLine, peaks_by_monitor,
+};
+
+/// A small but complete result folder: monitors with the given names, one second of a swinging motion.
+fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
+    let folder = ResultFolder::create(Some(root), "case", false).unwrap();
+    let quantities =
+        [("ux", "m"), ("uy", "m"), ("uz", "m"), ("vx", "m/s"), ("ax", "m/s2"), ("s1", "Pa"), ("d_b", "")];
+    let mut columns = vec![Column::new("time", "s")];
+    for monitor in monitors {
+        columns.extend(quantities.map(|(q, unit)| Column::new(format!("{monitor}.{q}"), unit)));
+    }
+    let mut table = TableWriter::create(&folder.monitors(), &columns).unwrap();
+    for step in 0..=400 {
+        let t = f64::from(step) / 400.0;
+        let mut row = vec![t];
+        for k in 0..monitors.len() {
+            let u = 0.05 * (1.0 + 0.1 * k as f64) * (20.0 * t).sin() * t;
+            row.extend([u, 0.0, 0.5 * u, 10.0 * u, 80.0 * u, 0.85e6 + 1.5e7 * u, 0.5 * t]);
+        }
+        table.write(&row).unwrap();
+    }
+    let columns = ["kinetic", "strain", "error"].map(|name| Column::new(name, "J"));
+    let mut table =
+        TableWriter::create(&folder.energy(), &[&[Column::new("time", "s")], &columns[..]].concat()).unwrap();
+    for step in 0..=100 {
+        let t = f64::from(step) / 100.0;
+        table.write(&[t, 2e5 * t, 1e5 * t * t, -300.0 * t]).unwrap();
+    }
+    let mut summary = Summary {
+        title: "Cavern under a hill".into(),
+        status: Status::Done,
+        verdict: "The lining stays elastic.".into(),
+        wall_seconds: 90.0,
+        trust: vec![TrustLine::at_most("energy error", 0.0015, 0.01, "").with_note("over the run")],
+        defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
+        monitors: peaks_by_monitor(&Table::read(&folder.monitors()).unwrap()),
+        ..Summary::default()
+    };
+    if let [first, second, ..] = monitors {
+        let pair = summary.monitors[*first].clone();
+        summary.relative.insert(format!("{first}-{second}"), pair);
+    }
+    summary.write(&folder.summary()).unwrap();
+    folder
+}
+
+fn page(folder: &ResultFolder) -> String {
+    fs::read_to_string(write(folder.root()).unwrap()).unwrap()
+}
+
+/// Every drawing is well-formed XML; returns their names.
+fn drawings(folder: &ResultFolder) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for entry in fs::read_dir(folder.figures()).unwrap() {
+        let path = entry.unwrap().path();
+        let text = fs::read_to_string(&path).unwrap();
+        roxmltree::Document::parse(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        assert!(!text.contains("NaN") && !text.contains("inf"), "{}", path.display());
+        names.push(path.file_name().unwrap().to_str().unwrap().into());
+    }
+    names.sort();
+    names
+}
+
+#[test]
+fn the_page_shows_every_monitor_every_check_and_every_default() {
+    let temp = tempfile::tempdir().unwrap();
+    let names = ["A", "crown-left", "拱顶", "hall.2"];
+    let folder = results(temp.path(), &names);
+    let page = page(&folder);
+    for name in names {
+        assert!(page.contains(&format!("<th>{name}</th>")), "{name} in the table of peaks");
+        assert!(page.contains(&format!(">{name}</text>")), "{name} in a legend");
+    }
+    for text in [
+        "Done; all 1 checks pass",
+        "energy error",
+        "0.00150",
+        "≤\u{a0}0.01",
+        "dynamic.safety",
+        "A-crown-left",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert_eq!(
+        drawings(&folder),
+        [
+            "acceleration.svg",
+            "displacement.svg",
+            "energy.svg",
+            "further-1.svg",
+            "relative.svg",
+            "stress.svg",
+            "velocity.svg"
+        ]
+    );
+    // 50 mm · 1.3 at the last of the four, at the largest of t sin 20 t on the grid of the table.
+    let peak =
+        (0..=400).map(|k| f64::from(k) / 400.0).map(|t| (t * (20.0 * t).sin()).abs()).fold(0.0, f64::max);
+    assert!(page.contains(&format!("{:.1}\u{a0}mm", 65.0 * peak)), "{}", 65.0 * peak);
+}
+
+#[test]
+fn the_page_is_self_contained_and_equal_for_equal_results() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A", "B"]);
+    let first = page(&folder);
+    assert_eq!(first, page(&folder));
+    let outside = first.replace("http://www.w3.org/2000/svg", "");
+    for reference in ["http:", "https:", "src=", "href=", "@import", "url(", "<script"] {
+        assert!(!outside.contains(reference), "{reference}");
+    }
+}
+
+#[test]
+fn text_from_files_cannot_become_markup() {
+    let temp = tempfile::tempdir().unwrap();
+    let evil = "<script>alert(1)</script>&\"'";
+    let folder = results(temp.path(), &["<img/onerror=x>", "B</text>&amp;"]);
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.title = evil.into();
+    summary.verdict = format!("{{{{ 7 * 7 }}}} {evil}");
+    summary.trust[0].name = evil.into();
+    summary.trust[0].unit = "<b>".into();
+    summary.trust[0].note = evil.into();
+    summary.model.step_set_by = evil.into();
+    summary.model.steps = 1;
+    summary.motion.kind = evil.into();
+    summary.motion.peak_acceleration.insert(evil.into(), 1.0);
+    summary.run.command = evil.into();
+    summary.positions.insert(evil.into(), [0.0; 3]);
+    summary.defaulted.push(Defaulted::new(evil, evil));
+    summary.write(&folder.summary()).unwrap();
+    let page = page(&folder);
+    for markup in ["<script", "<img", "<b>", "B</text>&amp;"] {
+        assert!(!page.contains(markup), "{markup}");
+    }
+    assert!(page.contains("{{ 7 * 7 }}"), "a template in a text is text");
+    drawings(&folder);
+}
+
+#[test]
+fn what_is_missing_or_damaged_is_left_out_with_its_reason() {
+    type Damage = fn(&ResultFolder);
+    let cases: [(Damage, &str); 9] = [
+        (|f| fs::remove_file(f.summary()).unwrap(), "There is no summary.json"),
+        (|f| fs::write(f.summary(), "{").unwrap(), "not a summary of a run"),
+        (|f| fs::remove_file(f.monitors()).unwrap(), "There is no monitors.csv"),
+        (|f| fs::write(f.monitors(), "time [s],A.ux [m]\n").unwrap(), "monitors.csv has no rows yet"),
+        (|f| fs::write(f.monitors(), "t [s],A.ux [m]\n1,2\n").unwrap(), "monitors.csv has no column time"),
+        (|f| fs::write(f.monitors(), "time [s],A.ux [m]\n1,x\n").unwrap(), "is not a number"),
+        (|f| fs::write(f.monitors(), "time [s],A.s1 [Pa]\n0,1\n1,2\n").unwrap(), "no columns of ux, uy, uz"),
+        (|f| fs::remove_file(f.energy()).unwrap(), "There is no energy.csv"),
+        (|f| fs::write(f.energy(), "time [s],kinetic [J]\n0,0\n1,5\n").unwrap(), "no column error"),
+    ];
+    for (damage, reason) in cases {
+        let temp = tempfile::tempdir().unwrap();
+        let folder = results(temp.path(), &["A"]);
+        damage(&folder);
+        let page = page(&folder);
+        assert!(page.contains(reason), "{reason}");
+        drawings(&folder);
+    }
+    let temp = tempfile::tempdir().unwrap();
+    assert!(write(temp.path()).is_err(), "an empty folder is no result");
+}
+
+#[test]
+fn histories_with_gaps_extremes_and_cut_lines_are_drawn() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    for content in [
+        "time [s],A.ux [m]\n0,0\n1,NaN\n2,1e-3\n3,inf\n4,2e-3\n5,0.00",
+        "time [s],A.ux [m]\n0,1e308\n1,-1e308\n",
+        "time [s],A.ux [m]\n0,5e-324\n1,0\n",
+        "time [s],A.ux [m]\nNaN,1\nNaN,2\n",
+        "time [s],A.ux [m]\n1,1\n",
+        "time [s],A.ux [m]\n0,NaN\n1,NaN\n",
+        "time [s],A.ux [m]\n3,1\n2,2\n2,5\n9,1\n",
+    ] {
+        fs::write(folder.monitors(), content).unwrap();
+        let page = page(&folder);
+        drawings(&folder);
+        assert_eq!(page.contains("ends in the middle of a line"), !content.ends_with('\n'), "{content}");
+    }
+}
+
+#[test]
+fn the_banner_tells_failed_stopped_warned_and_good_runs_apart() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    for (status, pass, class, headline) in [
+        (Status::Done, true, "good", "all 1 checks pass"),
+        (Status::Done, false, "warn", "1 of 1 checks warns"),
+        (Status::Stopped, true, "warn", "stopped before its end"),
+        (Status::Failed, true, "bad", "The run failed"),
+    ] {
+        summary.status = status;
+        summary.trust[0].pass = pass;
+        summary.write(&folder.summary()).unwrap();
+        let page = page(&folder);
+        assert!(
+            page.contains(&format!("class=\"outcome {class}\"")) && page.contains(headline),
+            "{headline}"
+        );
+    }
+}
+
+#[test]
+fn more_monitors_than_colours_go_on_in_further_figures() {
+    let temp = tempfile::tempdir().unwrap();
+    let names: Vec<String> = (0..16).map(|i| format!("M{i}")).collect();
+    let folder = results(temp.path(), &names.iter().map(String::as_str).collect::<Vec<_>>());
+    write(folder.root()).unwrap();
+    let drawn = drawings(&folder);
+    for file in ["displacement.svg", "displacement-2.svg", "displacement-3.svg"] {
+        assert!(drawn.iter().any(|name| name == file), "{file}");
+    }
+}
+
+#[test]
+fn a_field_file_gives_a_section_and_a_broken_one_a_reason() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    let corner = |i: u32| [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)];
+    let mesh = Mesh {
+        nodes: (0..8).map(corner).collect(),
+        elements: vec![Element::new(Shape::Hex8, &[0, 1, 3, 2, 4, 5, 7, 6])],
+        ..Mesh::default()
+    };
+    let (mut grid, _) = Grid::from_mesh(&mesh, None);
+    grid.cell_data.push(Array::new("s1_max", "Pa", 1, Values::Float64(vec![1.5e6])));
+    let mut pvd = Pvd::create(&folder.pvd()).unwrap();
+    assert!(page(&folder).contains("lists no field file yet"));
+    grid.write(&folder.fields().join("0.vtu")).unwrap();
+    pvd.add(0.5, "fields/0.vtu").unwrap();
+    assert!(page(&folder).contains("1.50\u{a0}MPa in the element at x = 0.500\u{a0}m"));
+    assert!(drawings(&folder).contains(&"section-s1.svg".into()));
+
+    grid.cell_data[0].values = Values::Float64(vec![f64::NAN]);
+    grid.write(&folder.fields().join("0.vtu")).unwrap();
+    assert!(page(&folder).contains("The last field file has no field"));
+    fs::write(folder.fields().join("0.vtu"), "garbage").unwrap();
+    assert!(page(&folder).contains("not a readable VTU file"));
+    fs::remove_file(folder.fields().join("0.vtu")).unwrap();
+    assert!(page(&folder).contains("0.vtu"));
+}

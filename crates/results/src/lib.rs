@@ -1,0 +1,33 @@
+//! The result files: where they lie, what they hold, and how they are written and read.
+//!
+//! A run writes one folder ([`ResultFolder`]). What a script or the report needs to know of it is
+//! in three kinds of file, each with one module here:
+//!
+//! | file | module | content |
+//! |---|---|---|
+//! | `summary.json` | [`summary`] | verdict, facts of the model, peaks, trust lines |
+//! | `monitors.csv`, `energy.csv` | [`table`] | histories; headers are `name [unit]` |
+//! | `fields.pvd` | [`pvd`] | the times of the field files in `fields/` |
+//! | `fields/*.vtu` | [`cut`] | cuts through them; `tremolite_mesh::vtu` reads and writes the files themselves |
+//!
+//! Histories grow while the run goes on and can be read at any moment. Small files are replaced
+//! whole, so a reader sees the old one or the new one, never half of one.
+
+pub mod cut;
+pub mod error;
+pub mod folder;
+pub mod number;
+pub mod peaks;
+pub mod pvd;
+pub mod summary;
+pub mod table;
+pub mod table_writer;
+
+pub use cut::{Cut, CutCell};
+pub use error::Error;
+pub use folder::{ResultFolder, replace_file};
+pub use peaks::{Peaks, peaks_by_monitor};
+pub use pvd::{Pvd, Snapshot};
+pub use summary::{Bound, Defaulted, ModelFacts, MotionFacts, RunFacts, Status, Summary, TrustLine};
+pub use table::{Column, Table};
+pub use table_writer::TableWriter;

@@ -1,0 +1,218 @@
+//! `summary.json`: the verdict, what was computed, its peaks, and how far it can be trusted.
+
+use std::fs;
+use std::path::Path;
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use crate::{Error, Peaks, number, replace_file};
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// It reached its end.
+    Done,
+    /// It ended for a physical or numerical reason; the results so far are kept.
+    Failed,
+    /// A signal stopped it; a checkpoint was written.
+    #[default]
+    Stopped,
+}
+
+/// All of `summary.json`. Units are SI. Objects keep the order in which they were filled.
+///
+/// A field that a file lacks reads as empty, zero or NaN, so that summaries of other versions can
+/// be reported on; unknown fields are passed over.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Summary {
+    /// The case's title.
+    pub title: String,
+    /// How the run ended.
+    pub status: Status,
+    /// The outcome in a sentence or two, for people.
+    pub verdict: String,
+    /// Wall-clock time of the whole run (s), resumed parts included.
+    #[serde(with = "number", default = "number::absent")]
+    pub wall_seconds: f64,
+    /// Element updates per second of wall-clock time in the dynamic steps.
+    #[serde(with = "number", default = "number::absent")]
+    pub element_updates_per_second: f64,
+    /// The model's size and time step.
+    pub model: ModelFacts,
+    /// The motion that went in.
+    pub motion: MotionFacts,
+    /// Program and machine.
+    pub run: RunFacts,
+    /// Monitor → position (m), of the node or point that was used.
+    pub positions: IndexMap<String, [f64; 3]>,
+    /// Monitor → quantity → peaks.
+    pub monitors: IndexMap<String, IndexMap<String, Peaks>>,
+    /// Pair of monitors as `A-B` → quantity → peaks of the difference A − B.
+    pub relative: IndexMap<String, IndexMap<String, Peaks>>,
+    /// Line of the energy balance → its value at the end (J).
+    #[serde(deserialize_with = "number::deserialize_map")]
+    pub energy: IndexMap<String, f64>,
+    /// Each a number against its limit.
+    pub trust: Vec<TrustLine>,
+    /// What the case left out and the program chose.
+    pub defaulted: Vec<Defaulted>,
+}
+
+/// The size of the model and its time step.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ModelFacts {
+    /// Group → number of elements. Groups may overlap.
+    pub groups: IndexMap<String, u64>,
+    /// Number of elements.
+    pub elements: u64,
+    /// Number of nodes.
+    pub nodes: u64,
+    /// Steps done.
+    pub steps: u64,
+    /// Time step (s).
+    #[serde(with = "number", default = "number::absent")]
+    pub time_step: f64,
+    /// What sets the time step, in words: which element, boundary or damping.
+    pub step_set_by: String,
+    /// Simulated time (s).
+    #[serde(with = "number", default = "number::absent")]
+    pub duration: f64,
+}
+
+/// The motion that went in at the base.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct MotionFacts {
+    /// `outcrop`, `incident` or `within`.
+    pub kind: String,
+    /// Factor from the given to the incident motion (an outcrop motion is halved).
+    #[serde(with = "number", default = "number::absent")]
+    pub factor: f64,
+    /// Axis of the model (`x`, `y`, `z`) → largest acceleration of the incident motion, by size (m/s²).
+    #[serde(deserialize_with = "number::deserialize_map")]
+    pub peak_acceleration: IndexMap<String, f64>,
+    /// Axis of the model → where its record came from, in words.
+    pub source: IndexMap<String, String>,
+}
+
+/// The program and the machine.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RunFacts {
+    /// Name and version of the program.
+    pub program: String,
+    /// The command line.
+    pub command: String,
+    /// When the run started, ISO 8601.
+    pub started: String,
+    /// Number of threads.
+    pub threads: u64,
+    /// `scalar`, `avx2` or `avx512`.
+    pub instruction_set: String,
+    /// How often the run was resumed from a checkpoint.
+    pub resumed: u64,
+}
+
+/// On which side of its limit a number should be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Bound {
+    /// value ≤ limit.
+    #[default]
+    AtMost,
+    /// value ≥ limit.
+    AtLeast,
+}
+
+/// One line of the trust report: a number against its limit.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct TrustLine {
+    /// What was measured.
+    pub name: String,
+    /// The number; NaN if it could not be had.
+    #[serde(with = "number", default = "number::absent")]
+    pub value: f64,
+    /// Its limit.
+    #[serde(with = "number", default = "number::absent")]
+    pub limit: f64,
+    /// On which side of the limit it should be.
+    pub bound: Bound,
+    /// Whether it is. False is a warning, not a failure of the run.
+    pub pass: bool,
+    /// SI unit; empty for a pure number.
+    pub unit: String,
+    /// What it means or where it was found, in words; may be empty.
+    pub note: String,
+}
+
+impl TrustLine {
+    /// A line that passes if `value ≤ limit`. NaN does not pass.
+    pub fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Self {
+        Self::line(name, value, limit, unit, Bound::AtMost, value <= limit)
+    }
+
+    /// A line that passes if `value ≥ limit`. NaN does not pass.
+    pub fn at_least(name: &str, value: f64, limit: f64, unit: &str) -> Self {
+        Self::line(name, value, limit, unit, Bound::AtLeast, value >= limit)
+    }
+
+    /// The same line with a note.
+    pub fn with_note(mut self, note: impl Into<String>) -> Self {
+        self.note = note.into();
+        self
+    }
+
+    fn line(name: &str, value: f64, limit: f64, unit: &str, bound: Bound, pass: bool) -> Self {
+        TrustLine { name: name.into(), value, limit, bound, pass, unit: unit.into(), note: String::new() }
+    }
+}
+
+/// A key that the case left out.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Defaulted {
+    /// The key with its tables, `dynamic.damping.ratio`.
+    pub key: String,
+    /// The value used, as one would write it in the case, unit included.
+    pub value: String,
+}
+
+impl Defaulted {
+    /// A key and the value used for it.
+    pub fn new(key: impl Into<String>, value: impl Into<String>) -> Self {
+        Defaulted { key: key.into(), value: value.into() }
+    }
+}
+
+impl Summary {
+    /// Writes the file, replacing an old one whole. Numbers that are not finite become `null`.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn write(&self, path: &Path) -> Result<(), Error> {
+        let mut text =
+            serde_json::to_vec_pretty(self).map_err(|e| Error::format(path, None, e.to_string()))?;
+        text.push(b'\n');
+        replace_file(path, &text)
+    }
+
+    /// Reads the file.
+    ///
+    /// # Errors
+    /// [`Error::Io`]; [`Error::Format`] with the line if it is not JSON of this form.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let text = fs::read(path).map_err(Error::io(path, "read this file"))?;
+        serde_json::from_slice(&text)
+            .map_err(|e| Error::format(path, Some(e.line()), format!("not a summary of a run: {e}")))
+    }
+
+    /// Lines of the trust report that did not pass.
+    pub fn warnings(&self) -> usize {
+        self.trust.iter().filter(|line| !line.pass).count()
+    }
+}

@@ -1,0 +1,121 @@
+//! Histories as a table of numbers: `monitors.csv` and `energy.csv`, read.
+
+use std::fs;
+use std::path::Path;
+
+use crate::Error;
+
+/// Name and unit of a column, `time [s]` or `A.ux [m]` in the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// The first word of the header: monitor name, dot, quantity; or a line of the balance.
+    pub name: String,
+    /// SI unit; empty for a pure number.
+    pub unit: String,
+}
+
+impl Column {
+    /// A column with a name and a unit.
+    pub fn new(name: impl Into<String>, unit: impl Into<String>) -> Self {
+        Column { name: name.into(), unit: unit.into() }
+    }
+
+    /// `name [unit]`, or the name alone where there is no unit.
+    pub fn header(&self) -> String {
+        if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
+    }
+
+    fn parse(header: &str) -> Self {
+        let header = header.trim();
+        let (name, rest) = header.split_once(char::is_whitespace).unwrap_or((header, ""));
+        let unit = rest.trim().trim_start_matches('[').trim_end_matches(']').trim();
+        Column::new(name, unit)
+    }
+}
+
+/// Whether a monitor, or another thing that heads a column, may have this name: one word without
+/// comma, quote, square bracket or control character. Letters of any script are welcome.
+pub fn is_name(name: &str) -> bool {
+    let bad = |c: char| c.is_whitespace() || c.is_control() || matches!(c, ',' | '"' | '\'' | '[' | ']');
+    !name.is_empty() && !name.contains(bad)
+}
+
+/// A table as read from a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Headers, in the order of the file.
+    pub columns: Vec<Column>,
+    /// `values[c][r]`: column `c`, row `r`. All columns have the same number of rows.
+    pub values: Vec<Vec<f64>>,
+    /// The file ended in the middle of a line, which was left out: it is being written, or was cut.
+    pub cut: bool,
+}
+
+impl Table {
+    /// Reads a table of comma-separated numbers under one line of headers.
+    ///
+    /// A last line without its line end is left out (`cut`): its last number may lack digits.
+    /// NaN and infinities are read as such. Of columns with equal names, [`Table::column`] finds the first.
+    ///
+    /// # Errors
+    /// [`Error::Io`]; [`Error::Format`] with the line for an empty file, a row of another length
+    /// than the header, or a field that is not a number.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let bytes = fs::read(path).map_err(Error::io(path, "read this file"))?;
+        let text = str::from_utf8(&bytes).map_err(|e| {
+            let line = bytes[..e.valid_up_to()].iter().filter(|&&b| b == b'\n').count() + 1;
+            Error::format(
+                path,
+                Some(line),
+                "not text in UTF-8; it was not written by this program, or is damaged",
+            )
+        })?;
+        Self::parse(text, path)
+    }
+
+    fn parse(text: &str, path: &Path) -> Result<Self, Error> {
+        let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
+        let mut lines = whole.lines().enumerate();
+        let Some((_, header)) = lines.next().filter(|(_, header)| !header.trim().is_empty()) else {
+            return Err(Error::format(path, Some(1), "no line of headers; the run wrote nothing here yet"));
+        };
+        let columns: Vec<Column> =
+            header.trim_start_matches('\u{feff}').split(',').map(Column::parse).collect();
+        let mut values = vec![Vec::new(); columns.len()];
+        for (number, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
+            let fault = |what: String| Error::format(path, Some(number + 1), what);
+            let found = line.split(',').count();
+            if found != columns.len() {
+                return Err(fault(format!(
+                    "{found} fields under {} headers; the file is damaged",
+                    columns.len()
+                )));
+            }
+            for ((field, column), values) in line.split(',').zip(&columns).zip(&mut values) {
+                let field = field.trim();
+                let value = field.parse().map_err(|_| {
+                    let shown: String = field.chars().take(30).collect();
+                    fault(format!("'{shown}' in column '{}' is not a number", column.name))
+                })?;
+                values.push(value);
+            }
+        }
+        Ok(Table { columns, values, cut: whole.len() < text.len() })
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.values.first().map_or(0, Vec::len)
+    }
+
+    /// The values of the column with this name.
+    pub fn column(&self, name: &str) -> Option<&[f64]> {
+        let index = self.columns.iter().position(|column| column.name == name)?;
+        Some(&self.values[index])
+    }
+
+    /// The unit of the column with this name.
+    pub fn unit(&self, name: &str) -> Option<&str> {
+        self.columns.iter().find(|column| column.name == name).map(|column| column.unit.as_str())
+    }
+}

@@ -1,0 +1,93 @@
+//! No run overwrites another by accident.
+
+use std::fs;
+
+use tremolite_results::{Error, ResultFolder, replace_file};
+
+#[test]
+fn runs_of_one_case_are_numbered_on_and_the_last_with_a_checkpoint_is_resumed() {
+    let temp = tempfile::tempdir().unwrap();
+    let names: Vec<_> = (0..3)
+        .map(|_| ResultFolder::create_numbered(temp.path(), "cavern", false).unwrap())
+        .map(|folder| folder.root().file_name().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    assert_eq!(names, ["cavern", "cavern-2", "cavern-3"]);
+
+    let none = ResultFolder::resume_numbered(temp.path(), "cavern");
+    assert!(matches!(none, Err(Error::NoResults { .. })));
+    for name in ["cavern", "cavern-2"] {
+        fs::create_dir(temp.path().join(name).join("checkpoint")).unwrap();
+        fs::write(temp.path().join(name).join("checkpoint/state"), "x").unwrap();
+    }
+    let resumed = ResultFolder::resume_numbered(temp.path(), "cavern").unwrap();
+    assert_eq!(resumed.root(), temp.path().join("cavern-2"));
+}
+
+#[test]
+fn an_empty_folder_and_one_with_only_the_case_are_free() {
+    let temp = tempfile::tempdir().unwrap();
+    fs::write(temp.path().join("case.toml"), "title = 'x'").unwrap();
+    let folder = ResultFolder::create(Some(temp.path()), "x", false).unwrap();
+    assert!(folder.fields().is_dir() && folder.figures().is_dir() && folder.log().is_file());
+    assert!(folder.case().exists());
+}
+
+#[test]
+fn a_given_folder_with_results_is_refused_or_emptied_of_results_alone() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = ResultFolder::create(Some(temp.path()), "x", false).unwrap();
+    fs::write(folder.summary(), "{}").unwrap();
+    fs::write(folder.fields().join("0001.vtu"), "old").unwrap();
+    fs::write(folder.fields().join("notes.md"), "mine").unwrap();
+    fs::write(temp.path().join("letter.txt"), "mine").unwrap();
+
+    let refused = ResultFolder::create(Some(temp.path()), "x", false).unwrap_err();
+    assert!(matches!(refused, Error::Held { .. }));
+    assert!(refused.to_string().contains("--resume") && refused.to_string().contains("--overwrite"));
+    assert!(folder.summary().exists());
+
+    ResultFolder::create(Some(temp.path()), "x", true).unwrap();
+    assert!(!folder.summary().exists() && !folder.fields().join("0001.vtu").exists());
+    assert!(folder.fields().join("notes.md").exists() && temp.path().join("letter.txt").exists());
+}
+
+#[test]
+fn a_case_name_cannot_lead_out_of_the_results() {
+    let temp = tempfile::tempdir().unwrap();
+    for (name, expected) in [
+        ("../../etc/passwd", "etc-passwd"),
+        ("..", "case"),
+        ("", "case"),
+        ("a/b\\c:d\0e", "a-b-c-d-e"),
+        ("映秀湾 2008", "映秀湾-2008"),
+        (".hidden", "hidden"),
+    ] {
+        let folder = ResultFolder::create_numbered(&temp.path().join("r"), name, true).unwrap();
+        assert_eq!(folder.root(), temp.path().join("r").join(expected));
+    }
+    let long = ResultFolder::create_numbered(temp.path(), &"域".repeat(500), false).unwrap();
+    assert!(long.root().is_dir());
+}
+
+#[test]
+fn only_a_folder_with_results_opens() {
+    let temp = tempfile::tempdir().unwrap();
+    assert!(ResultFolder::open_existing(temp.path()).is_err());
+    let missing = ResultFolder::open_existing(&temp.path().join("nowhere")).unwrap_err();
+    assert!(missing.to_string().contains("no such folder"));
+    fs::write(temp.path().join("monitors.csv"), "time [s]\n").unwrap();
+    assert!(ResultFolder::open_existing(temp.path()).is_ok());
+    assert!(ResultFolder::resume(Some(temp.path()), "x").is_err());
+}
+
+#[test]
+fn a_replaced_file_is_whole_and_leaves_no_litter() {
+    let temp = tempfile::tempdir().unwrap();
+    let path = temp.path().join("a.json");
+    replace_file(&path, b"one").unwrap();
+    replace_file(&path, b"two").unwrap();
+    assert_eq!(fs::read(&path).unwrap(), b"two");
+    fs::create_dir(temp.path().join("b.json")).unwrap();
+    assert!(replace_file(&temp.path().join("b.json"), b"x").is_err());
+    assert_eq!(fs::read_dir(temp.path()).unwrap().count(), 2);
+}

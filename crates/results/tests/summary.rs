@@ -1,0 +1,104 @@
+//! `summary.json` has the names scripts rely on and reads back as it was.
+
+use std::fs;
+
+use tremolite_results::{Defaulted, Error, Peaks, Status, Summary, Table, TrustLine, peaks_by_monitor};
+
+fn summary() -> Summary {
+    let mut summary = Summary {
+        title: "Cavern \"<b>\"".into(),
+        status: Status::Done,
+        verdict: "The lining stays elastic.".into(),
+        wall_seconds: 12.5,
+        element_updates_per_second: 3.2e7,
+        trust: vec![
+            TrustLine::at_most("energy error", 0.002, 0.01, "").with_note("largest over time"),
+            TrustLine::at_least("elements per shortest wavelength", 7.5, 10.0, ""),
+        ],
+        defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
+        ..Summary::default()
+    };
+    let peaks = Peaks { max: 0.05, t_max: 13.2, min: -0.01, t_min: 9.0, residual: 0.007 };
+    summary.monitors.entry("B".into()).or_default().insert("ux".into(), peaks);
+    summary.monitors.entry("A".into()).or_default().insert("ux".into(), peaks);
+    summary.energy.insert("kinetic".into(), 0.5);
+    summary.energy.insert("error".into(), f64::NAN);
+    summary
+}
+
+#[test]
+fn the_json_is_what_the_contract_says() {
+    let json = serde_json::to_value(summary()).unwrap();
+    assert_eq!(json["status"], "done");
+    assert_eq!(json["verdict"], "The lining stays elastic.");
+    assert_eq!(json["wall_seconds"], 12.5);
+    assert_eq!(json["element_updates_per_second"], 3.2e7);
+    let peaks = serde_json::to_string(&summary().monitors["A"]["ux"]).unwrap();
+    assert_eq!(peaks, r#"{"max":0.05,"t_max":13.2,"min":-0.01,"t_min":9.0,"residual":0.007}"#);
+    let line = serde_json::to_string(&summary().trust[1]).unwrap();
+    assert_eq!(
+        line,
+        r#"{"name":"elements per shortest wavelength","value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":""}"#
+    );
+    let defaulted = serde_json::to_string(&summary().defaulted).unwrap();
+    assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);
+    let monitors = serde_json::to_string(&summary().monitors).unwrap();
+    assert!(monitors.starts_with(r#"{"B":"#), "the order of the case is kept: {monitors}");
+    for (status, text) in [(Status::Failed, "\"failed\""), (Status::Stopped, "\"stopped\"")] {
+        assert_eq!(serde_json::to_string(&status).unwrap(), text);
+    }
+}
+
+#[test]
+fn a_summary_reads_back_as_it_was_nan_included() {
+    let temp = tempfile::tempdir().unwrap();
+    let path = temp.path().join("summary.json");
+    let written = summary();
+    written.write(&path).unwrap();
+    let mut read = Summary::read(&path).unwrap();
+    assert!(read.energy["error"].is_nan());
+    read.energy.insert("error".into(), 0.0);
+    let expected = {
+        let mut expected = written;
+        expected.energy.insert("error".into(), 0.0);
+        expected
+    };
+    assert_eq!(read, expected);
+    assert_eq!(read.warnings(), 1);
+}
+
+#[test]
+fn summaries_of_other_versions_are_read_and_damaged_ones_refused_with_the_line() {
+    let temp = tempfile::tempdir().unwrap();
+    let path = temp.path().join("summary.json");
+    fs::write(&path, r#"{"status": "failed", "new_field": [1, 2], "trust": [{"name": "x"}]}"#).unwrap();
+    let read = Summary::read(&path).unwrap();
+    assert_eq!(read.status, Status::Failed);
+    assert!(read.wall_seconds.is_nan() && read.trust[0].value.is_nan() && !read.trust[0].pass);
+    for (damaged, at) in [("", 1), ("{\n\"status\": \"won\"}", 2), ("{\"title\":\n\n3}", 3), ("[1", 1)] {
+        fs::write(&path, damaged).unwrap();
+        match Summary::read(&path) {
+            Err(Error::Format { line: Some(line), .. }) => assert_eq!(line, at, "{damaged}"),
+            other => panic!("{damaged} gave {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn a_number_that_is_not_one_never_passes_a_trust_limit() {
+    assert!(TrustLine::at_most("a", 1.0, 1.0, "").pass && TrustLine::at_least("a", 1.0, 1.0, "").pass);
+    assert!(!TrustLine::at_most("a", f64::NAN, 1.0, "").pass);
+    assert!(!TrustLine::at_least("a", f64::NAN, 1.0, "").pass);
+}
+
+#[test]
+fn peaks_come_from_the_table_by_monitor_and_quantity() {
+    let temp = tempfile::tempdir().unwrap();
+    let path = temp.path().join("monitors.csv");
+    fs::write(&path, "time [s],B.ux [m],hall.2.s1 [Pa],B.uz [m]\n0,0,5,1\n1,2,4,NaN\n2,-3,9,0.5\n").unwrap();
+    let peaks = peaks_by_monitor(&Table::read(&path).unwrap());
+    assert_eq!(peaks.keys().collect::<Vec<_>>(), ["B", "hall.2"]);
+    assert_eq!(peaks["B"]["ux"], Peaks { max: 2.0, t_max: 1.0, min: -3.0, t_min: 2.0, residual: -3.0 });
+    assert_eq!(peaks["hall.2"]["s1"].max, 9.0);
+    assert_eq!(peaks["B"]["uz"].residual, 0.5);
+}
