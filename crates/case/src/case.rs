@@ -1,0 +1,202 @@
+//! The case as a whole.
+
+use std::path::{Path, PathBuf};
+
+use tremolite_laws::parameter::{Dimension, LawInfo};
+
+use crate::check::Checker;
+use crate::consistency;
+use crate::dynamic::{DYNAMIC, Dynamic};
+use crate::fields::Fields;
+use crate::keys::{Key, Kind, Limit, Table};
+use crate::material::Material;
+use crate::mesh::{MESH, Mesh};
+use crate::monitor::{MONITOR, Monitor, RELATIVE, Relative};
+use crate::motion::{MOTION, Motion};
+use crate::output::{OUTPUT, Output};
+use crate::region::{REGION, Region};
+use crate::{Problem, Report, Spanned, syntax};
+
+pub(crate) static CASE: Table = Table {
+    path: "",
+    doc: "A study: a mesh, its materials, an earthquake, and what is kept of the answer.",
+    keys: &[
+        Key::required("title", Kind::Text, "what the study is about"),
+        Key::required("mesh", Kind::Table(&MESH), "with [mesh.caverns], [mesh.box] or [mesh.file]"),
+        Key::required("material", Kind::Materials, "the materials, each with a name"),
+        Key::required("region", Kind::Tables(&REGION), "which groups of the mesh are made of what"),
+        Key::default("initial", Kind::Table(&INITIAL), "{}", "What is there before the earthquake"),
+        Key::required("motion", Kind::Table(&MOTION), "the earthquake"),
+        Key::required("dynamic", Kind::Table(&DYNAMIC), "the dynamic run"),
+        Key::optional("monitor", Kind::Tables(&MONITOR), "no monitors", "Points whose histories are kept"),
+        Key::optional("relative", Kind::Tables(&RELATIVE), "", "Pairs of monitors whose difference is kept"),
+        Key::default("output", Kind::Table(&OUTPUT), "{}", "What is written, and when"),
+        Key::later("interface", "remove the table: the lining is tied to the rock"),
+        Key::later("stage", "remove the table: make what is excavated a region with material = \"void\""),
+        Key::later("report", "remove the table: the report is in English"),
+    ],
+    choice: &[],
+};
+
+static INITIAL: Table = Table {
+    path: "initial",
+    doc: "What is there before the earthquake.",
+    keys: &[
+        Key::default(
+            "gravity",
+            Kind::Number(Dimension::ACCELERATION, Limit::Positive),
+            r#""9.81 m/s2""#,
+            "Acceleration of gravity; turns unit weights into densities",
+        ),
+        Key::later("lateral", "leave it out: an elastic model is shaken from rest, without initial stress"),
+        Key::later("stress", "leave it out: an elastic model is shaken from rest, without initial stress"),
+    ],
+    choice: &[],
+};
+
+/// A case, read and checked. All values are in SI; values keep their place in the file, so that problems found
+/// later can be shown there (see [`Case::report`]).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// The file as the user named it.
+    pub path: PathBuf,
+    /// Its text, unchanged.
+    pub source: String,
+    /// What the study is about.
+    pub title: Spanned<String>,
+    /// Where the mesh comes from.
+    pub mesh: Mesh,
+    /// In the order of the file; names unique.
+    pub materials: Vec<Material>,
+    /// Which groups are made of what.
+    pub regions: Vec<Region>,
+    /// Acceleration of gravity, m/s².
+    pub gravity: Spanned<f64>,
+    /// The earthquake.
+    pub motion: Motion,
+    /// The dynamic run.
+    pub dynamic: Dynamic,
+    /// Points whose histories are kept; names unique.
+    pub monitors: Vec<Monitor>,
+    /// Pairs of monitors.
+    pub relatives: Vec<Relative>,
+    /// What is written, and when.
+    pub output: Output,
+    /// What is allowed but hardly meant.
+    pub warnings: Vec<Problem>,
+    /// Keys that were left out, with what is used instead.
+    pub defaulted: Vec<Defaulted>,
+}
+
+/// A key that was left out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Defaulted {
+    /// Its path: `mesh.caverns.cavern[powerhouse].benches`.
+    pub key: String,
+    /// What is used, as it would be written, or what happens instead.
+    pub value: String,
+}
+
+impl Case {
+    /// Reads and checks a case file. `laws` are the material laws it may name, usually
+    /// [`MATERIALS`](tremolite_laws::materials::MATERIALS).
+    ///
+    /// # Errors
+    /// All problems of the file at once, files that it names and that are not there included.
+    pub fn read(path: &Path, laws: &[LawInfo]) -> Result<Case, Report> {
+        let unreadable = |what: String, remedy: &str| {
+            Report::new(path, "", vec![Problem::new(0..0, format!("{}: {what}", path.display()), remedy)])
+        };
+        let bytes = std::fs::read(path)
+            .map_err(|e| unreadable(format!("cannot be read, {e}"), "check the path of the case file"))?;
+        let source = String::from_utf8(bytes)
+            .map_err(|_| unreadable("is not UTF-8 text".to_owned(), "save the case file as UTF-8 text"))?;
+        let case = Case::parse(path, &source, laws)?;
+        let missing = case.missing_files();
+        if missing.is_empty() { Ok(case) } else { Err(case.report(missing)) }
+    }
+
+    /// Checks the text of a case. Touches no files; `path` names the case in messages, and its directory is where
+    /// the files of the case are.
+    ///
+    /// # Errors
+    /// All problems of the text at once: of its syntax, or else of its content.
+    pub fn parse(path: &Path, source: &str, laws: &[LawInfo]) -> Result<Case, Report> {
+        let report = |problems| Report::new(path, source, problems);
+        let document = syntax::parse(source).map_err(report)?;
+        let mut checker = Checker::new(laws);
+        let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
+        let Checker { mut problems, defaulted, .. } = checker;
+        let (found, warnings) = consistency::check(&written);
+        problems.extend(found);
+        let case = Case::assemble(path, source, &written);
+        match case {
+            Some(case) if problems.is_empty() => Ok(Case { warnings, defaulted, ..case }),
+            None if problems.is_empty() => {
+                // Every part that cannot be read has been reported, so this is not reached; but a run must not start.
+                let remedy = "compare it with the example cases";
+                Err(report(vec![Problem::new(0..0, "the case is not complete", remedy)]))
+            }
+            _ => Err(report(problems)),
+        }
+    }
+
+    /// Puts the parts together; nothing where one of them was refused, which has been reported.
+    fn assemble(path: &Path, source: &str, case: &Fields) -> Option<Case> {
+        let gravity = case.table("initial").and_then(|f| f.number("gravity"))?;
+        let written = consistency::materials(case);
+        let names: Vec<&str> = written.iter().map(|m| m.name.value.as_str()).collect();
+        let regions = case.tables("region").map(|r| Region::read(r, &names)).collect::<Option<_>>()?;
+        let monitors: Vec<Monitor> = case.tables("monitor").map(Monitor::read).collect::<Option<_>>()?;
+        let names: Vec<&str> = monitors.iter().map(|m| m.name.value.as_str()).collect();
+        let relatives = case.tables("relative").map(|r| Relative::read(r, &names)).collect::<Option<_>>()?;
+        Some(Case {
+            path: path.to_owned(),
+            source: source.to_owned(),
+            title: case.text("title")?,
+            mesh: case.table("mesh").and_then(Mesh::read)?,
+            materials: written.iter().map(|m| Material::read(m, gravity.value)).collect::<Option<_>>()?,
+            regions,
+            gravity,
+            motion: case.table("motion").and_then(Motion::read)?,
+            dynamic: case.table("dynamic").and_then(Dynamic::read)?,
+            monitors,
+            relatives,
+            output: case.table("output").and_then(Output::read)?,
+            warnings: Vec::new(),
+            defaulted: Vec::new(),
+        })
+    }
+
+    /// A report of problems found later, to be shown in this case's text.
+    pub fn report(&self, problems: Vec<Problem>) -> Report {
+        Report::new(&self.path, &self.source, problems)
+    }
+
+    /// The directory that relative paths of the case start from.
+    pub fn directory(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new(""))
+    }
+
+    /// The path of a file that the case names.
+    pub fn resolve(&self, file: &Path) -> PathBuf {
+        self.directory().join(file)
+    }
+
+    fn missing_files(&self) -> Vec<Problem> {
+        let mut files = self.motion.files();
+        if let Mesh::File(file) = &self.mesh {
+            files.push(&file.path);
+        }
+        let missing = files.into_iter().filter(|f| !self.resolve(&f.value).is_file());
+        let problem = |f: &Spanned<PathBuf>| {
+            let looked = self.resolve(&f.value);
+            let remedy = format!("paths start from the folder of the case; looked for {}", looked.display());
+            Problem::at(f, format!("there is no file {}", f.value.display()), remedy)
+        };
+        missing.map(problem).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests;

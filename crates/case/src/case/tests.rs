@@ -1,0 +1,152 @@
+//! The tables of keys against what is read.
+
+use std::collections::BTreeSet;
+
+use toml::de::DeValue;
+use tremolite_laws::materials::MATERIALS;
+
+use super::*;
+use crate::fields::reads;
+use crate::keys::Need;
+use crate::material::MATERIAL;
+use crate::suggest;
+
+const EVERY_KEY: &str = include_str!("../../tests/cases/every-key.toml");
+
+fn all_tables() -> Vec<&'static Table> {
+    let mut tables: Vec<&'static Table> = vec![&CASE, &MATERIAL];
+    let mut next = 0;
+    while next < tables.len() {
+        let found = tables[next].keys.iter().flat_map(|k| suggest::tables(&k.kind));
+        tables.extend(found.collect::<Vec<_>>());
+        next += 1;
+    }
+    tables
+}
+
+/// Cases that together use every kind of mesh, motion, window and base.
+fn cases() -> Vec<String> {
+    let (before, rest) = EVERY_KEY.split_once("[mesh.caverns]").expect("a mesh of caverns");
+    let (_, after) = rest.split_once("[material.rock]").expect("a material");
+    let with_mesh = |mesh: &str| format!("{before}{mesh}\n[material.rock]{after}");
+    let axis = "{ from = -1, to = 1, elements = 3, growth = 1.1 }";
+    let (head, rest) = EVERY_KEY.split_once("east = {").expect("a component");
+    let (_, tail) = rest.split_once("process").expect("processing");
+    vec![
+        EVERY_KEY.to_owned(),
+        with_mesh(&format!("[mesh.box]\nx = {axis}\ny = {axis}\nz = {axis}\ngroup = \"soil\"")),
+        with_mesh("[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\""),
+        format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
+    ]
+}
+
+#[test]
+fn every_key_of_the_tables_is_read() {
+    reads::take();
+    for case in cases() {
+        if let Err(report) = Case::parse(Path::new("every-key.toml"), &case, MATERIALS) {
+            panic!("{report}");
+        }
+    }
+    let read = reads::take();
+    // The law's parameters are read by the list of its parameters.
+    let listed: BTreeSet<(&str, &str)> = all_tables()
+        .iter()
+        .flat_map(|t| t.keys.iter().filter(|k| !k.is_later()).map(|k| (t.path, k.name)))
+        .collect();
+    assert_eq!(read, listed);
+}
+
+#[test]
+fn every_default_is_a_good_value_of_its_key() {
+    for table in all_tables() {
+        for key in table.keys {
+            let Need::Default(text) = key.need else { continue };
+            let value = DeValue::parse(text).unwrap_or_else(|e| panic!("{}: {e}", key.name));
+            let mut checker = Checker::new(MATERIALS);
+            assert!(checker.value(&key.kind, value.get_ref(), 0..0, key.name).is_some(), "{}", key.name);
+            assert_eq!(checker.problems, []);
+        }
+    }
+}
+
+#[test]
+fn every_key_has_a_doc_and_stands_once() {
+    for table in all_tables() {
+        let names: BTreeSet<&str> = table.keys.iter().map(|k| k.name).collect();
+        assert_eq!(names.len(), table.keys.len(), "{}", table.path);
+        for key in table.keys {
+            assert!(key.is_later() || key.doc.len() > 5, "{}.{}", table.path, key.name);
+        }
+        for name in table.choice.iter().flat_map(|g| g.iter()) {
+            assert!(names.contains(name), "{}.{name}", table.path);
+        }
+    }
+}
+
+#[test]
+fn a_law_from_outside_the_list_brings_its_own_keys() {
+    use tremolite_laws::parameter::{BadParameter, Dimension, Kind, LawInfo, Need, Parameter};
+    const PARAMETERS: &[Parameter] = &[
+        Parameter {
+            name: "stickiness",
+            kind: Kind::Number(Dimension::PRESSURE),
+            need: Need::Required,
+            doc: "k",
+        },
+        Parameter {
+            name: "tilt",
+            kind: Kind::Number(Dimension::ANGLE),
+            need: Need::Number(0.5),
+            doc: "tilt",
+        },
+        Parameter {
+            name: "mood",
+            kind: Kind::Word(&["calm", "wild"]),
+            need: Need::Word("calm"),
+            doc: "mood",
+        },
+        Parameter {
+            name: "spare",
+            kind: Kind::Number(Dimension::NONE),
+            need: Need::Optional("unused"),
+            doc: "x",
+        },
+    ];
+    let glue = LawInfo {
+        name: "glue",
+        summary: "",
+        source: "",
+        parameters: PARAMETERS,
+        history: &[],
+        check: |values| match values.number("stickiness") {
+            Ok(k) if k > 1e6 => Err(vec![BadParameter::new("stickiness", "is too sticky", "thin it")]),
+            _ => Ok(()),
+        },
+    };
+    let source = EVERY_KEY.replace(
+        "law = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25",
+        "law = \"glue\"\nstickiness = \"7 kPa\"",
+    );
+    let laws = [MATERIALS[0], glue];
+    let case = Case::parse(Path::new("glue.toml"), &source, &laws).unwrap_or_else(|e| panic!("{e}"));
+    let values = &case.materials[0].parameters;
+    assert_eq!(values.number("stickiness"), Ok(7000.0));
+    assert_eq!(values.number("tilt"), Ok(0.5));
+    assert_eq!(values.word("mood"), Some("calm"));
+    assert_eq!(values.optional("spare"), None);
+    let defaulted: Vec<(&str, &str)> =
+        case.defaulted.iter().map(|d| (d.key.as_str(), d.value.as_str())).collect();
+    assert!(defaulted.contains(&("material.rock.tilt", "28.6479 deg")), "{defaulted:?}");
+    assert!(defaulted.contains(&("material.rock.mood", "calm")));
+    assert!(defaulted.contains(&("material.rock.spare", "unused")));
+
+    let source = source.replace("\"7 kPa\"", "\"7 GPa\"");
+    let report = Case::parse(Path::new("glue.toml"), &source, &laws).expect_err("too sticky");
+    let [problem] = &report.problems[..] else { panic!("{report}") };
+    assert_eq!(&source[problem.span.clone()], "\"7 GPa\"");
+    assert_eq!(
+        (problem.message.as_str(), problem.remedy.as_str()),
+        ("`stickiness` is too sticky", "thin it")
+    );
+}

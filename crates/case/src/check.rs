@@ -1,0 +1,170 @@
+//! Checks a case against its tables of keys: every problem is kept, defaults are filled in and listed.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use toml::Spanned as Located;
+use toml::de::{DeTable, DeValue};
+use tremolite_laws::parameter::LawInfo;
+
+use crate::case::Defaulted;
+use crate::fields::{Fields, Item, Node};
+use crate::keys::{Key, Kind, Need, Table, When};
+use crate::{Problem, suggest, units};
+
+/// The keys of one table as they are written, with the place of the key and the value.
+pub(crate) type Given<'a> = BTreeMap<&'a str, (Range<usize>, &'a Located<DeValue<'a>>)>;
+
+/// What is collected while a case is checked.
+pub(crate) struct Checker<'a> {
+    pub laws: &'a [LawInfo],
+    pub problems: Vec<Problem>,
+    pub defaulted: Vec<Defaulted>,
+    /// The table in whose place defaults are read: their text is not part of the file.
+    stand_in: Option<Range<usize>>,
+}
+
+impl<'a> Checker<'a> {
+    pub fn new(laws: &'a [LawInfo]) -> Self {
+        Checker { laws, problems: Vec::new(), defaulted: Vec::new(), stand_in: None }
+    }
+
+    pub fn problem(&mut self, span: Range<usize>, message: impl Into<String>, remedy: impl Into<String>) {
+        self.problems.push(Problem::new(span, message, remedy));
+    }
+
+    /// Checks a table. `more` are keys beyond those of the table; nothing: further keys cannot be judged.
+    pub fn table(
+        &mut self,
+        table: &'static Table,
+        more: Option<&[Key]>,
+        written: &DeTable<'_>,
+        span: Range<usize>,
+        path: &str,
+    ) -> Fields {
+        let given = given(written);
+        let keys = || table.keys.iter().chain(more.unwrap_or_default());
+        if more.is_some() {
+            for (name, (at, _)) in given.iter().filter(|(name, _)| !keys().any(|k| k.name == **name)) {
+                let remedy = suggest::key(name, keys().filter(|k| !k.is_later()).map(|k| k.name));
+                self.problem(at.clone(), format!("`{name}` is no key of {}", place(path)), remedy);
+            }
+        }
+        self.choice(table, &given, &span, path);
+        let mut nodes = BTreeMap::new();
+        for key in keys() {
+            if let Some(node) = self.key(key, &given, &span, path) {
+                nodes.insert(key.name, node);
+            }
+        }
+        Fields { table, span, nodes }
+    }
+
+    fn choice(&mut self, table: &Table, given: &Given<'_>, span: &Range<usize>, path: &str) {
+        let has = |group: &&&[&str]| group.iter().any(|name| given.contains_key(name));
+        let options: Vec<String> = table.choice.iter().map(|g| format!("`{}`", g.join("`/`"))).collect();
+        let mut chosen = table.choice.iter().filter(has);
+        match (chosen.next(), chosen.next()) {
+            (None, _) if !table.choice.is_empty() => self.problem(
+                self.placed(span.clone()),
+                format!("{} needs one of {}", place(path), options.join(", ")),
+                format!("give one of {}", options.join(", ")),
+            ),
+            (Some(first), Some(second)) => {
+                let name = |group: &[&'static str]| group.iter().copied().find(|n| given.contains_key(n));
+                let (Some(first), Some(second)) = (name(first), name(second)) else { return };
+                let at = given.get(second).map_or(span.clone(), |(at, _)| at.clone());
+                self.problem(
+                    self.placed(at),
+                    format!("`{second}` cannot stand beside `{first}`"),
+                    format!("give exactly one of {}", options.join(", ")),
+                );
+            }
+            _ => {}
+        }
+    }
+
+    fn key(&mut self, key: &Key, given: &Given<'_>, span: &Range<usize>, path: &str) -> Option<Node> {
+        let written = given.get(key.name);
+        if !applies(key.when, given) {
+            if let (Some((at, _)), Some(when)) = (written, key.when.words()) {
+                self.problem(at.clone(), format!("`{}` has a meaning only {when}", key.name), "leave it out");
+            }
+            return None;
+        }
+        let table = path;
+        let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
+        if let Some((at, value)) = written {
+            if let Kind::Later(instead) = key.kind {
+                self.problem(at.clone(), format!("`{}` is not available yet", key.name), instead);
+                return None;
+            }
+            return self.value(&key.kind, value.get_ref(), value.span(), &path);
+        }
+        let span = self.placed(span.clone());
+        match key.need {
+            Need::Required => {
+                let message = format!("`{}` is missing in {}", key.name, place(table));
+                self.problem(span, message, suggest::missing(key));
+                None
+            }
+            Need::Default(text) => self.default(key, text, span, &path),
+            Need::Number(x) => {
+                let text = match key.kind {
+                    Kind::Number(dimension, _) => units::format(x, dimension),
+                    _ => x.to_string(),
+                };
+                self.defaulted.push(Defaulted { key: path, value: text });
+                Some(Node { item: Item::Number(x), span })
+            }
+            Need::Word(word) => {
+                self.defaulted.push(Defaulted { key: path, value: word.to_owned() });
+                Some(Node { item: Item::Text(word.to_owned()), span })
+            }
+            Need::Optional("") => None,
+            Need::Optional(without) => {
+                self.defaulted.push(Defaulted { key: path, value: without.to_owned() });
+                None
+            }
+        }
+    }
+
+    /// Reads a default as if it stood in the file.
+    fn default(&mut self, key: &Key, text: &'static str, span: Range<usize>, path: &str) -> Option<Node> {
+        // Only constants of this crate come here; a test reads them all.
+        let value = DeValue::parse(text).ok()?;
+        if !matches!(value.get_ref(), DeValue::Table(_)) && !matches!(key.kind, Kind::Brief(..)) {
+            let shown = value.get_ref().as_str().unwrap_or(text);
+            self.defaulted.push(Defaulted { key: path.to_owned(), value: shown.to_owned() });
+        }
+        let outer = self.stand_in.replace(span.clone());
+        let node = self.value(&key.kind, value.get_ref(), span, path);
+        self.stand_in = outer;
+        node
+    }
+
+    /// Where a value or problem is placed.
+    pub fn placed(&self, span: Range<usize>) -> Range<usize> {
+        self.stand_in.clone().unwrap_or(span)
+    }
+}
+
+/// The keys of a table by name.
+pub(crate) fn given<'a>(written: &'a DeTable<'a>) -> Given<'a> {
+    written.iter().map(|(key, value)| (key.get_ref().as_ref(), (key.span(), value))).collect()
+}
+
+/// A table in messages, by its path.
+fn place(path: &str) -> String {
+    if path.is_empty() { "the case".to_owned() } else { format!("`{path}`") }
+}
+
+fn applies(when: When, given: &Given<'_>) -> bool {
+    let is = |key: &str, word: &str| given.get(key).is_some_and(|(_, v)| v.get_ref().as_str() == Some(word));
+    match when {
+        When::Always => true,
+        When::Is(key, word) => is(key, word),
+        When::IsNot(key, word) => !is(key, word),
+        When::Beside(key) => given.contains_key(key),
+    }
+}

@@ -1,0 +1,239 @@
+//! `[dynamic]`: the run itself, its boundaries and damping.
+
+use std::ops::Range;
+
+use tremolite_laws::parameter::Dimension;
+
+use crate::Spanned;
+use crate::fields::Fields;
+use crate::keys::{Key, Kind, Limit, Table, When, words};
+
+const DURATION: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
+const COEFFICIENT: Kind = Kind::Number(Dimension::NONE, Limit::NotNegative);
+
+pub(crate) static DYNAMIC: Table = Table {
+    path: "dynamic",
+    doc: "The dynamic run: duration, boundaries, damping, time step.",
+    keys: &[
+        Key::optional("duration", DURATION, "the length of the processed motion", "Time that is computed"),
+        Key::default(
+            "base",
+            Kind::Brief(&BASE, &["kind"]),
+            r#""viscous-spring""#,
+            "Boundary at the base, where the motion enters",
+        ),
+        Key::required("sides", Kind::Brief(&SIDES, &["x", "y"]), "boundary at the four sides"),
+        Key::default("damping", Kind::Table(&DAMPING), "{}", "Damping of the rock and the lining"),
+        Key::optional(
+            "time_step",
+            DURATION,
+            "`safety` times the stable step",
+            "Time step; refused where it is not stable",
+        ),
+        Key::default(
+            "safety",
+            Kind::Number(Dimension::NONE, Limit::Share),
+            "0.9",
+            "Time step over the largest stable one",
+        ),
+    ],
+    choice: &[],
+};
+
+static BASE: Table = Table {
+    path: "dynamic.base",
+    doc: "Boundary at the base, where the motion enters. Springs are alpha G/R per area.",
+    keys: &[
+        Key::required("kind", Kind::Word(BaseKind::WORDS), "what holds the base"),
+        Key::default("normal", COEFFICIENT, "1.33", "Spring coefficient alpha normal to the base")
+            .when(SPRING),
+        Key::default("tangential", COEFFICIENT, "0.67", "Spring coefficient alpha along the base")
+            .when(SPRING),
+        Key::optional(
+            "distance",
+            Kind::Number(Dimension::LENGTH, Limit::Positive),
+            "from the centre of the caverns to the base",
+            "Distance R to the scattering source",
+        )
+        .when(SPRING),
+    ],
+    choice: &[],
+};
+
+const SPRING: When = When::Is("kind", "viscous-spring");
+
+static SIDES: Table = Table {
+    path: "dynamic.sides",
+    doc: "Boundaries at the sides normal to x and to y.",
+    keys: &[
+        Key::required("x", Kind::Word(Side::WORDS), "boundary at the two sides normal to x"),
+        Key::required("y", Kind::Word(Side::WORDS), "boundary at the two sides normal to y"),
+    ],
+    choice: &[],
+};
+
+static DAMPING: Table = Table {
+    path: "dynamic.damping",
+    doc: "Damping of the rock and the lining.",
+    keys: &[
+        Key::default("rayleigh", Kind::Table(&RAYLEIGH), "{}", "Rayleigh damping, C = mass M + stiffness K"),
+        Key::later(
+            "ratio",
+            "write rayleigh = { mass = \"0.3 1/s\" }: at f hertz its ratio is mass / (4 π f)",
+        ),
+        Key::later("band", "write rayleigh = { mass = \"0.3 1/s\" }: at f hertz its ratio is mass / (4 π f)"),
+    ],
+    choice: &[],
+};
+
+static RAYLEIGH: Table = Table {
+    path: "dynamic.damping.rayleigh",
+    doc: "Rayleigh damping, C = mass M + stiffness K.",
+    keys: &[
+        Key::default(
+            "mass",
+            Kind::Number(Dimension::RATE, Limit::NotNegative),
+            r#""0 1/s""#,
+            "Factor of the mass matrix; ratio mass / (4 π f) at frequency f",
+        ),
+        Key::default(
+            "stiffness",
+            Kind::Number(Dimension::TIME, Limit::NotNegative),
+            r#""0 s""#,
+            "Factor of the stiffness matrix; ratio π f stiffness; cuts the stable step",
+        ),
+    ],
+    choice: &[],
+};
+
+words! {
+    /// What holds the base.
+    BaseKind {
+        /// Dashpots and springs on the scattered wave.
+        ViscousSpring = "viscous-spring",
+        /// Dashpots alone (Lysmer and Kuhlemeyer).
+        Viscous = "viscous",
+        /// Rigid: moves with the motion.
+        Fixed = "fixed",
+        /// Nothing: no motion enters.
+        Free = "free",
+    }
+}
+
+words! {
+    /// What holds a pair of sides.
+    Side {
+        /// No motion.
+        Fixed = "fixed",
+        /// No motion normal to the side.
+        Roller = "roller",
+        /// Nothing.
+        Free = "free",
+        /// Dashpots (Lysmer and Kuhlemeyer).
+        Viscous = "viscous",
+        /// Opposite nodes move together.
+        Periodic = "periodic",
+    }
+}
+
+/// The dynamic run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dynamic {
+    /// s; nothing: the length of the processed motion.
+    pub duration: Option<Spanned<f64>>,
+    /// Boundary at the base.
+    pub base: Spanned<Base>,
+    /// The two sides normal to x, and to y.
+    pub sides: [Spanned<Side>; 2],
+    /// Damping of all materials.
+    pub rayleigh: Rayleigh,
+    /// s; nothing: `safety` times the stable step.
+    pub time_step: Option<Spanned<f64>>,
+    /// Time step over the largest stable one, in (0, 1].
+    pub safety: Spanned<f64>,
+    /// Its table in the case: the header, or the braces.
+    pub span: Range<usize>,
+}
+
+/// Boundary at the base.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Base {
+    /// Dashpots ρc and springs α G/R per area.
+    ViscousSpring {
+        /// α normal to the base.
+        normal: Spanned<f64>,
+        /// α along the base.
+        tangential: Spanned<f64>,
+        /// R, m; nothing: from the centre of the caverns to the base.
+        distance: Option<Spanned<f64>>,
+    },
+    /// Dashpots ρc alone.
+    Viscous,
+    /// Rigid: moves with the motion.
+    Fixed,
+    /// No motion enters.
+    Free,
+}
+
+/// Rayleigh damping, C = ω M + ξ K (method, equation 19).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rayleigh {
+    /// ω, 1/s.
+    pub mass: Spanned<f64>,
+    /// ξ, s.
+    pub stiffness: Spanned<f64>,
+}
+
+impl Dynamic {
+    pub(crate) fn read(f: &Fields) -> Option<Self> {
+        let (duration, time_step) = (f.number("duration"), f.number("time_step"));
+        let base = f.table("base").and_then(Base::read);
+        let side = |key| f.table("sides").and_then(|s| s.word(key, Side::from_word));
+        let sides = (side("x"), side("y"));
+        let rayleigh = f.table("damping").and_then(|d| d.table("rayleigh")).and_then(Rayleigh::read);
+        Some(Dynamic {
+            duration,
+            time_step,
+            safety: f.number("safety")?,
+            base: base?,
+            sides: [sides.0?, sides.1?],
+            rayleigh: rayleigh?,
+            span: f.span.clone(),
+        })
+    }
+}
+
+impl Base {
+    /// The word for this kind of base as it is written in a case.
+    pub fn word(&self) -> &'static str {
+        let kind = match self {
+            Base::ViscousSpring { .. } => BaseKind::ViscousSpring,
+            Base::Viscous => BaseKind::Viscous,
+            Base::Fixed => BaseKind::Fixed,
+            Base::Free => BaseKind::Free,
+        };
+        kind.word()
+    }
+
+    fn read(f: &Fields) -> Option<Spanned<Self>> {
+        let (normal, tangential, distance) =
+            (f.number("normal"), f.number("tangential"), f.number("distance"));
+        let kind = f.word("kind", BaseKind::from_word)?;
+        let base = match kind.value {
+            BaseKind::ViscousSpring => {
+                Base::ViscousSpring { normal: normal?, tangential: tangential?, distance }
+            }
+            BaseKind::Viscous => Base::Viscous,
+            BaseKind::Fixed => Base::Fixed,
+            BaseKind::Free => Base::Free,
+        };
+        Some(Spanned::new(base, kind.span))
+    }
+}
+
+impl Rayleigh {
+    fn read(f: &Fields) -> Option<Self> {
+        let (mass, stiffness) = (f.number("mass"), f.number("stiffness"));
+        Some(Rayleigh { mass: mass?, stiffness: stiffness? })
+    }
+}

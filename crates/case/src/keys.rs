@@ -1,0 +1,193 @@
+//! Tables of keys as data: what may stand in each table of a case.
+//!
+//! Each part of the case keeps its table beside the type it is read into. The tables alone drive the checks, the
+//! defaults, the suggestions for misspelt keys and the JSON schema.
+
+use tremolite_laws::parameter::Dimension;
+
+/// One table of the case file.
+#[derive(Debug)]
+pub struct Table {
+    /// Its place, as in a header: `mesh.caverns.cavern`.
+    pub path: &'static str,
+    pub doc: &'static str,
+    pub keys: &'static [Key],
+    /// Groups of keys of which exactly one group must be given, by at least one of its keys. Empty: no such choice.
+    pub choice: &'static [&'static [&'static str]],
+}
+
+/// One key of a table.
+#[derive(Clone, Copy, Debug)]
+pub struct Key {
+    pub name: &'static str,
+    pub kind: Kind,
+    pub need: Need,
+    pub when: When,
+    pub doc: &'static str,
+}
+
+/// What a value looks like.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// A number with its unit in a string, or a bare number in SI.
+    Number(Dimension, Limit),
+    /// A whole number from 1 to this one.
+    Count(u32),
+    /// Text that is not empty.
+    Text,
+    /// Text that can stand in a column name or a group name: no blanks or quotes, and none of `. , [ ] * ?`.
+    Name,
+    /// A unit alone, read as its SI value.
+    Unit(Dimension),
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// From so many to so many values of one kind.
+    List(&'static Kind, usize, usize),
+    Table(&'static Table),
+    /// An array of tables, `[[…]]`.
+    Tables(&'static Table),
+    /// A table, or one value that stands for a table with this value at each of these keys.
+    Brief(&'static Table, &'static [&'static str]),
+    /// Tables of materials by name, each with the parameters of its law.
+    Materials,
+    /// One of several kinds that differ in their TOML type; a word goes before a number.
+    Either(&'static [Kind]),
+    /// Not available yet; the text says what to do without it.
+    Later(&'static str),
+}
+
+/// What numbers are allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    Any,
+    Positive,
+    NotNegative,
+    /// Above 0, at most 1.
+    Share,
+}
+
+impl Limit {
+    pub fn holds(self, x: f64) -> bool {
+        match self {
+            Limit::Any => true,
+            Limit::Positive => x > 0.0,
+            Limit::NotNegative => x >= 0.0,
+            Limit::Share => x > 0.0 && x <= 1.0,
+        }
+    }
+
+    /// The condition in words, to be read after 'must be'.
+    pub fn words(self) -> &'static str {
+        match self {
+            Limit::Any => "finite",
+            Limit::Positive => "above 0",
+            Limit::NotNegative => "0 or more",
+            Limit::Share => "above 0 and at most 1",
+        }
+    }
+}
+
+/// Whether a key may be left out.
+#[derive(Clone, Copy, Debug)]
+pub enum Need {
+    Required,
+    /// This value, written as in a case, is used and listed as defaulted.
+    Default(&'static str),
+    /// This value in SI is used and listed as defaulted.
+    Number(f64),
+    /// This word is used and listed as defaulted.
+    Word(&'static str),
+    /// Nothing is used. The text is listed as defaulted, unless it is empty.
+    Optional(&'static str),
+}
+
+/// When a key has a meaning.
+#[derive(Clone, Copy, Debug)]
+pub enum When {
+    Always,
+    /// Only where this key of the same table is this word.
+    Is(&'static str, &'static str),
+    /// Only where this key of the same table is not this word.
+    IsNot(&'static str, &'static str),
+    /// Only where this key of the same table is given.
+    Beside(&'static str),
+}
+
+impl When {
+    /// The condition in words, to be read after 'only'; nothing where there is none.
+    pub fn words(self) -> Option<String> {
+        match self {
+            When::Always => None,
+            When::Is(key, word) => Some(format!("with `{key} = \"{word}\"`")),
+            When::IsNot(key, word) => Some(format!("where `{key}` is not \"{word}\"")),
+            When::Beside(key) => Some(format!("beside `{key}`")),
+        }
+    }
+}
+
+impl Key {
+    const fn new(name: &'static str, kind: Kind, need: Need, doc: &'static str) -> Key {
+        Key { name, kind, need, when: When::Always, doc }
+    }
+
+    pub const fn required(name: &'static str, kind: Kind, doc: &'static str) -> Key {
+        Key::new(name, kind, Need::Required, doc)
+    }
+
+    /// A key that takes this value, written as in a case, where it is left out.
+    pub const fn default(name: &'static str, kind: Kind, value: &'static str, doc: &'static str) -> Key {
+        Key::new(name, kind, Need::Default(value), doc)
+    }
+
+    /// A key that may be left out; `without` says what happens then, for the list of defaulted keys.
+    pub const fn optional(name: &'static str, kind: Kind, without: &'static str, doc: &'static str) -> Key {
+        Key::new(name, kind, Need::Optional(without), doc)
+    }
+
+    /// A key that is known but not available yet; `instead` says what to do without it.
+    pub const fn later(name: &'static str, instead: &'static str) -> Key {
+        Key::new(name, Kind::Later(instead), Need::Optional(""), "")
+    }
+
+    pub const fn when(mut self, when: When) -> Key {
+        self.when = when;
+        self
+    }
+
+    pub fn is_later(&self) -> bool {
+        matches!(self.kind, Kind::Later(_))
+    }
+}
+
+/// Words that are known but not available yet, and what to write instead.
+pub const LATER_WORDS: &[(&str, &str)] = &[
+    ("free-field", "write \"periodic\", or \"viscous\" with the sides far away"),
+    ("symmetry", "write \"roller\": no motion normal to the side, free along it"),
+    ("mohr-coulomb", "write law = \"elastic\" with `young` and `poisson`"),
+    ("concrete-damage", "write law = \"elastic\" with `young` and `poisson`"),
+];
+
+/// Declares an enumeration of words of the case file; the words are written once.
+macro_rules! words {
+    ($(#[$meta:meta])* $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal,)* }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $name { $($(#[$doc])* $variant,)* }
+
+        impl $name {
+            /// The words as they are written in a case.
+            pub const WORDS: &'static [&'static str] = &[$($word),*];
+
+            /// The word as it is written in a case.
+            pub fn word(self) -> &'static str {
+                match self { $($name::$variant => $word,)* }
+            }
+
+            pub(crate) fn from_word(word: &str) -> Option<Self> {
+                match word { $($word => Some($name::$variant),)* _ => None }
+            }
+        }
+    };
+}
+
+pub(crate) use words;

@@ -1,0 +1,42 @@
+//! The case file: one page of TOML that says all about a study, read into a checked [`Case`] in SI.
+//!
+//! Each part of the case has one file here: its table of keys, the type it is read into, and the reading. The
+//! tables are the one source of what may be written: they drive the checks, the defaults, the suggestions and the
+//! JSON [`schema`]. All problems of a file are reported at once, each at its place ([`Report`]).
+//!
+//! The crate knows no meshes and no records: whether a group or a point exists, or a step of processing can be
+//! read, is found by the builder of the model, which reports it at the same place through [`Case::report`].
+
+pub mod pattern;
+pub mod units;
+
+mod case;
+mod check;
+mod consistency;
+mod dynamic;
+mod fields;
+mod keys;
+mod material;
+mod mesh;
+mod monitor;
+mod motion;
+mod output;
+mod region;
+mod report;
+mod schema;
+mod spanned;
+mod suggest;
+mod syntax;
+mod value;
+
+pub use case::{Case, Defaulted};
+pub use dynamic::{Base, Dynamic, Rayleigh, Side};
+pub use material::Material;
+pub use mesh::{Axis, Cavern, Caverns, Lining, Mesh, MeshBox, MeshFile};
+pub use monitor::{Monitor, Place, Relative};
+pub use motion::{Column, Component, Direction, Motion, MotionKind, Record, Records, Window};
+pub use output::Output;
+pub use region::{Element, Fill, Region};
+pub use report::{Problem, Report, Severity};
+pub use schema::schema;
+pub use spanned::Spanned;

@@ -1,0 +1,157 @@
+//! `[material.NAME]`: a law with its parameters, and the density.
+
+use std::ops::Range;
+
+use toml::de::DeTable;
+use tremolite_laws::parameter::{self, Dimension, LawInfo, Parameter, Value, Values};
+
+use crate::check::{Checker, given};
+use crate::fields::{self, Item};
+use crate::keys::{Key, Kind, Limit, Need, Table, When};
+use crate::{Problem, Spanned};
+
+/// The keys that every material has; those of its law come from the law.
+pub(crate) static MATERIAL: Table = Table {
+    path: "material",
+    doc: "A material: its law, its density or unit weight, and the parameters of the law.",
+    keys: &[
+        Key::required("law", Kind::Text, "the material law"),
+        Key::optional("density", Kind::Number(Dimension::DENSITY, Limit::Positive), "", "Mass per volume"),
+        Key::optional(
+            "unit_weight",
+            Kind::Number(Dimension::UNIT_WEIGHT, Limit::Positive),
+            "",
+            "Weight per volume, instead of the density",
+        ),
+    ],
+    choice: &[&["density"], &["unit_weight"]],
+};
+
+/// The word that stands for no material in a region.
+pub(crate) const VOID: &str = "void";
+
+/// A law with its parameters, and the density.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// The name behind `material.`, unique.
+    pub name: Spanned<String>,
+    /// Name of one of the laws given to [`Case::read`](crate::Case::read).
+    pub law: Spanned<String>,
+    /// kg/m³. A unit weight is divided by the case's gravity.
+    pub density: Spanned<f64>,
+    /// The law's parameters, defaults filled in; the law has accepted them.
+    pub parameters: Values,
+    /// The header `[material.NAME]`.
+    pub span: Range<usize>,
+}
+
+impl Material {
+    pub(crate) fn read(material: &fields::Material, gravity: f64) -> Option<Self> {
+        let f = &material.fields;
+        let density = f.number("density");
+        let unit_weight = f.number("unit_weight").map(|w| Spanned::new(w.value / gravity, w.span));
+        Some(Material {
+            name: material.name.clone(),
+            law: f.text("law")?,
+            density: density.or(unit_weight)?,
+            parameters: values(material)?,
+            span: f.span.clone(),
+        })
+    }
+}
+
+/// A law's parameter as a key of the material's table.
+pub(crate) fn key(parameter: &Parameter) -> Key {
+    let kind = match parameter.kind {
+        // Limits are the law's own to check.
+        parameter::Kind::Number(dimension) => Kind::Number(dimension, Limit::Any),
+        parameter::Kind::Word(words) => Kind::Word(words),
+    };
+    let need = match parameter.need {
+        parameter::Need::Required => Need::Required,
+        parameter::Need::Number(x) => Need::Number(x),
+        parameter::Need::Word(word) => Need::Word(word),
+        parameter::Need::Optional(text) => Need::Optional(text),
+    };
+    Key { name: parameter.name, kind, need, when: When::Always, doc: parameter.doc }
+}
+
+/// The law's parameters; nothing if the law is unknown.
+fn values(material: &fields::Material) -> Option<Values> {
+    let mut values = Values::default();
+    for name in material.parameters.as_ref()? {
+        let value = match material.fields.nodes.get(name).map(|n| &n.item) {
+            Some(Item::Number(x)) => Value::Number(*x),
+            Some(Item::Text(word)) => Value::Word(word.clone()),
+            _ => continue,
+        };
+        values.0.insert((*name).to_owned(), value);
+    }
+    Some(values)
+}
+
+impl Checker<'_> {
+    /// Checks all materials, each against the parameters of its law and by the law itself.
+    pub(crate) fn materials(&mut self, written: &DeTable<'_>) -> Vec<fields::Material> {
+        let mut materials = Vec::new();
+        for (name, (at, value)) in given(written) {
+            let span = value.span();
+            if let Some(table) = value.get_ref().as_table() {
+                materials.push(self.material(Spanned::new(name.to_owned(), at), table, span));
+            } else {
+                self.problem(
+                    at,
+                    format!("`{name}` should be a table: each material has a name"),
+                    "write [material.rock] and the keys of the material below it",
+                );
+            }
+        }
+        materials.sort_by_key(|m| m.name.span.start);
+        materials
+    }
+
+    fn material(
+        &mut self,
+        name: Spanned<String>,
+        table: &DeTable<'_>,
+        span: Range<usize>,
+    ) -> fields::Material {
+        if name.value == VOID {
+            self.problem(
+                name.span.clone(),
+                "a material cannot be called `void`",
+                "`void` stands for what is already excavated; choose another name",
+            );
+        }
+        let laws = self.laws;
+        let law = table.get("law").and_then(|v| Some((v.get_ref().as_str()?, v.span())));
+        let info = law.as_ref().and_then(|(law, _)| laws.iter().find(|l| l.name == *law));
+        if let (Some((law, at)), None) = (law, info) {
+            let names: Vec<&'static str> = laws.iter().map(|l| l.name).collect();
+            self.word(&names, law, &at, "law");
+        }
+        let keys: Option<Vec<Key>> = info.map(|i| i.parameters.iter().map(key).collect());
+        let before = self.problems.len();
+        let path = format!("material.{}", name.value);
+        let fields = self.table(&MATERIAL, keys.as_deref(), table, span, &path);
+        let parameters = keys.map(|keys| keys.iter().map(|k| k.name).collect());
+        let material = fields::Material { name, fields, parameters };
+        if let Some(info) = info
+            && self.problems.len() == before
+        {
+            self.ask_law(info, &material);
+        }
+        material
+    }
+
+    /// Places what the law refuses at the offending key.
+    fn ask_law(&mut self, info: &LawInfo, material: &fields::Material) {
+        let Some(values) = values(material) else { return };
+        let Err(refused) = (info.check)(&values) else { return };
+        for bad in refused {
+            let node = material.fields.nodes.get(bad.name);
+            let span = node.map_or_else(|| material.fields.span.clone(), |n| n.span.clone());
+            self.problems.push(Problem::new(span, format!("`{}` {}", bad.name, bad.problem), bad.remedy));
+        }
+    }
+}

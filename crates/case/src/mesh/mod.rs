@@ -1,0 +1,95 @@
+//! `[mesh]`: where the mesh comes from.
+
+mod bricks;
+mod caverns;
+
+use std::path::PathBuf;
+
+use tremolite_laws::parameter::Dimension;
+
+pub use bricks::{Axis, MeshBox};
+pub use caverns::{Cavern, Caverns, Lining};
+
+use crate::fields::Fields;
+use crate::keys::{Key, Kind, Limit, Table};
+use crate::{Problem, Spanned};
+
+const LENGTH: Kind = Kind::Number(Dimension::LENGTH, Limit::Positive);
+const COORDINATE: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
+
+pub(crate) static MESH: Table = Table {
+    path: "mesh",
+    doc: "Where the mesh comes from: generated around caverns, a plain box, or a file.",
+    keys: &[
+        Key::optional(
+            "caverns",
+            Kind::Table(&caverns::CAVERNS),
+            "",
+            "A block of rock with caverns, generated",
+        ),
+        Key::optional("box", Kind::Table(&bricks::BOX), "", "A box of bricks"),
+        Key::optional("file", Kind::Table(&FILE), "", "A mesh made by another program"),
+    ],
+    choice: &[&["caverns"], &["box"], &["file"]],
+};
+
+static FILE: Table = Table {
+    path: "mesh.file",
+    doc: "A mesh made by another program.",
+    keys: &[
+        Key::required("path", Kind::Text, "the file, relative to the case"),
+        Key::default("unit", LENGTH, r#""1 m""#, "Length of one unit of the file's coordinates"),
+    ],
+    choice: &[],
+};
+
+/// Where the mesh comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mesh {
+    /// Generated around caverns.
+    Caverns(Caverns),
+    /// A plain box.
+    Box(MeshBox),
+    /// Made by another program.
+    File(MeshFile),
+}
+
+/// A mesh made by another program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshFile {
+    /// As written; relative to the case's directory.
+    pub path: Spanned<PathBuf>,
+    /// Length of one unit of the file's coordinates, m.
+    pub unit: Spanned<f64>,
+}
+
+impl Mesh {
+    pub(crate) fn read(mesh: &Fields) -> Option<Mesh> {
+        let caverns = mesh.table("caverns").map(Caverns::read);
+        let boxes = mesh.table("box").map(MeshBox::read);
+        let file = mesh.table("file").map(MeshFile::read);
+        match (caverns, boxes, file) {
+            (Some(caverns), ..) => caverns.map(Mesh::Caverns),
+            (_, Some(mesh), _) => mesh.map(Mesh::Box),
+            (_, _, Some(file)) => file.map(Mesh::File),
+            _ => None,
+        }
+    }
+
+    /// What lies between keys; looks at each value that is good, whatever the others are.
+    pub(crate) fn check(mesh: &Fields, problems: &mut Vec<Problem>) {
+        if let Some(caverns) = mesh.table("caverns") {
+            Caverns::check(caverns, problems);
+        }
+        if let Some(bricks) = mesh.table("box") {
+            MeshBox::check(bricks, problems);
+        }
+    }
+}
+
+impl MeshFile {
+    fn read(f: &Fields) -> Option<Self> {
+        let path = f.text("path")?;
+        Some(MeshFile { path: Spanned::new(path.value.into(), path.span), unit: f.number("unit")? })
+    }
+}

@@ -1,0 +1,156 @@
+//! One component of the ground motion.
+
+use std::path::PathBuf;
+
+use tremolite_laws::parameter::Dimension;
+
+use super::DURATION;
+use crate::fields::Fields;
+use crate::keys::{Key, Kind, Limit, Table, When, words};
+use crate::{Problem, Spanned};
+
+pub(super) static COMPONENT: Table = Table {
+    path: "motion.east",
+    doc: "One component of the ground motion: a record, or another component times a factor.",
+    keys: &[
+        Key::optional("file", Kind::Text, "", "The record, relative to the case"),
+        Key::optional("channel", Kind::Text, "", "Which of the file's channels, by its name")
+            .when(When::Beside("file")),
+        Key::optional(
+            "units",
+            Kind::Unit(Dimension::ACCELERATION),
+            "",
+            "Unit of the figures, where the file does not say: \"cm/s2\", \"g\"",
+        )
+        .when(When::Beside("file")),
+        Key::optional(
+            "columns",
+            Kind::List(&Kind::Word(Column::WORDS), 1, 100),
+            "",
+            "What the columns of a plain text file hold, from the left",
+        )
+        .when(When::Beside("file")),
+        Key::optional("dt", DURATION, "", "Time between figures, where the file does not say")
+            .when(When::Beside("file")),
+        Key::optional("from", Kind::Word(Direction::WORDS), "", "The component this one is made of"),
+        Key::required("factor", Kind::Number(Dimension::NONE, Limit::Any), "this component over the other")
+            .when(When::Beside("from")),
+    ],
+    choice: &[&["file"], &["from"]],
+};
+
+words! {
+    /// Direction of a component.
+    Direction {
+        /// First of [`Records::Components`](super::Records::Components).
+        East = "east",
+        /// Second.
+        North = "north",
+        /// Third.
+        Up = "up",
+    }
+}
+
+words! {
+    /// What a column of a plain text record holds.
+    Column {
+        /// Time, s.
+        Time = "time",
+        /// Acceleration, in `units`.
+        Acceleration = "acceleration",
+        /// Something else.
+        Skip = "skip",
+    }
+}
+
+/// One component of the ground motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Component {
+    /// Measured.
+    Record(Record),
+    /// Another component, which is a record, times a factor.
+    Scaled {
+        /// The other component.
+        from: Spanned<Direction>,
+        /// This component over the other.
+        factor: Spanned<f64>,
+    },
+}
+
+/// A record of one component.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// As written; relative to the case's directory.
+    pub file: Spanned<PathBuf>,
+    /// Which of the file's channels.
+    pub channel: Option<Spanned<String>>,
+    /// SI value of the file's unit, m/s².
+    pub units: Option<Spanned<f64>>,
+    /// What the columns of a plain text file hold; empty: not said.
+    pub columns: Vec<Spanned<Column>>,
+    /// Time between figures, s.
+    pub dt: Option<Spanned<f64>>,
+}
+
+impl Component {
+    /// The record, if it is one of its own.
+    pub fn record(&self) -> Option<&Record> {
+        match self {
+            Component::Record(record) => Some(record),
+            Component::Scaled { .. } => None,
+        }
+    }
+
+    pub(super) fn read(f: &Fields) -> Option<Self> {
+        let (file, channel, units, dt) =
+            (f.text("file"), f.text("channel"), f.number("units"), f.number("dt"));
+        let columns = f.list("columns").iter().filter_map(|n| {
+            let word = n.text()?;
+            Some(Spanned::new(Column::from_word(&word)?, word.span))
+        });
+        let columns = columns.collect();
+        let (from, factor) = (f.word("from", Direction::from_word), f.number("factor"));
+        match file {
+            Some(file) => {
+                let file = Spanned::new(file.value.into(), file.span);
+                Some(Component::Record(Record { file, channel, units, columns, dt }))
+            }
+            None => Some(Component::Scaled { from: from?, factor: factor? }),
+        }
+    }
+}
+
+/// What lies between the keys of one component, and between it and the others of the motion.
+pub(super) fn check(component: &Fields, motion: &Fields, problems: &mut Vec<Problem>) {
+    if let Some(from) = component.word("from", Direction::from_word) {
+        let source = motion.table(from.value.word());
+        if source.is_none_or(|s| s.text("file").is_none()) {
+            problems.push(Problem::at(
+                &from,
+                format!("`{}` is not a record of its own", from.value.word()),
+                "take the component from one that has a `file`",
+            ));
+        }
+    }
+    let columns = component.texts("columns");
+    let all = |what: Column| columns.iter().filter(move |c| c.value == what.word());
+    if let Some(first) = columns.first()
+        && all(Column::Acceleration).count() != 1
+    {
+        problems.push(Problem::at(
+            first,
+            "one column must be the acceleration",
+            "write columns = [\"time\", \"acceleration\"], with \"skip\" for the others",
+        ));
+    }
+    if let Some(time) = all(Column::Time).nth(1) {
+        problems.push(Problem::at(time, "two columns are the time", "write \"skip\" for one of them"));
+    }
+    if let (Some(dt), Some(_)) = (component.number("dt"), all(Column::Time).next()) {
+        problems.push(Problem::at(
+            &dt,
+            "`dt` beside a column of times",
+            "leave `dt` out, or skip the column",
+        ));
+    }
+}

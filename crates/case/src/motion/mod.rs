@@ -1,0 +1,172 @@
+//! `[motion]`: the earthquake and what is made of it before it enters the model.
+
+mod component;
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+use tremolite_laws::parameter::Dimension;
+
+pub use component::{Column, Component, Direction, Record};
+
+use crate::fields::{Fields, Item, Node};
+use crate::keys::{Key, Kind, Limit, Table, words};
+use crate::{Problem, Spanned};
+
+const TIME: Kind = Kind::Number(Dimension::TIME, Limit::NotNegative);
+const DURATION: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
+
+pub(crate) static MOTION: Table = Table {
+    path: "motion",
+    doc: "The earthquake and what is made of it before it enters the model.",
+    keys: &[
+        Key::required(
+            "kind",
+            Kind::Word(MotionKind::WORDS),
+            "what the record is: of a rock outcrop (halved), the incident wave itself, or measured within the rock",
+        ),
+        Key::optional("file", Kind::Text, "", "File with all components, taken by their orientation"),
+        Key::optional("east", Kind::Table(&component::COMPONENT), "", "Component towards east"),
+        Key::optional("north", Kind::Table(&component::COMPONENT), "", "Component towards north"),
+        Key::optional("up", Kind::Table(&component::COMPONENT), "", "Component upwards"),
+        Key::optional("window", WINDOW_KIND, "the whole record", "The part of the record that is used"),
+        Key::optional(
+            "process",
+            Kind::List(&Kind::Text, 0, 100),
+            "no processing",
+            "Steps of processing, in this order",
+        ),
+        Key::default(
+            "model_x_azimuth",
+            Kind::Number(Dimension::ANGLE, Limit::Any),
+            r#""90 deg""#,
+            "Direction of the model's x axis, clockwise from north",
+        ),
+    ],
+    choice: &[&["file"], &["east", "north", "up"]],
+};
+
+const WINDOW_KIND: Kind = Kind::Either(&[Kind::List(&TIME, 2, 2), Kind::Table(&WINDOW)]);
+
+static WINDOW: Table = Table {
+    path: "motion.window",
+    doc: "The part of the record that is used.",
+    keys: &[Key::required("strongest", DURATION, "the stretch of this length that shakes most")],
+    choice: &[],
+};
+
+words! {
+    /// What a record is, which decides how much of it enters at the base.
+    MotionKind {
+        /// Of a rock surface: twice the incident wave.
+        Outcrop = "outcrop",
+        /// The incident wave itself.
+        Incident = "incident",
+        /// Measured within the rock: incident and reflected wave together.
+        Within = "within",
+    }
+}
+
+/// The earthquake and what is made of it before it enters the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// What the record is.
+    pub kind: Spanned<MotionKind>,
+    /// Where the components come from.
+    pub records: Records,
+    /// The part that is used; nothing: all.
+    pub window: Option<Spanned<Window>>,
+    /// Steps of processing as they are written, in this order; read by the motion crate.
+    pub process: Vec<Spanned<String>>,
+    /// Direction of the model's x axis, clockwise from north, rad.
+    pub model_x_azimuth: Spanned<f64>,
+    /// Its table in the case: the header, or the braces.
+    pub span: Range<usize>,
+}
+
+/// Where the components come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Records {
+    /// One file with all components, taken by their orientation. As written; relative to the case's directory.
+    File(Spanned<PathBuf>),
+    /// East, north, up; a component that is missing is zero. At least one is a record.
+    Components(Box<[Option<Component>; 3]>),
+}
+
+/// The part of a record that is used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Window {
+    /// From and to, s from the start of the record.
+    Between(f64, f64),
+    /// The stretch of this length, s, that shakes most.
+    Strongest(f64),
+}
+
+impl Motion {
+    pub(crate) fn read(f: &Fields) -> Option<Self> {
+        let kind = f.word("kind", MotionKind::from_word);
+        let records = Records::read(f);
+        let window = f.get("window").and_then(|node| {
+            let window = match &node.item {
+                Item::Table(table) => Window::Strongest(table.number("strongest")?.value),
+                _ => {
+                    let [from, to] = node.numbers()?.value;
+                    Window::Between(from, to)
+                }
+            };
+            Some(Spanned::new(window, node.span.clone()))
+        });
+        Some(Motion {
+            window,
+            process: f.texts("process"),
+            model_x_azimuth: f.number("model_x_azimuth")?,
+            span: f.span.clone(),
+            kind: kind?,
+            records: records?,
+        })
+    }
+
+    /// Files of the records, as they are written.
+    pub(crate) fn files(&self) -> Vec<&Spanned<PathBuf>> {
+        match &self.records {
+            Records::File(file) => vec![file],
+            Records::Components(components) => {
+                components.iter().flatten().filter_map(Component::record).map(|r| &r.file).collect()
+            }
+        }
+    }
+
+    /// What lies between keys; looks at each value that is good, whatever the others are.
+    pub(crate) fn check(f: &Fields, problems: &mut Vec<Problem>) {
+        if let Some(window) = f.get("window").and_then(Node::numbers::<2>)
+            && window.value[1] <= window.value[0]
+        {
+            problems.push(Problem::at(
+                &window,
+                "the window ends before it begins",
+                "write [from, to] with the earlier time first",
+            ));
+        }
+        for component in Direction::WORDS.iter().filter_map(|name| f.table(name)) {
+            component::check(component, f, problems);
+        }
+    }
+}
+
+impl Records {
+    fn read(f: &Fields) -> Option<Self> {
+        let file = f.text("file");
+        // A component that was refused has been reported; the others are read all the same.
+        let mut refused = false;
+        let components = [Direction::East, Direction::North, Direction::Up].map(|direction| {
+            let component = f.table(direction.word()).map(Component::read);
+            refused |= matches!(component, Some(None));
+            component.flatten()
+        });
+        match file {
+            Some(file) => Some(Records::File(Spanned::new(file.value.into(), file.span))),
+            None if refused => None,
+            None => Some(Records::Components(Box::new(components))),
+        }
+    }
+}

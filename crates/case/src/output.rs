@@ -1,0 +1,69 @@
+//! `[output]`: what is written, and when.
+
+use std::ops::Range;
+
+use tremolite_laws::parameter::Dimension;
+
+use crate::Spanned;
+use crate::fields::Fields;
+use crate::keys::{Key, Kind, Limit, Table};
+
+const INTERVAL: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
+const INTERVAL_OR_NONE: Kind = Kind::Either(&[Kind::Word(&["none"]), INTERVAL]);
+
+pub(crate) static OUTPUT: Table = Table {
+    path: "output",
+    doc: "What is written, and when.",
+    keys: &[
+        Key::default("histories", INTERVAL, r#""0.01 s""#, "Interval between lines of the histories"),
+        Key::default(
+            "snapshots",
+            INTERVAL_OR_NONE,
+            r#""0.5 s""#,
+            "Interval between field files, or \"none\"",
+        ),
+        Key::default(
+            "fields",
+            Kind::List(&Kind::Name, 0, 100),
+            r#"["displacement", "velocity", "stress"]"#,
+            "Quantities in the field files",
+        ),
+        Key::default(
+            "checkpoint",
+            INTERVAL_OR_NONE,
+            r#""10 min""#,
+            "Wall-clock interval between checkpoints, or \"none\"",
+        ),
+    ],
+    choice: &[],
+};
+
+/// What is written, and when.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// Model time between lines of the histories, s.
+    pub histories: Spanned<f64>,
+    /// Model time between field files, s; nothing: none are written.
+    pub snapshots: Option<Spanned<f64>>,
+    /// Quantities in the field files, no duplicates; whether they exist is for the registry of quantities to say.
+    pub fields: Vec<Spanned<String>>,
+    /// Wall-clock time between checkpoints, s; nothing: none are written.
+    pub checkpoint: Option<Spanned<f64>>,
+    /// Its table in the case: the header, or the braces.
+    pub span: Range<usize>,
+}
+
+impl Output {
+    pub(crate) fn read(f: &Fields) -> Option<Self> {
+        // The word "none" is no number.
+        let (snapshots, checkpoint) = (f.number("snapshots"), f.number("checkpoint"));
+        let fields = f.texts("fields");
+        Some(Output {
+            histories: f.number("histories")?,
+            snapshots,
+            fields,
+            checkpoint,
+            span: f.span.clone(),
+        })
+    }
+}

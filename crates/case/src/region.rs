@@ -1,0 +1,91 @@
+//! `[[region]]`: which groups of the mesh are made of what.
+
+use std::ops::Range;
+
+use crate::Spanned;
+use crate::fields::Fields;
+use crate::keys::{Key, Kind, Table, When, words};
+use crate::material::VOID;
+use crate::pattern;
+
+pub(crate) static REGION: Table = Table {
+    path: "region",
+    doc: "Groups of elements and what they are made of.",
+    keys: &[
+        Key::required(
+            "groups",
+            Kind::List(&Kind::Text, 1, 1000),
+            "groups of the mesh; * stands for any text",
+        ),
+        Key::required(
+            "material",
+            Kind::Text,
+            "name of a material, or \"void\" for what is already excavated",
+        ),
+        Key::required(
+            "element",
+            Kind::Word(Element::WORDS),
+            "one-point: fast, for rock; full: 2×2×2 points, sees bending, for linings",
+        )
+        .when(When::IsNot("material", VOID)),
+        Key::later("before", "leave it out: nothing is excavated during the run"),
+    ],
+    choice: &[],
+};
+
+words! {
+    /// How an element is integrated.
+    Element {
+        /// One point and assumed-strain stabilisation.
+        OnePoint = "one-point",
+        /// The same assumed strain at 2×2×2 points.
+        Full = "full",
+    }
+}
+
+/// Groups of elements and what they are made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// Group names, in which `*` stands for any text (see [`pattern::matches`]).
+    pub groups: Vec<Spanned<String>>,
+    /// What they are made of.
+    pub fill: Fill,
+    /// Its table in the case: the header, or the braces.
+    pub span: Range<usize>,
+}
+
+/// What a region is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fill {
+    /// Already excavated: the elements are left out.
+    Void,
+    /// Made of a material.
+    Solid {
+        /// Index into [`Case::materials`](crate::Case::materials).
+        material: Spanned<usize>,
+        /// How the elements are integrated.
+        element: Spanned<Element>,
+    },
+}
+
+impl Region {
+    /// Whether the region holds a group of this name.
+    pub fn holds(&self, group: &str) -> bool {
+        self.groups.iter().any(|p| pattern::matches(p, group))
+    }
+
+    /// `names` are those of all materials, in order.
+    pub(crate) fn read(f: &Fields, names: &[&str]) -> Option<Self> {
+        let material = f.text("material");
+        let element = f.word("element", Element::from_word);
+        let groups = f.texts("groups");
+        let material = material?;
+        let fill = if *material == VOID {
+            Fill::Void
+        } else {
+            let index = names.iter().position(|n| *n == material.value)?;
+            Fill::Solid { material: Spanned::new(index, material.span), element: element? }
+        };
+        Some(Region { groups, fill, span: f.span.clone() })
+    }
+}

@@ -1,0 +1,176 @@
+//! The JSON schema of the case file, for completion and checks in editors.
+
+use serde_json::{Map, Value, json};
+use toml::de::DeValue;
+use tremolite_laws::parameter::{Dimension, LawInfo};
+
+use crate::case::CASE;
+use crate::keys::{Key, Kind, Limit, Need, Table, When};
+use crate::material::{self, MATERIAL};
+use crate::units;
+
+/// The schema of a case that may name these laws (JSON Schema, draft 2020-12).
+///
+/// It says all that the tables of keys say, but for units: a value with a unit is any text that starts with a
+/// number. What lies between keys (names that must be known, order of a window) only [`Case`](crate::Case) checks.
+pub fn schema(laws: &[LawInfo]) -> Value {
+    let mut schema = table(&CASE, laws);
+    schema.insert("$schema".into(), "https://json-schema.org/draft/2020-12/schema".into());
+    schema.insert("title".into(), "Tremolite case".into());
+    Value::Object(schema)
+}
+
+fn table(table: &Table, laws: &[LawInfo]) -> Map<String, Value> {
+    object(table.doc, table.keys.iter().copied(), table.choice, laws)
+}
+
+fn object(
+    doc: &str,
+    keys: impl Iterator<Item = Key>,
+    choice: &[&[&str]],
+    laws: &[LawInfo],
+) -> Map<String, Value> {
+    let mut properties = Map::new();
+    let mut required: Vec<&str> = Vec::new();
+    for key in keys.filter(|k| !k.is_later()) {
+        properties.insert(key.name.to_owned(), property(&key, laws));
+        if matches!((key.need, key.when), (Need::Required, When::Always)) {
+            required.push(key.name);
+        }
+    }
+    let mut schema = Map::new();
+    schema.insert("type".into(), "object".into());
+    schema.insert("description".into(), doc.into());
+    schema.insert("properties".into(), Value::Object(properties));
+    schema.insert("additionalProperties".into(), false.into());
+    if !required.is_empty() {
+        schema.insert("required".into(), json!(required));
+    }
+    if !choice.is_empty() {
+        let any = |group: &&[&str]| {
+            let each: Vec<Value> = group.iter().map(|k| json!({ "required": [k] })).collect();
+            json!({ "anyOf": each })
+        };
+        schema.insert("oneOf".into(), choice.iter().map(any).collect());
+    }
+    schema
+}
+
+fn property(key: &Key, laws: &[LawInfo]) -> Value {
+    let mut schema = kind(&key.kind, laws);
+    let mut doc = capital(key.doc);
+    if let Some(when) = key.when.words() {
+        doc += &format!(". Only {when}");
+    }
+    let default = match key.need {
+        Need::Required | Need::Optional("") => None,
+        Need::Optional(without) => {
+            doc += &format!(". Left out: {without}");
+            None
+        }
+        Need::Default(text) => DeValue::parse(text).ok().map(|v| json(v.get_ref())),
+        Need::Number(x) => Some(match key.kind {
+            Kind::Number(dimension, _) if dimension != Dimension::NONE => units::format(x, dimension).into(),
+            _ => json!(x),
+        }),
+        Need::Word(word) => Some(word.into()),
+    };
+    schema.insert("description".into(), doc.into());
+    if let Some(default) = default {
+        schema.insert("default".into(), default);
+    }
+    Value::Object(schema)
+}
+
+fn kind(kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
+    let schema = match kind {
+        Kind::Number(dimension, limit) => return number(*dimension, *limit),
+        Kind::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
+        Kind::Text => json!({ "type": "string", "minLength": 1 }),
+        Kind::Name => json!({ "type": "string", "pattern": r#"^[^\s.,\[\]*?"']+$"# }),
+        Kind::Unit(dimension) => {
+            let like = units::example(*dimension);
+            let unit = like.split_once(' ').map_or("", |(_, unit)| unit);
+            json!({ "type": "string", "minLength": 1, "examples": [unit] })
+        }
+        Kind::Word(words) => json!({ "type": "string", "enum": words }),
+        Kind::List(each, least, most) => json!({
+            "type": "array", "items": self::kind(each, laws), "minItems": least, "maxItems": most,
+        }),
+        Kind::Table(t) => return table(t, laws),
+        Kind::Tables(t) => json!({ "type": "array", "items": table(t, laws) }),
+        Kind::Brief(t, keys) => {
+            let short = t.keys.iter().find(|k| keys.contains(&k.name)).map(|k| self::kind(&k.kind, laws));
+            json!({ "anyOf": [short, table(t, laws)] })
+        }
+        Kind::Materials => {
+            let materials: Vec<Value> = laws.iter().map(|law| material(law, laws)).collect();
+            json!({ "type": "object", "minProperties": 1, "additionalProperties": { "oneOf": materials } })
+        }
+        Kind::Either(kinds) => {
+            let options: Vec<Value> = kinds.iter().map(|k| Value::Object(self::kind(k, laws))).collect();
+            json!({ "anyOf": options })
+        }
+        Kind::Later(_) => Value::Bool(false),
+    };
+    match schema {
+        Value::Object(map) => map,
+        _ => Map::new(),
+    }
+}
+
+fn number(dimension: Dimension, limit: Limit) -> Map<String, Value> {
+    let mut bare = Map::new();
+    bare.insert("type".into(), "number".into());
+    match limit {
+        Limit::Any => {}
+        Limit::Positive => drop(bare.insert("exclusiveMinimum".into(), json!(0))),
+        Limit::NotNegative => drop(bare.insert("minimum".into(), json!(0))),
+        Limit::Share => {
+            bare.insert("exclusiveMinimum".into(), json!(0));
+            bare.insert("maximum".into(), json!(1));
+        }
+    }
+    let text = json!({
+        "type": "string",
+        "pattern": r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$",
+        "examples": [units::example(dimension)],
+    });
+    let mut schema = Map::new();
+    if dimension == Dimension::ANGLE {
+        schema.insert("anyOf".into(), json!([text]));
+    } else {
+        schema.insert("anyOf".into(), json!([text, bare]));
+    }
+    schema
+}
+
+fn material(law: &LawInfo, laws: &[LawInfo]) -> Value {
+    let parameters = law.parameters.iter().map(material::key);
+    let mut schema =
+        object(MATERIAL.doc, MATERIAL.keys.iter().copied().chain(parameters), MATERIAL.choice, laws);
+    if let Some(Value::Object(properties)) = schema.get_mut("properties") {
+        let word = json!({ "type": "string", "const": law.name, "description": law.summary });
+        properties.insert("law".into(), word);
+    }
+    schema.insert("title".into(), law.name.into());
+    Value::Object(schema)
+}
+
+/// A default as JSON.
+fn json(value: &DeValue<'_>) -> Value {
+    match value {
+        DeValue::String(text) => text.as_ref().into(),
+        DeValue::Integer(n) => n.as_str().parse::<i64>().map_or(Value::Null, Value::from),
+        DeValue::Float(x) => x.as_str().parse::<f64>().map_or(Value::Null, Value::from),
+        DeValue::Boolean(b) => (*b).into(),
+        DeValue::Datetime(d) => d.to_string().into(),
+        DeValue::Array(a) => a.iter().map(|v| json(v.get_ref())).collect(),
+        DeValue::Table(t) => t.iter().map(|(k, v)| (k.get_ref().to_string(), json(v.get_ref()))).collect(),
+    }
+}
+
+fn capital(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
+}

@@ -1,0 +1,137 @@
+//! The way out, in words: what a key or a value should have been.
+
+use tremolite_laws::parameter::Dimension;
+
+use crate::case::CASE;
+use crate::keys::{Key, Kind, Table};
+use crate::units::{self, UnitError};
+
+/// The candidate most like a word, if one is close enough to be meant.
+pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    // No key is longer; the distance of a huge text would take long and mean nothing.
+    if word.len() > 60 {
+        return None;
+    }
+    let folded = word.to_lowercase();
+    let distance = |c: &str| strsim::damerau_levenshtein(&folded, &c.to_lowercase());
+    let (distance, candidate) = candidates.map(|c| (distance(c), c)).min_by_key(|(d, _)| *d)?;
+    (distance <= word.chars().count() / 3).then_some(candidate)
+}
+
+/// What to write for an unknown key.
+pub(crate) fn key<'a>(name: &str, here: impl Iterator<Item = &'a str> + Clone) -> String {
+    if let Some(meant) = nearest(name, here.clone()) {
+        return format!("did you mean `{meant}`?");
+    }
+    let keys: Vec<&str> = here.collect();
+    let list = format!("keys here: {}", keys.join(", "));
+    match owner(&CASE, name) {
+        Some(table) => format!("`{name}` belongs to [{}]; {list}", table.path),
+        None => list,
+    }
+}
+
+/// The first table below this one that has such a key.
+fn owner(table: &'static Table, name: &str) -> Option<&'static Table> {
+    if table.keys.iter().any(|k| k.name == name && !k.is_later()) {
+        return Some(table);
+    }
+    table.keys.iter().flat_map(|k| tables(&k.kind)).find_map(|t| owner(t, name))
+}
+
+/// The tables that a value of this kind may be.
+pub(crate) fn tables(kind: &'static Kind) -> Vec<&'static Table> {
+    match kind {
+        Kind::Table(t) | Kind::Tables(t) | Kind::Brief(t, _) => vec![t],
+        Kind::Either(kinds) => kinds.iter().flat_map(tables).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// What to write for an unknown word.
+pub(crate) fn word(text: &str, words: &[&'static str]) -> String {
+    match nearest(text, words.iter().copied()) {
+        Some(meant) => format!("did you mean \"{meant}\"?"),
+        None => format!("write one of \"{}\"", words.join("\", \"")),
+    }
+}
+
+/// What to write where a unit alone is expected.
+pub(crate) fn unit(error: &UnitError, dimension: Dimension) -> String {
+    match error {
+        UnitError::Unknown { meant: Some(_), .. } => error.remedy(),
+        _ => format!("write {}", sample("units", &Kind::Unit(dimension))),
+    }
+}
+
+/// What to write for a required key that is missing.
+pub(crate) fn missing(key: &Key) -> String {
+    format!("add {} ({})", sample(key.name, &key.kind), key.doc)
+}
+
+/// A kind in words, to be read after 'should be'.
+pub(crate) fn describe(kind: &Kind) -> String {
+    match kind {
+        Kind::Number(dimension, _) => units::name(*dimension),
+        Kind::Count(most) => format!("a whole number from 1 to {most}"),
+        Kind::Text => "a text".to_owned(),
+        Kind::Name => "a name".to_owned(),
+        Kind::Unit(_) => "a unit".to_owned(),
+        Kind::Word(words) => format!("one of \"{}\"", words.join("\", \"")),
+        Kind::List(kind, least, most) if least == most => {
+            format!("a list of {least}, each {}", describe(kind))
+        }
+        Kind::List(kind, ..) => format!("a list, each {}", describe(kind)),
+        Kind::Table(_) | Kind::Materials => "a table".to_owned(),
+        Kind::Tables(_) => "a list of tables".to_owned(),
+        Kind::Brief(table, _) => {
+            let words = table.keys.iter().find_map(|k| match k.kind {
+                Kind::Word(words) => Some(words),
+                _ => None,
+            });
+            words.map_or_else(
+                || "a table".to_owned(),
+                |w| format!("a table or one of \"{}\"", w.join("\", \"")),
+            )
+        }
+        Kind::Either(kinds) => kinds.iter().map(describe).collect::<Vec<_>>().join(" or "),
+        Kind::Later(_) => "left out".to_owned(),
+    }
+}
+
+/// How a key of this kind is written.
+pub(crate) fn sample(name: &str, kind: &Kind) -> String {
+    match kind {
+        Kind::Table(table) if !table.path.contains('.') => format!("[{}]", table.path),
+        Kind::Tables(table) => format!("[[{}]]", table.path),
+        Kind::Materials => "[material.rock]".to_owned(),
+        _ => format!("{name} = {}", sample_value(kind)),
+    }
+}
+
+fn sample_value(kind: &Kind) -> String {
+    match kind {
+        Kind::Number(Dimension::NONE, _) | Kind::Count(_) => "…".to_owned(),
+        Kind::Number(dimension, _) => {
+            let like = units::example(*dimension);
+            format!("\"… {}\"", like.split_once(' ').map_or("", |(_, unit)| unit))
+        }
+        Kind::Text | Kind::Name => "\"…\"".to_owned(),
+        Kind::Unit(dimension) => {
+            let like = units::example(*dimension);
+            format!("\"{}\"", like.split_once(' ').map_or(like.as_str(), |(_, unit)| unit))
+        }
+        Kind::Word(words) => format!("\"{}\"", words.join("\" | \"")),
+        Kind::List(kind, least, _) => format!("[{}]", vec![sample_value(kind); (*least).max(1)].join(", ")),
+        Kind::Table(table) => {
+            let keys = table.keys.iter().filter(|k| matches!(k.need, crate::keys::Need::Required));
+            let inside: Vec<String> = keys.map(|k| sample(k.name, &k.kind)).collect();
+            if inside.is_empty() { "{ … }".to_owned() } else { format!("{{ {} }}", inside.join(", ")) }
+        }
+        Kind::Brief(table, _) => {
+            table.keys.first().map_or_else(|| "{ … }".to_owned(), |k| sample_value(&k.kind))
+        }
+        Kind::Either(kinds) => kinds.first().map_or_else(String::new, sample_value),
+        Kind::Tables(_) | Kind::Materials | Kind::Later(_) => "{ … }".to_owned(),
+    }
+}

@@ -1,0 +1,48 @@
+//! TOML itself: text to a tree of values with their places.
+
+use toml::Spanned;
+use toml::de::{DeTable, Error};
+
+use crate::Problem;
+
+/// Parses the text, or reports every place that is not TOML.
+pub(crate) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, Vec<Problem>> {
+    let (table, errors) = DeTable::parse_recoverable(source);
+    if errors.is_empty() {
+        return Ok(table);
+    }
+    let mut problems: Vec<Problem> = errors.iter().map(|e| problem(source, e)).collect();
+    // One unclosed bracket can be reported many times over.
+    problems.dedup_by(|a, b| a.message == b.message && (a.span == b.span || a.message.contains("nested")));
+    Err(problems)
+}
+
+/// Rewords what the parser says for someone who does not know TOML.
+fn problem(source: &str, error: &Error) -> Problem {
+    let span = error.span().unwrap_or(0..0);
+    let found = source.get(span.clone()).unwrap_or("").trim();
+    let (message, remedy): (String, String) = match error.message() {
+        m if m.starts_with("string values must be quoted") && found.is_empty() => {
+            ("a value is missing behind `=`".into(), "write a value: width = \"17 m\"".into())
+        }
+        m if m.starts_with("string values must be quoted") => {
+            (format!("`{found}` is not in quotes"), format!("put it in quotes: \"{found}\""))
+        }
+        m if m.starts_with("duplicate key") => (
+            format!("`{found}` is given twice"),
+            "keep one of the two; `[[…]]` starts another entry of a list".into(),
+        ),
+        m if m.starts_with("key with no value") => {
+            ("a key without `=`".into(), "write key = value; text behind a value starts with #".into())
+        }
+        m if m.starts_with("invalid basic string") => {
+            ("a quotation mark is missing".into(), "close the text with \" on the same line".into())
+        }
+        m if m.starts_with("unclosed") => (m.replace(", expected", "; expected"), "close the bracket".into()),
+        m if m.contains("recurs") => {
+            ("tables or lists are nested too deeply".into(), "a case needs no more than five levels".into())
+        }
+        m => (m.to_owned(), "see https://toml.io for how TOML is written".into()),
+    };
+    Problem::new(span, message, remedy)
+}

@@ -1,0 +1,253 @@
+//! Checks one value against its kind.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use toml::Spanned as Located;
+use toml::de::{DeTable, DeValue};
+use tremolite_laws::parameter::Dimension;
+
+use crate::check::Checker;
+use crate::fields::{Item, Node};
+use crate::keys::{Kind, LATER_WORDS, Limit, Table};
+use crate::{suggest, units};
+
+impl Checker<'_> {
+    /// Checks a value; nothing if it is refused, and then the problem is kept.
+    pub(crate) fn value(
+        &mut self,
+        kind: &Kind,
+        value: &DeValue<'_>,
+        span: Range<usize>,
+        path: &str,
+    ) -> Option<Node> {
+        let span = self.placed(span);
+        let item = match (kind, value) {
+            (Kind::Number(dimension, limit), _) => self.number(*dimension, *limit, value, &span, path)?,
+            (Kind::Count(most), DeValue::Integer(n)) => {
+                let n = i64::from_str_radix(n.as_str(), n.radix()).ok().and_then(|n| u32::try_from(n).ok());
+                match n {
+                    Some(n) if n >= 1 && n <= *most => Item::Count(n),
+                    _ => return self.wrong(kind, value, &span, path),
+                }
+            }
+            (Kind::Text, DeValue::String(text)) if !text.trim().is_empty() => Item::Text(text.to_string()),
+            (Kind::Name, DeValue::String(text)) => self.name(text, &span, path)?,
+            (Kind::Unit(dimension), DeValue::String(text)) => match units::parse_unit(text, *dimension) {
+                Ok(x) => Item::Number(x),
+                Err(e) => return self.refuse(&span, path, &e.to_string(), &suggest::unit(&e, *dimension)),
+            },
+            (Kind::Word(words), DeValue::String(text)) => self.word(words, text, &span, path)?,
+            (Kind::List(kind, least, most), DeValue::Array(values))
+                if (*least..=*most).contains(&values.len()) =>
+            {
+                let before = self.problems.len();
+                let nodes: Vec<Node> =
+                    values.iter().filter_map(|v| self.value(kind, v.get_ref(), v.span(), path)).collect();
+                if self.problems.len() > before {
+                    return None;
+                }
+                Item::List(nodes)
+            }
+            (Kind::Table(table), DeValue::Table(t)) => {
+                Item::Table(self.table(table, Some(&[]), t, span.clone(), path))
+            }
+            (Kind::Tables(table), DeValue::Array(a))
+                if !a.is_empty() && a.iter().all(|v| v.get_ref().is_table()) =>
+            {
+                let tables = a.iter().enumerate().filter_map(|(i, v)| {
+                    let t = v.get_ref().as_table()?;
+                    Some(self.entry(table, t, v.span(), &format!("{path}[{}]", label(t, i))))
+                });
+                Item::List(tables.collect())
+            }
+            (Kind::Brief(table, _), DeValue::Table(t)) => {
+                Item::Table(self.table(table, Some(&[]), t, span.clone(), path))
+            }
+            (Kind::Brief(table, keys), DeValue::String(word)) => {
+                if let Some(Kind::Word(words)) =
+                    table.keys.iter().find(|k| keys.contains(&k.name)).map(|k| &k.kind)
+                {
+                    self.word(words, word, &span, path)?;
+                }
+                let mut long = DeTable::new();
+                for key in *keys {
+                    let at = span.clone();
+                    long.insert(
+                        Located::new(at.clone(), Cow::Borrowed(*key)),
+                        Located::new(at, value.clone()),
+                    );
+                }
+                Item::Table(self.table(table, Some(&[]), &long, span.clone(), path))
+            }
+            (Kind::Materials, DeValue::Table(t)) if !t.is_empty() => Item::Materials(self.materials(t)),
+            (Kind::Either(kinds), _) => return self.either(kind, kinds, value, &span, path),
+            _ => return self.wrong(kind, value, &span, path),
+        };
+        Some(Node { item, span })
+    }
+
+    fn entry(
+        &mut self,
+        table: &'static Table,
+        written: &DeTable<'_>,
+        span: Range<usize>,
+        path: &str,
+    ) -> Node {
+        let span = self.placed(span);
+        Node { item: Item::Table(self.table(table, Some(&[]), written, span.clone(), path)), span }
+    }
+
+    fn number(
+        &mut self,
+        dimension: Dimension,
+        limit: Limit,
+        value: &DeValue<'_>,
+        span: &Range<usize>,
+        path: &str,
+    ) -> Option<Item> {
+        let bare = |text: &str| text.parse::<f64>().ok();
+        let x = match value {
+            DeValue::String(text) => match units::parse(text, dimension) {
+                Ok(x) => x,
+                Err(e) => return self.refuse(span, path, &e.to_string(), &e.remedy()),
+            },
+            DeValue::Integer(_) | DeValue::Float(_) if dimension == Dimension::ANGLE => {
+                return self.refuse(
+                    span,
+                    path,
+                    "has no unit: an angle may be in deg or rad",
+                    "write \"42 deg\"",
+                );
+            }
+            DeValue::Integer(n) => match i128::from_str_radix(n.as_str(), n.radix()) {
+                // Nearest double; no parameter needs more than 53 bits.
+                Ok(n) => n as f64,
+                Err(_) => return self.refuse(span, path, "is too large a number", "give a finite value"),
+            },
+            DeValue::Float(x) => bare(x.as_str()).unwrap_or(f64::NAN),
+            _ => return self.wrong(&Kind::Number(dimension, limit), value, span, path),
+        };
+        if !x.is_finite() {
+            return self.refuse(span, path, "is not a finite number", "give a finite value");
+        }
+        if !limit.holds(x) {
+            let remedy = format!("give a value {}", limit.words());
+            return self.refuse(span, path, &format!("must be {}", limit.words()), &remedy);
+        }
+        Some(Item::Number(x))
+    }
+
+    fn name(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {
+        let forbidden = |c: char| c.is_whitespace() || c.is_control() || ".,[]*?\"'".contains(c);
+        if text.is_empty() || text.contains(forbidden) {
+            return self.refuse(
+                span,
+                path,
+                "cannot be used as a name",
+                "names stand in headers and patterns: no blanks or quotes, and none of . , [ ] * ?",
+            );
+        }
+        Some(Item::Text(text.to_owned()))
+    }
+
+    pub(crate) fn word(
+        &mut self,
+        words: &[&'static str],
+        text: &str,
+        span: &Range<usize>,
+        path: &str,
+    ) -> Option<Item> {
+        if words.contains(&text) {
+            return Some(Item::Text(text.to_owned()));
+        }
+        if let Some((_, instead)) = LATER_WORDS.iter().find(|(word, _)| *word == text) {
+            self.problem(span.clone(), format!("\"{text}\" is not available yet"), *instead);
+            return None;
+        }
+        let remedy = suggest::word(text, words);
+        self.refuse(span, path, &format!("cannot be \"{text}\""), &remedy)
+    }
+
+    fn either(
+        &mut self,
+        whole: &Kind,
+        kinds: &'static [Kind],
+        value: &DeValue<'_>,
+        span: &Range<usize>,
+        path: &str,
+    ) -> Option<Node> {
+        let fitting: Vec<&Kind> = kinds.iter().filter(|k| fits(k, value)).collect();
+        let (problems, defaulted) = (self.problems.len(), self.defaulted.len());
+        for kind in &fitting {
+            self.problems.truncate(problems);
+            self.defaulted.truncate(defaulted);
+            let node = self.value(kind, value, span.clone(), path);
+            if self.problems.len() == problems {
+                return node;
+            }
+        }
+        if fitting.is_empty() {
+            return self.wrong(whole, value, span, path);
+        }
+        // A word of the list is a way out as well.
+        if let [.., Kind::Word(words), _] = fitting[..]
+            && let Some(problem) = self.problems.last_mut()
+        {
+            problem.remedy += &format!(", or \"{}\"", words.join("\", \""));
+        }
+        None
+    }
+
+    fn wrong<T>(&mut self, kind: &Kind, value: &DeValue<'_>, span: &Range<usize>, path: &str) -> Option<T> {
+        let found = match value {
+            DeValue::String(text) if text.trim().is_empty() => "an empty text",
+            DeValue::String(_) => "a text",
+            DeValue::Integer(_) => "a whole number",
+            DeValue::Float(_) => "a number",
+            DeValue::Boolean(_) => "true or false",
+            DeValue::Datetime(_) => "a date or time of day",
+            DeValue::Array(_) => "a list",
+            DeValue::Table(_) => "a table",
+        };
+        let found = match (value, kind) {
+            (DeValue::Array(a), Kind::List(..) | Kind::Tables(_)) => format!("a list of {}", a.len()),
+            (DeValue::Integer(n), Kind::Count(_)) => n.to_string(),
+            _ => found.to_owned(),
+        };
+        let message = format!("should be {}, not {found}", suggest::describe(kind));
+        self.refuse(span, path, &message, &format!("write {}", suggest::sample(last(path), kind)))
+    }
+
+    fn refuse<T>(&mut self, span: &Range<usize>, path: &str, message: &str, remedy: &str) -> Option<T> {
+        self.problem(span.clone(), format!("`{}` {message}", last(path)), remedy);
+        None
+    }
+}
+
+/// Whether a value has the TOML type of a kind.
+fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
+    match kind {
+        Kind::Number(..) => matches!(value, DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)),
+        Kind::Count(_) => value.is_integer(),
+        Kind::Text | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
+        Kind::List(..) | Kind::Tables(_) => value.is_array(),
+        Kind::Table(_) | Kind::Materials => value.is_table(),
+        Kind::Brief(..) => value.is_table() || value.is_str(),
+        Kind::Either(kinds) => kinds.iter().any(|k| fits(k, value)),
+        Kind::Later(_) => true,
+    }
+}
+
+/// How an entry of a list of tables is called in a path: by its name, else by its number from 1.
+fn label(table: &DeTable<'_>, index: usize) -> String {
+    match table.get("name").and_then(|v| v.get_ref().as_str()) {
+        Some(name) if name.len() < 60 => name.to_owned(),
+        _ => (index + 1).to_string(),
+    }
+}
+
+/// The key at the end of a path.
+fn last(path: &str) -> &str {
+    path.rsplit('.').next().unwrap_or(path)
+}
