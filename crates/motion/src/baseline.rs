@@ -33,6 +33,35 @@ pub(crate) fn detrend_linear(values: &mut [f64]) {
     }
 }
 
+/// Velocity and displacement at the end, of an acceleration that is linear between its samples; from rest.
+fn end_of(acceleration: &[f64], dt: f64) -> [f64; 2] {
+    let (mut v, mut u) = (0.0, 0.0);
+    for pair in acceleration.windows(2) {
+        u += dt * v + dt * dt * (2.0 * pair[0] + pair[1]) / 6.0;
+        v += 0.5 * dt * (pair[0] + pair[1]);
+    }
+    [v, u]
+}
+
+/// Subtracts (b + c (2t/T − 1)) sin²(πt/T), T the record's length, with b and c such that velocity and displacement
+/// end at zero. The correction and its slope vanish at both ends. Fewer than five samples stay as they are.
+pub(crate) fn bring_to_rest(values: &mut [f64], dt: f64) {
+    if values.len() < 5 {
+        return;
+    }
+    let last = (values.len() - 1) as f64;
+    let bump = |i: usize| (std::f64::consts::PI * i as f64 / last).sin().powi(2);
+    let even: Vec<f64> = (0..values.len()).map(bump).collect();
+    let odd: Vec<f64> = (0..values.len()).map(|i| bump(i) * (2.0 * i as f64 / last - 1.0)).collect();
+    let ([ve, ue], [vo, uo], [v, u]) = (end_of(&even, dt), end_of(&odd, dt), end_of(values, dt));
+    // The even bump alone moves the velocity, the odd one the displacement: the determinant is far from zero.
+    let determinant = ve * uo - vo * ue;
+    let (b, c) = ((v * uo - vo * u) / determinant, (ve * u - v * ue) / determinant);
+    for ((value, even), odd) in values.iter_mut().zip(&even).zip(&odd) {
+        *value -= b * even + c * odd;
+    }
+}
+
 /// Fades both ends in and out with half a cosine wave of `seconds` each, first and last sample to zero.
 pub(crate) fn taper(values: &mut [f64], dt: f64, seconds: f64) {
     let count = values.len();
@@ -47,6 +76,22 @@ pub(crate) fn taper(values: &mut [f64], dt: f64, seconds: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_baseline_brings_motion_to_rest_and_leaves_the_shaking_alone() {
+        let dt = 0.01;
+        let shaking = |i: usize| 3.0 * (0.2 * i as f64).sin() * (-((i as f64 - 800.0) / 200.0).powi(2)).exp();
+        let mut values: Vec<f64> = (0..1600).map(|i| shaking(i) + 0.05 - 2e-5 * i as f64).collect();
+        let [v, u] = end_of(&values, dt);
+        assert!(v.abs() > 0.3 && u.abs() > 1.0, "the record drifts at first");
+        let before = values.clone();
+        bring_to_rest(&mut values, dt);
+        let [v, u] = end_of(&values, dt);
+        assert!(v.abs() < 1e-12 && u.abs() < 1e-11);
+        assert_eq!((values[0], values[1599]), (before[0], before[1599]));
+        // The correction holds the drift alone: some hundredths of the shaking's peak.
+        assert!(values.iter().zip(&before).all(|(a, b)| (a - b).abs() < 0.2));
+    }
 
     #[test]
     fn detrending_a_line_leaves_nothing_and_keeps_what_is_orthogonal_to_lines() {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::baseline::{detrend_linear, taper};
+use crate::baseline::{bring_to_rest, detrend_linear, taper};
 use crate::{Band, Channel, Error, Filter};
 
 /// One step of processing.
@@ -10,6 +10,10 @@ use crate::{Band, Channel, Error, Filter};
 pub enum Process {
     /// Takes off the straight line of best fit (least squares).
     DetrendLinear,
+    /// Brings velocity and displacement to zero at the end by a slow, smooth correction of the acceleration, so
+    /// that a window cut from a record does not drift. Its period is the record's length, so it does not touch the
+    /// shaking; whatever permanent displacement the record had is lost.
+    Baseline,
     /// Fades in and out with half a cosine wave of this length (s) at both ends.
     Taper { seconds: f64 },
     /// Fourth-order Butterworth high-pass, forwards and backwards; corner (Hz).
@@ -23,11 +27,11 @@ pub enum Process {
 }
 
 /// What [`Process::parse`] reads, for messages.
-const FORMS: &str = "use 'detrend linear', 'taper 1 s', 'highpass 0.1 Hz', 'lowpass 20 Hz', \
+const FORMS: &str = "use 'detrend linear', 'baseline', 'taper 1 s', 'highpass 0.1 Hz', 'lowpass 20 Hz', \
                      'bandpass 0.1 Hz 20 Hz' or 'scale 0.35'";
 
 impl Process {
-    /// Reads a step as the case file writes it: `detrend linear`, `taper 1 s`, `highpass 0.1 Hz`,
+    /// Reads a step as the case file writes it: `detrend linear`, `baseline`, `taper 1 s`, `highpass 0.1 Hz`,
     /// `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `scale 0.35`. Numbers without a unit are in s and Hz.
     ///
     /// # Errors
@@ -59,6 +63,7 @@ impl Process {
         };
         match name {
             "detrend" if rest == ["linear"] => Ok(Process::DetrendLinear),
+            "baseline" if rest.is_empty() => Ok(Process::Baseline),
             "taper" => Ok(Process::Taper { seconds: positive(numbers("s", 1)?)?[0] }),
             "highpass" => Ok(Process::Highpass { hz: positive(numbers("Hz", 1)?)?[0] }),
             "lowpass" => Ok(Process::Lowpass { hz: positive(numbers("Hz", 1)?)?[0] }),
@@ -105,12 +110,13 @@ impl Process {
             Process::Highpass { hz } => filtered(Band::High(hz))?,
             Process::Lowpass { hz } => filtered(Band::Low(hz))?,
             Process::Bandpass { low, high } => filtered(Band::Pass(low, high))?,
-            Process::DetrendLinear | Process::Taper { .. } | Process::Scale(_) => {
+            Process::DetrendLinear | Process::Baseline | Process::Taper { .. } | Process::Scale(_) => {
                 channel.acceleration.clone()
             }
         };
         match *self {
             Process::DetrendLinear => detrend_linear(&mut values),
+            Process::Baseline => bring_to_rest(&mut values, channel.dt),
             Process::Taper { seconds } => {
                 if !(seconds > 0.0 && 2.0 * seconds <= channel.duration()) {
                     return Err(refuse(
@@ -153,6 +159,7 @@ impl fmt::Display for Process {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Process::DetrendLinear => f.write_str("detrend linear"),
+            Process::Baseline => f.write_str("baseline"),
             Process::Taper { seconds } => write!(f, "taper {seconds} s"),
             Process::Highpass { hz } => write!(f, "highpass {hz} Hz"),
             Process::Lowpass { hz } => write!(f, "lowpass {hz} Hz"),
@@ -201,6 +208,7 @@ mod tests {
     #[test]
     fn steps_are_read_as_the_case_file_writes_them_and_printed_alike() {
         for (text, step) in [
+            ("baseline", Process::Baseline),
             ("detrend linear", Process::DetrendLinear),
             ("taper 1 s", Process::Taper { seconds: 1.0 }),
             ("highpass 0.1 Hz", Process::Highpass { hz: 0.1 }),
