@@ -60,6 +60,28 @@ pub trait Lane:
     /// `yes` where the mask is set, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     fn any(mask: Self::Mask) -> bool;
+    /// Where both masks are set.
+    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Where at least one of two masks is set.
+    fn either(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// Where the mask is not set.
+    fn not(mask: Self::Mask) -> Self::Mask;
+    /// The binary exponent of a positive normal number, ⌊log₂ x⌋; meaningless for any other.
+    fn exponent(self) -> Self;
+    /// The number over the power of two that [`Lane::exponent`] stands for, in \[1, 2); meaningless where that is.
+    fn significand(self) -> Self;
+    /// 2ⁿ for an integral n from −1022 to 1023; meaningless for any other.
+    fn power_of_two(self) -> Self;
+    /// The larger of two; `other` where one of them is not a number.
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self::select(other.less(self), self, other)
+    }
+    /// The smaller of two; `other` where one of them is not a number.
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Self::select(self.less(other), self, other)
+    }
     /// The three components of the rows `index[at .. at + WIDTH]`.
     ///
     /// # Safety
@@ -118,6 +140,30 @@ impl Lane for f64 {
         mask
     }
     #[inline(always)]
+    fn both(a: bool, b: bool) -> bool {
+        a & b
+    }
+    #[inline(always)]
+    fn either(a: bool, b: bool) -> bool {
+        a | b
+    }
+    #[inline(always)]
+    fn not(mask: bool) -> bool {
+        !mask
+    }
+    #[inline(always)]
+    fn exponent(self) -> f64 {
+        f64::from_bits((self.to_bits() >> 52) | bits::TWO_52.to_bits()) - bits::EXPONENT_BIAS
+    }
+    #[inline(always)]
+    fn significand(self) -> f64 {
+        f64::from_bits(self.to_bits() & bits::FRACTION | 1.0f64.to_bits())
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> f64 {
+        f64::from_bits((self + bits::EXPONENT_BIAS).to_bits() << 52)
+    }
+    #[inline(always)]
     unsafe fn gather(rows: &[Row], index: &[u16; 8], at: usize) -> [f64; 3] {
         debug_assert!((index[at] as usize) < rows.len());
         // SAFETY: the caller keeps the indices in range.
@@ -135,6 +181,16 @@ impl Lane for f64 {
             }
         }
     }
+}
+
+/// Constants that turn exponents into numbers and back by integer operations every register width has.
+mod bits {
+    /// 2⁵²: a number this large holds an integer in the low bits of its fraction.
+    pub const TWO_52: f64 = 4_503_599_627_370_496.0;
+    /// 2⁵² plus the bias of the exponent.
+    pub const EXPONENT_BIAS: f64 = TWO_52 + 1023.0;
+    /// The bits of the fraction.
+    pub const FRACTION: u64 = (1 << 52) - 1;
 }
 
 /// Instruction set that the kernels run with.
@@ -179,6 +235,8 @@ impl Isa {
         Isa::ALL.into_iter().rev().find(|isa| isa.available()).unwrap_or(Isa::Scalar)
     }
 }
+
+pub mod elementary;
 
 #[cfg(target_arch = "x86_64")]
 pub use x86::{Avx2, Avx512};

@@ -4,6 +4,7 @@ pub mod lane;
 pub mod material;
 pub mod materials;
 pub mod parameter;
+pub mod path;
 pub mod shapes;
 pub mod sym3;
 

@@ -11,6 +11,18 @@ pub type Sym<L> = [L; 6];
 pub struct Point<L> {
     /// Time step \[s\]; 0 while time stands still (stages).
     pub dt: L,
+    /// Size tensor of the element \[m²\], G = ½ Σ (x − x̄)⊗(x − x̄) over its corners, in the axes of the strain
+    /// (xx, yy, zz, xy, yz, zx): √(p·G·p) is its extent along p, for a brick the edge along an edge. Element kernels
+    /// fill it where [`Material::NEEDS_SIZE`] says so; else it is zero.
+    pub size: Sym<L>,
+}
+
+impl<L: Lane> Point<L> {
+    /// A point at a time step \[s\], of an element without a size.
+    #[inline(always)]
+    pub fn new(dt: L) -> Self {
+        Point { dt, size: [L::splat(0.0); 6] }
+    }
 }
 
 /// Elastic constants that bound a law from above.
@@ -75,6 +87,8 @@ pub trait Material: Send + Sync + Sized + 'static {
     const SOURCE: &'static str;
     const PARAMETERS: &'static [Parameter];
     const HISTORY: &'static [Column];
+    /// Whether the law looks at [`Point::size`].
+    const NEEDS_SIZE: bool = false;
     /// One lane per entry of `HISTORY`.
     type History<L: Lane>: History<L>;
 
@@ -86,6 +100,17 @@ pub trait Material: Send + Sync + Sized + 'static {
 
     /// The stiffest elastic moduli the law can show: time step, stabilisation, damping and boundaries go by them.
     fn moduli(&self) -> Moduli;
+
+    /// The extent \[m\] that an element must stay below for the law to dissipate its fracture energy; infinite for
+    /// a law that does not go by the element's size.
+    fn size_limit(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// What is unusual about the parameters though the law accepts them, a sentence each.
+    fn warnings(&self) -> Vec<String> {
+        Vec::new()
+    }
 
     /// Stress \[Pa\] and new history for a strain.
     fn update<L: Lane>(

@@ -1,4 +1,8 @@
-//! Symmetric tensors of order two in three dimensions.
+//! Symmetric tensors of order two in three dimensions: principal values and directions.
+
+mod eigen;
+
+pub use eigen::{Eigen, Spectrum, eigen};
 
 /// Principal values, largest first, by Jacobi's rotations (Golub & Van Loan 2013, section 8.5).
 ///

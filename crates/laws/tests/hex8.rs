@@ -24,7 +24,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
     let rows = u.map(Row::new);
     let mut out = [Row::ZERO; 8];
     let mut probe = Probe::ZERO;
-    let point = Point { dt: 0.0 };
+    let point = Point::new(0.0);
     // All eight lanes scatter to the same rows: give the element to lane 0 alone.
     match kind {
         Kind::OnePoint => {
@@ -303,7 +303,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
     #[inline(always)]
     unsafe fn run<L: tremolite_laws::Lane>(c: &Case, out: &mut [Row], probe: &mut Probe) {
         let moduli = Moduli::from_young_poisson(25e9, 0.17);
-        let (law, s, point) = (Elastic::from_moduli(moduli), Stabilisation::new(moduli), Point { dt: 1e-4 });
+        let (law, s, point) = (Elastic::from_moduli(moduli), Stabilisation::new(moduli), Point::new(1e-4));
         unsafe {
             match c.kind {
                 Kind::OnePoint => {

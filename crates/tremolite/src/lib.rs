@@ -5,14 +5,22 @@
 
 pub mod bench;
 pub mod boundary;
+pub mod checkpoint;
 pub mod column;
 pub mod engine;
 pub mod material;
 pub mod model;
+pub mod observers;
 pub mod parts;
 pub mod phase;
+pub mod plan;
 pub mod problem;
+pub mod quantities;
+pub mod run;
+pub mod setup;
 pub mod state;
+pub mod summary;
+pub mod survey;
 pub mod ties;
 
 pub use engine::{Balance, Engine, Halt, Snapshot, StableStep, stable_step};

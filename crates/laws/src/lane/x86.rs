@@ -5,6 +5,7 @@
 //!
 //! [`Isa::available`]: super::Isa::available
 
+use super::bits::{EXPONENT_BIAS, FRACTION, TWO_52};
 use super::{Lane, Octet, Row};
 use core::arch::x86_64::*;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -142,6 +143,40 @@ impl Lane for Avx2 {
         unsafe { _mm256_movemask_pd(mask) != 0 }
     }
     #[inline(always)]
+    fn both(a: __m256d, b: __m256d) -> __m256d {
+        unsafe { _mm256_and_pd(a, b) }
+    }
+    #[inline(always)]
+    fn either(a: __m256d, b: __m256d) -> __m256d {
+        unsafe { _mm256_or_pd(a, b) }
+    }
+    #[inline(always)]
+    fn not(mask: __m256d) -> __m256d {
+        unsafe { _mm256_xor_pd(mask, _mm256_castsi256_pd(_mm256_set1_epi64x(-1))) }
+    }
+    #[inline(always)]
+    fn exponent(self) -> Self {
+        unsafe {
+            let shifted = _mm256_castsi256_pd(_mm256_srli_epi64::<52>(_mm256_castpd_si256(self.0)));
+            let integer = _mm256_or_pd(shifted, _mm256_set1_pd(TWO_52));
+            Avx2(_mm256_sub_pd(integer, _mm256_set1_pd(EXPONENT_BIAS)))
+        }
+    }
+    #[inline(always)]
+    fn significand(self) -> Self {
+        unsafe {
+            let fraction = _mm256_and_pd(self.0, _mm256_castsi256_pd(_mm256_set1_epi64x(FRACTION as i64)));
+            Avx2(_mm256_or_pd(fraction, _mm256_set1_pd(1.0)))
+        }
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        unsafe {
+            let biased = _mm256_castpd_si256(_mm256_add_pd(self.0, _mm256_set1_pd(EXPONENT_BIAS)));
+            Avx2(_mm256_castsi256_pd(_mm256_slli_epi64::<52>(biased)))
+        }
+    }
+    #[inline(always)]
     unsafe fn gather(rows: &[Row], index: &[u16; 8], at: usize) -> [Self; 3] {
         unsafe {
             let [x, y, z, _] = transpose([
@@ -214,6 +249,41 @@ impl Lane for Avx512 {
     #[inline(always)]
     fn any(mask: __mmask8) -> bool {
         mask != 0
+    }
+    #[inline(always)]
+    fn both(a: __mmask8, b: __mmask8) -> __mmask8 {
+        a & b
+    }
+    #[inline(always)]
+    fn either(a: __mmask8, b: __mmask8) -> __mmask8 {
+        a | b
+    }
+    #[inline(always)]
+    fn not(mask: __mmask8) -> __mmask8 {
+        !mask
+    }
+    #[inline(always)]
+    fn exponent(self) -> Self {
+        unsafe {
+            let shifted = _mm512_srli_epi64::<52>(_mm512_castpd_si512(self.0));
+            let integer = _mm512_or_si512(shifted, _mm512_castpd_si512(_mm512_set1_pd(TWO_52)));
+            Avx512(_mm512_sub_pd(_mm512_castsi512_pd(integer), _mm512_set1_pd(EXPONENT_BIAS)))
+        }
+    }
+    #[inline(always)]
+    fn significand(self) -> Self {
+        unsafe {
+            let fraction = _mm512_and_si512(_mm512_castpd_si512(self.0), _mm512_set1_epi64(FRACTION as i64));
+            let one = _mm512_castpd_si512(_mm512_set1_pd(1.0));
+            Avx512(_mm512_castsi512_pd(_mm512_or_si512(fraction, one)))
+        }
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        unsafe {
+            let biased = _mm512_castpd_si512(_mm512_add_pd(self.0, _mm512_set1_pd(EXPONENT_BIAS)));
+            Avx512(_mm512_castsi512_pd(_mm512_slli_epi64::<52>(biased)))
+        }
     }
     #[inline(always)]
     unsafe fn gather(rows: &[Row], index: &[u16; 8], _: usize) -> [Self; 3] {

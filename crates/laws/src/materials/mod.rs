@@ -1,7 +1,9 @@
 //! Material laws, one a file. A law enters the program by one line in [`for_each_material!`](crate::for_each_material).
 
+pub mod concrete;
 pub mod elastic;
 
+pub use concrete::Concrete;
 pub use elastic::Elastic;
 
 use crate::parameter::LawInfo;
@@ -10,7 +12,10 @@ use crate::parameter::LawInfo;
 #[macro_export]
 macro_rules! for_each_material {
     ($then:ident) => {
-        $then!($crate::materials::Elastic,)
+        $then!(
+            $crate::materials::Elastic,
+            $crate::materials::Concrete,
+        )
     };
 }
 

@@ -6,7 +6,7 @@ use crate::parts::base::times;
 use crate::phase::{Dashpot, Phase};
 use crate::state::State;
 use rayon::prelude::*;
-use tremolite_laws::Row;
+use tremolite_laws::{Isa, Row};
 
 /// Nodes a chunk: the unit of threads and of sums, whatever their number.
 const CHUNK: usize = 2048;
@@ -92,13 +92,15 @@ pub(super) fn force(phase: &Phase, contributions: &[Row], node: usize) -> Row {
     sum
 }
 
-/// v̂, dv/dt and the work rates of the dampings at a node.
+/// v̂, dv/dt and the forces of the dampings at a node.
+#[derive(Default)]
 struct NodeStep {
     velocity: Row,
     acceleration: Row,
-    /// Rayleigh's and the dashpots' forces at v̂ \[N\].
+    /// Forces at v̂ \[N\]: Rayleigh's, of the base's dashpots, of the sides'.
     rayleigh: Row,
-    dashpots: Option<(Row, Row)>,
+    base: Row,
+    sides: Row,
 }
 
 /// What a node's step needs besides its rows.
@@ -121,23 +123,7 @@ fn node_step(
     let inverse = phase.inverse_mass[node];
     let mass = phase.mass[node];
     let Damping { dt, mass_proportional: omega, stiffness_proportional: xi } = *damping;
-    let mut step = NodeStep {
-        velocity: Row::ZERO,
-        acceleration: Row::ZERO,
-        rayleigh: Row::ZERO,
-        dashpots: None,
-    };
-    if dashpot.is_none() && xi == 0.0 {
-        for i in 0..4 {
-            let a = -force.0[i] * inverse.0[i];
-            let minus = du.0[i] / dt;
-            let hat = minus + 0.5 * dt * (a - omega * minus);
-            step.velocity.0[i] = hat;
-            step.acceleration.0[i] = a - omega * hat;
-            step.rayleigh.0[i] = omega * mass * hat;
-        }
-        return step;
-    }
+    let mut step = NodeStep::default();
     let minus = du.xyz().map(|d| d / dt);
     let (base_minus, side_minus) = dashpot_forces(dashpot, minus);
     let k_minus = Rates::at(&rates.minus, node);
@@ -154,7 +140,8 @@ fn node_step(
         step.acceleration.0[i] = -force.0[i] * inverse.0[i] - damped;
         step.rayleigh.0[i] = omega * mass * hat[i] + xi * k_hat.0[i];
     }
-    step.dashpots = Some((Row::new(base), Row::new(side)));
+    step.base = Row::new(base);
+    step.sides = Row::new(side);
     step
 }
 
@@ -172,10 +159,8 @@ impl NodeSums {
     #[inline(always)]
     fn book(&mut self, step: &NodeStep, du: Row) {
         self.rayleigh += 0.5 * dot(step.rayleigh, du);
-        if let Some((base, side)) = step.dashpots {
-            self.base_dashpots += 0.5 * dot(base, du);
-            self.side_dashpots += 0.5 * dot(side, du);
-        }
+        self.base_dashpots += 0.5 * dot(step.base, du);
+        self.side_dashpots += 0.5 * dot(step.sides, du);
     }
 }
 
@@ -220,49 +205,98 @@ pub fn advance(
     state: &mut State,
 ) -> NodeSums {
     let damping = damping(model, state);
-    let dt = state.dt;
-    let counted = phase.counted_nodes.end;
+    let pass = Advance { phase, contributions, rates, damping, wide: Isa::Avx2.available() };
     let sums: Vec<NodeSums> = state
         .u
         .par_chunks_mut(CHUNK)
         .zip(state.du.par_chunks_mut(CHUNK))
         .enumerate()
-        .map(|(chunk, (u, du))| {
-            let first = chunk * CHUNK;
-            let mut dashpots = Dashpots::from(phase, first);
-            let mut sums = NodeSums::default();
-            for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
-                let node = first + k;
-                let dashpot = dashpots.take(node);
-                let force = force(phase, contributions, node);
-                let step = node_step(&damping, phase, rates, dashpot, node, force, *du);
-                let mut next = Row::ZERO;
-                for i in 0..4 {
-                    next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
-                    u.0[i] += next.0[i];
-                }
-                if node < counted {
-                    sums.kinetic += 0.5 * phase.mass[node] * dot(*du, *du);
-                    let both = Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i]));
-                    sums.book(&step, both);
-                }
-                *du = next;
-            }
-            sums
-        })
+        .map(|(chunk, (u, du))| pass.chunk(chunk * CHUNK, u, du))
         .collect();
     for &(node, master) in &phase.tied {
-        // A tied node has no forces of its own: take back its own increment and move with the master.
-        let (own, next) = (state.du[node as usize], state.du[master as usize]);
-        let u = &mut state.u[node as usize];
+        let next = state.du[master as usize];
         for i in 0..4 {
-            u.0[i] += next.0[i] - own.0[i];
+            state.u[node as usize].0[i] += next.0[i];
         }
         state.du[node as usize] = next;
     }
     let mut sums = sums.into_iter().fold(NodeSums::default(), NodeSums::plus);
-    sums.kinetic /= dt * dt;
+    sums.kinetic /= state.dt * state.dt;
     sums
+}
+
+/// What a chunk's advance needs besides its rows.
+struct Advance<'a> {
+    phase: &'a Phase,
+    contributions: &'a [Row],
+    rates: &'a Rates,
+    damping: Damping,
+    /// Whether the processor has AVX2. No operation is fused, so the bits are the same without it.
+    wide: bool,
+}
+
+impl Advance<'_> {
+    fn chunk(&self, first: usize, u: &mut [Row], du: &mut [Row]) -> NodeSums {
+        #[cfg(target_arch = "x86_64")]
+        if self.wide {
+            #[target_feature(enable = "avx2")]
+            unsafe fn wide(pass: &Advance, first: usize, u: &mut [Row], du: &mut [Row]) -> NodeSums {
+                pass.nodes(first, u, du)
+            }
+            // SAFETY: `wide` says that the processor has AVX2.
+            return unsafe { wide(self, first, u, du) };
+        }
+        let _ = self.wide;
+        self.nodes(first, u, du)
+    }
+
+    #[inline(always)]
+    fn nodes(&self, first: usize, u: &mut [Row], du: &mut [Row]) -> NodeSums {
+        let Advance { phase, contributions, rates, damping, .. } = self;
+        let (dt, omega) = (damping.dt, damping.mass_proportional);
+        let counted = phase.counted_nodes.end;
+        let mut dashpots = Dashpots::from(phase, first);
+        let mut sums = NodeSums::default();
+        // Without dashpots and ξ the step is Δu ← keep Δu + push a, and v̂ = (fade Δu/Δt) + ½Δt a.
+        let fade = 1.0 - 0.5 * omega * dt;
+        let (keep, push) = (1.0 - omega * dt * fade, dt * dt * fade);
+        let simple = damping.stiffness_proportional == 0.0;
+        for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
+            let node = first + k;
+            let dashpot = dashpots.take(node);
+            // Tied nodes follow their master; nodes that no part pushes stay.
+            if phase.start[node] == phase.start[node + 1] {
+                continue;
+            }
+            let force = force(phase, contributions, node);
+            let mut next = Row::ZERO;
+            let own = if node < counted { phase.mass[node] } else { 0.0 };
+            if simple && dashpot.is_none() {
+                let inverse = &phase.inverse_mass[node];
+                let mut rayleigh = 0.0;
+                for i in 0..4 {
+                    let a = -force.0[i] * inverse.0[i];
+                    next.0[i] = keep * du.0[i] + push * a;
+                    rayleigh += (fade * du.0[i] + 0.5 * dt * dt * a) * (du.0[i] + next.0[i]);
+                }
+                sums.rayleigh += 0.5 * omega / dt * own * rayleigh;
+            } else {
+                let step = node_step(damping, phase, rates, dashpot, node, force, *du);
+                for i in 0..4 {
+                    next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
+                }
+                if node < counted {
+                    sums.book(&step, Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i])));
+                }
+            }
+            sums.kinetic += 0.5 * own * dot(*du, *du);
+            for i in 0..4 {
+                u.0[i] += next.0[i];
+            }
+            *du = next;
+        }
+        sums
+    }
 }
 
 /// v̂ and dv/dt by engine node at u^n; the state is left alone.

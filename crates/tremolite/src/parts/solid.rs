@@ -233,7 +233,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         Pass {
             law,
             stabilisation: &self.stabilisation,
-            point: Point { dt },
+            point: Point::new(dt),
             index: &self.index,
             geometry: &self.geometry,
             history,

@@ -202,7 +202,10 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
         }
 
         // The law at the eight points; strains make room for weighted stresses.
-        let lane_point = Point { dt: L::splat(point.dt) };
+        let mut lane_point = Point::new(L::splat(point.dt));
+        if M::NEEDS_SIZE {
+            lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
+        }
         let mut energy = L::splat(0.0);
         let mut p = 0;
         while p < 8 {

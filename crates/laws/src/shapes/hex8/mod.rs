@@ -25,10 +25,13 @@
 //! with ν̄ = ν/(1 − ν) and Σ the sum of the two normal strains in the row. Limits: small displacements; the
 //! frame and lengths are those of the undeformed element; strongly skewed elements bend too stiffly.
 
+mod frequency;
 mod full;
 mod geometry;
 mod one_point;
+mod size;
 
+pub use frequency::element_frequencies;
 pub use full::{FullGeometry, full};
 pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
 pub use one_point::{OnePointGeometry, one_point};
@@ -154,15 +157,18 @@ unsafe fn gather_modes<L: Lane>(rows: &[Row], index: &[[u16; 8]; 8], at: usize) 
 /// Modal forces to nodal ones, kept until all lanes of the octet are there.
 #[inline(always)]
 fn store_nodal<L: Lane>(modes: &mut [[L; 8]; 3], nodal: &mut [[Octet; 3]; 8], at: usize) {
-    let mut i = 0;
-    while i < 3 {
-        to_nodes(&mut modes[i]);
-        let mut corner = 0;
-        while corner < 8 {
-            modes[i][BINARY[corner]].store(&mut nodal[corner][i], at);
-            corner += 1;
-        }
-        i += 1;
+    store_component(&mut modes[0], nodal, 0, at);
+    store_component(&mut modes[1], nodal, 1, at);
+    store_component(&mut modes[2], nodal, 2, at);
+}
+
+#[inline(always)]
+fn store_component<L: Lane>(modes: &mut [L; 8], nodal: &mut [[Octet; 3]; 8], i: usize, at: usize) {
+    to_nodes(modes);
+    let mut corner = 0;
+    while corner < 8 {
+        modes[BINARY[corner]].store(&mut nodal[corner][i], at);
+        corner += 1;
     }
 }
 

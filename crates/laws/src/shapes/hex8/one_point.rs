@@ -84,34 +84,11 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         // SAFETY: passed on to the caller.
         let mut modes = unsafe { gather_modes::<L>(rows, index, at) };
 
-        let mut g = [[L::splat(0.0); 3]; 3];
-        let mut q = [[L::splat(0.0); 3]; 4];
-        let mut i = 0;
-        while i < 3 {
-            let u = &modes[i];
-            let mut j = 0;
-            while j < 3 {
-                let b = &geometry.gradient[j];
-                let mut sum = L::load(&b[0], at) * u[MODES[0]];
-                let mut k = 1;
-                while k < 7 {
-                    sum = L::load(&b[k], at).mul_add(u[MODES[k]], sum);
-                    k += 1;
-                }
-                g[i][j] = sum;
-                j += 1;
-            }
-            let mut alpha = 0;
-            while alpha < 4 {
-                let x = &geometry.hourglass[alpha];
-                let mut sum = u[HOURGLASS[alpha]];
-                sum = L::load(&x[0], at).neg_mul_add(g[i][0], sum);
-                sum = L::load(&x[1], at).neg_mul_add(g[i][1], sum);
-                q[alpha][i] = L::load(&x[2], at).neg_mul_add(g[i][2], sum);
-                alpha += 1;
-            }
-            i += 1;
-        }
+        // Spelt out by component: a loop over them would keep the arrays out of registers.
+        let (g0, q0) = gradient::<L>(geometry, &modes[0], at);
+        let (g1, q1) = gradient::<L>(geometry, &modes[1], at);
+        let (g2, q2) = gradient::<L>(geometry, &modes[2], at);
+        let g = [g0, g1, g2];
 
         let strain: Sym<L> = [
             g[0][0],
@@ -121,24 +98,20 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             g[1][2] + g[2][1],
             g[0][2] + g[2][0],
         ];
-        let lane_point = Point { dt: L::splat(point.dt) };
+        let mut lane_point = Point::new(L::splat(point.dt));
+        if M::NEEDS_SIZE {
+            lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
+        }
         let old = super::load_history::<L, M>(history, at);
         let (stress, new) = material.update(&lane_point, strain, old);
         super::store_history::<L, M>(new, history, at);
 
         // Hourglass amplitudes in the frame, over half-lengths, and their conjugate forces.
-        let mut s = [[L::splat(0.0); 4]; 3];
-        let mut k = 0;
-        while k < 3 {
-            let r = &geometry.axes[k];
-            let (r0, r1, r2) = (L::load(&r[0], at), L::load(&r[1], at), L::load(&r[2], at));
-            let mut alpha = 0;
-            while alpha < 4 {
-                s[k][alpha] = r2.mul_add(q[alpha][2], r1.mul_add(q[alpha][1], r0 * q[alpha][0]));
-                alpha += 1;
-            }
-            k += 1;
-        }
+        let s = [
+            turned::<L>(&geometry.axes[0], &q0, &q1, &q2, at),
+            turned::<L>(&geometry.axes[1], &q0, &q1, &q2, at),
+            turned::<L>(&geometry.axes[2], &q0, &q1, &q2, at),
+        ];
         let volume = L::load(&geometry.volume, at);
         let third = volume * L::splat(1.0 / 3.0);
         let bend = third * L::splat(elastic.plane_stress);
@@ -189,47 +162,95 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             (half * energy).store(&mut probe.hourglass_energy, at);
         }
 
-        let mut i = 0;
-        while i < 3 {
-            // Forces conjugate to q_αi, then to g_ij, then to the modes.
-            let (r0, r1, r2) = (
-                L::load(&geometry.axes[0][i], at),
-                L::load(&geometry.axes[1][i], at),
-                L::load(&geometry.axes[2][i], at),
-            );
-            let mut force = [L::splat(0.0); 4];
-            let mut alpha = 0;
-            while alpha < 4 {
-                force[alpha] = r2.mul_add(p[2][alpha], r1.mul_add(p[1][alpha], r0 * p[0][alpha]));
-                alpha += 1;
-            }
-            let mut t = [L::splat(0.0); 3];
-            let mut j = 0;
-            while j < 3 {
-                let mut sum = volume * stress[VOIGT[i][j]];
-                let mut alpha = 0;
-                while alpha < 4 {
-                    sum = L::load(&geometry.hourglass[alpha][j], at).neg_mul_add(force[alpha], sum);
-                    alpha += 1;
-                }
-                t[j] = sum;
-                j += 1;
-            }
-            let f = &mut modes[i];
-            f[0] = L::splat(0.0);
-            let mut k = 0;
-            while k < 7 {
-                let b0 = L::load(&geometry.gradient[0][k], at);
-                let mut sum = if k < 3 { b0 * t[0] } else { b0.mul_add(t[0], force[k - 3]) };
-                sum = L::load(&geometry.gradient[1][k], at).mul_add(t[1], sum);
-                f[MODES[k]] = L::load(&geometry.gradient[2][k], at).mul_add(t[2], sum);
-                k += 1;
-            }
-            i += 1;
-        }
+        modes[0] = modal_forces::<L, 0>(geometry, volume, &stress, &p, at);
+        modes[1] = modal_forces::<L, 1>(geometry, volume, &stress, &p, at);
+        modes[2] = modal_forces::<L, 2>(geometry, volume, &stress, &p, at);
         store_nodal(&mut modes, &mut nodal, at);
         at += L::WIDTH;
     }
     // SAFETY: passed on to the caller.
     unsafe { scatter_nodal::<L>(out, index, &nodal) };
+}
+
+/// Mean gradient g_ij over j, and U_αi − Σ_j X_αj g_ij over α, of one component's modal displacements.
+#[inline(always)]
+fn gradient<L: Lane>(geometry: &OnePointGeometry, u: &[L; 8], at: usize) -> ([L; 3], [L; 4]) {
+    let mut g = [L::splat(0.0); 3];
+    let mut j = 0;
+    while j < 3 {
+        let b = &geometry.gradient[j];
+        let mut sum = L::load(&b[0], at) * u[MODES[0]];
+        let mut k = 1;
+        while k < 7 {
+            sum = L::load(&b[k], at).mul_add(u[MODES[k]], sum);
+            k += 1;
+        }
+        g[j] = sum;
+        j += 1;
+    }
+    let mut q = [L::splat(0.0); 4];
+    let mut alpha = 0;
+    while alpha < 4 {
+        let x = &geometry.hourglass[alpha];
+        let mut sum = L::load(&x[0], at).neg_mul_add(g[0], u[HOURGLASS[alpha]]);
+        sum = L::load(&x[1], at).neg_mul_add(g[1], sum);
+        q[alpha] = L::load(&x[2], at).neg_mul_add(g[2], sum);
+        alpha += 1;
+    }
+    (g, q)
+}
+
+/// s_kα over α: the amplitudes along axis k of the frame, over its half-length.
+#[inline(always)]
+fn turned<L: Lane>(axis: &[Octet; 3], q0: &[L; 4], q1: &[L; 4], q2: &[L; 4], at: usize) -> [L; 4] {
+    let (r0, r1, r2) = (L::load(&axis[0], at), L::load(&axis[1], at), L::load(&axis[2], at));
+    let mut s = [L::splat(0.0); 4];
+    let mut alpha = 0;
+    while alpha < 4 {
+        s[alpha] = r2.mul_add(q2[alpha], r1.mul_add(q1[alpha], r0 * q0[alpha]));
+        alpha += 1;
+    }
+    s
+}
+
+/// Modal forces of component `I`: conjugate to q_αi, then to g_ij, then to the modes.
+#[inline(always)]
+fn modal_forces<L: Lane, const I: usize>(
+    geometry: &OnePointGeometry,
+    volume: L,
+    stress: &Sym<L>,
+    p: &[[L; 4]; 3],
+    at: usize,
+) -> [L; 8] {
+    let r0 = L::load(&geometry.axes[0][I], at);
+    let r1 = L::load(&geometry.axes[1][I], at);
+    let r2 = L::load(&geometry.axes[2][I], at);
+    let mut force = [L::splat(0.0); 4];
+    let mut alpha = 0;
+    while alpha < 4 {
+        force[alpha] = r2.mul_add(p[2][alpha], r1.mul_add(p[1][alpha], r0 * p[0][alpha]));
+        alpha += 1;
+    }
+    let mut t = [L::splat(0.0); 3];
+    let mut j = 0;
+    while j < 3 {
+        let mut sum = volume * stress[VOIGT[I][j]];
+        let mut alpha = 0;
+        while alpha < 4 {
+            sum = L::load(&geometry.hourglass[alpha][j], at).neg_mul_add(force[alpha], sum);
+            alpha += 1;
+        }
+        t[j] = sum;
+        j += 1;
+    }
+    let mut f = [L::splat(0.0); 8];
+    let mut k = 0;
+    while k < 7 {
+        let b0 = L::load(&geometry.gradient[0][k], at);
+        let mut sum = if k < 3 { b0 * t[0] } else { b0.mul_add(t[0], force[k - 3]) };
+        sum = L::load(&geometry.gradient[1][k], at).mul_add(t[1], sum);
+        f[MODES[k]] = L::load(&geometry.gradient[2][k], at).mul_add(t[2], sum);
+        k += 1;
+    }
+    f
 }

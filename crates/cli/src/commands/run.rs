@@ -1,0 +1,192 @@
+//! `tremolite run`: the main job.
+
+use super::{load, pool};
+use crate::exit::{Code, Failure, Outcome};
+use crate::machine;
+use crate::terminal::{ProgressLine, bytes, duration, say};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+use tremolite::run::{Control, Ending, Progress, active_elements, choose_step};
+use tremolite::summary::{Input, summary};
+use tremolite::survey::{limit_in_words, survey};
+use tremolite::{Model, Phase, stable_step};
+use tremolite_case::Case;
+use tremolite_results::{Defaulted, ResultFolder, RunFacts, Summary, Table, replace_file};
+
+#[derive(clap::Args)]
+pub struct Args {
+    /// The case file
+    case: PathBuf,
+    /// Where to put the results (results/<case name> by default)
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Threads to use (all by default); results do not depend on it
+    #[arg(long)]
+    threads: Option<usize>,
+    /// Go on from the checkpoint of a run that was stopped
+    #[arg(long)]
+    resume: bool,
+    /// Replace the results that --out holds
+    #[arg(long, conflicts_with = "resume")]
+    overwrite: bool,
+    /// Force an instruction set: scalar, avx2 or avx512
+    #[arg(long)]
+    isa: Option<String>,
+}
+
+/// The name of a case: its folder's if the file is called case.toml, else the file's.
+fn case_name(path: &Path) -> String {
+    let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let folder = whole.parent().and_then(Path::file_name).map(|s| s.to_string_lossy().into_owned());
+    if stem == "case" { folder.unwrap_or(stem) } else { stem }
+}
+
+/// Messages to the terminal and to log.txt.
+struct Log {
+    file: Option<std::fs::File>,
+}
+
+impl Log {
+    fn open(folder: &ResultFolder) -> Log {
+        Log { file: std::fs::OpenOptions::new().create(true).append(true).open(folder.log()).ok() }
+    }
+
+    fn keep(&mut self, message: &str) {
+        // The results matter more than their log: a full disk is reported by them.
+        if let Some(file) = &mut self.file {
+            let _ = writeln!(file, "{} {message}", jiff::Timestamp::now());
+        }
+    }
+
+    fn say(&mut self, message: &str) {
+        say(message);
+        self.keep(message.trim());
+    }
+}
+
+pub fn run(args: &Args) -> Outcome {
+    let begin = Instant::now();
+    let isa = machine::isa(args.isa.as_deref())?;
+    let pool = pool(args.threads)?;
+    let (case, setup) = load(&args.case, isa)?;
+    pool.install(|| {
+        let (motion, plan) = (setup.motion, setup.plan);
+        let model = Model::new(setup.problem).map_err(Failure::input)?;
+        let phase = Phase::dynamic(&model).map_err(Failure::input)?;
+        let survey = survey(&model, &phase, motion.highest_frequency).map_err(Failure::input)?;
+
+        let name = case_name(&args.case);
+        let folder = if args.resume {
+            ResultFolder::resume(args.out.as_deref(), &name)
+        } else {
+            ResultFolder::create(args.out.as_deref(), &name, args.overwrite)
+        }
+        .map_err(Failure::input)?;
+        let before = if args.resume { Summary::read(&folder.summary()).ok() } else { None };
+        replace_file(&folder.case(), case.source.as_bytes()).map_err(Failure::failed)?;
+        let mut log = Log::open(&folder);
+        let command: Vec<String> = std::env::args().collect();
+        let started = jiff::Timestamp::now().to_string();
+        log.keep(&format!("tremolite {}: {}", env!("CARGO_PKG_VERSION"), command.join(" ")));
+
+        let stable = stable_step(&model, &phase);
+        let (dt, steps) = choose_step(&model, &plan, &stable);
+        log.say(&plan.title);
+        log.say(&format!(
+            "  {} elements, {} nodes, {} steps of {dt:.3e} s, {} threads, {}, about {}",
+            survey.active_elements,
+            survey.nodes,
+            steps.total,
+            rayon::current_num_threads(),
+            isa.name(),
+            bytes(survey.bytes)
+        ));
+        log.say(&format!(
+            "  the stable step is {:.3e} s, set by {}",
+            stable.dt,
+            limit_in_words(&model, &stable)
+        ));
+        log.say(&format!(
+            "  motion: kind = {}, so the incident wave is {} times the given motion",
+            motion.kind, motion.factor
+        ));
+
+        let stop = Arc::new(AtomicBool::new(false));
+        for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
+            // Without the handler a signal ends the program at once; nothing worse.
+            let _ = signal_hook::flag::register(signal, stop.clone());
+        }
+        let mut line = ProgressLine::new();
+        let mut tell = |p: Progress| {
+            let words = format!("{:.2} s of {:.2} s  {:.1} M/s", p.time, plan.duration, p.updates_per_second / 1e6);
+            line.show(p.step as f64 / p.total as f64, &words);
+        };
+        let mut control = Control { stop: &stop, progress: &mut tell };
+        let outcome = tremolite::run::run(&model, &phase, &plan, &folder, args.resume, &mut control)
+            .map_err(Failure::failed);
+        line.end();
+        let outcome = outcome?;
+
+        let histories = Table::read(&folder.monitors()).map_err(Failure::failed)?;
+        let (earlier, resumed) = before.map_or((0.0, 0), |s| (s.wall_seconds, s.run.resumed + 1));
+        let summary = summary(Input {
+            model: &model,
+            phase: &phase,
+            plan: &plan,
+            motion: &motion,
+            survey: &survey,
+            outcome: &outcome,
+            histories: &histories,
+            run: RunFacts {
+                program: format!("tremolite {}", env!("CARGO_PKG_VERSION")),
+                command: command.join(" "),
+                started,
+                threads: rayon::current_num_threads() as u64,
+                instruction_set: isa.name().into(),
+                resumed,
+            },
+            defaulted: defaulted(&case, &model),
+            wall_seconds: begin.elapsed().as_secs_f64() + if earlier.is_finite() { earlier } else { 0.0 },
+        });
+        summary.write(&folder.summary()).map_err(Failure::failed)?;
+        let page = tremolite_report::write(folder.root()).map_err(Failure::failed)?;
+
+        for line in &summary.trust {
+            let mark = if line.pass { "ok  " } else { "LOOK" };
+            log.say(&format!("  {mark} {}: {} (limit {})", line.name, short(line.value), line.limit));
+        }
+        let elements = active_elements(&phase);
+        log.say(&format!(
+            "  {} for {} steps: {:.1} million element updates a second",
+            duration(outcome.loop_seconds),
+            outcome.taken_here,
+            outcome.updates_per_second(elements) / 1e6
+        ));
+        log.say(&summary.verdict);
+        log.say(&format!("Results are in {}; open {}", folder.root().display(), page.display()));
+        Ok(match outcome.ending {
+            Ending::Done => Code::Done,
+            Ending::Failed { .. } => Code::Failed,
+            Ending::Stopped => Code::Stopped,
+        })
+    })
+}
+
+/// Three significant digits.
+fn short(x: f64) -> String {
+    if x != 0.0 && x.abs() < 1e-3 { format!("{x:.1e}") } else { format!("{x:.3}") }
+}
+
+/// What the case left out, and what the model chose.
+fn defaulted(case: &Case, model: &Model) -> Vec<Defaulted> {
+    let mut all: Vec<Defaulted> =
+        case.defaulted.iter().map(|d| Defaulted::new(d.key.as_str(), d.value.as_str())).collect();
+    if let Some(distance) = model.boundaries.spring_distance {
+        all.push(Defaulted::new("dynamic.base.distance (used)", format!("{distance:.1} m")));
+    }
+    all
+}

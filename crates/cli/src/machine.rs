@@ -1,0 +1,102 @@
+//! Facts of the machine: threads, memory used, and what it can do at best.
+
+use std::hint::black_box;
+use std::time::Instant;
+use tremolite_laws::Isa;
+
+/// Threads to use if none are asked for.
+pub fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// Largest resident memory of this process \[bytes\], where the system tells it.
+pub fn peak_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
+    Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? * 1024)
+}
+
+/// The processor's name, where the system tells it.
+pub fn processor() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = info.lines().find_map(|l| l.strip_prefix("model name")?.split_once(':').map(|(_, n)| n.trim()));
+    name.unwrap_or("unknown processor").to_owned()
+}
+
+/// An instruction set by the word of `--isa`; the best one without it.
+pub fn isa(word: Option<&str>) -> Result<Isa, crate::exit::Failure> {
+    let Some(word) = word else { return Ok(Isa::best()) };
+    let known: Vec<&str> = Isa::ALL.iter().map(|i| i.name()).collect();
+    match Isa::ALL.into_iter().find(|i| i.name() == word) {
+        Some(isa) if isa.available() => Ok(isa),
+        Some(isa) => {
+            Err(crate::exit::Failure::input(format!("this processor has no {}; leave --isa out", isa.name())))
+        }
+        None => Err(crate::exit::Failure::input(format!("--isa is one of {}", known.join(", ")))),
+    }
+}
+
+/// Memory bandwidth of one core \[B/s\]: a ← b + s c over arrays far beyond the caches, best of three.
+pub fn triad_bandwidth() -> f64 {
+    const N: usize = 8 << 20;
+    let b = vec![1.0_f64; N];
+    let c = vec![2.0_f64; N];
+    let mut a = vec![0.0_f64; N];
+    let mut best = 0.0_f64;
+    for _ in 0..3 {
+        let begin = Instant::now();
+        for ((a, b), c) in a.iter_mut().zip(&b).zip(&c) {
+            *a = b + 0.5 * c;
+        }
+        black_box(&mut a);
+        best = best.max(24.0 * N as f64 / begin.elapsed().as_secs_f64());
+    }
+    best
+}
+
+/// Fused multiply–adds of one core, as floating-point operations a second, with the widest registers.
+pub fn peak_flops() -> f64 {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use tremolite_laws::Lane;
+        use tremolite_laws::lane::{Avx2, Avx512};
+
+        #[inline(always)]
+        fn chains<L: Lane>(rounds: u64) -> [L; 12] {
+            let mut x = [L::splat(black_box(1.0)); 12];
+            let (a, b) = (L::splat(black_box(1.0 - 1e-9)), L::splat(black_box(1e-9)));
+            for _ in 0..rounds {
+                for x in &mut x {
+                    *x = x.mul_add(a, b);
+                }
+            }
+            x
+        }
+        #[target_feature(enable = "avx512f,avx2,fma")]
+        unsafe fn wide(rounds: u64) {
+            black_box(chains::<Avx512>(rounds));
+        }
+        #[target_feature(enable = "avx2,fma")]
+        unsafe fn middle(rounds: u64) {
+            black_box(chains::<Avx2>(rounds));
+        }
+        const ROUNDS: u64 = 10_000_000;
+        let begin = Instant::now();
+        let width = match Isa::best() {
+            // SAFETY: the instruction set is available.
+            Isa::Avx512 => unsafe {
+                wide(ROUNDS);
+                8.0
+            },
+            // SAFETY: as above.
+            Isa::Avx2 => unsafe {
+                middle(ROUNDS);
+                4.0
+            },
+            Isa::Scalar => return f64::NAN,
+        };
+        2.0 * width * 12.0 * ROUNDS as f64 / begin.elapsed().as_secs_f64()
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    f64::NAN
+}

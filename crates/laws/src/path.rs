@@ -1,0 +1,214 @@
+//! Driving a material law along a path of strain, with some components of stress prescribed instead if wanted.
+//!
+//! Scalar lanes on plain arrays: what `tremolite law`, notebooks and tests share. No files here.
+
+mod solve;
+
+use crate::material::{History, Material, Point};
+use crate::parameter::{BadParameter, Column, Values};
+use solve::Mixed;
+
+/// What a column of a path prescribes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Control {
+    Strain,
+    Stress,
+}
+
+/// A path of one material point, row by row.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// Time \[s\], not falling. A step without time is one in which time stands still: rates are off.
+    pub time: Vec<f64>,
+    /// xx, yy, zz, xy, yz, zx: strain (engineering shear), or stress \[Pa\] where `control` says so.
+    pub values: Vec<[f64; 6]>,
+    pub control: [Control; 6],
+    /// Extent h of the element in every direction \[m\]. Laws with a fracture energy ask for it.
+    pub size: Option<f64>,
+}
+
+/// What came of a path, row by row.
+#[derive(Clone, Debug)]
+pub struct Response {
+    /// Strain, engineering shear.
+    pub strain: Vec<[f64; 6]>,
+    /// Stress \[Pa\].
+    pub stress: Vec<[f64; 6]>,
+    /// Names, units and meaning of `history`.
+    pub columns: &'static [Column],
+    /// `history[column][row]`
+    pub history: Vec<Vec<f64>>,
+}
+
+impl Response {
+    /// A history variable along the path, by its name.
+    pub fn column(&self, name: &str) -> Option<&[f64]> {
+        let k = self.columns.iter().position(|c| c.name == name)?;
+        self.history.get(k).map(Vec::as_slice)
+    }
+}
+
+/// Why a path cannot be followed. Rows count from 0.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PathError {
+    /// No law of this name; the registered ones are listed.
+    UnknownLaw {
+        name: String,
+        known: Vec<&'static str>,
+    },
+    /// The law refuses its parameters.
+    Parameters(Vec<BadParameter>),
+    /// `time` and `values` have different lengths.
+    Lengths {
+        time: usize,
+        values: usize,
+    },
+    NotFinite {
+        row: usize,
+    },
+    /// Time runs backwards.
+    Time {
+        row: usize,
+    },
+    /// The law goes by a fracture energy and no size is given.
+    SizeMissing,
+    /// The size is not between 0 and the law's limit \[m\].
+    Size {
+        size: f64,
+        limit: f64,
+    },
+    /// No strain was found that gives the prescribed stresses; `miss` is what is left \[Pa\].
+    NotConverged {
+        row: usize,
+        miss: f64,
+    },
+}
+
+impl std::fmt::Display for PathError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            PathError::UnknownLaw { name, known } => {
+                write!(f, "there is no material law '{name}'; known are {}", known.join(", "))
+            }
+            PathError::Parameters(faults) => {
+                for (k, fault) in faults.iter().enumerate() {
+                    write!(f, "{}{fault}", if k > 0 { "\n" } else { "" })?;
+                }
+                Ok(())
+            }
+            PathError::Lengths { time, values } => {
+                write!(f, "the path has {time} times and {values} rows of values; give one time a row")
+            }
+            PathError::NotFinite { row } => {
+                write!(f, "row {row} of the path holds a value that is not finite")
+            }
+            PathError::Time { row } => {
+                write!(f, "time falls at row {row} of the path; sort the rows by time")
+            }
+            PathError::SizeMissing => {
+                write!(
+                    f,
+                    "the law goes by a fracture energy and needs the element's extent; give `size` in m"
+                )
+            }
+            PathError::Size { size, limit } => write!(
+                f,
+                "a size of {size} m is not possible: it must be positive and below {limit:.3} m, where an element \
+                 stores as much as a crack dissipates"
+            ),
+            PathError::NotConverged { row, miss } => write!(
+                f,
+                "no strain gives the stress prescribed at row {row} ({miss:.3e} Pa are missing): the material may \
+                 not carry it; prescribe the strain there, or take smaller steps"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for PathError {}
+
+impl Path {
+    /// A path of strains alone.
+    pub fn strains(time: Vec<f64>, values: Vec<[f64; 6]>) -> Self {
+        Path { time, values, control: [Control::Strain; 6], size: None }
+    }
+
+    fn check(&self, limit: f64) -> Result<[f64; 6], PathError> {
+        if self.time.len() != self.values.len() {
+            return Err(PathError::Lengths { time: self.time.len(), values: self.values.len() });
+        }
+        for (row, (t, values)) in self.time.iter().zip(&self.values).enumerate() {
+            if !(t.is_finite() && values.iter().all(|x| x.is_finite())) {
+                return Err(PathError::NotFinite { row });
+            }
+            if row > 0 && *t < self.time[row - 1] {
+                return Err(PathError::Time { row });
+            }
+        }
+        match self.size {
+            None if limit.is_finite() => Err(PathError::SizeMissing),
+            None => Ok([0.0; 6]),
+            Some(h) if h > 0.0 && h < limit && h.is_finite() => Ok([h * h, h * h, h * h, 0.0, 0.0, 0.0]),
+            Some(size) => Err(PathError::Size { size, limit }),
+        }
+    }
+}
+
+/// Follows a path with a law, from virgin material. The first row takes no time.
+///
+/// # Errors
+/// See [`PathError`].
+pub fn drive<M: Material>(law: &M, path: &Path) -> Result<Response, PathError> {
+    let size = path.check(law.size_limit())?;
+    let mut history = <M::History<f64> as History<f64>>::zero();
+    let mut response = Response {
+        strain: Vec::with_capacity(path.time.len()),
+        stress: Vec::with_capacity(path.time.len()),
+        columns: M::HISTORY,
+        history: vec![Vec::with_capacity(path.time.len()); M::HISTORY.len()],
+    };
+    let mut mixed = Mixed::new(law.moduli(), path.control);
+    for (row, (t, values)) in path.time.iter().zip(&path.values).enumerate() {
+        let dt = if row > 0 { t - path.time[row - 1] } else { 0.0 };
+        let point = Point { dt, size };
+        let strain = mixed
+            .strain(values, |strain| law.update(&point, *strain, history).0)
+            .map_err(|miss| PathError::NotConverged { row, miss })?;
+        let (stress, new) = law.update(&point, strain, history);
+        history = new;
+        response.strain.push(strain);
+        response.stress.push(stress);
+        for (column, value) in response.history.iter_mut().zip(history.as_ref()) {
+            column.push(*value);
+        }
+    }
+    Ok(response)
+}
+
+macro_rules! drivers {
+    ($($law:ty,)*) => {
+        &[$((<$law as Material>::NAME, drive_values::<$law> as Driver)),*]
+    };
+}
+
+type Driver = fn(&Values, &Path) -> Result<Response, PathError>;
+
+const DRIVERS: &[(&str, Driver)] = crate::for_each_material!(drivers);
+
+fn drive_values<M: Material>(values: &Values, path: &Path) -> Result<Response, PathError> {
+    drive(&M::new(values).map_err(PathError::Parameters)?, path)
+}
+
+/// Follows a path with a registered law, by its name and parameters.
+///
+/// # Errors
+/// See [`PathError`].
+pub fn drive_named(name: &str, values: &Values, path: &Path) -> Result<Response, PathError> {
+    match DRIVERS.iter().find(|(own, _)| *own == name) {
+        Some((_, drive)) => drive(values, path),
+        None => Err(PathError::UnknownLaw {
+            name: name.to_owned(),
+            known: DRIVERS.iter().map(|(own, _)| *own).collect(),
+        }),
+    }
+}

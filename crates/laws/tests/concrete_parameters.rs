@@ -1,0 +1,104 @@
+//! What the concrete law takes, derives and refuses.
+
+mod common;
+
+use common::concrete::*;
+use tremolite_laws::materials::Concrete;
+use tremolite_laws::materials::concrete::Grade;
+use tremolite_laws::{Material, Need, Values};
+
+fn refused(values: &Values) -> Vec<&'static str> {
+    Concrete::new(values).unwrap_err().iter().map(|fault| fault.name).collect()
+}
+
+fn without(name: &str) -> Values {
+    let mut values = values();
+    values.0.remove(name);
+    values
+}
+
+#[test]
+fn compressive_strength_is_derived_from_cohesion_or_given() {
+    let [ft, derived] = concrete(&[]).strengths();
+    assert!(ft == FT && (derived / 1e6 - 9.901).abs() < 1e-3 && (derived - fc()).abs() < 1e-9 * fc());
+    let given = Concrete::new(&without("cohesion").with("compressive_strength", 25e6)).unwrap();
+    assert_eq!(given.strengths()[1], 25e6);
+}
+
+#[test]
+fn a_grade_stands_in_for_what_is_not_given() {
+    let mut values = with_words(Values::default(), &[("grade", "C30/37")]).with("friction_angle", 0.7);
+    let grade = Grade::named("C30/37").unwrap();
+    let law = Concrete::new(&values).unwrap();
+    assert_eq!(law.strengths(), [grade.tensile_strength, grade.compressive_strength]);
+    assert!((law.moduli().young() / grade.young - 1.0).abs() < 1e-14);
+    assert_eq!(law.fracture_energy(0.3), grade.fracture_energy);
+    assert!(law.rate().is_some(), "ceb is the default");
+
+    values = values.with("young", 20e9).with("cohesion", 3e6).with("ultimate_strain_ratio", 8.0);
+    let law = Concrete::new(&values).unwrap();
+    assert!((law.moduli().young() / 20e9 - 1.0).abs() < 1e-14);
+    assert!((law.strengths()[1] - 2.0 * 3e6 * 0.7f64.cos() / (1.0 - 0.7f64.sin())).abs() < 1.0);
+    assert_eq!(law.size_limit(), f64::INFINITY);
+}
+
+#[test]
+fn wrong_or_missing_values_are_named_and_all_at_once() {
+    for name in ["young", "poisson", "tensile_strength", "friction_angle"] {
+        assert_eq!(refused(&without(name)), [name]);
+        for bad in [f64::NAN, f64::INFINITY, -1.0] {
+            assert_eq!(refused(&values().with(name, bad)), [name], "{bad}");
+        }
+    }
+    assert_eq!(refused(&without("cohesion")), ["compressive_strength"]);
+    for (name, bad) in [
+        ("residual_tension", 0.0),
+        ("residual_tension", 1.1),
+        ("residual_shear", -0.1),
+        ("rate_filter_time", -1.0),
+        ("reference_rate", 0.0),
+        ("fracture_energy", 0.0),
+        ("ultimate_strain_ratio", 1.0),
+        ("friction_angle", 1.58),
+    ] {
+        assert_eq!(refused(&values().with(name, bad)), [name], "{bad}");
+    }
+    for name in ["rate", "driver", "split", "shear_tension", "evolution", "grade"] {
+        assert_eq!(refused(&with_words(values(), &[(name, "nonsense")])), [name]);
+    }
+    assert_eq!(
+        refused(&values().with("ultimate_strain_ratio", 10.0).with("fracture_energy", 130.0)),
+        ["ultimate_strain_ratio"]
+    );
+    assert_eq!(refused(&with_words(values(), &[("evolution", "exponential")])), ["fracture_energy"]);
+    let mut all =
+        refused(&values().with("young", -1.0).with("tensile_strength", 0.0).with("residual_shear", 2.0));
+    all.sort_unstable();
+    assert_eq!(all, ["residual_shear", "tensile_strength", "young"]);
+}
+
+#[test]
+fn tension_that_counts_as_shear_failure_is_warned_of() {
+    assert!(concrete(&[]).warnings().is_empty());
+    let odd = Concrete::new(&values().with("tensile_strength", 2e6)).unwrap();
+    assert_eq!(odd.warnings().len(), 1);
+}
+
+/// The declared defaults are the ones in force: filling them in changes nothing.
+#[test]
+fn declared_defaults_are_those_used() {
+    let mut plain = values();
+    plain.0.remove("rate");
+    plain.0.remove("residual_tension");
+    plain.0.remove("residual_shear");
+    let mut filled = plain.clone();
+    for parameter in Concrete::PARAMETERS {
+        match parameter.need {
+            Need::Number(x) => filled = filled.with(parameter.name, x),
+            Need::Word(word) => filled = with_words(filled, &[(parameter.name, word)]),
+            Need::Required | Need::Optional(_) => {}
+        }
+    }
+    let [plain, filled] = [plain, filled].map(|v| format!("{:?}", Concrete::new(&v).unwrap()));
+    assert_eq!(plain, filled);
+}

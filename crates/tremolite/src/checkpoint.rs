@@ -1,0 +1,151 @@
+//! checkpoint/state.bin: the state and nothing else, so that a run can go on bit for bit.
+//!
+//! A line that names the format; the length of a JSON header as u64; the header (columns in order, with names, units
+//! and lengths, and the fingerprint of the model); the columns as little-endian numbers; a CRC-32 of all before it.
+
+use crate::state::{Column, State};
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+use tremolite_laws::{Octet, Row};
+
+const MAGIC: &[u8] = b"tremolite checkpoint 1\n";
+const FILE: &str = "state.bin";
+
+/// Why a checkpoint could not be written or read.
+#[derive(Debug, thiserror::Error)]
+pub enum CheckpointError {
+    #[error("{}: {source}", path.display())]
+    Io { path: PathBuf, source: std::io::Error },
+    #[error("{}: {problem}; start the run again without --resume", path.display())]
+    Damaged { path: PathBuf, problem: String },
+    #[error(
+        "{}: the checkpoint belongs to another model or plan; resume with the case it was made from, or start the \
+         run again without --resume",
+        path.display()
+    )]
+    Other { path: PathBuf },
+}
+
+#[derive(Serialize, Deserialize)]
+struct Header {
+    fingerprint: u64,
+    columns: Vec<Entry>,
+}
+
+#[derive(Serialize, Deserialize, PartialEq, Debug)]
+struct Entry {
+    name: String,
+    unit: String,
+    /// Number of 8-byte values.
+    values: usize,
+}
+
+fn values(column: &Column) -> usize {
+    match column {
+        Column::Count(_) => 1,
+        Column::Scalars(s) => s.len(),
+        Column::Numbers(n) => n.len(),
+        Column::Rows(r) => 4 * r.len(),
+        Column::Octets(o) => 8 * o.len(),
+    }
+}
+
+fn append(column: &Column, out: &mut Vec<u8>) {
+    let mut put = |x: f64| out.extend(x.to_bits().to_le_bytes());
+    match column {
+        Column::Scalars(s) => s.iter().for_each(|x| put(**x)),
+        Column::Numbers(n) => n.iter().for_each(|&x| put(x)),
+        Column::Rows(r) => r.iter().flat_map(|r| r.0).for_each(put),
+        Column::Octets(o) => o.iter().flat_map(|o| o.0).for_each(put),
+        Column::Count(c) => out.extend(c.to_le_bytes()),
+    }
+}
+
+fn restore(column: Column, words: &mut impl Iterator<Item = u64>) {
+    let mut take = || words.next().unwrap_or(0);
+    let mut number = || f64::from_bits(take());
+    match column {
+        Column::Scalars(s) => s.into_iter().for_each(|x| *x = number()),
+        Column::Numbers(n) => n.iter_mut().for_each(|x| *x = number()),
+        Column::Rows(r) => r.iter_mut().flat_map(|Row(r)| r).for_each(|x| *x = number()),
+        Column::Octets(o) => o.iter_mut().flat_map(|Octet(o)| o).for_each(|x| *x = number()),
+        Column::Count(c) => *c = take(),
+    }
+}
+
+/// Writes the state into a folder; an older checkpoint there is replaced whole.
+///
+/// # Errors
+/// If the file cannot be written; the older one is then untouched.
+pub fn write(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
+    let columns = state.columns();
+    let header = Header {
+        fingerprint,
+        columns: columns
+            .iter()
+            .map(|(name, unit, column)| Entry {
+                name: name.clone(),
+                unit: (*unit).into(),
+                values: values(column),
+            })
+            .collect(),
+    };
+    let header = serde_json::to_vec(&header).unwrap_or_default();
+    let total: usize = columns.iter().map(|(_, _, c)| 8 * values(c)).sum();
+    let mut bytes = Vec::with_capacity(MAGIC.len() + 8 + header.len() + total + 4);
+    bytes.extend(MAGIC);
+    bytes.extend((header.len() as u64).to_le_bytes());
+    bytes.extend(header);
+    for (_, _, column) in &columns {
+        append(column, &mut bytes);
+    }
+    bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
+    let path = folder.join(FILE);
+    std::fs::create_dir_all(folder).map_err(|source| CheckpointError::Io { path: folder.into(), source })?;
+    tremolite_results::replace_file(&path, &bytes)
+        .map_err(|e| CheckpointError::Io { path, source: std::io::Error::other(e) })
+}
+
+/// Reads the state that [`write`] left in a folder into one of the same model.
+///
+/// # Errors
+/// If there is none, it is damaged, or it is of another model or plan.
+pub fn read(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
+    let path = folder.join(FILE);
+    let bytes = std::fs::read(&path).map_err(|source| CheckpointError::Io { path: path.clone(), source })?;
+    let damaged = |problem: &str| CheckpointError::Damaged { path: path.clone(), problem: problem.into() };
+    let (body, crc) = bytes.split_last_chunk::<4>().ok_or_else(|| damaged("the file is cut short"))?;
+    let rest = body.strip_prefix(MAGIC).ok_or_else(|| damaged("this is no checkpoint of this version"))?;
+    if crc32fast::hash(body).to_le_bytes() != *crc {
+        return Err(damaged("the checksum does not fit: the file is cut short or was changed"));
+    }
+    let (length, rest) = rest.split_first_chunk::<8>().ok_or_else(|| damaged("the header is missing"))?;
+    let length = usize::try_from(u64::from_le_bytes(*length)).unwrap_or(usize::MAX);
+    let header = rest.get(..length).ok_or_else(|| damaged("the header is cut short"))?;
+    let header: Header = serde_json::from_slice(header).map_err(|e| damaged(&e.to_string()))?;
+    if header.fingerprint != fingerprint {
+        return Err(CheckpointError::Other { path });
+    }
+    state.observers = header
+        .columns
+        .iter()
+        .filter_map(|e| Some((e.name.strip_prefix("observer ")?.to_owned(), vec![0.0; e.values])))
+        .collect();
+    let columns = state.columns();
+    let fits = columns.len() == header.columns.len()
+        && columns.iter().zip(&header.columns).all(|((name, _, c), e)| *name == e.name && values(c) == e.values);
+    let data = &rest[length..];
+    let wanted: usize = header.columns.iter().map(|e| 8 * e.values).sum();
+    if !fits || data.len() != wanted {
+        return Err(CheckpointError::Other { path });
+    }
+    let mut words = data.chunks_exact(8).map(|w| {
+        let mut word = [0; 8];
+        word.copy_from_slice(w);
+        u64::from_le_bytes(word)
+    });
+    for (_, _, column) in columns {
+        restore(column, &mut words);
+    }
+    Ok(())
+}

@@ -1,0 +1,54 @@
+//! energy.csv: the balance over time.
+
+use super::{Observer, Schedule, View};
+use crate::engine::Balance;
+use crate::run::RunError;
+use crate::state::State;
+use std::path::Path;
+use tremolite_results::{Column, TableWriter};
+
+/// Key of what this observer remembers: bytes written, then the largest values of |error|, of the hourglass energy,
+/// of the strain energy and of the kinetic energy, each over all rows \[J\].
+pub const MEMORY: &str = "energy";
+
+/// Writes a row of the energy balance.
+pub struct Energy {
+    schedule: Schedule,
+    table: TableWriter,
+}
+
+impl Energy {
+    /// Starts the table, or goes on with it where the state left it.
+    ///
+    /// # Errors
+    /// If the file cannot be written, or is shorter than the state remembers.
+    pub fn new(path: &Path, schedule: Schedule, state: &State) -> Result<Self, RunError> {
+        let mut columns = vec![Column::new("time", "s")];
+        columns.extend(Balance::default().lines().iter().map(|(name, _)| Column::new(*name, "J")));
+        let table = match state.observers.get(MEMORY) {
+            Some(memory) => TableWriter::resume(path, &columns, memory[0] as u64)?,
+            None => TableWriter::create(path, &columns)?,
+        };
+        Ok(Energy { schedule, table })
+    }
+}
+
+impl Observer for Energy {
+    fn schedule(&self) -> Schedule {
+        self.schedule
+    }
+
+    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
+        let balance = &view.snapshot.balance;
+        let mut row = vec![state.time()];
+        row.extend(balance.lines().iter().map(|(_, value)| *value));
+        self.table.write(&row)?;
+        let memory = state.observers.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 5]);
+        memory[0] = self.table.bytes_written() as f64;
+        let now = [balance.error.abs(), balance.hourglass, balance.strain, balance.kinetic];
+        for (most, now) in memory[1..].iter_mut().zip(now) {
+            *most = most.max(now);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,123 @@
+//! fields/*.vtu and fields.pvd: the whole model at some times.
+
+use super::{Envelopes, Observer, Schedule, View};
+use crate::model::Model;
+use crate::phase::{ElementSlot, Phase};
+use crate::quantities::{Field, extremes, mean};
+use crate::run::RunError;
+use crate::state::State;
+use tremolite_laws::Row;
+use tremolite_mesh::vtu::{Array, Grid, Values};
+use tremolite_results::{Pvd, ResultFolder};
+
+/// Writes the chosen fields of the active elements.
+pub struct Fields {
+    schedule: Schedule,
+    folder: std::path::PathBuf,
+    list: Pvd,
+    grid: Grid,
+    /// Engine node of each point of the grid.
+    nodes: Vec<u32>,
+    /// Where each cell's results lie.
+    slots: Vec<ElementSlot>,
+}
+
+impl Fields {
+    /// Starts the list of files, or goes on with it at the state's time.
+    ///
+    /// # Errors
+    /// If the list cannot be written or read.
+    pub fn new(
+        folder: &ResultFolder,
+        model: &Model,
+        phase: &Phase,
+        schedule: Schedule,
+        state: &State,
+    ) -> Result<Self, RunError> {
+        let list = if state.step == 0 {
+            Pvd::create(&folder.pvd())?
+        } else {
+            // Files of the state's own time are written again.
+            Pvd::resume(&folder.pvd(), state.time() - 0.5 * state.dt)?
+        };
+        std::fs::create_dir_all(folder.fields())
+            .map_err(|source| RunError::Io { path: folder.fields(), source })?;
+        let active: Vec<u32> = (0u32..)
+            .zip(&phase.element_slot)
+            .filter(|(_, slot)| slot.is_some())
+            .map(|(e, _)| e)
+            .collect();
+        let (mut grid, mesh_nodes) = Grid::from_mesh(&model.mesh, Some(&active));
+        let slots: Vec<ElementSlot> =
+            active.iter().filter_map(|&e| phase.element_slot[e as usize]).collect();
+        let bodies: Vec<i32> = slots.iter().map(|s| model.patches[s.part as usize].body as i32).collect();
+        grid.cell_data = vec![Array::new("group", "", 1, Values::Int32(bodies))];
+        Ok(Fields {
+            schedule,
+            folder: folder.fields(),
+            list,
+            grid,
+            nodes: mesh_nodes.iter().map(|&n| model.engine_node[n as usize]).collect(),
+            slots,
+        })
+    }
+
+    fn nodal(&self, name: &str, unit: &str, rows: &[Row]) -> Array {
+        let values = self.nodes.iter().flat_map(|&n| rows[n as usize].xyz()).map(|x| x as f32).collect();
+        Array::new(name, unit, 3, Values::Float32(values))
+    }
+
+    fn cells(&self, name: &str, unit: &str, value: impl Fn(&ElementSlot) -> f64) -> Array {
+        let values = self.slots.iter().map(|slot| value(slot) as f32).collect();
+        Array::new(name, unit, 1, Values::Float32(values))
+    }
+
+    fn add(&self, grid: &mut Grid, field: Field, view: &View, state: &State) {
+        let points = |slot: &ElementSlot| {
+            &view.snapshot.stress[slot.point as usize..slot.point as usize + slot.points as usize]
+        };
+        match field {
+            Field::Displacement => grid.point_data.push(self.nodal("displacement", "m", &state.u)),
+            Field::Velocity => grid.point_data.push(self.nodal("velocity", "m/s", &view.snapshot.velocity)),
+            Field::Acceleration => {
+                grid.point_data.push(self.nodal("acceleration", "m/s2", &view.snapshot.acceleration));
+            }
+            Field::Stress => {
+                let values = self.slots.iter().flat_map(|s| mean(points(s))).map(|x| x as f32).collect();
+                grid.cell_data.push(Array::new("stress", "Pa", 6, Values::Float32(values)));
+            }
+            Field::Principal => {
+                grid.cell_data.push(self.cells("s1", "Pa", |s| extremes(points(s))[0]));
+                grid.cell_data.push(self.cells("s3", "Pa", |s| extremes(points(s))[1]));
+            }
+            Field::Envelope => {
+                let Some(most) = state.observers.get(Envelopes::DISPLACEMENT) else { return };
+                let values = self.nodes.iter().map(|&n| most[n as usize] as f32).collect();
+                grid.point_data.push(Array::new("displacement_max", "m", 1, Values::Float32(values)));
+                for name in [Envelopes::S1, Envelopes::S3] {
+                    if let Some(column) = state.observers.get(name) {
+                        grid.cell_data.push(self.cells(name, "Pa", |s| column[s.element as usize]));
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Observer for Fields {
+    fn schedule(&self) -> Schedule {
+        self.schedule
+    }
+
+    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
+        let mut grid = self.grid.clone();
+        grid.time = Some(state.time());
+        for &field in &view.plan.fields {
+            self.add(&mut grid, field, view, state);
+        }
+        let name = format!("{:06}.vtu", state.step.div_ceil(self.schedule.every));
+        grid.write(&self.folder.join(&name))?;
+        self.list.add(state.time(), &format!("fields/{name}"))?;
+        Ok(())
+    }
+}

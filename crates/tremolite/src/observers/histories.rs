@@ -1,0 +1,107 @@
+//! monitors.csv: histories of points, and of pairs of them.
+
+use super::{Observer, Schedule, View};
+use crate::model::{Model, hex_nodes};
+use crate::phase::Phase;
+use crate::plan::{Monitor, Plan};
+use crate::quantities::{MONITOR, RELATIVE, stress_at};
+use crate::run::RunError;
+use crate::state::State;
+use std::path::Path;
+use tremolite_laws::Row;
+use tremolite_laws::sym3::principal_values;
+use tremolite_results::{Column, TableWriter};
+
+/// Key of what this observer remembers: the bytes written.
+const MEMORY: &str = "histories";
+
+/// Writes a row for all monitors.
+pub struct Histories {
+    schedule: Schedule,
+    table: TableWriter,
+}
+
+/// The columns of monitors.csv.
+pub fn columns(plan: &Plan) -> Vec<Column> {
+    let mut columns = vec![Column::new("time", "s")];
+    for monitor in &plan.monitors {
+        columns.extend(MONITOR.iter().map(|q| Column::new(format!("{}.{}", monitor.name, q.name), q.unit)));
+    }
+    for [a, b] in &plan.relatives {
+        let pair = format!("{}-{}", plan.monitors[*a].name, plan.monitors[*b].name);
+        columns.extend(RELATIVE.iter().map(|q| Column::new(format!("{pair}.{}", q.name), q.unit)));
+    }
+    columns
+}
+
+impl Histories {
+    /// Starts the table, or goes on with it where the state left it.
+    ///
+    /// # Errors
+    /// If the file cannot be written, or is shorter than the state remembers.
+    pub fn new(path: &Path, plan: &Plan, schedule: Schedule, state: &State) -> Result<Self, RunError> {
+        let columns = columns(plan);
+        let table = match state.observers.get(MEMORY) {
+            Some(memory) => TableWriter::resume(path, &columns, memory[0] as u64)?,
+            None => TableWriter::create(path, &columns)?,
+        };
+        Ok(Histories { schedule, table })
+    }
+}
+
+/// A nodal field at a monitor: the shape functions' values times the corners' rows.
+fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f64; 3] {
+    let nodes = model.mesh.elements[monitor.location.element as usize].nodes();
+    let mut sum = [0.0; 3];
+    for (&node, weight) in nodes.iter().zip(monitor.location.weights) {
+        let row = rows[model.engine_node[node as usize] as usize];
+        for i in 0..3 {
+            sum[i] += weight * row.0[i];
+        }
+    }
+    sum
+}
+
+/// Stress at a monitor \[Pa\].
+fn stress(phase: &Phase, model: &Model, monitor: &Monitor, points: &[[f64; 6]]) -> [f64; 6] {
+    let element = monitor.location.element as usize;
+    // Monitors are placed in active elements; a wedge's natural coordinates are not the collapsed brick's.
+    let natural = match hex_nodes(&model.mesh, element) {
+        Some(_) if model.mesh.elements[element].shape == tremolite_mesh::Shape::Hex8 => monitor.location.natural,
+        _ => [0.0; 3],
+    };
+    phase.element_slot[element].map_or([f64::NAN; 6], |slot| {
+        let first = slot.point as usize;
+        stress_at(&points[first..first + slot.points as usize], natural)
+    })
+}
+
+impl Observer for Histories {
+    fn schedule(&self) -> Schedule {
+        self.schedule
+    }
+
+    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
+        let View { model, phase, plan, snapshot } = *view;
+        let mut row = vec![state.time()];
+        let mut displacements = Vec::with_capacity(plan.monitors.len());
+        for monitor in &plan.monitors {
+            let u = interpolate(model, monitor, &state.u);
+            displacements.push(u);
+            row.extend(u);
+            row.extend(interpolate(model, monitor, &snapshot.velocity));
+            row.extend(interpolate(model, monitor, &snapshot.acceleration));
+            let stress = stress(phase, model, monitor, &snapshot.stress);
+            row.extend(stress);
+            row.extend(principal_values(&stress));
+        }
+        for [a, b] in &plan.relatives {
+            let d = [0, 1, 2].map(|i| displacements[*a][i] - displacements[*b][i]);
+            row.extend(d);
+            row.push((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt());
+        }
+        self.table.write(&row)?;
+        state.observers.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
+        Ok(())
+    }
+}

@@ -1,0 +1,55 @@
+//! What a run does in time and what it writes; the counterpart of [`crate::Problem`], which is what it runs on.
+
+use crate::quantities::Field;
+use tremolite_mesh::locate::Location;
+
+/// A point whose histories are kept.
+#[derive(Clone, Debug)]
+pub struct Monitor {
+    pub name: String,
+    /// Where it was asked for \[m\].
+    pub point: [f64; 3],
+    /// The element of the mesh it lies in.
+    pub location: Location,
+}
+
+/// Times and outputs of a run.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    pub title: String,
+    /// Simulated time \[s\].
+    pub duration: f64,
+    /// Time between rows of the histories \[s\]; a whole number of steps.
+    pub histories: f64,
+    /// Time between field files \[s\]; rounded to whole intervals of the histories.
+    pub snapshots: Option<f64>,
+    pub fields: Vec<Field>,
+    /// Wall-clock time between checkpoints \[s\].
+    pub checkpoint: Option<f64>,
+    pub monitors: Vec<Monitor>,
+    /// Pairs of monitors whose relative displacement is kept.
+    pub relatives: Vec<[usize; 2]>,
+}
+
+/// The plan in steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Steps {
+    /// Steps in the whole run.
+    pub total: u64,
+    /// Steps between rows of the histories.
+    pub histories: u64,
+    /// Steps between field files.
+    pub snapshots: Option<u64>,
+}
+
+impl Plan {
+    /// The step to use, at most `longest` \[s\], so that rows of the histories fall on steps; and the plan in steps.
+    pub fn steps(&self, longest: f64) -> (f64, Steps) {
+        let histories = (self.histories / longest).ceil().max(1.0);
+        let dt = self.histories / histories;
+        let total = (self.duration / dt).round().max(1.0) as u64;
+        let snapshots =
+            self.snapshots.map(|every| (every / self.histories).round().max(1.0) as u64 * histories as u64);
+        (dt, Steps { total, histories: histories as u64, snapshots })
+    }
+}

@@ -1,0 +1,132 @@
+//! The quantities that results hold: names, units and meaning in one list.
+
+use tremolite_laws::Row;
+use tremolite_laws::sym3::principal_values;
+
+/// A component of a monitor's history.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quantity {
+    pub name: &'static str,
+    pub unit: &'static str,
+    pub doc: &'static str,
+}
+
+const fn q(name: &'static str, unit: &'static str, doc: &'static str) -> Quantity {
+    Quantity { name, unit, doc }
+}
+
+/// Columns of a monitor in monitors.csv, in this order.
+pub const MONITOR: [Quantity; 18] = [
+    q("ux", "m", "displacement along x since the start of shaking, interpolated in the element"),
+    q("uy", "m", "displacement along y"),
+    q("uz", "m", "displacement along z"),
+    q("vx", "m/s", "velocity along x"),
+    q("vy", "m/s", "velocity along y"),
+    q("vz", "m/s", "velocity along z"),
+    q("ax", "m/s2", "acceleration along x"),
+    q("ay", "m/s2", "acceleration along y"),
+    q("az", "m/s2", "acceleration along z"),
+    q("sxx", "Pa", "normal stress along x, tension positive: of the element (one-point), or extrapolated (full)"),
+    q("syy", "Pa", "normal stress along y"),
+    q("szz", "Pa", "normal stress along z"),
+    q("sxy", "Pa", "shear stress xy"),
+    q("syz", "Pa", "shear stress yz"),
+    q("szx", "Pa", "shear stress zx"),
+    q("s1", "Pa", "largest principal stress, tension positive"),
+    q("s2", "Pa", "middle principal stress"),
+    q("s3", "Pa", "smallest principal stress"),
+];
+
+/// Columns of a pair of monitors.
+pub const RELATIVE: [Quantity; 4] = [
+    q("ux", "m", "displacement of the first monitor less that of the second, along x"),
+    q("uy", "m", "the same along y"),
+    q("uz", "m", "the same along z"),
+    q("u", "m", "its length"),
+];
+
+/// A field of the VTU files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Field {
+    Displacement,
+    Velocity,
+    Acceleration,
+    Stress,
+    Principal,
+    Envelope,
+}
+
+impl Field {
+    pub const ALL: [Field; 6] = [
+        Field::Displacement,
+        Field::Velocity,
+        Field::Acceleration,
+        Field::Stress,
+        Field::Principal,
+        Field::Envelope,
+    ];
+
+    /// The word in `output.fields`, and the arrays it writes.
+    pub const fn description(self) -> (&'static str, &'static str) {
+        match self {
+            Field::Displacement => ("displacement", "displacement (m) at nodes since the start of shaking"),
+            Field::Velocity => ("velocity", "velocity (m/s) at nodes"),
+            Field::Acceleration => ("acceleration", "acceleration (m/s2) at nodes"),
+            Field::Stress => ("stress", "stress (Pa) of elements (xx, yy, zz, xy, yz, zx), mean over their points"),
+            Field::Principal => ("principal", "s1, s3 (Pa): largest and smallest principal stress over an element's points"),
+            Field::Envelope => (
+                "envelope",
+                "displacement_max (m), s1_max, s3_min (Pa): extremes over time, sampled with the histories",
+            ),
+        }
+    }
+
+    /// The field of a word.
+    pub fn from_word(word: &str) -> Option<Field> {
+        Field::ALL.into_iter().find(|f| f.description().0 == word)
+    }
+}
+
+/// Largest and smallest principal stress over some points.
+pub fn extremes(points: &[[f64; 6]]) -> [f64; 2] {
+    points.iter().fold([f64::NEG_INFINITY, f64::INFINITY], |[most, least], stress| {
+        let p = principal_values(stress);
+        [most.max(p[0]), least.min(p[2])]
+    })
+}
+
+/// Mean stress over an element's points.
+pub fn mean(points: &[[f64; 6]]) -> [f64; 6] {
+    let mut sum = [0.0; 6];
+    for stress in points {
+        for c in 0..6 {
+            sum[c] += stress[c];
+        }
+    }
+    sum.map(|s| s / points.len() as f64)
+}
+
+/// Stress at natural coordinates of an element: of its one point, or trilinear through its 2×2×2 points.
+pub fn stress_at(points: &[[f64; 6]], natural: [f64; 3]) -> [f64; 6] {
+    if points.len() != 8 {
+        return mean(points);
+    }
+    // The points are at ±1/√3, in binary order: bit 0 is ξ.
+    let scaled = natural.map(|x| x * 3f64.sqrt());
+    let mut out = [0.0; 6];
+    for (p, stress) in points.iter().enumerate() {
+        let weight: f64 = (0..3)
+            .map(|axis| 0.5 * (1.0 + if p >> axis & 1 == 1 { scaled[axis] } else { -scaled[axis] }))
+            .product();
+        for c in 0..6 {
+            out[c] += weight * stress[c];
+        }
+    }
+    out
+}
+
+/// Length of a row.
+pub fn length(row: &Row) -> f64 {
+    let [x, y, z] = row.xyz();
+    (x * x + y * y + z * z).sqrt()
+}

@@ -1,0 +1,266 @@
+//! A run: the loop that steps, lets observers look, and stops in good order.
+
+use crate::checkpoint::{self, CheckpointError};
+use crate::engine::{Balance, Engine, Halt, StableStep, stable_step};
+use crate::model::{Model, ModelError};
+use crate::observers::{Energy, Envelopes, Fields, FreeField, Histories, Observer, Schedule, View};
+use crate::phase::Phase;
+use crate::plan::{Plan, Steps};
+use crate::state::State;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use tremolite_results::ResultFolder;
+
+/// Why a run could not go on. What was computed before is kept.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    #[error("{}: {source}", path.display())]
+    Io { path: PathBuf, source: std::io::Error },
+    #[error(transparent)]
+    Results(#[from] tremolite_results::Error),
+    #[error(transparent)]
+    Vtu(#[from] tremolite_mesh::vtu::VtuError),
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
+    #[error(transparent)]
+    Model(#[from] ModelError),
+}
+
+/// How far a run is.
+#[derive(Clone, Copy, Debug)]
+pub struct Progress {
+    pub step: u64,
+    pub total: u64,
+    /// Simulated time \[s\].
+    pub time: f64,
+    /// Element updates a second so far.
+    pub updates_per_second: f64,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ending {
+    Done,
+    /// The signal came; a checkpoint was written.
+    Stopped,
+    /// Energy appeared: the halt, and the element where most of it is.
+    Failed { halt: Halt, place: String },
+}
+
+/// What is known of a run at its end besides its files.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    pub ending: Ending,
+    pub steps: Steps,
+    /// Steps taken in all, and in this process.
+    pub taken: u64,
+    pub taken_here: u64,
+    pub dt: f64,
+    pub stable: StableStep,
+    /// Wall time of the loop in this process \[s\], observers included, and of its steps alone.
+    pub loop_seconds: f64,
+    pub step_seconds: f64,
+    pub balance: Balance,
+    pub state: State,
+}
+
+impl Outcome {
+    /// Element updates a second of the steps.
+    pub fn updates_per_second(&self, elements: usize) -> f64 {
+        self.taken_here as f64 * elements as f64 / self.step_seconds.max(1e-9)
+    }
+}
+
+/// What a run listens and talks to.
+pub struct Control<'a> {
+    /// Set from outside: stop at the next step with a checkpoint.
+    pub stop: &'a AtomicBool,
+    pub progress: &'a mut dyn FnMut(Progress),
+}
+
+/// Number of active elements of the user's model.
+pub fn active_elements(phase: &Phase) -> usize {
+    phase.slices[..phase.counted_parts].last().map_or(0, |s| s.elements.end)
+}
+
+/// The step a model runs with and the plan in steps.
+pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Steps) {
+    plan.steps(model.time_step.given.unwrap_or(model.time_step.safety * stable.dt))
+}
+
+/// What ties a checkpoint to its model and plan.
+fn fingerprint(model: &Model, plan: &Plan, dt: f64) -> u64 {
+    let mut hasher = crc32fast::Hasher::new();
+    let mut number = |x: f64| hasher.update(&x.to_bits().to_le_bytes());
+    model.mesh.nodes.iter().flatten().for_each(|&x| number(x));
+    for body in &model.bodies {
+        number(body.density);
+        number(body.material.moduli().lambda);
+        number(body.material.moduli().mu);
+        number(body.quadrature.points() as f64);
+    }
+    for x in [dt, plan.duration, plan.histories, model.rayleigh.mass, model.rayleigh.stiffness] {
+        number(x);
+    }
+    if let Some(incident) = &model.incident {
+        number(incident.factor);
+        incident.motion.acceleration.iter().flatten().for_each(|&x| number(x));
+    }
+    let mesh = hasher.clone().finalize();
+    for element in model.mesh.elements.iter() {
+        element.nodes.iter().for_each(|n| hasher.update(&n.to_le_bytes()));
+    }
+    for monitor in &plan.monitors {
+        hasher.update(monitor.name.as_bytes());
+    }
+    u64::from(mesh) << 32 | u64::from(hasher.finalize())
+}
+
+/// How often progress is told.
+const TELL: Duration = Duration::from_millis(200);
+
+/// Runs a plan on a model, from rest or from the folder's checkpoint, and writes its result files.
+///
+/// Works on the current rayon pool. The bits of the results do not depend on its size.
+///
+/// # Errors
+/// If a file cannot be written or the checkpoint cannot be used. A physical or numerical failure is no error here
+/// but an [`Ending`].
+pub fn run(
+    model: &Model,
+    phase: &Phase,
+    plan: &Plan,
+    folder: &ResultFolder,
+    resume: bool,
+    control: &mut Control,
+) -> Result<Outcome, RunError> {
+    let stable = stable_step(model, phase);
+    let (dt, steps) = choose_step(model, plan, &stable);
+    let fingerprint = fingerprint(model, plan, dt);
+    let mut state = phase.rest();
+    state.dt = dt;
+    if resume {
+        checkpoint::read(&folder.checkpoint(), &mut state, fingerprint)?;
+    }
+    let first = state.step;
+
+    let rows = Schedule { every: steps.histories, last: Some(steps.total) };
+    let mut observers: Vec<Box<dyn Observer>> = vec![
+        Box::new(Histories::new(&folder.monitors(), plan, rows, &state)?),
+        Box::new(Energy::new(&folder.energy(), rows, &state)?),
+        Box::new(Envelopes { schedule: rows }),
+    ];
+    if let Some(free_field) = FreeField::new(model, rows) {
+        observers.push(Box::new(free_field));
+    }
+    if let Some(every) = steps.snapshots {
+        let schedule = Schedule { every, last: Some(steps.total) };
+        observers.push(Box::new(Fields::new(folder, model, phase, schedule, &state)?));
+    }
+
+    let elements = active_elements(phase);
+    let mut engine = Engine::new(model, phase);
+    let begin = Instant::now();
+    let (mut told, mut kept) = (begin, begin);
+    let mut observing = Duration::ZERO;
+    let mut balance = Balance::default();
+    let ending = loop {
+        let now = Instant::now();
+        if now - told >= TELL {
+            told = now;
+            let seconds = (now - begin).saturating_sub(observing).as_secs_f64();
+            (control.progress)(Progress {
+                step: state.step,
+                total: steps.total,
+                time: state.time(),
+                updates_per_second: (state.step - first) as f64 * elements as f64 / seconds,
+            });
+        }
+        // Before the parts are evaluated, so that a resumed run evaluates them once as well.
+        let stop = control.stop.load(Ordering::Relaxed);
+        let due = plan.checkpoint.is_some_and(|every| (now - kept).as_secs_f64() >= every);
+        if stop || due {
+            checkpoint::write(&folder.checkpoint(), &mut state, fingerprint)?;
+            kept = now;
+            if stop {
+                break Ending::Stopped;
+            }
+        }
+        if observers.iter().any(|o| o.schedule().due(state.step)) {
+            let look = Instant::now();
+            let snapshot = engine.observe(&mut state);
+            balance = snapshot.balance;
+            let view = View { model, phase, plan, snapshot: &snapshot };
+            let step = state.step;
+            for observer in observers.iter_mut().filter(|o| o.schedule().due(step)) {
+                observer.see(&view, &mut state)?;
+            }
+            observing += look.elapsed();
+        }
+        if state.step >= steps.total {
+            break Ending::Done;
+        }
+        if let Err(halt) = engine.step(&mut state) {
+            let place = hot_spot(model, phase, &mut engine, &mut state);
+            break Ending::Failed { halt, place };
+        }
+    };
+    let loop_seconds = begin.elapsed().as_secs_f64();
+    Ok(Outcome {
+        ending,
+        steps,
+        taken: state.step,
+        taken_here: state.step - first,
+        dt,
+        stable,
+        loop_seconds,
+        step_seconds: loop_seconds - observing.as_secs_f64(),
+        balance,
+        state,
+    })
+}
+
+/// The element that holds most energy, or the first whose energy is not a number.
+fn hot_spot(model: &Model, phase: &Phase, engine: &mut Engine, state: &mut State) -> String {
+    let snapshot = engine.observe(state);
+    let mut worst = (f64::NEG_INFINITY, 0);
+    for (e, slot) in phase.element_slot.iter().enumerate() {
+        let Some(slot) = slot else { continue };
+        let [strain, hourglass] = snapshot.energy[slot.element as usize];
+        let energy = strain + hourglass;
+        if !energy.is_finite() {
+            worst = (energy, e);
+            break;
+        }
+        if energy > worst.0 {
+            worst = (energy, e);
+        }
+    }
+    let [x, y, z] = crate::model::centroid(&model.mesh, worst.1 as u32);
+    format!("{} at ({x:.2}, {y:.2}, {z:.2}) m", model.element_name(worst.1))
+}
+
+/// Seconds a step takes here, from a short timing of the real engine on a state of its own.
+pub fn time_step_cost(model: &Model, phase: &Phase, dt: f64) -> f64 {
+    let mut state = phase.rest();
+    state.dt = dt;
+    let mut engine = Engine::new(model, phase);
+    // At rest with a tiny motion, so that no number is subnormal or zero throughout.
+    let v = vec![tremolite_laws::Row::new([1e-6, 2e-6, 3e-6]); state.u.len()];
+    let u = state.u.clone();
+    engine.start(&mut state, u, &v);
+    let mut best = f64::INFINITY;
+    let begin = Instant::now();
+    let mut rounds = 0;
+    while rounds < 3 || (begin.elapsed().as_secs_f64() < 0.3 && rounds < 50) {
+        let start = Instant::now();
+        for _ in 0..4 {
+            // A step that halts costs as much as any other.
+            let _ = engine.step(&mut state);
+        }
+        best = best.min(start.elapsed().as_secs_f64() / 4.0);
+        rounds += 1;
+    }
+    best
+}

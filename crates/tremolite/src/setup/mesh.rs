@@ -1,0 +1,70 @@
+//! The mesh of a case: generated or read.
+
+use tremolite_case::{self as case, Case, Problem};
+use tremolite_mesh::boxes::{Axis, BoxSpec};
+use tremolite_mesh::cavern::{Cavern, CavernSpec, Lining};
+use tremolite_mesh::{Mesh, read};
+
+/// The mesh in metres; nothing if it was refused, which is among the problems.
+pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<Mesh> {
+    let (made, span) = match &case.mesh {
+        case::Mesh::Caverns(caverns) => (spec(caverns).mesh().map_err(|e| e.to_string()), &caverns.span),
+        case::Mesh::Box(bricks) => (boxed(bricks), &bricks.span),
+        case::Mesh::File(file) => {
+            let made = read(case.resolve(&file.path.value)).map_err(|e| e.to_string());
+            (made.map(|mesh| scaled(mesh, file.unit.value)), &file.path.span)
+        }
+    };
+    match made {
+        Ok(mesh) => Some(mesh),
+        Err(message) => {
+            problems.push(Problem::new(span.clone(), message, "change the mesh as the message says"));
+            None
+        }
+    }
+}
+
+fn spec(c: &case::Caverns) -> CavernSpec {
+    let cavern = |c: &case::Cavern| Cavern {
+        name: c.name.value.clone(),
+        at: c.at.value,
+        width: c.width.value,
+        height: c.height.value,
+        arch_rise: c.arch_rise.value,
+        benches: c.benches.value,
+        lining: c.lining.as_ref().map_or(Lining::NONE, |l| Lining {
+            walls: l.walls.value,
+            crown: l.crown.value,
+            floor: l.floor.value,
+            layers: l.layers.value,
+        }),
+    };
+    CavernSpec {
+        overburden: c.overburden.value,
+        below: c.below.value,
+        sides: c.sides.value,
+        length: c.length.value,
+        near: c.near.value,
+        far: c.far.value,
+        along: c.along.as_ref().map(|a| a.value),
+        caverns: c.caverns.iter().map(cavern).collect(),
+    }
+}
+
+fn boxed(bricks: &case::MeshBox) -> Result<Mesh, String> {
+    let axis = |a: &case::Axis| Axis::Graded {
+        from: a.from.value,
+        to: a.to.value,
+        elements: a.elements.value,
+        ratio: a.growth.value,
+    };
+    let [x, y, z] = bricks.axes.each_ref().map(axis);
+    let mut mesh = BoxSpec { x, y, z, distortion: None }.mesh().map_err(|e| e.to_string())?;
+    mesh.groups = [(bricks.group.value.clone(), (0..mesh.elements.len() as u32).collect())].into();
+    Ok(mesh)
+}
+
+fn scaled(mut mesh: Mesh, unit: f64) -> Mesh {
+    mesh.nodes.iter_mut().chain(mesh.points.values_mut()).flatten().for_each(|x| *x *= unit);
+    mesh
+}

@@ -1,0 +1,77 @@
+//! Where the monitors are.
+
+use crate::plan::Monitor;
+use crate::problem::Body;
+use tremolite_case::{Case, Place, Problem};
+use tremolite_mesh::Mesh;
+use tremolite_mesh::locate::Locator;
+
+/// A monitor outside the mesh by up to this \[m\] is taken to lie on its surface.
+const TOLERANCE: f64 = 0.01;
+
+/// All monitors that could be placed; the others are among the problems.
+pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Problem>) -> Vec<Monitor> {
+    let mut solid: Vec<u32> = bodies.iter().flat_map(|b| b.elements.iter().copied()).collect();
+    solid.sort_unstable();
+    let mut monitors = Vec::new();
+    // Monitors mostly share their bodies: one locator for each set of groups.
+    let mut locators: Vec<(Vec<&str>, Locator)> = Vec::new();
+    for monitor in &case.monitors {
+        let point = match &monitor.at.value {
+            Place::Point(point) => *point,
+            Place::Named(name) => match mesh.points.get(name) {
+                Some(point) => *point,
+                None => {
+                    let known: Vec<&str> = mesh.points.keys().map(String::as_str).collect();
+                    let remedy = if known.is_empty() {
+                        "the mesh has no named points: give coordinates, at = [\"x\", \"y\", \"z\"]".to_owned()
+                    } else {
+                        format!("the mesh has the points {}", known.join(", "))
+                    };
+                    let message = format!("there is no point '{name}' in the mesh");
+                    problems.push(Problem::at(&monitor.at, message, remedy));
+                    continue;
+                }
+            },
+        };
+        let groups: Vec<&str> =
+            mesh.groups.keys().map(String::as_str).filter(|g| monitor.lies_in(g)).collect();
+        if let (Some(body), true) = (&monitor.body, groups.is_empty()) {
+            let known: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
+            let message = format!("no group of the mesh is called '{}' or ends so", body.value);
+            problems.push(Problem::at(body, message, format!("the mesh has the groups {}", known.join(", "))));
+            continue;
+        }
+        let at = match locators.iter().position(|(g, _)| *g == groups) {
+            Some(at) => at,
+            None => {
+                let mut elements = solid.clone();
+                if monitor.body.is_some() {
+                    let mut wanted = vec![false; mesh.elements.len()];
+                    groups.iter().flat_map(|g| &mesh.groups[*g]).for_each(|&e| wanted[e as usize] = true);
+                    elements.retain(|&e| wanted[e as usize]);
+                }
+                locators.push((groups, Locator::new(mesh, Some(&elements))));
+                locators.len() - 1
+            }
+        };
+        match locators[at].1.locate(point, TOLERANCE) {
+            Some(location) => {
+                monitors.push(Monitor { name: monitor.name.value.clone(), point, location });
+            }
+            None => {
+                let (low, high) = mesh.bounds();
+                let [x, y, z] = [0, 1, 2].map(|i| format!("{:.6} to {:.6}", low[i], high[i]));
+                problems.push(Problem::at(
+                    &monitor.at,
+                    format!(
+                        "monitor {} at ({:.3}, {:.3}, {:.3}) m lies in no element of its body",
+                        monitor.name.value, point[0], point[1], point[2]
+                    ),
+                    format!("the mesh spans x {x}, y {y}, z {z} m; excavated elements do not count"),
+                ));
+            }
+        }
+    }
+    monitors
+}

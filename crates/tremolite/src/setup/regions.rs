@@ -1,0 +1,87 @@
+//! Which elements are made of what.
+
+use crate::material::Law;
+use crate::parts::Quadrature;
+use crate::problem::Body;
+use tremolite_case::{Case, Element, Fill, Problem, pattern};
+use tremolite_mesh::Mesh;
+
+/// A body for each solid region. Every element must belong to exactly one region.
+pub fn build(case: &Case, mesh: &Mesh, laws: &[Law], problems: &mut Vec<Problem>) -> Vec<Body> {
+    let groups: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
+    let known = format!("the mesh has the groups {}", groups.join(", "));
+    let mut region_of: Vec<Option<usize>> = vec![None; mesh.elements.len()];
+    for (r, region) in case.regions.iter().enumerate() {
+        for pattern in &region.groups {
+            let mut fits = false;
+            for (name, elements) in &mesh.groups {
+                if !pattern::matches(pattern, name) {
+                    continue;
+                }
+                fits = true;
+                let before = elements.iter().find_map(|&e| region_of[e as usize].filter(|&first| first != r));
+                if let Some(first) = before {
+                    let earlier = case.regions[first].groups.iter().map(|g| g.value.as_str());
+                    let earlier: Vec<&str> = earlier.collect();
+                    problems.push(Problem::at(
+                        pattern,
+                        format!("elements of '{name}' are in the region of {} already", earlier.join(", ")),
+                        "let each element be in one region only",
+                    ));
+                    continue;
+                }
+                elements.iter().for_each(|&e| region_of[e as usize] = Some(r));
+            }
+            if !fits {
+                let message = format!("no group of the mesh fits '{}'", pattern.value);
+                problems.push(Problem::at(pattern, message, known.as_str()));
+            }
+        }
+    }
+    report_unassigned(case, mesh, &region_of, problems);
+
+    let mut bodies = Vec::new();
+    for (r, region) in case.regions.iter().enumerate() {
+        let Fill::Solid { material, element } = &region.fill else { continue };
+        let material = &case.materials[material.value];
+        let Some(law) = laws.iter().find(|l| l.info.name == material.law.value) else { continue };
+        match (law.build)(&material.parameters) {
+            Ok(built) => bodies.push(Body {
+                name: region.groups.iter().map(|g| g.value.as_str()).collect::<Vec<_>>().join(", "),
+                elements: (0u32..).zip(&region_of).filter(|(_, of)| **of == Some(r)).map(|(e, _)| e).collect(),
+                material: built,
+                density: material.density.value,
+                quadrature: match element.value {
+                    Element::OnePoint => Quadrature::OnePoint,
+                    Element::Full => Quadrature::Full,
+                },
+            }),
+            // The case has checked the values, so this is a law that changes its mind.
+            Err(bad) => problems.extend(
+                bad.into_iter()
+                    .map(|b| Problem::new(material.span.clone(), format!("{} {}", b.name, b.problem), b.remedy)),
+            ),
+        }
+    }
+    bodies
+}
+
+fn report_unassigned(case: &Case, mesh: &Mesh, region_of: &[Option<usize>], problems: &mut Vec<Problem>) {
+    let count = region_of.iter().filter(|r| r.is_none()).count();
+    if count == 0 {
+        return;
+    }
+    let groups: Vec<&str> = mesh
+        .groups
+        .iter()
+        .filter(|(_, elements)| elements.iter().any(|&e| region_of[e as usize].is_none()))
+        .map(|(name, _)| name.as_str())
+        .collect();
+    let place = case.regions.last().map_or(case.title.span.clone(), |r| r.span.clone());
+    let message = format!("{count} elements belong to no region; they are in {}", groups.join(", "));
+    problems.push(Problem::new(
+        place,
+        message,
+        "add a [[region]] with these groups; material = \"void\" if they are excavated",
+    ));
+}

@@ -1,0 +1,200 @@
+//! What a run leaves for people: summary.json, with a verdict and a line for each thing that bears on trust.
+
+use crate::observers::{ENERGY_MEMORY, FREE_FIELD_MEMORY};
+use crate::plan::Plan;
+use crate::run::{Ending, Outcome, active_elements};
+use crate::setup::MotionFacts;
+use crate::survey::{Survey, limit_in_words};
+use crate::{Halt, Model, Phase};
+use indexmap::IndexMap;
+use tremolite_results::{
+    Defaulted, ModelFacts, MotionFacts as MotionSummary, Peaks, RunFacts, Status, Summary, Table, TrustLine,
+    peaks_by_monitor,
+};
+
+/// Elements a wavelength below which a wave's amplitude and speed suffer (Kuhlemeyer & Lysmer 1973).
+const PER_WAVELENGTH: f64 = 8.0;
+/// Energy that may be lost or found, over all that was supplied.
+const ENERGY_ERROR: f64 = 0.01;
+/// Energy of the hourglass stabilisation over the strain energy, largest values of both.
+const HOURGLASS: f64 = 0.1;
+/// Difference of the free field's velocity from theory, over its peak.
+const FREE_FIELD: f64 = 0.05;
+/// Displacement of the input at its end over its peak.
+const DRIFT: f64 = 0.1;
+
+/// All a summary is made from.
+pub struct Input<'a> {
+    pub model: &'a Model,
+    pub phase: &'a Phase,
+    pub plan: &'a Plan,
+    pub motion: &'a MotionFacts,
+    pub survey: &'a Survey,
+    pub outcome: &'a Outcome,
+    /// monitors.csv as it was written.
+    pub histories: &'a Table,
+    pub run: RunFacts,
+    pub defaulted: Vec<Defaulted>,
+    /// Wall time of the whole process so far \[s\].
+    pub wall_seconds: f64,
+}
+
+/// The summary of a run that ended.
+pub fn summary(input: Input) -> Summary {
+    let Input { model, phase, plan, motion, survey, outcome, histories, .. } = input;
+    let all = peaks_by_monitor(histories);
+    let is_pair = |name: &str| {
+        plan.relatives.iter().any(|[a, b]| {
+            name == format!("{}-{}", plan.monitors[*a].name, plan.monitors[*b].name)
+        })
+    };
+    let (relative, monitors): (IndexMap<_, _>, IndexMap<_, _>) = all.into_iter().partition(|(n, _)| is_pair(n));
+    let trust = trust(&input);
+    let status = match outcome.ending {
+        Ending::Done => Status::Done,
+        Ending::Stopped => Status::Stopped,
+        Ending::Failed { .. } => Status::Failed,
+    };
+    let axes = ["x", "y", "z"];
+    let peak = |i: usize| (axes[i].to_owned(), motion.factor * motion.intensity[i].pga);
+    let source = |i: usize| (axes[i].to_owned(), motion.source.clone());
+    let mut groups: IndexMap<String, u64> =
+        survey.bodies.iter().map(|b| (b.name.clone(), b.elements as u64)).collect();
+    if survey.void_elements > 0 {
+        groups.insert("void".into(), survey.void_elements as u64);
+    }
+    Summary {
+        title: plan.title.clone(),
+        status,
+        verdict: verdict(outcome, &trust, &monitors),
+        wall_seconds: input.wall_seconds,
+        element_updates_per_second: outcome.updates_per_second(active_elements(phase)),
+        model: ModelFacts {
+            groups,
+            elements: survey.active_elements as u64,
+            nodes: survey.nodes as u64,
+            steps: outcome.taken,
+            time_step: outcome.dt,
+            step_set_by: limit_in_words(model, &outcome.stable),
+            duration: outcome.taken as f64 * outcome.dt,
+        },
+        motion: MotionSummary {
+            kind: motion.kind.to_string(),
+            factor: motion.factor,
+            peak_acceleration: (0..3).map(peak).collect(),
+            source: (0..3).map(source).collect(),
+        },
+        positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
+        monitors,
+        relative,
+        energy: outcome.balance.lines().iter().map(|(n, v)| ((*n).to_owned(), *v)).collect(),
+        trust,
+        run: input.run,
+        defaulted: input.defaulted,
+    }
+}
+
+fn trust(input: &Input) -> Vec<TrustLine> {
+    let Input { model, motion, survey, outcome, .. } = input;
+    let mut lines = Vec::new();
+    if let Some(coarsest) = survey.coarsest() {
+        lines.push(
+            TrustLine::at_least("elements per shortest wavelength", coarsest.per_wavelength, PER_WAVELENGTH, "")
+                .with_note(format!(
+                    "shear waves of {:.1} Hz (99.9 % of the input's energy lies below) along the longest edge of {}",
+                    motion.highest_frequency,
+                    model.element_name(coarsest.coarsest as usize)
+                )),
+        );
+    }
+    let stable = &outcome.stable;
+    lines.push(
+        TrustLine::at_most("time step over stable step", outcome.dt / stable.dt, 1.0, "").with_note(format!(
+            "set by {}; the estimate changed by {:.0e} in the last of {} iterations",
+            limit_in_words(model, stable),
+            stable.change,
+            stable.iterations
+        )),
+    );
+    let memory = |key: &str| outcome.state.observers.get(key).cloned().unwrap_or_default();
+    if let [_, error, hourglass, strain, _] = memory(ENERGY_MEMORY)[..] {
+        let supplied = outcome.state.ledger.supplied;
+        if supplied > 0.0 {
+            lines.push(
+                TrustLine::at_most("energy error over energy supplied", error / supplied, ENERGY_ERROR, "")
+                    .with_note("largest difference between the energy found and the energy put in"),
+            );
+        }
+        if strain > 0.0 {
+            lines.push(
+                TrustLine::at_most("hourglass energy over strain energy", hourglass / strain, HOURGLASS, "")
+                    .with_note("energy of the one-point elements' stabilisation: bending that their one point misses"),
+            );
+        }
+    }
+    if let [difference, peak] = memory(FREE_FIELD_MEMORY)[..]
+        && peak > 0.0
+    {
+        lines.push(
+            TrustLine::at_most("free field against theory", difference / peak, FREE_FIELD, "").with_note(
+                "velocity at the top of the reference column against the incident wave, doubled at the surface",
+            ),
+        );
+    }
+    if let Some(incident) = &model.incident {
+        let u = &incident.motion.displacement;
+        let worst = (0..3)
+            .filter_map(|i| {
+                let peak = u[i].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+                let last = u[i].last()?.abs();
+                (peak > 0.0).then(|| last / peak)
+            })
+            .fold(0.0, f64::max);
+        lines.push(
+            TrustLine::at_most("input displacement at its end over its peak", worst, DRIFT, "").with_note(
+                "a large value is drift of the record, which the model follows: filter or taper it",
+            ),
+        );
+    }
+    lines
+}
+
+fn verdict(
+    outcome: &Outcome,
+    trust: &[TrustLine],
+    monitors: &IndexMap<String, IndexMap<String, Peaks>>,
+) -> String {
+    let passed = trust.iter().filter(|t| t.pass).count();
+    let time = outcome.taken as f64 * outcome.dt;
+    let mut text = match &outcome.ending {
+        Ending::Done => format!("The run reached its end, {time:.2} s."),
+        Ending::Stopped => format!("The run was stopped at {time:.3} s; go on with --resume."),
+        Ending::Failed { halt: Halt::Energy { kinetic, supplied, .. }, place } => format!(
+            "The run became unstable and was stopped at {time:.4} s: the kinetic energy of {kinetic:.3e} J exceeds all \
+             the energy supplied, {supplied:.3e} J. Most of it is in {place}. Use a smaller time_step or safety."
+        ),
+    };
+    text += &format!(" {passed} of {} checks pass", trust.len());
+    let warned: Vec<&str> = trust.iter().filter(|t| !t.pass).map(|t| t.name.as_str()).collect();
+    if warned.is_empty() {
+        text += ".";
+    } else {
+        text += &format!("; look at: {}.", warned.join(", "));
+    }
+    if matches!(outcome.ending, Ending::Failed { .. }) {
+        return text;
+    }
+    let most = monitors
+        .iter()
+        .filter_map(|(name, q)| Some((name, q.get("s1")?)))
+        .filter(|(_, p)| p.max.is_finite())
+        .max_by(|a, b| a.1.max.total_cmp(&b.1.max));
+    if let Some((name, peak)) = most {
+        text += &format!(
+            " Largest principal stress at a monitor: {:.2} MPa at {name}, {:.2} s (change by the earthquake alone).",
+            peak.max / 1e6,
+            peak.t_max
+        );
+    }
+    text
+}

@@ -1,0 +1,134 @@
+//! What can be said of a model before it runs: materials, steps, wavelengths, memory.
+
+use crate::engine::{Limit, StableStep};
+use crate::model::{Model, ModelError, hex};
+use crate::parts::Quadrature;
+use crate::phase::Phase;
+use rayon::prelude::*;
+use tremolite_laws::Row;
+use tremolite_laws::shapes::hex8::{FullGeometry, OnePointGeometry, element_frequencies};
+
+/// One body of the user.
+#[derive(Clone, Debug)]
+pub struct BodySurvey {
+    pub name: String,
+    pub law: &'static str,
+    pub quadrature: Quadrature,
+    pub elements: usize,
+    pub density: f64,
+    /// P and S wave speeds \[m/s\].
+    pub wave_speeds: (f64, f64),
+    /// 2/ω of its stiffest element alone \[s\], and that element: what the body could run with at best.
+    pub element_step: f64,
+    pub stiffest: u32,
+    /// Fewest elements a shear wave of the highest frequency has along an element's longest edge, and where.
+    pub per_wavelength: f64,
+    pub coarsest: u32,
+}
+
+/// A model at a glance.
+#[derive(Clone, Debug)]
+pub struct Survey {
+    pub bodies: Vec<BodySurvey>,
+    pub active_elements: usize,
+    pub void_elements: usize,
+    pub nodes: usize,
+    /// Bytes that a run holds, without the mesh itself.
+    pub bytes: usize,
+}
+
+impl Survey {
+    /// The body with fewest elements a wavelength.
+    pub fn coarsest(&self) -> Option<&BodySurvey> {
+        self.bodies.iter().min_by(|a, b| a.per_wavelength.total_cmp(&b.per_wavelength))
+    }
+}
+
+/// Surveys a model for waves up to `frequency` \[Hz\].
+///
+/// # Errors
+/// If an element's geometry cannot be used; [`Model::new`] has checked that.
+pub fn survey(model: &Model, phase: &Phase, frequency: f64) -> Result<Survey, ModelError> {
+    let mut bodies = Vec::new();
+    for body in model.user_bodies() {
+        let moduli = body.material.moduli();
+        let speeds = moduli.wave_speeds(body.density);
+        let full = body.quadrature == Quadrature::Full;
+        let wavelength = speeds.1 / frequency;
+        // (ω, element) and (elements a wavelength, element), worst first.
+        let worst = body
+            .elements
+            .par_chunks(64)
+            .map(|chunk| {
+                let hexes: Vec<_> = chunk.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
+                let omegas = element_frequencies(&hexes, moduli, body.density, full);
+                let mut worst = ((0.0_f64, 0), (f64::INFINITY, 0));
+                for ((&e, hex), omega) in chunk.iter().zip(&hexes).zip(omegas) {
+                    let longest = 2.0 * hex.half_lengths.iter().copied().fold(0.0, f64::max);
+                    if omega > worst.0.0 {
+                        worst.0 = (omega, e);
+                    }
+                    if wavelength / longest < worst.1.0 {
+                        worst.1 = (wavelength / longest, e);
+                    }
+                }
+                worst
+            })
+            .collect::<Vec<_>>();
+        let (omega, stiffest) = worst.iter().map(|w| w.0).fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
+        let (per_wavelength, coarsest) =
+            worst.iter().map(|w| w.1).fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
+        bodies.push(BodySurvey {
+            name: body.name.clone(),
+            law: body.material.info().name,
+            quadrature: body.quadrature,
+            elements: body.elements.len(),
+            density: body.density,
+            wave_speeds: speeds,
+            element_step: 2.0 / omega,
+            stiffest,
+            per_wavelength,
+            coarsest,
+        });
+    }
+    let active = bodies.iter().map(|b| b.elements).sum();
+    let (history, numbers, contributions, points, elements) = phase.totals();
+    let row = size_of::<Row>();
+    let geometry: usize = bodies
+        .iter()
+        .map(|b| match b.quadrature {
+            Quadrature::OnePoint => b.elements * (size_of::<OnePointGeometry>() / 8 + 16),
+            Quadrature::Full => b.elements * (size_of::<FullGeometry>() / 8 + 16),
+        })
+        .sum();
+    let nodes = model.mesh_node.len();
+    Ok(Survey {
+        bodies,
+        active_elements: active,
+        void_elements: model.user_elements - active,
+        nodes: model.counted.len(),
+        bytes: geometry
+            + 64 * history
+            + 8 * numbers
+            + (row + 4) * contributions
+            + nodes * (5 * row + 16)
+            + points * 48
+            + elements * 16,
+    })
+}
+
+/// What sets the step, in words.
+pub fn limit_in_words(model: &Model, stable: &StableStep) -> String {
+    match &stable.limit {
+        Limit::Element(e) if (*e as usize) < model.user_elements => {
+            let [x, y, z] = crate::model::centroid(&model.mesh, *e);
+            format!("{} at ({x:.1}, {y:.1}, {z:.1}) m", model.element_name(*e as usize))
+        }
+        Limit::Element(_) => "the reference column's finest layer".into(),
+        Limit::Boundary(n) => {
+            let [x, y, z] = model.mesh.nodes[*n as usize];
+            format!("dashpots or springs at node {} at ({x:.1}, {y:.1}, {z:.1}) m", model.mesh.node_id(*n as usize))
+        }
+        Limit::StiffnessDamping => "stiffness-proportional Rayleigh damping".into(),
+    }
+}

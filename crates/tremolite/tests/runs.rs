@@ -1,0 +1,141 @@
+//! Runs as a whole: files, resuming, stopping.
+
+mod common;
+
+use common::block;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use tremolite::plan::{Monitor, Plan};
+use tremolite::quantities::Field;
+use tremolite::run::{Control, Ending, Outcome, run};
+use tremolite::{Halt, Model, Phase, Problem};
+use tremolite_mesh::locate::Locator;
+use tremolite_results::{Pvd, ResultFolder, Table};
+
+fn plan(problem: &Problem) -> Plan {
+    let locator = Locator::new(&problem.mesh, None);
+    let monitor = |name: &str, point| Monitor {
+        name: name.into(),
+        point,
+        location: locator.locate(point, 1e-6).unwrap(),
+    };
+    Plan {
+        title: "block".into(),
+        duration: 0.12,
+        histories: 0.002,
+        snapshots: Some(0.02),
+        fields: Field::ALL.to_vec(),
+        checkpoint: None,
+        monitors: vec![monitor("top", [6.3, 5.1, 14.0]), monitor("slab", [6.0, 5.0, 7.0])],
+        relatives: vec![[0, 1]],
+    }
+}
+
+/// Runs on `threads` threads into `folder`; stops when `stop_at` of 1 is reached.
+fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_at: Option<u64>) -> Outcome {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
+        let plan = plan(&problem);
+        let model = Model::new(problem).unwrap();
+        let phase = Phase::dynamic(&model).unwrap();
+        let results = if resume {
+            ResultFolder::open_existing(folder).unwrap()
+        } else {
+            ResultFolder::create(Some(folder), "block", true).unwrap()
+        };
+        let stop = AtomicBool::new(false);
+        let mut tell = |p: tremolite::run::Progress| {
+            if stop_at.is_some_and(|at| p.step >= at) {
+                stop.store(true, Ordering::Relaxed);
+            }
+        };
+        let mut control = Control { stop: &stop, progress: &mut tell };
+        run(&model, &phase, &plan, &results, resume, &mut control).unwrap()
+    })
+}
+
+#[test]
+fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
+    let problem = || {
+        let mut problem = block([12, 12, 16]);
+        problem.time_step.given = Some(2e-5);
+        problem
+    };
+    let outcome = go(problem(), &whole, 1, false, None);
+    assert_eq!(outcome.ending, Ending::Done);
+    // The first progress is told after 0.2 s: some way into the run.
+    let outcome = go(problem(), &parts, 2, false, Some(1));
+    assert_eq!(outcome.ending, Ending::Stopped);
+    assert!(outcome.taken > 0 && outcome.taken < outcome.steps.total, "stopped at {}", outcome.taken);
+    let resumed = go(problem(), &parts, 3, true, None);
+    assert_eq!(resumed.ending, Ending::Done);
+    assert_eq!(resumed.taken_here + outcome.taken, resumed.steps.total);
+    for file in ["monitors.csv", "energy.csv", "fields.pvd", "fields/000006.vtu"] {
+        let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
+        assert!(bytes(&whole) == bytes(&parts), "{file}");
+    }
+    // The checkpoint of another model is refused.
+    let mut other = problem();
+    other.rayleigh.mass = 0.5;
+    let plan = plan(&other);
+    let model = Model::new(other).unwrap();
+    let phase = Phase::dynamic(&model).unwrap();
+    let stop = AtomicBool::new(false);
+    let mut control = Control { stop: &stop, progress: &mut |_| {} };
+    let results = ResultFolder::open_existing(&parts).unwrap();
+    let refused = run(&model, &phase, &plan, &results, true, &mut control).unwrap_err();
+    assert!(refused.to_string().contains("another model or plan"), "{refused}");
+}
+
+#[test]
+fn a_step_thirty_per_cent_too_large_is_stopped_by_the_guard_with_the_element_named_and_results_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut problem = block([6, 5, 7]);
+    let stable = {
+        let model = Model::new(problem.clone()).unwrap();
+        let phase = Phase::dynamic(&model).unwrap();
+        tremolite::stable_step(&model, &phase).dt
+    };
+    problem.time_step.given = Some(1.3 * stable);
+    let outcome = go(problem, folder.path(), 2, false, None);
+    let Ending::Failed { halt: Halt::Energy { kinetic, supplied, step, .. }, place } = &outcome.ending else {
+        panic!("the run must be stopped, not {:?}", outcome.ending);
+    };
+    assert!(kinetic > supplied);
+    assert!(place.starts_with("element ") && place.contains("of '"), "{place}");
+    assert!(*step < outcome.steps.total);
+    // What was computed before is there, and readable.
+    let table = Table::read(&folder.path().join("monitors.csv")).unwrap();
+    assert!(table.rows() >= 1 && !table.cut);
+    assert_eq!(table.columns[1].header(), "top.ux [m]");
+    assert!(!Pvd::read(&folder.path().join("fields.pvd")).unwrap().snapshots().is_empty());
+}
+
+#[test]
+fn histories_have_the_columns_and_times_of_the_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let outcome = go(block([4, 4, 5]), folder.path(), 1, false, None);
+    let table = Table::read(&folder.path().join("monitors.csv")).unwrap();
+    assert_eq!(table.rows(), 61);
+    for (i, t) in table.column("time").unwrap().iter().enumerate() {
+        assert!((t - 0.002 * i as f64).abs() < 1e-12);
+    }
+    assert_eq!(table.columns.len(), 1 + 2 * 18 + 4);
+    let (top, slab) = (table.column("top.ux").unwrap(), table.column("slab.ux").unwrap());
+    let pair = table.column("top-slab.ux").unwrap();
+    assert!((0..61).all(|i| pair[i] == top[i] - slab[i]));
+    assert!(top.iter().any(|u| u.abs() > 1e-4));
+    // Velocity is the derivative of displacement.
+    let v = table.column("top.vx").unwrap();
+    let most = v.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    for i in 1..60 {
+        let derivative = (top[i + 1] - top[i - 1]) / 0.004;
+        assert!((v[i] - derivative).abs() < 0.03 * most);
+    }
+    // The scheme keeps its own energy, which differs from the physical one by (ωΔt/2)² at most; 25 Hz ends the pulse.
+    let share = (std::f64::consts::PI * 25.0 * outcome.dt).powi(2);
+    assert!(outcome.balance.error.abs() < share * outcome.state.ledger.supplied);
+    let energy = Table::read(&folder.path().join("energy.csv")).unwrap();
+    assert_eq!(energy.columns.last().unwrap().header(), "error [J]");
+}
