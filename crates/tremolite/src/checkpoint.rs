@@ -106,7 +106,7 @@ pub fn write(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), C
         .map_err(|e| CheckpointError::Io { path, source: std::io::Error::other(e) })
 }
 
-/// Reads the state that [`write`] left in a folder into one of the same model.
+/// Reads the state that [`write()`] left in a folder into one of the same model.
 ///
 /// # Errors
 /// If there is none, it is damaged, or it is of another model or plan.

@@ -1,7 +1,7 @@
 //! The reference column: one hexahedron a layer, its sides tied, as the ground far from the caverns.
 //!
-//! Its bottom moves as u_ff, the free field at the level of the base, on which the springs of the base act
-//! (method.md section 7). It feels the same incident wave through dashpots alone.
+//! Its bottom moves as u_ff, the free field at the level of the base, on which the springs of the base act.
+//! It feels the same incident wave through dashpots alone.
 
 use crate::model::{ModelError, hex_nodes};
 use crate::parts::Quadrature;

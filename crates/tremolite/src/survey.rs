@@ -127,8 +127,8 @@ pub fn limit_in_words(model: &Model, stable: &StableStep) -> String {
         Limit::Element(_) => "the reference column's finest layer".into(),
         Limit::Boundary(n) => {
             let [x, y, z] = model.mesh.nodes[*n as usize];
-            format!("dashpots or springs at node {} at ({x:.1}, {y:.1}, {z:.1}) m", model.mesh.node_id(*n as usize))
+            format!("boundary springs at node {} at ({x:.1}, {y:.1}, {z:.1}) m", model.mesh.node_id(*n as usize))
         }
-        Limit::StiffnessDamping => "stiffness-proportional Rayleigh damping".into(),
+        Limit::Damping => "Rayleigh damping, mostly its stiffness-proportional part".into(),
     }
 }

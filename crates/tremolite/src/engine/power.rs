@@ -1,11 +1,12 @@
-//! The stable step: method.md section 4, Δt ≤ min(2/√λmax(M⁻¹K), 2/λmax(M⁻¹C)).
+//! The stable step: Δt ≤ min(2/√λmax(M⁻¹K), 2/λmax(M⁻¹C)), C Rayleigh's alone.
+//!
+//! Dashpots act on the mean of v⁻ and v⁺ and take energy in every step whatever its length, so they bound nothing.
 
 use super::nodes::force;
 use crate::model::Model;
 use crate::parts::{Motion, Own, Part, ProbeOut, Scratch, Tick};
 use crate::phase::Phase;
 use rayon::prelude::*;
-use tremolite_laws::sym3::principal_values;
 use tremolite_laws::{Octet, Row};
 
 /// What bounds the step.
@@ -13,10 +14,10 @@ use tremolite_laws::{Octet, Row};
 pub enum Limit {
     /// The stiffness around an element (index in the mesh).
     Element(u32),
-    /// The springs or dashpots at a node (index in the mesh).
+    /// The springs at a node of the boundary (index in the mesh).
     Boundary(u32),
-    /// Rayleigh's stiffness-proportional damping.
-    StiffnessDamping,
+    /// Rayleigh's damping.
+    Damping,
 }
 
 /// The largest stable step and what it comes from.
@@ -26,7 +27,7 @@ pub struct StableStep {
     pub dt: f64,
     /// √λmax(M⁻¹K) \[rad/s\].
     pub frequency: f64,
-    /// λmax(M⁻¹C) \[1/s\], an upper bound.
+    /// λmax(M⁻¹C) = ω + ξ λmax(M⁻¹K) of Rayleigh's damping \[1/s\].
     pub damping_rate: f64,
     pub limit: Limit,
     /// Iterations made, and the relative change of λ in the last one: the estimate comes from below.
@@ -113,32 +114,15 @@ pub fn stable_step(model: &Model, phase: &Phase) -> StableStep {
     }
     let frequency = lambda.sqrt();
     let xi = model.rayleigh.stiffness;
-    let (boundary_rate, boundary_node) = dashpot_rate(phase);
-    let damping_rate = model.rayleigh.mass + boundary_rate + xi * lambda;
+    let damping_rate = model.rayleigh.mass + xi * lambda;
     let dt_stiffness = 2.0 / frequency;
     let dt_damping = if damping_rate > 0.0 { 2.0 / damping_rate } else { f64::INFINITY };
     let limit = if dt_stiffness <= dt_damping {
         hottest(model, phase, &w)
-    } else if xi * lambda > boundary_rate {
-        Limit::StiffnessDamping
     } else {
-        Limit::Boundary(model.mesh_node[boundary_node])
+        Limit::Damping
     };
     StableStep { dt: dt_stiffness.min(dt_damping), frequency, damping_rate, limit, iterations, change }
-}
-
-/// Largest eigenvalue of a node's dashpot matrix over its mass, and that node.
-fn dashpot_rate(phase: &Phase) -> (f64, usize) {
-    let mut worst = (0.0, 0);
-    for (node, dashpot) in &phase.dashpots {
-        let n = *node as usize;
-        let sum = [0, 1, 2, 3, 4, 5].map(|c| dashpot.base[c] + dashpot.sides[c]);
-        let rate = principal_values(&sum)[0] * phase.inverse_mass[n].0.iter().copied().fold(0.0, f64::max);
-        if rate > worst.0 {
-            worst = (rate, n);
-        }
-    }
-    worst
 }
 
 /// Where the mode `w` stores most energy: an element of the user's mesh, or a node on springs.

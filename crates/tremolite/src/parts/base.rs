@@ -1,7 +1,8 @@
 //! The base: a wave comes in, springs act on the scattered field.
 //!
-//! method.md section 7: traction on the model = 2ρc v_i − ρc v − (αG/R)(u − u_ff). The dashpots ρc act on velocity
-//! and belong to the step (see [`crate::dashpots`]); this part gives the other two terms.
+//! Traction on the model = 2ρc v_i − ρc v − (αG/R)(u − u_ff), with the incident velocity v_i and the free field u_ff
+//! (`lysmer1969` for the dashpots, `wang2018` for the springs). The dashpots act on velocity and belong to the step
+//! ([`crate::engine`]); this part gives the other two terms. Vertical incidence in homogeneous ground below the base.
 
 use super::{Motion, Own, Part, Scratch, Tick, Work};
 use tremolite_laws::Row;

@@ -12,7 +12,7 @@ pub trait Rule: Send + Sync + 'static {
     const POINTS: usize;
     type Geometry: Copy + Send + Sync;
     const EMPTY: Self::Geometry;
-    fn set(geometry: &mut Self::Geometry, lane: usize, hex: &Hex8);
+    fn set(geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation);
 
     /// Forces of one octet.
     ///
@@ -40,8 +40,8 @@ macro_rules! rule {
             const POINTS: usize = $points;
             type Geometry = $geometry;
             const EMPTY: $geometry = <$geometry>::EMPTY;
-            fn set(geometry: &mut $geometry, lane: usize, hex: &Hex8) {
-                geometry.set(lane, hex);
+            fn set(geometry: &mut $geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+                geometry.set(lane, hex, elastic);
             }
             #[inline(always)]
             unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
@@ -190,6 +190,8 @@ impl<M: Material, R: Rule> Solid<M, R> {
     pub fn new(law: Arc<M>, nodes: Vec<u32>, corners: &[[u16; 8]], geometry: &[Hex8], isa: Isa) -> Self {
         assert_eq!(corners.len(), geometry.len());
         assert!(corners.iter().flatten().all(|&c| (c as usize) < nodes.len()));
+        let moduli = law.moduli();
+        let stabilisation = Stabilisation::new(moduli);
         let octets = corners.len().div_ceil(8);
         let mut index = vec![[[0; 8]; 8]; octets];
         let mut packed = vec![R::EMPTY; octets];
@@ -197,12 +199,11 @@ impl<M: Material, R: Rule> Solid<M, R> {
             for k in 0..8 {
                 index[e / 8][k][e % 8] = corner[k];
             }
-            R::set(&mut packed[e / 8], e % 8, hex);
+            R::set(&mut packed[e / 8], e % 8, hex, &stabilisation);
         }
-        let moduli = law.moduli();
         Solid {
             elastic: Elastic::from_moduli(moduli),
-            stabilisation: Stabilisation::new(moduli),
+            stabilisation,
             law,
             isa: if isa.available() { isa } else { Isa::Scalar },
             nodes,

@@ -22,8 +22,8 @@ fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) ->
     let point = Point::new(0.0);
     let (mut one, mut eight) = (OnePointGeometry::EMPTY, FullGeometry::EMPTY);
     for (lane, hex) in hexes.iter().enumerate() {
-        one.set(lane, hex);
-        eight.set(lane, hex);
+        one.set(lane, hex, &stabilisation);
+        eight.set(lane, hex, &stabilisation);
     }
     // Every lane has eight rows of its own.
     let index: [[u16; 8]; 8] = core::array::from_fn(|k| core::array::from_fn(|lane| (8 * lane + k) as u16));

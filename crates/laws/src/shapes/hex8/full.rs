@@ -1,34 +1,77 @@
 //! 2×2×2 quadrature of the same assumed-strain field.
 
+use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
 use super::{
-    HOURGLASS, Hex8, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal, to_modes,
-    to_nodes,
+    Hex8, Probe, Stabilisation, Surface, gather_modes, gauss_point, scatter_nodal, store_nodal, to_modes, to_nodes,
 };
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Point, Sym};
 
-/// Geometry of eight elements in their own frames; 65 octets, that is 520 bytes an element.
+/// Geometry of eight elements; 134 octets, that is 1072 bytes an element.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct FullGeometry {
-    /// Mean gradient in the frame's axes, as in the one-point element.
+    /// As in the one-point element.
     gradient: [[Octet; 7]; 3],
-    /// X_αj in the frame's axes.
     hourglass: [[Octet; 3]; 4],
-    /// Rows are the frame's axes.
-    frame: [[Octet; 3]; 3],
-    /// 1/(8 ℓ_k): the ⅛ of γ and the half-length.
-    inverse_lengths: [Octet; 3],
-    /// ℓ_y/ℓ_z, ℓ_z/ℓ_x, ℓ_x/ℓ_y and their inverses.
-    ratios: [[Octet; 2]; 3],
+    axes: [[Octet; 3]; 3],
+    /// ℓ_b/ℓ_c of the surface across each natural axis, and its inverse.
+    aspects: [[Octet; 2]; 3],
+    /// Strain (global axes, engineering shear) for unit s_bc, s_cb and γ of each surface, contraction included.
+    surfaces: [[[Octet; 6]; 3]; 3],
+    /// Strain for unit s_k4, contraction included.
+    fibres: [[Octet; 6]; 3],
     /// det J at the points.
     weights: [Octet; 8],
     /// Weighted means of ξ, η, ζ, ηζ, ξζ, ξη: removed so that a constant stress does no work on the hourglass part.
     means: [Octet; 6],
 }
 
-const MODES: [usize; 7] = [1, 2, 4, HOURGLASS[0], HOURGLASS[1], HOURGLASS[2], HOURGLASS[3]];
-const VOIGT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+/// ½(u⊗v + v⊗u), as a strain with engineering shear.
+fn dyad(u: [f64; 3], v: [f64; 3]) -> [f64; 6] {
+    [
+        u[0] * v[0],
+        u[1] * v[1],
+        u[2] * v[2],
+        u[0] * v[1] + u[1] * v[0],
+        u[1] * v[2] + u[2] * v[1],
+        u[2] * v[0] + u[0] * v[2],
+    ]
+}
+
+/// Strains of the surface across axis `k` for unit s_bc, s_cb and γ, with the contraction that plane stress asks for.
+fn surface_strains(hex: &Hex8, k: usize, poisson_plane: f64) -> [[f64; 6]; 3] {
+    let (t, u) = (hex.directions[(k + 1) % 3], hex.directions[(k + 2) % 3]);
+    let Surface { cosine, stretch, .. } = Surface::across(hex, k);
+    // Dual vectors in the surface, and its unit normal.
+    let along = [0, 1, 2].map(|i| stretch * (t[i] - cosine * u[i]));
+    let across = [0, 1, 2].map(|i| stretch * (u[i] - cosine * t[i]));
+    let normal = [t[1] * u[2] - t[2] * u[1], t[2] * u[0] - t[0] * u[2], t[0] * u[1] - t[1] * u[0]];
+    let normal = dyad(normal, normal).map(|x| x * stretch);
+    let contracted = |strain: [f64; 6], trace: f64| {
+        let mut strain = strain;
+        for c in 0..6 {
+            strain[c] -= poisson_plane * trace * normal[c];
+        }
+        strain
+    };
+    [
+        contracted(dyad(along, along), stretch),
+        contracted(dyad(across, across), stretch),
+        contracted(dyad(along, across), -stretch * cosine),
+    ]
+}
+
+/// Strain of uniaxial stress along axis `k` for a unit stretch.
+fn fibre_strain(hex: &Hex8, k: usize, poisson: f64) -> [f64; 6] {
+    let t = hex.directions[k];
+    let mut strain = dyad(t, t).map(|x| (1.0 + poisson) * x);
+    for value in &mut strain[..3] {
+        *value -= poisson;
+    }
+    strain
+}
+
 /// Modes of the hourglass strain in the order of `means`.
 const STRAIN_MODES: [usize; 6] = [1, 2, 4, 6, 5, 3];
 /// ξ at the integration points.
@@ -39,30 +82,39 @@ impl FullGeometry {
     pub const EMPTY: Self = FullGeometry {
         gradient: [[Octet::ZERO; 7]; 3],
         hourglass: [[Octet::ZERO; 3]; 4],
-        frame: [[Octet::ZERO; 3]; 3],
-        inverse_lengths: [Octet::ZERO; 3],
-        ratios: [[Octet::ZERO; 2]; 3],
+        axes: [[Octet::ZERO; 3]; 3],
+        aspects: [[Octet::ZERO; 2]; 3],
+        surfaces: [[[Octet::ZERO; 6]; 3]; 3],
+        fibres: [[Octet::ZERO; 6]; 3],
         weights: [Octet::ZERO; 8],
         means: [Octet::ZERO; 6],
     };
 
     /// Puts an element into a lane.
-    pub fn set(&mut self, lane: usize, hex: &Hex8) {
-        let turned = |v: &[f64; 3], j: usize| (0..3).map(|i| hex.frame[j][i] * v[i]).sum::<f64>();
+    pub fn set(&mut self, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
         for j in 0..3 {
             for (k, mode) in MODES.into_iter().enumerate() {
-                self.gradient[j][k].0[lane] = turned(&hex.gradient[mode], j);
+                self.gradient[j][k].0[lane] = hex.gradient[mode][j];
             }
             for alpha in 0..4 {
-                self.hourglass[alpha][j].0[lane] = turned(&hex.hourglass[alpha], j);
+                self.hourglass[alpha][j].0[lane] = hex.hourglass[alpha][j];
             }
             for k in 0..3 {
-                self.frame[k][j].0[lane] = hex.frame[k][j];
+                self.axes[k][j].0[lane] = hex.directions[k][j] / (8.0 * hex.half_lengths[k]);
             }
-            let (next, last) = (hex.half_lengths[(j + 1) % 3], hex.half_lengths[(j + 2) % 3]);
-            self.inverse_lengths[j].0[lane] = 1.0 / (8.0 * hex.half_lengths[j]);
-            self.ratios[j][0].0[lane] = next / last;
-            self.ratios[j][1].0[lane] = last / next;
+        }
+        for k in 0..3 {
+            let aspect = Surface::across(hex, k).aspect;
+            self.aspects[k][0].0[lane] = aspect;
+            self.aspects[k][1].0[lane] = 1.0 / aspect;
+            let strains = surface_strains(hex, k, elastic.poisson_plane);
+            let fibre = fibre_strain(hex, k, elastic.poisson);
+            for c in 0..6 {
+                for (octets, strain) in self.surfaces[k].iter_mut().zip(&strains) {
+                    octets[c].0[lane] = strain[c];
+                }
+                self.fibres[k][c].0[lane] = fibre[c];
+            }
         }
         for p in 0..8 {
             self.weights[p].0[lane] = hex.weights[p];
@@ -82,8 +134,7 @@ impl FullGeometry {
 
 /// Internal forces of eight elements, added to `out`; history (point by point) is updated in place.
 ///
-/// Arguments and sign as in [`super::one_point`]. Strains reach the law in the element's frame, so tensors in a
-/// history are in it too; probed stresses are in global axes.
+/// Arguments and sign as in [`super::one_point`]; strains reach the law in global axes.
 ///
 /// # Safety
 /// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
@@ -91,7 +142,7 @@ impl FullGeometry {
 #[allow(clippy::too_many_arguments)]
 pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
     material: &M,
-    elastic: &Stabilisation,
+    _: &Stabilisation,
     point: &Point<f64>,
     geometry: &FullGeometry,
     index: &[[u16; 8]; 8],
@@ -105,72 +156,39 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
     let mut at = 0;
     while at < 8 {
         // SAFETY: passed on to the caller.
-        let global = unsafe { gather_modes::<L>(rows, index, at) };
+        let mut modes = unsafe { gather_modes::<L>(rows, index, at) };
 
-        // Modal displacements in the frame, the mean gradient and the hourglass amplitudes over half-lengths.
-        let mut g = [[L::splat(0.0); 3]; 3];
-        let mut s = [[L::splat(0.0); 4]; 3];
-        let mut i = 0;
-        while i < 3 {
-            let r = &geometry.frame[i];
-            let (r0, r1, r2) = (L::load(&r[0], at), L::load(&r[1], at), L::load(&r[2], at));
-            let mut u = [L::splat(0.0); 7];
-            let mut k = 0;
-            while k < 7 {
-                let m = MODES[k];
-                u[k] = r2.mul_add(global[2][m], r1.mul_add(global[1][m], r0 * global[0][m]));
-                k += 1;
-            }
-            let mut j = 0;
-            while j < 3 {
-                let b = &geometry.gradient[j];
-                let mut sum = L::load(&b[0], at) * u[0];
-                let mut k = 1;
-                while k < 7 {
-                    sum = L::load(&b[k], at).mul_add(u[k], sum);
-                    k += 1;
-                }
-                g[i][j] = sum;
-                j += 1;
-            }
-            let inverse = L::load(&geometry.inverse_lengths[i], at);
-            let mut alpha = 0;
-            while alpha < 4 {
-                let x = &geometry.hourglass[alpha];
-                let mut sum = u[3 + alpha];
-                sum = L::load(&x[0], at).neg_mul_add(g[i][0], sum);
-                sum = L::load(&x[1], at).neg_mul_add(g[i][1], sum);
-                sum = L::load(&x[2], at).neg_mul_add(g[i][2], sum);
-                s[i][alpha] = sum * inverse;
-                alpha += 1;
-            }
-            i += 1;
-        }
+        let (g0, q0) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[0], at);
+        let (g1, q1) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[1], at);
+        let (g2, q2) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[2], at);
+        let g = [g0, g1, g2];
+        let s = [
+            along_axis::<L>(&geometry.axes[0], &q0, &q1, &q2, at),
+            along_axis::<L>(&geometry.axes[1], &q0, &q1, &q2, at),
+            along_axis::<L>(&geometry.axes[2], &q0, &q1, &q2, at),
+        ];
 
         // The strain's modal coefficients by component, from the table in the module documentation.
         let mut e = [[L::splat(0.0); 8]; 6];
-        let nu = L::splat(elastic.poisson);
-        let nu_plane = L::splat(elastic.poisson_plane);
-        let gauss = L::splat(G);
-        let mut axis = 0;
-        while axis < 3 {
-            // Along natural axis `axis`: the other two normal strains bend, their sum contracts this one.
-            let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
-            let mode = 1 << axis;
-            let (eb, ec) = (s[b][c], s[c][b]);
-            e[b][mode] = eb * gauss;
-            e[c][mode] = ec * gauss;
-            e[axis][mode] = -(nu_plane * (eb + ec) * gauss);
-            let ratio = &geometry.ratios[axis];
-            e[VOIGT[b][c]][mode] =
-                L::load(&ratio[0], at).mul_add(s[b][b], L::load(&ratio[1], at) * s[c][c]) * gauss;
-            // The bilinear mode without this axis: uniaxial stress along it.
-            let twist = s[axis][3] * L::splat(G * G);
-            let contract = -(nu * twist);
-            e[axis][7 ^ mode] = twist;
-            e[b][7 ^ mode] = contract;
-            e[c][7 ^ mode] = contract;
-            axis += 1;
+        let (gauss, gauss2) = (L::splat(G), L::splat(G * G));
+        let mut k = 0;
+        while k < 3 {
+            let (b, c) = ((k + 1) % 3, (k + 2) % 3);
+            let mode = 1 << k;
+            let aspects = &geometry.aspects[k];
+            let along = s[b][c] * gauss;
+            let across = s[c][b] * gauss;
+            let gamma = L::load(&aspects[0], at).mul_add(s[b][b], L::load(&aspects[1], at) * s[c][c]) * gauss;
+            let fibre = s[k][3] * gauss2;
+            let mut v = 0;
+            while v < 6 {
+                let t = &geometry.surfaces[k];
+                let sum = L::load(&t[1][v], at).mul_add(across, L::load(&t[0][v], at) * along);
+                e[v][mode] = L::load(&t[2][v], at).mul_add(gamma, sum);
+                e[v][7 ^ mode] = L::load(&geometry.fibres[k][v], at) * fibre;
+                v += 1;
+            }
+            k += 1;
         }
         let mean: Sym<L> = [
             g[0][0],
@@ -226,7 +244,11 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             }
             if PROBE {
                 energy = weight.mul_add(density, energy);
-                store_turned(&geometry.frame, &stress, &mut probe.stress[p], at);
+                let mut c = 0;
+                while c < 6 {
+                    stress[c].store(&mut probe.stress[p][c], at);
+                    c += 1;
+                }
             }
             p += 1;
         }
@@ -248,97 +270,38 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             c += 1;
         }
         let mut conjugate = [[L::splat(0.0); 4]; 3];
-        let mut axis = 0;
-        while axis < 3 {
-            let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
-            let mode = 1 << axis;
-            let contracted = nu_plane * e[axis][mode];
-            conjugate[b][c] = (e[b][mode] - contracted) * gauss;
-            conjugate[c][b] = (e[c][mode] - contracted) * gauss;
-            let shear = e[VOIGT[b][c]][mode] * gauss;
-            let ratio = &geometry.ratios[axis];
-            conjugate[b][b] = L::load(&ratio[0], at).mul_add(shear, conjugate[b][b]);
-            conjugate[c][c] = L::load(&ratio[1], at).mul_add(shear, conjugate[c][c]);
-            let others = e[b][7 ^ mode] + e[c][7 ^ mode];
-            conjugate[axis][3] = nu.neg_mul_add(others, e[axis][7 ^ mode]) * L::splat(G * G);
-            axis += 1;
+        let mut k = 0;
+        while k < 3 {
+            let (b, c) = ((k + 1) % 3, (k + 2) % 3);
+            let mode = 1 << k;
+            let t = &geometry.surfaces[k];
+            let mut sums = [L::splat(0.0); 4];
+            let mut v = 0;
+            while v < 6 {
+                let resultant = e[v][mode];
+                sums[0] = L::load(&t[0][v], at).mul_add(resultant, sums[0]);
+                sums[1] = L::load(&t[1][v], at).mul_add(resultant, sums[1]);
+                sums[2] = L::load(&t[2][v], at).mul_add(resultant, sums[2]);
+                sums[3] = L::load(&geometry.fibres[k][v], at).mul_add(e[v][7 ^ mode], sums[3]);
+                v += 1;
+            }
+            conjugate[b][c] = sums[0] * gauss;
+            conjugate[c][b] = sums[1] * gauss;
+            let shear = sums[2] * gauss;
+            let aspects = &geometry.aspects[k];
+            conjugate[b][b] = L::load(&aspects[0], at).mul_add(shear, conjugate[b][b]);
+            conjugate[c][c] = L::load(&aspects[1], at).mul_add(shear, conjugate[c][c]);
+            conjugate[k][3] = sums[3] * gauss2;
+            k += 1;
         }
-        let mut local = [[L::splat(0.0); 7]; 3];
-        let mut i = 0;
-        while i < 3 {
-            let inverse = L::load(&geometry.inverse_lengths[i], at);
-            let mut force = [L::splat(0.0); 4];
-            let mut alpha = 0;
-            while alpha < 4 {
-                force[alpha] = conjugate[i][alpha] * inverse;
-                alpha += 1;
-            }
-            let mut t = [L::splat(0.0); 3];
-            let mut j = 0;
-            while j < 3 {
-                let mut sum = e[VOIGT[i][j]][0];
-                let mut alpha = 0;
-                while alpha < 4 {
-                    sum = L::load(&geometry.hourglass[alpha][j], at).neg_mul_add(force[alpha], sum);
-                    alpha += 1;
-                }
-                t[j] = sum;
-                j += 1;
-            }
-            let mut k = 0;
-            while k < 7 {
-                let b0 = L::load(&geometry.gradient[0][k], at);
-                let mut sum = if k < 3 { b0 * t[0] } else { b0.mul_add(t[0], force[k - 3]) };
-                sum = L::load(&geometry.gradient[1][k], at).mul_add(t[1], sum);
-                local[i][k] = L::load(&geometry.gradient[2][k], at).mul_add(t[2], sum);
-                k += 1;
-            }
-            i += 1;
-        }
-        let mut modes = [[L::splat(0.0); 8]; 3];
-        let mut i = 0;
-        while i < 3 {
-            let r0 = L::load(&geometry.frame[0][i], at);
-            let r1 = L::load(&geometry.frame[1][i], at);
-            let r2 = L::load(&geometry.frame[2][i], at);
-            let mut k = 0;
-            while k < 7 {
-                modes[i][MODES[k]] = r2.mul_add(local[2][k], r1.mul_add(local[1][k], r0 * local[0][k]));
-                k += 1;
-            }
-            i += 1;
-        }
+        let resultants: Sym<L> = [e[0][0], e[1][0], e[2][0], e[3][0], e[4][0], e[5][0]];
+        let (b, x, axes) = (&geometry.gradient, &geometry.hourglass, &geometry.axes);
+        modes[0] = modal_forces::<L, 0>(b, x, axes, &resultants, &conjugate, at);
+        modes[1] = modal_forces::<L, 1>(b, x, axes, &resultants, &conjugate, at);
+        modes[2] = modal_forces::<L, 2>(b, x, axes, &resultants, &conjugate, at);
         store_nodal(&mut modes, &mut nodal, at);
         at += L::WIDTH;
     }
     // SAFETY: passed on to the caller.
     unsafe { scatter_nodal::<L>(out, index, &nodal) };
-}
-
-/// Stores a stress turned from the frame to global axes: Rᵀ σ R.
-#[inline(always)]
-fn store_turned<L: Lane>(frame: &[[Octet; 3]; 3], stress: &Sym<L>, to: &mut [Octet; 6], at: usize) {
-    const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)];
-    // half = σ R, row k in the frame's axes, column i global.
-    let mut half = [[L::splat(0.0); 3]; 3];
-    let mut k = 0;
-    while k < 3 {
-        let mut i = 0;
-        while i < 3 {
-            let mut sum = stress[VOIGT[k][0]] * L::load(&frame[0][i], at);
-            sum = stress[VOIGT[k][1]].mul_add(L::load(&frame[1][i], at), sum);
-            half[k][i] = stress[VOIGT[k][2]].mul_add(L::load(&frame[2][i], at), sum);
-            i += 1;
-        }
-        k += 1;
-    }
-    let mut c = 0;
-    while c < 6 {
-        let (i, j) = PAIRS[c];
-        let mut sum = L::load(&frame[0][i], at) * half[0][j];
-        sum = L::load(&frame[1][i], at).mul_add(half[1][j], sum);
-        sum = L::load(&frame[2][i], at).mul_add(half[2][j], sum);
-        sum.store(&mut to[c], at);
-        c += 1;
-    }
 }

@@ -65,10 +65,10 @@ pub struct Hex8 {
     pub gradient: [[f64; 3]; 8],
     /// Modal coordinates X_αj of the hourglass patterns \[m\].
     pub hourglass: [[f64; 3]; 4],
-    /// Rows are the axes of the element's frame.
-    pub frame: [[f64; 3]; 3],
-    /// Half-lengths ℓ along the frame's axes \[m\].
+    /// Half-lengths ℓ_k along the natural axes, |∂x/∂ξ_k| at the centre \[m\].
     pub half_lengths: [f64; 3],
+    /// Unit vectors t_k along the natural axes at the centre.
+    pub directions: [[f64; 3]; 3],
 }
 
 type Mat3 = [[f64; 3]; 3];
@@ -112,31 +112,6 @@ fn jacobian(corners: &[[f64; 3]; 8], gradients: &[[f64; 3]; 8]) -> Mat3 {
     j
 }
 
-/// The rotation nearest to a matrix with positive determinant (polar decomposition, Higham's Newton iteration).
-fn nearest_rotation(m: &Mat3) -> Mat3 {
-    let mut q = *m;
-    // Newton's iteration converges quadratically; a dozen steps serve any usable element.
-    for _ in 0..32 {
-        let c = cofactors(&q);
-        let det = determinant(&q);
-        // Scaling by the ratio of the norms of q⁻ᵀ and q brings far-off singular values close to 1 first.
-        let norm = |a: &Mat3| a.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
-        let scale = (norm(&c) / (det * norm(&q))).sqrt();
-        let mut change = 0.0_f64;
-        for r in 0..3 {
-            for s in 0..3 {
-                let next = 0.5 * (scale * q[r][s] + c[r][s] / (det * scale));
-                change = change.max((next - q[r][s]).abs());
-                q[r][s] = next;
-            }
-        }
-        if change < 1e-15 {
-            break;
-        }
-    }
-    q
-}
-
 impl Hex8 {
     /// Works out the geometry.
     ///
@@ -178,9 +153,8 @@ impl Hex8 {
         if det.is_nan() || det <= 0.0 {
             return Err(BadShape::Inverted { determinant: det });
         }
-        let frame = nearest_rotation(&centre);
-        // The centre Jacobian in the frame's axes; its diagonal holds the half-lengths.
-        let half_lengths = [0, 1, 2].map(|k| (0..3).map(|s| centre[k][s] * frame[k][s]).sum::<f64>());
+        let half_lengths = centre.map(|g| (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]).sqrt());
+        let directions = [0, 1, 2].map(|k| centre[k].map(|x| x / half_lengths[k]));
 
         let project = |values: &dyn Fn(usize) -> f64, mode: usize| -> f64 {
             (0..8).map(|corner| sign(corner, mode) * values(corner)).sum()
@@ -190,6 +164,6 @@ impl Hex8 {
             gradient[mode] = [0, 1, 2].map(|j| 0.125 * project(&|corner| mean[corner][j], mode));
         }
         let hourglass = HOURGLASS.map(|mode| [0, 1, 2].map(|j| project(&|corner| corners[corner][j], mode)));
-        Ok(Hex8 { corners, volume, weights, corner_volumes, gradient, hourglass, frame, half_lengths })
+        Ok(Hex8 { corners, volume, weights, corner_volumes, gradient, hourglass, half_lengths, directions })
     }
 }

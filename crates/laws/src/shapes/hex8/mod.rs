@@ -10,24 +10,27 @@
 //! g_ij = Σ_m b_mj U_mi over the seven patterns m ≠ constant, and the hourglass amplitudes
 //! q_αi = γ_α·u_i = ⅛ (U_αi − Σ_j X_αj g_ij) vanish for every linear field.
 //!
-//! **Hourglass strain.** In the element's frame R (from the polar decomposition of the Jacobian at the centre) with
-//! half-lengths ℓ, s_kα = q̂_kα/ℓ_k, and α = 1, 2, 3, 4 for ηζ, ξζ, ξη, ξηζ (axes x, y, z are the frame's):
+//! **Hourglass strain.** Along the natural axes, with half-lengths ℓ_k and unit vectors t_k at the centre,
+//! s_kα = t_k·q_α/ℓ_k, and α = 1, 2, 3, 4 for ηζ, ξζ, ξη, ξηζ. Across each natural axis lies a surface that bends as a
+//! plate does: the strain along it is linear in that axis, the stress across it vanishes. Each bilinear mode
+//! stretches the fibres along one axis in uniaxial stress. With axes x, y, z for t_1, t_2, t_3:
 //!
-//! | times | ε_xx | ε_yy | ε_zz | γ |
-//! |---|---|---|---|---|
-//! | ξ | −ν̄ Σ | s_y3 | s_z2 | γ_yz = s_y2 ℓ_y/ℓ_z + s_z3 ℓ_z/ℓ_y |
-//! | η | s_x3 | −ν̄ Σ | s_z1 | γ_zx = s_x1 ℓ_x/ℓ_z + s_z3 ℓ_z/ℓ_x |
-//! | ζ | s_x2 | s_y1 | −ν̄ Σ | γ_xy = s_x1 ℓ_x/ℓ_y + s_y2 ℓ_y/ℓ_x |
-//! | ηζ | s_x4 | −ν s_x4 | −ν s_x4 | |
-//! | ξζ | −ν s_y4 | s_y4 | −ν s_y4 | |
-//! | ξη | −ν s_z4 | −ν s_z4 | s_z4 | |
+//! | times | strain in the surface | stress |
+//! |---|---|---|
+//! | ξ | s_y3, s_z2, γ_yz = s_y2 ℓ_y/ℓ_z + s_z3 ℓ_z/ℓ_y | plane, across x |
+//! | η | s_z1, s_x3, γ_zx = s_z3 ℓ_z/ℓ_x + s_x1 ℓ_x/ℓ_z | plane, across y |
+//! | ζ | s_x2, s_y1, γ_xy = s_x1 ℓ_x/ℓ_y + s_y2 ℓ_y/ℓ_x | plane, across z |
+//! | ηζ, ξζ, ξη | s_x4, s_y4, s_z4 | uniaxial, along x, y, z |
 //!
-//! with ν̄ = ν/(1 − ν) and Σ the sum of the two normal strains in the row. Limits: small displacements; the
-//! frame and lengths are those of the undeformed element; strongly skewed elements bend too stiffly.
+//! For a brick these are Belytschko & Bindeman's ASQBI strains. Here the t_k need not be square to each other: they
+//! are covariant components, so that a parallelepiped bends exactly as well as a brick ([`Surface`]; the same idea as
+//! the stress modes of Pian & Sumihara 1984). Limits: small displacements; trapezoids bend too stiffly, as they
+//! must in an element that passes the patch test (MacNeal 1987).
 
 mod frequency;
 mod full;
 mod geometry;
+mod modal;
 mod one_point;
 mod size;
 
@@ -108,6 +111,30 @@ impl Stabilisation {
             plane_stress: young / (1.0 - nu * nu),
             poisson: nu,
             poisson_plane: nu / (1.0 - nu),
+        }
+    }
+}
+
+/// The surface spanned by two natural axes b and c, across the third.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    /// ℓ_b/ℓ_c
+    pub aspect: f64,
+    /// t_b·t_c
+    pub cosine: f64,
+    /// 1/(1 − cosine²)
+    pub stretch: f64,
+}
+
+impl Surface {
+    /// The surface across natural axis `k`, b and c being the axes that follow it in turn.
+    pub fn across(hex: &Hex8, k: usize) -> Self {
+        let (b, c) = ((k + 1) % 3, (k + 2) % 3);
+        let cosine: f64 = (0..3).map(|i| hex.directions[b][i] * hex.directions[c][i]).sum();
+        Surface {
+            aspect: hex.half_lengths[b] / hex.half_lengths[c],
+            cosine,
+            stretch: 1.0 / (1.0 - cosine * cosine),
         }
     }
 }

@@ -1,12 +1,11 @@
 //! One-point quadrature with the hourglass part integrated in closed form.
 
-use super::{
-    HOURGLASS, Hex8, Probe, Stabilisation, gather_modes, scatter_nodal, store_nodal,
-};
+use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
+use super::{Hex8, Probe, Stabilisation, Surface, gather_modes, scatter_nodal, store_nodal};
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Point, Sym};
 
-/// Geometry of eight elements; 48 octets, that is 384 bytes an element.
+/// Geometry of eight elements; 55 octets, that is 440 bytes an element.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct OnePointGeometry {
@@ -14,17 +13,12 @@ pub struct OnePointGeometry {
     gradient: [[Octet; 7]; 3],
     /// X_αj: `[α][j]`.
     hourglass: [[Octet; 3]; 4],
-    /// Frame over half-lengths, with the ⅛ of γ: R_ki/(8 ℓ_k).
+    /// Directions over half-lengths, with the ⅛ of γ: t_ki/(8 ℓ_k).
     axes: [[Octet; 3]; 3],
-    /// ℓ_k² Σ_{l≠k} 1/ℓ_l².
-    ratios: [Octet; 3],
+    /// Of the surface across each natural axis, see [`Surface`].
+    surfaces: [[Octet; 4]; 3],
     volume: Octet,
 }
-
-const MODES: [usize; 7] = [1, 2, 4, HOURGLASS[0], HOURGLASS[1], HOURGLASS[2], HOURGLASS[3]];
-
-/// Column of component (i, j) in a symmetric tensor.
-const VOIGT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
 impl OnePointGeometry {
     /// Geometry without extent: forces from it are zero. Pads the last octet of a patch.
@@ -32,12 +26,12 @@ impl OnePointGeometry {
         gradient: [[Octet::ZERO; 7]; 3],
         hourglass: [[Octet::ZERO; 3]; 4],
         axes: [[Octet::ZERO; 3]; 3],
-        ratios: [Octet::ZERO; 3],
+        surfaces: [[Octet::ZERO; 4]; 3],
         volume: Octet::ZERO,
     };
 
     /// Puts an element into a lane.
-    pub fn set(&mut self, lane: usize, hex: &Hex8) {
+    pub fn set(&mut self, lane: usize, hex: &Hex8, _: &Stabilisation) {
         for j in 0..3 {
             for (k, mode) in MODES.into_iter().enumerate() {
                 self.gradient[j][k].0[lane] = hex.gradient[mode][j];
@@ -46,13 +40,15 @@ impl OnePointGeometry {
                 self.hourglass[alpha][j].0[lane] = hex.hourglass[alpha][j];
             }
             for k in 0..3 {
-                self.axes[k][j].0[lane] = hex.frame[k][j] / (8.0 * hex.half_lengths[k]);
+                self.axes[k][j].0[lane] = hex.directions[k][j] / (8.0 * hex.half_lengths[k]);
             }
         }
-        let inverse = hex.half_lengths.map(|l| 1.0 / (l * l));
-        let sum: f64 = inverse.iter().sum();
         for k in 0..3 {
-            self.ratios[k].0[lane] = (sum - inverse[k]) / inverse[k];
+            let surface = Surface::across(hex, k);
+            let values = [surface.aspect, 1.0 / surface.aspect, surface.cosine, surface.stretch];
+            for (octet, value) in self.surfaces[k].iter_mut().zip(values) {
+                octet.0[lane] = value;
+            }
         }
         self.volume.0[lane] = hex.volume;
     }
@@ -85,9 +81,9 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         let mut modes = unsafe { gather_modes::<L>(rows, index, at) };
 
         // Spelt out by component: a loop over them would keep the arrays out of registers.
-        let (g0, q0) = gradient::<L>(geometry, &modes[0], at);
-        let (g1, q1) = gradient::<L>(geometry, &modes[1], at);
-        let (g2, q2) = gradient::<L>(geometry, &modes[2], at);
+        let (g0, q0) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[0], at);
+        let (g1, q1) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[1], at);
+        let (g2, q2) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[2], at);
         let g = [g0, g1, g2];
 
         let strain: Sym<L> = [
@@ -106,38 +102,24 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         let (stress, new) = material.update(&lane_point, strain, old);
         super::store_history::<L, M>(new, history, at);
 
-        // Hourglass amplitudes in the frame, over half-lengths, and their conjugate forces.
+        // Hourglass amplitudes along the natural axes, over half-lengths, and their conjugate forces.
         let s = [
-            turned::<L>(&geometry.axes[0], &q0, &q1, &q2, at),
-            turned::<L>(&geometry.axes[1], &q0, &q1, &q2, at),
-            turned::<L>(&geometry.axes[2], &q0, &q1, &q2, at),
+            along_axis::<L>(&geometry.axes[0], &q0, &q1, &q2, at),
+            along_axis::<L>(&geometry.axes[1], &q0, &q1, &q2, at),
+            along_axis::<L>(&geometry.axes[2], &q0, &q1, &q2, at),
         ];
         let volume = L::load(&geometry.volume, at);
         let third = volume * L::splat(1.0 / 3.0);
         let bend = third * L::splat(elastic.plane_stress);
-        let shear = third * L::splat(elastic.mu);
         let twist = volume * L::splat(elastic.young / 9.0);
-        let nu = L::splat(elastic.poisson);
-        let p = [
-            [
-                shear * (L::load(&geometry.ratios[0], at).mul_add(s[0][0], s[1][1] + s[2][2])),
-                bend * nu.mul_add(s[1][0], s[0][1]),
-                bend * nu.mul_add(s[2][0], s[0][2]),
-                twist * s[0][3],
-            ],
-            [
-                bend * nu.mul_add(s[0][1], s[1][0]),
-                shear * (L::load(&geometry.ratios[1], at).mul_add(s[1][1], s[0][0] + s[2][2])),
-                bend * nu.mul_add(s[2][1], s[1][2]),
-                twist * s[1][3],
-            ],
-            [
-                bend * nu.mul_add(s[0][2], s[2][0]),
-                bend * nu.mul_add(s[1][2], s[2][1]),
-                shear * (L::load(&geometry.ratios[2], at).mul_add(s[2][2], s[0][0] + s[1][1])),
-                twist * s[2][3],
-            ],
-        ];
+        let less = L::splat(1.0 - elastic.poisson);
+        let mut p = [[L::splat(0.0); 4]; 3];
+        p[0][3] = twist * s[0][3];
+        p[1][3] = twist * s[1][3];
+        p[2][3] = twist * s[2][3];
+        bend_surface::<L, 0, 1, 2>(&geometry.surfaces[0], bend, less, &s, &mut p, at);
+        bend_surface::<L, 1, 2, 0>(&geometry.surfaces[1], bend, less, &s, &mut p, at);
+        bend_surface::<L, 2, 0, 1>(&geometry.surfaces[2], bend, less, &s, &mut p, at);
 
         if PROBE {
             let half = L::splat(0.5);
@@ -162,9 +144,11 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             (half * energy).store(&mut probe.hourglass_energy, at);
         }
 
-        modes[0] = modal_forces::<L, 0>(geometry, volume, &stress, &p, at);
-        modes[1] = modal_forces::<L, 1>(geometry, volume, &stress, &p, at);
-        modes[2] = modal_forces::<L, 2>(geometry, volume, &stress, &p, at);
+        let resultants = stress.map(|s| volume * s);
+        let (b, x, axes) = (&geometry.gradient, &geometry.hourglass, &geometry.axes);
+        modes[0] = modal_forces::<L, 0>(b, x, axes, &resultants, &p, at);
+        modes[1] = modal_forces::<L, 1>(b, x, axes, &resultants, &p, at);
+        modes[2] = modal_forces::<L, 2>(b, x, axes, &resultants, &p, at);
         store_nodal(&mut modes, &mut nodal, at);
         at += L::WIDTH;
     }
@@ -172,85 +156,26 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
     unsafe { scatter_nodal::<L>(out, index, &nodal) };
 }
 
-/// Mean gradient g_ij over j, and U_αi − Σ_j X_αj g_ij over α, of one component's modal displacements.
+/// Forces conjugate to the amplitudes that bend the surface across axis `K`: ∂/∂s of ½ E/(1 − ν²) V/3 (tr² − 2(1 − ν) det)
+/// with tr and det of the strain in the surface.
 #[inline(always)]
-fn gradient<L: Lane>(geometry: &OnePointGeometry, u: &[L; 8], at: usize) -> ([L; 3], [L; 4]) {
-    let mut g = [L::splat(0.0); 3];
-    let mut j = 0;
-    while j < 3 {
-        let b = &geometry.gradient[j];
-        let mut sum = L::load(&b[0], at) * u[MODES[0]];
-        let mut k = 1;
-        while k < 7 {
-            sum = L::load(&b[k], at).mul_add(u[MODES[k]], sum);
-            k += 1;
-        }
-        g[j] = sum;
-        j += 1;
-    }
-    let mut q = [L::splat(0.0); 4];
-    let mut alpha = 0;
-    while alpha < 4 {
-        let x = &geometry.hourglass[alpha];
-        let mut sum = L::load(&x[0], at).neg_mul_add(g[0], u[HOURGLASS[alpha]]);
-        sum = L::load(&x[1], at).neg_mul_add(g[1], sum);
-        q[alpha] = L::load(&x[2], at).neg_mul_add(g[2], sum);
-        alpha += 1;
-    }
-    (g, q)
-}
-
-/// s_kα over α: the amplitudes along axis k of the frame, over its half-length.
-#[inline(always)]
-fn turned<L: Lane>(axis: &[Octet; 3], q0: &[L; 4], q1: &[L; 4], q2: &[L; 4], at: usize) -> [L; 4] {
-    let (r0, r1, r2) = (L::load(&axis[0], at), L::load(&axis[1], at), L::load(&axis[2], at));
-    let mut s = [L::splat(0.0); 4];
-    let mut alpha = 0;
-    while alpha < 4 {
-        s[alpha] = r2.mul_add(q2[alpha], r1.mul_add(q1[alpha], r0 * q0[alpha]));
-        alpha += 1;
-    }
-    s
-}
-
-/// Modal forces of component `I`: conjugate to q_αi, then to g_ij, then to the modes.
-#[inline(always)]
-fn modal_forces<L: Lane, const I: usize>(
-    geometry: &OnePointGeometry,
-    volume: L,
-    stress: &Sym<L>,
-    p: &[[L; 4]; 3],
+fn bend_surface<L: Lane, const K: usize, const B: usize, const C: usize>(
+    surface: &[Octet; 4],
+    bend: L,
+    less: L,
+    s: &[[L; 4]; 3],
+    p: &mut [[L; 4]; 3],
     at: usize,
-) -> [L; 8] {
-    let r0 = L::load(&geometry.axes[0][I], at);
-    let r1 = L::load(&geometry.axes[1][I], at);
-    let r2 = L::load(&geometry.axes[2][I], at);
-    let mut force = [L::splat(0.0); 4];
-    let mut alpha = 0;
-    while alpha < 4 {
-        force[alpha] = r2.mul_add(p[2][alpha], r1.mul_add(p[1][alpha], r0 * p[0][alpha]));
-        alpha += 1;
-    }
-    let mut t = [L::splat(0.0); 3];
-    let mut j = 0;
-    while j < 3 {
-        let mut sum = volume * stress[VOIGT[I][j]];
-        let mut alpha = 0;
-        while alpha < 4 {
-            sum = L::load(&geometry.hourglass[alpha][j], at).neg_mul_add(force[alpha], sum);
-            alpha += 1;
-        }
-        t[j] = sum;
-        j += 1;
-    }
-    let mut f = [L::splat(0.0); 8];
-    let mut k = 0;
-    while k < 7 {
-        let b0 = L::load(&geometry.gradient[0][k], at);
-        let mut sum = if k < 3 { b0 * t[0] } else { b0.mul_add(t[0], force[k - 3]) };
-        sum = L::load(&geometry.gradient[1][k], at).mul_add(t[1], sum);
-        f[MODES[k]] = L::load(&geometry.gradient[2][k], at).mul_add(t[2], sum);
-        k += 1;
-    }
-    f
+) {
+    let (aspect, inverse) = (L::load(&surface[0], at), L::load(&surface[1], at));
+    let (cosine, stretch) = (L::load(&surface[2], at), L::load(&surface[3], at));
+    let (a, b) = (s[B][C], s[C][B]);
+    let gamma = aspect.mul_add(s[B][B], inverse * s[C][C]);
+    let trace = stretch * cosine.neg_mul_add(gamma, a + b);
+    let scale = bend * stretch;
+    p[B][C] = scale * less.neg_mul_add(b, trace);
+    p[C][B] = scale * less.neg_mul_add(a, trace);
+    let shear = scale * (L::splat(0.5) * less).mul_add(gamma, -(cosine * trace));
+    p[B][B] = aspect.mul_add(shear, p[B][B]);
+    p[C][C] = inverse.mul_add(shear, p[C][C]);
 }
