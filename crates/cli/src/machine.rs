@@ -36,22 +36,28 @@ pub fn isa(word: Option<&str>) -> Result<Isa, crate::exit::Failure> {
     }
 }
 
-/// Memory bandwidth of one core \[B/s\]: a ← b + s c over arrays far beyond the caches, best of three.
-pub fn triad_bandwidth() -> f64 {
+/// Memory bandwidth with some threads \[B/s\]: a ← b + s c over arrays far beyond the caches, best of five.
+pub fn triad_bandwidth(threads: usize) -> f64 {
     const N: usize = 8 << 20;
-    let b = vec![1.0_f64; N];
-    let c = vec![2.0_f64; N];
-    let mut a = vec![0.0_f64; N];
-    let mut best = 0.0_f64;
-    for _ in 0..3 {
-        let begin = Instant::now();
-        for ((a, b), c) in a.iter_mut().zip(&b).zip(&c) {
-            *a = b + 0.5 * c;
+    let worker = || {
+        let b = vec![1.0_f64; N];
+        let c = vec![2.0_f64; N];
+        let mut a = vec![0.0_f64; N];
+        let mut best = 0.0_f64;
+        for _ in 0..5 {
+            let begin = Instant::now();
+            for ((a, b), c) in a.iter_mut().zip(&b).zip(&c) {
+                *a = b + 0.5 * c;
+            }
+            black_box(&mut a);
+            best = best.max(24.0 * N as f64 / begin.elapsed().as_secs_f64());
         }
-        black_box(&mut a);
-        best = best.max(24.0 * N as f64 / begin.elapsed().as_secs_f64());
-    }
-    best
+        best
+    };
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
+        workers.into_iter().filter_map(|w| w.join().ok()).sum()
+    })
 }
 
 /// Fused multiply–adds of one core, as floating-point operations a second, with the widest registers.

@@ -24,7 +24,7 @@ enum Command {
     /// Write the report page again, from the result files alone
     Report(commands::report::Args),
     /// Run the verification problems and print each figure beside the exact one
-    //Verify(commands::verify::Args),
+    Verify(commands::verify::Args),
     /// Look at earthquake records and process them
     Motion(commands::motion::Args),
     /// Time the engine on a box of hexahedra
@@ -42,7 +42,7 @@ fn main() -> std::process::ExitCode {
         Command::Check(args) => commands::check::run(&args),
         Command::Run(args) => commands::run::run(&args),
         Command::Report(args) => commands::report::run(&args),
-        //Command::Verify(args) => commands::verify::run(&args),
+        Command::Verify(args) => commands::verify::run(&args),
         Command::Motion(args) => commands::motion::run(&args),
         Command::Bench(args) => commands::bench::run(&args),
         Command::List(args) => commands::list::run(&args),

@@ -81,7 +81,8 @@ pub fn run(args: &Args) -> Outcome {
     }
     let rate = best.element_updates_per_second;
     let (bytes, flops) = best.cost_per_element;
-    let (bandwidth, peak) = (machine::triad_bandwidth(), machine::peak_flops());
+    let threads = best.threads as f64;
+    let (bandwidth, peak) = (machine::triad_bandwidth(best.threads), threads * machine::peak_flops());
     print(&format!("{}, {}", machine::processor(), isa.name()));
     print(&format!(
         "{} {} elements, {} nodes, {} steps, {} threads: {:.3} s, {:.2} million element updates a second",
@@ -94,9 +95,10 @@ pub fn run(args: &Args) -> Outcome {
         rate / 1e6
     ));
     print(&format!(
-        "an update moves at least {bytes:.0} bytes and takes {flops:.0} operations: {:.0} % of one core's memory bandwidth \
-         ({:.1} GB/s, triad) and {:.0} % of its peak ({:.1} GFLOP/s)",
+        "an update moves at least {bytes:.0} bytes and takes {flops:.0} operations: {:.0} % of the memory bandwidth \
+         of {} threads ({:.1} GB/s, triad) and {:.0} % of their peak ({:.1} GFLOP/s)",
         100.0 * rate * bytes / bandwidth,
+        best.threads,
         bandwidth / 1e9,
         100.0 * rate * flops / peak,
         peak / 1e9

@@ -7,7 +7,7 @@ pub mod motion;
 pub mod new;
 pub mod report;
 pub mod run;
-//pub mod verify;
+pub mod verify;
 
 use crate::exit::Failure;
 use std::path::Path;
@@ -26,6 +26,10 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
         crate::terminal::say(&report.render(crate::terminal::colour()));
     }
     let setup = setup(&case, &laws, isa).map_err(|r| Failure::case(&r))?;
+    if !setup.warnings.is_empty() {
+        let report = case.report(setup.warnings.clone()).as_warnings();
+        crate::terminal::say(&report.render(crate::terminal::colour()));
+    }
     Ok((case, setup))
 }
 

@@ -24,7 +24,8 @@ pub fn run(args: &Args) -> Outcome {
             "problem", "quantity", "value", "reference", "tolerance", "order"
         ));
     }
-    tremolite_verify::run(&args.names, effort, &mut |check| {
+    let names: Vec<&str> = args.names.iter().map(String::as_str).collect();
+    tremolite_verify::run(&names, effort, &mut |check| {
         if !args.json {
             let order = check.order.map_or(String::new(), |o| format!("{o:.2}"));
             let mark = if check.pass { "" } else { "  MISS" };
@@ -38,9 +39,25 @@ pub fn run(args: &Args) -> Outcome {
     .map_err(Failure::input)?;
     let missed = checks.iter().filter(|c| !c.pass).count();
     if args.json {
-        print(&serde_json::to_string(&checks).unwrap_or_default());
+        let list: Vec<serde_json::Value> = checks.iter().map(json).collect();
+        print(&serde_json::Value::from(list).to_string());
     } else {
         print(&format!("{} of {} figures within tolerance", checks.len() - missed, checks.len()));
     }
     Ok(if missed == 0 { Code::Done } else { Code::Failed })
+}
+
+/// A check as JSON; a value that is not a number becomes null.
+fn json(check: &Check) -> serde_json::Value {
+    serde_json::json!({
+        "name": check.name,
+        "quantity": check.quantity,
+        "value": check.value,
+        "reference": check.reference,
+        "tolerance": check.tolerance,
+        "pass": check.pass,
+        "order": check.order,
+        "unit": check.unit,
+        "note": check.note,
+    })
 }

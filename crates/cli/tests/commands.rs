@@ -1,0 +1,203 @@
+//! The command as a user meets it: exit status, files, messages.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+use tremolite_results::{Status, Summary, Table};
+
+fn tremolite(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn errors(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// A new case, shortened so that a run takes a moment.
+fn new_case() -> (TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(code(&tremolite(folder.path(), &["new", "study"])), 0);
+    let case = folder.path().join("study/case.toml");
+    change(&case, "duration = \"1.5 s\"", "duration = \"0.3 s\"");
+    (folder, case)
+}
+
+fn change(case: &Path, from: &str, to: &str) {
+    let text = std::fs::read_to_string(case).unwrap();
+    assert!(text.contains(from), "the case has no '{from}'");
+    std::fs::write(case, text.replacen(from, to, 1)).unwrap();
+}
+
+#[test]
+fn a_new_case_checks_runs_and_reports() {
+    let (folder, _) = new_case();
+    let check = tremolite(folder.path(), &["check", "study/case.toml"]);
+    assert_eq!(code(&check), 0, "{}", errors(&check));
+    let text = String::from_utf8(check.stdout).unwrap();
+    for word in ["hall.lining", "incident wave is 1 times", "stable, set by element", "million element updates"] {
+        assert!(text.contains(word), "check does not say '{word}':\n{text}");
+    }
+    assert!(!folder.path().join("results").exists(), "check computes nothing");
+
+    let run = tremolite(folder.path(), &["run", "study/case.toml"]);
+    assert_eq!(code(&run), 0, "{}", errors(&run));
+    assert!(run.stdout.is_empty(), "messages go to standard error");
+    let results = folder.path().join("results/study");
+    for file in ["case.toml", "summary.json", "monitors.csv", "energy.csv", "fields.pvd", "report.html", "log.txt"] {
+        assert!(results.join(file).is_file(), "{file}");
+    }
+    let summary = Summary::read(&results.join("summary.json")).unwrap();
+    assert_eq!(summary.status, Status::Done);
+    assert!(summary.element_updates_per_second > 0.0);
+    assert!(summary.monitors["crown"]["ux"].max > 0.0);
+    assert!(summary.relative["crown-wall"]["u"].max > 0.0);
+    assert!(summary.trust.iter().all(|t| t.pass), "{:?}", summary.trust);
+    assert!(summary.defaulted.iter().any(|d| d.key == "dynamic.base.normal"));
+
+    // A second run gets a folder of its own; a taken --out is refused, and replaced when asked.
+    assert_eq!(code(&tremolite(folder.path(), &["run", "study/case.toml"])), 0);
+    assert!(folder.path().join("results/study-2/summary.json").is_file());
+    let taken = tremolite(folder.path(), &["run", "study/case.toml", "--out", "results/study"]);
+    assert_eq!(code(&taken), 2);
+    assert!(errors(&taken).contains("--overwrite"), "{}", errors(&taken));
+    let again = tremolite(folder.path(), &["run", "study/case.toml", "--out", "results/study", "--overwrite"]);
+    assert_eq!(code(&again), 0);
+
+    std::fs::remove_file(results.join("report.html")).unwrap();
+    assert_eq!(code(&tremolite(folder.path(), &["report", "results/study"])), 0);
+    assert!(std::fs::read_to_string(results.join("report.html")).unwrap().contains("A first cavern"));
+}
+
+#[test]
+fn bad_cases_are_refused_at_once_with_all_their_problems_and_nothing_computed() {
+    let (folder, case) = new_case();
+    change(&case, "poisson     = 0.25", "poisson     = 0.5");
+    change(&case, "young       = \"25 GPa\"", "young       = \"25 m\"");
+    change(&case, "histories =", "historys =");
+    let run = tremolite(folder.path(), &["run", "study/case.toml"]);
+    assert_eq!(code(&run), 2);
+    let text = errors(&run);
+    for word in ["case.toml:30:", "below 0.5", "25 m", "historys", "histories"] {
+        assert!(text.contains(word), "'{word}' is missing:\n{text}");
+    }
+    assert!(!folder.path().join("results").exists());
+}
+
+#[test]
+fn what_does_not_fit_the_mesh_is_refused_at_its_place() {
+    let cases: [(&str, &str, &[&str]); 6] = [
+        ("at   = \"hall.crown\"", "at   = [0, 0, -300]", &["monitor crown at", "the mesh spans"]),
+        ("at   = \"hall.crown\"", "at   = \"hall.roof\"", &["no point 'hall.roof'", "hall.crown"]),
+        ("[\"hall.bench*\"]", "[\"hall.pit*\"]", &["no group of the mesh fits", "belong to no region"]),
+        ("groups   = [\"rock\"]", "groups   = [\"rock\", \"hall.lin*\"]", &["are in the region of", "one region only"]),
+        ("base     = \"viscous-spring\"", "base     = \"fixed\"", &["cannot enter through this base"]),
+        ("\"displacement\", ", "\"temperature\", ", &["no field 'temperature'", "known are displacement"]),
+    ];
+    for (from, to, words) in cases {
+        let (folder, case) = new_case();
+        change(&case, from, to);
+        let run = tremolite(folder.path(), &["run", "study/case.toml"]);
+        assert_eq!(code(&run), 2, "{to}");
+        let text = errors(&run);
+        assert!(text.contains("case.toml:"), "{text}");
+        for word in words {
+            assert!(text.contains(word), "{to}: '{word}' is missing:\n{text}");
+        }
+        assert!(!folder.path().join("results").exists(), "{to}");
+    }
+}
+
+#[test]
+fn an_unstable_run_ends_with_status_1_and_names_the_element() {
+    let (folder, case) = new_case();
+    change(&case, "sides    = \"periodic\"", "sides    = \"periodic\"\ntime_step = \"0.3 ms\"");
+    let run = tremolite(folder.path(), &["run", "study/case.toml"]);
+    assert_eq!(code(&run), 1, "{}", errors(&run));
+    assert!(errors(&run).contains("became unstable") && errors(&run).contains("element "), "{}", errors(&run));
+    let summary = Summary::read(&folder.path().join("results/study/summary.json")).unwrap();
+    assert_eq!(summary.status, Status::Failed);
+    assert!(Table::read(&folder.path().join("results/study/monitors.csv")).unwrap().rows() > 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_signal_stops_with_a_checkpoint_and_resume_gives_the_same_histories() {
+    let (folder, case) = new_case();
+    change(&case, "duration = \"0.3 s\"", "duration = \"1.5 s\"");
+    // A small step makes the run long enough to be stopped on the way.
+    change(&case, "sides    = \"periodic\"", "sides    = \"periodic\"\ntime_step = \"0.05 ms\"");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_tremolite"))
+        .current_dir(folder.path())
+        .args(["run", "study/case.toml", "--out", "stopped", "--threads", "1"])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let monitors = folder.path().join("stopped/monitors.csv");
+    let rows = || std::fs::metadata(&monitors).map_or(0, |m| m.len());
+    for _ in 0..2000 {
+        // Results can be read while the run goes on.
+        if rows() > 20_000 {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert!(rows() > 0, "the run wrote nothing in ten seconds");
+    Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(3));
+    let resumed = ["run", "study/case.toml", "--out", "stopped", "--resume", "--threads", "3"];
+    let resumed = tremolite(folder.path(), &resumed);
+    assert_eq!(code(&resumed), 0, "{}", errors(&resumed));
+    assert_eq!(code(&tremolite(folder.path(), &["run", "study/case.toml", "--out", "whole"])), 0);
+    let bytes = |run: &str| std::fs::read(folder.path().join(run).join("monitors.csv")).unwrap();
+    assert!(bytes("stopped") == bytes("whole"));
+    let summary = Summary::read(&folder.path().join("stopped/summary.json")).unwrap();
+    assert_eq!((summary.status, summary.run.resumed), (Status::Done, 1));
+}
+
+#[test]
+fn data_commands_print_json_with_the_promised_keys() {
+    let (folder, _) = new_case();
+    let json = |args: &[&str]| -> serde_json::Value {
+        let output = tremolite(folder.path(), args);
+        assert_eq!(code(&output), 0, "{args:?}: {}", errors(&output));
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let bench = json(&["bench", "--elements", "512", "--steps", "5", "--repeat", "1", "--json"]);
+    for key in ["elements", "steps", "threads", "kind", "seconds", "element_updates_per_second", "peak_bytes"] {
+        assert!(bench.get(key).is_some(), "{key}");
+    }
+    let info = json(&["motion", "info", "study/pulse.txt", "--json"]);
+    for key in ["name", "file", "dt", "npts", "units", "pga", "pgv", "pgd", "arias", "d5_95", "cav"] {
+        assert!(info["channels"][0].get(key).is_some(), "{key}");
+    }
+    assert!((info["channels"][0]["pgv"].as_f64().unwrap() - 0.2).abs() < 1e-3);
+    let spectrum = json(&["motion", "spectrum", "study/pulse.txt", "--json"]);
+    let lengths = ["periods", "psa"].map(|k| spectrum["channels"][0][k].as_array().unwrap().len());
+    assert!(lengths[0] == lengths[1] && lengths[0] > 10);
+    let schema = json(&["schema"]);
+    assert!(schema["properties"]["material"].is_object());
+    let checks = json(&["verify", "scheme_literal", "--json"]);
+    for key in ["name", "quantity", "value", "reference", "tolerance", "pass", "order"] {
+        assert!(checks[0].get(key).is_some(), "{key}");
+    }
+}
+
+#[test]
+fn lists_name_what_a_case_may_say() {
+    let folder = tempfile::tempdir().unwrap();
+    for (what, word) in
+        [("materials", "young"), ("boundaries", "viscous-spring"), ("quantities", "s1"), ("formats", "Gmsh")]
+    {
+        let output = tremolite(folder.path(), &["list", what]);
+        assert_eq!(code(&output), 0);
+        assert!(String::from_utf8(output.stdout).unwrap().contains(word), "{what}");
+    }
+    assert_eq!(code(&tremolite(folder.path(), &["list", "colours"])), 2);
+    assert_eq!(code(&tremolite(folder.path(), &["run", "absent.toml"])), 2);
+    assert_eq!(code(&tremolite(folder.path(), &["report", "."])), 2);
+    assert_eq!(code(&tremolite(folder.path(), &["verify", "no_such_problem"])), 2);
+}

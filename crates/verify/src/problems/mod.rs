@@ -1,0 +1,32 @@
+//! The problems, one a file.
+
+use crate::Problem;
+
+pub mod bar_step_wave;
+pub mod cantilever_thin;
+pub mod damping_ratio;
+pub mod discrete_energy;
+pub mod dispersion;
+pub mod incident_pulse;
+pub mod lamb;
+pub mod layered_column;
+pub mod macneal_harder_beam;
+pub mod scheme_literal;
+pub mod thick_cylinder;
+pub mod time_order;
+
+/// All problems, in the order in which they run: the scheme, waves, boundaries, elements.
+pub const PROBLEMS: &[Problem] = &[
+    scheme_literal::PROBLEM,
+    time_order::PROBLEM,
+    discrete_energy::PROBLEM,
+    damping_ratio::PROBLEM,
+    dispersion::PROBLEM,
+    bar_step_wave::PROBLEM,
+    incident_pulse::PROBLEM,
+    layered_column::PROBLEM,
+    lamb::PROBLEM,
+    macneal_harder_beam::PROBLEM,
+    cantilever_thin::PROBLEM,
+    thick_cylinder::PROBLEM,
+];
