@@ -104,13 +104,7 @@ impl Case {
     /// # Errors
     /// All problems of the file at once, files that it names and that are not there included.
     pub fn read(path: &Path, laws: &[LawInfo]) -> Result<Case, Report> {
-        let unreadable = |what: String, remedy: &str| {
-            Report::new(path, "", vec![Problem::new(0..0, format!("{}: {what}", path.display()), remedy)])
-        };
-        let bytes = std::fs::read(path)
-            .map_err(|e| unreadable(format!("cannot be read, {e}"), "check the path of the case file"))?;
-        let source = String::from_utf8(bytes)
-            .map_err(|_| unreadable("is not UTF-8 text".to_owned(), "save the case file as UTF-8 text"))?;
+        let source = syntax::read(path, "case file")?;
         let case = Case::parse(path, &source, laws)?;
         let missing = case.missing_files();
         if missing.is_empty() { Ok(case) } else { Err(case.report(missing)) }

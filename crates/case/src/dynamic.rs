@@ -9,6 +9,7 @@ use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table, When, words};
 
 const DURATION: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
+const FREQUENCY: Kind = Kind::Number(Dimension::RATE, Limit::Positive);
 const COEFFICIENT: Kind = Kind::Number(Dimension::NONE, Limit::NotNegative);
 
 pub(crate) static DYNAMIC: Table = Table {
@@ -77,11 +78,27 @@ static DAMPING: Table = Table {
     doc: "Damping of the rock and the lining.",
     keys: &[
         Key::default("rayleigh", Kind::Table(&RAYLEIGH), "{}", "Rayleigh damping, C = mass M + stiffness K"),
-        Key::later(
+        Key::optional(
             "ratio",
-            "write rayleigh = { mass = \"0.3 1/s\" }: at f hertz its ratio is mass / (4 π f)",
-        ),
-        Key::later("band", "write rayleigh = { mass = \"0.3 1/s\" }: at f hertz its ratio is mass / (4 π f)"),
+            Kind::Number(Dimension::NONE, Limit::Positive),
+            "",
+            "Damping ratio nearly constant over `band`, by three Maxwell bodies; stiffens and cuts the stable step",
+        )
+        .when(When::Beside("band")),
+        Key::optional(
+            "band",
+            Kind::List(&FREQUENCY, 2, 2),
+            "",
+            "Lowest and highest frequency of the constant ratio",
+        )
+        .when(When::Beside("ratio")),
+        Key::optional(
+            "reference",
+            FREQUENCY,
+            "the motion's central frequency",
+            "Frequency at which Young's moduli are meant; they grow with frequency across the band",
+        )
+        .when(When::Beside("ratio")),
     ],
     choice: &[],
 };
@@ -147,6 +164,7 @@ pub struct Dynamic {
     pub sides: [Spanned<Side>; 2],
     /// Damping of all materials.
     pub rayleigh: Rayleigh,
+    pub band: Option<BandDamping>,
     /// s; nothing: `safety` times the stable step.
     pub time_step: Option<Spanned<f64>>,
     /// Time step over the largest stable one, in (0, 1].
@@ -175,7 +193,17 @@ pub enum Base {
     Free,
 }
 
-/// Rayleigh damping, C = ω M + ξ K (method, equation 19).
+/// Damping nearly independent of frequency over a band.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BandDamping {
+    pub ratio: Spanned<f64>,
+    /// Hz
+    pub band: Spanned<[f64; 2]>,
+    /// Hz; nothing: the motion's central frequency.
+    pub reference: Option<Spanned<f64>>,
+}
+
+/// Rayleigh damping, C = ω M + ξ K.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rayleigh {
     /// ω, 1/s.
@@ -191,8 +219,10 @@ impl Dynamic {
         let side = |key| f.table("sides").and_then(|s| s.word(key, Side::from_word));
         let sides = (side("x"), side("y"));
         let rayleigh = f.table("damping").and_then(|d| d.table("rayleigh")).and_then(Rayleigh::read);
+        let band = f.table("damping").and_then(BandDamping::read);
         Some(Dynamic {
             duration,
+            band,
             time_step,
             safety: f.number("safety")?,
             base: base?,
@@ -228,6 +258,15 @@ impl Base {
             BaseKind::Free => Base::Free,
         };
         Some(Spanned::new(base, kind.span))
+    }
+}
+
+impl BandDamping {
+    /// Nothing where no band is given.
+    fn read(f: &Fields) -> Option<Self> {
+        let (ratio, reference) = (f.number("ratio"), f.number("reference"));
+        let band = f.get("band").and_then(|node| node.numbers());
+        Some(BandDamping { ratio: ratio?, band: band?, reference })
     }
 }
 

@@ -163,8 +163,6 @@ impl Key {
 pub const LATER_WORDS: &[(&str, &str)] = &[
     ("free-field", "write \"periodic\", or \"viscous\" with the sides far away"),
     ("symmetry", "write \"roller\": no motion normal to the side, free along it"),
-    ("mohr-coulomb", "write law = \"elastic\" with `young` and `poisson`"),
-    ("concrete-damage", "write law = \"elastic\" with `young` and `poisson`"),
 ];
 
 /// Declares an enumeration of words of the case file; the words are written once.

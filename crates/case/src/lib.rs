@@ -6,6 +6,8 @@
 //!
 //! The crate knows no meshes and no records: whether a group or a point exists, or a step of processing can be
 //! read, is found by the builder of the model, which reports it at the same place through [`Case::report`].
+//!
+//! A material can also stand in a file of its own ([`LawFile`]), under the same keys.
 
 pub mod pattern;
 pub mod units;
@@ -16,6 +18,7 @@ mod consistency;
 mod dynamic;
 mod fields;
 mod keys;
+mod law_file;
 mod material;
 mod mesh;
 mod monitor;
@@ -30,9 +33,12 @@ mod syntax;
 mod value;
 
 pub use case::{Case, Defaulted};
-pub use dynamic::{Base, Dynamic, Rayleigh, Side};
+pub use dynamic::{BandDamping, Base, Dynamic, Rayleigh, Side};
+pub use law_file::LawFile;
 pub use material::Material;
-pub use mesh::{Axis, Cavern, Caverns, Lining, Mesh, MeshBox, MeshFile};
+pub use mesh::{
+    Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,
+};
 pub use monitor::{Monitor, Place, Relative};
 pub use motion::{Column, Component, Direction, Motion, MotionKind, Record, Records, Window};
 pub use output::Output;

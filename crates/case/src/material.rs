@@ -77,7 +77,7 @@ pub(crate) fn key(parameter: &Parameter) -> Key {
 }
 
 /// The law's parameters; nothing if the law is unknown.
-fn values(material: &fields::Material) -> Option<Values> {
+pub(crate) fn values(material: &fields::Material) -> Option<Values> {
     let mut values = Values::default();
     for name in material.parameters.as_ref()? {
         let value = match material.fields.nodes.get(name).map(|n| &n.item) {
@@ -123,18 +123,32 @@ impl Checker<'_> {
                 "`void` stands for what is already excavated; choose another name",
             );
         }
+        let path = format!("material.{}", name.value);
+        self.law(&MATERIAL, &[], name, table, span, &path)
+    }
+
+    /// Checks the table of one law: the keys of `table`, those of the law it names, and `more`.
+    pub(crate) fn law(
+        &mut self,
+        table: &'static Table,
+        more: &[Key],
+        name: Spanned<String>,
+        written: &DeTable<'_>,
+        span: Range<usize>,
+        path: &str,
+    ) -> fields::Material {
         let laws = self.laws;
-        let law = table.get("law").and_then(|v| Some((v.get_ref().as_str()?, v.span())));
+        let law = written.get("law").and_then(|v| Some((v.get_ref().as_str()?, v.span())));
         let info = law.as_ref().and_then(|(law, _)| laws.iter().find(|l| l.name == *law));
         if let (Some((law, at)), None) = (law, info) {
             let names: Vec<&'static str> = laws.iter().map(|l| l.name).collect();
             self.word(&names, law, &at, "law");
         }
-        let keys: Option<Vec<Key>> = info.map(|i| i.parameters.iter().map(key).collect());
+        let keys: Option<Vec<Key>> =
+            info.map(|i| i.parameters.iter().map(key).chain(more.iter().copied()).collect());
         let before = self.problems.len();
-        let path = format!("material.{}", name.value);
-        let fields = self.table(&MATERIAL, keys.as_deref(), table, span, &path);
-        let parameters = keys.map(|keys| keys.iter().map(|k| k.name).collect());
+        let fields = self.table(table, keys.as_deref(), written, span, path);
+        let parameters = info.map(|i| i.parameters.iter().map(|p| p.name).collect());
         let material = fields::Material { name, fields, parameters };
         if let Some(info) = info
             && self.problems.len() == before

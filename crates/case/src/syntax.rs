@@ -1,9 +1,22 @@
 //! TOML itself: text to a tree of values with their places.
 
+use std::path::Path;
+
 use toml::Spanned;
 use toml::de::{DeTable, Error};
 
-use crate::Problem;
+use crate::{Problem, Report};
+
+/// The text of a file; `what` it is called in messages.
+pub(crate) fn read(path: &Path, what: &str) -> Result<String, Report> {
+    let unreadable = |fault: String, remedy: String| {
+        Report::new(path, "", vec![Problem::new(0..0, format!("{}: {fault}", path.display()), remedy)])
+    };
+    let bytes = std::fs::read(path)
+        .map_err(|e| unreadable(format!("cannot be read, {e}"), format!("check the path of the {what}")))?;
+    String::from_utf8(bytes)
+        .map_err(|_| unreadable("is not UTF-8 text".to_owned(), format!("save the {what} as UTF-8 text")))
+}
 
 /// Parses the text, or reports every place that is not TOML.
 pub(crate) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, Vec<Problem>> {

@@ -39,6 +39,16 @@ fn every_value_arrives_in_si() {
     assert_eq!((lining.walls.value, lining.crown.value, lining.floor.value), (0.5, 0.9, 0.3));
     assert_eq!(lining.layers.value, 2);
     assert_eq!((transformer.at.value, &transformer.lining), ([0.0, 0.0], &None));
+    assert_eq!([powerhouse.shape.value, transformer.shape.value], [CavernShape::Arch, CavernShape::Ellipse]);
+    let [weathered, sound] = &mesh.layers[..] else { panic!("two layers") };
+    assert_eq!((weathered.name.value.as_str(), weathered.depth.value), ("weathered", 0.0));
+    assert_eq!((sound.depth.value, sound.dip.value), (30.0, 12_f64.to_radians()));
+    assert_eq!(sound.dip_direction.value, 90_f64.to_radians());
+    let [busbar] = &mesh.galleries[..] else { panic!("a gallery") };
+    assert_eq!(busbar.between.each_ref().map(|b| b.value.as_str()), ["powerhouse", "transformer"]);
+    assert_eq!((busbar.at.value, busbar.width.value, busbar.height.value), ([5.0, 14.0], 4.0, 3.5));
+    let heights = Ground::Heights { x: vec![-50.0, 50.0], y: vec![0.0], heights: vec![10.0, -5.0] };
+    assert_eq!(mesh.ground, Some(heights));
 
     assert_eq!(case.gravity.value, 10.0);
     let [rock, concrete] = &case.materials[..] else { panic!("two materials") };
@@ -117,6 +127,19 @@ fn the_other_kinds_of_mesh_are_read() {
     let source = format!("{before}[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\"\n[material.rock]{after}");
     let Mesh::File(file) = read(&source).mesh else { panic!("a file") };
     assert_eq!((file.path.value.as_path(), file.unit.value), (Path::new("site.msh"), 0.001));
+}
+
+#[test]
+fn ground_and_shape_take_their_other_forms() {
+    let (before, rest) = EVERY_KEY.split_once("x = [\"-50 m\"").expect("the ground");
+    let (_, after) = rest.split_once("[material.rock]").expect("a material");
+    let source = format!("{before}slope = [\"10 deg\", \"0 deg\"]\n[material.rock]{after}");
+    let source =
+        source.replace("shape = \"ellipse\"", "shape = \"rectangle\"").replace("arch_rise = \"2.2 m\"\n", "");
+    let Mesh::Caverns(mesh) = read(&source).mesh else { panic!("caverns") };
+    let Some(Ground::Slope(slope)) = mesh.ground else { panic!("a slope") };
+    assert_eq!(slope.value, [10_f64.to_radians(), 0.0]);
+    assert_eq!((mesh.caverns[1].shape.value, mesh.caverns[1].arch_rise.value), (CavernShape::Rectangle, 0.0));
 }
 
 #[test]

@@ -25,8 +25,12 @@ enum Command {
     Report(commands::report::Args),
     /// Run the verification problems and print each figure beside the exact one
     Verify(commands::verify::Args),
+    /// Drive one material along a path of strain and stress
+    Law(commands::law::Args),
     /// Look at earthquake records and process them
     Motion(commands::motion::Args),
+    /// Look at meshes, convert them, make them
+    Mesh(commands::mesh::Args),
     /// Time the engine on a box of hexahedra
     Bench(commands::bench::Args),
     /// List what there is: materials, boundaries, quantities, formats
@@ -43,7 +47,9 @@ fn main() -> std::process::ExitCode {
         Command::Run(args) => commands::run::run(&args),
         Command::Report(args) => commands::report::run(&args),
         Command::Verify(args) => commands::verify::run(&args),
+        Command::Law(args) => commands::law::run(&args),
         Command::Motion(args) => commands::motion::run(&args),
+        Command::Mesh(args) => commands::mesh::run(&args),
         Command::Bench(args) => commands::bench::run(&args),
         Command::List(args) => commands::list::run(&args),
         Command::Schema => commands::list::schema(),

@@ -81,7 +81,7 @@ fn bad_cases_are_refused_at_once_with_all_their_problems_and_nothing_computed() 
     let run = tremolite(folder.path(), &["run", "study/case.toml"]);
     assert_eq!(code(&run), 2);
     let text = errors(&run);
-    for word in ["case.toml:30:", "below 0.5", "25 m", "historys", "histories"] {
+    for word in ["case.toml:26:", "below 0.5", "25 m", "historys", "histories"] {
         assert!(text.contains(word), "'{word}' is missing:\n{text}");
     }
     assert!(!folder.path().join("results").exists());

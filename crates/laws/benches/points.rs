@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 use tremolite_laws::lane::Lane;
-use tremolite_laws::materials::{Concrete, Elastic};
+use tremolite_laws::materials::{Concrete, DruckerPrager, Elastic, HoekBrown, MohrCoulomb};
 use tremolite_laws::sym3::{Spectrum, eigen};
 use tremolite_laws::{History, Isa, Material, Octet, Point, Value, Values};
 
@@ -42,11 +42,13 @@ fn store<L: Lane>(values: [L; 6], to: &mut [Octet; 6], at: usize) {
     }
 }
 
-struct Law<M>(M);
+/// A law along with its history. Where it does not `KEEP` that, every pass starts from the same one: a plastic law
+/// has nothing left to return when the same strain comes again.
+struct Law<M, const KEEP: bool = true>(M);
 
-impl<M: Material> Pass for Law<M> {
+impl<M: Material, const KEEP: bool> Pass for Law<M, KEEP> {
     fn columns(&self) -> usize {
-        M::HISTORY.len()
+        M::HISTORY.len() * if KEEP { 1 } else { 2 }
     }
 
     #[inline(always)]
@@ -60,7 +62,8 @@ impl<M: Material> Pass for Law<M> {
         }
         let mut octet = 0;
         while octet < tensors.len() {
-            let own = &mut history[octet * columns..(octet + 1) * columns];
+            let own = &mut history[octet * self.columns()..(octet + 1) * self.columns()];
+            let to = if KEEP { 0 } else { columns };
             let mut at = 0;
             while at < 8 {
                 let mut old = <M::History<L> as History<L>>::zero();
@@ -72,7 +75,7 @@ impl<M: Material> Pass for Law<M> {
                 let (stress, new) = self.0.update(&point, load::<L>(&tensors[octet], at), old);
                 let mut k = 0;
                 while k < columns {
-                    new.as_ref()[k].store(&mut own[k], at);
+                    new.as_ref()[k].store(&mut own[to + k], at);
                     k += 1;
                 }
                 store(stress, &mut out[octet], at);
@@ -203,12 +206,40 @@ fn concrete(words: &[(&str, &str)]) -> Law<Concrete> {
     Law(Concrete::new(&values).expect("the bench's own parameters are valid"))
 }
 
+/// Strains of ±1e-5 stay elastic, of ±2e-3 yield at nearly every point, in shear, tension or both.
+fn rocks() {
+    let rock = Values::default().with("young", 10e9).with("poisson", 0.25).with("tensile_strength", 1e6);
+    let cone = rock.clone().with("cohesion", 2.18e6).with("friction_angle", 42f64.to_radians());
+    let cone = cone.with("dilation_angle", 10f64.to_radians());
+    let soft = cone.clone().with("residual_cohesion", 1e6).with("softening_strain", 1e-2);
+    let mass = rock.with("ucs", 60e6).with("gsi", 60.0).with("m_i", 12.0);
+    let dilatant = mass.clone().with("dilation_angle", 10f64.to_radians());
+    for (state, size) in [("elastic", 1e-5), ("yielding", 2e-3)] {
+        rock_law::<MohrCoulomb>(&cone, state, size);
+        rock_law::<MohrCoulomb>(&soft, &format!("softening, {state}"), size);
+        rock_law::<DruckerPrager>(&cone, state, size);
+        rock_law::<HoekBrown>(&mass, state, size);
+        rock_law::<HoekBrown>(&dilatant, &format!("dilatant, {state}"), size);
+    }
+}
+
+fn rock_law<M: Material>(values: &Values, state: &str, size: f64) {
+    let law = Law::<M, false>(M::new(values).expect("the bench's own parameters are valid"));
+    measure(&format!("{}, {state}", M::NAME), &law, 1e-5, size);
+}
+
 fn main() {
     println!("{:44}{:>10}{:>10}{:>10}", "ns a point", "avx512", "avx2", "scalar");
     measure("principal values", &Decomposition { directions: false }, 0.0, 1.0);
     measure("eigen-decomposition and recomposition", &Decomposition { directions: true }, 0.0, 1.0);
     let rock = Values::default().with("young", 10e9).with("poisson", 0.25);
-    measure("elastic", &Law(Elastic::new(&rock).expect("the bench's own parameters are valid")), 1e-5, 1e-5);
+    measure(
+        "elastic",
+        &Law::<_, true>(Elastic::new(&rock).expect("the bench's own parameters are valid")),
+        1e-5,
+        1e-5,
+    );
+    rocks();
     for (rate, dt) in [("none", 1e-5), ("ceb", 1e-5)] {
         for (state, size) in [("below threshold", 8e-6), ("damaging", 2e-4)] {
             for (split, evolution) in

@@ -1,5 +1,6 @@
 //! Pointwise physics: material laws and element shapes over lanes. No allocation in hot paths, no threads, no I/O.
 
+pub mod band;
 pub mod lane;
 pub mod material;
 pub mod materials;
@@ -9,5 +10,5 @@ pub mod shapes;
 pub mod sym3;
 
 pub use lane::{Isa, Lane, Octet, Row};
-pub use material::{History, Material, Moduli, Point, Sym};
+pub use material::{complementary_energy, History, Material, Moduli, Point, Sym};
 pub use parameter::{BadParameter, Column, Dimension, Kind, LawInfo, Need, Parameter, Value, Values};

@@ -23,6 +23,16 @@ impl<L: Lane> Point<L> {
     pub fn new(dt: L) -> Self {
         Point { dt, size: [L::splat(0.0); 6] }
     }
+
+    /// The element's extent \[m\] along a unit vector p, √(p·G·p).
+    #[inline(always)]
+    pub fn extent(&self, p: &[L; 3]) -> L {
+        let [xx, yy, zz, xy, yz, zx] = self.size;
+        let x = zx.mul_add(p[2], xy.mul_add(p[1], xx * p[0]));
+        let y = yz.mul_add(p[2], yy.mul_add(p[1], xy * p[0]));
+        let z = zz.mul_add(p[2], yz.mul_add(p[1], zx * p[0]));
+        z.mul_add(p[2], y.mul_add(p[1], x * p[0])).larger(L::splat(0.0)).sqrt()
+    }
 }
 
 /// Elastic constants that bound a law from above.
@@ -41,6 +51,11 @@ impl Moduli {
             lambda: young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)),
             mu: young / (2.0 * (1.0 + poisson)),
         }
+    }
+
+    /// Both moduli times a factor: Poisson's ratio stays.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Moduli { lambda: factor * self.lambda, mu: factor * self.mu }
     }
 
     /// Young's modulus \[Pa\].
@@ -107,9 +122,35 @@ pub trait Material: Send + Sync + Sized + 'static {
         f64::INFINITY
     }
 
+    /// Energy per area \[N/m\] that a crack dissipates across an element of this extent \[m\] at static rates; none
+    /// for a law without cracks.
+    fn crack_energy(&self, _extent: f64) -> Option<f64> {
+        None
+    }
+
     /// What is unusual about the parameters though the law accepts them, a sentence each.
     fn warnings(&self) -> Vec<String> {
         Vec::new()
+    }
+
+    /// What is left of a damping stress \[Pa\] in the state that `history` describes: a cracked point must not go on
+    /// carrying it. All of it for laws without damage.
+    #[inline(always)]
+    fn weaken<L: Lane>(&self, damping: Sym<L>, _strain: &Sym<L>, _history: &Self::History<L>) -> Sym<L> {
+        damping
+    }
+
+    /// Energy \[J/m³\] that a point would give back were it unloaded: ½σ:ε for elastic and for damaged material. Laws
+    /// with plastic strain give the elastic part alone, [`complementary_energy`]. The balance calls all else dissipated.
+    #[inline(always)]
+    fn stored_energy<L: Lane>(&self, strain: &Sym<L>, stress: &Sym<L>, _history: &Self::History<L>) -> L {
+        let mut twice = L::splat(0.0);
+        let mut i = 0;
+        while i < 6 {
+            twice = stress[i].mul_add(strain[i], twice);
+            i += 1;
+        }
+        L::splat(0.5) * twice
     }
 
     /// Stress \[Pa\] and new history for a strain.
@@ -119,6 +160,17 @@ pub trait Material: Send + Sync + Sized + 'static {
         strain: Sym<L>,
         history: Self::History<L>,
     ) -> (Sym<L>, Self::History<L>);
+}
+
+/// ½σ:C⁻¹:σ \[J/m³\] of isotropic elasticity.
+#[inline(always)]
+pub fn complementary_energy<L: Lane>(moduli: Moduli, s: &Sym<L>) -> L {
+    let (young, nu) = (moduli.young(), L::splat(moduli.poisson()));
+    let normal = s[2].mul_add(s[2], s[1].mul_add(s[1], s[0] * s[0]));
+    let across = s[2].mul_add(s[0], s[1].mul_add(s[2], s[0] * s[1]));
+    let shear = s[5].mul_add(s[5], s[4].mul_add(s[4], s[3] * s[3]));
+    let stretched = L::splat(0.5 / young) * (nu * L::splat(-2.0)).mul_add(across, normal);
+    L::splat(0.5 / moduli.mu).mul_add(shear, stretched)
 }
 
 impl LawInfo {

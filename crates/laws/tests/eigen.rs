@@ -29,11 +29,11 @@ fn defects(t: &[f64; 6], e: &Eigen<f64>) -> (f64, f64) {
     (residual / f64::EPSILON, skew / f64::EPSILON)
 }
 
-/// Round-off in a dozen operations of size a few times the tensor: 16 ε; measured worst case 9 ε.
+/// Round-off of a dozen operations of size a few times the tensor; measured over these tests 7.2 ε and 4 ε.
 fn assert_decomposed(t: &[f64; 6]) {
     let e = eigen(t);
     let (residual, skew) = defects(t, &e);
-    assert!(residual <= 16.0 && skew <= 16.0, "{t:?}: residual {residual} ε, orthogonality {skew} ε\n{e:?}");
+    assert!(residual <= 10.0 && skew <= 6.0, "{t:?}: residual {residual} ε, orthogonality {skew} ε\n{e:?}");
     assert!(e.values[0] >= e.values[1] && e.values[1] >= e.values[2], "{t:?}: {:?}", e.values);
     let jacobi = principal_values(t);
     let scale = t.iter().fold(0.0f64, |m, x| m.max(x.abs()));

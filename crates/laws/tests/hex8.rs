@@ -32,7 +32,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
             geometry.set(0, &hex, &stabilisation);
             unsafe {
                 one_point::<f64, _, true>(
-                    &law, &stabilisation, &point, &geometry, &index, &mut [], &rows, &mut out, &mut probe,
+                    &law, &stabilisation, &point, &geometry, &index, &mut [], None, &mut [], &rows, &mut out, &mut probe,
                 )
             }
         }
@@ -41,7 +41,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
             geometry.set(0, &hex, &stabilisation);
             unsafe {
                 full::<f64, _, true>(
-                    &law, &stabilisation, &point, &geometry, &index, &mut [], &rows, &mut out, &mut probe,
+                    &law, &stabilisation, &point, &geometry, &index, &mut [], None, &mut [], &rows, &mut out, &mut probe,
                 )
             }
         }
@@ -266,29 +266,51 @@ fn a_leaning_element_bends_as_exactly_as_a_square_one() {
     }
 }
 
-/// Two edges of a hexahedron made one: a wedge with linear triangles.
+/// Hexahedra with corners made one: wedge, pyramid, tetrahedron. Node of each corner, and the nodes.
+fn collapsed() -> [([usize; 8], Vec<[f64; 3]>); 3] {
+    let (a, b, c, d) = ([0.1, 0.0, 0.0], [1.0, 0.0, 0.1], [1.1, 1.0, -0.1], [0.0, 0.9, 0.1]);
+    let (e, f, g) = ([0.0, 0.0, 1.0], [1.1, 0.1, 1.2], [0.2, 0.9, 0.9]);
+    [
+        ([0, 1, 2, 2, 3, 4, 5, 5], vec![a, b, d, e, f, g]),
+        ([0, 1, 2, 3, 4, 4, 4, 4], vec![a, b, c, d, [0.4, 0.6, 1.1]]),
+        ([0, 1, 2, 2, 3, 3, 3, 3], vec![a, b, d, e]),
+    ]
+}
+
 #[test]
-fn a_collapsed_hexahedron_is_a_sound_wedge() {
-    let top = [[0.0, 0.0, 1.0], [1.1, 0.1, 1.2], [0.2, 0.9, 0.9]];
-    let bottom = [[0.1, 0.0, 0.0], [1.0, 0.0, 0.1], [0.0, 1.0, -0.1]];
-    let corners =
-        [bottom[0], bottom[1], bottom[2], bottom[2], top[0], top[1], top[2], top[2]];
-    let node = [0, 1, 2, 2, 3, 4, 5, 5];
+fn collapsed_hexahedra_are_sound_wedges_pyramids_and_tetrahedra() {
     let moduli = Moduli::from_young_poisson(1.0, 0.25);
-    for kind in KINDS {
-        let (_, energy, stress) = element(kind, moduli, corners, corners.map(linear_field));
-        let trace = 1e-3 * (2.0 + 1.5 - 1.1);
-        assert!((stress[0] - (moduli.lambda * trace + 2.0 * moduli.mu * 2e-3)).abs() < 1e-16, "{kind:?}");
-        assert!(energy > 0.0);
-        let k = stiffness(kind, moduli, corners);
-        let mut wedge = vec![vec![0.0; 18]; 18];
-        for (i, row) in k.iter().enumerate() {
-            for (j, value) in row.iter().enumerate() {
-                wedge[3 * node[i / 3] + i % 3][3 * node[j / 3] + j % 3] += value;
+    for (node, nodes) in collapsed() {
+        let corners = node.map(|n| nodes[n]);
+        let n = nodes.len();
+        for kind in KINDS {
+            // Patch test: exact stress, exact energy, forces that balance at every node of a constant stress.
+            let (_, energy, stress) = element(kind, moduli, corners, corners.map(linear_field));
+            let trace = 1e-3 * (2.0 + 1.5 - 1.1);
+            let exact = moduli.lambda * trace + 2.0 * moduli.mu * 2e-3;
+            assert!((stress[0] - exact).abs() < 1e-16, "{kind:?}, {n} nodes");
+            assert!(energy > 0.0);
+            let k = stiffness(kind, moduli, corners);
+            let mut joined = vec![vec![0.0; 3 * n]; 3 * n];
+            for (i, row) in k.iter().enumerate() {
+                for (j, value) in row.iter().enumerate() {
+                    joined[3 * node[i / 3] + i % 3][3 * node[j / 3] + j % 3] += value;
+                }
             }
+            let values = eigenvalues(joined);
+            assert!(values[5].abs() < 1e-14, "{kind:?}, {n} nodes: {:e}", values[5]);
+            assert!(values[6] > 1e-3, "{kind:?}, {n} nodes: {:e}", values[6]);
         }
-        let values = eigenvalues(wedge);
-        assert!(values[5].abs() < 1e-14 && values[6] > 1e-3, "{kind:?}: {:e}, {:e}", values[5], values[6]);
+        // The tetrahedron and the prism share their mass evenly.
+        let hex = Hex8::new(corners).unwrap();
+        let mut shares = vec![0.0; n];
+        for (corner, share) in node.into_iter().zip(hex.corner_volumes) {
+            shares[corner] += share / hex.volume;
+        }
+        assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+        if n == 4 {
+            assert!(shares.iter().all(|s| (s - 0.25).abs() < 1e-14), "{shares:?}");
+        }
     }
 }
 
@@ -374,10 +396,10 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
         unsafe {
             match c.kind {
                 Kind::OnePoint => {
-                    one_point::<L, _, true>(&law, &s, &point, &c.one, &c.index, &mut [], &c.rows, out, probe)
+                    one_point::<L, _, true>(&law, &s, &point, &c.one, &c.index, &mut [], None, &mut [], &c.rows, out, probe)
                 }
                 Kind::Full => {
-                    full::<L, _, true>(&law, &s, &point, &c.full, &c.index, &mut [], &c.rows, out, probe)
+                    full::<L, _, true>(&law, &s, &point, &c.full, &c.index, &mut [], None, &mut [], &c.rows, out, probe)
                 }
             }
         }

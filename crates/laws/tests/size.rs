@@ -57,7 +57,7 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
             unsafe {
                 if points == 1 {
                     let mut g = OnePointGeometry::EMPTY;
-                    g.set(0, &hex);
+                    g.set(0, &hex, &stabilisation);
                     one_point::<f64, _, true>(
                         &ShowsSize,
                         &stabilisation,
@@ -65,19 +65,23 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
                         &g,
                         &index,
                         &mut [],
+                        None,
+                        &mut [],
                         &rows,
                         &mut out,
                         &mut probe,
                     );
                 } else {
                     let mut g = FullGeometry::EMPTY;
-                    g.set(0, &hex);
+                    g.set(0, &hex, &stabilisation);
                     full::<f64, _, true>(
                         &ShowsSize,
                         &stabilisation,
                         &point,
                         &g,
                         &index,
+                        &mut [],
+                        None,
                         &mut [],
                         &rows,
                         &mut out,

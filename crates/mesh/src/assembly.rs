@@ -85,14 +85,19 @@ impl Draft {
         mesh.node_ids = kept(mesh.node_ids);
         mesh.element_ids = kept(mesh.element_ids);
         group_all(&mut mesh);
-        notes.extend(reduced.into_iter().map(|((nodes, shape), count)| Note::Reduced { nodes, shape, count }));
+        notes.extend(reduced.into_iter().map(|((nodes, shape), count)| Note::Reduced {
+            nodes,
+            shape,
+            count,
+        }));
         let mut changed = soundness::collapse_degenerate(&mut mesh, &mut notes);
         soundness::orient(&mut mesh, &mut notes, &mut changed)?;
         soundness::renumber_sides(&mut mesh, &changed);
         drop(changed);
         let strays = facets::name_faces(&mut mesh, facets, &names, stray)?;
         if strays > 0 {
-            *skipped.entry("triangles and quadrilaterals on no solid element".to_owned()).or_default() += strays;
+            *skipped.entry("triangles and quadrilaterals on no solid element".to_owned()).or_default() +=
+                strays;
         }
         notes.extend(skipped.into_iter().map(|(kind, count)| Note::Skipped { kind, count }));
         for list in mesh.faces.values_mut() {

@@ -3,13 +3,17 @@
 //! The section across the caverns is made of quadrilaterals and extruded along y. Each cavern sits in a
 //! rectangle of a grid whose lines run through the whole block: inside the opening rows of quadrilaterals
 //! with horizontal cuts between the benches, then the lining in layers that follow the profile, then rings
-//! of rock that lead over to the rectangle's edge nodes. So opposite sides of the block match node by node.
+//! of rock that lead over to the rectangle's edge nodes. Where the outline is a closed curve the lining goes all
+//! round, and so does a ring of the opening inside it. So opposite sides of the block match node by node.
 //!
 //! x points across the caverns, y along them with y = 0 in the middle of the block, z up with z = 0 at the
 //! ground. The first cavern's axis is x = 0.
 
+mod closed;
 mod error;
 mod extrude;
+mod gallery;
+mod ground;
 mod layout;
 mod opening;
 mod presets;
@@ -17,17 +21,26 @@ mod profile;
 mod rows;
 mod section;
 mod smooth;
+mod strata;
+mod stretch;
 #[cfg(test)]
 mod tests;
+mod tube;
 
 pub use error::CavernError;
+pub use gallery::Gallery;
+pub use ground::Ground;
+pub use strata::RockLayer;
 
 use crate::mesh::Mesh;
 
 /// A block of rock with parallel caverns. All lengths in metres.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// The default has no caverns and no lengths; it is there to fill the rest of a description from.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CavernSpec {
-    /// From the ground down to the first cavern's crown, measured to the clear profile (intrados).
+    /// From z = 0, the ground where it is level, down to the first cavern's crown, measured to the clear profile
+    /// (intrados).
     pub overburden: f64,
     /// Rock below the lowest clear floor.
     pub below: f64,
@@ -43,23 +56,56 @@ pub struct CavernSpec {
     /// plane of nodes.
     pub along: Option<f64>,
     pub caverns: Vec<Cavern>,
+    /// Layers of rock from the ground down; none: all rock is alike. Level planes become lines of the grid between
+    /// the caverns' surroundings and the edges of the block where that keeps the growth of elements within 1.3;
+    /// elsewhere, and with a dip, each element goes to the layer of its middle.
+    pub layers: Vec<RockLayer>,
+    pub ground: Ground,
+    /// Across, between caverns.
+    pub galleries: Vec<Gallery>,
 }
 
-/// One cavern: a flat floor, straight walls and a roof that is an arc of a circle. Width, height and rise
-/// are those of the clear opening (intrados). All lengths in metres.
-#[derive(Clone, Debug, PartialEq)]
+/// Outline of a cavern.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CavernShape {
+    /// A flat floor, straight walls and a roof that is an arc of a circle.
+    #[default]
+    Arch,
+    /// A flat floor, straight walls and a roof that is half an ellipse.
+    Ellipse,
+    /// A flat floor, straight walls and a flat roof.
+    Rectangle,
+    /// A semicircle over walls that bend inwards and an invert. The walls are arcs round the opposite springings
+    /// with the width for their radius, the invert one round the crown with the height for its radius: the
+    /// standard horseshoe where height and width are equal.
+    Horseshoe,
+    Circle,
+}
+
+impl CavernShape {
+    /// Whether the outline is a closed curve, without a flat floor. A lining then goes all round.
+    pub fn is_closed(self) -> bool {
+        matches!(self, CavernShape::Horseshoe | CavernShape::Circle)
+    }
+}
+
+/// One cavern. Width, height and rise are those of the clear opening (intrados). All lengths in metres.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cavern {
     /// Prefix of the names of its groups. No dots, stars, question marks, brackets or blanks.
     pub name: String,
-    /// Centre line in x and clear floor in z, both measured from the first cavern's.
+    pub shape: CavernShape,
+    /// Centre line in x and clear floor (the lowest clear point) in z, both measured from the first cavern's.
     pub at: [f64; 2],
     pub width: f64,
-    /// From floor to crown.
+    /// From floor to crown. Of a circle the same as the width; of a horseshoe from 0.75 to 1.1 of it.
     pub height: f64,
-    /// From the springing to the crown, part of the height; at most half the width (a semicircle).
+    /// From the springing to the crown, part of the height. Of an arc of a circle at most half the width (a
+    /// semicircle), of an ellipse at most the width; not used by the other shapes.
     pub arch_rise: f64,
-    /// Number of benches, numbered from the top. The straight walls are divided equally among them, and
-    /// bench 1 has the arch besides.
+    /// Number of benches, numbered from the top, cut horizontally. The walls are divided equally among them;
+    /// bench 1 has the roof besides, the last bench the invert. A circle's walls and invert are the quarters
+    /// beside and below its centre; a horseshoe's walls reach up into its crown by half a right angle.
     pub benches: u32,
     pub lining: Lining,
 }
@@ -69,7 +115,12 @@ pub struct Cavern {
 /// On the walls the thickness is `walls`; over the arch it changes from there to `crown` at the top: the
 /// extrados is the arc through the three points. A floor slab spans the full width and carries the walls;
 /// without it the walls stand on rock at floor level.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Round an ellipse the extrados is an ellipse. A rectangle has its full thickness up to the corners, which roof
+/// and wall share along their diagonal. Circle and horseshoe are lined all round, so `floor` must be above 0:
+/// over the crown, and of a circle over the invert, the thickness changes from `walls` at mid-height with the
+/// square of the sine of the angle; over a horseshoe's invert with the square of the distance from its middle.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lining {
     pub walls: f64,
     pub crown: f64,
@@ -89,11 +140,11 @@ impl Lining {
 }
 
 impl CavernSpec {
-    /// The mesh.
+    /// The mesh: all hexahedra, of scaled Jacobian at least 0.3, in linings at least 0.6.
     ///
-    /// Groups: `rock`; for each cavern `NAME.lining.crown`, `NAME.lining.walls`, `NAME.lining.floor` (if
+    /// Groups: `rock`, and with layers `rock.NAME` of each that has elements; for each cavern `NAME.lining.crown`, `NAME.lining.walls`, `NAME.lining.floor` (if
     /// there is one) and their union `NAME.lining`; `NAME.bench1` … from the top down and their union
-    /// `NAME.excavation`.
+    /// `NAME.excavation`; for each gallery `NAME.gallery` and `NAME.opening`.
     ///
     /// Face sets: `xmin`, `xmax`, `ymin`, `ymax`, `base`, `top`; `NAME.intrados`, faces of the lining towards
     /// the opening; `NAME.extrados`, faces of the lining towards the rock (the feet of walls without a floor

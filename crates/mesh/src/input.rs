@@ -93,34 +93,39 @@ impl<'a> Input<'a> {
 
     /// Goes to the next line that is not blank. False at the end of the file.
     pub(crate) fn advance(&mut self) -> Result<bool, Fault> {
-        loop {
-            let mut searched = 0;
-            let end = loop {
-                let fresh = self.next + searched;
-                if let Some(length) = self.buffer[fresh..self.end].iter().position(|&b| b == b'\n') {
-                    break fresh + length;
-                }
-                searched = self.end - self.next;
-                if !self.more()? {
-                    if self.next == self.end {
-                        (self.line_start, self.line_end, self.cursor) = (self.end, self.end, self.end);
-                        return Ok(false);
-                    }
-                    break self.end;
-                }
-            };
-            let first = self.line == 0 && self.buffer[..self.end].starts_with(b"\xef\xbb\xbf");
-            self.line += 1;
-            self.line_start = if first { self.next.max(3) } else { self.next };
-            self.next = (end + 1).min(self.end);
-            let text = self.buffer[self.line_start.min(end)..end].trim_ascii_end();
-            self.line_end = self.line_start + text.len();
-            self.cursor = self.line_start;
-            self.skip_blanks();
+        while self.next_line()? {
             if self.cursor < self.line_end {
                 return Ok(true);
             }
         }
+        Ok(false)
+    }
+
+    /// Goes to the next line, blank or not. False at the end of the file.
+    pub(crate) fn next_line(&mut self) -> Result<bool, Fault> {
+        let mut searched = 0;
+        let end = loop {
+            let fresh = self.next + searched;
+            if let Some(length) = self.buffer[fresh..self.end].iter().position(|&b| b == b'\n') {
+                break fresh + length;
+            }
+            searched = self.end - self.next;
+            if !self.more()? {
+                if self.next == self.end {
+                    (self.line_start, self.line_end, self.cursor) = (self.end, self.end, self.end);
+                    return Ok(false);
+                }
+                break self.end;
+            }
+        };
+        let marked = self.line == 0 && self.buffer[..end].starts_with(b"\xef\xbb\xbf");
+        self.line += 1;
+        self.line_start = if marked { self.next.max(3) } else { self.next };
+        self.next = (end + 1).min(self.end);
+        self.line_end = self.line_start + self.buffer[self.line_start..end].trim_ascii_end().len();
+        self.cursor = self.line_start;
+        self.skip_blanks();
+        Ok(true)
     }
 
     /// As [`Input::advance`], where there must be a line.
@@ -233,7 +238,11 @@ impl<'a> Input<'a> {
     /// A fault in the current line, or at the current byte of a binary file.
     pub(crate) fn fault(&self, problem: impl Into<String>) -> Fault {
         if self.raw {
-            return Fault::whole(format!("near byte {}: {}", self.dropped + self.next as u64, problem.into()));
+            return Fault::whole(format!(
+                "near byte {}: {}",
+                self.dropped + self.next as u64,
+                problem.into()
+            ));
         }
         Fault::at(self.line, problem)
     }
@@ -315,7 +324,10 @@ mod tests {
     fn numbers_are_read_exactly_or_refused() {
         assert_eq!((whole(b"18446744073709551615"), whole(b"18446744073709551616")), (Some(u64::MAX), None));
         assert_eq!((whole(b""), whole(b"-1"), whole(b"1.0")), (None, None, None));
-        assert_eq!((real(b"-1.5D+3"), real(b"1d0"), real(b"inf"), real(b"d")), (Some(-1500.0), Some(1.0), None, None));
+        assert_eq!(
+            (real(b"-1.5D+3"), real(b"1d0"), real(b"inf"), real(b"d")),
+            (Some(-1500.0), Some(1.0), None, None)
+        );
     }
 
     #[test]

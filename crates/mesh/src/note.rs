@@ -45,7 +45,9 @@ impl fmt::Display for Note {
                  needs about twice as many elements along each edge",
                 shape.name()
             ),
-            Note::Skipped { kind, count } => write!(f, "{count} {kind} were passed over: the model holds solid elements only"),
+            Note::Skipped { kind, count } => {
+                write!(f, "{count} {kind} were passed over: the model holds solid elements only")
+            }
             Note::Turned { count, first } => write!(
                 f,
                 "{count} elements were numbered in mirror image and were renumbered, the first of them is {first}"
@@ -58,7 +60,9 @@ impl fmt::Display for Note {
                 "{count} hexahedra with one collapsed edge were split into two pyramids each, the first of them is \
                  {first}; beside hexahedra their split sides fit only at the nodes"
             ),
-            Note::UnusedNodes { count } => write!(f, "{count} nodes belong to no solid element and were dropped"),
+            Note::UnusedNodes { count } => {
+                write!(f, "{count} nodes belong to no solid element and were dropped")
+            }
             Note::Coincident { count, first, second, tolerance } => write!(
                 f,
                 "{count} nodes lie within {tolerance:.1e} m of another, as {first} does of {second}: parts are not \

@@ -51,6 +51,9 @@ impl Fault {
     }
 }
 
+/// What a reader comes to.
+pub(crate) type Outcome = Result<(Mesh, Vec<Note>), Fault>;
+
 /// One mesh format.
 pub struct Format {
     /// As the user knows it.
@@ -58,11 +61,18 @@ pub struct Format {
     /// Whether a file that begins so is of this kind.
     pub(crate) recognises: fn(&[u8]) -> bool,
     /// The mesh in a file; the path is there for files that refer to others.
-    pub(crate) parse: fn(&mut Input, &Path) -> Result<(Mesh, Vec<Note>), Fault>,
+    pub(crate) parse: fn(&mut Input, &Path) -> Outcome,
 }
 
 /// The formats that [`read`] knows. A new one is a module with a `FORMAT` and a line here.
-pub const FORMATS: &[Format] = &[crate::gmsh::FORMAT];
+pub const FORMATS: &[Format] = &[
+    crate::gmsh::FORMAT,
+    crate::vtu::FORMAT,
+    crate::vtk::FORMAT,
+    crate::f3grid::FORMAT,
+    crate::cdb::FORMAT,
+    crate::abaqus::FORMAT,
+];
 
 /// Reads a mesh file; as [`read_with_notes`] without the notes.
 ///
@@ -119,9 +129,9 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("tremolite-read-{}", std::process::id()));
         fs::create_dir_all(&folder).unwrap();
         let path = folder.join("old.mesh");
-        fs::write(&path, "$MeshFormat\n2.2 0 8\n").unwrap();
+        fs::write(&path, "$MeshFormat\n3 0 8\n").unwrap();
         let message = read(&path).unwrap_err().to_string();
-        assert!(message.contains("old.mesh, line 2: this is MSH version 2.2"), "{message}");
+        assert!(message.contains("old.mesh, line 2: this is MSH version 3"), "{message}");
         fs::write(&path, "").unwrap();
         assert!(matches!(read(&path), Err(ReadError::Unknown { .. })));
         fs::remove_dir_all(&folder).unwrap();

@@ -14,6 +14,23 @@ impl Random {
     pub(crate) fn below(&mut self, n: usize) -> usize {
         (self.next() * n as f64) as usize
     }
+
+    /// A file with a few bytes changed, lost or added.
+    pub(crate) fn damaged(&mut self, original: &[u8]) -> Vec<u8> {
+        const WORDS: [&str; 11] =
+            ["-1", "0", "1e999", "18446744073709551615", "nan", "\n", " ", ",", "*", "\u{fffd}", "999999999"];
+        let mut bytes = original.to_vec();
+        for _ in 0..=self.below(3) {
+            let at = self.below(bytes.len());
+            match self.below(4) {
+                0 => bytes[at] = self.below(256) as u8,
+                1 => drop(bytes.drain(at..(at + self.below(40)).min(bytes.len()))),
+                2 => drop(bytes.splice(at..at, WORDS[self.below(WORDS.len())].bytes())),
+                _ => bytes[at] = b'0' + self.below(10) as u8,
+            }
+        }
+        bytes
+    }
 }
 
 /// The box [0, n]³ of n³ hexahedra, x fastest, inner nodes displaced at random by up to 0.2 an axis.

@@ -1,9 +1,15 @@
 //! VTU files: an unstructured grid with named arrays, as ParaView, VTK and meshio read it.
 //!
 //! [`Grid`] is the file in memory. [`Grid::write`] makes `UnstructuredGrid` XML, version 1.0, little
-//! endian, with raw appended data in zlib blocks and 64-bit block headers. [`Grid::read`] reads files
-//! of that kind back. Units travel in VTK's own information key `UNITS_LABEL`.
+//! endian, with raw appended data in zlib blocks and 64-bit block headers. [`Grid::read`] reads these and
+//! the other layouts of the format. Units travel in VTK's own information key `UNITS_LABEL`.
+//!
+//! As a mesh file, a VTU holds groups as cell arrays `group:NAME` (0 or 1), named faces as `faces:NAME` (one
+//! bit a face), named points as field arrays `point:NAME`, and numbers other than 1, 2, 3 … as the arrays
+//! `node number` and `element number`. Of other programs' files, arrays such as `MaterialIds` make groups.
 
+mod cells;
+mod data;
 mod header;
 mod read;
 mod write;
@@ -13,12 +19,17 @@ use std::path::PathBuf;
 
 use crate::{Mesh, Shape};
 
+pub(crate) use cells::{FORMAT, NO_SOLIDS, solids, write_mesh};
+pub(crate) use data::Kind;
+pub(crate) use read::indices;
+
 /// Numbers of one array, tuple after tuple.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {
     Float32(Vec<f32>),
     Float64(Vec<f64>),
     Int32(Vec<i32>),
+    Int64(Vec<i64>),
     UInt8(Vec<u8>),
 }
 
@@ -29,6 +40,7 @@ impl Values {
             Values::Float32(v) => v.len(),
             Values::Float64(v) => v.len(),
             Values::Int32(v) => v.len(),
+            Values::Int64(v) => v.len(),
             Values::UInt8(v) => v.len(),
         }
     }
@@ -38,7 +50,7 @@ impl Values {
         self.len() == 0
     }
 
-    /// Number `i` as f64 (exact for every type).
+    /// Number `i` as f64 (exact, but for Int64 beyond 2⁵³).
     ///
     /// # Panics
     /// If `i` is not less than [`Values::len`].
@@ -47,6 +59,7 @@ impl Values {
             Values::Float32(v) => f64::from(v[i]),
             Values::Float64(v) => v[i],
             Values::Int32(v) => f64::from(v[i]),
+            Values::Int64(v) => v[i] as f64,
             Values::UInt8(v) => f64::from(v[i]),
         }
     }
@@ -86,6 +99,8 @@ pub struct Grid {
     pub point_data: Vec<Array>,
     /// Arrays with one tuple a cell.
     pub cell_data: Vec<Array>,
+    /// Arrays that belong to the grid as a whole.
+    pub field_data: Vec<Array>,
     /// Time of the data \[s\], written as the field array `TimeValue`, which ParaView shows.
     pub time: Option<f64>,
 }
@@ -99,7 +114,7 @@ pub enum VtuError {
     /// The grid to be written contradicts itself.
     #[error("{}: not written: {reason}", path.display())]
     Grid { path: PathBuf, reason: String },
-    /// The file is damaged, or of a kind this program does not write.
+    /// The file is damaged, or no unstructured grid.
     #[error("{}: not a readable VTU file: {reason}", path.display())]
     Format { path: PathBuf, reason: String },
 }

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use crate::axes::{Axes, drawable};
 use crate::scale::{Scale, moment};
 use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::thin::thin;
@@ -53,11 +54,6 @@ pub struct Peak<'a> {
     pub value: f64,
 }
 
-/// Whether a value can be drawn. Those of a run that has diverged may be finite and yet beyond any axis.
-fn drawable(x: f64) -> bool {
-    x.abs() < 1e100
-}
-
 impl Panel<'_> {
     /// The point to be marked; none if no value is finite.
     pub fn peak(&self, time: &[f64]) -> Option<Peak<'_>> {
@@ -106,7 +102,8 @@ impl Chart<'_> {
             top += HEADING + height;
         }
         for (t, label) in &across.marks {
-            svg.text((abscissa(&across, *t), top + 17.0), Anchor::Middle, 12.0, Style::Muted, label);
+            let x = LEFT + across.fraction(*t) * (WIDTH - LEFT - RIGHT);
+            svg.text((x, top + 17.0), Anchor::Middle, 12.0, Style::Muted, label);
         }
         svg.text((WIDTH - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, "time (s)");
         let description = self.panels.iter().map(|panel| self.remark(panel)).collect::<Vec<_>>().join("; ");
@@ -138,30 +135,18 @@ impl Chart<'_> {
         let bottom = top + height;
         let (low, high) = panel.range();
         let up = Ticks::around(low * panel.scale.factor, high * panel.scale.factor, (height / 38.0) as usize);
-        let ordinate = |value: f64| bottom - up.fraction(value * panel.scale.factor) * height;
-        for (value, label) in &up.marks {
-            let y = bottom - up.fraction(*value) * height;
-            svg.rule((LEFT, y), (WIDTH - RIGHT, y), *value == 0.0);
-            svg.text((LEFT - 7.0, y + 4.0), Anchor::End, 12.0, Style::Muted, label);
-        }
-        for (t, _) in &across.marks {
-            let x = abscissa(across, *t);
-            svg.rule((x, top), (x, bottom), false);
-        }
-        svg.rule((LEFT, top), (LEFT, bottom), true);
-        svg.rule((LEFT, bottom), (WIDTH - RIGHT, bottom), true);
-        let unit =
-            if panel.scale.unit.is_empty() { String::new() } else { format!(" ({})", panel.scale.unit) };
-        svg.text((LEFT, top - 8.0), Anchor::Start, 13.0, Style::Bold, &format!("{}{unit}", panel.title));
+        let axes = Axes { left: LEFT, right: WIDTH - RIGHT, top, bottom, across: across.clone(), up };
+        axes.draw(svg);
+        svg.text((LEFT, top - 8.0), Anchor::Start, 13.0, Style::Bold, &panel.scale.labelled(&panel.title));
         svg.text((WIDTH - RIGHT, top - 8.0), Anchor::End, 12.0, Style::Muted, &self.remark(panel));
         for line in &panel.lines {
             let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
             let points = self.time.iter().zip(line.values.iter());
-            let points = points.map(|(&t, &x)| (abscissa(across, shown(t)), ordinate(shown(x))));
+            let points = points.map(|(&t, &x)| axes.point(shown(t), shown(x) * panel.scale.factor));
             svg.lines(line.colour, 1.3, &thin(points, 0.12));
         }
         if let Some(peak) = panel.peak(self.time) {
-            svg.ring((abscissa(across, peak.time), ordinate(peak.value)), peak.line.colour);
+            svg.ring(axes.point(peak.time, peak.value * panel.scale.factor), peak.line.colour);
         }
     }
 
@@ -180,8 +165,4 @@ impl Chart<'_> {
         );
         format!("{what}: {name}, {value} at {}\u{a0}s", moment(peak.time, duration))
     }
-}
-
-fn abscissa(across: &Ticks, time: f64) -> f64 {
-    LEFT + across.fraction(time) * (WIDTH - LEFT - RIGHT)
 }

@@ -3,14 +3,19 @@
 //! [`write()`] reads a result folder and leaves `figures/*.svg` and `report.html` in it. The page needs no
 //! network and no scripts, prints on A4, and follows the reader's choice of a light or dark screen. What a file or
 //! column does not give is left out with a sentence that says why.
+//!
+//! [`loops`] draws what comes of a law driven along a path, from plain columns.
 
+mod axes;
 mod chart;
 mod cut_figure;
+mod damage;
 mod energy;
 mod facts;
 mod figure;
 mod frame;
 mod histories;
+pub mod loops;
 mod page;
 mod scale;
 mod source;

@@ -6,6 +6,7 @@ use minijinja::{AutoEscape, Environment, Value};
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
+use crate::damage::{self, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome, PeakTable};
 use crate::figure::Section;
 use crate::source::Source;
@@ -21,6 +22,7 @@ struct Page {
     cards: Vec<Fact>,
     checks: Vec<Check>,
     model: Vec<Fact>,
+    damage: Vec<DamageTable>,
     sections: Vec<Part>,
     peaks: Vec<PeakTable>,
     defaulted: Vec<Defaulted>,
@@ -60,6 +62,7 @@ pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::
         cards: facts::key_results(source),
         checks: facts::checks(&summary),
         model: facts::model(&summary),
+        damage: damage::tables(&summary),
         sections: sections.iter().map(part).collect(),
         peaks: facts::peaks(source),
         defaulted: summary.defaulted.clone(),

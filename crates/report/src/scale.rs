@@ -49,6 +49,11 @@ impl Scale {
         }
     }
 
+    /// A title with the unit behind it, `stress (MPa)`.
+    pub fn labelled(&self, title: &str) -> String {
+        if self.unit.is_empty() { title.to_owned() } else { format!("{title} ({})", self.unit) }
+    }
+
     /// A value in this unit, to three figures, without the unit.
     pub fn number(&self, value: f64) -> String {
         figures(value * self.factor, 3)

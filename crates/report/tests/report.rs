@@ -7,7 +7,8 @@ use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
 use tremolite_report::write;
 use tremolite_results::{
-    Column, Defaulted, Pvd, ResultFolder, Status, Summary, Table, TableWriter, TrustLine, peaks_by_monitor,
+    Column, Damaged, Defaulted, GroupDamage, Onset, Pvd, ResultFolder, Status, Summary, Table, TableWriter,
+    TrustLine, peaks_by_monitor,
 };
 
 /// A small but complete result folder: monitors with the given names, one second of a swinging motion.
@@ -255,4 +256,41 @@ fn a_field_file_gives_a_section_and_a_broken_one_a_reason() {
     assert!(page(&folder).contains("not a readable VTU file"));
     fs::remove_file(folder.fields().join("0.vtu")).unwrap();
     assert!(page(&folder).contains("0.vtu"));
+}
+
+#[test]
+fn damage_is_tabled_by_measure_and_group_with_volumes_shares_and_beginnings() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    assert!(!page(&folder).contains("id=\"damage\""), "nothing can be damaged in this run");
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    let measure = |beyond: &[(&str, f64)], first| Damaged {
+        beyond: beyond.iter().map(|(t, v)| ((*t).to_owned(), *v)).collect(),
+        largest: 0.95,
+        first,
+    };
+    let first = Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.5, -3.0] });
+    let lining = GroupDamage {
+        volume: 80.0,
+        measures: [
+            ("d_tension".to_owned(), measure(&[("0.5", 20.0), ("0.9", 4.0)], first)),
+            ("d_new".to_owned(), measure(&[("0.5", f64::NAN)], None)),
+        ]
+        .into(),
+    };
+    summary.damage.insert("hall.<lining>".into(), lining);
+    summary.model.duration = 20.0;
+    summary.write(&folder.summary()).unwrap();
+    let page = page(&folder);
+    for text in [
+        "Damage in tension, D⁺",
+        "above 0.5",
+        "20 (25\u{a0}%)",
+        "4 (5\u{a0}%)",
+        "4.25\u{a0}s, element 4711 at (1,\u{a0}2.5,\u{a0}−3)",
+        "hall.&lt;lining&gt;",
+        "d_new",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
 }

@@ -52,6 +52,9 @@ pub struct Summary {
     pub monitors: IndexMap<String, IndexMap<String, Peaks>>,
     /// Pair of monitors as `A-B` → quantity → peaks of the difference A − B.
     pub relative: IndexMap<String, IndexMap<String, Peaks>>,
+    /// Group of elements → how far it is damaged or yielded; groups whose laws know neither are left out, and groups
+    /// may overlap.
+    pub damage: IndexMap<String, GroupDamage>,
     /// Line of the energy balance → its value at the end (J).
     #[serde(deserialize_with = "number::deserialize_map")]
     pub energy: IndexMap<String, f64>,
@@ -97,6 +100,44 @@ pub struct MotionFacts {
     pub peak_acceleration: IndexMap<String, f64>,
     /// Axis of the model → where its record came from, in words.
     pub source: IndexMap<String, String>,
+}
+
+/// How far the elements of a group are damaged at the end of a run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct GroupDamage {
+    /// Volume of the group's elements (m³).
+    #[serde(with = "number", default = "number::absent")]
+    pub volume: f64,
+    /// Measure of damage, by the name of its field (`d_tension`, `plastic_shear_strain`) → what was found.
+    pub measures: IndexMap<String, Damaged>,
+}
+
+/// One measure of damage in a group of elements.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Damaged {
+    /// Threshold as one writes it (`0.5`) → volume in which the measure is above it (m³).
+    #[serde(deserialize_with = "number::deserialize_map")]
+    pub beyond: IndexMap<String, f64>,
+    /// Largest value in the group.
+    #[serde(with = "number", default = "number::absent")]
+    pub largest: f64,
+    /// Where it first rose above zero; none if it never did.
+    pub first: Option<Onset>,
+}
+
+/// Where and when something began.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Onset {
+    /// First time seen (s).
+    #[serde(with = "number", default = "number::absent")]
+    pub time: f64,
+    /// The element, by its number in the mesh.
+    pub element: u64,
+    /// Its centre (m).
+    pub at: [f64; 3],
 }
 
 /// The program and the machine.

@@ -2,7 +2,9 @@
 
 use std::fs;
 
-use tremolite_results::{Defaulted, Error, Peaks, Status, Summary, Table, TrustLine, peaks_by_monitor};
+use tremolite_results::{
+    Damaged, Defaulted, Error, GroupDamage, Onset, Peaks, Status, Summary, Table, TrustLine, peaks_by_monitor,
+};
 
 fn summary() -> Summary {
     let mut summary = Summary {
@@ -21,6 +23,13 @@ fn summary() -> Summary {
     let peaks = Peaks { max: 0.05, t_max: 13.2, min: -0.01, t_min: 9.0, residual: 0.007 };
     summary.monitors.entry("B".into()).or_default().insert("ux".into(), peaks);
     summary.monitors.entry("A".into()).or_default().insert("ux".into(), peaks);
+    let tension = Damaged {
+        beyond: [("0.1".to_owned(), 2.5), ("0.9".to_owned(), 1.0)].into(),
+        largest: 0.95,
+        first: Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.0, -3.0] }),
+    };
+    let lining = GroupDamage { volume: 10.0, measures: [("d_tension".to_owned(), tension)].into() };
+    summary.damage.insert("hall.lining".into(), lining);
     summary.energy.insert("kinetic".into(), 0.5);
     summary.energy.insert("error".into(), f64::NAN);
     summary
@@ -42,6 +51,10 @@ fn the_json_is_what_the_contract_says() {
     );
     let defaulted = serde_json::to_string(&summary().defaulted).unwrap();
     assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);
+    assert_eq!(
+        serde_json::to_string(&summary().damage).unwrap(),
+        r#"{"hall.lining":{"volume":10.0,"measures":{"d_tension":{"beyond":{"0.1":2.5,"0.9":1.0},"largest":0.95,"first":{"time":4.25,"element":4711,"at":[1.0,2.0,-3.0]}}}}}"#
+    );
     let monitors = serde_json::to_string(&summary().monitors).unwrap();
     assert!(monitors.starts_with(r#"{"B":"#), "the order of the case is kept: {monitors}");
     for (status, text) in [(Status::Failed, "\"failed\""), (Status::Stopped, "\"stopped\"")] {
@@ -71,10 +84,14 @@ fn a_summary_reads_back_as_it_was_nan_included() {
 fn summaries_of_other_versions_are_read_and_damaged_ones_refused_with_the_line() {
     let temp = tempfile::tempdir().unwrap();
     let path = temp.path().join("summary.json");
-    fs::write(&path, r#"{"status": "failed", "new_field": [1, 2], "trust": [{"name": "x"}]}"#).unwrap();
+    let other = r#"{"status": "failed", "new_field": [1, 2], "trust": [{"name": "x"}],
+        "damage": {"rock": {"measures": {"d_new": {"beyond": {"0.5": null}}}}}}"#;
+    fs::write(&path, other).unwrap();
     let read = Summary::read(&path).unwrap();
     assert_eq!(read.status, Status::Failed);
     assert!(read.wall_seconds.is_nan() && read.trust[0].value.is_nan() && !read.trust[0].pass);
+    let found = &read.damage["rock"].measures["d_new"];
+    assert!(read.damage["rock"].volume.is_nan() && found.beyond["0.5"].is_nan() && found.first.is_none());
     for (damaged, at) in [("", 1), ("{\n\"status\": \"won\"}", 2), ("{\"title\":\n\n3}", 3), ("[1", 1)] {
         fs::write(&path, damaged).unwrap();
         match Summary::read(&path) {

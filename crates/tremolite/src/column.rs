@@ -46,7 +46,8 @@ pub fn build(
     };
     let mut layers: Vec<(f64, f64, usize)> = Vec::new();
     for (e, body) in body_of.iter().enumerate() {
-        let (Some(body), Some(nodes)) = (body, hex_nodes(mesh, e)) else { continue };
+        let Some(body) = body else { continue };
+        let nodes = hex_nodes(mesh, e);
         let mut levels: Vec<f64> =
             nodes.iter().filter(|&&n| on_edge(n)).map(|&n| mesh.nodes[n as usize][2]).collect();
         levels.sort_by(f64::total_cmp);

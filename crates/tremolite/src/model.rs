@@ -21,8 +21,6 @@ pub enum ModelError {
     Twice { element: u64, first: String, second: String },
     #[error("element {element} of '{body}' cannot be used: {reason}")]
     BadElement { element: u64, body: String, reason: BadShape },
-    #[error("element {element} of '{body}' is a {shape}: this version runs hexahedra and wedges only")]
-    Unsupported { element: u64, body: String, shape: &'static str },
     #[error("the sides {low} and {high} cannot be periodic: {reason}")]
     Periodic { low: &'static str, high: &'static str, reason: Unmatched },
     #[error("no element face lies on the plane of the {0}, so nothing can act there: the outer sides must be plane")]
@@ -69,21 +67,25 @@ pub struct Model {
     pub isa: Isa,
 }
 
-/// Corners of an element as a hexahedron; a wedge is one with two edges collapsed.
-pub fn hex_nodes(mesh: &Mesh, element: usize) -> Option<[u32; 8]> {
+/// Corners of an element as a hexahedron, of which the other shapes are collapsed ones.
+///
+/// Collapsing keeps the patch test, the six rigid modes and the right row-sum masses, since the shape functions that
+/// fall together add up to those of the smaller shape. A tetrahedron is the constant-strain one: it locks in bending
+/// and at ν → ½. A wedge bends well along its axis and locks across its triangles; a pyramid is in between.
+pub fn hex_nodes(mesh: &Mesh, element: usize) -> [u32; 8] {
     let e = &mesh.elements[element];
     let n = e.nodes;
     match e.shape {
-        Shape::Hex8 => Some(n),
-        Shape::Wedge6 => Some([n[0], n[1], n[2], n[2], n[3], n[4], n[5], n[5]]),
-        Shape::Pyramid5 | Shape::Tet4 => None,
+        Shape::Hex8 => n,
+        Shape::Wedge6 => [n[0], n[1], n[2], n[2], n[3], n[4], n[5], n[5]],
+        Shape::Pyramid5 => [n[0], n[1], n[2], n[3], n[4], n[4], n[4], n[4]],
+        Shape::Tet4 => [n[0], n[1], n[2], n[2], n[3], n[3], n[3], n[3]],
     }
 }
 
 /// Geometry of an element that was checked to be usable.
 pub fn hex(mesh: &Mesh, element: usize) -> Result<Hex8, BadShape> {
-    let nodes = hex_nodes(mesh, element).ok_or(BadShape::NotFinite)?;
-    Hex8::new(nodes.map(|n| mesh.nodes[n as usize]))
+    Hex8::new(hex_nodes(mesh, element).map(|n| mesh.nodes[n as usize]))
 }
 
 /// Elements a patch: enough patches to share out small models, large ones for locality.
@@ -231,10 +233,6 @@ fn check_bodies(mesh: &Mesh, bodies: &[Body]) -> Result<Vec<Option<usize>>, Mode
                 return Err(ModelError::Twice { element: id, first, second: body.name.clone() });
             }
             body_of[e as usize] = Some(b);
-            if hex_nodes(mesh, e as usize).is_none() {
-                let shape = mesh.elements[e as usize].shape.name();
-                return Err(ModelError::Unsupported { element: id, body: body.name.clone(), shape });
-            }
             hex(mesh, e as usize).map_err(|reason| ModelError::BadElement {
                 element: id,
                 body: body.name.clone(),

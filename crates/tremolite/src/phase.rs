@@ -3,7 +3,7 @@
 use crate::model::{Model, ModelError, hex, hex_nodes};
 use crate::parts::base::Base;
 use crate::parts::loads::Loads;
-use crate::parts::{Part, Slices};
+use crate::parts::{Part, Slices, StateSizes};
 use crate::state::State;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -126,13 +126,20 @@ impl Phase {
     /// A state at rest.
     pub fn rest(&self) -> State {
         let (history, numbers, ..) = self.totals();
+        let overstress = self.slices.last().map_or(0, |s| s.overstress.end);
         State {
             u: vec![Row::ZERO; self.mass.len()],
             du: vec![Row::ZERO; self.mass.len()],
             history: vec![tremolite_laws::Octet::ZERO; history],
+            overstress: vec![tremolite_laws::Octet::ZERO; overstress],
             numbers: vec![0.0; numbers],
             ..State::default()
         }
+    }
+
+    /// Whether a law of the counted parts has a history, or bodies that damp: such parts may take energy.
+    pub fn remembers(&self) -> bool {
+        self.slices[..self.counted_parts].iter().any(|s| !s.history.is_empty() || !s.overstress.is_empty())
     }
 
     /// Octets of history, other numbers, contributions, points and elements.
@@ -164,7 +171,7 @@ fn solid(model: &Model, patch: &crate::model::Patch) -> Result<(Box<dyn Part>, V
             reason,
         })?;
         let mut corner = [0; 8];
-        let mesh_nodes = hex_nodes(&model.mesh, e as usize).unwrap_or_default();
+        let mesh_nodes = hex_nodes(&model.mesh, e as usize);
         for k in 0..8 {
             let node = model.engine_node[mesh_nodes[k] as usize];
             corner[k] = *local.entry(node).or_insert_with(|| {
@@ -181,21 +188,23 @@ fn solid(model: &Model, patch: &crate::model::Patch) -> Result<(Box<dyn Part>, V
 }
 
 fn slices(parts: &[Box<dyn Part>]) -> Vec<Slices> {
-    let (mut c, mut h, mut n, mut p, mut e) = (0, 0, 0, 0, 0);
+    let (mut c, mut h, mut o, mut n, mut p, mut e) = (0, 0, 0, 0, 0, 0);
     parts
         .iter()
         .map(|part| {
-            let (history, numbers) = part.state_sizes();
+            let StateSizes { history, overstress, numbers } = part.state_sizes();
             let (elements, points) = part.elements();
             let slices = Slices {
                 contributions: c..c + part.nodes().len(),
                 history: h..h + history,
+                overstress: o..o + overstress,
                 numbers: n..n + numbers,
                 points: p..p + elements * points,
                 elements: e..e + elements,
             };
             c = slices.contributions.end;
             h = slices.history.end;
+            o = slices.overstress.end;
             n = slices.numbers.end;
             p = slices.points.end;
             e = slices.elements.end;

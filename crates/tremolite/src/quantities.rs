@@ -26,7 +26,11 @@ pub const MONITOR: [Quantity; 18] = [
     q("ax", "m/s2", "acceleration along x"),
     q("ay", "m/s2", "acceleration along y"),
     q("az", "m/s2", "acceleration along z"),
-    q("sxx", "Pa", "normal stress along x, tension positive: of the element (one-point), or extrapolated (full)"),
+    q(
+        "sxx",
+        "Pa",
+        "normal stress along x, tension positive: of the element (one-point), or extrapolated (full)",
+    ),
     q("syy", "Pa", "normal stress along y"),
     q("szz", "Pa", "normal stress along z"),
     q("sxy", "Pa", "shear stress xy"),
@@ -54,16 +58,22 @@ pub enum Field {
     Stress,
     Principal,
     Envelope,
+    Damage,
+    Plastic,
+    History,
 }
 
 impl Field {
-    pub const ALL: [Field; 6] = [
+    pub const ALL: [Field; 9] = [
         Field::Displacement,
         Field::Velocity,
         Field::Acceleration,
         Field::Stress,
         Field::Principal,
         Field::Envelope,
+        Field::Damage,
+        Field::Plastic,
+        Field::History,
     ];
 
     /// The word in `output.fields`, and the arrays it writes.
@@ -72,12 +82,39 @@ impl Field {
             Field::Displacement => ("displacement", "displacement (m) at nodes since the start of shaking"),
             Field::Velocity => ("velocity", "velocity (m/s) at nodes"),
             Field::Acceleration => ("acceleration", "acceleration (m/s2) at nodes"),
-            Field::Stress => ("stress", "stress (Pa) of elements (xx, yy, zz, xy, yz, zx), mean over their points"),
-            Field::Principal => ("principal", "s1, s3 (Pa): largest and smallest principal stress over an element's points"),
+            Field::Stress => {
+                ("stress", "stress (Pa) of elements (xx, yy, zz, xy, yz, zx), mean over their points")
+            }
+            Field::Principal => {
+                ("principal", "s1, s3 (Pa): largest and smallest principal stress over an element's points")
+            }
             Field::Envelope => (
                 "envelope",
                 "displacement_max (m), s1_max, s3_min (Pa): extremes over time, sampled with the histories",
             ),
+            Field::Damage => (
+                "damage",
+                "d_tension, d_shear, d_b, d_b_max (1): damage, mean over an element's points, zero where its law has none",
+            ),
+            Field::Plastic => (
+                "plastic",
+                "plastic_… (1): plastic strains, mean over an element's points; plastic_state: all flags its points have, \
+                 1 shear now, 2 tension now, 4 and 8 the same in the past",
+            ),
+            Field::History => (
+                "history",
+                "all that the laws keep, by the names of 'list materials' (state as plastic_state), as above",
+            ),
+        }
+    }
+
+    /// Whether this field writes a column of a law's history.
+    pub fn holds(self, column: &str) -> bool {
+        match self {
+            Field::Damage => column.starts_with("d_"),
+            Field::Plastic => column.starts_with("plastic_") || column == STATE,
+            Field::History => true,
+            _ => false,
         }
     }
 
@@ -86,6 +123,43 @@ impl Field {
         Field::ALL.into_iter().find(|f| f.description().0 == word)
     }
 }
+
+/// The history column that holds a sum of flags (powers of two) instead of a measure.
+pub const STATE: &str = "state";
+
+/// The name of a history column among the fields.
+pub fn field_name(column: &'static str) -> &'static str {
+    if column == STATE { "plastic_state" } else { column }
+}
+
+/// One value for an element from those of its points: all flags that any of them has, the mean of everything else.
+pub fn of_element(column: &str, values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let points = values.len() as f64;
+    if column == STATE {
+        values.fold(0, |flags, value| flags | value as u32).into()
+    } else {
+        values.sum::<f64>() / points
+    }
+}
+
+/// A column of the laws' histories that says how far material is damaged, and the values that count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    pub column: &'static str,
+    /// In words, as the verdict has it.
+    pub words: &'static str,
+    /// Volumes beyond these are reported.
+    pub thresholds: &'static [f64],
+}
+
+/// What summaries report of damage, and from when on; laws without such a column are left out.
+pub const MEASURES: [Measure; 5] = [
+    Measure { column: "d_tension", words: "tension damage", thresholds: &[0.1, 0.5, 0.9] },
+    Measure { column: "d_shear", words: "shear damage", thresholds: &[0.1, 0.5, 0.9] },
+    Measure { column: "d_b_max", words: "mean principal damage", thresholds: &[0.1, 0.5, 0.9] },
+    Measure { column: "plastic_shear_strain", words: "yielding in shear", thresholds: &[0.0] },
+    Measure { column: "plastic_tension_strain", words: "yielding in tension", thresholds: &[0.0] },
+];
 
 /// Largest and smallest principal stress over some points.
 pub fn extremes(points: &[[f64; 6]]) -> [f64; 2] {
@@ -129,4 +203,19 @@ pub fn stress_at(points: &[[f64; 6]], natural: [f64; 3]) -> [f64; 6] {
 pub fn length(row: &Row) -> f64 {
     let [x, y, z] = row.xyz();
     (x * x + y * y + z * z).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_element_has_every_flag_of_its_points_and_the_mean_of_its_measures() {
+        assert_eq!(of_element("state", [4.0, 8.0, 0.0, 5.0].into_iter()), 13.0);
+        assert_eq!(of_element("d_tension", [0.0, 0.5, 1.0, 0.5].into_iter()), 0.5);
+        assert_eq!(field_name("state"), "plastic_state");
+        assert!(
+            Field::Plastic.holds("state") && !Field::Damage.holds("state") && Field::Damage.holds("d_b_max")
+        );
+    }
 }

@@ -3,7 +3,7 @@
 use crate::checkpoint::{self, CheckpointError};
 use crate::engine::{Balance, Engine, Halt, StableStep, stable_step};
 use crate::model::{Model, ModelError};
-use crate::observers::{Energy, Envelopes, Fields, FreeField, Histories, Observer, Schedule, View};
+use crate::observers::{Energy, Envelopes, Fields, FreeField, Histories, Observer, Onsets, Schedule, View};
 use crate::phase::Phase;
 use crate::plan::{Plan, Steps};
 use crate::state::State;
@@ -153,6 +153,9 @@ pub fn run(
     ];
     if let Some(free_field) = FreeField::new(model, rows) {
         observers.push(Box::new(free_field));
+    }
+    if let Some(onsets) = Onsets::new(model, rows) {
+        observers.push(Box::new(onsets));
     }
     if let Some(every) = steps.snapshots {
         let schedule = Schedule { every, last: Some(steps.total) };

@@ -20,6 +20,8 @@ pub struct Ledger {
     pub base_dashpots: f64,
     /// Taken by the dashpots of the sides.
     pub side_dashpots: f64,
+    /// Work against the forces of all parts, and the energy that elements held at the start.
+    pub parts: f64,
 }
 
 /// All that evolves in a run.
@@ -35,6 +37,8 @@ pub struct State {
     pub du: Vec<Row>,
     /// Histories of the laws, part by part.
     pub history: Vec<Octet>,
+    /// Memory of damping over a band, part by part.
+    pub overstress: Vec<Octet>,
     /// What other parts remember.
     pub numbers: Vec<f64>,
     pub ledger: Ledger,
@@ -67,15 +71,17 @@ impl State {
             rayleigh,
             base_dashpots,
             side_dashpots,
+            parts,
         } = &mut self.ledger;
         let ledger =
-            vec![initial, springs, input, supplied, rayleigh, base_dashpots, side_dashpots];
+            vec![initial, springs, input, supplied, rayleigh, base_dashpots, side_dashpots, parts];
         let mut columns = vec![
             ("step".to_owned(), "1", Column::Count(&mut self.step)),
             ("dt".to_owned(), "s", Column::Scalars(vec![&mut self.dt])),
             ("displacement".to_owned(), "m", Column::Rows(&mut self.u)),
             ("increment".to_owned(), "m", Column::Rows(&mut self.du)),
             ("history".to_owned(), "law", Column::Octets(&mut self.history)),
+            ("overstress".to_owned(), "1", Column::Octets(&mut self.overstress)),
             ("numbers".to_owned(), "part", Column::Numbers(&mut self.numbers)),
             ("ledger".to_owned(), "J", Column::Scalars(ledger)),
         ];

@@ -1,5 +1,8 @@
 //! What a run leaves for people: summary.json, with a verdict and a line for each thing that bears on trust.
 
+use crate::damage;
+use crate::extent::extents;
+use crate::model::hex;
 use crate::observers::{ENERGY_MEMORY, FREE_FIELD_MEMORY};
 use crate::plan::Plan;
 use crate::run::{Ending, Outcome, active_elements};
@@ -16,12 +19,17 @@ use tremolite_results::{
 const PER_WAVELENGTH: f64 = 8.0;
 /// Energy that may be lost or found, over all that was supplied.
 const ENERGY_ERROR: f64 = 0.01;
+/// Energy that material laws may create, over all that was supplied.
+const CREATED: f64 = 0.01;
 /// Energy of the hourglass stabilisation over the strain energy, largest values of both.
 const HOURGLASS: f64 = 0.1;
 /// Difference of the free field's velocity from theory, over its peak.
 const FREE_FIELD: f64 = 0.05;
 /// Displacement of the input at its end over its peak.
 const DRIFT: f64 = 0.1;
+/// Fracture energy of a weak concrete \[N/m\]: `mc1990`, G_F0 (f_cm/10 MPa)^0.7 with 25 N/m for 8 mm of aggregate and
+/// f_cm = 28 MPa. Less means that elements crack for less than a crack takes.
+const CRACK_ENERGY: f64 = 50.0;
 
 /// All a summary is made from.
 pub struct Input<'a> {
@@ -44,12 +52,14 @@ pub fn summary(input: Input) -> Summary {
     let Input { model, phase, plan, motion, survey, outcome, histories, .. } = input;
     let all = peaks_by_monitor(histories);
     let is_pair = |name: &str| {
-        plan.relatives.iter().any(|[a, b]| {
-            name == format!("{}-{}", plan.monitors[*a].name, plan.monitors[*b].name)
-        })
+        plan.relatives
+            .iter()
+            .any(|[a, b]| name == format!("{}-{}", plan.monitors[*a].name, plan.monitors[*b].name))
     };
-    let (relative, monitors): (IndexMap<_, _>, IndexMap<_, _>) = all.into_iter().partition(|(n, _)| is_pair(n));
+    let (relative, monitors): (IndexMap<_, _>, IndexMap<_, _>) =
+        all.into_iter().partition(|(n, _)| is_pair(n));
     let trust = trust(&input);
+    let damage = damage::damage(model, phase, &outcome.state);
     let status = match outcome.ending {
         Ending::Done => Status::Done,
         Ending::Stopped => Status::Stopped,
@@ -66,7 +76,7 @@ pub fn summary(input: Input) -> Summary {
     Summary {
         title: plan.title.clone(),
         status,
-        verdict: verdict(outcome, &trust, &monitors),
+        verdict: verdict(outcome, &trust, &monitors) + &damage::verdict(model, &damage),
         wall_seconds: input.wall_seconds,
         element_updates_per_second: outcome.updates_per_second(active_elements(phase)),
         model: ModelFacts {
@@ -87,6 +97,7 @@ pub fn summary(input: Input) -> Summary {
         positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
         monitors,
         relative,
+        damage,
         energy: outcome.balance.lines().iter().map(|(n, v)| ((*n).to_owned(), *v)).collect(),
         trust,
         run: input.run,
@@ -108,21 +119,27 @@ fn trust(input: &Input) -> Vec<TrustLine> {
         );
     }
     let stable = &outcome.stable;
-    lines.push(
-        TrustLine::at_most("time step over stable step", outcome.dt / stable.dt, 1.0, "").with_note(format!(
+    lines.push(TrustLine::at_most("time step over stable step", outcome.dt / stable.dt, 1.0, "").with_note(
+        format!(
             "set by {}; the estimate changed by {:.0e} in the last of {} iterations",
             limit_in_words(model, stable),
             stable.change,
             stable.iterations
-        )),
-    );
+        ),
+    ));
     let memory = |key: &str| outcome.state.observers.get(key).cloned().unwrap_or_default();
-    if let [_, error, hourglass, strain, _] = memory(ENERGY_MEMORY)[..] {
+    if let [_, error, hourglass, strain, _, _, created] = memory(ENERGY_MEMORY)[..] {
         let supplied = outcome.state.ledger.supplied;
         if supplied > 0.0 {
             lines.push(
                 TrustLine::at_most("energy error over energy supplied", error / supplied, ENERGY_ERROR, "")
                     .with_note("largest difference between the energy found and the energy put in"),
+            );
+        }
+        if supplied > 0.0 && input.phase.remembers() {
+            lines.push(
+                TrustLine::at_most("energy created by laws over energy supplied", created / supplied, CREATED, "")
+                    .with_note("falls of the dissipated energy from row to row: the least that laws gave out"),
             );
         }
         if strain > 0.0 {
@@ -155,6 +172,40 @@ fn trust(input: &Input) -> Vec<TrustLine> {
                 "a large value is drift of the record, which the model follows: filter or taper it",
             ),
         );
+    }
+    lines.extend(crack_energies(model));
+    let warnings: Vec<String> = model
+        .user_bodies()
+        .iter()
+        .flat_map(|b| b.material.warnings().into_iter().map(|w| format!("{}: {w}", b.name)))
+        .collect();
+    if !warnings.is_empty() {
+        let note = warnings.join("; ");
+        lines.push(
+            TrustLine::at_most("warnings of material laws", warnings.len() as f64, 0.0, "").with_note(note),
+        );
+    }
+    lines
+}
+
+/// What cracks across the elements dissipate, a line for each body whose law can crack.
+fn crack_energies(model: &Model) -> Vec<TrustLine> {
+    let mut lines = Vec::new();
+    for body in model.user_bodies() {
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for &element in &body.elements {
+            let Ok(hex) = hex(&model.mesh, element as usize) else { continue };
+            for energy in extents(&hex).into_iter().filter_map(|h| body.material.crack_energy(h)) {
+                (least, most) = (least.min(energy), most.max(energy));
+            }
+        }
+        if least <= most {
+            let name = format!("implied fracture energy, {}", body.name);
+            lines.push(TrustLine::at_least(&name, least, CRACK_ENERGY, "N/m").with_note(format!(
+                "{least:.0} to {most:.0} N/m for cracks across the elements' shortest to longest extents; where a \
+                 law softens by strain alone this grows with the element"
+            )));
+        }
     }
     lines
 }

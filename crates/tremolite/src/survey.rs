@@ -61,7 +61,7 @@ pub fn survey(model: &Model, phase: &Phase, frequency: f64) -> Result<Survey, Mo
             .par_chunks(64)
             .map(|chunk| {
                 let hexes: Vec<_> = chunk.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
-                let omegas = element_frequencies(&hexes, moduli, body.density, full);
+                let omegas = element_frequencies(&hexes, body.material.stiffest(), body.density, full);
                 let mut worst = ((0.0_f64, 0), (f64::INFINITY, 0));
                 for ((&e, hex), omega) in chunk.iter().zip(&hexes).zip(omegas) {
                     let longest = 2.0 * hex.half_lengths.iter().copied().fold(0.0, f64::max);

@@ -13,6 +13,8 @@ pub enum VerifyError {
     Model(#[from] ModelError),
     #[error("the incident motion could not be made: {0}")]
     Motion(#[from] tremolite_motion::Error),
+    #[error("the problem could not be set up: {0}")]
+    Setup(String),
     #[error("the run became unstable: {0:?}")]
     Halt(Halt),
     #[error(

@@ -30,41 +30,54 @@ pub fn schema() -> Outcome {
 
 fn unit(dimension: Dimension) -> &'static str {
     match dimension {
-        Dimension::NONE => "",
+        Dimension::NONE => "1",
         Dimension::LENGTH => "m",
         Dimension::TIME => "s",
         Dimension::RATE => "1/s",
+        Dimension::VELOCITY => "m/s",
+        Dimension::ACCELERATION => "m/s2",
         Dimension::PRESSURE => "Pa",
         Dimension::DENSITY => "kg/m3",
+        Dimension::FORCE => "N",
         Dimension::FRACTURE_ENERGY => "N/m",
+        // A unit weight has the same dimension; N/m3 is the same unit.
         Dimension::STIFFNESS => "Pa/m",
-        Dimension::ANGLE => "deg or rad",
+        Dimension::ANGLE => "deg, rad",
         _ => "SI",
     }
 }
 
+/// One line of a table of a law: name, unit, meaning.
+fn entry(name: &str, unit: &str, doc: &str) {
+    print(&format!("    {name:25} {unit:10} {doc}"));
+}
+
 fn parameter(p: &Parameter) {
-    let kind = match p.kind {
-        Kind::Number(d) => unit(d).to_owned(),
-        Kind::Word(words) => words.join(" | "),
+    let (unit, doc) = match p.kind {
+        Kind::Number(d) => (unit(d), p.doc.to_owned()),
+        Kind::Word(words) => ("word", format!("{}: {}", p.doc, words.join(" | "))),
     };
-    let need = match p.need {
-        Need::Required => "required".to_owned(),
-        Need::Number(x) => format!("default {x}"),
-        Need::Word(w) => format!("default {w}"),
-        Need::Optional(what) => what.to_owned(),
+    let need = match (p.need, p.kind) {
+        (Need::Required, _) => "required".to_owned(),
+        (Need::Number(x), Kind::Number(d)) => format!("default {}", tremolite_case::units::format(x, d)),
+        (Need::Number(x), _) => format!("default {x}"),
+        (Need::Word(w), _) => format!("default {w}"),
+        (Need::Optional(what), _) => format!("left out: {what}"),
     };
-    print(&format!("    {:24} {:16} {need:20} {}", p.name, kind, p.doc));
+    entry(p.name, unit, &format!("{doc} [{need}]"));
 }
 
 fn materials() {
-    for law in MATERIALS {
-        print(&format!("{}: {} ({})", law.name, law.summary, law.source));
-        print("    density or unit_weight   kg/m3 or N/m3    required             mass per volume");
+    for (k, law) in MATERIALS.iter().enumerate() {
+        let gap = if k > 0 { "\n" } else { "" };
+        print(&format!("{gap}{}: {} ({})\n  parameters", law.name, law.summary, law.source));
+        entry("density", "kg/m3", "mass per volume [required, or unit_weight]");
+        entry("unit_weight", "N/m3", "weight per volume [required, or density]");
         law.parameters.iter().for_each(parameter);
-        for column in law.history {
-            print(&format!("    keeps {:18} {:16} {}", column.name, column.unit, column.doc));
+        if !law.history.is_empty() {
+            print("  history");
         }
+        law.history.iter().for_each(|column| entry(column.name, column.unit, column.doc));
     }
 }
 

@@ -2,7 +2,9 @@
 
 pub mod bench;
 pub mod check;
+pub mod law;
 pub mod list;
+pub mod mesh;
 pub mod motion;
 pub mod new;
 pub mod report;
@@ -19,8 +21,7 @@ use tremolite_laws::{Isa, LawInfo};
 /// Reads a case and builds what it asks for; warnings go to the terminal.
 pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
     let laws: Vec<Law> = laws();
-    let infos: Vec<LawInfo> = laws.iter().map(|l| l.info).collect();
-    let case = Case::read(path, &infos).map_err(|r| Failure::case(&r))?;
+    let case = Case::read(path, &infos()).map_err(|r| Failure::case(&r))?;
     if !case.warnings.is_empty() {
         let report = case.report(case.warnings.clone()).as_warnings();
         crate::terminal::say(&report.render(crate::terminal::colour()));
@@ -31,6 +32,11 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
         crate::terminal::say(&report.render(crate::terminal::colour()));
     }
     Ok((case, setup))
+}
+
+/// Descriptions of all laws a case may name.
+pub fn infos() -> Vec<LawInfo> {
+    laws().iter().map(|l| l.info).collect()
 }
 
 /// A pool of `threads` threads, or of all.

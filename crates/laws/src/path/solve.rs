@@ -9,6 +9,8 @@ pub(super) struct Mixed {
     control: [Control; 6],
     free: Vec<usize>,
     strain: [f64; 6],
+    /// Largest strain before: a path that comes back to zero is met there as closely as elsewhere.
+    level: f64,
 }
 
 /// Rounds of a search before it counts as failed; a smooth law takes two or three.
@@ -17,7 +19,7 @@ const ROUNDS: usize = 200;
 impl Mixed {
     pub fn new(moduli: Moduli, control: [Control; 6]) -> Self {
         let free = (0..6).filter(|&k| control[k] == Control::Stress).collect();
-        Mixed { moduli, control, free, strain: [0.0; 6] }
+        Mixed { moduli, control, free, strain: [0.0; 6], level: 0.0 }
     }
 
     /// The strain of a row: `values` where strain is prescribed, the rest so that `stress` meets them.
@@ -29,6 +31,8 @@ impl Mixed {
         values: &[f64; 6],
         stress: impl Fn(&[f64; 6]) -> [f64; 6],
     ) -> Result<[f64; 6], f64> {
+        // Here it is still the strain of the row before.
+        self.level = self.strain.iter().fold(self.level, |most, e| most.max(e.abs()));
         for ((own, given), control) in self.strain.iter_mut().zip(values).zip(self.control) {
             if control == Control::Strain {
                 *own = *given;
@@ -48,7 +52,7 @@ impl Mixed {
         let mut left = miss(&self.strain);
         let mut damping = 0.0;
         for _ in 0..ROUNDS {
-            let level = size(&self.strain).max(size(values) / modulus);
+            let level = self.level.max(size(&self.strain)).max(size(values) / modulus);
             if size(&left) <= 1e-13 * level {
                 return Ok(self.strain);
             }

@@ -76,7 +76,10 @@ pub(super) fn name_faces(
             }
         }
     }
-    let lost: Vec<&Facet> = facets.iter().zip(&found).filter(|(_, found)| !**found).map(|(f, _)| f).collect();
+    let mut lost: Vec<&Facet> =
+        facets.iter().zip(&found).filter(|(_, found)| !**found).map(|(f, _)| f).collect();
+    // One that is in several lists counts once.
+    lost.dedup_by_key(|f| f.key);
     if let (Some(first), Stray::Refused) = (lost.iter().min_by_key(|f| f.number), stray) {
         let name = names[first.list as usize].first().map_or("", String::as_str);
         return Err(Fault::whole(format!(

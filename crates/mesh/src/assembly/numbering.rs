@@ -62,7 +62,8 @@ impl Numbering {
     /// The indices of the numbers from `first` to `last` in steps of `step`, of those that are there; costs no
     /// more than there are numbers, however long the range.
     pub(crate) fn indices(&self, first: u64, last: u64, step: u64) -> Vec<u32> {
-        let wanted = |number: u64| number >= first && number <= last && (number - first).is_multiple_of(step.max(1));
+        let wanted =
+            |number: u64| number >= first && number <= last && (number - first).is_multiple_of(step.max(1));
         match self {
             Numbering::Plain(start, count) => {
                 let low = first.max(*start);

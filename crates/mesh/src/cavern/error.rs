@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use super::{Cavern, CavernSpec};
+use super::profile::Profile;
+use super::tube::{HORSESHOE, Tube};
+use super::{Cavern, CavernShape, CavernSpec};
 use crate::boxes::MOST_ELEMENTS;
 use crate::grading::GradingError;
 
@@ -29,13 +31,19 @@ pub enum CavernError {
     Grading { line: &'static str, cause: GradingError },
     /// Elements round a cavern came out inverted, or with a smaller scaled Jacobian than `limit`.
     Poor { cavern: String, scaled_jacobian: f64, limit: f64 },
+    /// A gallery that cannot be made; `why` says what is wrong, after its name.
+    Gallery { gallery: String, why: &'static str },
+    /// The ground comes too near to the surroundings of the caverns; `at` is x and y.
+    LowGround { at: [f64; 2], height: f64, needed: f64 },
+    /// Rock that follows the ground came out with a smaller scaled Jacobian than `limit`.
+    SteepGround { scaled_jacobian: f64, limit: f64 },
 }
 
 impl fmt::Display for CavernError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Value { key, value, must } => write!(f, "{key} is {value}; it must be {must}"),
-            Self::Name { name, must } => write!(f, "the cavern name {name:?} must {must}"),
+            Self::Name { name, must } => write!(f, "the name {name:?} must {must}"),
             Self::Caverns { count } => {
                 write!(f, "{count} caverns; there must be at least one and at most {MOST_CAVERNS}")
             }
@@ -62,6 +70,17 @@ impl fmt::Display for CavernError {
                 "cavern {cavern:?}: an element has a scaled Jacobian of {scaled_jacobian:.3}, below {limit}; \
                  try another `near`, more rock around the cavern, or fewer benches"
             ),
+            Self::Gallery { gallery, why } => write!(f, "gallery {gallery:?} {why}"),
+            Self::LowGround { at: [x, y], height, needed } => write!(
+                f,
+                "the ground at x = {x:.1} m, y = {y:.1} m is at z = {height:.1} m; the caverns' surroundings need \
+                 at least {needed:.1} m there; raise `overburden` or the ground"
+            ),
+            Self::SteepGround { scaled_jacobian, limit } => write!(
+                f,
+                "the ground is so steep that an element has a scaled Jacobian of {scaled_jacobian:.3}, below \
+                 {limit}; smooth the table of heights or lower the slope"
+            ),
         }
     }
 }
@@ -75,7 +94,7 @@ impl std::error::Error for CavernError {
     }
 }
 
-fn value(key: impl Into<String>, value: f64, must: impl Into<String>) -> CavernError {
+pub(super) fn value(key: impl Into<String>, value: f64, must: impl Into<String>) -> CavernError {
     CavernError::Value { key: key.into(), value, must: must.into() }
 }
 
@@ -104,23 +123,32 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
     }
     for (k, cavern) in spec.caverns.iter().enumerate() {
         let name = &cavern.name;
-        let forbidden = |c: char| c.is_whitespace() || c.is_control() || ".*?[]{}\"'".contains(c);
-        if name.is_empty() || name.contains(forbidden) {
-            let must = "be a word without dots, stars, question marks, brackets, quotes or blanks";
-            return Err(CavernError::Name { name: name.clone(), must });
-        }
-        if name == "rock" || spec.caverns[..k].iter().any(|other| other.name == *name) {
-            let must = "be used once, and not be \"rock\"";
-            return Err(CavernError::Name { name: name.clone(), must });
-        }
+        check_name(name, spec.caverns[..k].iter().any(|other| other.name == *name))?;
         check_cavern(cavern, spec.near)?;
     }
-    Ok(())
+    super::strata::check(&spec.layers)?;
+    super::ground::check(&spec.ground)?;
+    super::gallery::check(spec)
+}
+
+/// The first part of a group's name, or the last; `taken` if another has it.
+pub(super) fn check_name(name: &str, taken: bool) -> Result<(), CavernError> {
+    let forbidden = |c: char| c.is_whitespace() || c.is_control() || ".*?[]{}\"'".contains(c);
+    let must = if name.is_empty() || name.contains(forbidden) {
+        "be a word without dots, stars, question marks, brackets, quotes or blanks"
+    } else if name == "rock" || taken {
+        "be used once, and not be \"rock\""
+    } else {
+        return Ok(());
+    };
+    Err(CavernError::Name { name: name.to_owned(), must })
 }
 
 fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
     let key = |k: &str| format!("{}.{k}", cavern.name);
-    for (k, length) in [("width", cavern.width), ("height", cavern.height), ("arch_rise", cavern.arch_rise)] {
+    let rise =
+        if matches!(cavern.shape, CavernShape::Arch | CavernShape::Ellipse) { cavern.arch_rise } else { 1.0 };
+    for (k, length) in [("width", cavern.width), ("height", cavern.height), ("arch_rise", rise)] {
         if !(length > 0.0 && length <= 1e5) {
             return Err(value(key(k), length, "a length above 0 (and at most 1e5 m)"));
         }
@@ -131,15 +159,43 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
         }
     }
     let half = cavern.width / 2.0;
-    if cavern.arch_rise > half * (1.0 + 1e-12) {
-        let must = format!("at most half the width, {half} m: the roof is an arc of a circle");
-        return Err(value(key("arch_rise"), cavern.arch_rise, must));
-    }
-    if cavern.arch_rise < 0.02 * cavern.width {
-        let must = format!("at least 0.02 of the width, {} m", 0.02 * cavern.width);
-        return Err(value(key("arch_rise"), cavern.arch_rise, must));
-    }
-    let walls = cavern.height - cavern.arch_rise;
+    let (walls, what) = match cavern.shape {
+        CavernShape::Arch | CavernShape::Ellipse => {
+            let (most, why) = if cavern.shape == CavernShape::Arch {
+                (half, "half the width")
+            } else {
+                (cavern.width, "the width")
+            };
+            if cavern.arch_rise > most * (1.0 + 1e-12) {
+                let must = format!("at most {why}, {most} m, for a roof of this shape");
+                return Err(value(key("arch_rise"), cavern.arch_rise, must));
+            }
+            // An ellipse that is flatter bends too sharply at the springings.
+            let least = if cavern.shape == CavernShape::Arch { 0.02 } else { 0.15 } * cavern.width;
+            if cavern.arch_rise < least {
+                let must = format!("at least {least:.3} m for this width and shape");
+                return Err(value(key("arch_rise"), cavern.arch_rise, must));
+            }
+            (cavern.height - cavern.arch_rise, "straight wall")
+        }
+        CavernShape::Rectangle => (cavern.height, "straight wall"),
+        CavernShape::Circle => {
+            if (cavern.height / cavern.width - 1.0).abs() > 1e-9 {
+                let must = format!("the width, {} m, for a circle", cavern.width);
+                return Err(value(key("height"), cavern.height, must));
+            }
+            (cavern.height * std::f64::consts::FRAC_1_SQRT_2, "wall")
+        }
+        CavernShape::Horseshoe => {
+            let [low, high] = HORSESHOE.map(|share| share * cavern.width);
+            if !(low..=high).contains(&cavern.height) {
+                let must = format!("from {low} m to {high} m for a horseshoe of this width");
+                return Err(value(key("height"), cavern.height, must));
+            }
+            let [low, high] = Tube::new(cavern).wall();
+            (high - low, "wall")
+        }
+    };
     if walls < 0.25 * near {
         let must = format!(
             "above the arch rise, {} m, by at least a quarter of `near`: the walls are straight up to the arch",
@@ -150,7 +206,7 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
     let most = (walls / (0.25 * near)).floor();
     if cavern.benches == 0 || f64::from(cavern.benches) > most {
         let must = format!(
-            "from 1 to {most}: with {walls} m of straight wall a bench may not be lower than a quarter of `near`"
+            "from 1 to {most}: with {walls} m of {what} a bench may not be lower than a quarter of `near`"
         );
         return Err(value(key("benches"), f64::from(cavern.benches), must));
     }
@@ -178,7 +234,16 @@ fn check_lining(cavern: &Cavern, half: f64, key: &dyn Fn(&str) -> String) -> Res
         let must = format!("from 1 to {MOST_LAYERS}");
         return Err(value(key("lining.layers"), f64::from(lining.layers), must));
     }
-    let profile = super::profile::Profile::new(cavern);
+    if cavern.shape.is_closed() {
+        if lining.floor == 0.0 {
+            return Err(value(key("lining.floor"), 0.0, "above 0: round this shape the lining is closed"));
+        }
+        return Ok(());
+    }
+    if cavern.shape != CavernShape::Arch {
+        return Ok(());
+    }
+    let profile = Profile::new(cavern);
     let rise = profile.outer.rise;
     if rise < 0.02 * cavern.width || rise > 1.1 * profile.outer.half {
         let least = lining.crown + 0.02 * cavern.width - rise;

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
+use super::profile::Outline;
 use super::section::{Part, Section};
-use super::{CavernError, CavernSpec};
+use super::{CavernError, CavernSpec, gallery, ground, strata};
 use crate::boxes::MOST_ELEMENTS;
 use crate::mesh::{Element, Face, Mesh, Shape};
 
@@ -32,37 +33,40 @@ pub(super) fn extrude(spec: &CavernSpec, section: &Section) -> Result<Mesh, Cave
             mesh.elements.push(Element { shape: Shape::Hex8, nodes });
         }
     }
-    group(spec, section, layers, &mut mesh);
-    faces(spec, section, layers, &mut mesh);
+    let parts = gallery::parts(spec, section);
+    group(spec, &parts, &mut mesh);
+    faces(spec, section, &parts, &mut mesh);
     points(spec, &mut mesh);
+    ground::lift(&spec.ground, section.cover, spec.near, &mut mesh)?;
+    strata::group(&spec.layers, &mut mesh);
     Ok(mesh)
 }
 
-fn group(spec: &CavernSpec, section: &Section, layers: usize, mesh: &mut Mesh) {
-    let quads = section.quads.len() as u32;
-    for layer in 0..layers as u32 {
-        for (q, part) in (layer * quads..).zip(&section.parts) {
-            let mut add = |name: String| mesh.groups.entry(name).or_default().push(q);
-            let name = |k: u32| &spec.caverns[k as usize].name;
-            match *part {
-                Part::Rock => add("rock".to_owned()),
-                Part::Crown(k) => add(format!("{}.lining.crown", name(k))),
-                Part::Walls(k) => add(format!("{}.lining.walls", name(k))),
-                Part::Floor(k) => add(format!("{}.lining.floor", name(k))),
-                Part::Bench(k, bench) => add(format!("{}.bench{bench}", name(k))),
-            }
-            if let Some(k) = part.lining() {
-                add(format!("{}.lining", name(k)));
-            }
-            if let Some(k) = part.opening() {
-                add(format!("{}.excavation", name(k)));
-            }
+fn group(spec: &CavernSpec, parts: &[Part], mesh: &mut Mesh) {
+    for (q, part) in (0..).zip(parts) {
+        let mut add = |name: String| mesh.groups.entry(name).or_default().push(q);
+        let name = |k: u32| &spec.caverns[k as usize].name;
+        match *part {
+            Part::Rock => add("rock".to_owned()),
+            Part::Crown(k) => add(format!("{}.lining.crown", name(k))),
+            Part::Walls(k) => add(format!("{}.lining.walls", name(k))),
+            Part::Floor(k) => add(format!("{}.lining.floor", name(k))),
+            Part::Bench(k, bench) => add(format!("{}.bench{bench}", name(k))),
+            Part::Gallery(g) => add(format!("{}.gallery", spec.galleries[g as usize].name)),
+            Part::Opening(g) => add(format!("{}.opening", spec.galleries[g as usize].name)),
+        }
+        if let Some(k) = part.lining() {
+            add(format!("{}.lining", name(k)));
+        }
+        if let Some(k) = part.opening() {
+            add(format!("{}.excavation", name(k)));
         }
     }
 }
 
-fn faces(spec: &CavernSpec, section: &Section, layers: usize, mesh: &mut Mesh) {
+fn faces(spec: &CavernSpec, section: &Section, parts: &[Part], mesh: &mut Mesh) {
     let quads = section.quads.len() as u32;
+    let layers = section.y.len() - 1;
     for name in ["xmin", "xmax", "base", "top"] {
         mesh.faces.insert(name.to_owned(), Vec::new());
     }
@@ -70,10 +74,6 @@ fn faces(spec: &CavernSpec, section: &Section, layers: usize, mesh: &mut Mesh) {
         let set = (0..quads).map(|q| Face { element: q + layer * quads, side }).collect();
         mesh.faces.insert(name.to_owned(), set);
     }
-    let mut add = |name: String, q: usize, side: u8| {
-        let set = mesh.faces.entry(name).or_default();
-        set.extend((0..layers as u32).map(|layer| Face { element: q as u32 + layer * quads, side }));
-    };
     // Each edge's other quadrilateral.
     let mut owners: HashMap<[u32; 2], [Option<usize>; 2]> = HashMap::with_capacity(2 * section.quads.len());
     let key = |a: u32, b: u32| [a.min(b), a.max(b)];
@@ -97,24 +97,30 @@ fn faces(spec: &CavernSpec, section: &Section, layers: usize, mesh: &mut Mesh) {
                 };
                 for (name, axis, side) in [("xmin", 0, 0), ("xmax", 0, 1), ("base", 1, 0), ("top", 1, 1)] {
                     if on(axis, side) {
-                        add(name.to_owned(), q, SIDES[i]);
+                        let along = (0..layers as u32).map(|layer| q as u32 + layer * quads);
+                        let faces = along.map(|element| Face { element, side: SIDES[i] });
+                        mesh.faces.entry(name.to_owned()).or_default().extend(faces);
                     }
                 }
                 continue;
             };
-            let (mine, theirs) = (section.parts[q], section.parts[other]);
-            let unlined = |k: u32| spec.caverns[k as usize].lining.is_none();
-            match (mine.lining(), theirs) {
-                (Some(k), Part::Bench(..)) => {
-                    add(format!("{}.intrados", spec.caverns[k as usize].name), q, SIDES[i])
+            for layer in 0..layers {
+                let at = layer * section.quads.len();
+                if let Some(name) = surface(spec, parts[at + q], parts[at + other]) {
+                    let face = Face { element: (at + q) as u32, side: SIDES[i] };
+                    mesh.faces.entry(name).or_default().push(face);
                 }
-                (Some(k), Part::Rock) => {
-                    add(format!("{}.extrados", spec.caverns[k as usize].name), q, SIDES[i])
-                }
-                (None, Part::Bench(k, _)) if mine == Part::Rock && unlined(k) => {
-                    add(format!("{}.intrados", spec.caverns[k as usize].name), q, SIDES[i]);
-                }
-                _ => {}
+            }
+        }
+    }
+    // Galleries end between two layers.
+    for (e, pair) in parts.iter().zip(parts.iter().skip(section.quads.len())).enumerate() {
+        for (mine, theirs, element, side) in
+            [(*pair.0, *pair.1, e, YMAX), (*pair.1, *pair.0, e + section.quads.len(), YMIN)]
+        {
+            if let Some(name) = surface(spec, mine, theirs) {
+                let face = Face { element: element as u32, side };
+                mesh.faces.entry(name).or_default().push(face);
             }
         }
     }
@@ -123,20 +129,40 @@ fn faces(spec: &CavernSpec, section: &Section, layers: usize, mesh: &mut Mesh) {
     }
 }
 
+/// The face set of an element's face towards another element.
+fn surface(spec: &CavernSpec, mine: Part, theirs: Part) -> Option<String> {
+    let cavern = |k: u32| &spec.caverns[k as usize];
+    match (mine.lining(), theirs) {
+        (Some(k), Part::Bench(..)) => Some(format!("{}.intrados", cavern(k).name)),
+        (Some(k), Part::Rock) => Some(format!("{}.extrados", cavern(k).name)),
+        (None, Part::Bench(k, _)) if mine == Part::Rock && cavern(k).lining.is_none() => {
+            Some(format!("{}.intrados", cavern(k).name))
+        }
+        (_, Part::Gallery(g) | Part::Opening(g)) if mine.gallery().is_none() && mine.opening().is_none() => {
+            Some(format!("{}.surface", spec.galleries[g as usize].name))
+        }
+        _ => None,
+    }
+}
+
 fn points(spec: &CavernSpec, mesh: &mut Mesh) {
     let first = &spec.caverns[0];
     for cavern in &spec.caverns {
         let x = cavern.at[0] - first.at[0];
         let z = cavern.at[1] - first.at[1] - spec.overburden - first.height;
-        let arc = super::profile::Profile::new(cavern).inner;
         // Half the height lies on the wall, unless the arch takes more than half: then its springing.
-        let wall = (cavern.height / 2.0).min(arc.springing);
+        let (half, wall) = match Outline::new(cavern) {
+            Outline::Walls(profile) => {
+                (profile.inner.half, (cavern.height / 2.0).min(profile.inner.springing))
+            }
+            Outline::Closed(tube) => (tube.half_width(cavern.height / 2.0), cavern.height / 2.0),
+        };
         let mut add = |name: &str, at: [f64; 2]| {
             mesh.points.insert(format!("{}.{name}", cavern.name), [x + at[0], 0.0, z + at[1]]);
         };
         add("crown", [0.0, cavern.height]);
         add("floor", [0.0, 0.0]);
-        add("wall.left", [-arc.half, wall]);
-        add("wall.right", [arc.half, wall]);
+        add("wall.left", [-half, wall]);
+        add("wall.right", [half, wall]);
     }
 }

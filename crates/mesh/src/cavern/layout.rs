@@ -2,24 +2,25 @@
 
 use std::ops::Range;
 
-use super::profile::Profile;
+use super::gallery::{self, Passage, Pin};
+use super::profile::Outline;
 use super::rows::{Counts, Wish, whole_numbers};
-use super::{CavernError, CavernSpec};
+use super::stretch::{End, GROWTH, relax, stretch};
+use super::{CavernError, CavernSpec, Ground};
 use crate::boxes::MOST_ELEMENTS;
 use crate::grading::graded;
-
-/// Largest growth from one element to the next.
-const GROWTH: f64 = 1.25;
 
 /// A cavern's place in the grid.
 pub(super) struct Plot {
     /// The middle of the clear floor: x, z.
     pub centre: [f64; 2],
-    pub profile: Profile,
+    pub outline: Outline,
     pub counts: Counts,
     /// Grid lines of the rectangle, first and last.
     pub columns: Range<usize>,
     pub rows: Range<usize>,
+    /// Levels on its walls that galleries ask for.
+    pub pins: Vec<Pin>,
     /// Where the rings of rock lie between extrados (0) and rectangle (1), both included.
     pub rings: Vec<f64>,
 }
@@ -29,7 +30,11 @@ pub(super) struct Layout {
     pub x: Vec<f64>,
     pub y: Vec<f64>,
     pub z: Vec<f64>,
+    /// Level above which there are no caverns' rectangles.
+    pub cover: f64,
     pub plots: Vec<Plot>,
+    /// The galleries.
+    pub passages: Vec<Passage>,
 }
 
 /// Rectangle round a cavern while the layout is made. Axis 0 is x, axis 1 is z.
@@ -58,14 +63,22 @@ impl Layout {
         let mut plots: Vec<Plot> = Vec::with_capacity(spec.caverns.len());
         let mut claims = Vec::with_capacity(spec.caverns.len());
         for (cavern, inset) in spec.caverns.iter().zip(insets) {
-            let profile = Profile::new(cavern);
+            let outline = Outline::new(cavern);
             let centre = [cavern.at[0] - first.at[0], ground + cavern.at[1] - first.at[1]];
-            let (low, high) = profile.bounds();
+            let (low, high) = outline.bounds();
             let body = [low, high].map(|p| [centre[0] + p[0], centre[1] + p[1]]);
-            let mut counts = Counts::new(cavern, &profile, spec.near);
+            let mut counts = Counts::new(cavern, &outline, spec.near);
             counts.inset = inset.unwrap_or(counts.inset);
-            claims.push(Claim { body, margin: margins(spec.near, &profile, &counts) });
-            plots.push(Plot { centre, profile, counts, columns: 0..0, rows: 0..0, rings: Vec::new() });
+            claims.push(Claim { body, margin: margins(spec.near, &outline, &counts) });
+            plots.push(Plot {
+                centre,
+                outline,
+                counts,
+                columns: 0..0,
+                rows: 0..0,
+                pins: Vec::new(),
+                rings: Vec::new(),
+            });
         }
         let floor = plots.iter().map(|p| p.centre[1]).fold(f64::INFINITY, f64::min);
         let left = claims.iter().map(|c| c.body[0][0]).fold(f64::INFINITY, f64::min);
@@ -81,21 +94,32 @@ impl Layout {
         }
 
         let [x, z] = [0, 1].map(|axis| lines(spec, axis, block[axis], &claims, &mut plots));
-        let (x, z) = (x?, z?);
+        let (x, mut z) = (x?, z?);
         let along = 2.0 * (spec.length / spec.along.unwrap_or(spec.near) / 2.0).round().max(1.0);
         let elements = along * (x.len() - 1) as f64 * (z.len() - 1) as f64;
         let inside: f64 = plots.iter().map(|p| (p.counts.vault() * p.counts.vault()) as f64 * along).sum();
         if elements + inside > MOST_ELEMENTS as f64 {
             return Err(CavernError::TooMany { elements: elements + inside });
         }
-        let along = along as usize;
-        let y = (0..=along).map(|j| spec.length * (j as f64 / along as f64 - 0.5)).collect();
-        Ok(Layout { x, y, z, plots })
+        let passages = gallery::place(spec, &mut z, &mut plots)?;
+        let y = if spec.galleries.is_empty() {
+            let along = along as usize;
+            (0..=along).map(|j| spec.length * (j as f64 / along as f64 - 0.5)).collect()
+        } else {
+            gallery::planes(spec, spec.length / along)
+        };
+        let cover = plots.iter().map(|p| z[p.rows.end]).fold(f64::NEG_INFINITY, f64::max);
+        Ok(Layout { x, y, z, cover, plots, passages })
     }
 }
 
 /// Rock between extrados and rectangle that gives well-shaped rings, by axis and side.
-fn margins(near: f64, profile: &Profile, counts: &Counts) -> [[f64; 2]; 2] {
+fn margins(near: f64, outline: &Outline, counts: &Counts) -> [[f64; 2]; 2] {
+    let profile = match outline {
+        Outline::Walls(profile) => profile,
+        // Lines from corner to corner at half a right angle, the same on all sides.
+        Outline::Closed(tube) => return [[(0.2 * tube.height).max(2.2 * near); 2]; 2],
+    };
     // The edges at the foot fan out into as many rows at the rectangle's side.
     let below = (1.2 * (counts.inset + 1) as f64 * near).max(2.2 * near);
     let above = (1.6 * near).max(0.5 * profile.outer.rise);
@@ -168,9 +192,9 @@ fn lines(
         .zip(&places)
         .map(|((plot, cavern), place)| {
             let stretches = place[0] + 1..place[1] + 1;
-            let inner = &plot.profile.inner;
+            let [roof, wall] = plot.outline.lengths();
             if axis == 0 {
-                let middle = inner.length() / spec.near - 2.0 * plot.counts.flank as f64;
+                let middle = roof / spec.near - 2.0 * plot.counts.flank as f64;
                 // A narrow cavern has a much wider rectangle, which needs columns too.
                 let outside = length[stretches.clone()].iter().sum::<f64>() / (1.7 * spec.near);
                 let extra = plot.counts.extra_columns();
@@ -179,7 +203,13 @@ fn lines(
             } else {
                 let extra = plot.counts.extra_rows();
                 let benches = cavern.benches as usize;
-                let wall = (inner.springing / spec.near).max(benches as f64);
+                // A rectangle with no rows but those of the walls is higher than they are.
+                let outside = if plot.counts.closed {
+                    length[stretches.clone()].iter().sum::<f64>() / (1.7 * spec.near)
+                } else {
+                    0.0
+                };
+                let wall = (wall / spec.near).max(benches as f64).max(outside);
                 Wish { stretches, ideal: wall + extra as f64, extra, multiple: benches, weight: 1.0 }
             }
         })
@@ -206,25 +236,35 @@ fn lines(
                     let ring = claim.margin[axis][side] * (1.0 - plot.rings[plot.rings.len() - 2]);
                     let next = [stop, stop - 1][side];
                     let row = length[next] / counts[next].max(1) as f64;
-                    Some((ring * row).sqrt())
+                    Some(End { next: row, wish: (ring * row).sqrt() })
                 });
                 let inner = stop > 0 && stop + 1 < stops.len();
-                inner.then(|| touching.fold(spec.near, f64::max).min(spec.far))
+                inner.then(|| {
+                    let most = |a: End, b: End| End { next: a.next.max(b.next), wish: a.wish.max(b.wish) };
+                    let end = touching.reduce(most).unwrap_or(End { next: spec.near, wish: spec.near });
+                    End { next: end.next, wish: end.wish.max(spec.near).min(spec.far) }
+                })
             };
-            let near = (end(i), end(i + 1));
-            let smaller = near.0.unwrap_or(spec.far).min(near.1.unwrap_or(spec.far));
+            let ends = [end(i), end(i + 1)];
+            let smaller = ends.iter().flatten().fold(spec.far, |least, end| least.min(end.wish));
             if to - from < 1.5 * smaller {
                 line.push(to);
                 at_stop.push(line.len() - 1);
                 continue;
             }
             let name = ["x", "z"][axis];
-            let part = graded(from, to, near, spec.far, GROWTH)
+            // Where the ground will bend the rock above the caverns, no line stays level.
+            let level = axis == 1 && (spec.ground == Ground::Level || i + 1 < counts.len());
+            let cuts: Vec<f64> =
+                spec.layers.iter().filter(|l| level && l.dip == 0.0).map(|l| -l.depth).collect();
+            let part = stretch(from, to, ends, spec.far, &cuts)
                 .map_err(|cause| CavernError::Grading { line: name, cause })?;
             line.extend(&part[1..]);
         }
         at_stop.push(line.len() - 1);
     }
+    let planes: Vec<f64> = spec.layers.iter().map(|l| -l.depth).collect();
+    relax(&mut line, if axis == 1 { &planes } else { &[] });
     for (plot, place) in plots.iter_mut().zip(&places) {
         let range = at_stop[place[0] + 1]..at_stop[place[1] + 1];
         if axis == 0 {

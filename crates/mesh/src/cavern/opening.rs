@@ -1,7 +1,9 @@
 //! One cavern in its rectangle: the opening with its benches, the lining, the rings of rock.
 
 use super::Cavern;
+use super::closed;
 use super::layout::Plot;
+use super::profile::{Outline, Profile};
 use super::section::{Part, Section};
 use super::smooth::smooth;
 
@@ -9,7 +11,7 @@ use super::smooth::smooth;
 ///
 /// Every bench has the same share of the wall; where the rows do not divide evenly the upper benches get one
 /// more.
-fn wall_rows(wall: usize, height: f64, benches: usize) -> (Vec<f64>, Vec<u32>) {
+pub(super) fn wall_rows(wall: usize, height: f64, benches: usize) -> (Vec<f64>, Vec<u32>) {
     let (mut levels, mut bench_of) = (vec![0.0], Vec::with_capacity(wall));
     let share = height / benches as f64;
     for bench in (0..benches).rev() {
@@ -25,13 +27,18 @@ fn wall_rows(wall: usize, height: f64, benches: usize) -> (Vec<f64>, Vec<u32>) {
 }
 
 /// Fills the rectangle whose edge nodes are `rim`, clockwise from the lower left corner, with cavern `k`;
-/// returns the smallest scaled Jacobian in it.
-pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, rim: &[u32]) -> f64 {
+/// returns the smallest scaled Jacobian in
+/// it, and that in the lining.
+pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, rim: &[u32]) -> [f64; 2] {
+    let profile = match &plot.outline {
+        Outline::Walls(profile) => profile,
+        Outline::Closed(tube) => return closed::fill(section, plot, tube, cavern, k, rim),
+    };
     let counts = plot.counts;
     let (first_quad, first_point) = (section.quads.len(), section.points.len());
-    let benches = cavern.benches as usize;
-    let (levels, bench_of) = wall_rows(counts.wall, plot.profile.inner.springing, benches);
-    let path = Path { plot, levels: &levels };
+    // Levels that do not fit have been refused with the layout.
+    let (levels, bench_of) = plot.levels(cavern.benches).unwrap_or_default();
+    let path = Path { plot, profile, levels: &levels };
 
     // From the opening outwards: the vault's layers, each from the left foot over the crown to the right one.
     let vault: Vec<Vec<u32>> = (0..=counts.layers)
@@ -61,7 +68,7 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
     below.extend(vault.iter().map(|layer| layer[counts.vault()]));
     let mut sides: [Vec<u32>; 2] = Default::default();
     for row in 1..=counts.slab {
-        let depth = plot.profile.floor * row as f64 / counts.slab as f64;
+        let depth = profile.floor * row as f64 / counts.slab as f64;
         let next: Vec<u32> = below
             .iter()
             .map(|&n| {
@@ -90,15 +97,13 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
     rings(section, plot, &outline, rim, &mut free);
 
     smooth(&mut section.points, &section.quads[first_quad..], first_point, &free);
-    section.quads[first_quad..]
-        .iter()
-        .map(|quad| section.scaled_jacobian(quad))
-        .fold(f64::INFINITY, |a, b| if b.is_nan() { -1.0 } else { a.min(b) })
+    section.worst(first_quad)
 }
 
 /// Points of the profile by their number `t` along the vault. Local coordinates.
 struct Path<'a> {
     plot: &'a Plot,
+    profile: &'a Profile,
     levels: &'a [f64],
 }
 
@@ -127,19 +132,19 @@ impl Path<'_> {
     }
 
     fn inner(&self, t: usize) -> [f64; 2] {
-        let arc = &self.plot.profile.inner;
+        let arc = &self.profile.inner;
         self.locate(t).map_or_else(|(row, side)| [side * arc.half, self.levels[row]], |s| arc.point(s))
     }
 
     fn outer(&self, t: usize) -> [f64; 2] {
-        let arc = &self.plot.profile.outer;
+        let arc = &self.profile.outer;
         self.locate(t).map_or_else(|(row, side)| [side * arc.half, self.levels[row]], |s| arc.point(s))
     }
 
     /// The edge of the core where a ring lies between it and the intrados: the intrados shrunk sideways by
     /// one column, and its arch as much in height.
     fn shrunk(&self, t: usize) -> [f64; 2] {
-        let arc = &self.plot.profile.inner;
+        let arc = &self.profile.inner;
         let share = 1.0 - 2.0 / self.plot.counts.floor() as f64;
         let p = self.inner(t);
         let lift = (p[1] - arc.springing).max(0.0);
@@ -226,7 +231,7 @@ fn core(
 }
 
 /// The rings of rock between the outside of the lining and the rectangle's rim.
-fn rings(section: &mut Section, plot: &Plot, outline: &[u32], rim: &[u32], free: &mut Vec<u32>) {
+pub(super) fn rings(section: &mut Section, plot: &Plot, outline: &[u32], rim: &[u32], free: &mut Vec<u32>) {
     let n = rim.len();
     let mut inner = outline.to_vec();
     for (layer, &s) in plot.rings.iter().enumerate().skip(1) {
@@ -236,8 +241,12 @@ fn rings(section: &mut Section, plot: &Plot, outline: &[u32], rim: &[u32], free:
             (0..n)
                 .map(|t| {
                     let (a, b) = (section.points[outline[t] as usize], section.points[rim[t] as usize]);
-                    let node = section.point([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]);
-                    free.push(node);
+                    let level = plot.held(t);
+                    let z = level.unwrap_or_else(|| a[1] + s * (b[1] - a[1]));
+                    let node = section.point([a[0] + s * (b[0] - a[0]), z]);
+                    if level.is_none() {
+                        free.push(node);
+                    }
                     node
                 })
                 .collect()

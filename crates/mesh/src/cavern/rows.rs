@@ -1,7 +1,7 @@
 //! How many rows and columns of elements each stretch of the grid gets.
 
 use super::Cavern;
-use super::profile::Profile;
+use super::profile::Outline;
 
 /// Numbers of elements that describe one cavern's part of the section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +21,8 @@ pub(super) struct Counts {
     /// Edges below the cavern from the foot of the lining (or of its slab) to the point that is tied to the
     /// rectangle's lower corner.
     pub inset: usize,
+    /// Whether the outline is a closed curve; then only columns, wall and layers matter.
+    pub closed: bool,
 }
 
 impl Counts {
@@ -29,23 +31,38 @@ impl Counts {
     ///
     /// A flat arch meets the walls at a marked angle, which serves as a corner of the core. A steep one runs
     /// smoothly into them: the core then has its corners half-way up the arch, inside a ring.
-    pub fn new(cavern: &Cavern, profile: &Profile, near: f64) -> Self {
-        let steep = profile.inner.angle > 70f64.to_radians();
+    pub fn new(cavern: &Cavern, outline: &Outline, near: f64) -> Self {
         let layers = if cavern.lining.is_none() { 0 } else { cavern.lining.layers as usize };
+        let profile = match outline {
+            Outline::Walls(profile) => profile,
+            // Corner is tied to corner: a row of the rectangle for each of the walls, a column for each of the
+            // crown.
+            Outline::Closed(_) => {
+                let (columns, wall, slab, inset) = (0, 0, 0, 0);
+                return Counts { columns, wall, flank: 0, ring: 0, layers, slab, inset, closed: true };
+            }
+        };
+        let steep = profile.inner.angle > 70f64.to_radians();
         let flank = if steep { ((0.2 * profile.inner.length() / near).round() as usize).max(1) } else { 0 };
         let slab = if cavern.lining.floor > 0.0 { layers } else { 0 };
         let ring = usize::from(steep);
-        Counts { columns: 0, wall: 0, flank, ring, layers, slab, inset: layers + ring }
+        Counts { columns: 0, wall: 0, flank, ring, layers, slab, inset: layers + ring, closed: false }
     }
 
     /// Rows of the rectangle round the cavern beyond those of the straight walls. With the usual inset the
     /// rectangle's upper corners are tied to the corners of the core; each edge less moves them an edge down.
     pub fn extra_rows(&self) -> isize {
+        if self.closed {
+            return 0;
+        }
         (self.flank + self.slab + 2 * self.inset) as isize - (self.ring + self.layers) as isize
     }
 
     /// Columns of the rectangle beyond those of the core.
     pub fn extra_columns(&self) -> isize {
+        if self.closed {
+            return 0;
+        }
         2 * ((self.ring + self.layers) as isize - self.inset as isize)
     }
 

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::gallery::Passage;
 use super::layout::Layout;
 use super::opening;
 use super::{CavernError, CavernSpec};
@@ -15,6 +16,10 @@ pub(super) enum Part {
     Floor(u32),
     /// Bench, counted from 1 at the top.
     Bench(u32, u32),
+    /// Rock in a gallery; here the number is the gallery's.
+    Gallery(u32),
+    /// Lining that a gallery passes; here the number is the gallery's.
+    Opening(u32),
 }
 
 impl Part {
@@ -22,7 +27,15 @@ impl Part {
     pub fn lining(self) -> Option<u32> {
         match self {
             Part::Crown(k) | Part::Walls(k) | Part::Floor(k) => Some(k),
-            Part::Rock | Part::Bench(..) => None,
+            Part::Rock | Part::Bench(..) | Part::Gallery(_) | Part::Opening(_) => None,
+        }
+    }
+
+    /// The gallery that this is part of.
+    pub fn gallery(self) -> Option<u32> {
+        match self {
+            Part::Gallery(g) | Part::Opening(g) => Some(g),
+            _ => None,
         }
     }
 
@@ -43,6 +56,10 @@ pub(super) struct Section {
     pub parts: Vec<Part>,
     /// Coordinates of the planes across y.
     pub y: Vec<f64>,
+    /// Level above which there are no caverns' rectangles.
+    pub cover: f64,
+    /// The galleries.
+    pub passages: Vec<Passage>,
     /// Lowest and highest x and z of the block.
     pub block: [[f64; 2]; 2],
 }
@@ -69,10 +86,25 @@ impl Section {
             })
             .fold(f64::INFINITY, f64::min)
     }
+
+    /// Smallest scaled Jacobian of the quadrilaterals from `first` on, and of those of linings among them.
+    pub fn worst(&self, first: usize) -> [f64; 2] {
+        let mut worst = [f64::INFINITY; 2];
+        for (quad, part) in self.quads[first..].iter().zip(&self.parts[first..]) {
+            let jacobian = self.scaled_jacobian(quad);
+            // Without a shape: worse than any other.
+            let jacobian = if jacobian.is_nan() { -1.0 } else { jacobian };
+            worst[0] = worst[0].min(jacobian);
+            if part.lining().is_some() {
+                worst[1] = worst[1].min(jacobian);
+            }
+        }
+        worst
+    }
 }
 
-/// No element round a cavern may be worse.
-const LEAST_JACOBIAN: f64 = 0.2;
+/// No element round a cavern may be worse, and none of a lining.
+const LEAST_JACOBIAN: [f64; 2] = [0.3, 0.6];
 
 /// Good enough not to look for better.
 const GOOD_JACOBIAN: f64 = 0.45;
@@ -82,33 +114,39 @@ pub(super) fn build(spec: &CavernSpec) -> Result<Section, CavernError> {
     let (mut section, mut worst) = assemble(spec, &insets)?;
     // Where the rings round a cavern are best tied to its rectangle's lower corners is found by trial.
     for (k, cavern) in spec.caverns.iter().enumerate() {
-        if worst[k] >= GOOD_JACOBIAN {
+        if worst[k][0] >= GOOD_JACOBIAN || cavern.shape.is_closed() {
             continue;
         }
         for inset in 0..=cavern.lining.layers as usize + 2 {
             let kept = insets[k].replace(inset);
             // A trial may ask for more elements than a block can have; the usual inset did not.
             match assemble(spec, &insets) {
-                Ok(trial) if trial.1[k] > worst[k] => (section, worst) = trial,
+                Ok(trial) if trial.1[k][0] > worst[k][0] => (section, worst) = trial,
                 _ => insets[k] = kept,
             }
         }
     }
-    for (cavern, &scaled_jacobian) in spec.caverns.iter().zip(&worst) {
-        if scaled_jacobian < LEAST_JACOBIAN {
-            let cavern = cavern.name.clone();
-            return Err(CavernError::Poor { cavern, scaled_jacobian, limit: LEAST_JACOBIAN });
+    for (cavern, worst) in spec.caverns.iter().zip(&worst) {
+        for (&scaled_jacobian, limit) in worst.iter().zip(LEAST_JACOBIAN) {
+            if scaled_jacobian < limit {
+                return Err(CavernError::Poor { cavern: cavern.name.clone(), scaled_jacobian, limit });
+            }
         }
     }
     Ok(section)
 }
 
-/// The section, and for each cavern the smallest scaled Jacobian in its rectangle.
-fn assemble(spec: &CavernSpec, insets: &[Option<usize>]) -> Result<(Section, Vec<f64>), CavernError> {
+/// The section, and for each cavern the smallest scaled Jacobian in its rectangle and in its lining.
+fn assemble(spec: &CavernSpec, insets: &[Option<usize>]) -> Result<(Section, Vec<[f64; 2]>), CavernError> {
     let layout = Layout::new(spec, insets)?;
     let ends = |line: &[f64]| [line[0], line[line.len() - 1]];
-    let mut section =
-        Section { y: layout.y.clone(), block: [ends(&layout.x), ends(&layout.z)], ..Section::default() };
+    let mut section = Section {
+        y: layout.y.clone(),
+        cover: layout.cover,
+        passages: layout.passages.clone(),
+        block: [ends(&layout.x), ends(&layout.z)],
+        ..Section::default()
+    };
     let mut taken = vec![false; (layout.x.len() - 1) * (layout.z.len() - 1)];
     for plot in &layout.plots {
         for j in plot.rows.clone() {

@@ -122,9 +122,10 @@ fn files_of_another_layout_are_refused_in_words() {
         grid().write(&path).unwrap();
         let original = fs::read(&path).unwrap();
         for (from, to, words) in [
-            ("LittleEndian", "BigEndian", "byte_order is BigEndian, expected LittleEndian"),
-            ("UInt64", "UInt32", "header_type is UInt32, expected UInt64"),
-            ("encoding=\"raw\"", "encoding=\"base64\"", "no raw appended data"),
+            ("LittleEndian", "MiddleEnd", "byte_order is MiddleEnd, expected LittleEndian or BigEndian"),
+            ("UInt64", "UInt16", "header_type is UInt16, expected UInt32 or UInt64"),
+            ("vtkZLibDataCompressor", "vtkLZ4DataCompressor", "compressor is vtkLZ4DataCompressor"),
+            ("\"UInt8\"", "\"String\"", "its type is String"),
             ("\"UnstructuredGrid\"", "\"PolyData\"", "type is PolyData"),
         ] {
             let at = original.windows(from.len()).position(|w| w == from.as_bytes()).unwrap();

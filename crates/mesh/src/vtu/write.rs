@@ -1,15 +1,15 @@
 //! Writing a grid.
 
 use std::fmt::Write as _;
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 
-use super::header::{APPENDED, UNIT_KEY, type_name};
+use super::header::{UNIT_KEY, type_name};
 use super::{Array, Grid, Values, VtuError};
+use crate::write::whole_file;
 
 /// Uncompressed length of a block: large enough that zlib's window pays, small enough to stream.
 const BLOCK: usize = 1 << 18;
@@ -24,23 +24,11 @@ impl Grid {
     /// If the grid contradicts itself (see [`Grid::check`]), or the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), VtuError> {
         self.check().map_err(|reason| VtuError::Grid { path: path.to_owned(), reason })?;
-        let mut part = path.as_os_str().to_owned();
-        part.push(".part");
-        self.write_and_rename(Path::new(&part), path).map_err(|source| {
-            // The half-written file is of no use; the first error is the one to tell.
-            let _ = fs::remove_file(&part);
-            VtuError::Io { path: path.to_owned(), source }
-        })
+        whole_file(path, |out| self.write_to(out))
+            .map_err(|source| VtuError::Io { path: path.to_owned(), source })
     }
 
-    fn write_and_rename(&self, part: &Path, path: &Path) -> io::Result<()> {
-        let mut out = BufWriter::new(File::create(part)?);
-        self.write_to(&mut out)?;
-        out.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
-        fs::rename(part, path)
-    }
-
-    fn write_to(&self, out: &mut impl Write) -> io::Result<()> {
+    pub(super) fn write_to(&self, mut out: impl Write) -> io::Result<()> {
         let mut body = Body::default();
         body.line("<?xml version=\"1.0\"?>");
         body.line(
@@ -48,10 +36,16 @@ impl Grid {
              header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">",
         );
         body.line("<UnstructuredGrid>");
-        if let Some(time) = self.time {
+        if self.time.is_some() || !self.field_data.is_empty() {
             body.line("<FieldData>");
-            let attributes = "type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\"";
-            body.data(attributes, "", time.to_le_bytes().into_iter())?;
+            if let Some(time) = self.time {
+                let attributes = "type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\"";
+                body.data(attributes, "", time.to_le_bytes().into_iter())?;
+            }
+            for array in &self.field_data {
+                let tuples = array.values.len().checked_div(array.components).unwrap_or(0);
+                body.array(array, &format!(" NumberOfTuples=\"{tuples}\""))?;
+            }
             body.line("</FieldData>");
         }
         let (points, cells) = (self.points.len(), self.offsets.len());
@@ -73,7 +67,7 @@ impl Grid {
         body.line("</Piece>");
         body.line("</UnstructuredGrid>");
         out.write_all(body.xml.as_bytes())?;
-        write!(out, "{APPENDED}\n_")?;
+        write!(out, "<AppendedData encoding=\"raw\">\n_")?;
         out.write_all(&body.appended)?;
         out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
     }
@@ -95,27 +89,27 @@ impl Body {
     fn arrays(&mut self, tag: &str, arrays: &[Array]) -> io::Result<()> {
         self.line(&format!("<{tag}>"));
         for array in arrays {
-            let attributes = format!(
-                "type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"",
-                type_name(&array.values),
-                escape(&array.name),
-                array.components
-            );
-            match &array.values {
-                Values::Float32(v) => {
-                    self.data(&attributes, &array.unit, v.iter().flat_map(|x| x.to_le_bytes()))?;
-                }
-                Values::Float64(v) => {
-                    self.data(&attributes, &array.unit, v.iter().flat_map(|x| x.to_le_bytes()))?;
-                }
-                Values::Int32(v) => {
-                    self.data(&attributes, &array.unit, v.iter().flat_map(|x| x.to_le_bytes()))?;
-                }
-                Values::UInt8(v) => self.data(&attributes, &array.unit, v.iter().copied())?,
-            }
+            self.array(array, "")?;
         }
         self.line(&format!("</{tag}>"));
         Ok(())
+    }
+
+    fn array(&mut self, array: &Array, more: &str) -> io::Result<()> {
+        let attributes = format!(
+            "type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"{more}",
+            type_name(&array.values),
+            escape(&array.name),
+            array.components
+        );
+        let unit = &array.unit;
+        match &array.values {
+            Values::Float32(v) => self.data(&attributes, unit, v.iter().flat_map(|x| x.to_le_bytes())),
+            Values::Float64(v) => self.data(&attributes, unit, v.iter().flat_map(|x| x.to_le_bytes())),
+            Values::Int32(v) => self.data(&attributes, unit, v.iter().flat_map(|x| x.to_le_bytes())),
+            Values::Int64(v) => self.data(&attributes, unit, v.iter().flat_map(|x| x.to_le_bytes())),
+            Values::UInt8(v) => self.data(&attributes, unit, v.iter().copied()),
+        }
     }
 
     /// One `DataArray`: its tag in the header, its bytes in the appended part.

@@ -28,7 +28,7 @@ use crate::phase::Phase;
 use crate::state::State;
 use nodes::Rates;
 use rayon::prelude::*;
-use tremolite_laws::{Octet, Row};
+use tremolite_laws::Row;
 
 /// Stresses, energies and velocities at one time, for observers.
 #[derive(Clone, Debug, Default)]
@@ -43,14 +43,20 @@ pub struct Snapshot {
     pub acceleration: Vec<Row>,
     /// Lines of the balance at this time.
     pub balance: Balance,
+    /// Work done on the elements since the start, and what they held then \[J\]: ½ f·(Δu⁻ + Δu⁺) over all steps.
+    pub internal: f64,
 }
 
 /// The energy balance at one time \[J\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Balance {
     pub kinetic: f64,
+    /// What elements would give back: ∫ [`tremolite_laws::Material::stored_energy`].
     pub strain: f64,
     pub hourglass: f64,
+    /// Work done on the elements less what they hold: taken by damage and plastic flow, and less what a law without
+    /// potential created. Zero by definition where all laws are elastic; the error then tests their energy.
+    pub dissipated: f64,
     pub rayleigh: f64,
     pub base_dashpots: f64,
     pub side_dashpots: f64,
@@ -63,11 +69,12 @@ pub struct Balance {
 
 impl Balance {
     /// Names and values of the lines, in the order of energy.csv.
-    pub fn lines(&self) -> [(&'static str, f64); 10] {
+    pub fn lines(&self) -> [(&'static str, f64); 11] {
         [
             ("kinetic", self.kinetic),
             ("strain", self.strain),
             ("hourglass", self.hourglass),
+            ("dissipated", self.dissipated),
             ("rayleigh_damping", self.rayleigh),
             ("base_dashpots", self.base_dashpots),
             ("side_dashpots", self.side_dashpots),
@@ -120,8 +127,7 @@ fn split<'d, T>(
 struct Job<'j> {
     part: usize,
     out: &'j mut [Row],
-    history: &'j mut [Octet],
-    numbers: &'j mut [f64],
+    own: Own<'j>,
 }
 
 impl<'a> Engine<'a> {
@@ -156,7 +162,8 @@ impl<'a> Engine<'a> {
             }
         }
         // The balance starts here: what the ledger would book for the step before the first is cancelled.
-        let now = self.observe(&mut state.clone()).balance;
+        let snapshot = self.observe(&mut state.clone());
+        let now = snapshot.balance;
         self.evaluated = None;
         // The guard compares with the kinetic energy of v⁻, which may exceed that of v⁰.
         let minus: f64 = self
@@ -173,6 +180,7 @@ impl<'a> Engine<'a> {
             rayleigh: -now.rayleigh,
             base_dashpots: -now.base_dashpots,
             side_dashpots: -now.side_dashpots,
+            parts: now.strain + now.hourglass - (snapshot.internal + now.springs - now.input),
         };
     }
 
@@ -185,16 +193,20 @@ impl<'a> Engine<'a> {
         let jobs: Vec<Job> = split(&mut self.contributions, slices, |s| s.contributions.clone())
             .into_iter()
             .zip(split(&mut state.history, slices, |s| s.history.clone()))
+            .zip(split(&mut state.overstress, slices, |s| s.overstress.clone()))
             .zip(split(&mut state.numbers, slices, |s| s.numbers.clone()))
             .enumerate()
-            .map(|(part, ((out, history), numbers))| Job { part, out, history, numbers })
+            .map(|(part, (((out, history), overstress), numbers))| Job {
+                part,
+                out,
+                own: Own { history, overstress, numbers },
+            })
             .collect();
         let works: Vec<Work> = match probe {
             None => jobs
                 .into_par_iter()
                 .map_init(Scratch::default, |scratch, job| {
-                    let own = Own { history: job.history, numbers: job.numbers };
-                    phase.parts[job.part].forces(&tick, &motion, own, job.out, scratch)
+                    phase.parts[job.part].forces(&tick, &motion, job.own, job.out, scratch)
                 })
                 .collect(),
             Some(probe) => {
@@ -204,9 +216,8 @@ impl<'a> Engine<'a> {
                     .zip(stress)
                     .zip(energy)
                     .map_init(Scratch::default, |scratch, ((job, stress), energy)| {
-                        let own = Own { history: job.history, numbers: job.numbers };
                         let to = ProbeOut { stress, energy };
-                        phase.parts[job.part].probe(&tick, &motion, own, job.out, to, scratch)
+                        phase.parts[job.part].probe(&tick, &motion, job.own, job.out, to, scratch)
                     })
                     .collect()
             }
@@ -245,6 +256,7 @@ impl<'a> Engine<'a> {
             kinetic: sums.kinetic,
             strain,
             hourglass,
+            dissipated: 0.0,
             rayleigh: ledger.rayleigh + sums.rayleigh,
             base_dashpots: ledger.base_dashpots + sums.base_dashpots,
             side_dashpots: ledger.side_dashpots + sums.side_dashpots,
@@ -253,9 +265,15 @@ impl<'a> Engine<'a> {
             initial: ledger.initial,
             error: 0.0,
         };
+        // All parts but the elements book their own work.
+        snapshot.internal = ledger.parts + sums.parts - balance.springs + balance.input;
+        if self.phase.remembers() {
+            balance.dissipated = snapshot.internal - strain - hourglass;
+        }
         balance.error = balance.kinetic
             + balance.strain
             + balance.hourglass
+            + balance.dissipated
             + balance.rayleigh
             + balance.base_dashpots
             + balance.side_dashpots
@@ -284,6 +302,7 @@ impl<'a> Engine<'a> {
         ledger.rayleigh += sums.rayleigh;
         ledger.base_dashpots += sums.base_dashpots;
         ledger.side_dashpots += sums.side_dashpots;
+        ledger.parts += sums.parts;
         state.step += 1;
         // Written so that a kinetic energy that is not a number halts as well.
         if sums.kinetic <= GUARD * state.ledger.supplied {

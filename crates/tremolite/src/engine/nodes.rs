@@ -20,6 +20,8 @@ pub struct NodeSums {
     pub rayleigh: f64,
     pub base_dashpots: f64,
     pub side_dashpots: f64,
+    /// Work against the forces of all parts, likewise.
+    pub parts: f64,
 }
 
 impl NodeSums {
@@ -29,6 +31,7 @@ impl NodeSums {
             rayleigh: self.rayleigh + o.rayleigh,
             base_dashpots: self.base_dashpots + o.base_dashpots,
             side_dashpots: self.side_dashpots + o.side_dashpots,
+            parts: self.parts + o.parts,
         }
     }
 }
@@ -309,6 +312,9 @@ impl Advance<'_> {
                     sums.book(&step, Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i])));
                 }
             }
+            if node < counted {
+                sums.parts += 0.5 * dot(force, Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i])));
+            }
             sums.kinetic += 0.5 * own * dot(*du, *du);
             for i in 0..4 {
                 u.0[i] += next.0[i];
@@ -348,6 +354,7 @@ pub fn measure(
                 if node < counted {
                     sums.kinetic += 0.5 * phase.mass[node] * dot(step.velocity, step.velocity);
                     sums.book(&step, du);
+                    sums.parts += 0.5 * dot(force, du);
                 }
                 *velocity = step.velocity;
                 *acceleration = step.acceleration;

@@ -133,7 +133,7 @@ fn hottest(model: &Model, phase: &Phase, w: &[Row]) -> Limit {
     let mut best = (0.0, Limit::Element(0));
     for (p, part) in phase.parts.iter().enumerate() {
         let (elements, points) = part.elements();
-        let (octets, numbers) = part.state_sizes();
+        let sizes = part.state_sizes();
         let mut out = vec![Row::ZERO; part.nodes().len()];
         if elements == 0 {
             part.stiffness_times(w, &mut out, &mut scratch);
@@ -146,10 +146,13 @@ fn hottest(model: &Model, phase: &Phase, w: &[Row]) -> Limit {
             }
             continue;
         }
-        let (mut history, mut numbers) = (vec![Octet::ZERO; octets], vec![0.0; numbers]);
+        let mut history = vec![Octet::ZERO; sizes.history];
+        let mut overstress = vec![Octet::ZERO; sizes.overstress];
+        let mut numbers = vec![0.0; sizes.numbers];
         let mut stress = vec![[0.0; 6]; elements * points];
         let mut energy = vec![[0.0; 2]; elements];
-        let own = Own { history: &mut history, numbers: &mut numbers };
+        let own =
+            Own { history: &mut history, overstress: &mut overstress, numbers: &mut numbers };
         let probe = ProbeOut { stress: &mut stress, energy: &mut energy };
         part.probe(&tick, &motion, own, &mut out, probe, &mut scratch);
         for (&element, [strain, hourglass]) in model.patches[p].elements.iter().zip(&energy) {

@@ -8,7 +8,8 @@ use std::path::Path;
 use tremolite_results::{Column, TableWriter};
 
 /// Key of what this observer remembers: bytes written, then the largest values of |error|, of the hourglass energy,
-/// of the strain energy and of the kinetic energy, each over all rows \[J\].
+/// of the strain energy and of the kinetic energy, each over all rows \[J\]; the dissipated energy of the last row, and
+/// the sum of its falls from row to row: a law that gives out more than it held (at least, as rises elsewhere hide it).
 pub const MEMORY: &str = "energy";
 
 /// Writes a row of the energy balance.
@@ -43,12 +44,14 @@ impl Observer for Energy {
         let mut row = vec![state.time()];
         row.extend(balance.lines().iter().map(|(_, value)| *value));
         self.table.write(&row)?;
-        let memory = state.observers.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 5]);
+        let memory = state.observers.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 7]);
         memory[0] = self.table.bytes_written() as f64;
         let now = [balance.error.abs(), balance.hourglass, balance.strain, balance.kinetic];
         for (most, now) in memory[1..].iter_mut().zip(now) {
             *most = most.max(now);
         }
+        memory[6] += (memory[5] - balance.dissipated).max(0.0);
+        memory[5] = balance.dissipated;
         Ok(())
     }
 }

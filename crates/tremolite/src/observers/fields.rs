@@ -1,9 +1,10 @@
 //! fields/*.vtu and fields.pvd: the whole model at some times.
 
 use super::{Envelopes, Observer, Schedule, View};
+use crate::history;
 use crate::model::Model;
 use crate::phase::{ElementSlot, Phase};
-use crate::quantities::{Field, extremes, mean};
+use crate::quantities::{Field, extremes, field_name, mean, of_element};
 use crate::run::RunError;
 use crate::state::State;
 use tremolite_laws::Row;
@@ -42,14 +43,10 @@ impl Fields {
         };
         std::fs::create_dir_all(folder.fields())
             .map_err(|source| RunError::Io { path: folder.fields(), source })?;
-        let active: Vec<u32> = (0u32..)
-            .zip(&phase.element_slot)
-            .filter(|(_, slot)| slot.is_some())
-            .map(|(e, _)| e)
-            .collect();
+        let active: Vec<u32> =
+            (0u32..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).collect();
         let (mut grid, mesh_nodes) = Grid::from_mesh(&model.mesh, Some(&active));
-        let slots: Vec<ElementSlot> =
-            active.iter().filter_map(|&e| phase.element_slot[e as usize]).collect();
+        let slots: Vec<ElementSlot> = active.iter().filter_map(|&e| phase.element_slot[e as usize]).collect();
         let bodies: Vec<i32> = slots.iter().map(|s| model.patches[s.part as usize].body as i32).collect();
         grid.cell_data = vec![Array::new("group", "", 1, Values::Int32(bodies))];
         Ok(Fields {
@@ -100,6 +97,26 @@ impl Fields {
                     }
                 }
             }
+            // Several of these may hold the same column: they are written together.
+            Field::Damage | Field::Plastic | Field::History => {}
+        }
+    }
+
+    /// The laws' columns that the fields ask for, zero in elements whose law has none of that name.
+    fn add_histories(&self, grid: &mut Grid, view: &View, state: &State) {
+        let View { model, phase, plan, .. } = *view;
+        let mut written: Vec<&str> = Vec::new();
+        let all = model.user_bodies().iter().flat_map(|b| b.material.info().history);
+        for column in all.filter(|c| plan.fields.iter().any(|f| f.holds(c.name))) {
+            if written.contains(&column.name) {
+                continue;
+            }
+            written.push(column.name);
+            let unit = if column.unit == "1" { "" } else { column.unit };
+            grid.cell_data.push(self.cells(field_name(column.name), unit, |slot| {
+                history::position(model, slot, column.name)
+                    .map_or(0.0, |at| of_element(column.name, history::values(model, phase, state, slot, at)))
+            }));
         }
     }
 }
@@ -115,6 +132,7 @@ impl Observer for Fields {
         for &field in &view.plan.fields {
             self.add(&mut grid, field, view, state);
         }
+        self.add_histories(&mut grid, view, state);
         let name = format!("{:06}.vtu", state.step.div_ceil(self.schedule.every));
         grid.write(&self.folder.join(&name))?;
         self.list.add(state.time(), &format!("fields/{name}"))?;

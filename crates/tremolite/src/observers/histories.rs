@@ -1,7 +1,7 @@
 //! monitors.csv: histories of points, and of pairs of them.
 
 use super::{Observer, Schedule, View};
-use crate::model::{Model, hex_nodes};
+use crate::model::Model;
 use crate::phase::Phase;
 use crate::plan::{Monitor, Plan};
 use crate::quantities::{MONITOR, RELATIVE, stress_at};
@@ -10,6 +10,7 @@ use crate::state::State;
 use std::path::Path;
 use tremolite_laws::Row;
 use tremolite_laws::sym3::principal_values;
+use tremolite_mesh::Shape;
 use tremolite_results::{Column, TableWriter};
 
 /// Key of what this observer remembers: the bytes written.
@@ -65,9 +66,9 @@ fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f64; 3] {
 /// Stress at a monitor \[Pa\].
 fn stress(phase: &Phase, model: &Model, monitor: &Monitor, points: &[[f64; 6]]) -> [f64; 6] {
     let element = monitor.location.element as usize;
-    // Monitors are placed in active elements; a wedge's natural coordinates are not the collapsed brick's.
-    let natural = match hex_nodes(&model.mesh, element) {
-        Some(_) if model.mesh.elements[element].shape == tremolite_mesh::Shape::Hex8 => monitor.location.natural,
+    // The natural coordinates of other shapes are not those of the collapsed hexahedron.
+    let natural = match model.mesh.elements[element].shape {
+        Shape::Hex8 => monitor.location.natural,
         _ => [0.0; 3],
     };
     phase.element_slot[element].map_or([f64::NAN; 6], |slot| {

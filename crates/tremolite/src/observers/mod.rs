@@ -5,12 +5,14 @@ mod envelopes;
 mod fields;
 mod free_field;
 mod histories;
+mod onsets;
 
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
 pub use fields::Fields;
 pub use free_field::{FreeField, MEMORY as FREE_FIELD_MEMORY};
 pub use histories::Histories;
+pub use onsets::{Onsets, memory as onset_memory};
 
 use crate::engine::Snapshot;
 use crate::model::Model;

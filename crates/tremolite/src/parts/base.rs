@@ -4,7 +4,7 @@
 //! (`lysmer1969` for the dashpots, `wang2018` for the springs). The dashpots act on velocity and belong to the step
 //! ([`crate::engine`]); this part gives the other two terms. Vertical incidence in homogeneous ground below the base.
 
-use super::{Motion, Own, Part, Scratch, Tick, Work};
+use super::{Motion, Own, Part, Scratch, StateSizes, Tick, Work};
 use tremolite_laws::Row;
 use tremolite_motion::Motion as Record;
 
@@ -54,8 +54,8 @@ impl Part for Base {
         &self.nodes
     }
 
-    fn state_sizes(&self) -> (usize, usize) {
-        (0, REMEMBERED * self.pushed.len())
+    fn state_sizes(&self) -> StateSizes {
+        StateSizes { numbers: REMEMBERED * self.pushed.len(), ..StateSizes::default() }
     }
 
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Work {

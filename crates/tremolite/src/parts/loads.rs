@@ -1,6 +1,6 @@
 //! Given nodal forces that vary in time.
 
-use super::{Motion, Own, Part, Scratch, Tick, Work};
+use super::{Motion, Own, Part, Scratch, StateSizes, Tick, Work};
 use std::sync::Arc;
 use tremolite_laws::Row;
 
@@ -37,9 +37,9 @@ impl Part for Loads {
         &self.nodes
     }
 
-    fn state_sizes(&self) -> (usize, usize) {
+    fn state_sizes(&self) -> StateSizes {
         // The last factor, for the work between two steps.
-        (0, 1)
+        StateSizes { numbers: 1, ..StateSizes::default() }
     }
 
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Work {

@@ -48,8 +48,21 @@ pub struct Motion<'a> {
 pub struct Own<'a> {
     /// History of the law, octet by octet.
     pub history: &'a mut [Octet],
+    /// Memory of the damping bodies, octet by octet.
+    pub overstress: &'a mut [Octet],
     /// Other numbers that the part remembers.
     pub numbers: &'a mut [f64],
+}
+
+/// Lengths of a part's slices of the state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StateSizes {
+    /// Octets of the law's history.
+    pub history: usize,
+    /// Octets of the damping bodies.
+    pub overstress: usize,
+    /// Other numbers.
+    pub numbers: usize,
 }
 
 /// Work of a part's forces on the nodes since the last step \[J\], by the line of the balance it belongs to; positive
@@ -80,9 +93,9 @@ pub struct Scratch {
 pub trait Part: Send + Sync {
     /// Nodes pushed, in the order of the part's contributions.
     fn nodes(&self) -> &[u32];
-    /// Length of the part's slices of the state: octets of history, other numbers.
-    fn state_sizes(&self) -> (usize, usize) {
-        (0, 0)
+    /// Length of the part's slices of the state.
+    fn state_sizes(&self) -> StateSizes {
+        StateSizes::default()
     }
     /// Number of elements and of integration points in each; zero for parts without elements.
     fn elements(&self) -> (usize, usize) {
@@ -111,6 +124,7 @@ pub trait Part: Send + Sync {
 pub struct Slices {
     pub contributions: Range<usize>,
     pub history: Range<usize>,
+    pub overstress: Range<usize>,
     pub numbers: Range<usize>,
     pub points: Range<usize>,
     pub elements: Range<usize>,

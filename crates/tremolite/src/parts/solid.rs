@@ -1,11 +1,12 @@
 //! A patch of hexahedra of one law and one quadrature: the unit of threads and the fused kernel.
 
-use super::{Motion, Own, Part, ProbeOut, Scratch, Tick, Work};
+use super::{Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick, Work};
 use std::marker::PhantomData;
 use std::sync::Arc;
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation};
-use tremolite_laws::{Isa, Lane, Material, Octet, Point, Row};
+use tremolite_laws::band::{Band, BandStep, MEMORY};
+use tremolite_laws::{Isa, Lane, Material, Moduli, Octet, Point, Row};
 
 /// A quadrature with its geometry and kernel.
 pub trait Rule: Send + Sync + 'static {
@@ -26,6 +27,8 @@ pub trait Rule: Send + Sync + 'static {
         geometry: &Self::Geometry,
         index: &[[u16; 8]; 8],
         history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
         rows: &[Row],
         out: &mut [Row],
         probe: &mut Probe,
@@ -51,6 +54,8 @@ macro_rules! rule {
                 geometry: &$geometry,
                 index: &[[u16; 8]; 8],
                 history: &mut [Octet],
+                band: Option<&BandStep>,
+                overstress: &mut [Octet],
                 rows: &[Row],
                 out: &mut [Row],
                 probe: &mut Probe,
@@ -58,7 +63,7 @@ macro_rules! rule {
                 // SAFETY: passed on to the caller.
                 unsafe {
                     hex8::$kernel::<L, M, PROBE>(
-                        law, elastic, point, geometry, index, history, rows, out, probe,
+                        law, elastic, point, geometry, index, history, band, overstress, rows, out, probe,
                     )
                 }
             }
@@ -78,8 +83,9 @@ rule!(
 /// A patch of elements.
 pub struct Solid<M: Material, R: Rule> {
     law: Arc<M>,
-    /// The law's stiffest elastic moduli as a law of its own, for K w.
+    /// The stiffest elastic moduli as a law of its own, for K w.
     elastic: Elastic,
+    band: Option<Band>,
     stabilisation: Stabilisation,
     isa: Isa,
     nodes: Vec<u32>,
@@ -97,6 +103,8 @@ struct Pass<'a, R: Rule, M> {
     index: &'a [[[u16; 8]; 8]],
     geometry: &'a [R::Geometry],
     history: &'a mut [Octet],
+    band: Option<BandStep>,
+    overstress: &'a mut [Octet],
     rows: &'a [Row],
     out: &'a mut [Row],
     probe: Option<ProbeOut<'a>>,
@@ -109,6 +117,10 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
     let mut wanted = pass.probe;
     for (i, (index, geometry)) in pass.index.iter().zip(pass.geometry).enumerate() {
         let history = &mut pass.history[i * per_octet..(i + 1) * per_octet];
+        let overstress = match pass.band {
+            Some(_) => &mut pass.overstress[i * R::POINTS * MEMORY..(i + 1) * R::POINTS * MEMORY],
+            None => &mut [],
+        };
         // SAFETY: `Solid::new` checked every index against the number of nodes, which both slices have.
         unsafe {
             R::kernel::<L, M, PROBE>(
@@ -118,6 +130,8 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
                 geometry,
                 index,
                 history,
+                pass.band.as_ref(),
+                overstress,
                 pass.rows,
                 pass.out,
                 &mut probe,
@@ -185,12 +199,21 @@ fn dispatch<R: Rule, M: Material, const PROBE: bool>(isa: Isa, pass: Pass<R, M>)
 impl<M: Material, R: Rule> Solid<M, R> {
     /// A patch from its nodes, the elements' corners as positions among them (VTK order), and their geometry.
     ///
+    /// `moduli` are the material's own; with a band, which adds to them, the law must have the relaxed ones.
+    ///
     /// # Panics
     /// If a corner is not among the nodes, or corners and geometry differ in number.
-    pub fn new(law: Arc<M>, nodes: Vec<u32>, corners: &[[u16; 8]], geometry: &[Hex8], isa: Isa) -> Self {
+    pub fn new(
+        law: Arc<M>,
+        moduli: Moduli,
+        band: Option<Band>,
+        nodes: Vec<u32>,
+        corners: &[[u16; 8]],
+        geometry: &[Hex8],
+        isa: Isa,
+    ) -> Self {
         assert_eq!(corners.len(), geometry.len());
         assert!(corners.iter().flatten().all(|&c| (c as usize) < nodes.len()));
-        let moduli = law.moduli();
         let stabilisation = Stabilisation::new(moduli);
         let octets = corners.len().div_ceil(8);
         let mut index = vec![[[0; 8]; 8]; octets];
@@ -202,7 +225,8 @@ impl<M: Material, R: Rule> Solid<M, R> {
             R::set(&mut packed[e / 8], e % 8, hex, &stabilisation);
         }
         Solid {
-            elastic: Elastic::from_moduli(moduli),
+            elastic: Elastic::from_moduli(band.map_or(moduli, |b| moduli.scaled(b.unrelaxed()))),
+            band,
             stabilisation,
             law,
             isa: if isa.available() { isa } else { Isa::Scalar },
@@ -225,6 +249,8 @@ impl<M: Material, R: Rule> Solid<M, R> {
         law: &'a N,
         dt: f64,
         history: &'a mut [Octet],
+        band: Option<BandStep>,
+        overstress: &'a mut [Octet],
         rows: &'a [Row],
         out: &'a mut [Row],
         probe: Option<ProbeOut<'a>>,
@@ -238,10 +264,16 @@ impl<M: Material, R: Rule> Solid<M, R> {
             index: &self.index,
             geometry: &self.geometry,
             history,
+            band,
+            overstress,
             rows,
             out,
             probe,
         }
+    }
+
+    fn band_step(&self, dt: f64) -> Option<BandStep> {
+        self.band.map(|b| b.step(dt, self.law.moduli()))
     }
 }
 
@@ -250,8 +282,13 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         &self.nodes
     }
 
-    fn state_sizes(&self) -> (usize, usize) {
-        (self.index.len() * R::POINTS * M::HISTORY.len(), 0)
+    fn state_sizes(&self) -> StateSizes {
+        let points = self.index.len() * R::POINTS;
+        StateSizes {
+            history: points * M::HISTORY.len(),
+            overstress: if self.band.is_some() { points * MEMORY } else { 0 },
+            numbers: 0,
+        }
     }
 
     fn elements(&self) -> (usize, usize) {
@@ -260,7 +297,8 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
 
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Work {
         let rows = self.gather(x.u, scratch);
-        dispatch::<R, M, false>(self.isa, self.pass(&*self.law, tick.dt, own.history, rows, out, None));
+        let band = self.band_step(tick.dt);
+        dispatch::<R, M, false>(self.isa, self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, None));
         Work::default()
     }
 
@@ -274,12 +312,13 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         scratch: &mut Scratch,
     ) -> Work {
         let rows = self.gather(x.u, scratch);
-        dispatch::<R, M, true>(self.isa, self.pass(&*self.law, tick.dt, own.history, rows, out, Some(probe)));
+        let band = self.band_step(tick.dt);
+        dispatch::<R, M, true>(self.isa, self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, Some(probe)));
         Work::default()
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
         let rows = self.gather(w, scratch);
-        dispatch::<R, Elastic, false>(self.isa, self.pass(&self.elastic, 0.0, &mut [], rows, out, None));
+        dispatch::<R, Elastic, false>(self.isa, self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, out, None));
     }
 }

@@ -2,7 +2,7 @@
 
 use tremolite_case::{self as case, Case, Problem};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
-use tremolite_mesh::cavern::{Cavern, CavernSpec, Lining};
+use tremolite_mesh::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer};
 use tremolite_mesh::{Mesh, read};
 
 /// The mesh in metres; nothing if it was refused, which is among the problems.
@@ -27,6 +27,13 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<Mesh> {
 fn spec(c: &case::Caverns) -> CavernSpec {
     let cavern = |c: &case::Cavern| Cavern {
         name: c.name.value.clone(),
+        shape: match c.shape.value {
+            case::CavernShape::Arch => CavernShape::Arch,
+            case::CavernShape::Ellipse => CavernShape::Ellipse,
+            case::CavernShape::Rectangle => CavernShape::Rectangle,
+            case::CavernShape::Horseshoe => CavernShape::Horseshoe,
+            case::CavernShape::Circle => CavernShape::Circle,
+        },
         at: c.at.value,
         width: c.width.value,
         height: c.height.value,
@@ -39,6 +46,30 @@ fn spec(c: &case::Caverns) -> CavernSpec {
             layers: l.layers.value,
         }),
     };
+    let layer = |l: &case::RockLayer| RockLayer {
+        name: l.name.value.clone(),
+        depth: l.depth.value,
+        dip: l.dip.value,
+        dip_direction: l.dip_direction.value,
+    };
+    let gallery = |g: &case::Gallery| Gallery {
+        name: g.name.value.clone(),
+        between: g.between.each_ref().map(|b| b.value.clone()),
+        at: g.at.value,
+        width: g.width.value,
+        height: g.height.value,
+    };
+    let ground = match &c.ground {
+        None => Ground::Level,
+        Some(case::Ground::Slope(slope)) => {
+            let [x, y] = slope.value.map(f64::tan);
+            Ground::Inclined { x, y }
+        }
+        Some(case::Ground::Heights { x, y, heights }) => {
+            let y = if y.is_empty() { vec![0.0] } else { y.clone() };
+            Ground::Table { x: x.clone(), y, heights: heights.clone() }
+        }
+    };
     CavernSpec {
         overburden: c.overburden.value,
         below: c.below.value,
@@ -48,6 +79,9 @@ fn spec(c: &case::Caverns) -> CavernSpec {
         far: c.far.value,
         along: c.along.as_ref().map(|a| a.value),
         caverns: c.caverns.iter().map(cavern).collect(),
+        layers: c.layers.iter().map(layer).collect(),
+        ground,
+        galleries: c.galleries.iter().map(gallery).collect(),
     }
 }
 

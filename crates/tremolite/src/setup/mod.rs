@@ -9,16 +9,28 @@ pub use motion::MotionFacts;
 
 use crate::material::Law;
 use crate::plan::Plan;
-use crate::problem::{Base, Incident, Problem, Rayleigh, Side, TimeStep};
+use crate::problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
 use crate::quantities::Field;
 use tremolite_case::{self as case, Case, Report};
 use tremolite_laws::Isa;
+use tremolite_laws::band::Band;
 
 /// All a run needs, and what of the input is worth reporting.
 pub struct Setup {
     pub problem: Problem,
     pub plan: Plan,
     pub motion: MotionFacts,
+    /// What is unusual though it can be run, at its place in the case.
+    pub warnings: Vec<case::Problem>,
+}
+
+/// The mesh of a case alone.
+///
+/// # Errors
+/// Why it cannot be generated or read.
+pub fn mesh_of(case: &Case) -> Result<tremolite_mesh::Mesh, Report> {
+    let mut problems = Vec::new();
+    mesh::build(case, &mut problems).ok_or_else(|| case.report(problems))
 }
 
 /// Builds the problem and the plan of a case. `laws` are those the case may name.
@@ -32,12 +44,14 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
     let Some(mesh) = mesh else { return Err(case.report(problems)) };
-    let bodies = regions::build(case, &mesh, laws, &mut problems);
+    let band = band(case, motion.as_ref(), &mut problems);
+    let bodies = regions::build(case, &mesh, laws, band, &mut problems);
     let monitors = monitors::build(case, &mesh, &bodies, &mut problems);
     let (Some((motion, facts)), true) = (motion, problems.is_empty()) else {
         return Err(case.report(problems));
     };
 
+    let warnings = warnings(case, &bodies, &fields);
     let dynamic = &case.dynamic;
     let duration = dynamic.duration.as_ref().map_or(motion.duration(), |d| d.value);
     let mut problem = Problem::new(mesh, bodies);
@@ -60,7 +74,63 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
         monitors,
         relatives: case.relatives.iter().map(|r| r.between).collect(),
     };
-    Ok(Setup { problem, plan, motion: facts })
+    Ok(Setup { problem, plan, motion: facts, warnings })
+}
+
+/// Damping over a band, its moduli meant at the motion's central frequency unless the case says where.
+fn band(
+    case: &Case,
+    motion: Option<&(tremolite_motion::Motion, MotionFacts)>,
+    problems: &mut Vec<case::Problem>,
+) -> Option<Band> {
+    let given = case.dynamic.band.as_ref()?;
+    let reference = match &given.reference {
+        Some(reference) => reference.value,
+        None => tremolite_motion::highest_frequency(&motion?.0, 0.5)?,
+    };
+    match Band::fit(given.ratio.value, given.band.value, reference) {
+        Ok(band) => Some(band),
+        Err(e) => {
+            let remedy = "for rock, a ratio of 0.01 to 0.05 over 0.5 Hz to 20 Hz is usual";
+            problems.push(case::Problem::at(&given.ratio, e.to_string(), remedy));
+            None
+        }
+    }
+}
+
+/// What laws find unusual, and fields that no law can fill.
+fn warnings(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Problem> {
+    let mut warnings = Vec::new();
+    let mut told: Vec<usize> = Vec::new();
+    let solid = case.regions.iter().filter_map(|r| match &r.fill {
+        case::Fill::Solid { material, .. } => Some(material.value),
+        _ => None,
+    });
+    // Bodies are made region by region.
+    for (material, body) in solid.zip(bodies) {
+        if told.contains(&material) {
+            continue;
+        }
+        told.push(material);
+        let span = &case.materials[material].span;
+        let remedy = "change the material's parameters if this is not meant";
+        warnings.extend(
+            body.material.warnings().into_iter().map(|w| case::Problem::new(span.clone(), w, remedy)),
+        );
+    }
+    let kept =
+        |field: &Field| bodies.iter().any(|b| b.material.info().history.iter().any(|c| field.holds(c.name)));
+    let words = [Field::Damage, Field::Plastic, Field::History];
+    for field in words.iter().filter(|f| fields.contains(f) && !kept(f)) {
+        let word = field.description().0;
+        let message = format!("no material of this case keeps anything for the field '{word}'");
+        warnings.push(case::Problem::new(
+            case.output.span.clone(),
+            message,
+            "leave the field out, or change the laws",
+        ));
+    }
+    warnings
 }
 
 fn fields(case: &Case, problems: &mut Vec<case::Problem>) -> Vec<Field> {

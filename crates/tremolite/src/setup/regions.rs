@@ -1,13 +1,23 @@
 //! Which elements are made of what.
 
-use crate::material::Law;
+use crate::extent::extents;
+use crate::material::{AnyMaterial, Law};
+use crate::model::{centroid, hex};
 use crate::parts::Quadrature;
 use crate::problem::Body;
-use tremolite_case::{Case, Element, Fill, Problem, pattern};
+use std::sync::Arc;
+use tremolite_case::{Case, Element, Fill, Material, Problem, pattern};
+use tremolite_laws::band::Band;
 use tremolite_mesh::Mesh;
 
 /// A body for each solid region. Every element must belong to exactly one region.
-pub fn build(case: &Case, mesh: &Mesh, laws: &[Law], problems: &mut Vec<Problem>) -> Vec<Body> {
+pub fn build(
+    case: &Case,
+    mesh: &Mesh,
+    laws: &[Law],
+    band: Option<Band>,
+    problems: &mut Vec<Problem>,
+) -> Vec<Body> {
     let groups: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
     let known = format!("the mesh has the groups {}", groups.join(", "));
     let mut region_of: Vec<Option<usize>> = vec![None; mesh.elements.len()];
@@ -45,25 +55,77 @@ pub fn build(case: &Case, mesh: &Mesh, laws: &[Law], problems: &mut Vec<Problem>
         let Fill::Solid { material, element } = &region.fill else { continue };
         let material = &case.materials[material.value];
         let Some(law) = laws.iter().find(|l| l.info.name == material.law.value) else { continue };
-        match (law.build)(&material.parameters) {
-            Ok(built) => bodies.push(Body {
-                name: region.groups.iter().map(|g| g.value.as_str()).collect::<Vec<_>>().join(", "),
-                elements: (0u32..).zip(&region_of).filter(|(_, of)| **of == Some(r)).map(|(e, _)| e).collect(),
-                material: built,
-                density: material.density.value,
-                quadrature: match element.value {
-                    Element::OnePoint => Quadrature::OnePoint,
-                    Element::Full => Quadrature::Full,
-                },
-            }),
+        let built = match band {
+            Some(band) => (law.build_banded)(&material.parameters, band),
+            None => (law.build)(&material.parameters),
+        };
+        match built {
+            Ok(built) => {
+                let elements: Vec<u32> =
+                    (0u32..).zip(&region_of).filter(|(_, of)| **of == Some(r)).map(|(e, _)| e).collect();
+                problems.extend(oversized(mesh, &elements, material, &built));
+                bodies.push(Body {
+                    name: region.groups.iter().map(|g| g.value.as_str()).collect::<Vec<_>>().join(", "),
+                    elements,
+                    material: built,
+                    density: material.density.value,
+                    quadrature: match element.value {
+                        Element::OnePoint => Quadrature::OnePoint,
+                        Element::Full => Quadrature::Full,
+                    },
+                });
+            }
             // The case has checked the values, so this is a law that changes its mind.
-            Err(bad) => problems.extend(
-                bad.into_iter()
-                    .map(|b| Problem::new(material.span.clone(), format!("{} {}", b.name, b.problem), b.remedy)),
-            ),
+            Err(bad) => {
+                problems.extend(bad.into_iter().map(|b| {
+                    Problem::new(material.span.clone(), format!("{} {}", b.name, b.problem), b.remedy)
+                }))
+            }
         }
     }
     bodies
+}
+
+/// The refusal of elements that store more energy than a crack across them takes.
+fn oversized(
+    mesh: &Mesh,
+    elements: &[u32],
+    material: &Material,
+    law: &Arc<dyn AnyMaterial>,
+) -> Option<Problem> {
+    let limit = law.size_limit();
+    if limit == f64::INFINITY {
+        return None;
+    }
+    let mut count = 0;
+    let mut worst = (limit, None);
+    for &element in elements {
+        // An element without a usable shape is refused by the model.
+        let Ok(hex) = hex(mesh, element as usize) else { continue };
+        let [_, extent] = extents(&hex);
+        if extent >= limit {
+            count += 1;
+            if extent >= worst.0 {
+                worst = (extent, Some(element));
+            }
+        }
+    }
+    let (extent, Some(element)) = worst else { return None };
+    // The smallest group says most about where it is.
+    let group = mesh.groups.iter().filter(|(_, e)| e.contains(&element)).min_by_key(|(_, e)| e.len());
+    let place = group.map_or(String::new(), |(name, _)| format!(" of '{name}'"));
+    let others =
+        if count > 1 { format!(", and {} others are too large as well", count - 1) } else { String::new() };
+    let [x, y, z] = centroid(mesh, element);
+    Some(Problem::new(
+        material.span.clone(),
+        format!(
+            "element {}{place} at ({x:.1}, {y:.1}, {z:.1}) m extends over {extent:.2} m{others}; with this material's \
+             fracture energy elements must stay below {limit:.2} m, or a crack would release more than it takes",
+            mesh.element_id(element as usize)
+        ),
+        "make the elements finer there, or raise the fracture energy",
+    ))
 }
 
 fn report_unassigned(case: &Case, mesh: &Mesh, region_of: &[Option<usize>], problems: &mut Vec<Problem>) {

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 use tremolite::{Base, Body, Incident, Instance, Problem, Quadrature, Rayleigh, Side};
-use tremolite_laws::materials::Elastic;
 use tremolite_laws::Moduli;
+use tremolite_laws::materials::Elastic;
 use tremolite_mesh::boxes::{BoxSpec, Distortion};
 use tremolite_motion::{Motion, Sample, ricker_velocity};
 
@@ -41,7 +41,11 @@ pub fn pulse() -> Motion {
     let v = ricker_velocity(12.0, 0.12, 0.3);
     Motion::sampled(1e-3, 0.3, |t| {
         let s = v(t);
-        Sample { a: [s.a, 0.5 * s.a, -0.7 * s.a], v: [s.v, 0.5 * s.v, -0.7 * s.v], u: [s.u, 0.5 * s.u, -0.7 * s.u] }
+        Sample {
+            a: [s.a, 0.5 * s.a, -0.7 * s.a],
+            v: [s.v, 0.5 * s.v, -0.7 * s.v],
+            u: [s.u, 0.5 * s.u, -0.7 * s.u],
+        }
     })
     .unwrap()
 }

@@ -2,6 +2,7 @@
 
 use crate::Problem;
 
+pub mod band_damping;
 pub mod bar_step_wave;
 pub mod cantilever_thin;
 pub mod damping_ratio;
@@ -21,6 +22,7 @@ pub const PROBLEMS: &[Problem] = &[
     time_order::PROBLEM,
     discrete_energy::PROBLEM,
     damping_ratio::PROBLEM,
+    band_damping::PROBLEM,
     dispersion::PROBLEM,
     bar_step_wave::PROBLEM,
     incident_pulse::PROBLEM,

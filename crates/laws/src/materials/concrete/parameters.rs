@@ -93,7 +93,8 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "shear_tension",
         &["nominal", "effective"],
         Need::Word("nominal"),
-        "tension across a crack in the shear criterion: what the crack carries, or the effective stress as printed",
+        "tension across a crack in the shear criterion: what the crack carries, or the effective stress as printed; \
+         without effect with split = compliance, which tests what the point carries",
     ),
     word("split", &["effective", "compliance"], Need::Word("effective"), "how damage enters the stress"),
 ];

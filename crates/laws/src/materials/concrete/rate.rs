@@ -63,3 +63,25 @@ impl Rate {
         Some(Rate { tension: power(tension), shear: power(shear), filter })
     }
 }
+
+/// The factor in force: the frozen one, else the law's at this rate, 1 without a law.
+#[inline(always)]
+pub(super) fn factor<L: Lane>(law: Option<Power>, rate: L, frozen: L::Mask, quiet: L::Mask, old: L) -> L {
+    let mut current = L::splat(1.0);
+    if let Some(power) = law
+        && L::any(L::not(L::either(frozen, quiet)))
+    {
+        current = power.factor(rate);
+    }
+    L::select(frozen, old, current)
+}
+
+/// A strain smoothed over the filter time, and its rate: the signed rate through r ← r + Δt/(τ + Δt)(rate − r),
+/// rearranged for y = ε − τ r, which takes one history variable where r and the last strain take two. `inverse` is
+/// 1/(τ + Δt). While time stands still r is 0.
+#[inline(always)]
+pub(super) fn smooth<L: Lane>(strain: L, smoothed: L, dt: L, inverse: L) -> (L, L) {
+    let moving = L::splat(0.0).less(dt);
+    let rate = (strain - smoothed) * inverse;
+    (L::select(moving, dt.mul_add(rate, smoothed), strain), L::select(moving, rate, L::splat(0.0)))
+}

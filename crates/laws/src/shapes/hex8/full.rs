@@ -4,6 +4,7 @@ use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
 use super::{
     Hex8, Probe, Stabilisation, Surface, gather_modes, gauss_point, scatter_nodal, store_nodal, to_modes, to_nodes,
 };
+use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Point, Sym};
 
@@ -147,6 +148,8 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
     geometry: &FullGeometry,
     index: &[[u16; 8]; 8],
     history: &mut [Octet],
+    band: Option<&BandStep>,
+    overstress: &mut [Octet],
     rows: &[Row],
     out: &mut [Row],
     probe: &mut Probe,
@@ -230,20 +233,21 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             let strain: Sym<L> = [e[0][p], e[1][p], e[2][p], e[3][p], e[4][p], e[5][p]];
             let own = &mut history[p * columns..(p + 1) * columns];
             let old = super::load_history::<L, M>(own, at);
-            let (stress, new) = material.update(&lane_point, strain, old);
+            let (of_law, new) = material.update(&lane_point, strain, old);
+            let mut stress = of_law;
+            if let Some(band) = band {
+                let more = band.stress(&strain, &mut overstress[p * MEMORY..(p + 1) * MEMORY], at);
+                stress = super::plus(stress, material.weaken(more, &strain, &new));
+            }
             super::store_history::<L, M>(new, own, at);
             let weight = L::load(&geometry.weights[p], at);
-            let mut density = L::splat(0.0);
             let mut c = 0;
             while c < 6 {
                 e[c][p] = weight * stress[c];
-                if PROBE {
-                    density = stress[c].mul_add(strain[c], density);
-                }
                 c += 1;
             }
             if PROBE {
-                energy = weight.mul_add(density, energy);
+                energy = weight.mul_add(material.stored_energy(&strain, &of_law, &new), energy);
                 let mut c = 0;
                 while c < 6 {
                     stress[c].store(&mut probe.stress[p][c], at);
@@ -253,7 +257,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             p += 1;
         }
         if PROBE {
-            (L::splat(0.5) * energy).store(&mut probe.strain_energy, at);
+            energy.store(&mut probe.strain_energy, at);
         }
 
         // Back the same way: resultants of the strain's modes, then forces conjugate to s, q, g and the modes.

@@ -24,8 +24,8 @@
 //!
 //! For a brick these are Belytschko & Bindeman's ASQBI strains. Here the t_k need not be square to each other: they
 //! are covariant components, so that a parallelepiped bends exactly as well as a brick ([`Surface`]; the same idea as
-//! the stress modes of Pian & Sumihara 1984). Limits: small displacements; trapezoids bend too stiffly, as they
-//! must in an element that passes the patch test (MacNeal 1987).
+//! the stress modes of `pian1984`). Limits: small displacements; trapezoids bend too stiffly, as they
+//! must in an element that passes the patch test (`macneal1987`).
 
 mod frequency;
 mod full;
@@ -40,7 +40,7 @@ pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
 pub use one_point::{OnePointGeometry, one_point};
 
 use crate::lane::{Lane, Octet, Row};
-use crate::material::Moduli;
+use crate::material::{Moduli, Sym};
 
 /// Position of corner k in the binary order that the modal form uses (bit 0 is ξ, bit 1 η, bit 2 ζ).
 pub const BINARY: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
@@ -211,6 +211,12 @@ unsafe fn scatter_nodal<L: Lane>(out: &mut [Row], index: &[[u16; 8]; 8], nodal: 
         unsafe { L::scatter_add(out, &index[corner], &nodal[corner]) };
         corner += 1;
     }
+}
+
+/// Sum of two stresses.
+#[inline(always)]
+fn plus<L: Lane>(a: Sym<L>, b: Sym<L>) -> Sym<L> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3], a[4] + b[4], a[5] + b[5]]
 }
 
 /// History of one point from its octets (one per column).

@@ -2,6 +2,7 @@
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
 use super::{Hex8, Probe, Stabilisation, Surface, gather_modes, scatter_nodal, store_nodal};
+use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Point, Sym};
 
@@ -57,7 +58,8 @@ impl OnePointGeometry {
 /// Internal forces of eight elements, added to `out`; history is updated in place.
 ///
 /// `index[corner][lane]` points into `rows` (displacements \[m\]) and `out` (forces \[N\], the sign of ∫Bᵀσ).
-/// With `PROBE` the stresses and energies go to `probe` as well.
+/// With a band its bodies' stress is added, weakened as the law says; `overstress` is their memory, [`MEMORY`] octets a
+/// point. With `PROBE` the stresses and energies go to `probe` as well.
 ///
 /// # Safety
 /// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
@@ -70,6 +72,8 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
     geometry: &OnePointGeometry,
     index: &[[u16; 8]; 8],
     history: &mut [Octet],
+    band: Option<&BandStep>,
+    overstress: &mut [Octet],
     rows: &[Row],
     out: &mut [Row],
     probe: &mut Probe,
@@ -99,7 +103,12 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
         }
         let old = super::load_history::<L, M>(history, at);
-        let (stress, new) = material.update(&lane_point, strain, old);
+        let (of_law, new) = material.update(&lane_point, strain, old);
+        let mut stress = of_law;
+        if let Some(band) = band {
+            let more = band.stress(&strain, &mut overstress[..MEMORY], at);
+            stress = super::plus(stress, material.weaken(more, &strain, &new));
+        }
         super::store_history::<L, M>(new, history, at);
 
         // Hourglass amplitudes along the natural axes, over half-lengths, and their conjugate forces.
@@ -123,14 +132,12 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
 
         if PROBE {
             let half = L::splat(0.5);
-            let mut density = L::splat(0.0);
             let mut i = 0;
             while i < 6 {
                 stress[i].store(&mut probe.stress[0][i], at);
-                density = stress[i].mul_add(strain[i], density);
                 i += 1;
             }
-            (half * volume * density).store(&mut probe.strain_energy, at);
+            (volume * material.stored_energy(&strain, &of_law, &new)).store(&mut probe.strain_energy, at);
             let mut energy = L::splat(0.0);
             let mut k = 0;
             while k < 3 {

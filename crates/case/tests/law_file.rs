@@ -1,0 +1,83 @@
+//! A material in a file of its own: the same keys, checks and defaults as in a case.
+
+use std::path::Path;
+
+use tremolite_case::{LawFile, Report};
+use tremolite_laws::materials::MATERIALS;
+
+const CONCRETE: &str = r#"
+[material]
+law = "concrete-damage"
+young = "25 GPa"
+poisson = 0.17
+unit_weight = "27 kN/m3"
+tensile_strength = "1.2 MPa"
+cohesion = "2.0 MPa"
+friction_angle = "46 deg"
+"#;
+
+fn parse(source: &str) -> Result<LawFile, Report> {
+    LawFile::parse(Path::new("law.toml"), source, MATERIALS)
+}
+
+#[test]
+fn a_law_file_is_read_in_si_with_defaults_listed() {
+    let file = parse(CONCRETE).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(file.law.value, "concrete-damage");
+    assert_eq!(file.parameters.number("young"), Ok(25e9));
+    assert_eq!(file.parameters.optional("friction_angle"), Some(46f64.to_radians()));
+    assert_eq!(file.parameters.word("split"), Some("effective"));
+    assert_eq!(file.size, None);
+    assert!(
+        file.defaulted
+            .iter()
+            .any(|d| (d.key.as_str(), d.value.as_str()) == ("material.residual_tension", "0.1"))
+    );
+    assert_eq!(&CONCRETE[file.span.clone()], "[material]");
+}
+
+#[test]
+fn the_size_stands_above_the_table_or_in_it_and_a_point_needs_no_density() {
+    let above = parse(&format!("size = \"25 cm\"{CONCRETE}")).unwrap_or_else(|e| panic!("{e}"));
+    let inside = parse(&format!("{CONCRETE}size = 0.25")).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(above.size.map(|s| s.value), Some(0.25));
+    assert_eq!(inside.size.map(|s| s.value), Some(0.25));
+    assert_eq!(above.parameters, inside.parameters, "the size is no parameter of the law");
+    let without = CONCRETE.replace("unit_weight = \"27 kN/m3\"\n", "");
+    assert_eq!(parse(&without).map(|f| f.parameters), Ok(above.parameters));
+}
+
+#[test]
+fn each_mistake_is_reported_at_its_line_with_a_way_out() {
+    let change = |from: &str, to: &str| CONCRETE.replace(from, to);
+    #[rustfmt::skip]
+    let bad = [
+        (change("young = \"25 GPa\"", "yung = 1"), 4, "`yung` is no key of `material`", "did you mean `young`?"),
+        (change("\"1.2 MPa\"", "\"1.2 m\""), 7, "is a length", "such as"),
+        (change("poisson = 0.17", "poisson = 0.5"), 5, "below 0.5", "0.15 to 0.35"),
+        (change("friction_angle = \"46 deg\"\n", ""), 2, "`friction_angle` is missing", "deg"),
+        (change("concrete-damage", "concret-damage"), 3, "cannot be \"concret-damage\"", "\"concrete-damage\""),
+        (change("unit_weight", "density = 1\nunit_weight"), 7, "cannot stand beside `density`", "exactly one"),
+        (change("[material]", "[material.lining]"), 2, "without a name", "instead of [material.lining]"),
+        (format!("size = -1{CONCRETE}"), 1, "must be above 0", "above 0"),
+        (format!("size = 1{CONCRETE}size = 1"), 10, "given twice", "keep one"),
+        (format!("title = 1{CONCRETE}"), 1, "`title` is no key of `law file`", "keys here: size"),
+        ("[interface]\nlaw = \"bandis\"\n".to_owned(), 1, "`interface` is not available yet", "[material]"),
+        ("material = 3\n".to_owned(), 1, "should be a table", "[material]"),
+        (String::new(), 1, "no material", "[material]"),
+        ("[material]\n".to_owned(), 1, "`law` is missing", "law = "),
+        ("[material\n".to_owned(), 1, "", "bracket"),
+    ];
+    for (source, line, says, remedy) in bad {
+        let report = parse(&source).expect_err(&source);
+        let [problem] = &report.problems[..] else { panic!("{source}\n{report}") };
+        assert_eq!(report.position(problem).0, line, "{source}\n{report}");
+        assert!(problem.message.contains(says) && problem.remedy.contains(remedy), "{report}");
+    }
+}
+
+#[test]
+fn a_law_file_that_cannot_be_read_is_reported_by_name() {
+    let report = LawFile::read(Path::new("none.toml"), MATERIALS).expect_err("no such file");
+    assert!(report.to_string().contains("none.toml") && report.to_string().contains("law file"), "{report}");
+}

@@ -1,0 +1,135 @@
+//! `tremolite law`: one material driven along a path of strain and stress.
+
+mod figure;
+mod follow;
+mod path_file;
+mod table;
+
+use crate::exit::{Code, Failure, Outcome};
+use crate::machine;
+use crate::terminal::{colour, print, say};
+use path_file::PathFile;
+use std::path::{Path, PathBuf};
+use tremolite_case::{LawFile, Problem};
+use tremolite_laws::materials::MATERIALS;
+use tremolite_laws::path::{PathError, Response};
+use tremolite_results::replace_file;
+
+const HELP: &str = "\
+LAW.toml holds one [material] as a case does; it needs no density. `size = \"0.5 m\"` gives the extent of the element
+to laws with a fracture energy. `tremolite list materials` names all laws and their parameters.
+
+P.csv has a line of names and one row a step, separated by commas; lines that start with # are remarks:
+  time                       [s], not falling; where it stands still nothing has a rate
+  exx eyy ezz gxy gyz gzx    strain, shear as the engineering angle (gxy = 2 exy); tension is positive
+  sxx syy szz sxy syz szx    [Pa], in the place of the strain of that component: its stress is prescribed
+Each component is prescribed once. A uniaxial test in x is time,exx,syy,szz,sxy,syz,szx with zeros below the stresses; for
+a triaxial one syy and szz hold minus the cell pressure. A name may carry a unit: sxx [MPa]. The material is virgin at the
+first row, which takes no time.
+
+O.csv holds time, the six strains, the six stresses [Pa] and what the law keeps, by its names. A step whose prescribed
+stress the material cannot carry ends with status 1; the rows before it are written.
+
+  tremolite law concrete.toml --path cyclic.csv --divide 50 --out loops.csv --plot loops.svg";
+
+#[derive(clap::Args)]
+#[command(after_help = HELP)]
+pub struct Args {
+    /// The material
+    #[arg(value_name = "LAW.toml")]
+    law: PathBuf,
+    /// The path, row by row
+    #[arg(long, value_name = "P.csv")]
+    path: PathBuf,
+    /// The answer as a table; without it and without --plot it goes to standard output
+    #[arg(long, value_name = "O.csv")]
+    out: Option<PathBuf>,
+    /// The answer as a figure: stress over strain, and all that varies over time
+    #[arg(long, value_name = "F.svg")]
+    plot: Option<PathBuf>,
+    /// Equal steps from each row of the path to the next
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    divide: u32,
+    /// Force an instruction set: scalar, avx2 or avx512; each gives the same bits
+    #[arg(long)]
+    isa: Option<String>,
+}
+
+pub fn run(args: &Args) -> Outcome {
+    let isa = machine::isa(args.isa.as_deref())?;
+    let law = LawFile::read(&args.law, MATERIALS).map_err(|r| Failure::case(&r))?;
+    let mut file = PathFile::read(&args.path).map_err(Failure::input)?;
+    file.divide(args.divide).map_err(Failure::input)?;
+    file.path.size = law.size.as_ref().map(|s| s.value);
+    let name = law.law.value.as_str();
+    let followed = follow::follow(name, &law.parameters, &file.path, isa);
+    let (response, stop) = match followed {
+        Ok(response) => (response, None),
+        Err(PathError::NotConverged { row, miss }) => {
+            let line = file.line(row);
+            file.path.time.truncate(row);
+            file.path.values.truncate(row);
+            let before = follow::follow(name, &law.parameters, &file.path, isa);
+            (before.map_err(|e| refused(&law, &e))?, Some((line, miss)))
+        }
+        Err(error) => return Err(refused(&law, &error)),
+    };
+    for warning in follow::warnings(name, &law.parameters) {
+        let problem = Problem::new(law.span.clone(), warning, "go on only if this is meant");
+        say(&law.report(vec![problem]).as_warnings().render(colour()));
+    }
+    let defaults = law.defaulted.iter().filter_map(|d| {
+        let key = d.key.rsplit('.').next()?;
+        law.parameters.0.contains_key(key).then(|| format!("{key} {}", d.value))
+    });
+    let defaults: Vec<String> = defaults.collect();
+    if !defaults.is_empty() {
+        say(&format!("by default: {}", defaults.join(", ")));
+    }
+    write(args, name, &file.path.time, &response)?;
+    match stop {
+        None => Ok(Code::Done),
+        Some((line, miss)) => Err(Failure::failed(format!(
+            "{}, line {line}: no strain was found that gives the prescribed stress, {miss:.3e} Pa are missing; the \
+             material may not carry it there: prescribe the strain, or take smaller steps with --divide",
+            args.path.display()
+        ))),
+    }
+}
+
+/// What the law refuses, at its place in the law file.
+fn refused(law: &LawFile, error: &PathError) -> Failure {
+    let problem = match error {
+        PathError::SizeMissing => Problem::new(
+            law.span.clone(),
+            "the law goes by a fracture energy and needs the element's extent",
+            "add size = \"… m\"",
+        ),
+        PathError::Size { limit, .. } => Problem::new(
+            law.size.as_ref().map_or_else(|| law.span.clone(), |s| s.span.clone()),
+            format!(
+                "`size` must be below {limit:.3} m, where an element stores as much as a crack dissipates"
+            ),
+            "give a smaller size, or a larger fracture energy",
+        ),
+        other => return Failure::input(other),
+    };
+    Failure::case(&law.report(vec![problem]))
+}
+
+fn write(args: &Args, law: &str, time: &[f64], response: &Response) -> Result<(), Failure> {
+    let put = |path: &Path, text: &str| replace_file(path, text.as_bytes()).map_err(Failure::failed);
+    if let Some(plot) = &args.plot {
+        let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let title = format!("{law} ({}) along {}", name(&args.law), name(&args.path));
+        put(plot, &figure::draw(&title, time, response))?;
+    }
+    match &args.out {
+        Some(out) => put(out, &table::text(time, response)),
+        None if args.plot.is_none() => {
+            print(table::text(time, response).trim_end());
+            Ok(())
+        }
+        None => Ok(()),
+    }
+}

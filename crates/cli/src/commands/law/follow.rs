@@ -1,0 +1,101 @@
+//! A law by its name, along a path, with the registers of an instruction set.
+
+use tremolite_laws::path::{Path, PathError, Response, drive, drive_named};
+use tremolite_laws::{Isa, Material, Values};
+
+/// What is done with a law that is known by its type.
+struct Entry {
+    name: &'static str,
+    follow: fn(&Values, &Path, Isa) -> Result<Response, PathError>,
+    warnings: fn(&Values) -> Vec<String>,
+}
+
+macro_rules! entries {
+    ($($law:ty,)*) => {
+        &[$(Entry { name: <$law>::NAME, follow: follow_law::<$law>, warnings: warnings_of::<$law> }),*]
+    };
+}
+
+const ENTRIES: &[Entry] = tremolite_laws::for_each_material!(entries);
+
+/// The response of a registered law. Strains under prescribed stress are sought in scalars; the response to them is
+/// then that of the instruction set.
+pub fn follow(name: &str, values: &Values, path: &Path, isa: Isa) -> Result<Response, PathError> {
+    match ENTRIES.iter().find(|e| e.name == name) {
+        Some(entry) => (entry.follow)(values, path, isa),
+        None => drive_named(name, values, path),
+    }
+}
+
+/// What is unusual about the parameters though the law accepts them.
+pub fn warnings(name: &str, values: &Values) -> Vec<String> {
+    ENTRIES.iter().find(|e| e.name == name).map_or_else(Vec::new, |entry| (entry.warnings)(values))
+}
+
+fn warnings_of<M: Material>(values: &Values) -> Vec<String> {
+    M::new(values).map(|law| law.warnings()).unwrap_or_default()
+}
+
+fn follow_law<M: Material>(values: &Values, path: &Path, isa: Isa) -> Result<Response, PathError> {
+    let law = M::new(values).map_err(PathError::Parameters)?;
+    let response = drive(&law, path)?;
+    #[cfg(target_arch = "x86_64")]
+    if isa.available() {
+        match isa {
+            Isa::Scalar => {}
+            // SAFETY: the processor has it.
+            Isa::Avx2 => return Ok(unsafe { wide::avx2(&law, path, response) }),
+            // SAFETY: the processor has it.
+            Isa::Avx512 => return Ok(unsafe { wide::avx512(&law, path, response) }),
+        }
+    }
+    // Without wide registers there is the scalar set alone.
+    let _ = isa;
+    Ok(response)
+}
+
+#[cfg(target_arch = "x86_64")]
+mod wide {
+    use tremolite_laws::lane::{Avx2, Avx512};
+    use tremolite_laws::path::{Path, Response};
+    use tremolite_laws::{History, Lane, Material, Octet, Point};
+
+    #[target_feature(enable = "avx2,fma")]
+    pub fn avx2<M: Material>(law: &M, path: &Path, response: Response) -> Response {
+        again::<Avx2, M>(law, path, response)
+    }
+
+    #[target_feature(enable = "avx512f,avx2,fma")]
+    pub fn avx512<M: Material>(law: &M, path: &Path, response: Response) -> Response {
+        again::<Avx512, M>(law, path, response)
+    }
+
+    /// Replaces stress and history by what lanes of this width make of the strains.
+    #[inline(always)]
+    fn again<L: Lane, M: Material>(law: &M, path: &Path, mut response: Response) -> Response {
+        let mut history = <M::History<L> as History<L>>::zero();
+        let mut first = Octet::ZERO;
+        for row in 0..response.strain.len() {
+            let dt = if row > 0 { path.time[row] - path.time[row - 1] } else { 0.0 };
+            let mut point = Point::new(L::splat(dt));
+            let mut strain = [L::splat(0.0); 6];
+            for k in 0..6 {
+                strain[k] = L::splat(response.strain[row][k]);
+                if let (Some(h), 0..3) = (path.size, k) {
+                    point.size[k] = L::splat(h * h);
+                }
+            }
+            let (stress, new) = law.update(&point, strain, history);
+            history = new;
+            for k in 0..6 {
+                stress[k].store(&mut first, 0);
+                response.stress[row][k] = first.0[0];
+            }
+            for (column, value) in response.history.iter_mut().zip(history.as_ref()) {
+                value.store(&mut first, 0);
+                column[row] = first.0[0];
+            }
+        }
+        response
+    }
+}

@@ -1,0 +1,190 @@
+//! Mohr–Coulomb with a tension cut-off: elastic, perfectly plastic or softening, not associated.
+//!
+//! **The law.** With principal stresses σ₁ ≥ σ₂ ≥ σ₃ (tension positive), k = (1 + sin φ)/(1 − sin φ) and
+//! f_c = 2c√k, shear yields where k σ₁ − σ₃ = f_c and flows along M σ₁ − σ₃, M = (1 + sin ψ)/(1 − sin ψ); tension
+//! yields where σ₁ = f_t and flows normal to that. f_t is cut at the apex c/tan φ. The return to face, edges, apex
+//! and cut-off is exact for a given strain (clausen2007 for the geometry in principal stresses): every surface is a
+//! plane and ψ is constant, so one linear solution holds, and which one follows from the trial stress (see
+//! `plastic/flow.rs` and `plastic/tension.rs`). No iteration.
+//!
+//! **Softening.** c, φ and f_t fall in straight lines from their peak to their residual values while the plastic
+//! shear strain grows from 0 to `softening_strain`, φ as an angle; f_t also falls with the plastic tension strain
+//! if `softening_tension_strain` is given. ψ never exceeds the φ that is left. A step uses the strength that the
+//! steps before left: the error is of first order in the step of plastic strain, which explicit steps keep tiny.
+//! What softening dissipates per area grows with the element: results depend on the mesh, as with every local
+//! softening law.
+//!
+//! **Measures.** `plastic_shear_strain` accumulates √J₂ of the plastic strain of each face that flows; under pure
+//! shear with ψ = 0 that is half the engineering shear strain. `plastic_tension_strain` accumulates the lengthening
+//! that the cut-off adds. `state` sums 1 (shear now), 2 (tension now), 4 (shear in an earlier step), 8 (tension
+//! earlier).
+//!
+//! **Energy.** Flow never gives out energy: σ:dε_p is Γ(Mσ₁ − σ₃) ≥ Γ f_c (M − 1)/(k − 1) on the envelope, f_t times
+//! the opening on the cut-off.
+//!
+//! **Not modelled.** The intermediate principal stress in strength, closing of tension cracks (a tension strain
+//! stays), pore pressure, rate, creep, joints with a direction.
+
+mod parameters;
+mod softening;
+
+use super::plastic::flow::Flow;
+use super::plastic::tension::CutOff;
+use super::plastic::{COLUMNS, Elasticity, Memory, SHEAR, TENSION, blur, mean_and_radius, unyielding};
+use crate::lane::Lane;
+use crate::material::{Material, Moduli, Point, Sym, complementary_energy};
+use crate::parameter::{BadParameter, Column, Parameter, Values};
+use crate::sym3::Spectrum;
+use softening::Softening;
+
+/// The law for one rock; see the [module](self).
+#[derive(Clone, Copy, Debug)]
+pub struct MohrCoulomb {
+    elasticity: Elasticity,
+    /// M
+    flow: f64,
+    /// As given; the apex may cut it.
+    tensile: f64,
+    peak: Strength<f64>,
+    softening: Option<Softening>,
+}
+
+/// The yield surface in numbers.
+#[derive(Clone, Copy, Debug)]
+struct Strength<L> {
+    /// k = (1 + sin φ)/(1 − sin φ)
+    slope: L,
+    /// f_c = 2c√k \[Pa\]
+    fc: L,
+    /// f_t, cut at the apex \[Pa\]
+    ft: L,
+    /// 2√(k² + k + 1), the largest that kσ₁ − σ₃ can be for a deviator of radius 1
+    reach: L,
+    /// M, not above k
+    flow: L,
+}
+
+impl<L: Lane> Strength<L> {
+    #[inline(always)]
+    fn new(slope: L, cohesion: L, ft: L, flow: L) -> Self {
+        let one = L::splat(1.0);
+        let fc = L::splat(2.0) * cohesion * slope.sqrt();
+        // Without friction there is no apex: the division gives no number or infinity, and f_t stays.
+        let apex = fc / (slope - one);
+        Strength {
+            slope,
+            fc,
+            ft: apex.smaller(ft),
+            reach: L::splat(2.0) * (slope + one).mul_add(slope, one).sqrt(),
+            flow: flow.smaller(slope),
+        }
+    }
+
+    /// kσ₁ − σ₃ − f_c
+    #[inline(always)]
+    fn excess(&self, first: L, third: L) -> L {
+        self.slope.mul_add(first, -(third + self.fc))
+    }
+}
+
+impl MohrCoulomb {
+    /// c \[Pa\], φ \[rad\] and f_t \[Pa\] in use after plastic strains of shear and tension; f_t not beyond c/tan φ.
+    pub fn strength(&self, shear: f64, tension: f64) -> [f64; 3] {
+        let mut memory = [0.0; 9];
+        (memory[SHEAR], memory[TENSION]) = (shear, tension);
+        let Strength { slope, fc, ft, .. } = self.surface(&memory);
+        [0.5 * fc / slope.sqrt(), ((slope - 1.0) / (slope + 1.0)).asin(), ft]
+    }
+
+    /// The surface as lanes see it after what they went through.
+    #[inline(always)]
+    fn surface<L: Lane>(&self, old: &Memory<L>) -> Strength<L> {
+        match &self.softening {
+            None => Strength {
+                slope: L::splat(self.peak.slope),
+                fc: L::splat(self.peak.fc),
+                ft: L::splat(self.peak.ft),
+                reach: L::splat(self.peak.reach),
+                flow: L::splat(self.peak.flow),
+            },
+            Some(softening) => {
+                let left = softening.left(old[SHEAR], old[TENSION]);
+                Strength::new(left.slope, left.cohesion, left.tensile, L::splat(self.flow))
+            }
+        }
+    }
+}
+
+impl Material for MohrCoulomb {
+    const NAME: &'static str = "mohr-coulomb";
+    const SUMMARY: &'static str = "rock, Mohr–Coulomb with tension cut-off, dilation and softening";
+    const SOURCE: &'static str = "clausen2007, returns in principal stresses; tension cut-off added";
+    const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
+    const HISTORY: &'static [Column] = &COLUMNS;
+    type History<L: Lane> = [L; 9];
+
+    fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
+        parameters::read(values)
+    }
+
+    fn moduli(&self) -> Moduli {
+        self.elasticity.moduli()
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let mut warnings = Vec::new();
+        if self.tensile > self.peak.ft {
+            warnings.push(format!(
+                "tensile_strength {:.3e} Pa lies beyond the apex c/tan φ = {:.3e} Pa, which is used instead",
+                self.tensile, self.peak.ft
+            ));
+        }
+        warnings
+    }
+
+    #[inline(always)]
+    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 9]) -> L {
+        complementary_energy(self.moduli(), stress)
+    }
+
+    #[inline(always)]
+    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 9]) -> (Sym<L>, [L; 9]) {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let trial = self.elasticity.trial(&strain, &old);
+        let strength = self.surface(&old);
+        let (slope, ft) = (strength.slope, strength.ft);
+        let round_off = L::splat(self.elasticity.round_off);
+
+        // Inside the cone around the pyramid and below the cut-off for every direction of the deviator.
+        let (mean, radius) = mean_and_radius(&trial);
+        let cone = (slope - one).mul_add(mean, strength.reach.mul_add(radius, -strength.fc));
+        let largest = mean + (radius + radius) - ft;
+        if !L::any(L::either(round_off.less(cone), round_off.less(largest))) {
+            return unyielding(trial, old);
+        }
+        let spectrum = Spectrum::of(&trial);
+        let [first, _, third] = spectrum.values();
+        let margin = blur(&spectrum);
+        let near_shear = round_off.less(strength.excess(first, third) + margin * (slope + one));
+        if !L::any(L::either(near_shear, round_off.less(first - ft + margin))) {
+            return unyielding(trial, old);
+        }
+
+        let eigen = spectrum.eigen();
+        let s = &eigen.values;
+        let excess = strength.excess(s[0], s[2]);
+        let yielding = L::either(round_off.less(excess), round_off.less(s[0] - ft));
+        let flow = Flow::new(&self.elasticity, strength.flow);
+        let face = flow.on_face(s);
+        let (reach, is_12) = flow.first_edge(s);
+        let on_edge = (reach * slope.mul_add(face.a1, -face.a3)).less(excess);
+        let way = flow.on_edge(s, on_edge, is_12);
+        let gamma = strength.excess(way.first, way.third) / slope.mul_add(way.a1, -way.a3);
+        let gamma = zero.larger(gamma);
+        let sheared =
+            way.end(way.a1.neg_mul_add(gamma, way.first), way.a3.neg_mul_add(gamma, way.third), gamma);
+        let cut_off = CutOff { strength: ft, low: ft.smaller(slope.mul_add(ft, -strength.fc)) };
+        let returned = cut_off.complete(&self.elasticity, s, sheared, ft.less(sheared[0]));
+        flow.book(&self.elasticity, &trial, &eigen, &returned, yielding, &old)
+    }
+}

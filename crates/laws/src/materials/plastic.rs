@@ -1,0 +1,186 @@
+//! What the elastic–plastic rock laws share: elasticity, history, and the bookkeeping of a return.
+//!
+//! Laws are in total form: history keeps the plastic strain ε_p, the trial stress is C:(ε − ε_p) and a return that
+//! takes Δσ off it adds C⁻¹:Δσ to ε_p. So stress and plastic strain cannot drift apart, whatever the number of steps.
+
+pub(super) mod flow;
+pub(super) mod parameters;
+pub(super) mod tension;
+
+use crate::lane::Lane;
+use crate::material::{Moduli, Sym};
+use crate::parameter::Column;
+use crate::sym3::Spectrum;
+
+/// History of a point, in the order of [`COLUMNS`].
+pub(super) type Memory<L> = [L; 9];
+
+pub(super) const SHEAR: usize = 0;
+pub(super) const TENSION: usize = 1;
+pub(super) const STATE: usize = 2;
+const STRAIN: usize = 3;
+
+/// Flags whose sum is `state`.
+const SHEAR_NOW: f64 = 1.0;
+const TENSION_NOW: f64 = 2.0;
+const SHEAR_PAST: f64 = 4.0;
+const TENSION_PAST: f64 = 8.0;
+
+const fn component(name: &'static str) -> Column {
+    Column { name, unit: "1", doc: "plastic strain since placement, engineering shear" }
+}
+
+pub(super) const COLUMNS: [Column; 9] = [
+    Column {
+        name: "plastic_shear_strain", unit: "1", doc: "accumulated √J₂ of the plastic strain of shear"
+    },
+    Column {
+        name: "plastic_tension_strain",
+        unit: "1",
+        doc: "accumulated plastic strain of the tension cut-off",
+    },
+    Column {
+        name: "state",
+        unit: "1",
+        doc: "sum of 1 shear yielding now, 2 tension now, 4 shear in an earlier step, 8 tension earlier",
+    },
+    component("plastic_exx"),
+    component("plastic_eyy"),
+    component("plastic_ezz"),
+    component("plastic_gxy"),
+    component("plastic_gyz"),
+    component("plastic_gzx"),
+];
+
+/// Strains are kept below this: beyond any that means something, squares of stresses would overflow.
+const LARGEST_STRAIN: f64 = 1e60;
+
+/// Isotropic elasticity with what returns need of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Elasticity {
+    pub lambda: f64,
+    pub mu: f64,
+    /// K
+    pub bulk: f64,
+    pub poisson: f64,
+    /// Excess over a yield surface \[Pa\] that round-off explains: no flow below it.
+    pub round_off: f64,
+}
+
+impl Elasticity {
+    pub fn new(moduli: Moduli) -> Self {
+        Elasticity {
+            lambda: moduli.lambda,
+            mu: moduli.mu,
+            bulk: moduli.lambda + 2.0 / 3.0 * moduli.mu,
+            poisson: moduli.poisson(),
+            round_off: 1e-14 * moduli.young(),
+        }
+    }
+
+    pub fn moduli(&self) -> Moduli {
+        Moduli { lambda: self.lambda, mu: self.mu }
+    }
+
+    /// C:(ε − ε_p), the stress \[Pa\] if nothing flows.
+    #[inline(always)]
+    pub fn trial<L: Lane>(&self, strain: &Sym<L>, old: &Memory<L>) -> Sym<L> {
+        let limit = L::splat(LARGEST_STRAIN);
+        let mut e = *strain;
+        let mut k = 0;
+        while k < 6 {
+            // A NaN passes through both comparisons and stays visible.
+            e[k] = (-limit).larger(limit.smaller(e[k])) - old[STRAIN + k];
+            k += 1;
+        }
+        let mu = L::splat(self.mu);
+        let mu2 = L::splat(2.0 * self.mu);
+        let pressure = L::splat(self.lambda) * (e[0] + e[1] + e[2]);
+        [
+            mu2.mul_add(e[0], pressure),
+            mu2.mul_add(e[1], pressure),
+            mu2.mul_add(e[2], pressure),
+            mu * e[3],
+            mu * e[4],
+            mu * e[5],
+        ]
+    }
+
+    /// C⁻¹:Δσ of principal stresses.
+    #[inline(always)]
+    pub fn principal_strain<L: Lane>(&self, stress: &[L; 3]) -> [L; 3] {
+        let side = L::splat(self.poisson / (1.0 + self.poisson)) * (stress[0] + stress[1] + stress[2]);
+        let inverse = L::splat(0.5 / self.mu);
+        [(stress[0] - side) * inverse, (stress[1] - side) * inverse, (stress[2] - side) * inverse]
+    }
+
+    /// Adds C⁻¹:(trial − stress) to the plastic strain where `yielding`, and takes `stress` there.
+    #[inline(always)]
+    pub fn settle<L: Lane>(
+        &self,
+        trial: &Sym<L>,
+        stress: &Sym<L>,
+        yielding: L::Mask,
+        memory: &mut Memory<L>,
+    ) -> Sym<L> {
+        let zero = L::splat(0.0);
+        let mut off = *trial;
+        let mut result = *trial;
+        let mut k = 0;
+        while k < 6 {
+            result[k] = L::select(yielding, stress[k], trial[k]);
+            // So that a strain that is no number does not enter the memory.
+            off[k] = L::select(yielding, trial[k] - stress[k], zero);
+            k += 1;
+        }
+        let side = L::splat(self.poisson / (1.0 + self.poisson)) * (off[0] + off[1] + off[2]);
+        let (half, one) = (L::splat(0.5 / self.mu), L::splat(1.0 / self.mu));
+        let mut k = 0;
+        while k < 3 {
+            memory[STRAIN + k] = half.mul_add(off[k] - side, memory[STRAIN + k]);
+            memory[STRAIN + 3 + k] = one.mul_add(off[3 + k], memory[STRAIN + 3 + k]);
+            k += 1;
+        }
+        result
+    }
+}
+
+/// Mean and radius √(J₂/3) of a tensor, as a [`Spectrum`] has them, without the rest of it.
+#[inline(always)]
+pub(super) fn mean_and_radius<L: Lane>(t: &Sym<L>) -> (L, L) {
+    let (xy, yz, zx) = (t[0] - t[1], t[1] - t[2], t[2] - t[0]);
+    let shear = t[3].mul_add(t[3], t[4].mul_add(t[4], t[5] * t[5]));
+    let normal = xy.mul_add(xy, yz.mul_add(yz, zx * zx));
+    let square = normal.mul_add(L::splat(1.0 / 18.0), shear * L::splat(1.0 / 3.0));
+    ((t[0] + t[1] + t[2]) * L::splat(1.0 / 3.0), square.sqrt())
+}
+
+/// What [`Spectrum::values`] may be wrong by where two nearly agree, with a wide margin.
+#[inline(always)]
+pub(super) fn blur<L: Lane>(spectrum: &Spectrum<L>) -> L {
+    spectrum.radius * L::splat(1e-7)
+}
+
+/// The state of a point that yields as the masks say, from what had accumulated before.
+#[inline(always)]
+pub(super) fn state<L: Lane>(shear: L::Mask, tension: L::Mask, old: &Memory<L>) -> L {
+    let zero = L::splat(0.0);
+    (L::select(shear, L::splat(SHEAR_NOW), zero) + L::select(tension, L::splat(TENSION_NOW), zero))
+        + past(old)
+}
+
+/// The state of a point that does not yield now.
+#[inline(always)]
+pub(super) fn past<L: Lane>(old: &Memory<L>) -> L {
+    let zero = L::splat(0.0);
+    L::select(zero.less(old[SHEAR]), L::splat(SHEAR_PAST), zero)
+        + L::select(zero.less(old[TENSION]), L::splat(TENSION_PAST), zero)
+}
+
+/// The answer where no lane yields.
+#[inline(always)]
+pub(super) fn unyielding<L: Lane>(trial: Sym<L>, old: Memory<L>) -> (Sym<L>, Memory<L>) {
+    let mut new = old;
+    new[STATE] = past(&old);
+    (trial, new)
+}

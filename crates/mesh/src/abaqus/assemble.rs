@@ -1,0 +1,231 @@
+//! From parts and instances to one mesh: numbers to indices, sets to groups, surfaces to faces.
+
+use std::collections::BTreeMap;
+
+use super::model::Model;
+use super::part::{Instance, Part, Set, Sets};
+use super::sets::{Assembly, Of, Picked, Placed};
+use crate::Face;
+use crate::assembly::{Draft, Facet, Numbering, Stray};
+use crate::note::Note;
+use crate::read::Fault;
+
+/// All that a set or surface becomes.
+struct Named {
+    /// Name of the instance, if it is defined in one.
+    instance: Option<String>,
+    name: String,
+    picked: Picked,
+    faces: Vec<Face>,
+}
+
+/// The mesh of a model.
+pub(super) fn assemble(mut model: Model) -> Result<Draft, Fault> {
+    let mut draft = std::mem::take(&mut model.draft);
+    draft.stray = Stray::Skipped;
+    let model = &model;
+    let mut placed = vec![place(&mut draft, "", "", &model.root, None)?];
+    placed.push(place(&mut draft, "", "", &model.assembly, None)?);
+    for instance in &model.instances {
+        let Instance { label, part: key, own, .. } = instance;
+        let Some(part) = model.parts.iter().find(|p| p.key == *key) else {
+            let problem =
+                format!("there is no part `{key}` for the instance `{}`; define it before", label.shown);
+            return Err(Fault::at(instance.line, problem));
+        };
+        // With a mesh of its own, an instance's part is empty, and the other way round.
+        for part in [part, own] {
+            placed.push(place(&mut draft, &label.key, &label.shown, part, Some(instance))?);
+        }
+    }
+    if model.instances.is_empty()
+        && let Some(part) = model.parts.iter().find(|p| !p.solids.is_empty())
+    {
+        return Err(Fault::whole(format!("part `{}` has no instance; put it into the assembly", part.key)));
+    }
+    renumber_if_needed(&mut draft);
+    let assembly = Assembly { placed };
+    assembly.name(&mut draft)?;
+    Ok(draft)
+}
+
+/// Puts a part's nodes and solids into the mesh.
+fn place<'m>(
+    draft: &mut Draft,
+    key: &str,
+    shown: &str,
+    part: &'m Part,
+    instance: Option<&Instance>,
+) -> Result<Placed<'m>, Fault> {
+    let of = if shown.is_empty() { String::new() } else { format!(" in instance `{shown}`") };
+    let numbering = |numbers: &[u64], what: &str| {
+        Numbering::new(numbers)
+            .map_err(|number| Fault::whole(format!("there are two {what} {number}{of}; renumber them")))
+    };
+    let nodes = numbering(&part.node_numbers, "nodes")?;
+    let solid_numbers: Vec<u64> = part.solids.iter().map(|s| s.number).collect();
+    let flat_numbers: Vec<u64> = part.flats.iter().map(|f| f.number).collect();
+    let (first_node, first_solid) = (draft.mesh.nodes.len() as u32, draft.mesh.elements.len() as u32);
+    draft.mesh.node_ids.extend(&part.node_numbers);
+    match instance {
+        Some(instance) => draft.mesh.nodes.extend(part.nodes.iter().map(|&x| instance.place(x))),
+        None => draft.mesh.nodes.extend(&part.nodes),
+    }
+    for solid in &part.solids {
+        let mut corners = [0; 8];
+        for (corner, &number) in corners.iter_mut().zip(&solid.corners[..solid.shape.nodes()]) {
+            let Some(index) = nodes.index(number) else {
+                return Err(Fault::whole(format!(
+                    "element {}{of} uses node {number}, which is not there; write the whole mesh again",
+                    solid.number
+                )));
+            };
+            *corner = first_node + index;
+        }
+        draft.push(solid.number, solid.shape, &corners[..solid.shape.nodes()]);
+    }
+    let mut others = part.others.clone();
+    others.sort_unstable();
+    others.dedup();
+    Ok(Placed {
+        key: key.to_owned(),
+        shown: shown.to_owned(),
+        part,
+        first_node,
+        nodes,
+        first_solid,
+        solids: numbering(&solid_numbers, "elements")?,
+        flats: numbering(&flat_numbers, "elements")?,
+        others: numbering(&others, "elements")?,
+    })
+}
+
+/// Gives up the numbers of nodes and elements if instances share them.
+fn renumber_if_needed(draft: &mut Draft) {
+    let mesh = &mut draft.mesh;
+    let mut renumbered = false;
+    for numbers in [&mut mesh.node_ids, &mut mesh.element_ids] {
+        if Numbering::new(numbers).is_err() {
+            *numbers = (1..=numbers.len() as u64).collect();
+            renumbered = true;
+        }
+    }
+    if renumbered {
+        draft.notes.push(Note::Renumbered);
+    }
+}
+
+impl Assembly<'_> {
+    /// Names groups, faces and points.
+    fn name(&self, draft: &mut Draft) -> Result<(), Fault> {
+        let elsets = self.all(|part| &part.elsets, |at, set| self.set(at, set, Of::Elements))?;
+        let nsets = self.all(|part| &part.nsets, |at, set| self.set(at, set, Of::Nodes))?;
+        let mut exterior = None;
+        let mut surfaces = Vec::new();
+        for (at, placed) in self.placed.iter().enumerate() {
+            for set in placed.part.surfaces.values().filter(|s| !s.internal) {
+                let (picked, faces) = self.surface(at, set, draft, &mut exterior)?;
+                surfaces.push(self.named(at, set, picked, faces));
+            }
+        }
+        self.group_the_rest(draft, &elsets);
+        // Surface elements in a set lie on the solids, or are skipped.
+        let mut named_flats = 0;
+        for (name, Named { picked, faces, .. }) in
+            plain_names(elsets).into_iter().chain(plain_names(surfaces))
+        {
+            if !picked.solids.is_empty() {
+                draft.mesh.groups.entry(name.clone()).or_default().extend(picked.solids);
+            }
+            if !faces.is_empty() {
+                draft.mesh.faces.entry(name.clone()).or_default().extend(faces);
+            }
+            if !picked.flats.is_empty() {
+                let list = draft.names.len() as u32;
+                draft.names.push(vec![name]);
+                for (at, index) in picked.flats {
+                    draft.facets.push(self.facet(at, index, list)?);
+                }
+                named_flats += 1;
+            }
+        }
+        let flats: usize = self.placed.iter().map(|p| p.part.flats.len()).sum();
+        if named_flats == 0 {
+            draft.skip("surface elements", flats);
+        }
+        let mut several = 0;
+        for (name, Named { picked, .. }) in plain_names(nsets) {
+            match picked.nodes.as_slice() {
+                [] => {}
+                [node] => drop(draft.mesh.points.insert(name, draft.mesh.nodes[*node as usize])),
+                _ => several += 1,
+            }
+        }
+        if several > 0 {
+            draft.notes.push(Note::NotTaken { what: "sets of several nodes".into(), count: several });
+        }
+        Ok(())
+    }
+
+    fn all(
+        &self,
+        sets: impl Fn(&Part) -> &Sets,
+        pick: impl Fn(usize, &Set) -> Result<Picked, Fault>,
+    ) -> Result<Vec<Named>, Fault> {
+        let mut all = Vec::new();
+        for (at, placed) in self.placed.iter().enumerate() {
+            for set in sets(placed.part).values().filter(|s| !s.internal) {
+                all.push(self.named(at, set, pick(at, set)?, Vec::new()));
+            }
+        }
+        Ok(all)
+    }
+
+    fn named(&self, at: usize, set: &Set, picked: Picked, faces: Vec<Face>) -> Named {
+        let shown = &self.placed[at].shown;
+        let instance = (!shown.is_empty()).then(|| shown.clone());
+        Named { instance, name: set.shown.clone(), picked, faces }
+    }
+
+    /// Elements of no set are in the group of their instance.
+    fn group_the_rest(&self, draft: &mut Draft, elsets: &[Named]) {
+        let mut grouped = vec![false; draft.mesh.elements.len()];
+        for &element in elsets.iter().flat_map(|n| &n.picked.solids) {
+            grouped[element as usize] = true;
+        }
+        for placed in self.placed.iter().filter(|p| !p.shown.is_empty()) {
+            let solids = placed.first_solid..placed.first_solid + placed.part.solids.len() as u32;
+            let rest: Vec<u32> = solids.filter(|&e| !grouped[e as usize]).collect();
+            if !rest.is_empty() {
+                draft.mesh.groups.entry(placed.shown.clone()).or_default().extend(rest);
+            }
+        }
+    }
+
+    fn facet(&self, at: usize, index: u32, list: u32) -> Result<Facet, Fault> {
+        let placed = &self.placed[at];
+        let flat = &placed.part.flats[index as usize];
+        let mut corners = [0; 4];
+        for (corner, &number) in corners.iter_mut().zip(&flat.corners) {
+            let Some(node) = placed.nodes.index(number) else {
+                let problem = format!("element {} uses node {number}, which is not there", flat.number);
+                return Err(Fault::whole(format!("{problem}; write the whole mesh again")));
+            };
+            *corner = placed.first_node + node;
+        }
+        Ok(Facet::new(&corners[..flat.corners.len()], flat.number, list))
+    }
+}
+
+/// Names as in the file where they are unique; those that several instances use get the instance's in front.
+fn plain_names(all: Vec<Named>) -> Vec<(String, Named)> {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for named in &all {
+        *counts.entry(named.name.clone()).or_default() += 1;
+    }
+    let name = |named: &Named| match &named.instance {
+        Some(instance) if counts[&named.name] > 1 => format!("{instance}.{}", named.name),
+        _ => named.name.clone(),
+    };
+    all.into_iter().map(|named| (name(&named), named)).collect()
+}

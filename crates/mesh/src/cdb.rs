@@ -1,0 +1,308 @@
+//! ANSYS archives (`.cdb`, written by CDWRITE; Workbench's `ds.dat` too).
+//!
+//! Nodes come from NBLOCK, elements from EBLOCK with the key SOLID, element types from ET and ETBLOCK. Element
+//! components (CMBLOCK) become groups, node components of one node named points. Elements of no component are in
+//! the group `material N`. Bricks with repeated nodes are the wedges, pyramids and tetrahedra that ANSYS means.
+
+mod columns;
+mod types;
+
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
+
+use crate::Shape;
+use crate::assembly::{Draft, Numbering};
+use crate::input::{Input, whole};
+use crate::note::Note;
+use crate::read::{Fault, Format, Outcome};
+use columns::{Columns, integer, number};
+use types::{Family, family};
+
+/// ANSYS archives, for [`crate::read::read`].
+pub(crate) const FORMAT: Format = Format { name: "ANSYS archive (.cdb)", recognises: is_cdb, parse };
+
+/// What to do about a file without blocks.
+const EXPORT: &str = "write it with CDWRITE,DB,NAME,cdb";
+
+/// Whether one of the first lines is a command of such files.
+fn is_cdb(head: &[u8]) -> bool {
+    const COMMANDS: [&[u8]; 5] = [b"NBLOCK,", b"EBLOCK,", b"ETBLOCK,", b"/PREP7", b"/COM,ANSYS"];
+    let starts =
+        |line: &[u8], word: &&[u8]| line.len() >= word.len() && line[..word.len()].eq_ignore_ascii_case(word);
+    head.split(|&b| b == b'\n').any(|line| COMMANDS.iter().any(|word| starts(line.trim_ascii(), word)))
+}
+
+#[derive(Default)]
+struct Archive {
+    draft: Draft,
+    /// ANSYS's number of each element type that is defined.
+    types: HashMap<u64, String>,
+    elements: Vec<Solid>,
+    components: Vec<Component>,
+    /// Whether nodes or elements stand there as single commands.
+    unblocked: bool,
+}
+
+/// An element with the numbers of its corners.
+struct Solid {
+    number: u64,
+    material: u64,
+    shape: Shape,
+    corners: [u64; 8],
+    line: usize,
+}
+
+struct Component {
+    name: String,
+    of_nodes: bool,
+    /// First and last of each run.
+    ranges: Vec<[u64; 2]>,
+}
+
+fn parse(input: &mut Input, _: &Path) -> Outcome {
+    let mut archive = Archive::default();
+    while input.advance()? {
+        let text = String::from_utf8_lossy(input.text()).into_owned();
+        let fields: Vec<&str> = text.split(',').map(str::trim).collect();
+        match fields[0].to_ascii_uppercase().as_str() {
+            "NBLOCK" => archive.nodes(input)?,
+            "EBLOCK" => archive.elements(input, &fields)?,
+            "ETBLOCK" => archive.type_block(input)?,
+            "ET" => {
+                if let (Some(number), Some(name)) =
+                    (fields.get(1).and_then(|n| whole(n.as_bytes())), fields.get(2))
+                {
+                    archive.types.insert(number, (*name).to_owned());
+                }
+            }
+            "CMBLOCK" => archive.component(input, &fields)?,
+            "N" | "EN" | "E" => archive.unblocked = true,
+            _ => {}
+        }
+    }
+    archive.assemble()?.finish("select the solid elements and write them again")
+}
+
+impl Archive {
+    fn nodes(&mut self, input: &mut Input) -> Result<(), Fault> {
+        let columns = Columns::read(input)?;
+        loop {
+            input.expect("a node, or the end of the block")?;
+            if ends(input) {
+                return Ok(());
+            }
+            let line = input.whole_line();
+            let id = columns.integer(line, 0).and_then(whole);
+            let mut x = [0.0; 3];
+            let mut good = id.is_some();
+            for (k, x) in x.iter_mut().enumerate() {
+                match columns.real(line, k) {
+                    // Coordinates at the end that are 0 may be left out.
+                    None | Some(b"") => {}
+                    Some(field) => match number(field) {
+                        Some(value) => *x = value,
+                        None => good = false,
+                    },
+                }
+            }
+            let (Some(id), true) = (id, good) else {
+                return Err(input.misplaced(line, "a node in the columns of the block's format"));
+            };
+            self.draft.mesh.node_ids.push(id);
+            self.draft.mesh.nodes.push(x);
+        }
+    }
+
+    fn type_block(&mut self, input: &mut Input) -> Result<(), Fault> {
+        input.expect("the format of the block")?;
+        loop {
+            input.expect("an element type, or the end of the block")?;
+            if ends(input) {
+                return Ok(());
+            }
+            let number = input.count("the number of an element type")?;
+            let name = input.count("the element type")?;
+            self.types.insert(number, name.to_string());
+        }
+    }
+
+    fn elements(&mut self, input: &mut Input, fields: &[&str]) -> Result<(), Fault> {
+        let solid = fields.get(2).is_some_and(|f| f.eq_ignore_ascii_case("SOLID"));
+        let columns = Columns::read(input)?;
+        loop {
+            input.expect("an element, or the end of the block")?;
+            if ends(input) {
+                return Ok(());
+            }
+            if !solid {
+                self.draft.skip("elements of a block without the key SOLID", 1);
+                continue;
+            }
+            let line = input.whole_line();
+            let at = |k: usize| columns.integer(line, k).and_then(whole);
+            let (Some(material), Some(kind), Some(count), Some(number)) = (at(0), at(1), at(8), at(10))
+            else {
+                return Err(input.misplaced(line, "an element of eleven numbers and its nodes"));
+            };
+            if count > 20 {
+                return Err(
+                    input.fault(format!("element {number} has {count} nodes, expected at most 20; {EXPORT}"))
+                );
+            }
+            let count = count as usize;
+            let mut nodes = Vec::with_capacity(20);
+            nodes.extend((0..count.min(8)).map_while(|k| at(11 + k)));
+            let first = input.line();
+            while nodes.len() >= 8 && nodes.len() < count {
+                input.expect("the other nodes of an element")?;
+                let before = nodes.len();
+                let line = input.whole_line();
+                nodes.extend((0..count - before).map_while(|k| columns.integer(line, k).and_then(whole)));
+                if nodes.len() == before {
+                    break;
+                }
+            }
+            if nodes.len() < count {
+                return Err(
+                    input.fault(format!("element {number} has {} nodes, {count} are announced", nodes.len()))
+                );
+            }
+            self.element(
+                input,
+                kind,
+                Solid { number, material, shape: Shape::Hex8, corners: [0; 8], line: first },
+                &nodes,
+            )?;
+        }
+    }
+
+    /// Takes or skips an element of type `kind`.
+    fn element(&mut self, input: &Input, kind: u64, mut element: Solid, nodes: &[u64]) -> Result<(), Fault> {
+        let Some(name) = self.types.get(&kind) else {
+            let number = element.number;
+            let problem =
+                format!("element {number} has type {kind}, which no ET before it defines; {EXPORT}");
+            return Err(input.fault(problem));
+        };
+        let shape = match (family(name), nodes.len()) {
+            (Family::Other, _) => {
+                self.draft.skip(&format!("elements of ANSYS's type {name}"), 1);
+                return Ok(());
+            }
+            (Family::Tetrahedron, 4 | 10) | (Family::Brick, 4 | 10) => Shape::Tet4,
+            (Family::Brick | Family::Tetrahedron, 8 | 20) => Shape::Hex8,
+            (_, count) => {
+                let number = element.number;
+                return Err(
+                    input.fault(format!("element {number} of type {name} has {count} nodes; {EXPORT}"))
+                );
+            }
+        };
+        element.shape = shape;
+        element.corners[..shape.nodes()].copy_from_slice(&nodes[..shape.nodes()]);
+        self.draft.reduce(nodes.len(), shape);
+        self.elements.push(element);
+        Ok(())
+    }
+
+    fn component(&mut self, input: &mut Input, fields: &[&str]) -> Result<(), Fault> {
+        let name = fields.get(1).copied().unwrap_or_default();
+        let count = fields.get(3).and_then(|f| f.split_whitespace().next()).and_then(|f| whole(f.as_bytes()));
+        let Some(count) = count.filter(|_| !name.is_empty()) else {
+            return Err(input.fault("expected CMBLOCK, a name, NODE or ELEM, and a count here"));
+        };
+        let of_nodes = fields[2].to_ascii_uppercase().starts_with("NODE");
+        let mut component = Component { name: name.to_owned(), of_nodes, ranges: Vec::new() };
+        let columns = Columns::read(input)?;
+        let mut found = 0;
+        while found < count {
+            input.expect("members of the component")?;
+            let line = input.whole_line();
+            let mut here = 0;
+            while found < count && here < columns.integers {
+                let Some(field) = columns.integer(line, here) else { break };
+                let Some(member) = integer(field) else {
+                    return Err(input.misplaced(field, "a member of the component"));
+                };
+                match (component.ranges.last_mut(), member.unsigned_abs()) {
+                    // A negative number is the last of a run from the one before it.
+                    (Some([_, last]), end) if member < 0 && end >= *last => *last = end,
+                    (_, one) if member > 0 => component.ranges.push([one, one]),
+                    _ => return Err(input.misplaced(field, "a member of the component")),
+                }
+                here += 1;
+                found += 1;
+            }
+            if here == 0 {
+                return Err(input.misplaced(line, "members of the component"));
+            }
+        }
+        self.components.push(component);
+        Ok(())
+    }
+
+    fn assemble(self) -> Result<Draft, Fault> {
+        let Archive { mut draft, elements, components, unblocked, .. } = self;
+        if unblocked && (draft.mesh.nodes.is_empty() || elements.is_empty()) {
+            return Err(Fault::whole(format!("nodes or elements are single commands, not blocks; {EXPORT}")));
+        }
+        let nodes = Numbering::new(&draft.mesh.node_ids)
+            .map_err(|number| Fault::whole(format!("there are two nodes {number}; renumber them")))?;
+        for element in &elements {
+            let mut corners = [0; 8];
+            for (corner, &number) in corners.iter_mut().zip(&element.corners[..element.shape.nodes()]) {
+                let Some(index) = nodes.index(number) else {
+                    let problem = format!(
+                        "element {} uses node {number}, which is not there; {EXPORT}",
+                        element.number
+                    );
+                    return Err(Fault::at(element.line, problem));
+                };
+                *corner = index;
+            }
+            draft.push(element.number, element.shape, &corners[..element.shape.nodes()]);
+        }
+        let numbering = Numbering::new(&draft.mesh.element_ids).map_err(|number| {
+            Fault::whole(format!("there are two solid elements {number}; renumber them"))
+        })?;
+        let mut grouped = vec![false; elements.len()];
+        let mut several = 0;
+        for Component { name, of_nodes, ranges } in components {
+            let numbering = if of_nodes { &nodes } else { &numbering };
+            let members: Vec<u32> = ranges.iter().flat_map(|&[a, b]| numbering.indices(a, b, 1)).collect();
+            match (of_nodes, members.as_slice()) {
+                (true, [node]) => drop(draft.mesh.points.insert(name, draft.mesh.nodes[*node as usize])),
+                (true, _) => several += 1,
+                (false, []) => {}
+                (false, list) => {
+                    for &e in list {
+                        grouped[e as usize] = true;
+                    }
+                    draft.mesh.groups.entry(name).or_default().extend(members);
+                }
+            }
+        }
+        if several > 0 {
+            draft
+                .notes
+                .push(Note::NotTaken { what: "node components of several nodes".into(), count: several });
+        }
+        let mut materials: BTreeMap<u64, Vec<u32>> = BTreeMap::new();
+        for (index, element) in (0..).zip(&elements).filter(|(i, _): &(u32, _)| !grouped[*i as usize]) {
+            materials.entry(element.material).or_default().push(index);
+        }
+        for (material, list) in materials {
+            draft.mesh.groups.entry(format!("material {material}")).or_default().extend(list);
+        }
+        Ok(draft)
+    }
+}
+
+/// Whether the line ends a block.
+fn ends(input: &Input) -> bool {
+    let text = input.text();
+    text == b"-1" || text.starts_with(b"N,") || text.starts_with(b"n,")
+}
+
+#[cfg(test)]
+mod tests;

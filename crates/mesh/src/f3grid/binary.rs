@@ -1,0 +1,77 @@
+//! Binary FLAC3D grids: gridpoints, zones, zone groups, faces, face groups, each after its count.
+
+use super::{Cell, Grid, Group};
+use crate::input::Input;
+use crate::read::Fault;
+
+/// The first bytes.
+const MARK: [u8; 4] = [0xe6, 0xe7, 0xf6, 0x51];
+
+pub(super) fn is_binary(head: &[u8]) -> bool {
+    head.starts_with(&MARK)
+}
+
+pub(super) fn read(input: &mut Input) -> Result<Grid, Fault> {
+    let mut grid = Grid::default();
+    // The mark and a version.
+    take::<8>(input)?;
+    for _ in 0..number(input)? {
+        grid.draft.mesh.node_ids.push(u64::from(number(input)?));
+        let mut x = [0.0; 3];
+        for x in &mut x {
+            *x = f64::from_le_bytes(take(input)?);
+            if !x.is_finite() {
+                return Err(input.fault("a coordinate is no finite number; export the grid again"));
+            }
+        }
+        grid.draft.mesh.nodes.push(x);
+    }
+    (grid.zones, grid.zone_groups) = (cells(input, 4..=8, "zone")?, groups(input)?);
+    (grid.faces, grid.face_groups) = (cells(input, 3..=4, "face")?, groups(input)?);
+    Ok(grid)
+}
+
+fn take<const N: usize>(input: &mut Input) -> Result<[u8; N], Fault> {
+    let bytes = input.bytes(N)?.and_then(|bytes| bytes.first_chunk().copied());
+    bytes.ok_or_else(|| input.fault("the file ends here; it is cut short"))
+}
+
+fn number(input: &mut Input) -> Result<u32, Fault> {
+    Ok(u32::from_le_bytes(take(input)?))
+}
+
+fn cells(input: &mut Input, counts: std::ops::RangeInclusive<u32>, what: &str) -> Result<Vec<Cell>, Fault> {
+    let mut cells = Vec::new();
+    for _ in 0..number(input)? {
+        let (id, count) = (number(input)?, number(input)?);
+        if !counts.contains(&count) {
+            let problem = format!("{what} {id} has {count} gridpoints; export the grid in ASCII");
+            return Err(input.fault(problem));
+        }
+        let mut gridpoints = [0; 8];
+        for gridpoint in &mut gridpoints[..count as usize] {
+            *gridpoint = u64::from(number(input)?);
+        }
+        cells.push(Cell { number: u64::from(id), count: count as u8, gridpoints, line: 0 });
+    }
+    Ok(cells)
+}
+
+fn groups(input: &mut Input) -> Result<Vec<Group>, Fault> {
+    let mut groups = Vec::new();
+    for _ in 0..number(input)? {
+        let (name, slot) = (name(input)?, name(input)?);
+        let mut numbers = Vec::new();
+        for _ in 0..number(input)? {
+            numbers.push(u64::from(number(input)?));
+        }
+        groups.push(Group { name, slot, numbers, line: 0 });
+    }
+    Ok(groups)
+}
+
+fn name(input: &mut Input) -> Result<String, Fault> {
+    let length = u16::from_le_bytes(take(input)?);
+    let bytes = input.bytes(usize::from(length))?.map(|bytes| String::from_utf8_lossy(bytes).into_owned());
+    bytes.ok_or_else(|| input.fault("the file ends in a name; it is cut short"))
+}

@@ -1,0 +1,311 @@
+//! VTK's legacy files (`.vtk`) with an unstructured grid: ASCII and binary, versions 1 to 5.
+//!
+//! Cells, groups and named faces are understood as in VTU files.
+
+use std::path::Path;
+
+use crate::input::{Input, real, shown};
+use crate::read::{Fault, Format, Outcome};
+use crate::vtu::{Array, Grid, Kind, NO_SOLIDS, Values, solids};
+
+/// VTK's legacy format, for [`crate::read::read`].
+pub(crate) const FORMAT: Format = Format { name: "VTK legacy", recognises: is_vtk, parse };
+
+/// What to do about files that cannot be read.
+const EXPORT: &str =
+    "open it in ParaView (there, Filters > Append Datasets makes any grid unstructured) and save it as .vtu";
+
+fn is_vtk(head: &[u8]) -> bool {
+    head.len() > 5 && head[..5].eq_ignore_ascii_case(b"# vtk")
+}
+
+fn parse(input: &mut Input, _: &Path) -> Outcome {
+    let grid = Reader::open(input)?.grid()?;
+    grid.check().and_then(|()| solids(grid)).map_err(Fault::whole)?.finish(NO_SOLIDS)
+}
+
+/// What arrays belong to.
+#[derive(Clone, Copy)]
+enum Owner {
+    File,
+    Points,
+    Cells,
+}
+
+struct Reader<'i, 'a> {
+    input: &'i mut Input<'a>,
+    binary: bool,
+    /// Whether cells are offsets and a list of points; before version 5 each has its number of points in front.
+    with_offsets: bool,
+    grid: Grid,
+    /// Cells, and points of all cells.
+    cells: Option<(Vec<u32>, Vec<u32>)>,
+    owner: Owner,
+    tuples: usize,
+}
+
+impl<'i, 'a> Reader<'i, 'a> {
+    /// The first lines.
+    fn open(input: &'i mut Input<'a>) -> Result<Self, Fault> {
+        input.expect("the version")?;
+        let version = input.text().rsplit(|&b| b == b' ').next().and_then(real).unwrap_or(0.0);
+        // The title may be blank.
+        for wanted in ["a title", "ASCII or BINARY"] {
+            input.expect(wanted)?;
+            let text = input.text().to_ascii_uppercase();
+            if text == b"ASCII" || text == b"BINARY" {
+                return Ok(Reader {
+                    input,
+                    binary: text == b"BINARY",
+                    with_offsets: version >= 5.0,
+                    grid: Grid::default(),
+                    cells: None,
+                    owner: Owner::File,
+                    tuples: 0,
+                });
+            }
+        }
+        Err(input.misplaced(input.text(), "ASCII or BINARY"))
+    }
+
+    fn grid(mut self) -> Result<Grid, Fault> {
+        while self.input.advance()? {
+            if !self.metadata()? {
+                self.section()?;
+            }
+        }
+        if let Some((offsets, connectivity)) = self.cells {
+            (self.grid.offsets, self.grid.connectivity) = (offsets, connectivity);
+        }
+        Ok(self.grid)
+    }
+
+    /// The next word of the line, in upper case.
+    fn word(&mut self, what: &str) -> Result<String, Fault> {
+        match self.input.field() {
+            Some(word) => Ok(String::from_utf8_lossy(word).into_owned()),
+            None => Err(self.input.fault(format!("the line ends where {what} should stand"))),
+        }
+    }
+
+    fn size(&mut self, what: &str) -> Result<usize, Fault> {
+        let count = self.input.count(what)?;
+        usize::try_from(count).map_err(|_| self.input.fault(format!("{what} is {count}, which is too large")))
+    }
+
+    fn kind(&mut self) -> Result<Kind, Fault> {
+        let name = self.word("a type of number")?;
+        let xml = match name.to_lowercase().as_str() {
+            "float" => "Float32",
+            "double" => "Float64",
+            "char" | "signed_char" | "vtktypeint8" => "Int8",
+            "unsigned_char" | "vtktypeuint8" => "UInt8",
+            "short" | "vtktypeint16" => "Int16",
+            "unsigned_short" | "vtktypeuint16" => "UInt16",
+            "int" | "vtkidtype" | "vtktypeint32" => "Int32",
+            "unsigned_int" | "vtktypeuint32" => "UInt32",
+            "long" | "vtktypeint64" => "Int64",
+            "unsigned_long" | "vtktypeuint64" => "UInt64",
+            _ => {
+                return Err(self
+                    .input
+                    .fault(format!("arrays of type `{}` cannot be read; {EXPORT}", shown(name.as_bytes()))));
+            }
+        };
+        Kind::named(xml).ok_or_else(|| self.input.fault("the type of numbers is unknown"))
+    }
+
+    /// So many numbers, from the next line on.
+    fn numbers(&mut self, count: usize, kind: Kind, what: &str) -> Result<Values, Fault> {
+        let mut bytes = Vec::new();
+        if self.binary {
+            for _ in 0..count {
+                match self.input.bytes(kind.size())? {
+                    Some(number) => bytes.extend_from_slice(number),
+                    None => {
+                        return Err(self.input.fault(format!("the file ends in {what}; it is cut short")));
+                    }
+                }
+            }
+            return kind.decode(&bytes, true).map_err(|problem| self.input.fault(problem));
+        }
+        let mut words = 0;
+        while words < count {
+            match self.input.field() {
+                Some(word) => {
+                    bytes.extend_from_slice(word);
+                    bytes.push(b' ');
+                    words += 1;
+                }
+                None => self.input.expect(what)?,
+            }
+        }
+        let fields = bytes.split(|&b| b == b' ').filter(|w| !w.is_empty());
+        kind.parse(fields).map_err(|problem| self.input.fault(format!("in {what}: {problem}")))
+    }
+
+    fn whole_numbers(&mut self, count: usize, kind: Kind, what: &str) -> Result<Vec<u32>, Fault> {
+        let values = self.numbers(count, kind, what)?;
+        let array = Array::new(what, "", 1, values);
+        crate::vtu::indices(&array).map_err(|problem| self.input.fault(problem))
+    }
+
+    fn product(&self, a: usize, b: usize) -> Result<usize, Fault> {
+        a.checked_mul(b).ok_or_else(|| self.input.fault(format!("{a} times {b} numbers are too many")))
+    }
+
+    /// A section that begins in the current line.
+    fn section(&mut self) -> Result<(), Fault> {
+        let word = self.word("a keyword")?.to_uppercase();
+        match word.as_str() {
+            "DATASET" => {
+                let kind = self.word("the kind of the data set")?.to_uppercase();
+                if kind != "UNSTRUCTURED_GRID" {
+                    let kind = shown(kind.as_bytes());
+                    return Err(self
+                        .input
+                        .fault(format!("the data set is {kind}, expected UNSTRUCTURED_GRID; {EXPORT}")));
+                }
+            }
+            "POINTS" => {
+                let count = self.size("the number of points")?;
+                let kind = self.kind()?;
+                let values = self.numbers(self.product(count, 3)?, kind, "the points")?;
+                let all: Vec<f64> = (0..values.len()).map(|i| values.get(i)).collect();
+                self.grid.points = all.as_chunks::<3>().0.to_vec();
+            }
+            "CELLS" => self.cells()?,
+            "CELL_TYPES" => {
+                let count = self.size("the number of cells")?;
+                let types = self.whole_numbers(count, Kind::Whole(true, 4), "the cell types")?;
+                let narrow: Result<Vec<u8>, _> = types.into_iter().map(u8::try_from).collect();
+                self.grid.types = narrow.map_err(|_| self.input.fault("a cell type is larger than 255"))?;
+            }
+            "POINT_DATA" | "CELL_DATA" => {
+                self.owner = if word == "POINT_DATA" { Owner::Points } else { Owner::Cells };
+                self.tuples = self.size("the number of tuples")?;
+            }
+            "FIELD" => {
+                self.word("a name")?;
+                for _ in 0..self.size("the number of arrays")? {
+                    self.input.expect("an array")?;
+                    while self.metadata()? {
+                        self.input.expect("an array")?;
+                    }
+                    let name = self.word("a name")?;
+                    let components = self.size("the number of components")?;
+                    let tuples = self.size("the number of tuples")?;
+                    let kind = self.kind()?;
+                    self.array(name, components, tuples, kind)?;
+                }
+            }
+            "SCALARS" => {
+                let name = self.word("a name")?;
+                let kind = self.kind()?;
+                let components =
+                    if self.input.text().is_empty() { 1 } else { self.size("the number of components")? };
+                self.input.expect("LOOKUP_TABLE")?;
+                if !self.word("LOOKUP_TABLE")?.eq_ignore_ascii_case("LOOKUP_TABLE") {
+                    return Err(self
+                        .input
+                        .fault("expected LOOKUP_TABLE here; if there is none, add `LOOKUP_TABLE default`"));
+                }
+                self.word("a name")?;
+                self.array(name, components, self.tuples, kind)?;
+            }
+            "VECTORS" | "NORMALS" | "TENSORS" | "TENSORS6" | "GLOBAL_IDS" | "PEDIGREE_IDS" => {
+                let components = match word.as_str() {
+                    "TENSORS" => 9,
+                    "TENSORS6" => 6,
+                    "GLOBAL_IDS" | "PEDIGREE_IDS" => 1,
+                    _ => 3,
+                };
+                let name = self.word("a name")?;
+                let kind = self.kind()?;
+                self.array(name, components, self.tuples, kind)?;
+            }
+            _ => {
+                let word = shown(word.as_bytes());
+                return Err(self.input.fault(format!("`{word}` is no section that can be read; {EXPORT}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// Passes over a block of metadata, which ends with a blank line, if one begins here; whether it did.
+    fn metadata(&mut self) -> Result<bool, Fault> {
+        if !self.input.text().eq_ignore_ascii_case(b"METADATA") {
+            return Ok(false);
+        }
+        while self.input.next_line()? && !self.input.text().is_empty() {}
+        Ok(true)
+    }
+
+    fn cells(&mut self) -> Result<(), Fault> {
+        let count = self.size("the number of cells")?;
+        let size = self.size("the length of the list")?;
+        if self.with_offsets {
+            self.input.expect("OFFSETS")?;
+            self.word("OFFSETS")?;
+            let kind = self.kind()?;
+            let offsets = self.whole_numbers(count, kind, "the offsets")?;
+            self.input.expect("CONNECTIVITY")?;
+            self.word("CONNECTIVITY")?;
+            let kind = self.kind()?;
+            let connectivity = self.whole_numbers(size, kind, "the connectivity")?;
+            self.cells = Some((offsets.get(1..).unwrap_or_default().to_vec(), connectivity));
+            return Ok(());
+        }
+        let list = self.whole_numbers(size, Kind::Whole(true, 4), "the cells")?;
+        let (mut offsets, mut connectivity) = (Vec::new(), Vec::new());
+        let mut rest = list.as_slice();
+        for _ in 0..count {
+            let cell = rest.split_first().and_then(|(&n, tail)| tail.split_at_checked(n as usize));
+            let Some((points, tail)) = cell else {
+                return Err(self
+                    .input
+                    .fault("the list of cells is shorter than its cells; the file is damaged"));
+            };
+            connectivity.extend_from_slice(points);
+            offsets.push(connectivity.len() as u32);
+            rest = tail;
+        }
+        self.cells = Some((offsets, connectivity));
+        Ok(())
+    }
+
+    /// Reads an array.
+    fn array(&mut self, name: String, components: usize, tuples: usize, kind: Kind) -> Result<(), Fault> {
+        let values = self.numbers(self.product(components, tuples)?, kind, &format!("array `{name}`"))?;
+        let arrays = match self.owner {
+            Owner::File => &mut self.grid.field_data,
+            Owner::Points => &mut self.grid.point_data,
+            Owner::Cells => &mut self.grid.cell_data,
+        };
+        arrays.push(Array::new(decoded(&name), "", components, values));
+        Ok(())
+    }
+}
+
+/// Names have `%20` for a blank.
+fn decoded(name: &str) -> String {
+    let mut bytes = Vec::new();
+    let mut rest = name.as_bytes();
+    while let Some((&byte, tail)) = rest.split_first() {
+        let code = tail.get(..2).filter(|_| byte == b'%').and_then(|hex| std::str::from_utf8(hex).ok());
+        match code.and_then(|hex| u8::from_str_radix(hex, 16).ok()) {
+            Some(code) => {
+                bytes.push(code);
+                rest = &tail[2..];
+            }
+            None => {
+                bytes.push(byte);
+                rest = tail;
+            }
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+#[cfg(test)]
+mod tests;

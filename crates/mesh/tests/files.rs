@@ -1,0 +1,161 @@
+//! Files of other programs: counts that always hold, and the same from meshio where Python has it.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::process::Command;
+
+use tremolite_mesh::quality::summary;
+use tremolite_mesh::{Mesh, Note, Shape, merge, read, read_with_notes, write};
+
+fn data(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name)
+}
+
+fn counts(mesh: &Mesh) -> [usize; 4] {
+    [Shape::Hex8, Shape::Wedge6, Shape::Pyramid5, Shape::Tet4]
+        .map(|shape| mesh.elements.iter().filter(|e| e.shape == shape).count())
+}
+
+/// The files, and what meshio 5.3.5 finds in them: points, hexahedra, wedges, pyramids, tetrahedra. Of the
+/// second-order file the points are those at corners.
+const FILES: [(&str, usize, [usize; 4]); 15] = [
+    ("tunnel.msh", 288, [160, 0, 0, 0]),
+    ("shapes.msh", 54, [8, 16, 4, 27]),
+    ("shapes_binary.msh", 54, [8, 16, 4, 27]),
+    ("shapes_v2.msh", 54, [8, 16, 4, 27]),
+    ("shapes_v2_binary.msh", 54, [8, 16, 4, 27]),
+    ("shapes_order2.msh", 54, [8, 16, 4, 27]),
+    ("shapes.inp", 54, [8, 16, 4, 27]),
+    ("shapes_ascii.vtu", 54, [8, 16, 4, 27]),
+    ("shapes_base64.vtu", 54, [8, 16, 4, 27]),
+    ("shapes_zlib.vtu", 54, [8, 16, 4, 27]),
+    ("shapes_v42.vtk", 54, [8, 16, 4, 27]),
+    ("shapes_v51.vtk", 54, [8, 16, 4, 27]),
+    ("shapes_binary.f3grid", 54, [8, 16, 4, 27]),
+    ("flac3d_mesh_ex.f3grid", 160, [75, 15, 15, 3]),
+    ("tunnel.inp", 288, [160, 0, 0, 0]),
+];
+
+#[test]
+fn files_have_the_counts_that_meshio_finds() {
+    for (name, nodes, elements) in FILES {
+        let mesh = read(data(name)).unwrap();
+        assert_eq!((mesh.nodes.len(), counts(&mesh)), (nodes, elements), "{name}");
+        let all = summary(&mesh);
+        assert!(all.min_scaled_jacobian > 0.0, "{name}");
+        if name.starts_with("shapes") {
+            // Two boxes of 2³ and a pyramid of height 2; the VTU in text has 11 digits.
+            assert!((all.volume - (8.0 + 8.0 + 8.0 / 3.0)).abs() < 1e-9, "{name}: {}", all.volume);
+        }
+    }
+}
+
+#[test]
+fn a_format_is_known_by_content_whatever_the_name_and_notes_change_nothing() {
+    let path = std::env::temp_dir().join(format!("tremolite-nameless-{}", std::process::id()));
+    for (name, ..) in FILES {
+        std::fs::copy(data(name), &path).unwrap();
+        let (mesh, _) = read_with_notes(&path).unwrap();
+        assert!(mesh == read(data(name)).unwrap(), "{name}");
+    }
+    std::fs::remove_file(&path).unwrap();
+}
+
+#[test]
+fn the_same_mesh_in_every_format_has_the_same_places_and_faces() {
+    let mesh = read(data("shapes.msh")).unwrap();
+    for (name, ..) in FILES.iter().filter(|f| f.0.starts_with("shapes")) {
+        let other = read(data(name)).unwrap();
+        for (x, y) in mesh.nodes.iter().flatten().zip(other.nodes.iter().flatten()) {
+            assert!((x - y).abs() < 1e-9, "{name}");
+        }
+        let exterior = |m: &Mesh| tremolite_mesh::topology::exterior_faces(m, None).len();
+        assert_eq!(exterior(&mesh), exterior(&other), "{name}");
+    }
+}
+
+#[test]
+fn parts_that_touch_without_common_nodes_are_told_and_can_be_merged() {
+    let mut mesh = read(data("shapes.msh")).unwrap();
+    let whole = mesh.nodes.len();
+    // The wedges get nodes of their own.
+    let mut own = BTreeMap::new();
+    for e in mesh.groups["wedges"].clone() {
+        for node in &mut mesh.elements[e as usize].nodes {
+            *node = *own.entry(*node).or_insert_with(|| {
+                mesh.nodes.push(mesh.nodes[*node as usize]);
+                mesh.nodes.len() as u32 - 1
+            });
+        }
+    }
+    mesh.faces.clear();
+    let path = std::env::temp_dir().join(format!("tremolite-parts-{}.msh", std::process::id()));
+    write(&path, &mesh).unwrap();
+    let (mut apart, notes) = read_with_notes(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    let Some(Note::Coincident { count, tolerance, .. }) = notes.last() else { panic!("{notes:?}") };
+    // Two by two faces between bricks and wedges: nine nodes.
+    assert_eq!((*count, apart.nodes.len()), (9, whole + 9));
+    assert_eq!(merge::merge_nodes(&mut apart, *tolerance), Ok(9));
+    assert_eq!((apart.nodes.len(), tremolite_mesh::topology::components(&apart, None).len()), (whole, 1));
+}
+
+const SCRIPT: &str = "
+import sys, meshio
+for path in sys.argv[1:]:
+    mesh = meshio.read(path)
+    of = dict(hexahedron=0, hexahedron27=0, wedge=1, wedge18=1, pyramid=2, pyramid14=2, tetra=3, tetra10=3)
+    corners = [8, 6, 5, 4]
+    counts, used = [0] * 4, set()
+    for block in mesh.cells:
+        if block.type in of:
+            shape = of[block.type]
+            counts[shape] += len(block.data)
+            used.update(block.data[:, :corners[shape]].ravel().tolist())
+    print('COUNTS', path, len(used), *counts)
+";
+
+/// Meshio reads the same files, and the ones written here, and finds the same numbers.
+#[test]
+fn meshio_agrees_where_python_has_it() {
+    let python = std::env::var("TREMOLITE_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let has = Command::new(&python).args(["-c", "import meshio"]).output();
+    if !has.is_ok_and(|out| out.status.success()) {
+        eprintln!(
+            "passed over: {python} has no meshio (pip install meshio; TREMOLITE_PYTHON names another Python)"
+        );
+        return;
+    }
+    let folder = std::env::temp_dir().join(format!("tremolite-meshio-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut wanted = BTreeMap::new();
+    for (name, nodes, elements) in FILES {
+        // Meshio does not know Abaqus's pyramids.
+        let readable = |path: &PathBuf| elements[2] == 0 || path.extension().is_none_or(|e| e != "inp");
+        if readable(&data(name)) {
+            wanted.insert(data(name), (nodes, elements));
+        }
+        let mesh = read(data(name)).unwrap();
+        for (k, writer) in write::WRITERS.iter().enumerate() {
+            let path = folder.join(format!("{name}-{k}.{}", writer.extension));
+            write::write_as(&path, &mesh, writer).unwrap();
+            if readable(&path) {
+                wanted.insert(path, (nodes, elements));
+            }
+        }
+    }
+    let out = Command::new(&python).arg("-c").arg(SCRIPT).args(wanted.keys()).output().unwrap();
+    let text = String::from_utf8_lossy(&out.stdout);
+    assert!(out.status.success(), "{text}{}", String::from_utf8_lossy(&out.stderr));
+    let mut found = 0;
+    for line in text.lines().filter_map(|line| line.strip_prefix("COUNTS ")) {
+        let mut words = line.rsplitn(6, ' ');
+        let mut number = || words.next().unwrap().parse::<usize>().unwrap();
+        let [tets, pyramids, wedges, hexes, nodes] = std::array::from_fn(|_| number());
+        let path = PathBuf::from(words.next().unwrap());
+        assert_eq!((nodes, [hexes, wedges, pyramids, tets]), wanted[&path], "{}", path.display());
+        found += 1;
+    }
+    assert_eq!(found, wanted.len());
+    std::fs::remove_dir_all(&folder).unwrap();
+}

@@ -1,0 +1,232 @@
+//! A lined cavern under a strong pulse: histories as fields, in the summary and in the verdict; bits; resuming.
+
+mod common;
+
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use tremolite::damage::{damage, verdict};
+use tremolite::plan::Plan;
+use tremolite::quantities::Field;
+use tremolite::run::{Control, Ending, Outcome, run};
+use tremolite::{
+    AnyMaterial, Base, Body, Incident, Instance, Model, Phase, Problem, Quadrature, Rayleigh, Side, laws,
+    model,
+};
+use tremolite_laws::materials::Elastic;
+use tremolite_laws::{Isa, Moduli, Values};
+use tremolite_mesh::boxes::BoxSpec;
+use tremolite_mesh::vtu::Grid;
+use tremolite_results::ResultFolder;
+
+/// A hall of 4 × 4 m in a block of 16 × 3 × 14 m, its lining of 1 m of a concrete of 0.6 MPa tensile strength.
+fn hall() -> Problem {
+    hall_of(0.6e6, "effective")
+}
+
+fn hall_of(strength: f64, split: &str) -> Problem {
+    let mut mesh = BoxSpec::uniform([0.0; 3], [16.0, 3.0, 14.0], [16, 3, 14]).mesh().unwrap();
+    mesh.groups.clear();
+    for e in 0..mesh.elements.len() as u32 {
+        let [x, _, z] = model::centroid(&mesh, e).map(|x| x - 0.5);
+        let (x, z) = (x.round() as i32, z.round() as i32);
+        let mut add = |name: &str| mesh.groups.entry(name.into()).or_default().push(e);
+        if (6..10).contains(&x) && (5..9).contains(&z) {
+            add("hall.excavation");
+        } else if (5..11).contains(&x) && (4..10).contains(&z) {
+            add("hall.lining");
+            add(if z == 9 { "hall.lining.crown" } else { "hall.lining.walls" });
+        } else {
+            add("rock");
+        }
+    }
+    let mut values = Values::default()
+        .with("young", 25e9)
+        .with("poisson", 0.17)
+        .with("tensile_strength", strength)
+        .with("cohesion", f64::max(2e6, 10.0 * strength))
+        .with("friction_angle", 0.8)
+        .with("fracture_energy", 130.0);
+    values.0.insert("split".into(), tremolite_laws::parameter::Value::Word(split.into()));
+    let concrete = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
+    let rock = Elastic::from_moduli(Moduli::from_young_poisson(10e9, 0.25));
+    let body = |name: &str, group: &str, material: Arc<dyn AnyMaterial>, quadrature| Body {
+        name: name.into(),
+        elements: mesh.groups[group].clone(),
+        material,
+        density: 2700.0,
+        quadrature,
+    };
+    let bodies = vec![
+        body("rock", "rock", Arc::new(Instance(Arc::new(rock))), Quadrature::OnePoint),
+        body("*.lining", "hall.lining", (concrete.build)(&values).unwrap(), Quadrature::Full),
+    ];
+    let mut problem = Problem::new(mesh, bodies);
+    problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: None };
+    problem.sides = [Side::Periodic; 2];
+    problem.rayleigh = Rayleigh { mass: 0.4, stiffness: 0.0 };
+    problem.incident = Some(Incident { motion: common::pulse(), factor: 0.5 });
+    problem.patch_elements = Some(16);
+    problem
+}
+
+/// Runs the hall into a folder; stops at the first chance after `stop_after` \[s\] of simulated time.
+fn go(
+    problem: Problem,
+    folder: &Path,
+    threads: usize,
+    resume: bool,
+    stop_after: f64,
+) -> (Model, Phase, Outcome) {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
+        let plan = Plan {
+            title: "hall".into(),
+            duration: 0.3,
+            histories: 0.002,
+            snapshots: Some(0.1),
+            fields: Field::ALL.to_vec(),
+            checkpoint: None,
+            monitors: Vec::new(),
+            relatives: Vec::new(),
+        };
+        let model = Model::new(problem).unwrap();
+        let phase = Phase::dynamic(&model).unwrap();
+        let results = if resume {
+            ResultFolder::open_existing(folder).unwrap()
+        } else {
+            ResultFolder::create(Some(folder), "hall", true).unwrap()
+        };
+        let stop = AtomicBool::new(false);
+        let mut tell = |p: tremolite::run::Progress| stop.store(p.time > stop_after, Ordering::Relaxed);
+        let mut control = Control { stop: &stop, progress: &mut tell };
+        let outcome = run(&model, &phase, &plan, &results, resume, &mut control).unwrap();
+        (model, phase, outcome)
+    })
+}
+
+#[test]
+fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
+    let folder = tempfile::tempdir().unwrap();
+    let (model, phase, outcome) = go(hall(), folder.path(), 2, false, f64::INFINITY);
+    assert_eq!(outcome.ending, Ending::Done);
+    let found = damage(&model, &phase, &outcome.state);
+    let names: Vec<&str> = found.keys().map(String::as_str).collect();
+    assert_eq!(
+        names,
+        ["hall.lining", "hall.lining.crown", "hall.lining.walls"],
+        "not the rock, nothing twice"
+    );
+    let [lining, crown, walls] = [0, 1, 2].map(|i| &found[i]);
+    assert!((lining.volume - 60.0).abs() < 1e-9 && (crown.volume - 18.0).abs() < 1e-9);
+    let beyond = |g: &tremolite_results::GroupDamage, t: &str| g.measures["d_tension"].beyond[t];
+    for threshold in ["0.1", "0.5", "0.9"] {
+        let parts = beyond(crown, threshold) + beyond(walls, threshold);
+        assert!((beyond(lining, threshold) - parts).abs() < 1e-9, "parts make the whole");
+    }
+    assert!(beyond(lining, "0.9") > 1.0 && beyond(lining, "0.9") <= beyond(lining, "0.5"));
+    assert!(beyond(lining, "0.1") < lining.volume, "not all of it cracks");
+    let tension = &lining.measures["d_tension"];
+    assert!(tension.largest > 0.9 && tension.largest <= 1.0);
+    let first = tension.first.unwrap();
+    assert!(first.time > 0.0 && first.time < 0.3);
+    let parts = [crown, walls].map(|g| g.measures["d_tension"].first.map_or(f64::INFINITY, |f| f.time));
+    assert_eq!(first.time, parts[0].min(parts[1]));
+    let text = verdict(&model, &found);
+    assert!(text.starts_with(" hall.lining: tension damage beyond 0.5 in "), "{text}");
+    assert!(
+        text.contains(&format!("first tension damage at {:.2} s in element {}", first.time, first.element))
+    );
+    assert!(!text.contains("hall.lining.crown"), "the whole is enough for a verdict: {text}");
+
+    // Cells of the last file, mean over eight equal points, add up to no more than what is beyond 0 and 0.9.
+    let grid = Grid::read(&folder.path().join("fields/000003.vtu")).unwrap();
+    let cells = |name: &str| {
+        let array = grid.cell_array(name).unwrap_or_else(|| panic!("{name} is written"));
+        (0..array.values.len()).map(|i| array.values.get(i)).collect::<Vec<f64>>()
+    };
+    let group = cells("group");
+    for name in ["d_tension", "d_shear", "d_b", "d_b_max"] {
+        let values = cells(name);
+        assert!(values.iter().all(|d| (0.0..=1.0).contains(d)), "{name}");
+        assert!(group.iter().zip(&values).all(|(g, d)| *g == 1.0 || *d == 0.0), "{name}: rock has none");
+    }
+    let sum: f64 = cells("d_tension").iter().sum();
+    assert!(sum > 0.9 * beyond(lining, "0.9") && sum < lining.volume, "{sum}");
+    let [now, most] = ["d_b", "d_b_max"].map(cells);
+    assert!(now.iter().zip(&most).all(|(now, most)| now <= most));
+    let size = grid.cell_array("crack_size").unwrap();
+    assert_eq!(size.unit, "m");
+    assert_eq!(grid.cell_data.iter().filter(|a| a.name == "d_tension").count(), 1);
+}
+
+#[test]
+fn damage_has_the_same_bits_for_any_threads_and_instruction_set() {
+    let shaken = |threads, isa| {
+        let folder = tempfile::tempdir().unwrap();
+        let mut problem = hall();
+        problem.isa = isa;
+        let (model, phase, outcome) = go(problem, folder.path(), threads, false, f64::INFINITY);
+        let found = damage(&model, &phase, &outcome.state);
+        let field = std::fs::read(folder.path().join("fields/000003.vtu")).unwrap();
+        (outcome.state, found, field)
+    };
+    let reference = shaken(1, Isa::best());
+    assert!(reference.1["hall.lining"].measures["d_tension"].largest > 0.9);
+    assert!(reference == shaken(3, Isa::best()), "three threads");
+    for isa in Isa::ALL.into_iter().filter(|isa| isa.available() && *isa != Isa::best()) {
+        assert!(reference == shaken(2, isa), "{}", isa.name());
+    }
+}
+
+#[test]
+fn a_run_stopped_after_the_first_crack_resumes_to_the_same_damage() {
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
+    let problem = || {
+        let mut problem = hall();
+        problem.time_step.given = Some(1e-5);
+        problem
+    };
+    let (model, phase, outcome) = go(problem(), &whole, 2, false, f64::INFINITY);
+    let expected = damage(&model, &phase, &outcome.state);
+    let first = expected["hall.lining"].measures["d_tension"].first.unwrap().time;
+    let (.., stopped) = go(problem(), &parts, 1, false, first);
+    assert_eq!(stopped.ending, Ending::Stopped);
+    assert!(stopped.taken < stopped.steps.total);
+    let (model, phase, resumed) = go(problem(), &parts, 3, true, f64::INFINITY);
+    assert_eq!(resumed.ending, Ending::Done);
+    assert!(resumed.state == outcome.state);
+    assert_eq!(damage(&model, &phase, &resumed.state), expected);
+    for file in ["energy.csv", "fields.pvd", "fields/000003.vtu"] {
+        let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
+        assert!(bytes(&whole) == bytes(&parts), "{file}");
+    }
+}
+
+/// As a wave passes, the work done on the elements is what they hold and what cracks took; the same lining without
+/// cracks takes nothing.
+#[test]
+fn what_cracks_take_is_a_line_of_the_balance_and_no_error() {
+    let run = |strength: f64, split: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let (.., outcome) = go(hall_of(strength, split), folder.path(), 2, false, f64::INFINITY);
+        let table = tremolite_results::Table::read(&folder.path().join("energy.csv")).unwrap();
+        let column = |name: &str| table.column(name).unwrap().to_vec();
+        (column("dissipated"), column("error"), outcome.state.ledger.supplied)
+    };
+    let largest = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let (dissipated, _, supplied) = run(1e9, "effective");
+    assert!(largest(&dissipated) < 1e-12 * supplied, "{:e}", largest(&dissipated) / supplied);
+    let (dissipated, error, supplied) = run(0.6e6, "effective");
+    let most = largest(&dissipated);
+    assert!(most > 3.0 * largest(&error), "cracks take {:e} of what was supplied", most / supplied);
+    let fall = dissipated.windows(2).map(|d| (d[0] - d[1]).max(0.0)).sum::<f64>();
+    assert!(
+        fall > 0.1 * most && fall < 0.01 * supplied,
+        "the effective split gives out work: {fall:e} of {most:e}"
+    );
+    let (dissipated, ..) = run(0.6e6, "compliance");
+    // Not zero: a step across the kink at which a crack closes misses ½ D E ε₋ε₊ of its work.
+    let small = dissipated.windows(2).map(|d| (d[0] - d[1]).max(0.0)).sum::<f64>();
+    assert!(small < 0.1 * fall, "the compliance split gives out {small:e}, the effective one {fall:e}");
+}
