@@ -19,7 +19,8 @@ pub fn peak_bytes() -> Option<u64> {
 /// The processor's name, where the system tells it.
 pub fn processor() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = info.lines().find_map(|l| l.strip_prefix("model name")?.split_once(':').map(|(_, n)| n.trim()));
+    let name =
+        info.lines().find_map(|l| l.strip_prefix("model name")?.split_once(':').map(|(_, n)| n.trim()));
     name.unwrap_or("unknown processor").to_owned()
 }
 

@@ -33,7 +33,8 @@ impl ProgressLine {
 
     /// Shows how far it is: `done` of 1, and some words.
     pub fn show(&mut self, done: f64, words: &str) {
-        let left = if done > 0.0 { self.begin.elapsed().as_secs_f64() * (1.0 - done) / done } else { f64::NAN };
+        let left =
+            if done > 0.0 { self.begin.elapsed().as_secs_f64() * (1.0 - done) / done } else { f64::NAN };
         let text = format!("  {:3.0} %  {words}  {} left", 100.0 * done, duration(left));
         if self.live {
             let pad = self.width.saturating_sub(text.chars().count());

@@ -38,7 +38,9 @@ fn a_new_case_checks_runs_and_reports() {
     let check = tremolite(folder.path(), &["check", "study/case.toml"]);
     assert_eq!(code(&check), 0, "{}", errors(&check));
     let text = String::from_utf8(check.stdout).unwrap();
-    for word in ["hall.lining", "incident wave is 1 times", "stable, set by element", "million element updates"] {
+    for word in
+        ["hall.lining", "incident wave is 1 times", "stable, set by element", "million element updates"]
+    {
         assert!(text.contains(word), "check does not say '{word}':\n{text}");
     }
     assert!(!folder.path().join("results").exists(), "check computes nothing");
@@ -47,13 +49,15 @@ fn a_new_case_checks_runs_and_reports() {
     assert_eq!(code(&run), 0, "{}", errors(&run));
     assert!(run.stdout.is_empty(), "messages go to standard error");
     let results = folder.path().join("results/study");
-    for file in ["case.toml", "summary.json", "monitors.csv", "energy.csv", "fields.pvd", "report.html", "log.txt"] {
+    for file in
+        ["case.toml", "summary.json", "monitors.csv", "energy.csv", "fields.pvd", "report.html", "log.txt"]
+    {
         assert!(results.join(file).is_file(), "{file}");
     }
     let summary = Summary::read(&results.join("summary.json")).unwrap();
     assert_eq!(summary.status, Status::Done);
     assert!(summary.element_updates_per_second > 0.0);
-    assert!(summary.monitors["crown"]["ux"].max > 0.0);
+    assert!(summary.monitors["crown"]["ux"].largest().1.abs() > 1e-6);
     assert!(summary.relative["crown-wall"]["u"].max > 0.0);
     assert!(summary.trust.iter().all(|t| t.pass), "{:?}", summary.trust);
     assert!(summary.defaulted.iter().any(|d| d.key == "dynamic.base.normal"));
@@ -64,7 +68,8 @@ fn a_new_case_checks_runs_and_reports() {
     let taken = tremolite(folder.path(), &["run", "study/case.toml", "--out", "results/study"]);
     assert_eq!(code(&taken), 2);
     assert!(errors(&taken).contains("--overwrite"), "{}", errors(&taken));
-    let again = tremolite(folder.path(), &["run", "study/case.toml", "--out", "results/study", "--overwrite"]);
+    let again =
+        tremolite(folder.path(), &["run", "study/case.toml", "--out", "results/study", "--overwrite"]);
     assert_eq!(code(&again), 0);
 
     std::fs::remove_file(results.join("report.html")).unwrap();
@@ -93,7 +98,11 @@ fn what_does_not_fit_the_mesh_is_refused_at_its_place() {
         ("at   = \"hall.crown\"", "at   = [0, 0, -300]", &["monitor crown at", "the mesh spans"]),
         ("at   = \"hall.crown\"", "at   = \"hall.roof\"", &["no point 'hall.roof'", "hall.crown"]),
         ("[\"hall.bench*\"]", "[\"hall.pit*\"]", &["no group of the mesh fits", "belong to no region"]),
-        ("groups   = [\"rock\"]", "groups   = [\"rock\", \"hall.lin*\"]", &["are in the region of", "one region only"]),
+        (
+            "groups   = [\"rock\"]",
+            "groups   = [\"rock\", \"hall.lin*\"]",
+            &["are in the region of", "one region only"],
+        ),
         ("base     = \"viscous-spring\"", "base     = \"fixed\"", &["cannot enter through this base"]),
         ("\"displacement\", ", "\"temperature\", ", &["no field 'temperature'", "known are displacement"]),
     ];
@@ -117,7 +126,11 @@ fn an_unstable_run_ends_with_status_1_and_names_the_element() {
     change(&case, "sides    = \"periodic\"", "sides    = \"periodic\"\ntime_step = \"0.3 ms\"");
     let run = tremolite(folder.path(), &["run", "study/case.toml"]);
     assert_eq!(code(&run), 1, "{}", errors(&run));
-    assert!(errors(&run).contains("became unstable") && errors(&run).contains("element "), "{}", errors(&run));
+    assert!(
+        errors(&run).contains("became unstable") && errors(&run).contains("element "),
+        "{}",
+        errors(&run)
+    );
     let summary = Summary::read(&folder.path().join("results/study/summary.json")).unwrap();
     assert_eq!(summary.status, Status::Failed);
     assert!(Table::read(&folder.path().join("results/study/monitors.csv")).unwrap().rows() > 0);
@@ -167,7 +180,8 @@ fn data_commands_print_json_with_the_promised_keys() {
         serde_json::from_slice(&output.stdout).unwrap()
     };
     let bench = json(&["bench", "--elements", "512", "--steps", "5", "--repeat", "1", "--json"]);
-    for key in ["elements", "steps", "threads", "kind", "seconds", "element_updates_per_second", "peak_bytes"] {
+    for key in ["elements", "steps", "threads", "kind", "seconds", "element_updates_per_second", "peak_bytes"]
+    {
         assert!(bench.get(key).is_some(), "{key}");
     }
     let info = json(&["motion", "info", "study/pulse.txt", "--json"]);

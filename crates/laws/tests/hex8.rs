@@ -32,7 +32,17 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
             geometry.set(0, &hex, &stabilisation);
             unsafe {
                 one_point::<f64, _, true>(
-                    &law, &stabilisation, &point, &geometry, &index, &mut [], None, &mut [], &rows, &mut out, &mut probe,
+                    &law,
+                    &stabilisation,
+                    &point,
+                    &geometry,
+                    &index,
+                    &mut [],
+                    None,
+                    &mut [],
+                    &rows,
+                    &mut out,
+                    &mut probe,
                 )
             }
         }
@@ -41,7 +51,17 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
             geometry.set(0, &hex, &stabilisation);
             unsafe {
                 full::<f64, _, true>(
-                    &law, &stabilisation, &point, &geometry, &index, &mut [], None, &mut [], &rows, &mut out, &mut probe,
+                    &law,
+                    &stabilisation,
+                    &point,
+                    &geometry,
+                    &index,
+                    &mut [],
+                    None,
+                    &mut [],
+                    &rows,
+                    &mut out,
+                    &mut probe,
                 )
             }
         }
@@ -257,7 +277,8 @@ fn a_leaning_element_bends_as_exactly_as_a_square_one() {
     for lean in [0.0, 0.2, 1.0] {
         let corners = CORNERS.map(|k| [k[0] * a + lean * k[1] * b, k[1] * b, k[2] * c]);
         // Curvature 1 about z, with the anticlastic curvature −ν about x.
-        let u = corners.map(|x| [x[0] * x[1], -0.5 * x[0] * x[0] + 0.5 * nu * x[2] * x[2], -nu * x[1] * x[2]]);
+        let u =
+            corners.map(|x| [x[0] * x[1], -0.5 * x[0] * x[0] + 0.5 * nu * x[2] * x[2], -nu * x[1] * x[2]]);
         let exact = 0.5 * (2.0 * a) * (2.0 * c) * (2.0 * b).powi(3) / 12.0;
         for kind in KINDS {
             let (_, energy, _) = element(kind, moduli, corners, u);
@@ -395,12 +416,32 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
         let (law, s, point) = (Elastic::from_moduli(moduli), Stabilisation::new(moduli), Point::new(1e-4));
         unsafe {
             match c.kind {
-                Kind::OnePoint => {
-                    one_point::<L, _, true>(&law, &s, &point, &c.one, &c.index, &mut [], None, &mut [], &c.rows, out, probe)
-                }
-                Kind::Full => {
-                    full::<L, _, true>(&law, &s, &point, &c.full, &c.index, &mut [], None, &mut [], &c.rows, out, probe)
-                }
+                Kind::OnePoint => one_point::<L, _, true>(
+                    &law,
+                    &s,
+                    &point,
+                    &c.one,
+                    &c.index,
+                    &mut [],
+                    None,
+                    &mut [],
+                    &c.rows,
+                    out,
+                    probe,
+                ),
+                Kind::Full => full::<L, _, true>(
+                    &law,
+                    &s,
+                    &point,
+                    &c.full,
+                    &c.index,
+                    &mut [],
+                    None,
+                    &mut [],
+                    &c.rows,
+                    out,
+                    probe,
+                ),
             }
         }
     }

@@ -81,7 +81,7 @@ fn table(summary: &Summary, measure: &str) -> DamageTable {
 
 fn share(damaged: &Damaged, threshold: &str, volume: f64) -> String {
     match damaged.beyond.get(threshold) {
-        Some(&part) if part == 0.0 => "0".into(),
+        Some(0.0) => "0".into(),
         Some(&part) if part.is_finite() && volume > 0.0 => {
             format!("{} ({}\u{a0}%)", trimmed(&figures(part, 3)), trimmed(&figures(100.0 * part / volume, 2)))
         }

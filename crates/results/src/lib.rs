@@ -29,7 +29,8 @@ pub use folder::{ResultFolder, replace_file};
 pub use peaks::{Peaks, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};
 pub use summary::{
-    Bound, Damaged, Defaulted, GroupDamage, ModelFacts, MotionFacts, Onset, RunFacts, Status, Summary, TrustLine,
+    Bound, Damaged, Defaulted, GroupDamage, ModelFacts, MotionFacts, Onset, RunFacts, Status, Summary,
+    TrustLine,
 };
 pub use table::{Column, Table};
 pub use table_writer::TableWriter;

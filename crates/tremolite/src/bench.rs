@@ -92,13 +92,18 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
         state.dt = 0.9 * stable_step(&model, &phase).dt;
         let mut engine = Engine::new(&model, &phase);
         let top = f64::from(n) - 0.25;
-        let velocity: Vec<Row> = model
-            .mesh_node
-            .iter()
-            .map(|&m| {
-                if model.mesh.nodes[m as usize][2] > top { Row::new([0.05, 0.0, -0.1]) } else { Row::ZERO }
-            })
-            .collect();
+        let velocity: Vec<Row> =
+            model
+                .mesh_node
+                .iter()
+                .map(|&m| {
+                    if model.mesh.nodes[m as usize][2] > top {
+                        Row::new([0.05, 0.0, -0.1])
+                    } else {
+                        Row::ZERO
+                    }
+                })
+                .collect();
         let u = state.u.clone();
         engine.start(&mut state, u, &velocity);
         engine.step(&mut state).map_err(BenchError::Halt)?;
@@ -142,7 +147,6 @@ fn cost_per_element(phase: &Phase, quadrature: Quadrature, elements: usize) -> (
 
 /// Transforms 2×72, gradient and amplitudes 2×(63 + 36) less 9, law 15, axes 2×36, stabilisation 33, and back
 /// 2×36 + 2×36 + 9 + 2×63 less 9, scatter 24.
-const ONE_POINT_OPERATIONS: f64 =
-    144.0 + 189.0 + 15.0 + 72.0 + 33.0 + 72.0 + 81.0 + 117.0 + 24.0;
+const ONE_POINT_OPERATIONS: f64 = 144.0 + 189.0 + 15.0 + 72.0 + 33.0 + 72.0 + 81.0 + 117.0 + 24.0;
 /// As above in the frame (turning 2×63 each way), strain modes and back 2×(6×24 + 72 + 40), eight points of 15 + 6.
 const FULL_OPERATIONS: f64 = 144.0 + 126.0 + 189.0 + 512.0 + 168.0 + 126.0 + 189.0 + 24.0;

@@ -133,7 +133,10 @@ pub fn read(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), Ch
         .collect();
     let columns = state.columns();
     let fits = columns.len() == header.columns.len()
-        && columns.iter().zip(&header.columns).all(|((name, _, c), e)| *name == e.name && values(c) == e.values);
+        && columns
+            .iter()
+            .zip(&header.columns)
+            .all(|((name, _, c), e)| *name == e.name && values(c) == e.values);
     let data = &rest[length..];
     let wanted: usize = header.columns.iter().map(|e| 8 * e.values).sum();
     if !fits || data.len() != wanted {

@@ -115,7 +115,6 @@ impl<M: Material> AnyMaterial for Banded<M> {
     }
 }
 
-#[allow(clippy::too_many_arguments)]
 fn patch<M: Material>(
     law: &Arc<M>,
     moduli: Moduli,
@@ -135,15 +134,18 @@ fn patch<M: Material>(
     }
 }
 
+/// A checked material, or every value that its law refuses.
+pub type Built = Result<Arc<dyn AnyMaterial>, Vec<BadParameter>>;
+
 /// One entry of the registry of laws.
 #[derive(Clone, Copy)]
 pub struct Law {
     pub info: LawInfo,
     /// A checked instance from values in SI.
-    pub build: fn(&Values) -> Result<Arc<dyn AnyMaterial>, Vec<BadParameter>>,
+    pub build: fn(&Values) -> Built,
     /// The same with damping over a band: the law gets the modulus that makes the whole as stiff as given at the
     /// band's reference frequency.
-    pub build_banded: fn(&Values, Band) -> Result<Arc<dyn AnyMaterial>, Vec<BadParameter>>,
+    pub build_banded: fn(&Values, Band) -> Built,
 }
 
 impl Law {

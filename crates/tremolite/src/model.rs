@@ -2,8 +2,8 @@
 
 use crate::boundary::{self, Boundaries};
 use crate::column;
-use crate::problem::{Body, Incident, Problem, Rayleigh, TimeStep};
 use crate::parts::loads::Load;
+use crate::problem::{Body, Incident, Problem, Rayleigh, TimeStep};
 use crate::ties::Ties;
 use std::ops::Range;
 use tremolite_laws::Isa;
@@ -17,13 +17,17 @@ use tremolite_mesh::{Mesh, Shape};
 pub enum ModelError {
     #[error("no element belongs to a body: assign a material to at least one group")]
     Empty,
-    #[error("element {element} belongs to '{first}' and to '{second}': let each element be in one region only")]
+    #[error(
+        "element {element} belongs to '{first}' and to '{second}': let each element be in one region only"
+    )]
     Twice { element: u64, first: String, second: String },
     #[error("element {element} of '{body}' cannot be used: {reason}")]
     BadElement { element: u64, body: String, reason: BadShape },
     #[error("the sides {low} and {high} cannot be periodic: {reason}")]
     Periodic { low: &'static str, high: &'static str, reason: Unmatched },
-    #[error("no element face lies on the plane of the {0}, so nothing can act there: the outer sides must be plane")]
+    #[error(
+        "no element face lies on the plane of the {0}, so nothing can act there: the outer sides must be plane"
+    )]
     NoFaces(&'static str),
     #[error("{0}")]
     Column(String),

@@ -80,10 +80,8 @@ impl Phase {
 
         let tied: Vec<(u32, u32)> =
             (0u32..).zip(&model.master).filter(|(n, m)| n != *m).map(|(n, &m)| (n, m)).collect();
-        let mut inverse_mass: Vec<Row> = mass
-            .iter()
-            .map(|&m| if m > 0.0 { Row::new([1.0 / m; 3]) } else { Row::ZERO })
-            .collect();
+        let mut inverse_mass: Vec<Row> =
+            mass.iter().map(|&m| if m > 0.0 { Row::new([1.0 / m; 3]) } else { Row::ZERO }).collect();
         for (&node, held) in &model.boundaries.held {
             // A held node holds all that is tied to it.
             let row = &mut inverse_mass[model.master[node as usize] as usize];

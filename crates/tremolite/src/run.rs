@@ -45,7 +45,10 @@ pub enum Ending {
     /// The signal came; a checkpoint was written.
     Stopped,
     /// Energy appeared: the halt, and the element where most of it is.
-    Failed { halt: Halt, place: String },
+    Failed {
+        halt: Halt,
+        place: String,
+    },
 }
 
 /// What is known of a run at its end besides its files.

@@ -63,18 +63,9 @@ impl State {
 
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
-        let Ledger {
-            initial,
-            springs,
-            input,
-            supplied,
-            rayleigh,
-            base_dashpots,
-            side_dashpots,
-            parts,
-        } = &mut self.ledger;
-        let ledger =
-            vec![initial, springs, input, supplied, rayleigh, base_dashpots, side_dashpots, parts];
+        let Ledger { initial, springs, input, supplied, rayleigh, base_dashpots, side_dashpots, parts } =
+            &mut self.ledger;
+        let ledger = vec![initial, springs, input, supplied, rayleigh, base_dashpots, side_dashpots, parts];
         let mut columns = vec![
             ("step".to_owned(), "1", Column::Count(&mut self.step)),
             ("dt".to_owned(), "s", Column::Scalars(vec![&mut self.dt])),

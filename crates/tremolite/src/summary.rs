@@ -138,8 +138,13 @@ fn trust(input: &Input) -> Vec<TrustLine> {
         }
         if supplied > 0.0 && input.phase.remembers() {
             lines.push(
-                TrustLine::at_most("energy created by laws over energy supplied", created / supplied, CREATED, "")
-                    .with_note("falls of the dissipated energy from row to row: the least that laws gave out"),
+                TrustLine::at_most(
+                    "energy created by laws over energy supplied",
+                    created / supplied,
+                    CREATED,
+                    "",
+                )
+                .with_note("falls of the dissipated energy from row to row: the least that laws gave out"),
             );
         }
         if strain > 0.0 {

@@ -75,7 +75,8 @@ pub fn survey(model: &Model, phase: &Phase, frequency: f64) -> Result<Survey, Mo
                 worst
             })
             .collect::<Vec<_>>();
-        let (omega, stiffest) = worst.iter().map(|w| w.0).fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
+        let (omega, stiffest) =
+            worst.iter().map(|w| w.0).fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
         let (per_wavelength, coarsest) =
             worst.iter().map(|w| w.1).fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
         bodies.push(BodySurvey {
@@ -127,7 +128,10 @@ pub fn limit_in_words(model: &Model, stable: &StableStep) -> String {
         Limit::Element(_) => "the reference column's finest layer".into(),
         Limit::Boundary(n) => {
             let [x, y, z] = model.mesh.nodes[*n as usize];
-            format!("boundary springs at node {} at ({x:.1}, {y:.1}, {z:.1}) m", model.mesh.node_id(*n as usize))
+            format!(
+                "boundary springs at node {} at ({x:.1}, {y:.1}, {z:.1}) m",
+                model.mesh.node_id(*n as usize)
+            )
         }
         Limit::Damping => "Rayleigh damping, mostly its stiffness-proportional part".into(),
     }

@@ -87,7 +87,8 @@ fn periodic_sides_move_as_one() {
         let mesh_node = model.mesh.nodes[..model.user_nodes].iter().position(near).unwrap();
         state.u[model.engine_node[mesh_node] as usize]
     };
-    let corners = [find(0.0, 0.0, 14.0), find(12.0, 0.0, 14.0), find(0.0, 10.0, 14.0), find(12.0, 10.0, 14.0)];
+    let corners =
+        [find(0.0, 0.0, 14.0), find(12.0, 0.0, 14.0), find(0.0, 10.0, 14.0), find(12.0, 10.0, 14.0)];
     assert!(corners[0].0[0].abs() > 1e-5);
     assert!(corners.iter().all(|c| *c == corners[0]));
 }

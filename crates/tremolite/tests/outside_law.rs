@@ -71,8 +71,7 @@ impl Material for NoTension {
 
 #[test]
 fn a_law_from_outside_the_list_runs_in_the_engine_with_its_history() {
-    let values =
-        Values::default().with("young", 1e9).with("poisson", 0.25).with("mean_tension", 1e4);
+    let values = Values::default().with("young", 1e9).with("poisson", 0.25).with("mean_tension", 1e4);
     let law = Law::of::<NoTension>();
     assert_eq!(law.info.name, "no-tension");
     assert!((law.info.check)(&Values::default()).is_err(), "missing moduli are refused");

@@ -54,12 +54,16 @@ fn mixed() -> Mesh {
                     (1, 1, 0) => {
                         // Cut along the vertical diagonal plane; triangles lie at the bottom and at the top, which
                         // belongs to a cube cut alike.
-                        mesh.elements.push(Element::new(Shape::Wedge6, &[c[0], c[1], c[2], c[4], c[5], c[6]]));
-                        mesh.elements.push(Element::new(Shape::Wedge6, &[c[0], c[2], c[3], c[4], c[6], c[7]]));
+                        mesh.elements
+                            .push(Element::new(Shape::Wedge6, &[c[0], c[1], c[2], c[4], c[5], c[6]]));
+                        mesh.elements
+                            .push(Element::new(Shape::Wedge6, &[c[0], c[2], c[3], c[4], c[6], c[7]]));
                     }
                     (1, 1, 1) => {
-                        mesh.elements.push(Element::new(Shape::Wedge6, &[c[0], c[1], c[2], c[4], c[5], c[6]]));
-                        mesh.elements.push(Element::new(Shape::Wedge6, &[c[0], c[2], c[3], c[4], c[6], c[7]]));
+                        mesh.elements
+                            .push(Element::new(Shape::Wedge6, &[c[0], c[1], c[2], c[4], c[5], c[6]]));
+                        mesh.elements
+                            .push(Element::new(Shape::Wedge6, &[c[0], c[2], c[3], c[4], c[6], c[7]]));
                     }
                     _ => mesh.elements.push(Element::new(Shape::Hex8, &c)),
                 }

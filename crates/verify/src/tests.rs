@@ -33,6 +33,7 @@ problems!(
     time_order,
     discrete_energy,
     damping_ratio,
+    band_damping,
     dispersion,
     bar_step_wave,
     incident_pulse,

@@ -79,13 +79,7 @@ fn load(file: &Path) -> Result<Mesh, Failure> {
     Ok(mesh)
 }
 
-fn info(
-    file: &Path,
-    section_to: Option<&Path>,
-    view_to: Option<&Path>,
-    p_wave: f64,
-    json: bool,
-) -> Outcome {
+fn info(file: &Path, section_to: Option<&Path>, view_to: Option<&Path>, p_wave: f64, json: bool) -> Outcome {
     if !(p_wave.is_finite() && p_wave > 0.0) {
         return Err(Failure::input("--p-wave is a speed in m/s, such as 2088"));
     }

@@ -4,7 +4,8 @@ use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::print;
 use std::path::{Path, PathBuf};
 use tremolite_motion::{
-    Channel, Intensity, Process, TextOptions, Units, default_periods, process, pseudo_acceleration, read, write_text,
+    Channel, Intensity, Process, TextOptions, Units, default_periods, process, pseudo_acceleration, read,
+    write_text,
 };
 
 #[derive(clap::Args)]

@@ -122,7 +122,8 @@ pub fn run(args: &Args) -> Outcome {
         }
         let mut line = ProgressLine::new();
         let mut tell = |p: Progress| {
-            let words = format!("{:.2} s of {:.2} s  {:.1} M/s", p.time, plan.duration, p.updates_per_second / 1e6);
+            let words =
+                format!("{:.2} s of {:.2} s  {:.1} M/s", p.time, plan.duration, p.updates_per_second / 1e6);
             line.show(p.step as f64 / p.total as f64, &words);
         };
         let mut control = Control { stop: &stop, progress: &mut tell };

@@ -106,12 +106,12 @@ impl Lane for Avx2 {
     }
     #[inline(always)]
     fn load(from: &Octet, at: usize) -> Self {
-        debug_assert!(at % 4 == 0 && at < 8);
+        debug_assert!(at == 0 || at == 4);
         unsafe { Avx2(_mm256_load_pd(from.0.as_ptr().add(at & 4))) }
     }
     #[inline(always)]
     fn store(self, to: &mut Octet, at: usize) {
-        debug_assert!(at % 4 == 0 && at < 8);
+        debug_assert!(at == 0 || at == 4);
         unsafe { _mm256_store_pd(to.0.as_mut_ptr().add(at & 4), self.0) }
     }
     #[inline(always)]

@@ -31,7 +31,8 @@ pub const POISSON: Parameter = Parameter {
 /// # Errors
 /// E ≤ 0, ν outside \[0, 0.5), or a missing value.
 pub fn read_moduli(values: &Values) -> Result<Moduli, Vec<BadParameter>> {
-    let young = values.number_where("young", |e| e > 0.0, "must be positive", "for rock 1 to 80 GPa is usual");
+    let young =
+        values.number_where("young", |e| e > 0.0, "must be positive", "for rock 1 to 80 GPa is usual");
     let poisson = values.number_where(
         "poisson",
         |nu| (0.0..0.5).contains(&nu),

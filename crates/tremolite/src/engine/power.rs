@@ -117,11 +117,7 @@ pub fn stable_step(model: &Model, phase: &Phase) -> StableStep {
     let damping_rate = model.rayleigh.mass + xi * lambda;
     let dt_stiffness = 2.0 / frequency;
     let dt_damping = if damping_rate > 0.0 { 2.0 / damping_rate } else { f64::INFINITY };
-    let limit = if dt_stiffness <= dt_damping {
-        hottest(model, phase, &w)
-    } else {
-        Limit::Damping
-    };
+    let limit = if dt_stiffness <= dt_damping { hottest(model, phase, &w) } else { Limit::Damping };
     StableStep { dt: dt_stiffness.min(dt_damping), frequency, damping_rate, limit, iterations, change }
 }
 
@@ -151,8 +147,7 @@ fn hottest(model: &Model, phase: &Phase, w: &[Row]) -> Limit {
         let mut numbers = vec![0.0; sizes.numbers];
         let mut stress = vec![[0.0; 6]; elements * points];
         let mut energy = vec![[0.0; 2]; elements];
-        let own =
-            Own { history: &mut history, overstress: &mut overstress, numbers: &mut numbers };
+        let own = Own { history: &mut history, overstress: &mut overstress, numbers: &mut numbers };
         let probe = ProbeOut { stress: &mut stress, energy: &mut energy };
         part.probe(&tick, &motion, own, &mut out, probe, &mut scratch);
         for (&element, [strain, hourglass]) in model.patches[p].elements.iter().zip(&energy) {

@@ -3,9 +3,9 @@
 use super::{Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick, Work};
 use std::marker::PhantomData;
 use std::sync::Arc;
+use tremolite_laws::band::{Band, BandStep, MEMORY};
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation};
-use tremolite_laws::band::{Band, BandStep, MEMORY};
 use tremolite_laws::{Isa, Lane, Material, Moduli, Octet, Point, Row};
 
 /// A quadrature with its geometry and kernel.
@@ -19,7 +19,6 @@ pub trait Rule: Send + Sync + 'static {
     ///
     /// # Safety
     /// All indices must be in range of both `rows` and `out`; the lane's instruction set must be enabled.
-    #[allow(clippy::too_many_arguments)]
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
         law: &M,
         elastic: &Stabilisation,
@@ -298,7 +297,10 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Work {
         let rows = self.gather(x.u, scratch);
         let band = self.band_step(tick.dt);
-        dispatch::<R, M, false>(self.isa, self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, None));
+        dispatch::<R, M, false>(
+            self.isa,
+            self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, None),
+        );
         Work::default()
     }
 
@@ -313,12 +315,18 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
     ) -> Work {
         let rows = self.gather(x.u, scratch);
         let band = self.band_step(tick.dt);
-        dispatch::<R, M, true>(self.isa, self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, Some(probe)));
+        dispatch::<R, M, true>(
+            self.isa,
+            self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, Some(probe)),
+        );
         Work::default()
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
         let rows = self.gather(w, scratch);
-        dispatch::<R, Elastic, false>(self.isa, self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, out, None));
+        dispatch::<R, Elastic, false>(
+            self.isa,
+            self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, out, None),
+        );
     }
 }

@@ -24,7 +24,8 @@ pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Probl
                 None => {
                     let known: Vec<&str> = mesh.points.keys().map(String::as_str).collect();
                     let remedy = if known.is_empty() {
-                        "the mesh has no named points: give coordinates, at = [\"x\", \"y\", \"z\"]".to_owned()
+                        "the mesh has no named points: give coordinates, at = [\"x\", \"y\", \"z\"]"
+                            .to_owned()
                     } else {
                         format!("the mesh has the points {}", known.join(", "))
                     };
@@ -39,7 +40,11 @@ pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Probl
         if let (Some(body), true) = (&monitor.body, groups.is_empty()) {
             let known: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
             let message = format!("no group of the mesh is called '{}' or ends so", body.value);
-            problems.push(Problem::at(body, message, format!("the mesh has the groups {}", known.join(", "))));
+            problems.push(Problem::at(
+                body,
+                message,
+                format!("the mesh has the groups {}", known.join(", ")),
+            ));
             continue;
         }
         let at = match locators.iter().position(|(g, _)| *g == groups) {

@@ -81,7 +81,11 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
     };
     let Some(highest_frequency) = highest_frequency(&made, ENERGY_SHARE) else {
         let message = "the motion is zero everywhere, so the run would do nothing";
-        problems.push(Problem::new(motion.span.clone(), message, "check the records, the window and the scale"));
+        problems.push(Problem::new(
+            motion.span.clone(),
+            message,
+            "check the records, the window and the scale",
+        ));
         return None;
     };
     let facts = MotionFacts {
@@ -117,7 +121,7 @@ enum Channels {
     /// Two horizontal ones and perhaps a vertical one, by the orientations in their file.
     Oriented(Vec<Channel>),
     /// East, north, up.
-    Named([Option<Channel>; 3]),
+    Named(Box<[Option<Channel>; 3]>),
 }
 
 impl Channels {
@@ -154,7 +158,8 @@ impl Channels {
     fn geographic(&self) -> Result<Geographic, tremolite_motion::Error> {
         match self {
             Channels::Oriented(all) => Geographic::from_channels(all),
-            Channels::Named([east, north, up]) => {
+            Channels::Named(named) => {
+                let [east, north, up] = named.as_ref();
                 Geographic::from_parts(east.as_ref(), north.as_ref(), up.as_ref())
             }
         }
@@ -170,7 +175,11 @@ fn all_channels(
     match read(path, &TextOptions::default()) {
         Ok(channels) => Some(channels),
         Err(e) => {
-            problems.push(Problem::new(span.clone(), e.to_string(), "give a record in a format that is known"));
+            problems.push(Problem::new(
+                span.clone(),
+                e.to_string(),
+                "give a record in a format that is known",
+            ));
             None
         }
     }
@@ -203,7 +212,7 @@ fn components_of(
             }
         }
     }
-    (problems.len() == before).then_some(Channels::Named(found))
+    (problems.len() == before).then_some(Channels::Named(Box::new(found)))
 }
 
 fn record_channel(
@@ -213,12 +222,8 @@ fn record_channel(
     problems: &mut Vec<Problem>,
 ) -> Option<Channel> {
     let units = record.units.as_ref().and_then(|u| {
-        let known = [
-            Units::G,
-            Units::MetrePerSecond2,
-            Units::CentimetrePerSecond2,
-            Units::MillimetrePerSecond2,
-        ];
+        let known =
+            [Units::G, Units::MetrePerSecond2, Units::CentimetrePerSecond2, Units::MillimetrePerSecond2];
         known.into_iter().find(|k| (k.factor() / u.value - 1.0).abs() < 1e-9)
     });
     let columns: Vec<Column> = record

@@ -1,5 +1,8 @@
 //! A small shaken block, for the tests of the engine and of runs.
 
+// Each test binary uses a part of it.
+#![allow(dead_code)]
+
 use std::sync::Arc;
 use tremolite::{Base, Body, Incident, Instance, Problem, Quadrature, Rayleigh, Side};
 use tremolite_laws::Moduli;

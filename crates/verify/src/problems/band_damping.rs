@@ -41,7 +41,8 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let mut checks = Vec::new();
     for quadrature in [Quadrature::OnePoint, Quadrature::Full] {
         for mode in [1, 2, 4] {
-            let undamped = 2.0 * speed / SIZE * (f64::from(2 * mode - 1) * PI / f64::from(4 * LAYERS)).sin() / TAU;
+            let undamped =
+                2.0 * speed / SIZE * (f64::from(2 * mode - 1) * PI / f64::from(4 * LAYERS)).sin() / TAU;
             // A contraction, since the stiffness changes slowly.
             let exact = (0..50).fold(undamped, |f, _| undamped * band.stiffness(f).sqrt());
             let found = decay(band, quadrature, mode, exact)?;

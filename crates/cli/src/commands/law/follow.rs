@@ -78,18 +78,20 @@ mod wide {
         for row in 0..response.strain.len() {
             let dt = if row > 0 { path.time[row] - path.time[row - 1] } else { 0.0 };
             let mut point = Point::new(L::splat(dt));
-            let mut strain = [L::splat(0.0); 6];
-            for k in 0..6 {
-                strain[k] = L::splat(response.strain[row][k]);
-                if let (Some(h), 0..3) = (path.size, k) {
-                    point.size[k] = L::splat(h * h);
+            if let Some(h) = path.size {
+                for squared in &mut point.size[..3] {
+                    *squared = L::splat(h * h);
                 }
+            }
+            let mut strain = [L::splat(0.0); 6];
+            for (lanes, value) in strain.iter_mut().zip(&response.strain[row]) {
+                *lanes = L::splat(*value);
             }
             let (stress, new) = law.update(&point, strain, history);
             history = new;
-            for k in 0..6 {
-                stress[k].store(&mut first, 0);
-                response.stress[row][k] = first.0[0];
+            for (value, lanes) in response.stress[row].iter_mut().zip(stress) {
+                lanes.store(&mut first, 0);
+                *value = first.0[0];
             }
             for (column, value) in response.history.iter_mut().zip(history.as_ref()) {
                 value.store(&mut first, 0);

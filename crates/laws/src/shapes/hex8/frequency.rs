@@ -38,11 +38,31 @@ fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) ->
         unsafe {
             if full_quadrature {
                 full::<f64, _, false>(
-                    &law, &stabilisation, &point, &eight, &index, &mut [] as &mut [Octet], None, &mut [], &w, &mut f, &mut probe,
+                    &law,
+                    &stabilisation,
+                    &point,
+                    &eight,
+                    &index,
+                    &mut [] as &mut [Octet],
+                    None,
+                    &mut [],
+                    &w,
+                    &mut f,
+                    &mut probe,
                 );
             } else {
                 one_point::<f64, _, false>(
-                    &law, &stabilisation, &point, &one, &index, &mut [] as &mut [Octet], None, &mut [], &w, &mut f, &mut probe,
+                    &law,
+                    &stabilisation,
+                    &point,
+                    &one,
+                    &index,
+                    &mut [] as &mut [Octet],
+                    None,
+                    &mut [],
+                    &w,
+                    &mut f,
+                    &mut probe,
                 );
             }
         }

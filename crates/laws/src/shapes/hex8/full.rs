@@ -2,7 +2,8 @@
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
 use super::{
-    Hex8, Probe, Stabilisation, Surface, gather_modes, gauss_point, scatter_nodal, store_nodal, to_modes, to_nodes,
+    Hex8, Probe, Stabilisation, Surface, gather_modes, gauss_point, scatter_nodal, store_nodal, to_modes,
+    to_nodes,
 };
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
@@ -124,7 +125,8 @@ impl FullGeometry {
             let mean: f64 = (0..8)
                 .map(|p| {
                     let xi = gauss_point(p);
-                    let value: f64 = (0..3).filter(|axis| mode >> axis & 1 == 1).map(|axis| xi[axis]).product();
+                    let value: f64 =
+                        (0..3).filter(|axis| mode >> axis & 1 == 1).map(|axis| xi[axis]).product();
                     hex.weights[p] * value
                 })
                 .sum();
@@ -140,7 +142,6 @@ impl FullGeometry {
 /// # Safety
 /// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
     material: &M,
     _: &Stabilisation,
@@ -193,14 +194,8 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             }
             k += 1;
         }
-        let mean: Sym<L> = [
-            g[0][0],
-            g[1][1],
-            g[2][2],
-            g[0][1] + g[1][0],
-            g[1][2] + g[2][1],
-            g[0][2] + g[2][0],
-        ];
+        let mean: Sym<L> =
+            [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
         let over_gauss = [
             L::load(&geometry.means[0], at) * L::splat(1.0 / G),
             L::load(&geometry.means[1], at) * L::splat(1.0 / G),

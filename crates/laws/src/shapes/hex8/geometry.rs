@@ -28,7 +28,10 @@ impl std::fmt::Display for BadShape {
         match self {
             BadShape::NotFinite => write!(f, "a node's coordinate is not a finite number"),
             BadShape::Inverted { determinant } => {
-                write!(f, "the element is turned inside out at an integration point (Jacobian {determinant:.3e})")
+                write!(
+                    f,
+                    "the element is turned inside out at an integration point (Jacobian {determinant:.3e})"
+                )
             }
         }
     }
@@ -47,7 +50,7 @@ pub fn shape_values(xi: [f64; 3]) -> [f64; 8] {
 
 /// Sign of mode `mode` at corner `corner` (VTK order).
 fn sign(corner: usize, mode: usize) -> f64 {
-    if (!BINARY[corner] & mode & 7).count_ones() % 2 == 0 { 1.0 } else { -1.0 }
+    if (!BINARY[corner] & mode & 7).count_ones().is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
 /// Geometry of one element, global axes, lengths in m.
@@ -74,8 +77,7 @@ pub struct Hex8 {
 type Mat3 = [[f64; 3]; 3];
 
 fn determinant(m: &Mat3) -> f64 {
-    m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
-        - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+    m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
         + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
 }
 

@@ -151,11 +151,8 @@ pub struct Probe {
 }
 
 impl Probe {
-    pub const ZERO: Probe = Probe {
-        stress: [[Octet::ZERO; 6]; 8],
-        strain_energy: Octet::ZERO,
-        hourglass_energy: Octet::ZERO,
-    };
+    pub const ZERO: Probe =
+        Probe { stress: [[Octet::ZERO; 6]; 8], strain_energy: Octet::ZERO, hourglass_energy: Octet::ZERO };
 }
 
 /// Modal displacements of the lanes `at ..` of an octet: `[component][mode]`.

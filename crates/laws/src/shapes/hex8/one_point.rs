@@ -64,7 +64,6 @@ impl OnePointGeometry {
 /// # Safety
 /// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
 pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
     material: &M,
     elastic: &Stabilisation,
@@ -90,14 +89,8 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         let (g2, q2) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[2], at);
         let g = [g0, g1, g2];
 
-        let strain: Sym<L> = [
-            g[0][0],
-            g[1][1],
-            g[2][2],
-            g[0][1] + g[1][0],
-            g[1][2] + g[2][1],
-            g[0][2] + g[2][0],
-        ];
+        let strain: Sym<L> =
+            [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
         let mut lane_point = Point::new(L::splat(point.dt));
         if M::NEEDS_SIZE {
             lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
