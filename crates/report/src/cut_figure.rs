@@ -13,7 +13,8 @@ use crate::source::Source;
 const HEADING: &str = "Section through the caverns";
 
 /// What is drawn where the file has it: names in order of preference, title, file name.
-const FIELDS: [(&[&str], &str, &str); 2] = [
+const FIELDS: [(&[&str], &str, &str); 3] = [
+    (&["d_tension"], "damage in tension, 0 sound to 1 broken", "section-damage.svg"),
     (&["s1_max", "s1"], "largest principal stress s1", "section-s1.svg"),
     (&["displacement_max"], "largest displacement over the run", "section-displacement.svg"),
 ];
@@ -45,7 +46,7 @@ pub fn section(source: &Source) -> Section {
     if drawn.is_empty() {
         return Section::left_out(
             HEADING,
-            "The last field file has no field s1_max, s1 or displacement_max.",
+            "The last field file has no field d_tension, s1_max, s1 or displacement_max.",
         );
     }
     Section::Drawn(drawn)

@@ -2,6 +2,7 @@
 
 use crate::damage;
 use crate::extent::extents;
+use crate::history;
 use crate::model::hex;
 use crate::observers::{ENERGY_MEMORY, FREE_FIELD_MEMORY};
 use crate::plan::Plan;
@@ -30,6 +31,9 @@ const DRIFT: f64 = 0.1;
 /// Fracture energy of a weak concrete \[N/m\]: `mc1990`, G_F0 (f_cm/10 MPa)^0.7 with 25 N/m for 8 mm of aggregate and
 /// f_cm = 28 MPa. Less means that elements crack for less than a crack takes.
 const CRACK_ENERGY: f64 = 50.0;
+
+/// Damage in tension above which a point carries nothing.
+const BROKEN: f64 = 0.99;
 
 /// All a summary is made from.
 pub struct Input<'a> {
@@ -105,6 +109,32 @@ pub fn summary(input: Input) -> Summary {
     }
 }
 
+/// Monitors in elements that tension has broken through: nothing holds such pieces, so their displacements mean little.
+fn broken_monitors(input: &Input) -> Option<TrustLine> {
+    let Input { model, phase, plan, outcome, .. } = input;
+    let mut judged = false;
+    let mut broken: Vec<&str> = Vec::new();
+    for monitor in &plan.monitors {
+        let Some(slot) = &phase.element_slot[monitor.location.element as usize] else { continue };
+        let Some(column) = history::position(model, slot, "d_tension") else { continue };
+        judged = true;
+        if history::values(model, phase, &outcome.state, slot, column).all(|d| d > BROKEN) {
+            broken.push(&monitor.name);
+        }
+    }
+    let note = if broken.is_empty() {
+        "elements whose every point is broken in tension are loose pieces".to_owned()
+    } else {
+        format!(
+            "{}: every point of the element is broken; its displacement is that of a loose piece",
+            broken.join(", ")
+        )
+    };
+    judged.then(|| {
+        TrustLine::at_most("monitors on broken elements", broken.len() as f64, 0.0, "").with_note(note)
+    })
+}
+
 fn trust(input: &Input) -> Vec<TrustLine> {
     let Input { model, motion, survey, outcome, .. } = input;
     let mut lines = Vec::new();
@@ -163,6 +193,7 @@ fn trust(input: &Input) -> Vec<TrustLine> {
             ),
         );
     }
+    lines.extend(broken_monitors(input));
     if let Some(incident) = &model.incident {
         let u = &incident.motion.displacement;
         let worst = (0..3)
