@@ -162,6 +162,12 @@ fn a_signal_stops_with_a_checkpoint_and_resume_gives_the_same_histories() {
     Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(3));
     let resumed = ["run", "study/case.toml", "--out", "stopped", "--resume", "--threads", "3"];
+    // Not with another case: a law's parameter would change on the way.
+    change(&case, "young       = \"10 GPa\"", "young       = \"11 GPa\"");
+    let other = tremolite(folder.path(), &resumed);
+    assert_eq!(code(&other), 2);
+    assert!(errors(&other).contains("from which the run was started"), "{}", errors(&other));
+    change(&case, "young       = \"11 GPa\"", "young       = \"10 GPa\"");
     let resumed = tremolite(folder.path(), &resumed);
     assert_eq!(code(&resumed), 0, "{}", errors(&resumed));
     assert_eq!(code(&tremolite(folder.path(), &["run", "study/case.toml", "--out", "whole"])), 0);

@@ -87,6 +87,13 @@ pub fn run(args: &Args) -> Outcome {
         }
         .map_err(Failure::input)?;
         let before = if args.resume { Summary::read(&folder.summary()).ok() } else { None };
+        if args.resume && std::fs::read(folder.case()).is_ok_and(|earlier| earlier != case.source.as_bytes()) {
+            return Err(Failure::input(format!(
+                "{} differs from {}, from which the run was started; resume with that one, or start again without --resume",
+                args.case.display(),
+                folder.case().display()
+            )));
+        }
         replace_file(&folder.case(), case.source.as_bytes()).map_err(Failure::failed)?;
         let mut log = Log::open(&folder);
         let command: Vec<String> = std::env::args().collect();
