@@ -29,7 +29,7 @@ pub(crate) static DYNAMIC: Table = Table {
             "time_step",
             DURATION,
             "`safety` times the stable step",
-            "Time step; refused where it is not stable",
+            "Time step; where it is not stable the energy guard stops the run",
         ),
         Key::default(
             "safety",
@@ -130,7 +130,7 @@ words! {
         ViscousSpring = "viscous-spring",
         /// Dashpots alone (Lysmer and Kuhlemeyer).
         Viscous = "viscous",
-        /// Rigid: moves with the motion.
+        /// No displacement; no motion enters.
         Fixed = "fixed",
         /// Nothing: no motion enters.
         Free = "free",
@@ -187,7 +187,7 @@ pub enum Base {
     },
     /// Dashpots ρc alone.
     Viscous,
-    /// Rigid: moves with the motion.
+    /// No displacement; no motion enters.
     Fixed,
     /// No motion enters.
     Free,
