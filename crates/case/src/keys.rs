@@ -3,7 +3,7 @@
 //! Each part of the case keeps its table beside the type it is read into. The tables alone drive the checks, the
 //! defaults, the suggestions for misspelt keys and the JSON schema.
 
-use tremolite_laws::parameter::Dimension;
+use tremolite_laws::parameter::{Dimension, Parameter};
 
 /// One table of the case file.
 #[derive(Debug)]
@@ -43,7 +43,11 @@ pub enum Kind {
     Word(&'static [&'static str]),
     /// From so many to so many values of one kind.
     List(&'static Kind, usize, usize),
+    /// A list of numbers, one a row of a table of columns.
+    Numbers(Dimension),
     Table(&'static Table),
+    /// A table of columns, each a list with as many numbers.
+    Columns(&'static [Parameter]),
     /// An array of tables, `[[…]]`.
     Tables(&'static Table),
     /// A table, or one value that stands for a table with this value at each of these keys.

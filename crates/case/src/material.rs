@@ -1,5 +1,6 @@
 //! `[material.NAME]`: a law with its parameters, and the density.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use toml::de::DeTable;
@@ -26,6 +27,10 @@ pub(crate) static MATERIAL: Table = Table {
     ],
     choice: &[&["density"], &["unit_weight"]],
 };
+
+/// A table of columns; which they may be, its entry in the law's parameters says.
+pub(crate) static COLUMNS: Table =
+    Table { path: "", doc: "Columns of numbers, as many in each.", keys: &[], choice: &[] };
 
 /// The word that stands for no material in a region.
 pub(crate) const VOID: &str = "void";
@@ -66,6 +71,7 @@ pub(crate) fn key(parameter: &Parameter) -> Key {
         // Limits are the law's own to check.
         parameter::Kind::Number(dimension) => Kind::Number(dimension, Limit::Any),
         parameter::Kind::Word(words) => Kind::Word(words),
+        parameter::Kind::Table(columns) => Kind::Columns(columns),
     };
     let need = match parameter.need {
         parameter::Need::Required => Need::Required,
@@ -83,11 +89,33 @@ pub(crate) fn values(material: &fields::Material) -> Option<Values> {
         let value = match material.fields.nodes.get(name).map(|n| &n.item) {
             Some(Item::Number(x)) => Value::Number(*x),
             Some(Item::Text(word)) => Value::Word(word.clone()),
+            Some(Item::Table(table)) => Value::Table(columns(table)),
             _ => continue,
         };
         values.0.insert((*name).to_owned(), value);
     }
     Some(values)
+}
+
+/// A column of a law's table as a key of that table.
+pub(crate) fn column(parameter: &Parameter) -> Key {
+    let key = key(parameter);
+    match key.kind {
+        Kind::Number(dimension, _) => Key { kind: Kind::Numbers(dimension), ..key },
+        _ => key,
+    }
+}
+
+/// The columns of a checked table of them.
+fn columns(fields: &fields::Fields) -> BTreeMap<String, Vec<f64>> {
+    let column = |(name, node): (&&'static str, &fields::Node)| match &node.item {
+        Item::List(numbers) => {
+            let numbers = numbers.iter().filter_map(|n| Some(n.number()?.value));
+            Some(((*name).to_owned(), numbers.collect()))
+        }
+        _ => None,
+    };
+    fields.nodes.iter().filter_map(column).collect()
 }
 
 impl Checker<'_> {
@@ -163,8 +191,11 @@ impl Checker<'_> {
         let Some(values) = values(material) else { return };
         let Err(refused) = (info.check)(&values) else { return };
         for bad in refused {
-            let node = material.fields.nodes.get(bad.name);
-            let span = node.map_or_else(|| material.fields.span.clone(), |n| n.span.clone());
+            // The key, or a column and the table it is missing in.
+            let (key, column) = bad.name.split_once('.').unwrap_or((bad.name, ""));
+            let node = material.fields.nodes.get(key);
+            let inner = node.and_then(fields::Node::table).and_then(|table| table.nodes.get(column));
+            let span = inner.or(node).map_or_else(|| material.fields.span.clone(), |n| n.span.clone());
             self.problems.push(Problem::new(span, format!("`{}` {}", bad.name, bad.problem), bad.remedy));
         }
     }

@@ -6,7 +6,7 @@ use tremolite_laws::parameter::{Dimension, LawInfo};
 
 use crate::case::CASE;
 use crate::keys::{Key, Kind, Limit, Need, Table, When};
-use crate::material::{self, MATERIAL};
+use crate::material::{self, COLUMNS, MATERIAL};
 use crate::units;
 
 /// The schema of a case that may name these laws (JSON Schema, draft 2020-12).
@@ -97,6 +97,12 @@ fn kind(kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
         Kind::List(each, least, most) => json!({
             "type": "array", "items": self::kind(each, laws), "minItems": least, "maxItems": most,
         }),
+        Kind::Numbers(dimension) => json!({
+            "type": "array", "items": number(*dimension, Limit::Any), "minItems": 1,
+        }),
+        Kind::Columns(columns) => {
+            return object(COLUMNS.doc, columns.iter().map(material::column), &[], laws);
+        }
         Kind::Table(t) => return table(t, laws),
         Kind::Tables(t) => json!({ "type": "array", "items": table(t, laws) }),
         Kind::Brief(t, keys) => {

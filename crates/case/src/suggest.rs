@@ -3,7 +3,8 @@
 use tremolite_laws::parameter::Dimension;
 
 use crate::case::CASE;
-use crate::keys::{Key, Kind, Table};
+use crate::keys::{Key, Kind, Limit, Need, Table};
+use crate::material;
 use crate::units::{self, UnitError};
 
 /// The candidate most like a word, if one is close enough to be meant.
@@ -82,6 +83,8 @@ pub(crate) fn describe(kind: &Kind) -> String {
             format!("a list of {least}, each {}", describe(kind))
         }
         Kind::List(kind, ..) => format!("a list, each {}", describe(kind)),
+        Kind::Numbers(dimension) => format!("a list, each {}", units::name(*dimension)),
+        Kind::Columns(_) => "a table of columns".to_owned(),
         Kind::Table(_) | Kind::Materials => "a table".to_owned(),
         Kind::Tables(_) => "a list of tables".to_owned(),
         Kind::Brief(table, _) => {
@@ -123,8 +126,20 @@ fn sample_value(kind: &Kind) -> String {
         }
         Kind::Word(words) => format!("\"{}\"", words.join("\" | \"")),
         Kind::List(kind, least, _) => format!("[{}]", vec![sample_value(kind); (*least).max(1)].join(", ")),
+        Kind::Numbers(dimension) => {
+            format!("[{}, …]", sample_value(&Kind::Number(*dimension, Limit::Any)))
+        }
+        Kind::Columns(columns) => {
+            let inside: Vec<String> = columns
+                .iter()
+                .map(|column| material::column(column))
+                .filter(|k| matches!(k.need, Need::Required))
+                .map(|k| sample(k.name, &k.kind))
+                .collect();
+            format!("{{ {}, … }}", inside.join(", "))
+        }
         Kind::Table(table) => {
-            let keys = table.keys.iter().filter(|k| matches!(k.need, crate::keys::Need::Required));
+            let keys = table.keys.iter().filter(|k| matches!(k.need, Need::Required));
             let inside: Vec<String> = keys.map(|k| sample(k.name, &k.kind)).collect();
             if inside.is_empty() { "{ … }".to_owned() } else { format!("{{ {} }}", inside.join(", ")) }
         }

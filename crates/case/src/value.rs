@@ -8,8 +8,9 @@ use toml::de::{DeTable, DeValue};
 use tremolite_laws::parameter::Dimension;
 
 use crate::check::Checker;
-use crate::fields::{Item, Node};
-use crate::keys::{Kind, LATER_WORDS, Limit, Table};
+use crate::fields::{Fields, Item, Node};
+use crate::keys::{Key, Kind, LATER_WORDS, Limit, Table};
+use crate::material::{self, COLUMNS};
 use crate::{suggest, units};
 
 impl Checker<'_> {
@@ -49,6 +50,22 @@ impl Checker<'_> {
                 }
                 Item::List(nodes)
             }
+            (Kind::Numbers(dimension), DeValue::Array(values)) if !values.is_empty() => {
+                let before = self.problems.len();
+                let each = Kind::Number(*dimension, Limit::Any);
+                let nodes: Vec<Node> =
+                    values.iter().filter_map(|v| self.value(&each, v.get_ref(), v.span(), path)).collect();
+                if self.problems.len() > before {
+                    return None;
+                }
+                Item::List(nodes)
+            }
+            (Kind::Columns(columns), DeValue::Table(t)) => {
+                let keys: Vec<Key> = columns.iter().map(material::column).collect();
+                let fields = self.table(&COLUMNS, Some(&keys), t, span.clone(), path);
+                self.as_long(&fields);
+                Item::Table(fields)
+            }
             (Kind::Table(table), DeValue::Table(t)) => {
                 Item::Table(self.table(table, Some(&[]), t, span.clone(), path))
             }
@@ -85,6 +102,22 @@ impl Checker<'_> {
             _ => return self.wrong(kind, value, &span, path),
         };
         Some(Node { item, span })
+    }
+
+    /// Refuses columns that do not have as many numbers as the first one written.
+    fn as_long(&mut self, columns: &Fields) {
+        let mut lists: Vec<(&'static str, &Node, usize)> = Vec::new();
+        for (name, node) in &columns.nodes {
+            if let Item::List(numbers) = &node.item {
+                lists.push((name, node, numbers.len()));
+            }
+        }
+        lists.sort_by_key(|(_, node, _)| node.span.start);
+        let Some(&(first, _, rows)) = lists.first() else { return };
+        for (name, node, found) in lists.into_iter().filter(|&(.., found)| found != rows) {
+            let message = format!("`{name}` has {found} numbers, but `{first}` has {rows}");
+            self.problem(node.span.clone(), message, "give each column one number a row");
+        }
     }
 
     fn entry(
@@ -211,7 +244,9 @@ impl Checker<'_> {
             DeValue::Table(_) => "a table",
         };
         let found = match (value, kind) {
-            (DeValue::Array(a), Kind::List(..) | Kind::Tables(_)) => format!("a list of {}", a.len()),
+            (DeValue::Array(a), Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_)) => {
+                format!("a list of {}", a.len())
+            }
             (DeValue::Integer(n), Kind::Count(_)) => n.to_string(),
             _ => found.to_owned(),
         };
@@ -231,8 +266,8 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
         Kind::Number(..) => matches!(value, DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)),
         Kind::Count(_) => value.is_integer(),
         Kind::Text | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
-        Kind::List(..) | Kind::Tables(_) => value.is_array(),
-        Kind::Table(_) | Kind::Materials => value.is_table(),
+        Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) => value.is_array(),
+        Kind::Table(_) | Kind::Columns(_) | Kind::Materials => value.is_table(),
         Kind::Brief(..) => value.is_table() || value.is_str(),
         Kind::Either(kinds) => kinds.iter().any(|k| fits(k, value)),
         Kind::Later(_) => true,

@@ -81,3 +81,55 @@ fn a_law_file_that_cannot_be_read_is_reported_by_name() {
     let report = LawFile::read(Path::new("none.toml"), MATERIALS).expect_err("no such file");
     assert!(report.to_string().contains("none.toml") && report.to_string().contains("law file"), "{report}");
 }
+
+const ROCK: &str = r#"
+[material]
+law = "mohr-coulomb"
+young = "10 GPa"
+poisson = 0.25
+cohesion = "2.18 MPa"
+friction_angle = "42 deg"
+"#;
+
+const SOFTENING: &str = r#"
+[material.softening]
+plastic_shear_strain = [0, 0.005, 2e-2]
+cohesion = ["2.18 MPa", 1.2e6, "500 kPa"]
+friction_angle = ["42 deg", "46 deg", "0.5 rad"]
+"#;
+
+#[test]
+fn a_table_of_columns_is_read_in_si() {
+    let file = parse(&format!("{ROCK}{SOFTENING}")).unwrap_or_else(|e| panic!("{e}"));
+    let columns = file.parameters.table("softening").expect("the table is there");
+    assert_eq!(columns["plastic_shear_strain"], [0.0, 0.005, 0.02]);
+    assert_eq!(columns["cohesion"], [2.18e6, 1.2e6, 0.5e6]);
+    assert_eq!(columns["friction_angle"], [42f64.to_radians(), 46f64.to_radians(), 0.5]);
+    assert!(!columns.contains_key("tensile_strength"));
+    let inline = "softening = { plastic_shear_strain = [0, 1e-3], cohesion = [2.18e6, 0] }";
+    let file = parse(&format!("{ROCK}{inline}")).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(file.parameters.table("softening").map(|c| &c["cohesion"][..]), Some(&[2.18e6, 0.0][..]));
+}
+
+#[test]
+fn each_mistake_in_a_table_of_columns_is_reported_at_its_line() {
+    let change = |from: &str, to: &str| format!("{ROCK}{}", SOFTENING.replace(from, to));
+    #[rustfmt::skip]
+    let bad = [
+        (change("cohesion = [", "cohesiom = ["), 11, "`cohesiom` is no key of `material.softening`", "did you mean `cohesion`?"),
+        (change("1.2e6, ", ""), 11, "`cohesion` has 2 numbers, but `plastic_shear_strain` has 3", "one number a row"),
+        (change("\"500 kPa\"", "\"500 kN\""), 11, "is a force", "stress"),
+        (change("\"46 deg\"", "46"), 12, "`friction_angle` has no unit", "deg"),
+        (change("\"46 deg\"", "\"96 deg\""), 12, "below 90 deg", "cannot"),
+        (change("[\"2.18 MPa\"", "[\"2.2 MPa\""), 11, "does not begin with the peak strength", "`cohesion`"),
+        (change("0.005, 2e-2", "0.005, 0.005"), 10, "must grow from 0", "peak"),
+        (change("plastic_shear_strain = [0, 0.005, 2e-2]\n", ""), 9, "`plastic_shear_strain` is missing", "add"),
+        (format!("{ROCK}softening = 0.1"), 8, "should be a table of columns", "plastic_shear_strain = ["),
+    ];
+    for (source, line, says, remedy) in bad {
+        let report = parse(&source).expect_err(&source);
+        let text = report.to_string();
+        assert!(text.contains(&format!("law.toml:{line}:")), "{line}: {text}");
+        assert!(text.contains(says) && text.contains(remedy), "{says}: {text}");
+    }
+}

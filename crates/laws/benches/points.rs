@@ -211,7 +211,10 @@ fn rocks() {
     let rock = Values::default().with("young", 10e9).with("poisson", 0.25).with("tensile_strength", 1e6);
     let cone = rock.clone().with("cohesion", 2.18e6).with("friction_angle", 42f64.to_radians());
     let cone = cone.with("dilation_angle", 10f64.to_radians());
-    let soft = cone.clone().with("residual_cohesion", 1e6).with("softening_strain", 1e-2);
+    let soft = cone.clone().with_table(
+        "softening",
+        &[("plastic_shear_strain", &[0.0, 2e-3, 1e-2]), ("cohesion", &[2.18e6, 1.4e6, 1e6])],
+    );
     let mass = rock.with("ucs", 60e6).with("gsi", 60.0).with("m_i", 12.0);
     let dilatant = mass.clone().with("dilation_angle", 10f64.to_radians());
     for (state, size) in [("elastic", 1e-5), ("yielding", 2e-3)] {

@@ -43,6 +43,8 @@ pub enum Kind {
     Number(Dimension),
     /// One word out of a list.
     Word(&'static [&'static str]),
+    /// A table: columns of numbers, as many in each, by the columns' own entries.
+    Table(&'static [Parameter]),
 }
 
 /// Whether a parameter may be left out.
@@ -72,6 +74,8 @@ pub struct Parameter {
 pub enum Value {
     Number(f64),
     Word(String),
+    /// The columns that are given.
+    Table(BTreeMap<String, Vec<f64>>),
 }
 
 /// The values of a law's parameters by name, in SI, defaults filled in.
@@ -79,9 +83,16 @@ pub enum Value {
 pub struct Values(pub BTreeMap<String, Value>);
 
 impl Values {
-    /// The same values with one more.
+    /// The same values with one more number.
     pub fn with(mut self, name: &str, value: f64) -> Self {
         self.0.insert(name.to_owned(), Value::Number(value));
+        self
+    }
+
+    /// The same values with one more table.
+    pub fn with_table(mut self, name: &str, columns: &[(&str, &[f64])]) -> Self {
+        let columns = columns.iter().map(|(column, numbers)| ((*column).to_owned(), numbers.to_vec()));
+        self.0.insert(name.to_owned(), Value::Table(columns.collect()));
         self
     }
 
@@ -127,12 +138,20 @@ impl Values {
             _ => None,
         }
     }
+
+    /// A table's columns by their names, if it is given.
+    pub fn table(&self, name: &str) -> Option<&BTreeMap<String, Vec<f64>>> {
+        match self.0.get(name) {
+            Some(Value::Table(columns)) => Some(columns),
+            _ => None,
+        }
+    }
 }
 
 /// A parameter's value that a law refuses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BadParameter {
-    /// The offending key.
+    /// The offending key; of a table's column, both: `softening.cohesion`.
     pub name: &'static str,
     /// What is wrong, to be read after the key: 'must be below 0.5'.
     pub problem: String,

@@ -100,9 +100,18 @@ fn every_width_gives_the_bits_of_the_scalar_reference() {
     let cone = mohr_coulomb(2.18e6, 42.0, 10.0, 1e6);
     assert_same_bits(&MohrCoulomb::new(&cone).unwrap(), 1);
     assert_same_bits(&MohrCoulomb::new(&mohr_coulomb(1e6, 0.0, 0.0, 0.0)).unwrap(), 2);
-    let soft = cone.clone().with("residual_cohesion", 0.5e6).with("residual_friction_angle", 0.5);
-    let soft = soft.with("softening_strain", 5e-3).with("softening_tension_strain", 1e-3);
-    assert_same_bits(&MohrCoulomb::new(&soft.with("residual_tensile_strength", 0.0)).unwrap(), 3);
+    let soft = cone.clone().with_table(
+        "softening",
+        &[
+            ("plastic_shear_strain", &[0.0, 1e-3, 5e-3]),
+            ("plastic_tension_strain", &[0.0, 1e-4, 1e-3]),
+            ("cohesion", &[2.18e6, 1e6, 0.5e6]),
+            ("friction_angle", &[42f64.to_radians(), 0.8, 0.5]),
+            ("dilation_angle", &[10f64.to_radians(), 0.1, 0.0]),
+            ("tensile_strength", &[1e6, 2e5, 0.0]),
+        ],
+    );
+    assert_same_bits(&MohrCoulomb::new(&soft).unwrap(), 3);
     for fit in ["outer", "inner", "plane-strain"] {
         assert_same_bits(&DruckerPrager::new(&with_word(cone.clone(), "fit", fit)).unwrap(), 4);
     }

@@ -48,23 +48,33 @@ fn dilation_beyond_friction_and_rock_without_strength_are_refused() {
 }
 
 #[test]
-fn softening_needs_its_strain_and_falls_only() {
-    let peak = mohr_coulomb(1e6, 30.0, 0.0, 1e5);
-    let with = |pairs: &[(&str, f64)]| pairs.iter().fold(peak.clone(), |v, (key, x)| v.with(key, *x));
-    assert_eq!(faults::<MohrCoulomb>(&with(&[("residual_cohesion", 5e5)])), ["softening_strain"]);
-    assert_eq!(faults::<MohrCoulomb>(&with(&[("softening_strain", 0.01)])), ["softening_strain"]);
-    assert_eq!(
-        faults::<MohrCoulomb>(&with(&[("softening_tension_strain", 0.01)])),
-        ["softening_tension_strain"]
-    );
-    let rising = with(&[("residual_cohesion", 2e6), ("softening_strain", 0.01)]);
-    assert_eq!(faults::<MohrCoulomb>(&rising), ["residual_cohesion"]);
-    let gone =
-        with(&[("residual_cohesion", 0.0), ("residual_friction_angle", 0.0), ("softening_strain", 0.01)]);
-    assert_eq!(faults::<MohrCoulomb>(&gone), ["residual_cohesion"]);
-    assert!(
-        faults::<MohrCoulomb>(&with(&[("residual_cohesion", 0.0), ("softening_strain", 0.01)])).is_empty()
-    );
+fn softening_tables_that_cannot_be_followed_are_refused_by_column() {
+    let peak = mohr_coulomb(1e6, 30.0, 5.0, 1e5);
+    let phi = 30f64.to_radians();
+    let strain = ("plastic_shear_strain", &[0.0, 0.01][..]);
+    let faults =
+        |columns: &[(&str, &[f64])]| faults::<MohrCoulomb>(&peak.clone().with_table("softening", columns));
+    assert!(faults(&[strain, ("cohesion", &[1e6, 0.0])]).is_empty());
+    assert!(faults(&[strain, ("cohesion", &[1e6, 2e5]), ("friction_angle", &[phi, 0.7])]).is_empty());
+    assert_eq!(faults(&[]), ["softening"]);
+    assert_eq!(faults(&[strain]), ["softening"]);
+    assert_eq!(faults(&[("cohesion", &[1e6, 5e5])]), ["softening"]);
+    assert_eq!(faults(&[strain, ("cohesion", &[1e6, 5e5, 1e5])]), ["softening"]);
+    assert_eq!(faults(&[strain, ("cohesion", &[1e6, f64::NAN])]), ["softening"]);
+    let short: (&str, &[f64]) = ("plastic_shear_strain", &[0.0]);
+    assert_eq!(faults(&[short, ("cohesion", &[1e6])]), ["softening.plastic_shear_strain"]);
+    for strains in [[0.001, 0.01], [0.0, 0.0], [0.0, -1.0]] {
+        let columns = [("plastic_shear_strain", &strains[..]), ("cohesion", &[1e6, 5e5])];
+        assert_eq!(faults(&columns), ["softening.plastic_shear_strain"]);
+        let columns = [strain, ("plastic_tension_strain", &strains[..]), ("tensile_strength", &[1e5, 0.0])];
+        assert_eq!(faults(&columns), ["softening.plastic_tension_strain"]);
+    }
+    assert_eq!(faults(&[strain, ("cohesion", &[9e5, 5e5])]), ["softening.cohesion"]);
+    assert_eq!(faults(&[strain, ("cohesion", &[1e6, -1.0])]), ["softening.cohesion"]);
+    assert_eq!(faults(&[strain, ("friction_angle", &[phi, 1.58])]), ["softening.friction_angle"]);
+    assert_eq!(faults(&[strain, ("tensile_strength", &[1e5, -1e3])]), ["softening.tensile_strength"]);
+    assert_eq!(faults(&[strain, ("friction_angle", &[phi, 0.01])]), ["softening.dilation_angle"]);
+    assert_eq!(faults(&[strain, ("cohesion", &[1e6, 0.0]), ("friction_angle", &[phi, 0.0])]), ["softening"]);
 }
 
 #[test]

@@ -164,21 +164,52 @@ fn mohr_coulomb() {
     );
 }
 
+/// A table that goes down, up or both, with or without its column of tension strains.
+fn any_softening(random: &mut Random, peak: Values) -> Values {
+    let rows = 2 + (3.0 * random.unit()) as usize;
+    let mut strains = |random: &mut Random| {
+        let mut at = 0.0;
+        let mut next = || 10f64.powf(-3.0 + 2.0 * random.unit());
+        let mut all = vec![0.0];
+        all.extend((1..rows).map(|_| {
+            at += next();
+            at
+        }));
+        all
+    };
+    let (shear, tension) = (strains(random), strains(random));
+    let mut column = |key: &str, least: f64, most: f64| {
+        let first = peak.optional(key).unwrap_or(0.0);
+        let mut all = vec![first];
+        all.extend((1..rows).map(|_| first * (least + (most - least) * random.unit())));
+        all
+    };
+    let cohesion = column("cohesion", 0.1, 1.2);
+    let friction = column("friction_angle", 0.3, 1.0);
+    let tensile = column("tensile_strength", 0.0, 1.1);
+    let dilation = vec![peak.optional("dilation_angle").unwrap_or(0.0)];
+    let dilation: Vec<f64> =
+        dilation.into_iter().chain(friction[1..].iter().map(|phi| phi * random.unit())).collect();
+    let mut columns = vec![
+        ("plastic_shear_strain", &shear[..]),
+        ("cohesion", &cohesion),
+        ("friction_angle", &friction),
+        ("dilation_angle", &dilation),
+        ("tensile_strength", &tensile),
+    ];
+    if random.unit() < 0.5 {
+        columns.push(("plastic_tension_strain", &tension));
+    }
+    peak.with_table("softening", &columns)
+}
+
 #[test]
 fn softening_mohr_coulomb() {
     let draw = |random: &mut Random| {
         let values = any_mohr_coulomb(random);
-        let share = |key: &str, u: f64| values.optional(key).unwrap_or(0.0) * u;
-        let residual = [
-            ("residual_cohesion", share("cohesion", 0.1 + 0.9 * random.unit())),
-            ("residual_friction_angle", share("friction_angle", 0.3 + 0.7 * random.unit())),
-            ("residual_tensile_strength", share("tensile_strength", random.unit())),
-            ("softening_strain", 10f64.powf(-3.0 + 2.0 * random.unit())),
-            ("softening_tension_strain", 10f64.powf(-3.0 + 2.0 * random.unit())),
-        ];
-        residual.iter().fold(values, |values, (key, x)| values.with(key, *x))
+        any_softening(random, values)
     };
-    // One step may use up the whole softening strain, and every step lags behind by itself.
+    // One step may run through the whole table, and every step lags behind by itself.
     properties::<MohrCoulomb>(
         draw,
         |law, s, before| {

@@ -180,26 +180,69 @@ fn plastic_volume_is_what_shear_dilates_and_tension_opens() {
     assert!(met.iter().all(|count| *count > 50), "{met:?}");
 }
 
+/// Straight lines through a table's rows, the last of them beyond its end.
+fn through(strains: &[f64], values: &[f64], at: f64) -> f64 {
+    match strains.iter().rposition(|x| *x <= at) {
+        Some(row) if row + 1 < strains.len() => {
+            let share = (at - strains[row]) / (strains[row + 1] - strains[row]);
+            values[row] + share * (values[row + 1] - values[row])
+        }
+        _ => values[values.len() - 1],
+    }
+}
+
+/// Cohesion is lost while friction is found (brittle rock), then both fall; dilation fades.
 #[test]
-fn softening_reaches_the_residual_strength_along_its_straight_line() {
-    let residual = [
-        ("residual_cohesion", 0.5e6),
-        ("residual_friction_angle", 30f64.to_radians()),
-        ("softening_strain", 0.02),
+fn softening_follows_its_table_in_triaxial_compression() {
+    let strains = [0.0, 0.005, 0.02, 0.03];
+    let cohesion = [C, 0.8e6, 0.5e6, 0.4e6];
+    let friction = [PHI, 48.0, 35.0, 30.0].map(f64::to_radians);
+    let dilation = [10.0, 4.0, 2.0, 0.0].map(f64::to_radians);
+    let columns = [
+        ("plastic_shear_strain", &strains[..]),
+        ("cohesion", &cohesion),
+        ("friction_angle", &friction),
+        ("dilation_angle", &dilation),
     ];
-    let values = residual.iter().fold(mohr_coulomb(C, PHI, 0.0, 1e6), |v, (key, x)| v.with(key, *x));
-    let law = MohrCoulomb::new(&values).unwrap();
+    let law = MohrCoulomb::new(&mohr_coulomb(C, PHI, 10.0, 1e6).with_table("softening", &columns)).unwrap();
     let pressure = 5e6;
     let path = axial(&law, pressure, false, -0.12, 2400);
     let strain = path.column("plastic_shear_strain").unwrap();
-    let strength = |share: f64| {
-        let (c, phi) = (C + share * (0.5e6 - C), (PHI + share * (30.0 - PHI)).to_radians());
+    let volume = ["plastic_exx", "plastic_eyy", "plastic_ezz"].map(|name| path.column(name).unwrap());
+    let volume = |row: usize| volume[0][row] + volume[1][row] + volume[2][row];
+    let strength = |at: f64| {
+        let (c, phi) = (through(&strains, &cohesion, at), through(&strains, &friction, at));
         slope(phi) * pressure + 2.0 * c * slope(phi).sqrt()
     };
     assert_close(-path.stress[2400][2], strength(1.0), 1e-9);
-    for row in (0..2400).step_by(100).filter(|&row| row > 0 && strain[row - 1] > 0.0) {
+    let mut met = [false; 3];
+    for row in (1..2400).filter(|&row| strain[row - 1] > 0.0) {
         // A step goes by the strain before it.
-        assert_close(-path.stress[row][2], strength((strain[row - 1] / 0.02).min(1.0)), 1e-8);
+        assert_close(-path.stress[row][2], strength(strain[row - 1]), 1e-8);
+        let m = slope(through(&strains, &dilation, strain[row - 1]));
+        let gamma = (strain[row] - strain[row - 1]) / ((m * m + m + 1.0) / 3.0).sqrt();
+        // Plastic strains are a difference of a strain and an elastic one of up to 0.1.
+        assert!((volume(row) - volume(row - 1) - (m - 1.0) * gamma).abs() < 1e-14, "{row}");
+        met[strains[1..3].iter().filter(|x| **x < strain[row]).count()] = true;
+    }
+    assert_eq!(met, [true; 3]);
+}
+
+#[test]
+fn tensile_strength_goes_by_the_strain_that_has_come_further() {
+    let (shear, tension) = ([0.0, 0.01, 0.04], [0.0, 0.001, 0.002]);
+    let tensile = [1e6, 0.4e6, 0.0];
+    let columns = [("plastic_shear_strain", &shear[..]), ("tensile_strength", &tensile)];
+    let peak = mohr_coulomb(C, PHI, 0.0, 1e6);
+    let by_shear = MohrCoulomb::new(&peak.clone().with_table("softening", &columns)).unwrap();
+    let both = [columns[0], columns[1], ("plastic_tension_strain", &tension[..])];
+    let by_both = MohrCoulomb::new(&peak.with_table("softening", &both)).unwrap();
+    for (sheared, opened) in [(0.0, 0.0), (0.02, 0.0), (0.0, 1.5e-3), (0.005, 1e-3), (0.03, 1e-4), (1.0, 1.0)]
+    {
+        let expected = through(&shear, &tensile, sheared);
+        assert!((by_shear.strength(sheared, opened)[2] - expected).abs() < 1e-9);
+        let expected = expected.min(through(&tension, &tensile, opened));
+        assert!((by_both.strength(sheared, opened)[2] - expected).abs() < 1e-9);
     }
 }
 

@@ -79,7 +79,7 @@ pub fn run(args: &Args) -> Outcome {
         say(&law.report(vec![problem]).as_warnings().render(colour()));
     }
     let defaults = law.defaulted.iter().filter_map(|d| {
-        let key = d.key.rsplit('.').next()?;
+        let key = d.key.strip_prefix("material.")?;
         law.parameters.0.contains_key(key).then(|| format!("{key} {}", d.value))
     });
     let defaults: Vec<String> = defaults.collect();

@@ -52,10 +52,12 @@ fn entry(name: &str, unit: &str, doc: &str) {
     print(&format!("    {name:25} {unit:10} {doc}"));
 }
 
-fn parameter(p: &Parameter) {
+/// The line of a parameter, and those of its columns below it if it is a table.
+fn parameter(p: &Parameter, indent: &str) {
     let (unit, doc) = match p.kind {
         Kind::Number(d) => (unit(d), p.doc.to_owned()),
         Kind::Word(words) => ("word", format!("{}: {}", p.doc, words.join(" | "))),
+        Kind::Table(_) => ("table", p.doc.to_owned()),
     };
     let need = match (p.need, p.kind) {
         (Need::Required, _) => "required".to_owned(),
@@ -64,7 +66,10 @@ fn parameter(p: &Parameter) {
         (Need::Word(w), _) => format!("default {w}"),
         (Need::Optional(what), _) => format!("left out: {what}"),
     };
-    entry(p.name, unit, &format!("{doc} [{need}]"));
+    entry(&format!("{indent}{}", p.name), unit, &format!("{doc} [{need}]"));
+    if let Kind::Table(columns) = p.kind {
+        columns.iter().for_each(|column| parameter(column, "  "));
+    }
 }
 
 fn materials() {
@@ -73,7 +78,7 @@ fn materials() {
         print(&format!("{gap}{}: {} ({})\n  parameters", law.name, law.summary, law.source));
         entry("density", "kg/m3", "mass per volume [required, or unit_weight]");
         entry("unit_weight", "N/m3", "weight per volume [required, or density]");
-        law.parameters.iter().for_each(parameter);
+        law.parameters.iter().for_each(|p| parameter(p, ""));
         if !law.history.is_empty() {
             print("  history");
         }

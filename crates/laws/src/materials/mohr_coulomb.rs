@@ -4,15 +4,15 @@
 //! f_c = 2c√k, shear yields where k σ₁ − σ₃ = f_c and flows along M σ₁ − σ₃, M = (1 + sin ψ)/(1 − sin ψ); tension
 //! yields where σ₁ = f_t and flows normal to that. f_t is cut at the apex c/tan φ. The return to face, edges, apex
 //! and cut-off is exact for a given strain (clausen2007 for the geometry in principal stresses): every surface is a
-//! plane and ψ is constant, so one linear solution holds, and which one follows from the trial stress (see
+//! plane and ψ is constant in a step, so one linear solution holds, and which one follows from the trial stress (see
 //! `plastic/flow.rs` and `plastic/tension.rs`). No iteration.
 //!
-//! **Softening.** c, φ and f_t fall in straight lines from their peak to their residual values while the plastic
-//! shear strain grows from 0 to `softening_strain`, φ as an angle; f_t also falls with the plastic tension strain
-//! if `softening_tension_strain` is given. ψ never exceeds the φ that is left. A step uses the strength that the
-//! steps before left: the error is of first order in the step of plastic strain, which explicit steps keep tiny.
-//! What softening dissipates per area grows with the element: results depend on the mesh, as with every local
-//! softening law.
+//! **Softening.** The table `softening` gives c, φ, ψ and f_t against the accumulated plastic shear strain, with
+//! straight lines between its rows, φ and ψ as angles; the last row stays. Strength may also rise, as friction does
+//! while cohesion is lost in brittle rock. With a column of plastic tension strains f_t goes by whichever strain has
+//! come further down the table. ψ is never above φ. A step uses the strength that the steps before left: the error is
+//! of first order in the step of plastic strain, which explicit steps keep tiny. What softening dissipates per area
+//! grows with the element: results depend on the mesh, as with every local softening law.
 //!
 //! **Measures.** `plastic_shear_strain` accumulates √J₂ of the plastic strain of each face that flows; under pure
 //! shear with ψ = 0 that is half the engineering shear strain. `plastic_tension_strain` accumulates the lengthening
@@ -38,11 +38,9 @@ use crate::sym3::Spectrum;
 use softening::Softening;
 
 /// The law for one rock; see the [module](self).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct MohrCoulomb {
     elasticity: Elasticity,
-    /// M
-    flow: f64,
     /// As given; the apex may cut it.
     tensile: f64,
     peak: Strength<f64>,
@@ -109,7 +107,7 @@ impl MohrCoulomb {
             },
             Some(softening) => {
                 let left = softening.left(old[SHEAR], old[TENSION]);
-                Strength::new(left.slope, left.cohesion, left.tensile, L::splat(self.flow))
+                Strength::new(left.slope, left.cohesion, left.tensile, left.flow)
             }
         }
     }

@@ -1,13 +1,43 @@
 //! The Mohr–Coulomb law's parameters: what a case may say, and how it becomes numbers.
 
-use super::softening::Softening;
+use super::softening::{Row, Softening};
 use super::{MohrCoulomb, Strength};
 use crate::materials::elastic::{POISSON, YOUNG};
 use crate::materials::plastic::Elasticity;
 use crate::materials::plastic::parameters::{
-    COHESION, DILATION_ANGLE, FRICTION_ANGLE, Reading, number, slope,
+    COHESION, DILATION_ANGLE, FRICTION_ANGLE, LARGEST_ANGLE, Reading, number, slope,
 };
-use crate::parameter::{BadParameter, Dimension, Need, Parameter, Values};
+use crate::parameter::{BadParameter, Dimension, Kind, Need, Parameter, Values};
+
+const SOFTENING: &str = "softening";
+
+const STRAINS: [(&str, &str); 2] = [
+    ("plastic_shear_strain", "softening.plastic_shear_strain"),
+    ("plastic_tension_strain", "softening.plastic_tension_strain"),
+];
+
+const STRENGTHS: [&str; 4] = ["cohesion", "friction_angle", "dilation_angle", "tensile_strength"];
+
+const STAYS: Need = Need::Optional("it stays");
+
+const COLUMNS: &[Parameter] = &[
+    number(
+        "plastic_shear_strain",
+        Dimension::NONE,
+        Need::Required,
+        "accumulated plastic shear strain at each row, growing from 0",
+    ),
+    number(
+        "plastic_tension_strain",
+        Dimension::NONE,
+        Need::Optional("f_t goes by the plastic shear strain alone"),
+        "plastic tension strain at each row, growing from 0: f_t goes by whichever strain has come further",
+    ),
+    number("cohesion", Dimension::PRESSURE, STAYS, "c at each row, first the peak's"),
+    number("friction_angle", Dimension::ANGLE, STAYS, "φ at each row, first the peak's"),
+    number("dilation_angle", Dimension::ANGLE, STAYS, "ψ at each row, first the peak's, not above φ"),
+    number("tensile_strength", Dimension::PRESSURE, STAYS, "f_t at each row, first the peak's"),
+];
 
 pub(super) const PARAMETERS: &[Parameter] = &[
     YOUNG,
@@ -21,91 +51,91 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         Need::Number(0.0),
         "tension cut-off f_t, zero or more; cut at the apex c/tan φ",
     ),
-    number(
-        "residual_cohesion",
-        Dimension::PRESSURE,
-        Need::Optional("the cohesion stays"),
-        "cohesion once softened, from 0 up to c",
-    ),
-    number(
-        "residual_friction_angle",
-        Dimension::ANGLE,
-        Need::Optional("the friction angle stays"),
-        "friction angle once softened, from 0 up to φ",
-    ),
-    number(
-        "residual_tensile_strength",
-        Dimension::PRESSURE,
-        Need::Optional("the tensile strength stays"),
-        "tension cut-off once softened, from 0 up to f_t",
-    ),
-    number(
-        "softening_strain",
-        Dimension::NONE,
-        Need::Optional("strength stays"),
-        "plastic shear strain at which the residual values are reached, in straight lines from the peak",
-    ),
-    number(
-        "softening_tension_strain",
-        Dimension::NONE,
-        Need::Optional("f_t falls with the plastic shear strain alone"),
-        "plastic tension strain at which f_t also reaches its residual value",
-    ),
+    Parameter {
+        name: SOFTENING,
+        kind: Kind::Table(COLUMNS),
+        need: Need::Optional("strength stays"),
+        doc: "strength against plastic strain: columns with a number a row, straight lines between rows",
+    },
 ];
 
-/// The three residual values, where any key of softening is given.
-fn read_softening(reading: &mut Reading, peak: [f64; 3]) -> Option<Option<Softening>> {
-    const KEYS: [&str; 3] = ["residual_cohesion", "residual_friction_angle", "residual_tensile_strength"];
-    let mut pairs = [[0.0; 2]; 3];
-    let mut given = false;
-    for ((pair, key), peak) in pairs.iter_mut().zip(KEYS).zip(peak) {
-        let residual = reading.optional(
-            key,
-            |x| (0.0..=peak).contains(&x),
-            "from 0 up to the peak value",
-            "strength can fall, not rise; leave the key out where it stays",
-        )?;
-        given |= residual.is_some();
-        *pair = [peak, residual.unwrap_or(peak)];
-    }
-    let mut strain = |key| reading.optional(key, |x| x > 0.0, "positive", "1e-3 to 0.1 is usual");
-    let (shear, tension) = (strain("softening_strain")?, strain("softening_tension_strain")?);
-    let [cohesion, friction, tensile] = pairs;
-    if cohesion[1] == 0.0 && friction[1] == 0.0 {
+/// The table of softening where there is one, as rows; `Some(None)` where there is none, `None` where it is wrong.
+fn read_softening(reading: &mut Reading, peak: Row) -> Option<Option<Softening>> {
+    let Some(columns) = reading.table(SOFTENING) else { return Some(None) };
+    let faults = reading.faults.len();
+    let column = |name: &str| columns.get(name).map(Vec::as_slice);
+    let shear = column("plastic_shear_strain").unwrap_or_default();
+    if shear.len() < 2 {
         reading.fault(
-            "residual_cohesion",
-            "leaves neither cohesion nor friction",
-            "give a small residual cohesion or a residual friction angle",
+            "softening.plastic_shear_strain",
+            "needs two rows or more",
+            "give [0, …]: the strain of the peak, which is 0, and those where strengths change",
         );
         return None;
     }
-    match (given, shear) {
-        (false, None) if tension.is_none() => Some(None),
-        (true, Some(shear)) => Some(Some(Softening {
-            cohesion,
-            friction,
-            tensile,
-            per_shear: 1.0 / shear,
-            per_tension: tension.map_or(0.0, |strain| 1.0 / strain),
-        })),
-        (true, None) => {
-            reading.fault(
-                "softening_strain",
-                "is missing, though a residual strength is given",
-                "give the plastic shear strain at which the residual strength is reached",
-            );
-            None
-        }
-        (false, _) => {
-            let key = if shear.is_some() { "softening_strain" } else { "softening_tension_strain" };
-            reading.fault(
-                key,
-                "is given without any residual strength",
-                "give residual_cohesion, residual_friction_angle or residual_tensile_strength, or leave it out",
-            );
-            None
+    for (name, place) in STRAINS {
+        if let Some(strains) = column(name)
+            && (strains[0] != 0.0 || strains.windows(2).any(|pair| !(pair[0] < pair[1])))
+        {
+            reading.fault(place, "must grow from 0, row by row", "the first row holds the peak strengths");
         }
     }
+    for (name, place, peak, least_above) in [
+        ("cohesion", "softening.cohesion", peak.cohesion, f64::INFINITY),
+        ("friction_angle", "softening.friction_angle", peak.friction, LARGEST_ANGLE),
+        ("dilation_angle", "softening.dilation_angle", peak.dilation, LARGEST_ANGLE),
+        ("tensile_strength", "softening.tensile_strength", peak.tensile, f64::INFINITY),
+    ] {
+        let Some(strengths) = column(name) else { continue };
+        if (strengths[0] - peak).abs() > 1e-9 * peak {
+            let remedy = format!("begin the column with the value of `{name}` itself");
+            reading.fault(place, "does not begin with the peak strength", remedy);
+        } else if !strengths.iter().all(|x| (0.0..least_above).contains(x)) {
+            reading.fault(
+                place,
+                "must be zero or positive, angles below 90 deg",
+                "strength cannot be negative",
+            );
+        }
+    }
+    if STRENGTHS.iter().all(|name| column(name).is_none()) {
+        let remedy = format!("give one of {}", STRENGTHS.join(", "));
+        reading.fault(SOFTENING, "says of no strength how it changes", remedy);
+    }
+    if reading.faults.len() > faults {
+        return None;
+    }
+    let value = |name: &str, row: usize, peak: f64| column(name).map_or(peak, |c| c[row]);
+    let rows: Vec<Row> = (1..shear.len())
+        .map(|row| Row {
+            shear: shear[row],
+            tension: column("plastic_tension_strain").map(|c| c[row]),
+            cohesion: value("cohesion", row, peak.cohesion),
+            friction: value("friction_angle", row, peak.friction),
+            dilation: value("dilation_angle", row, peak.dilation),
+            tensile: value("tensile_strength", row, peak.tensile),
+        })
+        .collect();
+    for row in &rows {
+        if row.cohesion == 0.0 && row.friction == 0.0 {
+            reading.fault(
+                SOFTENING,
+                format!("leaves neither cohesion nor friction at a strain of {}", row.shear),
+                "keep a small cohesion or some friction in every row",
+            );
+            return None;
+        }
+        if row.dilation > row.friction {
+            reading.fault(
+                "softening.dilation_angle",
+                format!("exceeds the friction angle at a strain of {}", row.shear),
+                "beyond it flow would give out energy: let dilation fall with the friction angle or before it",
+            );
+            return None;
+        }
+    }
+    let tension = column("plastic_tension_strain").map(|_| 0.0);
+    Some(Some(Softening::new(Row { tension, ..peak }, &rows)))
 }
 
 pub(super) fn read(values: &Values) -> Result<MohrCoulomb, Vec<BadParameter>> {
@@ -120,13 +150,12 @@ pub(super) fn read(values: &Values) -> Result<MohrCoulomb, Vec<BadParameter>> {
     );
     let mut build = || {
         let ([cohesion, friction, dilation], tensile) = (envelope?, tensile?);
-        let softening = read_softening(&mut reading, [cohesion, friction, tensile])?;
-        let flow = slope(dilation);
+        let peak = Row { shear: 0.0, tension: None, cohesion, friction, dilation, tensile };
+        let softening = read_softening(&mut reading, peak)?;
         Some(MohrCoulomb {
             elasticity: Elasticity::new(moduli?),
-            flow,
             tensile,
-            peak: Strength::new(slope(friction), cohesion, tensile, flow),
+            peak: Strength::new(slope(friction), cohesion, tensile, slope(dilation)),
             softening,
         })
     };

@@ -1,35 +1,78 @@
-//! Strength that falls with plastic strain.
+//! Strength that changes with plastic strain, by a table.
 
 use crate::lane::Lane;
 
-/// Straight lines from peak to residual.
+/// A row of the table: strengths once the plastic strains have come so far.
 #[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    /// Plastic shear strain.
+    pub shear: f64,
+    /// Plastic tension strain, where the table has it.
+    pub tension: Option<f64>,
+    /// c \[Pa\]
+    pub cohesion: f64,
+    /// φ \[rad\]
+    pub friction: f64,
+    /// ψ \[rad\]
+    pub dilation: f64,
+    /// f_t \[Pa\]
+    pub tensile: f64,
+}
+
+/// Straight lines from row to row, the last row beyond the end.
+#[derive(Clone, Debug)]
 pub(super) struct Softening {
-    /// c \[Pa\], peak and residual.
-    pub cohesion: [f64; 2],
-    /// φ \[rad\], peak and residual.
-    pub friction: [f64; 2],
-    /// f_t \[Pa\], peak and residual.
-    pub tensile: [f64; 2],
-    /// 1/`softening_strain`
-    pub per_shear: f64,
-    /// 1/`softening_tension_strain`, or 0
-    pub per_tension: f64,
+    first: Row,
+    steps: Box<[Step]>,
+}
+
+/// From one row to the next.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    /// Plastic strains at its start, and one over how far they go on to its end; 0 where tension has no say.
+    shear: [f64; 2],
+    tension: [f64; 2],
+    /// What strengths gain on the way.
+    cohesion: f64,
+    friction: f64,
+    dilation: f64,
+    tensile: f64,
+}
+
+impl Step {
+    fn between(a: &Row, b: &Row) -> Self {
+        let tension = match (a.tension, b.tension) {
+            (Some(from), Some(to)) => [from, 1.0 / (to - from)],
+            _ => [0.0; 2],
+        };
+        Step {
+            shear: [a.shear, 1.0 / (b.shear - a.shear)],
+            tension,
+            cohesion: b.cohesion - a.cohesion,
+            friction: b.friction - a.friction,
+            dilation: b.dilation - a.dilation,
+            tensile: b.tensile - a.tensile,
+        }
+    }
 }
 
 /// What is left of the strength.
 pub(super) struct Left<L> {
     /// k = (1 + sin φ)/(1 − sin φ)
     pub slope: L,
+    /// M = (1 + sin ψ)/(1 − sin ψ)
+    pub flow: L,
     /// \[Pa\]
     pub cohesion: L,
     /// \[Pa\]
     pub tensile: L,
 }
 
+/// How much of a step is done, from 0 to 1.
 #[inline(always)]
-fn between<L: Lane>([peak, residual]: [f64; 2], share: L) -> L {
-    share.mul_add(L::splat(residual - peak), L::splat(peak))
+fn done<L: Lane>(strain: L, [start, per_length]: [f64; 2]) -> L {
+    let share = (strain - L::splat(start)) * L::splat(per_length);
+    L::splat(1.0).smaller(share.larger(L::splat(0.0)))
 }
 
 /// sin x for x from 0 to π/2, by Taylor's series up to x¹⁹; within 5e-16, five units below 1.
@@ -54,18 +97,42 @@ fn sine<L: Lane>(x: L) -> L {
     sum * x
 }
 
+/// (1 + sin x)/(1 − sin x)
+#[inline(always)]
+fn slope<L: Lane>(angle: L) -> L {
+    let (one, sine) = (L::splat(1.0), sine(angle));
+    (one + sine) / (one - sine)
+}
+
 impl Softening {
+    /// From rows whose strains grow from 0.
+    pub fn new(first: Row, others: &[Row]) -> Self {
+        let starts = std::iter::once(&first).chain(others);
+        Softening { first, steps: starts.zip(others).map(|(a, b)| Step::between(a, b)).collect() }
+    }
+
     /// Strength after plastic strains of shear and tension.
     #[inline(always)]
     pub fn left<L: Lane>(&self, shear: L, tension: L) -> Left<L> {
-        let one = L::splat(1.0);
-        let sheared = one.smaller(shear * L::splat(self.per_shear));
-        let opened = one.smaller((tension * L::splat(self.per_tension)).larger(sheared));
-        let sine = sine(between(self.friction, sheared));
+        let zero = L::splat(0.0);
+        let mut cohesion = L::splat(self.first.cohesion);
+        let mut friction = L::splat(self.first.friction);
+        let mut dilation = L::splat(self.first.dilation);
+        let mut tensile = L::splat(self.first.tensile);
+        for step in &*self.steps {
+            let sheared = done(shear, step.shear);
+            let opened = sheared.larger(done(tension, step.tension));
+            cohesion = sheared.mul_add(L::splat(step.cohesion), cohesion);
+            friction = sheared.mul_add(L::splat(step.friction), friction);
+            dilation = sheared.mul_add(L::splat(step.dilation), dilation);
+            tensile = opened.mul_add(L::splat(step.tensile), tensile);
+        }
+        // Sums of differences may end a hair below the 0 that they mean.
         Left {
-            slope: (one + sine) / (one - sine),
-            cohesion: between(self.cohesion, sheared),
-            tensile: between(self.tensile, opened),
+            slope: slope(friction.larger(zero)),
+            flow: slope(dilation.larger(zero)),
+            cohesion: cohesion.larger(zero),
+            tensile: tensile.larger(zero),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Parameters that the elastic–plastic laws share, and the reading of them with every fault named at once.
 
+use std::collections::BTreeMap;
+
 use crate::material::Moduli;
 use crate::materials::elastic::read_moduli;
 use crate::parameter::{BadParameter, Dimension, Kind, Need, Parameter, Values};
@@ -82,6 +84,28 @@ impl<'a> Reading<'a> {
         self.number(name, holds, range, remedy).map(Some)
     }
 
+    /// A table's columns if it is given, those that its entry requires among them, as many rows in each,
+    /// all finite; else nothing, and faults are kept.
+    pub fn table(&mut self, name: &'static str) -> Option<&'a BTreeMap<String, Vec<f64>>> {
+        let values = self.values;
+        let columns = values.table(name)?;
+        let entry = self.parameters.iter().find(|p| p.name == name)?;
+        let Kind::Table(known) = entry.kind else { return None };
+        let faults = self.faults.len();
+        for column in known.iter().filter(|c| c.need == Need::Required && !columns.contains_key(c.name)) {
+            self.fault(name, format!("has no column {}", column.name), "add it");
+        }
+        if columns.values().any(|c| c.iter().any(|x| !x.is_finite())) {
+            self.fault(name, "holds numbers that are not finite", "give finite values");
+        }
+        let mut rows = columns.values().map(Vec::len);
+        let first = rows.next();
+        if first == Some(0) || rows.any(|n| Some(n) != first) {
+            self.fault(name, "has columns of unlike lengths", "give every column one value a row");
+        }
+        (self.faults.len() == faults).then_some(columns)
+    }
+
     /// A word, or the default that its entry declares.
     pub fn word(&mut self, name: &'static str) -> Option<&'static str> {
         let entry = self.parameters.iter().find(|p| p.name == name)?;
@@ -109,7 +133,7 @@ impl<'a> Reading<'a> {
             "from 0 to below 90 deg",
             "for rock 20 to 60 deg is usual; write the unit, as in \"42 deg\"",
         );
-        let most = friction.unwrap_or(1.57);
+        let most = friction.unwrap_or(LARGEST_ANGLE);
         let dilation = self.number(
             "dilation_angle",
             |psi| (0.0..=most).contains(&psi),
@@ -124,7 +148,10 @@ impl<'a> Reading<'a> {
     }
 }
 
-/// Below 90°, with a margin: slopes stay below 10⁷.
+/// 90° with a margin: slopes stay below 10⁷.
+pub(in crate::materials) const LARGEST_ANGLE: f64 = 1.57;
+
+/// An angle that a slope can be made of.
 pub(in crate::materials) fn is_angle(angle: f64) -> bool {
-    (0.0..1.57).contains(&angle)
+    (0.0..LARGEST_ANGLE).contains(&angle)
 }
