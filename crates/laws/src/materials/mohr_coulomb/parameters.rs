@@ -75,7 +75,7 @@ fn read_softening(reading: &mut Reading, peak: Row) -> Option<Option<Softening>>
     }
     for (name, place) in STRAINS {
         if let Some(strains) = column(name)
-            && (strains[0] != 0.0 || strains.windows(2).any(|pair| !(pair[0] < pair[1])))
+            && (strains[0] != 0.0 || strains.windows(2).any(|pair| pair[0] >= pair[1]))
         {
             reading.fault(place, "must grow from 0, row by row", "the first row holds the peak strengths");
         }

@@ -230,8 +230,13 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             let old = super::load_history::<L, M>(own, at);
             let (of_law, new) = material.update(&lane_point, strain, old);
             let mut stress = of_law;
+            let mut of_band = L::splat(0.0);
             if let Some(band) = band {
-                let more = band.stress(&strain, &mut overstress[p * MEMORY..(p + 1) * MEMORY], at);
+                let memory = &mut overstress[p * MEMORY..(p + 1) * MEMORY];
+                if PROBE {
+                    of_band = super::band_energy(material, band, &strain, &new, memory, at);
+                }
+                let more = band.stress(&strain, memory, at);
                 stress = super::plus(stress, material.weaken(more, &strain, &new));
             }
             super::store_history::<L, M>(new, own, at);
@@ -242,7 +247,8 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
                 c += 1;
             }
             if PROBE {
-                energy = weight.mul_add(material.stored_energy(&strain, &of_law, &new), energy);
+                let stored = material.stored_energy(&strain, &of_law, &new) + of_band;
+                energy = weight.mul_add(stored, energy);
                 let mut c = 0;
                 while c < 6 {
                     stress[c].store(&mut probe.stress[p][c], at);

@@ -39,6 +39,8 @@ pub use full::{FullGeometry, full};
 pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
 pub use one_point::{OnePointGeometry, one_point};
 
+use crate::Material;
+use crate::band::{BODIES, BandStep};
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Moduli, Sym};
 
@@ -210,6 +212,32 @@ unsafe fn scatter_nodal<L: Lane>(out: &mut [Row], index: &[[u16; 8]; 8], nodal: 
     }
 }
 
+/// Energy \[J/m³\] that the bodies of a band store, as weakened as their stress is; before their memory is brought on.
+#[inline(always)]
+fn band_energy<L: Lane, M: Material>(
+    material: &M,
+    band: &BandStep,
+    strain: &Sym<L>,
+    history: &M::History<L>,
+    overstress: &[Octet],
+    at: usize,
+) -> L {
+    let bodies = band.bodies(strain, overstress, at);
+    let mut twice = L::splat(0.0);
+    let mut j = 0;
+    while j < BODIES {
+        let [stretch, stress] = &bodies[j];
+        let left = material.weaken(*stress, strain, history);
+        let mut c = 0;
+        while c < 6 {
+            twice = left[c].mul_add(stretch[c], twice);
+            c += 1;
+        }
+        j += 1;
+    }
+    L::splat(0.5) * twice
+}
+
 /// Sum of two stresses.
 #[inline(always)]
 fn plus<L: Lane>(a: Sym<L>, b: Sym<L>) -> Sym<L> {
@@ -218,7 +246,7 @@ fn plus<L: Lane>(a: Sym<L>, b: Sym<L>) -> Sym<L> {
 
 /// History of one point from its octets (one per column).
 #[inline(always)]
-fn load_history<L: Lane, M: crate::Material>(octets: &[Octet], at: usize) -> M::History<L> {
+fn load_history<L: Lane, M: Material>(octets: &[Octet], at: usize) -> M::History<L> {
     let mut history = <M::History<L> as crate::History<L>>::zero();
     let lanes = history.as_mut();
     let mut i = 0;
@@ -231,7 +259,7 @@ fn load_history<L: Lane, M: crate::Material>(octets: &[Octet], at: usize) -> M::
 
 /// The inverse of [`load_history`].
 #[inline(always)]
-fn store_history<L: Lane, M: crate::Material>(history: M::History<L>, octets: &mut [Octet], at: usize) {
+fn store_history<L: Lane, M: Material>(history: M::History<L>, octets: &mut [Octet], at: usize) {
     let lanes = history.as_ref();
     let mut i = 0;
     while i < lanes.len() {

@@ -98,7 +98,11 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         let old = super::load_history::<L, M>(history, at);
         let (of_law, new) = material.update(&lane_point, strain, old);
         let mut stress = of_law;
+        let mut of_band = L::splat(0.0);
         if let Some(band) = band {
+            if PROBE {
+                of_band = super::band_energy(material, band, &strain, &new, overstress, at);
+            }
             let more = band.stress(&strain, &mut overstress[..MEMORY], at);
             stress = super::plus(stress, material.weaken(more, &strain, &new));
         }
@@ -130,7 +134,8 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
                 stress[i].store(&mut probe.stress[0][i], at);
                 i += 1;
             }
-            (volume * material.stored_energy(&strain, &of_law, &new)).store(&mut probe.strain_energy, at);
+            let stored = material.stored_energy(&strain, &of_law, &new) + of_band;
+            (volume * stored).store(&mut probe.strain_energy, at);
             let mut energy = L::splat(0.0);
             let mut k = 0;
             while k < 3 {
