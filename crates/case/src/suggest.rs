@@ -132,7 +132,7 @@ fn sample_value(kind: &Kind) -> String {
         Kind::Columns(columns) => {
             let inside: Vec<String> = columns
                 .iter()
-                .map(|column| material::column(column))
+                .map(material::column)
                 .filter(|k| matches!(k.need, Need::Required))
                 .map(|k| sample(k.name, &k.kind))
                 .collect();

@@ -189,10 +189,16 @@ pub struct BandStep {
 }
 
 impl BandStep {
-    /// The bodies' stress \[Pa\] at a strain; their memory is brought on by one step. At Δt = 0 nothing flows.
+    /// The relaxed moduli.
+    pub fn moduli(&self) -> Moduli {
+        self.moduli
+    }
+
+    /// Σ a_j (ε − e_j), which times C is the bodies' stress; their memory is brought on by one step. At Δt = 0 nothing
+    /// flows.
     #[inline(always)]
-    pub fn stress<L: Lane>(&self, strain: &Sym<L>, memory: &mut [Octet], at: usize) -> Sym<L> {
-        let mut elastic = [L::splat(0.0); 6];
+    pub fn stretch<L: Lane>(&self, strain: &Sym<L>, memory: &mut [Octet], at: usize) -> Sym<L> {
+        let mut stretch = [L::splat(0.0); 6];
         let mut j = 0;
         while j < BODIES {
             let (weight, r) = (L::splat(self.weights[j]), L::splat(self.halves[j]));
@@ -203,49 +209,33 @@ impl BandStep {
                 let z = &mut memory[6 * j + c];
                 let pushed = r * strain[c];
                 let e = (L::load(z, at) + pushed) * inverse;
-                elastic[c] = weight.mul_add(strain[c] - e, elastic[c]);
+                stretch[c] = weight.mul_add(strain[c] - e, stretch[c]);
                 keep.mul_add(e, pushed).store(z, at);
                 c += 1;
             }
             j += 1;
         }
-        self.elastic(&elastic)
+        stretch
     }
 
-    /// What each body is stretched by now, before [`Self::stress`] brings its memory on, and its stress \[Pa\]: half
-    /// their product is the energy \[J/m³\] that it stores.
+    /// √a_j (ε − e_j) of each body, before [`Self::stretch`] brings the memory on: ½ e:C:e of each is the energy
+    /// \[J/m³\] that it stores.
     #[inline(always)]
-    pub fn bodies<L: Lane>(&self, strain: &Sym<L>, memory: &[Octet], at: usize) -> [[Sym<L>; 2]; BODIES] {
-        let mut bodies = [[[L::splat(0.0); 6]; 2]; BODIES];
+    pub fn bodies<L: Lane>(&self, strain: &Sym<L>, memory: &[Octet], at: usize) -> [Sym<L>; BODIES] {
+        let mut bodies = [[L::splat(0.0); 6]; BODIES];
         let mut j = 0;
         while j < BODIES {
             let (r, inverse) = (L::splat(self.halves[j]), L::splat(1.0 / (1.0 + self.halves[j])));
-            let (mut stretch, mut weighted) = ([L::splat(0.0); 6], [L::splat(0.0); 6]);
+            let root = L::splat(self.weights[j].sqrt());
             let mut c = 0;
             while c < 6 {
-                stretch[c] = strain[c] - r.mul_add(strain[c], L::load(&memory[6 * j + c], at)) * inverse;
-                weighted[c] = L::splat(self.weights[j]) * stretch[c];
+                let e = r.mul_add(strain[c], L::load(&memory[6 * j + c], at)) * inverse;
+                bodies[j][c] = root * (strain[c] - e);
                 c += 1;
             }
-            bodies[j] = [stretch, self.elastic(&weighted)];
             j += 1;
         }
         bodies
-    }
-
-    /// C:e with the relaxed moduli.
-    #[inline(always)]
-    fn elastic<L: Lane>(&self, e: &Sym<L>) -> Sym<L> {
-        let (mu, mu2) = (L::splat(self.moduli.mu), L::splat(2.0 * self.moduli.mu));
-        let pressure = L::splat(self.moduli.lambda) * (e[0] + e[1] + e[2]);
-        [
-            mu2.mul_add(e[0], pressure),
-            mu2.mul_add(e[1], pressure),
-            mu2.mul_add(e[2], pressure),
-            mu * e[3],
-            mu * e[4],
-            mu * e[5],
-        ]
     }
 }
 

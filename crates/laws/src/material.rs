@@ -58,6 +58,31 @@ impl Moduli {
         Moduli { lambda: factor * self.lambda, mu: factor * self.mu }
     }
 
+    /// C:e \[Pa\] of isotropic elasticity.
+    #[inline(always)]
+    pub fn stress<L: Lane>(&self, e: &Sym<L>) -> Sym<L> {
+        let (mu, mu2) = (L::splat(self.mu), L::splat(2.0 * self.mu));
+        let pressure = L::splat(self.lambda) * (e[0] + e[1] + e[2]);
+        [
+            mu2.mul_add(e[0], pressure),
+            mu2.mul_add(e[1], pressure),
+            mu2.mul_add(e[2], pressure),
+            mu * e[3],
+            mu * e[4],
+            mu * e[5],
+        ]
+    }
+
+    /// V·(C:(V·e·V))·V \[Pa\]: what a state with the integrity V ([`Material::integrity`]) carries of an elastic stress.
+    /// Its product with e is never negative, so that damping takes energy whatever V is.
+    #[inline(always)]
+    pub fn stress_left<L: Lane>(&self, e: &Sym<L>, integrity: &Sym<L>) -> Sym<L> {
+        let (half, two) = (L::splat(0.5), L::splat(2.0));
+        let tensor = [e[0], e[1], e[2], half * e[3], half * e[4], half * e[5]];
+        let v = congruence(integrity, &tensor);
+        congruence(integrity, &self.stress(&[v[0], v[1], v[2], two * v[3], two * v[4], two * v[5]]))
+    }
+
     /// Young's modulus \[Pa\].
     pub fn young(&self) -> f64 {
         self.mu * (3.0 * self.lambda + 2.0 * self.mu) / (self.lambda + self.mu)
@@ -74,6 +99,42 @@ impl Moduli {
     }
 }
 
+/// V·S·V of symmetric tensors.
+#[inline(always)]
+fn congruence<L: Lane>(v: &Sym<L>, s: &Sym<L>) -> Sym<L> {
+    const AT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+    let zero = L::splat(0.0);
+    let mut half = [[zero; 3]; 3];
+    let mut i = 0;
+    while i < 3 {
+        let mut j = 0;
+        while j < 3 {
+            let mut k = 0;
+            while k < 3 {
+                half[i][j] = s[AT[i][k]].mul_add(v[AT[k][j]], half[i][j]);
+                k += 1;
+            }
+            j += 1;
+        }
+        i += 1;
+    }
+    let mut whole = [zero; 6];
+    let mut i = 0;
+    while i < 3 {
+        let mut j = i;
+        while j < 3 {
+            let mut k = 0;
+            while k < 3 {
+                whole[AT[i][j]] = v[AT[i][k]].mul_add(half[k][j], whole[AT[i][j]]);
+                k += 1;
+            }
+            j += 1;
+        }
+        i += 1;
+    }
+    whole
+}
+
 /// History of one point of a law, a fixed number of lanes.
 pub trait History<L: Lane>: Copy + AsRef<[L]> + AsMut<[L]> {
     /// All zero, the state of virgin material.
@@ -86,6 +147,10 @@ impl<L: Lane, const N: usize> History<L> for [L; N] {
         [L::splat(0.0); N]
     }
 }
+
+/// Share of the elastic hourglass stiffness that is left at the least, so that the zero-energy modes of broken elements
+/// stay bounded: an assumption.
+pub(crate) const LEAST_HOURGLASS_SHARE: f64 = 0.05;
 
 /// A material law: stress from the strain since the material was placed, and from history.
 ///
@@ -104,6 +169,8 @@ pub trait Material: Send + Sync + Sized + 'static {
     const HISTORY: &'static [Column];
     /// Whether the law looks at [`Point::size`].
     const NEEDS_SIZE: bool = false;
+    /// Whether states can lose stiffness, so that [`Material::integrity`] is to be asked for.
+    const DAMAGES: bool = false;
     /// One lane per entry of `HISTORY`.
     type History<L: Lane>: History<L>;
 
@@ -133,11 +200,21 @@ pub trait Material: Send + Sync + Sized + 'static {
         Vec::new()
     }
 
-    /// What is left of a damping stress \[Pa\] in the state that `history` describes: a cracked point must not go on
-    /// carrying it. All of it for laws without damage.
+    /// V = Σ (1 − D_i)^¼ p_i⊗p_i with the damage D_i along the principal directions p_i: a cracked point must not go on
+    /// carrying damping stresses ([`Moduli::stress_left`]; along p_i they are 1 − D_i times as large). Asked for only
+    /// with [`Material::DAMAGES`].
     #[inline(always)]
-    fn weaken<L: Lane>(&self, damping: Sym<L>, _strain: &Sym<L>, _history: &Self::History<L>) -> Sym<L> {
-        damping
+    fn integrity<L: Lane>(&self, _strain: &Sym<L>, _history: &Self::History<L>) -> Sym<L> {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        [one, one, one, zero, zero, zero]
+    }
+
+    /// Share of the elastic stiffness against hourglass modes that one-point elements keep in this state: above 0, at
+    /// most 1, and never growing along a path, so that what it takes away is dissipated. With elastic stiffness a
+    /// yielding or cracked element would go on bending elastically.
+    #[inline(always)]
+    fn hourglass_share<L: Lane>(&self, _history: &Self::History<L>) -> L {
+        L::splat(1.0)
     }
 
     /// Energy \[J/m³\] that a point would give back were it unloaded: ½σ:ε for elastic and for damaged material. Laws

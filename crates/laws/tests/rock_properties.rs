@@ -167,7 +167,7 @@ fn mohr_coulomb() {
 /// A table that goes down, up or both, with or without its column of tension strains.
 fn any_softening(random: &mut Random, peak: Values) -> Values {
     let rows = 2 + (3.0 * random.unit()) as usize;
-    let mut strains = |random: &mut Random| {
+    let strains = |random: &mut Random| {
         let mut at = 0.0;
         let mut next = || 10f64.powf(-3.0 + 2.0 * random.unit());
         let mut all = vec![0.0];

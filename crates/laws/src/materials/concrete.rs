@@ -179,6 +179,7 @@ impl Material for Concrete {
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
     const NEEDS_SIZE: bool = true;
+    const DAMAGES: bool = true;
     type History<L: Lane> = [L; 9];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
@@ -217,8 +218,13 @@ impl Material for Concrete {
     }
 
     #[inline(always)]
-    fn weaken<L: Lane>(&self, damping: Sym<L>, strain: &Sym<L>, history: &[L; 9]) -> Sym<L> {
-        self.weakened(damping, strain, history)
+    fn integrity<L: Lane>(&self, strain: &Sym<L>, history: &[L; 9]) -> Sym<L> {
+        self.left(strain, history)
+    }
+
+    #[inline(always)]
+    fn hourglass_share<L: Lane>(&self, history: &[L; 9]) -> L {
+        Self::bending_share(history)
     }
 
     #[inline(always)]

@@ -212,6 +212,11 @@ impl Material for DruckerPrager {
     }
 
     #[inline(always)]
+    fn hourglass_share<L: Lane>(&self, history: &[L; 9]) -> L {
+        super::plastic::hourglass_share(self.k_phi, self.elasticity.mu, history)
+    }
+
+    #[inline(always)]
     fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 9]) -> (Sym<L>, [L; 9]) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let trial = self.elasticity.trial(&strain, &old);

@@ -70,17 +70,6 @@ impl Material for Elastic {
 
     #[inline(always)]
     fn update<L: Lane>(&self, _: &Point<L>, e: Sym<L>, history: [L; 0]) -> (Sym<L>, [L; 0]) {
-        let mu = L::splat(self.moduli.mu);
-        let mu2 = L::splat(2.0 * self.moduli.mu);
-        let pressure = L::splat(self.moduli.lambda) * (e[0] + e[1] + e[2]);
-        let stress = [
-            mu2.mul_add(e[0], pressure),
-            mu2.mul_add(e[1], pressure),
-            mu2.mul_add(e[2], pressure),
-            mu * e[3],
-            mu * e[4],
-            mu * e[5],
-        ];
-        (stress, history)
+        (self.moduli.stress(&e), history)
     }
 }

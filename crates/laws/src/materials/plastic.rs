@@ -8,7 +8,7 @@ pub(super) mod parameters;
 pub(super) mod tension;
 
 use crate::lane::Lane;
-use crate::material::{Moduli, Sym};
+use crate::material::{LEAST_HOURGLASS_SHARE, Moduli, Sym};
 use crate::parameter::Column;
 use crate::sym3::Spectrum;
 
@@ -143,6 +143,16 @@ impl Elasticity {
         }
         result
     }
+}
+
+/// e_y/(e_y + γ_p + ε_t), the secant over the elastic stiffness in plastic bending, from the plastic strains of shear and
+/// tension and the elastic √J₂ of strain at yield without confinement: e_y = `strength`/2μ with √J₂ of stress \[Pa\].
+#[inline(always)]
+pub(super) fn hourglass_share<L: Lane>(strength: f64, mu: f64, memory: &Memory<L>) -> L {
+    // Rock without cohesion yields at once; the least strain stands for its confinement.
+    let yielded = L::splat((0.5 * strength / mu).max(1e-5));
+    let share = yielded / (yielded + memory[SHEAR] + memory[TENSION]);
+    L::splat(LEAST_HOURGLASS_SHARE).larger(share)
 }
 
 /// Mean and radius √(J₂/3) of a tensor, as a [`Spectrum`] has them, without the rest of it.

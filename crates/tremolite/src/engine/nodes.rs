@@ -70,11 +70,11 @@ impl Rates {
         for (v, du) in self.velocity.iter_mut().zip(&state.du) {
             *v = Row(du.0.map(|d| d / state.dt));
         }
-        stiffness_times(phase, &self.velocity, &mut self.contributions, &mut self.minus);
+        stiffness_times(phase, Some(state), &self.velocity, &mut self.contributions, &mut self.minus);
         // Tied nodes move as their masters, of which alone v̂ is worked out.
         let (_, hat, _) = measure(model, phase, contributions, self, state);
         self.velocity = hat;
-        stiffness_times(phase, &self.velocity, &mut self.contributions, &mut self.hat);
+        stiffness_times(phase, Some(state), &self.velocity, &mut self.contributions, &mut self.hat);
     }
 
     fn at(rows: &[Row], node: usize) -> Row {

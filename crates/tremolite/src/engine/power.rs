@@ -4,8 +4,9 @@
 
 use super::nodes::force;
 use crate::model::Model;
-use crate::parts::{Motion, Own, Part, ProbeOut, Scratch, Tick};
+use crate::parts::{Motion, Own, ProbeOut, Scratch, Tick};
 use crate::phase::Phase;
+use crate::state::State;
 use rayon::prelude::*;
 use tremolite_laws::{Octet, Row};
 
@@ -35,17 +36,29 @@ pub struct StableStep {
     pub change: f64,
 }
 
-/// K w of all parts by engine node, added up in the order of parts; a tied node's share is its master's.
-pub fn stiffness_times(phase: &Phase, w: &[Row], contributions: &mut [Row], out: &mut [Row]) {
+/// K w of all parts by engine node, added up in the order of parts; a tied node's share is its master's. Without a
+/// state the stiffness is elastic, with one it is what damage has left.
+pub fn stiffness_times(
+    phase: &Phase,
+    state: Option<&State>,
+    w: &[Row],
+    contributions: &mut [Row],
+    out: &mut [Row],
+) {
     let mut rest = &mut *contributions;
-    let mut jobs: Vec<(&dyn Part, &mut [Row])> = Vec::with_capacity(phase.parts.len());
-    for part in &phase.parts {
+    let mut jobs: Vec<(usize, &mut [Row])> = Vec::with_capacity(phase.parts.len());
+    for (p, part) in phase.parts.iter().enumerate() {
         let (own, after) = std::mem::take(&mut rest).split_at_mut(part.nodes().len());
-        jobs.push((part.as_ref(), own));
+        jobs.push((p, own));
         rest = after;
     }
-    jobs.into_par_iter()
-        .for_each_init(Scratch::default, |scratch, (part, own)| part.stiffness_times(w, own, scratch));
+    jobs.into_par_iter().for_each_init(Scratch::default, |scratch, (p, own)| match state {
+        Some(state) => {
+            let history = &state.history[phase.slices[p].history.clone()];
+            phase.parts[p].damping_times(&state.u, history, w, own, scratch);
+        }
+        None => phase.parts[p].stiffness_times(w, own, scratch),
+    });
     let contributions = &*contributions;
     out.par_iter_mut().enumerate().for_each(|(node, out)| *out = force(phase, contributions, node));
 }
@@ -91,7 +104,7 @@ pub fn stable_step(model: &Model, phase: &Phase) -> StableStep {
     let mut kw = vec![Row::ZERO; w.len()];
     let (mut lambda, mut change, mut iterations) = (0.0, f64::INFINITY, 0);
     while iterations < ITERATIONS && change > CONVERGED {
-        stiffness_times(phase, &w, &mut contributions, &mut kw);
+        stiffness_times(phase, None, &w, &mut contributions, &mut kw);
         let (mut wkw, mut wmw) = (0.0, 0.0);
         for (n, (w, kw)) in w.iter().zip(&kw).enumerate() {
             // A tied node's mass and force are its master's.

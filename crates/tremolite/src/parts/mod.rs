@@ -87,6 +87,10 @@ pub struct ProbeOut<'a> {
 #[derive(Default)]
 pub struct Scratch {
     pub rows: Vec<Row>,
+    /// A copy of a history.
+    pub history: Vec<Octet>,
+    /// What damage has left, point by point.
+    pub left: Vec<Octet>,
 }
 
 /// Something that pushes on nodes. No part reads another's memory.
@@ -115,8 +119,20 @@ pub trait Part: Send + Sync {
     ) -> Work {
         self.forces(tick, x, own, out, scratch)
     }
-    /// K w with the elastic stiffness: for Rayleigh's ξK and for the power iteration.
+    /// K w with the elastic stiffness, as the power iteration wants it.
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch);
+    /// K w as Rayleigh's damping ξK wants it: with what damage has left of the stiffness at displacements `u` and
+    /// with this `history`.
+    fn damping_times(
+        &self,
+        _u: &[Row],
+        _history: &[Octet],
+        w: &[Row],
+        out: &mut [Row],
+        scratch: &mut Scratch,
+    ) {
+        self.stiffness_times(w, out, scratch);
+    }
 }
 
 /// Where each part's slices begin and end.

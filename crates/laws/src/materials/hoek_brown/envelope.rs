@@ -56,6 +56,12 @@ impl Envelope {
         Envelope { sci, mb, s, a, b, two_b: 2f64.powf(b), floor: sci * s.powf(a - 0.5).min(1.0) }
     }
 
+    /// Uniaxial compressive strength σ_ci sᵃ \[Pa\].
+    pub fn uniaxial(&self) -> f64 {
+        // s is at most 1 and a at least ½, so that the floor is σ_ci s^(a−½).
+        self.floor * self.s.sqrt()
+    }
+
     /// σ₁ of the apex \[Pa\].
     pub fn apex(&self) -> f64 {
         self.s * self.sci / self.mb

@@ -236,8 +236,9 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
                 if PROBE {
                     of_band = super::band_energy(material, band, &strain, &new, memory, at);
                 }
-                let more = band.stress(&strain, memory, at);
-                stress = super::plus(stress, material.weaken(more, &strain, &new));
+                let stretch = band.stretch(&strain, memory, at);
+                let damping = super::damping_stress(material, band.moduli(), &stretch, &strain, &new);
+                stress = super::plus(stress, damping);
             }
             super::store_history::<L, M>(new, own, at);
             let weight = L::load(&geometry.weights[p], at);
@@ -249,6 +250,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             if PROBE {
                 let stored = material.stored_energy(&strain, &of_law, &new) + of_band;
                 energy = weight.mul_add(stored, energy);
+                probe.keep_integrity(material, p, &strain, &new, at);
                 let mut c = 0;
                 while c < 6 {
                     stress[c].store(&mut probe.stress[p][c], at);

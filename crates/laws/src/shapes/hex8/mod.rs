@@ -150,11 +150,39 @@ pub struct Probe {
     pub strain_energy: Octet,
     /// Energy \[J\] of the hourglass stabilisation; zero for full quadrature, where it is strain energy.
     pub hourglass_energy: Octet,
+    /// [`Material::integrity`] of each point, where the law damages.
+    pub integrity: [[Octet; 6]; 8],
+    /// [`Material::hourglass_share`] with one-point quadrature.
+    pub hourglass_share: Octet,
 }
 
 impl Probe {
-    pub const ZERO: Probe =
-        Probe { stress: [[Octet::ZERO; 6]; 8], strain_energy: Octet::ZERO, hourglass_energy: Octet::ZERO };
+    pub const ZERO: Probe = Probe {
+        stress: [[Octet::ZERO; 6]; 8],
+        strain_energy: Octet::ZERO,
+        hourglass_energy: Octet::ZERO,
+        integrity: [[Octet::ZERO; 6]; 8],
+        hourglass_share: Octet::ZERO,
+    };
+
+    #[inline(always)]
+    fn keep_integrity<L: Lane, M: Material>(
+        &mut self,
+        material: &M,
+        point: usize,
+        strain: &Sym<L>,
+        history: &M::History<L>,
+        at: usize,
+    ) {
+        if M::DAMAGES {
+            let left = material.integrity(strain, history);
+            let mut c = 0;
+            while c < 6 {
+                left[c].store(&mut self.integrity[point][c], at);
+                c += 1;
+            }
+        }
+    }
 }
 
 /// Modal displacements of the lanes `at ..` of an octet: `[component][mode]`.
@@ -212,7 +240,23 @@ unsafe fn scatter_nodal<L: Lane>(out: &mut [Row], index: &[[u16; 8]; 8], nodal: 
     }
 }
 
-/// Energy \[J/m³\] that the bodies of a band store, as weakened as their stress is; before their memory is brought on.
+/// Stress \[Pa\] of a stretch that is damped, in what the state has left.
+#[inline(always)]
+fn damping_stress<L: Lane, M: Material>(
+    material: &M,
+    moduli: Moduli,
+    stretch: &Sym<L>,
+    strain: &Sym<L>,
+    history: &M::History<L>,
+) -> Sym<L> {
+    if M::DAMAGES {
+        moduli.stress_left(stretch, &material.integrity(strain, history))
+    } else {
+        moduli.stress(stretch)
+    }
+}
+
+/// Energy \[J/m³\] that the bodies of a band store, before their memory is brought on.
 #[inline(always)]
 fn band_energy<L: Lane, M: Material>(
     material: &M,
@@ -226,11 +270,10 @@ fn band_energy<L: Lane, M: Material>(
     let mut twice = L::splat(0.0);
     let mut j = 0;
     while j < BODIES {
-        let [stretch, stress] = &bodies[j];
-        let left = material.weaken(*stress, strain, history);
+        let stress = damping_stress(material, band.moduli(), &bodies[j], strain, history);
         let mut c = 0;
         while c < 6 {
-            twice = left[c].mul_add(stretch[c], twice);
+            twice = stress[c].mul_add(bodies[j][c], twice);
             c += 1;
         }
         j += 1;

@@ -58,7 +58,7 @@ impl OnePointGeometry {
 /// Internal forces of eight elements, added to `out`; history is updated in place.
 ///
 /// `index[corner][lane]` points into `rows` (displacements \[m\]) and `out` (forces \[N\], the sign of ∫Bᵀσ).
-/// With a band its bodies' stress is added, weakened as the law says; `overstress` is their memory, [`MEMORY`] octets a
+/// With a band its bodies' stress is added, in what the law says is left; `overstress` is their memory, [`MEMORY`] octets a
 /// point. With `PROBE` the stresses and energies go to `probe` as well.
 ///
 /// # Safety
@@ -103,8 +103,9 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             if PROBE {
                 of_band = super::band_energy(material, band, &strain, &new, overstress, at);
             }
-            let more = band.stress(&strain, &mut overstress[..MEMORY], at);
-            stress = super::plus(stress, material.weaken(more, &strain, &new));
+            let stretch = band.stretch(&strain, &mut overstress[..MEMORY], at);
+            let damping = super::damping_stress(material, band.moduli(), &stretch, &strain, &new);
+            stress = super::plus(stress, damping);
         }
         super::store_history::<L, M>(new, history, at);
 
@@ -115,9 +116,10 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             along_axis::<L>(&geometry.axes[2], &q0, &q1, &q2, at),
         ];
         let volume = L::load(&geometry.volume, at);
-        let third = volume * L::splat(1.0 / 3.0);
-        let bend = third * L::splat(elastic.plane_stress);
-        let twist = volume * L::splat(elastic.young / 9.0);
+        let share = material.hourglass_share(&new);
+        let resisting = volume * share;
+        let bend = resisting * L::splat(1.0 / 3.0) * L::splat(elastic.plane_stress);
+        let twist = resisting * L::splat(elastic.young / 9.0);
         let less = L::splat(1.0 - elastic.poisson);
         let mut p = [[L::splat(0.0); 4]; 3];
         p[0][3] = twist * s[0][3];
@@ -136,6 +138,8 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             }
             let stored = material.stored_energy(&strain, &of_law, &new) + of_band;
             (volume * stored).store(&mut probe.strain_energy, at);
+            probe.keep_integrity(material, 0, &strain, &new, at);
+            share.store(&mut probe.hourglass_share, at);
             let mut energy = L::splat(0.0);
             let mut k = 0;
             while k < 3 {

@@ -1,0 +1,188 @@
+//! A pass of a kernel over the octets of a patch, in the instruction set of the machine.
+
+use super::super::ProbeOut;
+use super::weakened::LEFT;
+use tremolite_laws::band::{BandStep, MEMORY};
+use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation};
+use tremolite_laws::{Isa, Lane, Material, Octet, Point, Row};
+
+/// A quadrature with its geometry and kernel.
+pub trait Rule: Send + Sync + 'static {
+    const POINTS: usize;
+    type Geometry: Copy + Send + Sync;
+    const EMPTY: Self::Geometry;
+    fn set(geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation);
+
+    /// Forces of one octet.
+    ///
+    /// # Safety
+    /// All indices must be in range of both `rows` and `out`; the lane's instruction set must be enabled.
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        law: &M,
+        elastic: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    );
+}
+
+macro_rules! rule {
+    ($(#[$doc:meta])* $name:ident, $points:literal, $geometry:ty, $kernel:ident) => {
+        $(#[$doc])*
+        pub struct $name;
+        impl Rule for $name {
+            const POINTS: usize = $points;
+            type Geometry = $geometry;
+            const EMPTY: $geometry = <$geometry>::EMPTY;
+            fn set(geometry: &mut $geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+                geometry.set(lane, hex, elastic);
+            }
+            #[inline(always)]
+            unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+                law: &M,
+                elastic: &Stabilisation,
+                point: &Point<f64>,
+                geometry: &$geometry,
+                index: &[[u16; 8]; 8],
+                history: &mut [Octet],
+                band: Option<&BandStep>,
+                overstress: &mut [Octet],
+                rows: &[Row],
+                out: &mut [Row],
+                probe: &mut Probe,
+            ) {
+                // SAFETY: passed on to the caller.
+                unsafe {
+                    hex8::$kernel::<L, M, PROBE>(
+                        law, elastic, point, geometry, index, history, band, overstress, rows, out, probe,
+                    )
+                }
+            }
+        }
+    };
+}
+
+rule!(
+    /// One point with stabilisation.
+    OnePoint, 1, OnePointGeometry, one_point
+);
+rule!(
+    /// 2×2×2 points.
+    Full, 8, FullGeometry, full
+);
+
+/// Arguments of a pass over the octets of a patch.
+pub(super) struct Pass<'a, R: Rule, M> {
+    pub law: &'a M,
+    pub stabilisation: &'a Stabilisation,
+    pub point: Point<f64>,
+    pub index: &'a [[[u16; 8]; 8]],
+    pub geometry: &'a [R::Geometry],
+    pub history: &'a mut [Octet],
+    pub band: Option<BandStep>,
+    pub overstress: &'a mut [Octet],
+    pub rows: &'a [Row],
+    pub out: &'a mut [Row],
+    pub probe: Option<ProbeOut<'a>>,
+    /// [`LEFT`] octets a point, to be filled by a probing pass over a law that damages.
+    pub left: Option<&'a mut [Octet]>,
+}
+
+#[inline(always)]
+unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
+    let per_octet = R::POINTS * M::HISTORY.len();
+    let mut probe = Probe::ZERO;
+    let (mut wanted, mut left) = (pass.probe, pass.left);
+    for (i, (index, geometry)) in pass.index.iter().zip(pass.geometry).enumerate() {
+        let history = &mut pass.history[i * per_octet..(i + 1) * per_octet];
+        let overstress = match pass.band {
+            Some(_) => &mut pass.overstress[i * R::POINTS * MEMORY..(i + 1) * R::POINTS * MEMORY],
+            None => &mut [],
+        };
+        // SAFETY: `Solid::new` checked every index against the number of nodes, which both slices have.
+        unsafe {
+            R::kernel::<L, M, PROBE>(
+                pass.law,
+                pass.stabilisation,
+                &pass.point,
+                geometry,
+                index,
+                history,
+                pass.band.as_ref(),
+                overstress,
+                pass.rows,
+                pass.out,
+                &mut probe,
+            );
+        }
+        if PROBE && let Some(to) = wanted.as_mut() {
+            keep::<R>(&probe, i, to);
+        }
+        if PROBE && let Some(to) = left.as_mut() {
+            for p in 0..R::POINTS {
+                let to = &mut to[(i * R::POINTS + p) * LEFT..][..LEFT];
+                to[..LEFT - 1].copy_from_slice(&probe.integrity[p]);
+                to[LEFT - 1] = probe.hourglass_share;
+            }
+        }
+    }
+}
+
+/// Copies an octet's probe to the places of its real elements.
+fn keep<R: Rule>(probe: &Probe, octet: usize, to: &mut ProbeOut) {
+    for lane in 0..8.min(to.energy.len() - 8 * octet) {
+        let element = 8 * octet + lane;
+        to.energy[element] = [probe.strain_energy.0[lane], probe.hourglass_energy.0[lane]];
+        for p in 0..R::POINTS {
+            to.stress[element * R::POINTS + p] = [0, 1, 2, 3, 4, 5].map(|c| probe.stress[p][c].0[lane]);
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod instances {
+    use super::{Material, Pass, Rule, octets};
+    use tremolite_laws::lane::{Avx2, Avx512};
+
+    #[target_feature(enable = "avx512f,avx2,fma")]
+    pub(super) unsafe fn avx512<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
+        // SAFETY: this function enables the instruction set; indices were checked.
+        unsafe { octets::<Avx512, R, M, PROBE>(pass) }
+    }
+
+    #[target_feature(enable = "avx2,fma")]
+    pub(super) unsafe fn avx2<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
+        // SAFETY: as above.
+        unsafe { octets::<Avx2, R, M, PROBE>(pass) }
+    }
+
+    /// The reference with hardware `mul_add`; without it each one is a library call.
+    #[target_feature(enable = "fma")]
+    pub(super) unsafe fn scalar_fma<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
+        // SAFETY: indices were checked.
+        unsafe { octets::<f64, R, M, PROBE>(pass) }
+    }
+}
+
+pub(super) fn dispatch<R: Rule, M: Material, const PROBE: bool>(isa: Isa, pass: Pass<R, M>) {
+    // SAFETY: `Solid::new` keeps only available instruction sets, and checked all indices.
+    unsafe {
+        #[cfg(target_arch = "x86_64")]
+        match isa {
+            Isa::Avx512 => return instances::avx512::<R, M, PROBE>(pass),
+            Isa::Avx2 => return instances::avx2::<R, M, PROBE>(pass),
+            Isa::Scalar if is_x86_feature_detected!("fma") => {
+                return instances::scalar_fma::<R, M, PROBE>(pass);
+            }
+            Isa::Scalar => {}
+        }
+        let _ = isa;
+        octets::<f64, R, M, PROBE>(pass);
+    }
+}
