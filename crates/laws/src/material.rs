@@ -171,6 +171,12 @@ pub trait Material: Send + Sync + Sized + 'static {
     const NEEDS_SIZE: bool = false;
     /// Whether states can lose stiffness, so that [`Material::integrity`] is to be asked for.
     const DAMAGES: bool = false;
+    /// Column of the history in which the law books what it has dissipated \[J/m³\]. One-point elements add what their
+    /// hourglass energy loses by [`Material::hourglass_share`]. A law with history that keeps no such book leaves the
+    /// balance without a check.
+    const DISSIPATION: Option<usize> = None;
+    /// Column in which a law without a potential books what it has given out beyond what it took \[J/m³\].
+    const CREATION: Option<usize> = None;
     /// One lane per entry of `HISTORY`.
     type History<L: Lane>: History<L>;
 

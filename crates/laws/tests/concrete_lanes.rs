@@ -10,7 +10,7 @@ use tremolite_laws::materials::Concrete;
 use tremolite_laws::{Isa, Material, Octet, Point};
 
 /// Strain in, stress out, history in place.
-type Batch = ([Octet; 6], [Octet; 6], [Octet; 9]);
+type Batch = ([Octet; 6], [Octet; 6], [Octet; 14]);
 
 #[inline(always)]
 fn step<L: Lane>(law: &Concrete, dt: f64, (strain, stress, history): &mut Batch) {
@@ -21,18 +21,18 @@ fn step<L: Lane>(law: &Concrete, dt: f64, (strain, stress, history): &mut Batch)
             point.size[k] = L::splat(g);
         }
         let mut e = [L::splat(0.0); 6];
-        let mut h = [L::splat(0.0); 9];
+        let mut h = [L::splat(0.0); 14];
         for k in 0..6 {
             e[k] = L::load(&strain[k], at);
         }
-        for k in 0..9 {
+        for k in 0..14 {
             h[k] = L::load(&history[k], at);
         }
         let (s, h) = law.update(&point, e, h);
         for k in 0..6 {
             s[k].store(&mut stress[k], at);
         }
-        for k in 0..9 {
+        for k in 0..14 {
             h[k].store(&mut history[k], at);
         }
         at += L::WIDTH;
@@ -56,7 +56,7 @@ fn every_width_gives_the_bits_of_the_scalar_reference() {
         for round in 0..60 {
             // Lanes of one batch lie from far below the thresholds to far beyond: early ways out must not show.
             let sizes = [0; 8].map(|_| 10f64.powf(-6.0 + 4.0 * random.unit()));
-            let zero = ([Octet::ZERO; 6], [Octet::ZERO; 6], [Octet::ZERO; 9]);
+            let zero = ([Octet::ZERO; 6], [Octet::ZERO; 6], [Octet::ZERO; 14]);
             let mut batches = [zero, zero, zero];
             for step_number in 0..12 {
                 let mut strain = [Octet::ZERO; 6];

@@ -15,7 +15,7 @@ fn laws() -> &'static [Concrete] {
     LAWS.get_or_init(all_variants)
 }
 
-type State = ([f64; 6], [f64; 9]);
+type State = ([f64; 6], [f64; 14]);
 
 /// Follows straight lines between the corners, `steps` a side, and shows every state.
 fn follow(
@@ -25,7 +25,7 @@ fn follow(
     point: &Point<f64>,
     mut see: impl FnMut(&[f64; 6], &State),
 ) {
-    let mut history = <[f64; 9]>::zero();
+    let mut history = <[f64; 14]>::zero();
     let mut from = [0.0; 6];
     for to in corners {
         for step in 1..=steps {
@@ -57,7 +57,7 @@ proptest! {
     #[test]
     fn damage_never_falls_and_stays_between_0_and_1((law, corners) in paths()) {
         let law = &laws()[law];
-        let mut last = [0.0; 9];
+        let mut last = [0.0; 14];
         let mut wrong = None;
         follow(law, &corners, 10, &point(1e-5, 0.4), |strain, (stress, history)| {
             for k in [0, 1, 3, 6, 7, 8] {
@@ -85,7 +85,7 @@ proptest! {
         h in prop::sample::select(vec![0.0, 1e-9, 0.4, 1e3]),
     ) {
         let law = &laws()[law];
-        let mut history = <[f64; 9]>::zero();
+        let mut history = <[f64; 14]>::zero();
         let small = [1e-5, -2e-5, 3e-5, 0.0, 1e-5, 0.0];
         for strain in corners.into_iter().map(|c| c.map(|x| if x.is_finite() { x } else { f64::MAX })).chain([small, [0.0; 6]]) {
             let (stress, new) = law.update(&point(dt, h), strain, history);

@@ -9,7 +9,7 @@ use tremolite_laws::lane::{Avx2, Avx512, Lane};
 use tremolite_laws::materials::{DruckerPrager, HoekBrown, MohrCoulomb};
 use tremolite_laws::{History, Isa, Material, Octet, Point};
 
-const COLUMNS: usize = 9;
+const COLUMNS: usize = 10;
 
 /// Strain in, stress out, history in place.
 type Batch = ([Octet; 6], [Octet; 6], [Octet; COLUMNS]);

@@ -135,9 +135,9 @@ impl Phase {
         }
     }
 
-    /// Whether a law of the counted parts has a history, or bodies that damp: such parts may take energy.
-    pub fn remembers(&self) -> bool {
-        self.slices[..self.counted_parts].iter().any(|s| !s.history.is_empty() || !s.overstress.is_empty())
+    /// Whether the counted parts keep books of all that their laws take and give out.
+    pub fn keeps_books(&self) -> bool {
+        self.parts[..self.counted_parts].iter().all(|part| part.keeps_books())
     }
 
     /// Octets of history, other numbers, contributions, points and elements.

@@ -233,8 +233,7 @@ fn hot_spot(model: &Model, phase: &Phase, engine: &mut Engine, state: &mut State
     let mut worst = (f64::NEG_INFINITY, 0);
     for (e, slot) in phase.element_slot.iter().enumerate() {
         let Some(slot) = slot else { continue };
-        let [strain, hourglass] = snapshot.energy[slot.element as usize];
-        let energy = strain + hourglass;
+        let energy = snapshot.energy[slot.element as usize].held();
         if !energy.is_finite() {
             worst = (energy, e);
             break;

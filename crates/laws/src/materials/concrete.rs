@@ -17,7 +17,8 @@
 //! cracked point under a trace of compression: c3′ = (1 − D⁺) c3 in tension (`shear_tension = "effective"` is the
 //! print). In (7) the effective split has no potential where ν ≠ 0 and D⁺ ≠ D⁻: a closed loop of strain at fixed
 //! damage can give out work, 0.3 to 0.4 of its peak energy (the worst of 300 random loops of principal strain at
-//! D⁺ = 0.9, D⁻ = 0); `split = "compliance"` cannot, and its dissipation is never negative.
+//! D⁺ = 0.9, D⁻ = 0); `split = "compliance"` cannot, and its dissipation is never negative. What either
+//! split takes and the effective one gives out is booked (`concrete/energy.rs`).
 //!
 //! **Beyond the paper.** `fracture_energy` sets ε_us from the element's extent h across the crack,
 //! ε_us = ε_ts + (G_f/h − ½f_t ε_ts)/(α f_t); `evolution = "exponential"` is the crack band (Bažant & Oh 1983),
@@ -33,6 +34,7 @@
 //! 0.3 f_c and cracks under pressure alone near 0.5 f_c; driven by stress 9 to 24 % above.
 
 mod damping;
+mod energy;
 mod grade;
 mod parameters;
 mod rate;
@@ -100,8 +102,17 @@ const SMOOTHED_SHEAR: usize = 5;
 const FACTOR_TENSION: usize = 6;
 const FACTOR_SHEAR: usize = 7;
 const CRACK_SIZE: usize = 8;
+const ENERGY_DISSIPATED: usize = 9;
+const ENERGY_CREATED: usize = 10;
+/// Three principal strains, falling.
+const LAST_STRAIN: usize = 11;
+const MEMORY: usize = 14;
 
-const COLUMNS: [Column; 9] = [
+const fn last_strain(name: &'static str) -> Column {
+    Column { name, unit: "1", doc: "principal strain of the last step, once damaged" }
+}
+
+const COLUMNS: [Column; MEMORY] = [
     Column { name: "d_tension", unit: "1", doc: "D⁺, damage in tension" },
     Column { name: "d_shear", unit: "1", doc: "D⁻, damage in shear" },
     Column { name: "d_b", unit: "1", doc: "D_b, mean principal damage as the stress now feels it" },
@@ -125,6 +136,19 @@ const COLUMNS: [Column; 9] = [
         unit: "m",
         doc: "element's extent across the crack at first damage; 0 before",
     },
+    Column {
+        name: "energy_dissipated",
+        unit: "J/m3",
+        doc: "taken by growing damage: what ½σ:ε fell by at the strains at which it grew",
+    },
+    Column {
+        name: "energy_created",
+        unit: "J/m3",
+        doc: "work that the effective split gave out beyond what it took, since it has no potential",
+    },
+    last_strain("last_e1"),
+    last_strain("last_e2"),
+    last_strain("last_e3"),
 ];
 
 impl Concrete {
@@ -180,7 +204,9 @@ impl Material for Concrete {
     const HISTORY: &'static [Column] = &COLUMNS;
     const NEEDS_SIZE: bool = true;
     const DAMAGES: bool = true;
-    type History<L: Lane> = [L; 9];
+    const DISSIPATION: Option<usize> = Some(ENERGY_DISSIPATED);
+    const CREATION: Option<usize> = Some(ENERGY_CREATED);
+    type History<L: Lane> = [L; MEMORY];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
         parameters::read(values)
@@ -218,17 +244,17 @@ impl Material for Concrete {
     }
 
     #[inline(always)]
-    fn integrity<L: Lane>(&self, strain: &Sym<L>, history: &[L; 9]) -> Sym<L> {
+    fn integrity<L: Lane>(&self, strain: &Sym<L>, history: &[L; MEMORY]) -> Sym<L> {
         self.left(strain, history)
     }
 
     #[inline(always)]
-    fn hourglass_share<L: Lane>(&self, history: &[L; 9]) -> L {
+    fn hourglass_share<L: Lane>(&self, history: &[L; MEMORY]) -> L {
         Self::bending_share(history)
     }
 
     #[inline(always)]
-    fn update<L: Lane>(&self, point: &Point<L>, strain: Sym<L>, old: [L; 9]) -> (Sym<L>, [L; 9]) {
+    fn update<L: Lane>(&self, point: &Point<L>, strain: Sym<L>, old: [L; MEMORY]) -> (Sym<L>, [L; MEMORY]) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let mut new = old;
         let tensor = bounded(strain);
@@ -301,6 +327,7 @@ impl Material for Concrete {
         new[D_B_MAX] = new[D_B].larger(old[D_B_MAX]);
 
         let principal = self.principal_stress(eigen.values, undamaged, tension, shear);
+        self.book(&eigen.values, &principal, quiet, &old, &mut new);
         let damaged = eigen.recompose(principal);
         let mut k = 0;
         while k < 6 {

@@ -185,7 +185,8 @@ impl Material for DruckerPrager {
     const SOURCE: &'static str = "drucker1952, cone and plane strain; outer and inner cones by geometry";
     const PARAMETERS: &'static [Parameter] = PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
-    type History<L: Lane> = [L; 9];
+    const DISSIPATION: Option<usize> = Some(super::plastic::ENERGY);
+    type History<L: Lane> = [L; 10];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
         read(values)
@@ -207,17 +208,17 @@ impl Material for DruckerPrager {
     }
 
     #[inline(always)]
-    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 9]) -> L {
+    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 10]) -> L {
         complementary_energy(self.moduli(), stress)
     }
 
     #[inline(always)]
-    fn hourglass_share<L: Lane>(&self, history: &[L; 9]) -> L {
+    fn hourglass_share<L: Lane>(&self, history: &[L; 10]) -> L {
         super::plastic::hourglass_share(self.k_phi, self.elasticity.mu, history)
     }
 
     #[inline(always)]
-    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 9]) -> (Sym<L>, [L; 9]) {
+    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 10]) -> (Sym<L>, [L; 10]) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let trial = self.elasticity.trial(&strain, &old);
         let (mean, radius) = mean_and_radius(&trial);

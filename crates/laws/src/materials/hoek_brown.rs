@@ -93,7 +93,8 @@ impl Material for HoekBrown {
     const SOURCE: &'static str = "hoek2002, generalised criterion with m_b, s, a and the tensile strength";
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
-    type History<L: Lane> = [L; 9];
+    const DISSIPATION: Option<usize> = Some(super::plastic::ENERGY);
+    type History<L: Lane> = [L; 10];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
         parameters::read(values)
@@ -115,17 +116,17 @@ impl Material for HoekBrown {
     }
 
     #[inline(always)]
-    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 9]) -> L {
+    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 10]) -> L {
         complementary_energy(self.moduli(), stress)
     }
 
     #[inline(always)]
-    fn hourglass_share<L: Lane>(&self, history: &[L; 9]) -> L {
+    fn hourglass_share<L: Lane>(&self, history: &[L; 10]) -> L {
         super::plastic::hourglass_share(self.envelope.uniaxial() / 3f64.sqrt(), self.elasticity.mu, history)
     }
 
     #[inline(always)]
-    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 9]) -> (Sym<L>, [L; 9]) {
+    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 10]) -> (Sym<L>, [L; 10]) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let trial = self.elasticity.trial(&strain, &old);
         let ft = L::splat(self.cut_off[0]);

@@ -88,7 +88,7 @@ impl<L: Lane> Strength<L> {
 impl MohrCoulomb {
     /// c \[Pa\], φ \[rad\] and f_t \[Pa\] in use after plastic strains of shear and tension; f_t not beyond c/tan φ.
     pub fn strength(&self, shear: f64, tension: f64) -> [f64; 3] {
-        let mut memory = [0.0; 9];
+        let mut memory = [0.0; 10];
         (memory[SHEAR], memory[TENSION]) = (shear, tension);
         let Strength { slope, fc, ft, .. } = self.surface(&memory);
         [0.5 * fc / slope.sqrt(), ((slope - 1.0) / (slope + 1.0)).asin(), ft]
@@ -119,7 +119,8 @@ impl Material for MohrCoulomb {
     const SOURCE: &'static str = "clausen2007, returns in principal stresses; tension cut-off added";
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
-    type History<L: Lane> = [L; 9];
+    const DISSIPATION: Option<usize> = Some(super::plastic::ENERGY);
+    type History<L: Lane> = [L; 10];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
         parameters::read(values)
@@ -141,17 +142,17 @@ impl Material for MohrCoulomb {
     }
 
     #[inline(always)]
-    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 9]) -> L {
+    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 10]) -> L {
         complementary_energy(self.moduli(), stress)
     }
 
     #[inline(always)]
-    fn hourglass_share<L: Lane>(&self, history: &[L; 9]) -> L {
+    fn hourglass_share<L: Lane>(&self, history: &[L; 10]) -> L {
         super::plastic::hourglass_share(self.peak.fc / 3f64.sqrt(), self.elasticity.mu, history)
     }
 
     #[inline(always)]
-    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 9]) -> (Sym<L>, [L; 9]) {
+    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 10]) -> (Sym<L>, [L; 10]) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let trial = self.elasticity.trial(&strain, &old);
         let strength = self.surface(&old);

@@ -13,12 +13,13 @@ use crate::parameter::Column;
 use crate::sym3::Spectrum;
 
 /// History of a point, in the order of [`COLUMNS`].
-pub(super) type Memory<L> = [L; 9];
+pub(super) type Memory<L> = [L; 10];
 
 pub(super) const SHEAR: usize = 0;
 pub(super) const TENSION: usize = 1;
 pub(super) const STATE: usize = 2;
 const STRAIN: usize = 3;
+pub(super) const ENERGY: usize = 9;
 
 /// Flags whose sum is `state`.
 const SHEAR_NOW: f64 = 1.0;
@@ -30,7 +31,7 @@ const fn component(name: &'static str) -> Column {
     Column { name, unit: "1", doc: "plastic strain since placement, engineering shear" }
 }
 
-pub(super) const COLUMNS: [Column; 9] = [
+pub(super) const COLUMNS: [Column; 10] = [
     Column {
         name: "plastic_shear_strain", unit: "1", doc: "accumulated √J₂ of the plastic strain of shear"
     },
@@ -50,6 +51,7 @@ pub(super) const COLUMNS: [Column; 9] = [
     component("plastic_gxy"),
     component("plastic_gyz"),
     component("plastic_gzx"),
+    Column { name: "energy_dissipated", unit: "J/m3", doc: "σ:dε_p, stress at the end of each step" },
 ];
 
 /// Strains are kept below this: beyond any that means something, squares of stresses would overflow.
@@ -135,12 +137,16 @@ impl Elasticity {
         }
         let side = L::splat(self.poisson / (1.0 + self.poisson)) * (off[0] + off[1] + off[2]);
         let (half, one) = (L::splat(0.5 / self.mu), L::splat(1.0 / self.mu));
+        let mut energy = memory[ENERGY];
         let mut k = 0;
         while k < 3 {
-            memory[STRAIN + k] = half.mul_add(off[k] - side, memory[STRAIN + k]);
-            memory[STRAIN + 3 + k] = one.mul_add(off[3 + k], memory[STRAIN + 3 + k]);
+            let (normal, shear) = (half * (off[k] - side), one * off[3 + k]);
+            memory[STRAIN + k] = memory[STRAIN + k] + normal;
+            memory[STRAIN + 3 + k] = memory[STRAIN + 3 + k] + shear;
+            energy = stress[3 + k].mul_add(shear, stress[k].mul_add(normal, energy));
             k += 1;
         }
+        memory[ENERGY] = L::select(yielding, energy, memory[ENERGY]);
         result
     }
 }

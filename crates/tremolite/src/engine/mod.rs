@@ -23,7 +23,7 @@ mod power;
 pub use power::{Limit, StableStep, stable_step};
 
 use crate::model::Model;
-use crate::parts::{Motion, Own, ProbeOut, Scratch, Slices, Tick, Work};
+use crate::parts::{ElementEnergy, Motion, Own, ProbeOut, Scratch, Slices, Tick, Work};
 use crate::phase::Phase;
 use crate::state::State;
 use nodes::Rates;
@@ -35,8 +35,8 @@ use tremolite_laws::Row;
 pub struct Snapshot {
     /// Stress \[Pa\] of every point, global axes, in the order of parts.
     pub stress: Vec<[f64; 6]>,
-    /// Strain and hourglass energy \[J\] of every element, in the order of parts.
-    pub energy: Vec<[f64; 2]>,
+    /// Energies of every element, in the order of parts.
+    pub energy: Vec<ElementEnergy>,
     /// v̂ \[m/s\] by engine node.
     pub velocity: Vec<Row>,
     /// dv/dt \[m/s²\] by engine node.
@@ -54,9 +54,13 @@ pub struct Balance {
     /// What elements would give back: ∫ [`tremolite_laws::Material::stored_energy`].
     pub strain: f64,
     pub hourglass: f64,
-    /// Work done on the elements less what they hold: taken by damage and plastic flow, and less what a law without
-    /// potential created. Zero by definition where all laws are elastic; the error then tests their energy.
+    /// Taken by damage and plastic flow, as laws book it step by step.
     pub dissipated: f64,
+    /// Given out by laws that have no potential, as they book it: enters the sum with a minus.
+    pub created: f64,
+    /// Taken by damping over a band, and whatever laws that keep no books take: the work done on the elements less all
+    /// other lines. Zero by definition where there are neither; the error then tests the laws as well.
+    pub band: f64,
     pub rayleigh: f64,
     pub base_dashpots: f64,
     pub side_dashpots: f64,
@@ -69,12 +73,14 @@ pub struct Balance {
 
 impl Balance {
     /// Names and values of the lines, in the order of energy.csv.
-    pub fn lines(&self) -> [(&'static str, f64); 11] {
+    pub fn lines(&self) -> [(&'static str, f64); 13] {
         [
             ("kinetic", self.kinetic),
             ("strain", self.strain),
             ("hourglass", self.hourglass),
             ("dissipated", self.dissipated),
+            ("created_by_law", self.created),
+            ("band_damping", self.band),
             ("rayleigh_damping", self.rayleigh),
             ("base_dashpots", self.base_dashpots),
             ("side_dashpots", self.side_dashpots),
@@ -235,7 +241,7 @@ impl<'a> Engine<'a> {
         let (_, _, _, points, elements) = self.phase.totals();
         let mut snapshot = Snapshot {
             stress: vec![[0.0; 6]; points],
-            energy: vec![[0.0; 2]; elements],
+            energy: vec![ElementEnergy::default(); elements],
             ..Snapshot::default()
         };
         let probe = ProbeOut { stress: &mut snapshot.stress, energy: &mut snapshot.energy };
@@ -246,17 +252,21 @@ impl<'a> Engine<'a> {
             nodes::measure(self.model, self.phase, &self.contributions, &self.rates, state);
 
         let counted = self.phase.slices[..self.phase.counted_parts].last().map_or(0, |s| s.elements.end);
-        let (mut strain, mut hourglass) = (0.0, 0.0);
-        for [s, h] in &snapshot.energy[..counted] {
-            strain += s;
-            hourglass += h;
+        let mut held = ElementEnergy::default();
+        for element in &snapshot.energy[..counted] {
+            held.strain += element.strain;
+            held.hourglass += element.hourglass;
+            held.dissipated += element.dissipated;
+            held.created += element.created;
         }
         let ledger = &state.ledger;
         let mut balance = Balance {
             kinetic: sums.kinetic,
-            strain,
-            hourglass,
-            dissipated: 0.0,
+            strain: held.strain,
+            hourglass: held.hourglass,
+            dissipated: held.dissipated,
+            created: held.created,
+            band: 0.0,
             rayleigh: ledger.rayleigh + sums.rayleigh,
             base_dashpots: ledger.base_dashpots + sums.base_dashpots,
             side_dashpots: ledger.side_dashpots + sums.side_dashpots,
@@ -267,13 +277,12 @@ impl<'a> Engine<'a> {
         };
         // All parts but the elements book their own work.
         snapshot.internal = ledger.parts + sums.parts - balance.springs + balance.input;
-        if self.phase.remembers() {
-            balance.dissipated = snapshot.internal - strain - hourglass;
+        if !self.phase.keeps_books() {
+            balance.band = snapshot.internal - held.strain - held.hourglass - held.dissipated + held.created;
         }
-        balance.error = balance.kinetic
-            + balance.strain
-            + balance.hourglass
-            + balance.dissipated
+        balance.error = balance.kinetic + balance.strain + balance.hourglass + balance.dissipated
+            - balance.created
+            + balance.band
             + balance.rayleigh
             + balance.base_dashpots
             + balance.side_dashpots

@@ -4,7 +4,7 @@
 
 use super::nodes::force;
 use crate::model::Model;
-use crate::parts::{Motion, Own, ProbeOut, Scratch, Tick};
+use crate::parts::{ElementEnergy, Motion, Own, ProbeOut, Scratch, Tick};
 use crate::phase::Phase;
 use crate::state::State;
 use rayon::prelude::*;
@@ -159,13 +159,13 @@ fn hottest(model: &Model, phase: &Phase, w: &[Row]) -> Limit {
         let mut overstress = vec![Octet::ZERO; sizes.overstress];
         let mut numbers = vec![0.0; sizes.numbers];
         let mut stress = vec![[0.0; 6]; elements * points];
-        let mut energy = vec![[0.0; 2]; elements];
+        let mut energy = vec![ElementEnergy::default(); elements];
         let own = Own { history: &mut history, overstress: &mut overstress, numbers: &mut numbers };
         let probe = ProbeOut { stress: &mut stress, energy: &mut energy };
         part.probe(&tick, &motion, own, &mut out, probe, &mut scratch);
-        for (&element, [strain, hourglass]) in model.patches[p].elements.iter().zip(&energy) {
-            if strain + hourglass > best.0 {
-                best = (strain + hourglass, Limit::Element(element));
+        for (&element, energy) in model.patches[p].elements.iter().zip(&energy) {
+            if energy.held() > best.0 {
+                best = (energy.held(), Limit::Element(element));
             }
         }
     }

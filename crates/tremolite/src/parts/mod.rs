@@ -75,12 +75,32 @@ pub struct Work {
     pub input: f64,
 }
 
+/// Energies of an element \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ElementEnergy {
+    /// Held by the law at its points.
+    pub strain: f64,
+    /// Held by the stabilisation.
+    pub hourglass: f64,
+    /// Booked by the law as dissipated since the start.
+    pub dissipated: f64,
+    /// Booked by the law as created since the start.
+    pub created: f64,
+}
+
+impl ElementEnergy {
+    /// What the element holds.
+    pub fn held(&self) -> f64 {
+        self.strain + self.hourglass
+    }
+}
+
 /// What a probing pass leaves per element and point.
 pub struct ProbeOut<'a> {
     /// Stress \[Pa\] of every point, global axes, element by element.
     pub stress: &'a mut [[f64; 6]],
-    /// Strain energy and hourglass energy \[J\] of every element.
-    pub energy: &'a mut [[f64; 2]],
+    /// Energies \[J\] of every element.
+    pub energy: &'a mut [ElementEnergy],
 }
 
 /// Room a thread reuses from part to part.
@@ -104,6 +124,10 @@ pub trait Part: Send + Sync {
     /// Number of elements and of integration points in each; zero for parts without elements.
     fn elements(&self) -> (usize, usize) {
         (0, 0)
+    }
+    /// Whether all that the part's laws take and give out is booked in their histories.
+    fn keeps_books(&self) -> bool {
+        true
     }
     /// Forces that resist the displacements (sign of ∫Bᵀσ), one row a node, and the part's own work.
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Work;

@@ -130,6 +130,10 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         (self.elements, R::POINTS)
     }
 
+    fn keeps_books(&self) -> bool {
+        self.band.is_none() && (M::HISTORY.is_empty() || M::DISSIPATION.is_some())
+    }
+
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Work {
         let rows = self.gather(x.u, scratch);
         let band = self.band_step(tick.dt);

@@ -1,6 +1,6 @@
 //! What a damaged point still carries besides the law's own stress.
 
-use super::{Concrete, D_SHEAR, D_TENSION, bounded};
+use super::{Concrete, D_SHEAR, D_TENSION, MEMORY, bounded};
 use crate::lane::Lane;
 use crate::material::{LEAST_HOURGLASS_SHARE, Sym};
 use crate::sym3::eigen;
@@ -8,7 +8,7 @@ use crate::sym3::eigen;
 impl Concrete {
     /// Σ (1 − D_i)^¼ p_i⊗p_i in the principal axes of strain, D_i by the sign of the effective stress there.
     #[inline(always)]
-    pub(super) fn left<L: Lane>(&self, strain: &Sym<L>, history: &[L; 9]) -> Sym<L> {
+    pub(super) fn left<L: Lane>(&self, strain: &Sym<L>, history: &[L; MEMORY]) -> Sym<L> {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let (tension, shear) = (history[D_TENSION], history[D_SHEAR]);
         if !L::any(zero.less(tension + shear)) {
@@ -26,7 +26,7 @@ impl Concrete {
 
     /// (1 − D⁺)(1 − D⁻), not below [`LEAST_HOURGLASS_SHARE`].
     #[inline(always)]
-    pub(super) fn bending_share<L: Lane>(history: &[L; 9]) -> L {
+    pub(super) fn bending_share<L: Lane>(history: &[L; MEMORY]) -> L {
         let one = L::splat(1.0);
         L::splat(LEAST_HOURGLASS_SHARE).larger((one - history[D_TENSION]) * (one - history[D_SHEAR]))
     }

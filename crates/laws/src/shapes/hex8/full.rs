@@ -223,6 +223,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
         }
         let mut energy = L::splat(0.0);
+        let (mut dissipated, mut created) = (energy, energy);
         let mut p = 0;
         while p < 8 {
             let strain: Sym<L> = [e[0][p], e[1][p], e[2][p], e[3][p], e[4][p], e[5][p]];
@@ -250,6 +251,8 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             if PROBE {
                 let stored = material.stored_energy(&strain, &of_law, &new) + of_band;
                 energy = weight.mul_add(stored, energy);
+                dissipated = weight.mul_add(super::booked(&new, M::DISSIPATION), dissipated);
+                created = weight.mul_add(super::booked(&new, M::CREATION), created);
                 probe.keep_integrity(material, p, &strain, &new, at);
                 let mut c = 0;
                 while c < 6 {
@@ -261,6 +264,8 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
         }
         if PROBE {
             energy.store(&mut probe.strain_energy, at);
+            dissipated.store(&mut probe.dissipated, at);
+            created.store(&mut probe.created, at);
         }
 
         // Back the same way: resultants of the strain's modes, then forces conjugate to s, q, g and the modes.

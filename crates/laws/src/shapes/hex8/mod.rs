@@ -150,6 +150,9 @@ pub struct Probe {
     pub strain_energy: Octet,
     /// Energy \[J\] of the hourglass stabilisation; zero for full quadrature, where it is strain energy.
     pub hourglass_energy: Octet,
+    /// Energy \[J\] that the law has booked as dissipated so far, and as created.
+    pub dissipated: Octet,
+    pub created: Octet,
     /// [`Material::integrity`] of each point, where the law damages.
     pub integrity: [[Octet; 6]; 8],
     /// [`Material::hourglass_share`] with one-point quadrature.
@@ -161,6 +164,8 @@ impl Probe {
         stress: [[Octet::ZERO; 6]; 8],
         strain_energy: Octet::ZERO,
         hourglass_energy: Octet::ZERO,
+        dissipated: Octet::ZERO,
+        created: Octet::ZERO,
         integrity: [[Octet::ZERO; 6]; 8],
         hourglass_share: Octet::ZERO,
     };
@@ -279,6 +284,15 @@ fn band_energy<L: Lane, M: Material>(
         j += 1;
     }
     L::splat(0.5) * twice
+}
+
+/// A column of the history that may not be.
+#[inline(always)]
+fn booked<L: Lane>(history: &impl AsRef<[L]>, column: Option<usize>) -> L {
+    match column {
+        Some(k) => history.as_ref()[k],
+        None => L::splat(0.0),
+    }
 }
 
 /// Sum of two stresses.

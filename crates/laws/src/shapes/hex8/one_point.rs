@@ -96,7 +96,7 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
         }
         let old = super::load_history::<L, M>(history, at);
-        let (of_law, new) = material.update(&lane_point, strain, old);
+        let (of_law, mut new) = material.update(&lane_point, strain, old);
         let mut stress = of_law;
         let mut of_band = L::splat(0.0);
         if let Some(band) = band {
@@ -107,7 +107,6 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             let damping = super::damping_stress(material, band.moduli(), &stretch, &strain, &new);
             stress = super::plus(stress, damping);
         }
-        super::store_history::<L, M>(new, history, at);
 
         // Hourglass amplitudes along the natural axes, over half-lengths, and their conjugate forces.
         let s = [
@@ -129,8 +128,18 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         bend_surface::<L, 1, 2, 0>(&geometry.surfaces[1], bend, less, &s, &mut p, at);
         bend_surface::<L, 2, 0, 1>(&geometry.surfaces[2], bend, less, &s, &mut p, at);
 
+        // What the hourglass modes lose of their energy with their stiffness is dissipated.
+        let before = material.hourglass_share(&old);
+        if let Some(k) = M::DISSIPATION
+            && L::any(share.less(before))
+        {
+            let lost = hourglass_energy(&p, &s) * (before / share - L::splat(1.0)) / volume;
+            let book = &mut new.as_mut()[k];
+            *book = L::select(share.less(before), *book + lost, *book);
+        }
+        super::store_history::<L, M>(new, history, at);
+
         if PROBE {
-            let half = L::splat(0.5);
             let mut i = 0;
             while i < 6 {
                 stress[i].store(&mut probe.stress[0][i], at);
@@ -138,19 +147,11 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             }
             let stored = material.stored_energy(&strain, &of_law, &new) + of_band;
             (volume * stored).store(&mut probe.strain_energy, at);
+            hourglass_energy(&p, &s).store(&mut probe.hourglass_energy, at);
+            (volume * super::booked(&new, M::DISSIPATION)).store(&mut probe.dissipated, at);
+            (volume * super::booked(&new, M::CREATION)).store(&mut probe.created, at);
             probe.keep_integrity(material, 0, &strain, &new, at);
             share.store(&mut probe.hourglass_share, at);
-            let mut energy = L::splat(0.0);
-            let mut k = 0;
-            while k < 3 {
-                let mut alpha = 0;
-                while alpha < 4 {
-                    energy = p[k][alpha].mul_add(s[k][alpha], energy);
-                    alpha += 1;
-                }
-                k += 1;
-            }
-            (half * energy).store(&mut probe.hourglass_energy, at);
         }
 
         let resultants = stress.map(|s| volume * s);
@@ -163,6 +164,22 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
     }
     // SAFETY: passed on to the caller.
     unsafe { scatter_nodal::<L>(out, index, &nodal) };
+}
+
+/// ½ Σ p s \[J\].
+#[inline(always)]
+fn hourglass_energy<L: Lane>(p: &[[L; 4]; 3], s: &[[L; 4]; 3]) -> L {
+    let mut twice = L::splat(0.0);
+    let mut k = 0;
+    while k < 3 {
+        let mut alpha = 0;
+        while alpha < 4 {
+            twice = p[k][alpha].mul_add(s[k][alpha], twice);
+            alpha += 1;
+        }
+        k += 1;
+    }
+    L::splat(0.5) * twice
 }
 
 /// Forces conjugate to the amplitudes that bend the surface across axis `K`: ∂/∂s of ½ E/(1 − ν²) V/3 (tr² − 2(1 − ν) det)

@@ -1,6 +1,6 @@
 //! A pass of a kernel over the octets of a patch, in the instruction set of the machine.
 
-use super::super::ProbeOut;
+use super::super::{ElementEnergy, ProbeOut};
 use super::weakened::LEFT;
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation};
@@ -138,7 +138,12 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
 fn keep<R: Rule>(probe: &Probe, octet: usize, to: &mut ProbeOut) {
     for lane in 0..8.min(to.energy.len() - 8 * octet) {
         let element = 8 * octet + lane;
-        to.energy[element] = [probe.strain_energy.0[lane], probe.hourglass_energy.0[lane]];
+        to.energy[element] = ElementEnergy {
+            strain: probe.strain_energy.0[lane],
+            hourglass: probe.hourglass_energy.0[lane],
+            dissipated: probe.dissipated.0[lane],
+            created: probe.created.0[lane],
+        };
         for p in 0..R::POINTS {
             to.stress[element * R::POINTS + p] = [0, 1, 2, 3, 4, 5].map(|c| probe.stress[p][c].0[lane]);
         }
