@@ -13,8 +13,10 @@ pub struct Check {
     pub value: f64,
     /// Exact or published value; 0 where `value` is an error.
     pub reference: f64,
-    /// Largest |value − reference| that passes, in `unit`.
-    pub tolerance: f64,
+    /// Largest |value − reference| that passes, in `unit`; none where the difference is for information, as between a
+    /// model and a test of the material.
+    pub tolerance: Option<f64>,
+    /// For information, whether the value is a number.
     pub pass: bool,
     /// Order of convergence found between the two finest of the meshes or steps that were run.
     pub order: Option<f64>,
@@ -40,12 +42,25 @@ impl Check {
             quantity: quantity.into(),
             value,
             reference,
-            tolerance,
+            tolerance: Some(tolerance),
             pass: (value - reference).abs() <= tolerance,
             order: None,
             unit,
             note: note.into(),
         }
+    }
+
+    /// Sets a value beside a measured one that the model need not meet.
+    pub fn beside(
+        name: &'static str,
+        quantity: impl Into<String>,
+        value: f64,
+        measured: f64,
+        unit: &'static str,
+        note: impl Into<String>,
+    ) -> Self {
+        let pass = value.is_finite();
+        Check { tolerance: None, pass, ..Check::new(name, quantity, value, measured, 0.0, unit, note) }
     }
 
     /// Adds the order of convergence, for the reader; an order that must be met is a check of its own.
@@ -63,12 +78,17 @@ impl Check {
 impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Check { name, quantity, value, reference, tolerance, unit, .. } = self;
-        let word = if self.pass { "pass" } else { "MISS" };
+        let word = match (self.pass, tolerance) {
+            (true, Some(_)) => "pass",
+            (true, None) => "info",
+            (false, _) => "MISS",
+        };
         let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
-        write!(
-            f,
-            "{word} {name}: {quantity} = {value:.6e}{unit}, reference {reference:.6e} ± {tolerance:.1e}"
-        )?;
+        write!(f, "{word} {name}: {quantity} = {value:.6e}{unit}, reference {reference:.6e}")?;
+        match tolerance {
+            Some(tolerance) => write!(f, " ± {tolerance:.1e}")?,
+            None => write!(f, ", {:+.1} %", 100.0 * (value / reference - 1.0))?,
+        }
         self.order.map_or(Ok(()), |order| write!(f, ", order {order:.2}"))
     }
 }
@@ -82,6 +102,13 @@ mod tests {
         let check = |value| Check::new("x", "q", value, 1.0, 0.125, "m", "");
         assert!(check(1.125).pass && check(0.875).pass);
         assert!(!check(1.1251).pass && !check(0.8749).pass && !check(f64::NAN).pass);
+    }
+
+    #[test]
+    fn a_figure_for_information_passes_if_it_is_a_number_and_shows_its_distance() {
+        let check = |value| Check::beside("x", "q", value, 2.0, "m", "");
+        assert!(check(5.0).pass && !check(f64::NAN).pass);
+        assert_eq!(check(1.5).to_string(), "info x: q = 1.500000e0 m, reference 2.000000e0, -25.0 %");
     }
 
     #[test]

@@ -28,10 +28,17 @@ pub fn run(args: &Args) -> Outcome {
     tremolite_verify::run(&names, effort, &mut |check| {
         if !args.json {
             let order = check.order.map_or(String::new(), |o| format!("{o:.2}"));
-            let mark = if check.pass { "" } else { "  MISS" };
+            let tolerance = check.tolerance.map_or_else(|| "-".to_owned(), |t| format!("{t:.1e}"));
+            let mark = match (check.pass, check.tolerance) {
+                (true, Some(_)) => String::new(),
+                (true, None) => {
+                    format!("  for information: {:+.1} %", 100.0 * (check.value / check.reference - 1.0))
+                }
+                (false, _) => "  MISS".to_owned(),
+            };
             print(&format!(
-                "{:22} {:44} {:>14.6e} {:>14.6e} {:>10.1e} {order:>6}{mark}",
-                check.name, check.quantity, check.value, check.reference, check.tolerance
+                "{:22} {:44} {:>14.6e} {:>14.6e} {tolerance:>10} {order:>6}{mark}",
+                check.name, check.quantity, check.value, check.reference
             ));
         }
         checks.push(check.clone());
@@ -42,12 +49,15 @@ pub fn run(args: &Args) -> Outcome {
         let list: Vec<serde_json::Value> = checks.iter().map(json).collect();
         print(&serde_json::Value::from(list).to_string());
     } else {
-        print(&format!("{} of {} figures within tolerance", checks.len() - missed, checks.len()));
+        let beside = checks.iter().filter(|c| c.pass && c.tolerance.is_none()).count();
+        let held = checks.len() - beside;
+        let more = if beside > 0 { format!(", {beside} more for information") } else { String::new() };
+        print(&format!("{} of {held} figures within tolerance{more}", held - missed));
     }
     Ok(if missed == 0 { Code::Done } else { Code::Failed })
 }
 
-/// A check as JSON; a value that is not a number becomes null.
+/// A check as JSON; a value that is not a number becomes null, and so does the tolerance of one for information.
 fn json(check: &Check) -> serde_json::Value {
     serde_json::json!({
         "name": check.name,
