@@ -15,11 +15,13 @@
 //! ```
 
 mod check;
+mod concrete;
 mod convergence;
 mod dense;
 mod error;
 mod models;
 pub mod problems;
+mod rock;
 mod simulation;
 mod stiffness;
 

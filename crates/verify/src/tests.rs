@@ -42,6 +42,12 @@ problems!(
     macneal_harder_beam,
     cantilever_thin,
     thick_cylinder,
+    concrete_uniaxial,
+    concrete_triaxial,
+    concrete_rates,
+    concrete_biaxial,
+    concrete_loops,
+    rock_strength,
 );
 
 #[test]

@@ -5,6 +5,11 @@ use crate::Problem;
 pub mod band_damping;
 pub mod bar_step_wave;
 pub mod cantilever_thin;
+pub mod concrete_biaxial;
+pub mod concrete_loops;
+pub mod concrete_rates;
+pub mod concrete_triaxial;
+pub mod concrete_uniaxial;
 pub mod damping_ratio;
 pub mod discrete_energy;
 pub mod dispersion;
@@ -12,11 +17,12 @@ pub mod incident_pulse;
 pub mod lamb;
 pub mod layered_column;
 pub mod macneal_harder_beam;
+pub mod rock_strength;
 pub mod scheme_literal;
 pub mod thick_cylinder;
 pub mod time_order;
 
-/// All problems, in the order in which they run: the scheme, waves, boundaries, elements.
+/// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws.
 pub const PROBLEMS: &[Problem] = &[
     scheme_literal::PROBLEM,
     time_order::PROBLEM,
@@ -31,4 +37,10 @@ pub const PROBLEMS: &[Problem] = &[
     macneal_harder_beam::PROBLEM,
     cantilever_thin::PROBLEM,
     thick_cylinder::PROBLEM,
+    concrete_uniaxial::PROBLEM,
+    concrete_triaxial::PROBLEM,
+    concrete_rates::PROBLEM,
+    concrete_biaxial::PROBLEM,
+    concrete_loops::PROBLEM,
+    rock_strength::PROBLEM,
 ];
