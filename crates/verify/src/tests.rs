@@ -47,6 +47,7 @@ problems!(
     concrete_rates,
     concrete_biaxial,
     concrete_loops,
+    concrete_fracture_energy,
     rock_strength,
 );
 

@@ -6,6 +6,7 @@ pub mod band_damping;
 pub mod bar_step_wave;
 pub mod cantilever_thin;
 pub mod concrete_biaxial;
+pub mod concrete_fracture_energy;
 pub mod concrete_loops;
 pub mod concrete_rates;
 pub mod concrete_triaxial;
@@ -42,5 +43,6 @@ pub const PROBLEMS: &[Problem] = &[
     concrete_rates::PROBLEM,
     concrete_biaxial::PROBLEM,
     concrete_loops::PROBLEM,
+    concrete_fracture_energy::PROBLEM,
     rock_strength::PROBLEM,
 ];
