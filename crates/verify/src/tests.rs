@@ -49,6 +49,7 @@ problems!(
     concrete_loops,
     concrete_fracture_energy,
     rock_strength,
+    circular_opening,
 );
 
 #[test]

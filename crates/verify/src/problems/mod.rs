@@ -5,6 +5,7 @@ use crate::Problem;
 pub mod band_damping;
 pub mod bar_step_wave;
 pub mod cantilever_thin;
+pub mod circular_opening;
 pub mod concrete_biaxial;
 pub mod concrete_fracture_energy;
 pub mod concrete_loops;
@@ -45,4 +46,5 @@ pub const PROBLEMS: &[Problem] = &[
     concrete_loops::PROBLEM,
     concrete_fracture_energy::PROBLEM,
     rock_strength::PROBLEM,
+    circular_opening::PROBLEM,
 ];
