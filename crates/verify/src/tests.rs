@@ -50,6 +50,7 @@ problems!(
     concrete_fracture_energy,
     rock_strength,
     circular_opening,
+    strip_footing,
 );
 
 #[test]

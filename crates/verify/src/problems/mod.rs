@@ -21,6 +21,7 @@ pub mod layered_column;
 pub mod macneal_harder_beam;
 pub mod rock_strength;
 pub mod scheme_literal;
+pub mod strip_footing;
 pub mod thick_cylinder;
 pub mod time_order;
 
@@ -47,4 +48,5 @@ pub const PROBLEMS: &[Problem] = &[
     concrete_fracture_energy::PROBLEM,
     rock_strength::PROBLEM,
     circular_opening::PROBLEM,
+    strip_footing::PROBLEM,
 ];

@@ -1,0 +1,139 @@
+//! A rough strip footing on weightless clay: Prandtl's load.
+//!
+//! Rigid and perfectly plastic ground with cohesion c and no friction fails under a strip of pressure (2 + π)c
+//! (`prandtl1920`), a rough footing or a smooth one. Flow without change of volume in a fan at the edge asks of an element
+//! that it neither locks nor lets hourglass patterns carry load.
+//!
+//! **Model.** One half, half-width b = 1 m, ground 5b wide and 3b deep in plane strain, E = 1000 c. The footing is driven
+//! down by 0.04 b at a constant speed, so slowly that a wave of it carries 2 % of c. Its load is the mean vertical stress of the lowest layer,
+//! averaged over the last quarter of the way. Between the last node that is driven and the next one the footing ends at
+//! an unknown place: half an element is added to b.
+
+use crate::models::{QUADRATURES, Solid};
+use crate::simulation::Simulation;
+use crate::{Check, Effort, Problem, VerifyError};
+use std::f64::consts::PI;
+use std::sync::Arc;
+use tremolite::model::centroid;
+use tremolite::parts::loads::Load;
+use tremolite::quantities::mean;
+use tremolite::{Instance, Quadrature};
+use tremolite_laws::materials::MohrCoulomb;
+use tremolite_laws::{Material, Values};
+use tremolite_mesh::boxes::BoxSpec;
+
+const NAME: &str = "strip_footing";
+
+pub const PROBLEM: Problem = Problem {
+    name: NAME,
+    summary: "rough strip footing on clay: Prandtl's load, neither locked nor carried by hourglass patterns",
+    source: "`prandtl1920`",
+    run,
+};
+
+const COHESION: f64 = 0.1e6;
+/// Way \[m\] and speed \[m/s\] of the footing.
+const WAY: f64 = 0.04;
+const SPEED: f64 = 0.004;
+/// Steps between two readings of the load.
+const EVERY: u64 = 50;
+const SOIL: Solid = Solid { young: 1e8, poisson: 0.3, density: 2000.0 };
+
+fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
+    let n = if effort == Effort::Full { 8 } else { 4 };
+    let exact = 2.0 + PI;
+    let mut checks = Vec::new();
+    for (quadrature, word) in QUADRATURES {
+        let found = press(quadrature, n)?;
+        let of = |what: &str| format!("{what}, {n} elements a half-width, {word}");
+        if quadrature == Quadrature::Full {
+            let note = "12 %: half an element more or less under the edge is as much, and the fan there has few elements";
+            checks.push(Check::new(NAME, of("load over c b"), found.load, exact, 0.12 * exact, "1", note));
+        } else {
+            let note = format!(
+                "for information: the elastic stabilisation goes on to carry where the ground flows; it holds {:.1} % of \
+                 what the ground has dissipated",
+                100.0 * found.hourglass
+            );
+            checks.push(Check::beside(NAME, of("load over c b"), found.load, exact, "1", note));
+        }
+        let note = "for information: beyond the limit the load does not rise, here it does from the third to the last quarter";
+        let quantity = of("load of the last quarter of the way over that of the third");
+        checks.push(Check::beside(NAME, quantity, found.load / found.before, 1.0, "1", note));
+    }
+    Ok(checks)
+}
+
+/// What the footing met.
+struct Pressed {
+    /// Load over c b in the last quarter of the way, and in the quarter before.
+    load: f64,
+    before: f64,
+    /// Energy of the stabilisation over dissipated energy at the end.
+    hourglass: f64,
+}
+
+/// Presses the footing into ground of `n` elements a half-width.
+fn press(quadrature: Quadrature, n: u32) -> Result<Pressed, VerifyError> {
+    let h = 1.0 / f64::from(n);
+    let mesh = BoxSpec::uniform([0.0; 3], [5.0, h, 3.0], [5 * n, 1, 3 * n]).mesh()?;
+    let values = Values::default()
+        .with("young", SOIL.young)
+        .with("poisson", SOIL.poisson)
+        .with("cohesion", COHESION)
+        .with("friction_angle", 0.0)
+        .with("dilation_angle", 0.0)
+        .with("tensile_strength", 1e9);
+    let law = MohrCoulomb::new(&values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))?;
+    let under = |x: &[f64; 3]| x[2] > 3.0 - 1e-9 && x[0] < 1.0 + 1e-9;
+    let footing: Vec<u32> =
+        (0u32..).zip(&mesh.nodes).filter(|(_, x)| under(x)).map(|(node, _)| node).collect();
+    let held = (0u32..).zip(&mesh.nodes).map(|(node, x)| {
+        let side = x[0] < 1e-9 || x[0] > 5.0 - 1e-9;
+        let base = x[2] < 1e-9;
+        (node, [side || base || under(x), true, base || under(x)])
+    });
+    let held: Vec<(u32, [bool; 3])> = held.collect();
+    let mut problem = SOIL.fill(mesh, quadrature);
+    problem.bodies[0].material = Arc::new(Instance(Arc::new(law)));
+    problem.held = held;
+    // The footing's motion is given; the load on it books the work that moves it.
+    let share = -5.14 * COHESION * h / footing.len() as f64;
+    problem.loads = vec![Load {
+        forces: footing.iter().map(|&n| (n, [0.0, 0.0, share])).collect(),
+        factor: Arc::new(|_| 1.0),
+    }];
+    let simulation = Simulation::new(problem)?;
+    let dt = 0.9 * simulation.stable();
+    let steps = (WAY / SPEED / dt) as u64;
+    let mut engine = simulation.engine();
+    let driven: Vec<bool> =
+        (0..simulation.model.mesh_node.len()).map(|n| under(&simulation.position(n))).collect();
+    let mut state = simulation
+        .start(&mut engine, dt, |n| [[0.0; 3], if driven[n] { [0.0, 0.0, -SPEED] } else { [0.0; 3] }]);
+    let elements = 0..simulation.model.mesh.elements.len();
+    let lowest: Vec<_> = elements
+        .filter(|&e| centroid(&simulation.model.mesh, e as u32)[2] < h)
+        .filter_map(|e| simulation.phase.element_slot[e])
+        .collect();
+    let (mut sums, mut counts) = ([0.0; 4], [0.0; 4]);
+    for step in 0..steps {
+        if step % EVERY == 0 {
+            let snapshot = engine.observe(&mut state);
+            let stress = lowest.iter().map(|slot| {
+                let first = slot.point as usize;
+                mean(&snapshot.stress[first..first + slot.points as usize])[2]
+            });
+            let quarter = (4 * step / steps) as usize;
+            sums[quarter] -= stress.sum::<f64>() * h / (COHESION * (1.0 + 0.5 * h));
+            counts[quarter] += 1.0;
+        }
+        engine.step(&mut state)?;
+    }
+    let balance = engine.observe(&mut state).balance;
+    Ok(Pressed {
+        load: sums[3] / counts[3],
+        before: sums[2] / counts[2],
+        hourglass: balance.hourglass / balance.dissipated,
+    })
+}
