@@ -3,9 +3,9 @@
 //! Salençon (1969), with compression positive, K = (1 + sin φ)/(1 − sin φ), M the same of ψ, q = 2c√K, p₀ far away, p_i at
 //! the wall r = a, s = q/(K − 1): rock yields out to
 //! R = a \[2/(K + 1) · (p₀ + s)/(p_i + s)\]^{1/(K − 1)}; there σ_r = (p_i + s)(r/a)^{K−1} − s and σ_θ = Kσ_r + q; beyond,
-//! σ_{r,θ} = p₀ ∓ (p₀ − σ_e)(R/r)², σ_e = (2p₀ − q)/(K + 1). Inwards, 2G u/r is (p₀ − σ_e)(R/r)² beyond R and
-//! (2ν − 1)(p₀ + s) + (1 − ν)(K² − 1)/(K + M) (p_i + s)(R/a)^{K−1}(R/r)^{M+1}
-//! + \[(1 − ν)(KM + 1)/(K + M) − ν\](p_i + s)(r/a)^{K−1} within.
+//! σ_{r,θ} = p₀ ∓ (p₀ − σ_e)(R/r)², σ_e = (2p₀ − q)/(K + 1). Displacement inwards, u: 2G u/r is (p₀ − σ_e)(R/r)² beyond R,
+//! and within it the sum of (2ν − 1)(p₀ + s), of (1 − ν)(K² − 1)/(K + M) · (p_i + s)(R/a)^{K−1}(R/r)^{M+1}, and of
+//! \[(1 − ν)(KM + 1)/(K + M) − ν\] · (p_i + s)(r/a)^{K−1}.
 //! This holds while the stress along the axis, p₀ + ν(σ_r + σ_θ − 2p₀), lies between the two others; the rock here is
 //! chosen so. It is that of a common verification of programs for rock, with ν and p₀ changed for that reason.
 //!
