@@ -48,6 +48,17 @@ pub struct Curve<'a> {
     pub across: Cow<'a, [f64]>,
     /// In SI, as many.
     pub up: Cow<'a, [f64]>,
+    /// Whether these are points of their own, as of tests, rather than a line.
+    pub points: bool,
+}
+
+/// Which points of a plane are named below it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Named {
+    HighestAndLowest,
+    /// Where what lies further down is left out.
+    Highest,
+    Nothing,
 }
 
 /// One quantity over another.
@@ -56,8 +67,7 @@ pub struct Plane<'a> {
     pub across: Quantity,
     pub up: Quantity,
     pub curves: Vec<Curve<'a>>,
-    /// Whether what lies further down is left out: then no lowest point is named.
-    pub cut: bool,
+    pub named: Named,
 }
 
 /// One line of a track.
@@ -139,17 +149,27 @@ impl Plane<'_> {
         let axes = Axes { left, right, top, bottom, across, up };
         axes.draw(svg);
         axes.number_across(svg);
-        let names = self.curves.iter().map(|c| (c.name.as_str(), c.colour));
+        let names = self.curves.iter().map(|c| (c.name.as_str(), c.colour, c.points));
         heading(svg, (left, top - 9.0), &y.labelled(&self.up.name), names);
         svg.text((right, bottom + 34.0), Anchor::End, 12.0, Style::Muted, &x.labelled(&self.across.name));
         for curve in &self.curves {
             let points =
                 curve.across.iter().zip(curve.up.iter()).map(|(a, b)| axes.point(a * x.factor, b * y.factor));
-            svg.lines(curve.colour, 1.5, &spaced(points));
+            if curve.points {
+                points
+                    .filter(|(x, y)| drawable(*x) && drawable(*y))
+                    .for_each(|at| svg.ring(at, curve.colour));
+            } else {
+                svg.lines(curve.colour, 1.5, &spaced(points));
+            }
         }
         let mut remarks = Vec::new();
-        let wanted = [("highest", 1.0), ("lowest", -1.0)].into_iter().take(if self.cut { 1 } else { 2 });
-        for (word, sign) in wanted {
+        let wanted = match self.named {
+            Named::HighestAndLowest => &[("highest", 1.0), ("lowest", -1.0)][..],
+            Named::Highest => &[("highest", 1.0)],
+            Named::Nothing => &[],
+        };
+        for &(word, sign) in wanted {
             if let Some((curve, across, up)) = self.extreme(sign) {
                 svg.ring(axes.point(across * x.factor, up * y.factor), curve.colour);
                 let (up, across) = (y.quantity(up), with_power(&x, across));
@@ -190,7 +210,7 @@ impl Track<'_> {
         let axes =
             Axes { left: LEFT, right: WIDTH - RIGHT, top, bottom: top + 104.0, across: across.clone(), up };
         axes.draw(svg);
-        let names = self.courses.iter().map(|c| (c.name.as_str(), c.colour));
+        let names = self.courses.iter().map(|c| (c.name.as_str(), c.colour, false));
         heading(svg, (LEFT, top - 9.0), &scale.labelled(&self.quantity.name), names);
         for course in &self.courses {
             let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
@@ -202,12 +222,21 @@ impl Track<'_> {
     }
 }
 
-/// A bold title, and behind it the names of the lines in their colours.
-fn heading<'a>(svg: &mut Svg, at: (f64, f64), title: &str, names: impl Iterator<Item = (&'a str, usize)>) {
+/// A bold title, and behind it the names of the lines in their colours; of points where the third value says so.
+fn heading<'a>(
+    svg: &mut Svg,
+    at: (f64, f64),
+    title: &str,
+    names: impl Iterator<Item = (&'a str, usize, bool)>,
+) {
     svg.text(at, Anchor::Start, 13.0, Style::Bold, title);
     let mut x = at.0 + text_width(title, 13.0) + 24.0;
-    for (name, colour) in names.filter(|(name, _)| *name != title) {
-        svg.lines(colour, 2.4, &[vec![(x, at.1 - 4.5), (x + 18.0, at.1 - 4.5)]]);
+    for (name, colour, points) in names.filter(|(name, ..)| *name != title) {
+        if points {
+            svg.ring((x + 9.0, at.1 - 4.5), colour);
+        } else {
+            svg.lines(colour, 2.4, &[vec![(x, at.1 - 4.5), (x + 18.0, at.1 - 4.5)]]);
+        }
         svg.text((x + 23.0, at.1), Anchor::Start, 12.0, Style::Plain, name);
         x += 23.0 + text_width(name, 12.0) + 14.0;
     }

@@ -3,7 +3,7 @@
 use super::path_file::{STRAIN, STRESS};
 use std::borrow::Cow;
 use tremolite_laws::path::Response;
-use tremolite_report::loops::{Course, Curve, Loops, Plane, Quantity, Track};
+use tremolite_report::loops::{Course, Curve, Loops, Named, Plane, Quantity, Track};
 
 const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "zx"];
 
@@ -50,7 +50,9 @@ fn plane<'a>(
         let (across, up) = (Cow::from(&strain[k]), Cow::from(&stress[k]));
         match curves.iter_mut().find(|c| same(&c.across, &across, noise.0) && same(&c.up, &up, noise.1)) {
             Some(curve) => curve.name += &format!(" = {}", COMPONENTS[k]),
-            None => curves.push(Curve { name: COMPONENTS[k].to_owned(), colour: k, across, up }),
+            None => {
+                curves.push(Curve { name: COMPONENTS[k].to_owned(), colour: k, across, up, points: false })
+            }
         }
     }
     let quantity = |kind: &str, unit: &str| Quantity::new(format!("{word} {kind}"), unit);
@@ -58,7 +60,7 @@ fn plane<'a>(
         across: quantity("strain", ""),
         up: quantity("stress", "Pa"),
         curves,
-        cut: false,
+        named: Named::HighestAndLowest,
     })
 }
 
@@ -134,7 +136,7 @@ fn tension<'a>(plane: &Plane<'a>) -> Option<Plane<'a>> {
     Some(Plane {
         up: Quantity::new(format!("{}, tension side", plane.up.name), &*plane.up.unit),
         curves: curves.collect(),
-        cut: true,
+        named: Named::Highest,
         ..plane.clone()
     })
 }
