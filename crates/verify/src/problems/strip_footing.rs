@@ -1,12 +1,12 @@
 //! A rough strip footing on weightless clay: Prandtl's load.
 //!
-//! Rigid and perfectly plastic ground with cohesion c and no friction fails under a strip of pressure (2 + π)c
+//! Perfectly plastic ground with cohesion c and no friction fails under a strip of pressure (2 + π)c
 //! (`prandtl1920`), a rough footing or a smooth one. Flow without change of volume in a fan at the edge asks of an element
 //! that it neither locks nor lets hourglass patterns carry load.
 //!
 //! **Model.** One half, half-width b = 1 m, ground 5b wide and 3b deep in plane strain, E = 1000 c. The footing is driven
-//! down by 0.04 b at a constant speed, so slowly that a wave of it carries 2 % of c. Its load is the mean vertical stress of the lowest layer,
-//! averaged over the last quarter of the way. Between the last node that is driven and the next one the footing ends at
+//! down by 0.04 b at a constant speed, so slowly that a wave of it carries 2 % of c. Its load is the mean vertical stress of
+//! the lowest layer, averaged over the last quarter of the way. Between the last node that is driven and the next one the footing ends at
 //! an unknown place: half an element is added to b.
 
 use crate::models::{QUADRATURES, Solid};
