@@ -33,6 +33,19 @@ pub fn mesh_of(case: &Case) -> Result<tremolite_mesh::Mesh, Report> {
     mesh::build(case, &mut problems).ok_or_else(|| case.report(problems))
 }
 
+/// What a case makes of a mesh, which need not be its own: a body for each region that is not void.
+///
+/// # Errors
+/// Regions that do not fit the mesh or leave elements out, at their places in the case.
+pub fn bodies_of(case: &Case, mesh: &tremolite_mesh::Mesh, laws: &[Law]) -> Result<Vec<Body>, Report> {
+    let mut problems = Vec::new();
+    // Only damping over a band asks for the motion.
+    let motion = case.dynamic.band.as_ref().and_then(|_| motion::build(case, &mut problems));
+    let band = band(case, motion.as_ref(), &mut problems);
+    let bodies = regions::build(case, mesh, laws, band, &mut problems);
+    if problems.is_empty() { Ok(bodies) } else { Err(case.report(problems)) }
+}
+
 /// Builds the problem and the plan of a case. `laws` are those the case may name.
 ///
 /// # Errors

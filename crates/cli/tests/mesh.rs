@@ -1,0 +1,114 @@
+//! `tremolite mesh` as a user meets it.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn tremolite(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
+}
+
+fn out(output: &Output) -> String {
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+/// Two unit cubes side by side whose nodes are not joined; the second is a tenth as thick as the first.
+const TWO: &str = "\
+*NODE
+1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1
+11, 1, 0, 0\n12, 1.1, 0, 0\n13, 1.1, 1, 0\n14, 1, 1, 0\n15, 1, 0, 1\n16, 1.1, 0, 1\n17, 1.1, 1, 1\n18, 1, 1, 1
+*ELEMENT, TYPE=C3D8, ELSET=rock
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*ELEMENT, TYPE=C3D8, ELSET=lining
+7, 11, 12, 13, 14, 15, 16, 17, 18
+*SURFACE, NAME=wall
+1, S6
+";
+
+#[test]
+fn info_says_by_group_what_the_step_is_and_what_it_costs() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("two.inp"), TWO).unwrap();
+    let rock = "*: E = 10 GPa, nu = 0.25, density = 2752 kg/m3";
+    // Nine times the modulus: a third of the step.
+    let stiff = "lin*: E = 90 GPa, nu = 0.25, density = 2752 kg/m3";
+    let info = |more: &[&str]| -> Value {
+        let args = [["mesh", "info", "two.inp", "--json"].as_slice(), more].concat();
+        serde_json::from_str(&out(&tremolite(folder.path(), &args))).unwrap()
+    };
+    let (one, two) = (info(&["--material", rock]), info(&["--material", rock, "--material", stiff]));
+    let step = |info: &Value, group: &str| info["stable_step_by_group"][group]["step"].as_f64().unwrap();
+    assert!((step(&one, "lining") / step(&two, "lining") - 3.0).abs() < 1e-12);
+    assert_eq!(step(&one, "rock"), step(&two, "rock"));
+    // Without materials the ratios are those of any one material.
+    let none = info(&[]);
+    assert_eq!(none["materials_assumed"], true);
+    assert_eq!(step(&none, "rock") / step(&none, "lining"), step(&one, "rock") / step(&one, "lining"));
+    let whole = &two["stable_step"];
+    assert_eq!(whole["element"], 7);
+    assert!((whole["at"][0].as_f64().unwrap() - 1.05).abs() < 1e-12 && whole["elements_within_1.25"] == 1);
+    for (key, value) in [
+        ("nodes", serde_json::json!(16)),
+        ("elements", serde_json::json!({"hex8": 2})),
+        ("groups", serde_json::json!({"lining": 1, "rock": 1})),
+        ("min_scaled_jacobian", serde_json::json!(1.0)),
+        ("parts", serde_json::json!([1, 1])),
+        ("named_faces", serde_json::json!({"wall": 1})),
+        ("coincident_nodes", serde_json::json!(4)),
+        // Of twelve faces five lie on the x, y and z planes of each cube, and `wall` is one of these.
+        ("other_outer_faces", serde_json::json!(2)),
+    ] {
+        assert_eq!(two[key], value, "{key}");
+    }
+    assert!((two["volume"].as_f64().unwrap() - 1.1).abs() < 1e-12);
+    let refused = tremolite(folder.path(), &["mesh", "info", "two.inp", "--material", "rock: E = 10 m"]);
+    assert_eq!(refused.status.code(), Some(2));
+}
+
+#[test]
+fn the_command_that_info_offers_joins_the_parts() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("two parts.inp"), TWO).unwrap();
+    let text = out(&tremolite(
+        folder.path(),
+        &["mesh", "info", "two parts.inp", "--section", "s.svg", "--view", "v.svg"],
+    ));
+    for words in
+        ["1 hex8", "xmin", "wall", "2 separate parts, of 1, 1 elements", "4 nodes lie within", "assumed"]
+    {
+        assert!(text.contains(words), "'{words}' is missing:\n{text}");
+    }
+    assert!(["s.svg", "v.svg"].iter().all(|f| folder.path().join(f).is_file()));
+    let offered = text
+        .lines()
+        .find_map(|l| l.trim().strip_prefix("tremolite mesh convert \"two parts.inp\" "))
+        .unwrap();
+    let args: Vec<&str> =
+        ["mesh", "convert", "two parts.inp"].into_iter().chain(offered.split(' ')).collect();
+    out(&tremolite(folder.path(), &args));
+    let joined = out(&tremolite(folder.path(), &["mesh", "info", "joined.vtu"]));
+    assert!(joined.contains("12 nodes") && joined.contains("all elements hang together"), "{joined}");
+}
+
+#[test]
+fn a_case_brings_its_materials_and_lends_them_to_a_mesh_file() {
+    let folder = tempfile::tempdir().unwrap();
+    out(&tremolite(folder.path(), &["new", "study"]));
+    let json =
+        |args: &[&str]| -> Value { serde_json::from_str(&out(&tremolite(folder.path(), args))).unwrap() };
+    let own = json(&["mesh", "info", "study/case.toml", "--json"]);
+    assert_eq!(own["materials_assumed"], false);
+    assert!(own["elements_without_step"].as_u64().unwrap() > 0, "what is excavated has no step");
+    out(&tremolite(folder.path(), &["mesh", "cavern", "study/case.toml", "--out", "cavern.msh"]));
+    let lent = json(&["mesh", "info", "cavern.msh", "--materials", "study/case.toml", "--json"]);
+    assert_eq!(own["stable_step_by_group"], lent["stable_step_by_group"]);
+    // Regions that do not fit are told, and the mesh is shown all the same.
+    let case = folder.path().join("study/case.toml");
+    let text = std::fs::read_to_string(&case).unwrap().replace("[\"rock\"]", "[\"rok\"]");
+    std::fs::write(&case, text).unwrap();
+    let shown = tremolite(folder.path(), &["mesh", "info", "study/case.toml"]);
+    assert!(out(&shown).contains("assumed") && String::from_utf8_lossy(&shown.stderr).contains("fits 'rok'"));
+    let refused = tremolite(folder.path(), &["mesh", "info", "cavern.msh", "--materials", "study/case.toml"]);
+    assert_eq!(refused.status.code(), Some(2));
+}
