@@ -63,6 +63,31 @@ impl Draft {
         self.mesh.elements.push(Element::new(shape, corners));
     }
 
+    /// Adds an element, given the numbers of its corners; [`Draft::resolve`] puts indices in their place, so that
+    /// elements need not be held twice.
+    ///
+    /// # Errors
+    /// A number that 32 bits do not hold, in words.
+    pub(crate) fn push_numbered(&mut self, number: u64, shape: Shape, corners: &[u64]) -> Result<(), String> {
+        self.mesh.element_ids.push(number);
+        self.mesh.elements.push(numbered(shape, corners)?);
+        Ok(())
+    }
+
+    /// Puts indices in the place of the node numbers of the elements from `from` on.
+    ///
+    /// # Errors
+    /// The first element that uses a node that is not there (its index), and that node's number.
+    pub(crate) fn resolve(&mut self, from: usize, nodes: &Numbering) -> Result<(), (usize, u64)> {
+        for (index, element) in self.mesh.elements.iter_mut().enumerate().skip(from) {
+            for node in &mut element.nodes {
+                let number = u64::from(*node);
+                *node = nodes.index(number).ok_or((index, number))?;
+            }
+        }
+        Ok(())
+    }
+
     /// The mesh, and what was done to get it.
     ///
     /// # Errors
@@ -117,6 +142,20 @@ impl Draft {
         }
         Ok((mesh, notes))
     }
+}
+
+/// An element that has node numbers where indices will be.
+///
+/// # Errors
+/// A number that 32 bits do not hold, in words.
+pub(crate) fn numbered(shape: Shape, corners: &[u64]) -> Result<Element, String> {
+    let mut nodes = [0; 8];
+    for (node, &corner) in nodes.iter_mut().zip(corners) {
+        *node = u32::try_from(corner).map_err(|_| {
+            format!("node {corner}: numbers up to {} can be read; renumber the nodes", u32::MAX)
+        })?;
+    }
+    Ok(Element::new(shape, &nodes[..corners.len()]))
 }
 
 /// Sorts the groups, and puts the elements of none into one of their own.

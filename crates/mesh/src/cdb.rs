@@ -37,19 +37,12 @@ struct Archive {
     draft: Draft,
     /// ANSYS's number of each element type that is defined.
     types: HashMap<u64, String>,
-    elements: Vec<Solid>,
+    /// Material and line of each element of the draft, whose nodes are still numbers.
+    materials: Vec<u32>,
+    lines: Vec<u32>,
     components: Vec<Component>,
     /// Whether nodes or elements stand there as single commands.
     unblocked: bool,
-}
-
-/// An element with the numbers of its corners.
-struct Solid {
-    number: u64,
-    material: u64,
-    shape: Shape,
-    corners: [u64; 8],
-    line: usize,
 }
 
 struct Component {
@@ -167,42 +160,34 @@ impl Archive {
                     input.fault(format!("element {number} has {} nodes, {count} are announced", nodes.len()))
                 );
             }
-            self.element(
-                input,
-                kind,
-                Solid { number, material, shape: Shape::Hex8, corners: [0; 8], line: first },
-                &nodes,
-            )?;
+            let Some(shape) = self.shape(input, kind, number, nodes.len())? else { continue };
+            self.draft
+                .push_numbered(number, shape, &nodes[..shape.nodes()])
+                .map_err(|problem| Fault::at(first, problem))?;
+            self.draft.reduce(nodes.len(), shape);
+            self.materials.push(u32::try_from(material).unwrap_or(u32::MAX));
+            self.lines.push(first as u32);
         }
     }
 
-    /// Takes or skips an element of type `kind`.
-    fn element(&mut self, input: &Input, kind: u64, mut element: Solid, nodes: &[u64]) -> Result<(), Fault> {
+    /// The shape of an element of type `kind` with so many nodes; none if it is passed over.
+    fn shape(&mut self, input: &Input, kind: u64, number: u64, nodes: usize) -> Result<Option<Shape>, Fault> {
         let Some(name) = self.types.get(&kind) else {
-            let number = element.number;
             let problem =
                 format!("element {number} has type {kind}, which no ET before it defines; {EXPORT}");
             return Err(input.fault(problem));
         };
-        let shape = match (family(name), nodes.len()) {
+        match (family(name), nodes) {
             (Family::Other, _) => {
                 self.draft.skip(&format!("elements of ANSYS's type {name}"), 1);
-                return Ok(());
+                Ok(None)
             }
-            (Family::Tetrahedron, 4 | 10) | (Family::Brick, 4 | 10) => Shape::Tet4,
-            (Family::Brick | Family::Tetrahedron, 8 | 20) => Shape::Hex8,
+            (Family::Tetrahedron, 4 | 10) | (Family::Brick, 4 | 10) => Ok(Some(Shape::Tet4)),
+            (Family::Brick | Family::Tetrahedron, 8 | 20) => Ok(Some(Shape::Hex8)),
             (_, count) => {
-                let number = element.number;
-                return Err(
-                    input.fault(format!("element {number} of type {name} has {count} nodes; {EXPORT}"))
-                );
+                Err(input.fault(format!("element {number} of type {name} has {count} nodes; {EXPORT}")))
             }
-        };
-        element.shape = shape;
-        element.corners[..shape.nodes()].copy_from_slice(&nodes[..shape.nodes()]);
-        self.draft.reduce(nodes.len(), shape);
-        self.elements.push(element);
-        Ok(())
+        }
     }
 
     fn component(&mut self, input: &mut Input, fields: &[&str]) -> Result<(), Fault> {
@@ -242,30 +227,21 @@ impl Archive {
     }
 
     fn assemble(self) -> Result<Draft, Fault> {
-        let Archive { mut draft, elements, components, unblocked, .. } = self;
-        if unblocked && (draft.mesh.nodes.is_empty() || elements.is_empty()) {
+        let Archive { mut draft, materials, lines, components, unblocked, .. } = self;
+        if unblocked && (draft.mesh.nodes.is_empty() || draft.mesh.elements.is_empty()) {
             return Err(Fault::whole(format!("nodes or elements are single commands, not blocks; {EXPORT}")));
         }
         let nodes = Numbering::new(&draft.mesh.node_ids)
             .map_err(|number| Fault::whole(format!("there are two nodes {number}; renumber them")))?;
-        for element in &elements {
-            let mut corners = [0; 8];
-            for (corner, &number) in corners.iter_mut().zip(&element.corners[..element.shape.nodes()]) {
-                let Some(index) = nodes.index(number) else {
-                    let problem = format!(
-                        "element {} uses node {number}, which is not there; {EXPORT}",
-                        element.number
-                    );
-                    return Err(Fault::at(element.line, problem));
-                };
-                *corner = index;
-            }
-            draft.push(element.number, element.shape, &corners[..element.shape.nodes()]);
-        }
+        draft.resolve(0, &nodes).map_err(|(e, node)| {
+            let element = draft.mesh.element_ids[e];
+            let problem = format!("element {element} uses node {node}, which is not there; {EXPORT}");
+            Fault::at(lines[e] as usize, problem)
+        })?;
         let numbering = Numbering::new(&draft.mesh.element_ids).map_err(|number| {
             Fault::whole(format!("there are two solid elements {number}; renumber them"))
         })?;
-        let mut grouped = vec![false; elements.len()];
+        let mut grouped = vec![false; draft.mesh.elements.len()];
         let mut several = 0;
         for Component { name, of_nodes, ranges } in components {
             let numbering = if of_nodes { &nodes } else { &numbering };
@@ -287,11 +263,11 @@ impl Archive {
                 .notes
                 .push(Note::NotTaken { what: "node components of several nodes".into(), count: several });
         }
-        let mut materials: BTreeMap<u64, Vec<u32>> = BTreeMap::new();
-        for (index, element) in (0..).zip(&elements).filter(|(i, _): &(u32, _)| !grouped[*i as usize]) {
-            materials.entry(element.material).or_default().push(index);
+        let mut rest: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        for (index, &material) in (0..).zip(&materials).filter(|(i, _): &(u32, _)| !grouped[*i as usize]) {
+            rest.entry(material).or_default().push(index);
         }
-        for (material, list) in materials {
+        for (material, list) in rest {
             draft.mesh.groups.entry(format!("material {material}")).or_default().extend(list);
         }
         Ok(draft)

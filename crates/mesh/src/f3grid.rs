@@ -56,9 +56,10 @@ struct Group {
 /// What the file holds.
 #[derive(Default)]
 struct Grid {
+    /// Gridpoints and zones; the nodes of elements are the numbers of gridpoints.
     draft: Draft,
-    /// Gridpoints of each zone, by number, in FLAC3D's order.
-    zones: Vec<Cell>,
+    /// The line of each zone.
+    lines: Vec<u32>,
     faces: Vec<Cell>,
     zone_groups: Vec<Group>,
     face_groups: Vec<Group>,
@@ -68,6 +69,7 @@ struct Grid {
 struct Cell {
     number: u64,
     count: u8,
+    /// In FLAC3D's order.
     gridpoints: [u64; 8],
     line: usize,
 }
@@ -125,7 +127,8 @@ fn text(input: &mut Input) -> Result<Grid, Fault> {
                 Open::Nothing
             }
             "Z" => {
-                grid.zones.push(cell(input, &["B8", "W6", "P5", "T4", "B7"], "zone")?);
+                let zone = cell(input, &["B8", "W6", "P5", "T4", "B7"], "zone")?;
+                grid.zone(&zone).map_err(|problem| input.fault(problem))?;
                 Open::Nothing
             }
             "F" => {
@@ -191,42 +194,43 @@ fn quoted(text: &str) -> (&str, &str) {
 }
 
 impl Grid {
+    /// Adds a zone.
+    fn zone(&mut self, zone: &Cell) -> Result<(), String> {
+        let shape = match zone.count {
+            4 => Shape::Tet4,
+            5 => Shape::Pyramid5,
+            6 => Shape::Wedge6,
+            _ => Shape::Hex8,
+        };
+        // The seventh gridpoint of a B7 stands for the eighth too.
+        let last = usize::from(zone.count) - 1;
+        let mut corners = [0; 8];
+        for (corner, &from) in corners.iter_mut().zip(order(shape)) {
+            *corner = zone.gridpoints[from.min(last)];
+        }
+        self.lines.push(zone.line as u32);
+        self.draft.push_numbered(zone.number, shape, &corners[..shape.nodes()])
+    }
+
     fn assemble(self) -> Result<Draft, Fault> {
-        let Grid { mut draft, zones, faces, zone_groups, face_groups } = self;
+        let Grid { mut draft, lines, faces, zone_groups, face_groups } = self;
         draft.stray = Stray::Skipped;
         let nodes = Numbering::new(&draft.mesh.node_ids)
             .map_err(|number| Fault::whole(format!("there are two gridpoints {number}; renumber them")))?;
-        let node = |cell: &Cell, k: usize| {
-            let number = cell.gridpoints[k];
-            nodes.index(number).ok_or_else(|| {
-                let problem = format!("gridpoint {number} is not there; export the whole grid from FLAC3D");
-                place(cell.line, problem)
-            })
+        let absent = |line: usize, number: u64| {
+            place(line, format!("gridpoint {number} is not there; export the whole grid from FLAC3D"))
         };
-        for zone in &zones {
-            let shape = match zone.count {
-                4 => Shape::Tet4,
-                5 => Shape::Pyramid5,
-                6 => Shape::Wedge6,
-                _ => Shape::Hex8,
-            };
-            let mut corners = [0; 8];
-            for (corner, &from) in corners.iter_mut().zip(order(shape)) {
-                // The seventh gridpoint of a B7 stands for the eighth too.
-                *corner = node(zone, from.min(usize::from(zone.count) - 1))?;
-            }
-            draft.push(zone.number, shape, &corners[..shape.nodes()]);
-        }
-        let numbering = |cells: &[Cell], what: &str| {
-            let numbers: Vec<u64> = cells.iter().map(|c| c.number).collect();
-            Numbering::new(&numbers)
+        draft.resolve(0, &nodes).map_err(|(zone, number)| absent(lines[zone] as usize, number))?;
+        let numbering = |numbers: &[u64], what: &str| {
+            Numbering::new(numbers)
                 .map_err(|number| Fault::whole(format!("there are two {what} {number}; renumber them")))
         };
-        let zone_index = numbering(&zones, "zones")?;
+        let zone_index = numbering(&draft.mesh.element_ids, "zones")?;
         for (name, group) in named(&zone_groups) {
             draft.mesh.groups.entry(name).or_default().extend(group.members(&zone_index, "zone")?);
         }
-        let face_index = numbering(&faces, "faces")?;
+        let face_numbers: Vec<u64> = faces.iter().map(|f| f.number).collect();
+        let face_index = numbering(&face_numbers, "faces")?;
         let mut grouped = vec![false; faces.len()];
         for (name, group) in named(&face_groups) {
             let list = draft.names.len() as u32;
@@ -235,8 +239,8 @@ impl Grid {
                 let face = &faces[index as usize];
                 let mut corners = [0; 4];
                 let corners = &mut corners[..usize::from(face.count)];
-                for (k, corner) in corners.iter_mut().enumerate() {
-                    *corner = node(face, k)?;
+                for (corner, &number) in corners.iter_mut().zip(&face.gridpoints) {
+                    *corner = nodes.index(number).ok_or_else(|| absent(face.line, number))?;
                 }
                 draft.facets.push(Facet::new(corners, face.number, list));
                 grouped[index as usize] = true;

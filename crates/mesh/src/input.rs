@@ -1,7 +1,7 @@
 //! The bytes of a mesh file in one pass: lines and the fields in them, or raw bytes. Only a piece of the
 //! file is in memory at a time, so that a large mesh is not held twice.
 
-use std::io::{ErrorKind, Read};
+use std::io::{ErrorKind, Read, Seek};
 
 use crate::read::Fault;
 
@@ -10,9 +10,14 @@ const PIECE: usize = 1 << 20;
 /// Bytes by which a format is recognised.
 const HEAD: usize = 1 << 16;
 
+/// What a file is read from.
+pub(crate) trait Source: Read + Seek {}
+
+impl<T: Read + Seek> Source for T {}
+
 /// A file being read.
 pub(crate) struct Input<'a> {
-    source: Box<dyn Read + 'a>,
+    source: Box<dyn Source + 'a>,
     buffer: Vec<u8>,
     /// End of what is valid in `buffer`.
     end: usize,
@@ -36,7 +41,7 @@ pub(crate) struct Input<'a> {
 
 impl<'a> Input<'a> {
     /// Nothing is read yet.
-    pub(crate) fn new(source: impl Read + 'a) -> Self {
+    pub(crate) fn new(source: impl Source + 'a) -> Self {
         Input {
             source: Box::new(source),
             buffer: Vec::new(),
@@ -222,12 +227,9 @@ impl<'a> Input<'a> {
         Ok(Some(&self.buffer[start..start + count]))
     }
 
-    /// All that is left from the end of the current line on.
-    pub(crate) fn rest(&mut self) -> Result<Vec<u8>, Fault> {
-        while self.more()? {}
-        let rest = self.buffer[self.next..self.end].to_vec();
-        (self.next, self.end, self.buffer) = (0, 0, Vec::new());
-        Ok(rest)
+    /// The file itself, for a format that is not read from front to back. What was taken so far is forgotten.
+    pub(crate) fn source(&mut self) -> &mut (dyn Source + 'a) {
+        &mut *self.source
     }
 
     /// Number of the current line.
@@ -281,63 +283,4 @@ pub(crate) fn parse<T: std::str::FromStr>(field: &[u8]) -> Option<T> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Gives a few bytes at a time.
-    struct Slow<'a>(&'a [u8], usize);
-
-    impl Read for Slow<'_> {
-        fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
-            let count = self.1.min(self.0.len()).min(into.len());
-            into[..count].copy_from_slice(&self.0[..count]);
-            self.0 = &self.0[count..];
-            Ok(count)
-        }
-    }
-
-    #[test]
-    fn lines_and_bytes_do_not_depend_on_how_the_file_comes_in() {
-        let file = b"\xef\xbb\xbfone 2\r\n\n  \t\n 3.5,x\nraw\x00\n\xff end\nlast";
-        for step in 1..file.len() {
-            let mut input = Input::new(Slow(file, step));
-            assert!(input.advance().unwrap());
-            assert_eq!(input.field().unwrap(), b"one");
-            assert_eq!(input.count("a number").unwrap(), 2);
-            input.done().unwrap();
-            input.commas = true;
-            assert!(input.advance().unwrap());
-            assert_eq!((input.line(), input.whole_line()), (4, b" 3.5,x".as_slice()));
-            assert_eq!(input.real("a number").unwrap(), 3.5);
-            assert_eq!(input.text(), b"x");
-            assert_eq!(input.bytes(6).unwrap().unwrap(), b"raw\x00\n\xff");
-            assert!(input.advance().unwrap());
-            assert_eq!(input.text(), b"end");
-            assert!(input.advance().unwrap());
-            assert_eq!(input.text(), b"last");
-            assert!(!input.advance().unwrap() && !input.advance().unwrap());
-            assert_eq!(input.bytes(1).unwrap(), None);
-        }
-    }
-
-    #[test]
-    fn numbers_are_read_exactly_or_refused() {
-        assert_eq!((whole(b"18446744073709551615"), whole(b"18446744073709551616")), (Some(u64::MAX), None));
-        assert_eq!((whole(b""), whole(b"-1"), whole(b"1.0")), (None, None, None));
-        assert_eq!(
-            (real(b"-1.5D+3"), real(b"1d0"), real(b"inf"), real(b"d")),
-            (Some(-1500.0), Some(1.0), None, None)
-        );
-    }
-
-    #[test]
-    fn a_wrong_field_is_named_with_its_line() {
-        let mut input = Input::new(b"\n12 x7 9\n".as_slice());
-        input.expect("a line").unwrap();
-        input.count("a count").unwrap();
-        let fault = input.real("a coordinate").unwrap_err();
-        assert_eq!((fault.line, fault.problem.as_str()), (Some(2), "`x7` stands where a coordinate should"));
-        let fault = input.expect("another line").unwrap_err();
-        assert_eq!(fault.problem, "the file ends here, expected another line; it is cut short");
-    }
-}
+mod tests;

@@ -6,11 +6,13 @@ use std::path::Path;
 
 use crate::input::{Input, real, shown};
 use crate::read::{Fault, Format, Outcome};
-use crate::vtu::{Array, Grid, Kind, NO_SOLIDS, Values, solids};
+use crate::vtu::{Array, Grid, Kind, NO_SOLIDS, Values, append_indices, solids};
 
 /// VTK's legacy format, for [`crate::read::read`].
 pub(crate) const FORMAT: Format = Format { name: "VTK legacy", recognises: is_vtk, parse };
 
+/// Numbers worked on at a time; a multiple of three, so that points stay whole.
+const PIECE: usize = 3 << 14;
 /// What to do about files that cannot be read.
 const EXPORT: &str =
     "open it in ParaView (there, Filters > Append Datasets makes any grid unstructured) and save it as .vtu";
@@ -115,39 +117,65 @@ impl<'i, 'a> Reader<'i, 'a> {
         Kind::named(xml).ok_or_else(|| self.input.fault("the type of numbers is unknown"))
     }
 
-    /// So many numbers, from the next line on.
-    fn numbers(&mut self, count: usize, kind: Kind, what: &str) -> Result<Values, Fault> {
+    /// So many numbers, from the next line on, given to `take` piece by piece.
+    fn pieces(
+        &mut self,
+        count: usize,
+        kind: Kind,
+        what: &str,
+        take: &mut dyn FnMut(Values) -> Result<(), String>,
+    ) -> Result<(), Fault> {
         let mut bytes = Vec::new();
-        if self.binary {
-            for _ in 0..count {
-                match self.input.bytes(kind.size())? {
-                    Some(number) => bytes.extend_from_slice(number),
-                    None => {
-                        return Err(self.input.fault(format!("the file ends in {what}; it is cut short")));
+        let mut left = count;
+        while left > 0 {
+            let piece = left.min(PIECE);
+            left -= piece;
+            let values = if self.binary {
+                let Some(numbers) = self.input.bytes(piece * kind.size())? else {
+                    return Err(self.input.fault(format!("the file ends in {what}; it is cut short")));
+                };
+                kind.decode(numbers, true)
+            } else {
+                bytes.clear();
+                let mut words = 0;
+                while words < piece {
+                    match self.input.field() {
+                        Some(word) => {
+                            bytes.extend_from_slice(word);
+                            bytes.push(b' ');
+                            words += 1;
+                        }
+                        None => self.input.expect(what)?,
                     }
                 }
-            }
-            return kind.decode(&bytes, true).map_err(|problem| self.input.fault(problem));
+                kind.parse(bytes.split(|&b| b == b' ').filter(|w| !w.is_empty()))
+            };
+            values
+                .and_then(&mut *take)
+                .map_err(|problem| self.input.fault(format!("in {what}: {problem}")))?;
         }
-        let mut words = 0;
-        while words < count {
-            match self.input.field() {
-                Some(word) => {
-                    bytes.extend_from_slice(word);
-                    bytes.push(b' ');
-                    words += 1;
-                }
-                None => self.input.expect(what)?,
+        Ok(())
+    }
+
+    fn numbers(&mut self, count: usize, kind: Kind, what: &str) -> Result<Values, Fault> {
+        let mut all = None;
+        self.pieces(count, kind, what, &mut |values| {
+            match &mut all {
+                None => all = Some(values),
+                Some(all) => drop(Values::append(all, &values)),
             }
+            Ok(())
+        })?;
+        match all {
+            Some(values) => Ok(values),
+            None => kind.decode(&[], true).map_err(|problem| self.input.fault(problem)),
         }
-        let fields = bytes.split(|&b| b == b' ').filter(|w| !w.is_empty());
-        kind.parse(fields).map_err(|problem| self.input.fault(format!("in {what}: {problem}")))
     }
 
     fn whole_numbers(&mut self, count: usize, kind: Kind, what: &str) -> Result<Vec<u32>, Fault> {
-        let values = self.numbers(count, kind, what)?;
-        let array = Array::new(what, "", 1, values);
-        crate::vtu::indices(&array).map_err(|problem| self.input.fault(problem))
+        let mut all = Vec::new();
+        self.pieces(count, kind, what, &mut |values| append_indices(&mut all, &values))?;
+        Ok(all)
     }
 
     fn product(&self, a: usize, b: usize) -> Result<usize, Fault> {
@@ -170,9 +198,13 @@ impl<'i, 'a> Reader<'i, 'a> {
             "POINTS" => {
                 let count = self.size("the number of points")?;
                 let kind = self.kind()?;
-                let values = self.numbers(self.product(count, 3)?, kind, "the points")?;
-                let all: Vec<f64> = (0..values.len()).map(|i| values.get(i)).collect();
-                self.grid.points = all.as_chunks::<3>().0.to_vec();
+                let mut points: Vec<[f64; 3]> = Vec::new();
+                self.pieces(self.product(count, 3)?, kind, "the points", &mut |values| {
+                    // Pieces hold whole points.
+                    points.extend((0..values.len() / 3).map(|i| [0, 1, 2].map(|k| values.get(3 * i + k))));
+                    Ok(())
+                })?;
+                self.grid.points = points;
             }
             "CELLS" => self.cells()?,
             "CELL_TYPES" => {

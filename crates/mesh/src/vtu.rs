@@ -11,6 +11,7 @@
 mod cells;
 mod data;
 mod header;
+mod outline;
 mod read;
 mod write;
 
@@ -21,7 +22,7 @@ use crate::{Mesh, Shape};
 
 pub(crate) use cells::{FORMAT, NO_SOLIDS, solids, write_mesh};
 pub(crate) use data::Kind;
-pub(crate) use read::indices;
+pub(crate) use read::append_indices;
 
 /// Numbers of one array, tuple after tuple.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,6 +49,19 @@ impl Values {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Adds the numbers of another array of the same type; whether it is of the same type.
+    pub(crate) fn append(&mut self, other: &Values) -> bool {
+        match (self, other) {
+            (Values::Float32(a), Values::Float32(b)) => a.extend(b),
+            (Values::Float64(a), Values::Float64(b)) => a.extend(b),
+            (Values::Int32(a), Values::Int32(b)) => a.extend(b),
+            (Values::Int64(a), Values::Int64(b)) => a.extend(b),
+            (Values::UInt8(a), Values::UInt8(b)) => a.extend(b),
+            _ => return false,
+        }
+        true
     }
 
     /// Number `i` as f64 (exact, but for Int64 beyond 2⁵³).

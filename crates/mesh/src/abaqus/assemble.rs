@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::deck::Label;
 use super::model::Model;
 use super::part::{Instance, Part, Set, Sets};
 use super::sets::{Assembly, Of, Picked, Placed};
@@ -23,25 +24,39 @@ struct Named {
 pub(super) fn assemble(mut model: Model) -> Result<Draft, Fault> {
     let mut draft = std::mem::take(&mut model.draft);
     draft.stray = Stray::Skipped;
-    let model = &model;
-    let mut placed = vec![place(&mut draft, "", "", &model.root, None)?];
-    placed.push(place(&mut draft, "", "", &model.assembly, None)?);
-    for instance in &model.instances {
-        let Instance { label, part: key, own, .. } = instance;
-        let Some(part) = model.parts.iter().find(|p| p.key == *key) else {
-            let problem =
-                format!("there is no part `{key}` for the instance `{}`; define it before", label.shown);
-            return Err(Fault::at(instance.line, problem));
-        };
-        // With a mesh of its own, an instance's part is empty, and the other way round.
-        for part in [part, own] {
-            placed.push(place(&mut draft, &label.key, &label.shown, part, Some(instance))?);
-        }
-    }
-    if model.instances.is_empty()
-        && let Some(part) = model.parts.iter().find(|p| !p.solids.is_empty())
+    let Model { root, parts, assembly, instances, .. } = &mut model;
+    if instances.is_empty()
+        && let Some(part) = parts.iter().find(|p| !p.solids.is_empty())
     {
         return Err(Fault::whole(format!("part `{}` has no instance; put it into the assembly", part.key)));
+    }
+    let mut spots = vec![place(&mut draft, root, None, true)?, place(&mut draft, assembly, None, true)?];
+    let mut part_of = Vec::new();
+    for instance in instances.iter() {
+        let key = &instance.part;
+        let Some(part) = parts.iter().position(|p| p.key == *key) else {
+            let shown = &instance.label.shown;
+            let problem = format!("there is no part `{key}` for the instance `{shown}`; define it before");
+            return Err(Fault::at(instance.line, problem));
+        };
+        part_of.push(part);
+    }
+    for (k, instance) in instances.iter_mut().enumerate() {
+        let last = !part_of[k + 1..].contains(&part_of[k]);
+        spots.push(place(&mut draft, &mut parts[part_of[k]], Some(instance), last)?);
+        // With a mesh of its own, an instance's part is empty, and the other way round.
+        let mut own = std::mem::take(&mut instance.own);
+        spots.push(place(&mut draft, &mut own, Some(instance), true)?);
+        instance.own = own;
+    }
+    let model = &model;
+    let mut from = vec![(None, &model.root), (None, &model.assembly)];
+    for (instance, &part) in model.instances.iter().zip(&part_of) {
+        from.extend([(Some(&instance.label), &model.parts[part]), (Some(&instance.label), &instance.own)]);
+    }
+    let mut placed = Vec::new();
+    for (spot, (label, part)) in spots.into_iter().zip(from) {
+        placed.push(spot.with_sets_of(label, part)?);
     }
     renumber_if_needed(&mut draft);
     let assembly = Assembly { placed };
@@ -49,55 +64,75 @@ pub(super) fn assemble(mut model: Model) -> Result<Draft, Fault> {
     Ok(draft)
 }
 
-/// Puts a part's nodes and solids into the mesh.
-fn place<'m>(
-    draft: &mut Draft,
-    key: &str,
-    shown: &str,
-    part: &'m Part,
-    instance: Option<&Instance>,
-) -> Result<Placed<'m>, Fault> {
-    let of = if shown.is_empty() { String::new() } else { format!(" in instance `{shown}`") };
-    let numbering = |numbers: &[u64], what: &str| {
-        Numbering::new(numbers)
-            .map_err(|number| Fault::whole(format!("there are two {what} {number}{of}; renumber them")))
-    };
-    let nodes = numbering(&part.node_numbers, "nodes")?;
-    let solid_numbers: Vec<u64> = part.solids.iter().map(|s| s.number).collect();
-    let flat_numbers: Vec<u64> = part.flats.iter().map(|f| f.number).collect();
+/// Where a part's nodes and solids went.
+struct Spot {
+    first_node: u32,
+    nodes: Numbering,
+    first_solid: u32,
+    solids: Numbering,
+    solid_count: u32,
+}
+
+/// Puts a part's nodes and solids into the mesh; if it is the last time, they are moved there.
+fn place(draft: &mut Draft, part: &mut Part, instance: Option<&Instance>, last: bool) -> Result<Spot, Fault> {
+    let of = instance.map_or(String::new(), |i| format!(" in instance `{}`", i.label.shown));
+    let nodes = numbering(&part.node_numbers, "nodes", &of)?;
+    let solids = numbering(&part.solid_numbers, "elements", &of)?;
     let (first_node, first_solid) = (draft.mesh.nodes.len() as u32, draft.mesh.elements.len() as u32);
-    draft.mesh.node_ids.extend(&part.node_numbers);
-    match instance {
-        Some(instance) => draft.mesh.nodes.extend(part.nodes.iter().map(|&x| instance.place(x))),
-        None => draft.mesh.nodes.extend(&part.nodes),
+    let solid_count = part.solids.len() as u32;
+    let fits = |here: usize, more: usize| here + more < u32::MAX as usize;
+    if !fits(draft.mesh.nodes.len(), part.nodes.len()) || !fits(draft.mesh.elements.len(), part.solids.len())
+    {
+        return Err(Fault::whole("the instances have more nodes or elements than 32 bits can number"));
     }
-    for solid in &part.solids {
-        let mut corners = [0; 8];
-        for (corner, &number) in corners.iter_mut().zip(&solid.corners[..solid.shape.nodes()]) {
-            let Some(index) = nodes.index(number) else {
-                return Err(Fault::whole(format!(
-                    "element {}{of} uses node {number}, which is not there; write the whole mesh again",
-                    solid.number
-                )));
-            };
-            *corner = first_node + index;
+    let mesh = &mut draft.mesh;
+    hand_over(&mut mesh.node_ids, &mut part.node_numbers, last);
+    hand_over(&mut mesh.nodes, &mut part.nodes, last);
+    hand_over(&mut mesh.element_ids, &mut part.solid_numbers, last);
+    hand_over(&mut mesh.elements, &mut part.solids, last);
+    if let Some(instance) = instance {
+        for x in &mut mesh.nodes[first_node as usize..] {
+            *x = instance.place(*x);
         }
-        draft.push(solid.number, solid.shape, &corners[..solid.shape.nodes()]);
     }
-    let mut others = part.others.clone();
-    others.sort_unstable();
-    others.dedup();
-    Ok(Placed {
-        key: key.to_owned(),
-        shown: shown.to_owned(),
-        part,
-        first_node,
-        nodes,
-        first_solid,
-        solids: numbering(&solid_numbers, "elements")?,
-        flats: numbering(&flat_numbers, "elements")?,
-        others: numbering(&others, "elements")?,
-    })
+    draft.resolve(first_solid as usize, &nodes).map_err(|(e, node)| {
+        let element = draft.mesh.element_ids[e];
+        let problem = format!("element {element}{of} uses node {node}, which is not there");
+        Fault::whole(format!("{problem}; write the whole mesh again"))
+    })?;
+    for node in draft.mesh.elements[first_solid as usize..].iter_mut().flat_map(|e| &mut e.nodes) {
+        *node += first_node;
+    }
+    Ok(Spot { first_node, nodes, first_solid, solids, solid_count })
+}
+
+/// Adds a part's list to the mesh's, without copying where that can be.
+fn hand_over<T: Copy>(all: &mut Vec<T>, more: &mut Vec<T>, last: bool) {
+    match (all.is_empty(), last) {
+        (true, true) => *all = std::mem::take(more),
+        (_, true) => all.append(&mut std::mem::take(more)),
+        _ => all.extend_from_slice(more),
+    }
+}
+
+fn numbering(numbers: &[u64], what: &str, of: &str) -> Result<Numbering, Fault> {
+    Numbering::new(numbers)
+        .map_err(|number| Fault::whole(format!("there are two {what} {number}{of}; renumber them")))
+}
+
+impl Spot {
+    fn with_sets_of<'m>(self, label: Option<&Label>, part: &'m Part) -> Result<Placed<'m>, Fault> {
+        let Spot { first_node, nodes, first_solid, solids, solid_count } = self;
+        let (key, shown) = label.map_or_else(Default::default, |l| (l.key.clone(), l.shown.clone()));
+        let of = if shown.is_empty() { String::new() } else { format!(" in instance `{shown}`") };
+        let flat_numbers: Vec<u64> = part.flats.iter().map(|f| f.number).collect();
+        let mut others = part.others.clone();
+        others.sort_unstable();
+        others.dedup();
+        let (flats, others) =
+            (numbering(&flat_numbers, "elements", &of)?, numbering(&others, "elements", &of)?);
+        Ok(Placed { key, shown, part, first_node, nodes, first_solid, solid_count, solids, flats, others })
+    }
 }
 
 /// Gives up the numbers of nodes and elements if instances share them.
@@ -194,7 +229,7 @@ impl Assembly<'_> {
             grouped[element as usize] = true;
         }
         for placed in self.placed.iter().filter(|p| !p.shown.is_empty()) {
-            let solids = placed.first_solid..placed.first_solid + placed.part.solids.len() as u32;
+            let solids = placed.first_solid..placed.first_solid + placed.solid_count;
             let rest: Vec<u32> = solids.filter(|&e| !grouped[e as usize]).collect();
             if !rest.is_empty() {
                 draft.mesh.groups.entry(placed.shown.clone()).or_default().extend(rest);

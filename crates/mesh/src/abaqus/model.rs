@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::deck::{Deck, Label, Line};
 use super::entries::{members, surface_entry};
 use super::kinds::{Kind, fewest, kind};
-use super::part::{Flat, Instance, Part, Solid, set};
-use crate::assembly::Draft;
+use super::part::{Flat, Instance, Part, set};
+use crate::assembly::{Draft, numbered};
 use crate::note::Note;
 use crate::read::Fault;
 
@@ -287,10 +287,12 @@ impl Model {
                         format!("element {number} of type {name} has {} nodes, expected {most}", nodes.len());
                     return Err(deck.fault(problem));
                 }
-                let mut corners = [0; 8];
-                corners[..shape.nodes()].copy_from_slice(&nodes[..shape.nodes()]);
+                let solid =
+                    numbered(*shape, &nodes[..shape.nodes()]).map_err(|problem| deck.fault(problem))?;
                 self.draft.reduce(nodes.len(), *shape);
-                self.part().solids.push(Solid { number, shape: *shape, corners });
+                let part = self.part();
+                part.solid_numbers.push(number);
+                part.solids.push(solid);
             }
             Kind::Flat { corners } => {
                 let corners = nodes[..*corners].to_vec();

@@ -3,14 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::deck::Label;
-use crate::Shape;
-
-/// A solid element with the numbers of its corners.
-pub(super) struct Solid {
-    pub number: u64,
-    pub shape: Shape,
-    pub corners: [u64; 8],
-}
+use crate::Element;
 
 /// A surface element with the numbers of its 3 or 4 corners.
 pub(super) struct Flat {
@@ -23,8 +16,18 @@ pub(super) struct Flat {
 pub(super) enum Target {
     /// The numbers from the first to the second in steps of the third.
     Range(u64, u64, u64),
+    /// Runs of consecutive numbers.
+    Runs(Vec<Run>),
     /// A set, by its key.
     Set(String),
+}
+
+/// The numbers from `first` to `last`, of which the first stands in `line`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Run {
+    pub first: u64,
+    pub last: u64,
+    pub line: u32,
 }
 
 /// An entry of a set or surface.
@@ -58,16 +61,19 @@ pub(super) fn set(sets: &mut Sets, label: Label, internal: bool) -> &mut Set {
 }
 
 impl Set {
-    /// Adds one number; runs of numbers become one entry.
+    /// Adds one number; consecutive ones become one run.
     pub(super) fn push(&mut self, instance: Option<&str>, number: u64, line: usize) {
-        if let Some(Entry { instance: same, target: Target::Range(_, last, 1), .. }) = self.entries.last_mut()
+        let run = Run { first: number, last: number, line: line as u32 };
+        if let Some(Entry { instance: same, target: Target::Runs(runs), .. }) = self.entries.last_mut()
             && same.as_deref() == instance
-            && last.checked_add(1) == Some(number)
         {
-            *last = number;
+            match runs.last_mut() {
+                Some(last) if last.last.checked_add(1) == Some(number) => last.last = number,
+                _ => runs.push(run),
+            }
             return;
         }
-        let target = Target::Range(number, number, 1);
+        let target = Target::Runs(vec![run]);
         self.entries.push(Entry { instance: instance.map(str::to_owned), target, face: String::new(), line });
     }
 }
@@ -78,7 +84,10 @@ pub(super) struct Part {
     pub key: String,
     pub node_numbers: Vec<u64>,
     pub nodes: Vec<[f64; 3]>,
-    pub solids: Vec<Solid>,
+    /// Numbers of the solids.
+    pub solid_numbers: Vec<u64>,
+    /// The solids, with node numbers where indices will be.
+    pub solids: Vec<Element>,
     pub flats: Vec<Flat>,
     /// Numbers of elements that are passed over.
     pub others: Vec<u64>,

@@ -18,6 +18,7 @@ pub(super) struct Placed<'m> {
     pub first_node: u32,
     pub nodes: Numbering,
     pub first_solid: u32,
+    pub solid_count: u32,
     pub solids: Numbering,
     pub flats: Numbering,
     pub others: Numbering,
@@ -74,15 +75,25 @@ impl Assembly<'_> {
         let mut seen: HashSet<(usize, &str)> = HashSet::new();
         while let Some((at, entry)) = open.pop() {
             let scope = self.scope(at, entry.instance.as_deref());
+            let absent = |number: u64, line: usize| {
+                let what = if of == Of::Nodes { "node" } else { "element" };
+                let problem =
+                    format!("{what} {number} is not there; take it out of the set, or write the whole mesh");
+                Fault::at(line, problem)
+            };
             let key = match &entry.target {
                 Target::Set(key) => key,
                 &Target::Range(first, last, step) => {
                     if !self.pick_range(&scope, [first, last, step], of, picked) {
-                        let what = if of == Of::Nodes { "node" } else { "element" };
-                        let problem = format!(
-                            "{what} {first} is not there; take it out of the set, or write the whole mesh"
-                        );
-                        return Err(Fault::at(entry.line, problem));
+                        return Err(absent(first, entry.line));
+                    }
+                    continue;
+                }
+                Target::Runs(runs) => {
+                    for run in runs {
+                        if !self.pick_range(&scope, [run.first, run.last, 1], of, picked) {
+                            return Err(absent(run.first, run.line as usize));
+                        }
                     }
                     continue;
                 }

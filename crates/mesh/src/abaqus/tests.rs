@@ -1,4 +1,5 @@
 use std::fs;
+use std::io::Cursor;
 
 use super::*;
 use crate::note::Note;
@@ -69,7 +70,7 @@ a, b
 ";
 
 fn with_notes(text: &str) -> Result<(Mesh, Vec<Note>), Fault> {
-    parse(&mut Input::new(text.as_bytes()), Path::new("model.inp"))
+    parse(&mut Input::new(Cursor::new(text.as_bytes())), Path::new("model.inp"))
 }
 
 fn fault(text: &str) -> (Option<usize>, String) {
@@ -120,7 +121,7 @@ fn a_flat_file_gives_groups_faces_and_points() {
 /// Counts by meshio 5.3.5; Gmsh writes 10 digits.
 #[test]
 fn gmsh_writes_surfaces_as_plane_elements_in_sets() {
-    let (mesh, notes) = parse(&mut Input::new(SHAPES), Path::new("")).unwrap();
+    let (mesh, notes) = parse(&mut Input::new(Cursor::new(SHAPES)), Path::new("")).unwrap();
     assert_eq!((mesh.nodes.len(), mesh.elements.len(), notes), (54, 55, vec![]));
     let volumes = by_group(&mesh);
     for (name, elements, volume) in [("bricks", 8, 8.0), ("wedges", 16, 8.0), ("roof", 31, 8.0 / 3.0)] {
@@ -317,7 +318,7 @@ fn a_damaged_file_never_makes_the_reader_panic() {
         }
         for _ in 0..3000 {
             let bytes = random.damaged(original.as_bytes());
-            if let Ok((mesh, _)) = parse(&mut Input::new(bytes.as_slice()), Path::new("")) {
+            if let Ok((mesh, _)) = parse(&mut Input::new(Cursor::new(bytes.as_slice())), Path::new("")) {
                 let nodes = mesh.nodes.len() as u32;
                 assert!(mesh.elements.iter().all(|e| e.nodes.iter().all(|&n| n < nodes)));
             }

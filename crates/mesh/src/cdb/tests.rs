@@ -1,3 +1,5 @@
+use std::io::Cursor;
+
 use super::*;
 use crate::Mesh;
 use crate::quality::{by_group, summary};
@@ -55,7 +57,7 @@ fn archive() -> String {
 }
 
 fn with_notes(text: &[u8]) -> Result<(Mesh, Vec<Note>), Fault> {
-    parse(&mut Input::new(text), Path::new(""))
+    parse(&mut Input::new(Cursor::new(text)), Path::new(""))
 }
 
 #[test]

@@ -26,8 +26,13 @@ pub(super) fn read(input: &mut Input) -> Result<Grid, Fault> {
         }
         grid.draft.mesh.nodes.push(x);
     }
-    (grid.zones, grid.zone_groups) = (cells(input, 4..=8, "zone")?, groups(input)?);
-    (grid.faces, grid.face_groups) = (cells(input, 3..=4, "face")?, groups(input)?);
+    cells(input, 4..=8, "zone", &mut |zone| grid.zone(&zone))?;
+    grid.zone_groups = groups(input)?;
+    cells(input, 3..=4, "face", &mut |face| {
+        grid.faces.push(face);
+        Ok(())
+    })?;
+    grid.face_groups = groups(input)?;
     Ok(grid)
 }
 
@@ -40,8 +45,12 @@ fn number(input: &mut Input) -> Result<u32, Fault> {
     Ok(u32::from_le_bytes(take(input)?))
 }
 
-fn cells(input: &mut Input, counts: std::ops::RangeInclusive<u32>, what: &str) -> Result<Vec<Cell>, Fault> {
-    let mut cells = Vec::new();
+fn cells(
+    input: &mut Input,
+    counts: std::ops::RangeInclusive<u32>,
+    what: &str,
+    take: &mut dyn FnMut(Cell) -> Result<(), String>,
+) -> Result<(), Fault> {
     for _ in 0..number(input)? {
         let (id, count) = (number(input)?, number(input)?);
         if !counts.contains(&count) {
@@ -52,9 +61,10 @@ fn cells(input: &mut Input, counts: std::ops::RangeInclusive<u32>, what: &str) -
         for gridpoint in &mut gridpoints[..count as usize] {
             *gridpoint = u64::from(number(input)?);
         }
-        cells.push(Cell { number: u64::from(id), count: count as u8, gridpoints, line: 0 });
+        let cell = Cell { number: u64::from(id), count: count as u8, gridpoints, line: 0 };
+        take(cell).map_err(|problem| input.fault(problem))?;
     }
-    Ok(cells)
+    Ok(())
 }
 
 fn groups(input: &mut Input) -> Result<Vec<Group>, Fault> {

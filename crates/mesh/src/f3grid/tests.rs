@@ -1,3 +1,5 @@
+use std::io::Cursor;
+
 use super::*;
 use crate::Mesh;
 use crate::quality::{by_group, summary};
@@ -59,7 +61,7 @@ IFACE 1 2 3
 ";
 
 fn with_notes(bytes: &[u8]) -> Result<(Mesh, Vec<Note>), Fault> {
-    parse(&mut Input::new(bytes), Path::new(""))
+    parse(&mut Input::new(Cursor::new(bytes)), Path::new(""))
 }
 
 /// Counts by meshio 5.3.5; volumes of the convex hulls of each group's gridpoints, which no order of nodes enters.

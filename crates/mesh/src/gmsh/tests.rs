@@ -1,3 +1,5 @@
+use std::io::Cursor;
+
 use super::*;
 use crate::note::Note;
 use crate::quality::{by_group, summary};
@@ -13,7 +15,7 @@ const SHAPES_V2_BINARY: &[u8] = include_bytes!("../../tests/data/shapes_v2_binar
 const SHAPES_ORDER2: &[u8] = include_bytes!("../../tests/data/shapes_order2.msh");
 
 fn with_notes(bytes: &[u8]) -> Result<(Mesh, Vec<Note>), Fault> {
-    super::parse(&mut Input::new(bytes), Path::new(""))
+    super::parse(&mut Input::new(Cursor::new(bytes)), Path::new(""))
 }
 
 fn parse(bytes: &[u8]) -> Result<Mesh, Fault> {

@@ -1,3 +1,5 @@
+use std::io::Cursor;
+
 use super::*;
 use crate::note::Note;
 use crate::sample::Random;
@@ -51,7 +53,7 @@ VECTORS displacement float
 ";
 
 fn with_notes(bytes: &[u8]) -> Result<(Mesh, Vec<Note>), Fault> {
-    parse(&mut Input::new(bytes), Path::new(""))
+    parse(&mut Input::new(Cursor::new(bytes)), Path::new(""))
 }
 
 /// Counts by meshio 5.3.5.

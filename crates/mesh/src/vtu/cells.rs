@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 
-use super::read::{indices, parse};
+use super::read::{append_indices, parse};
 use super::{Array, Grid, Values};
 use crate::assembly::Draft;
 use crate::input::Input;
@@ -52,7 +52,7 @@ fn is_vtu(head: &[u8]) -> bool {
 }
 
 fn read(input: &mut Input, _: &Path) -> Outcome {
-    let grid = parse(&input.rest()?).map_err(Fault::whole)?;
+    let grid = parse(input.source()).map_err(Fault::whole)?;
     solids(grid).map_err(Fault::whole)?.finish(NO_SOLIDS)
 }
 
@@ -196,7 +196,11 @@ fn whole(array: &Array) -> bool {
 fn numbers(array: &Array, count: usize) -> Result<Vec<u64>, String> {
     let numbers: Vec<u64> = match &array.values {
         Values::Int64(values) => values.iter().filter_map(|&n| u64::try_from(n).ok()).collect(),
-        _ => indices(array)?.into_iter().map(u64::from).collect(),
+        values => {
+            let mut numbers = Vec::new();
+            append_indices(&mut numbers, values).map_err(|e| format!("array `{}`: {e}", array.name))?;
+            numbers.into_iter().map(u64::from).collect()
+        }
     };
     if numbers.len() == count {
         return Ok(numbers);

@@ -1,12 +1,14 @@
 //! The numbers of a data array, however the file holds them: as text, base64 or raw bytes, whole or in
 //! compressed blocks, in either byte order.
 
-use std::borrow::Cow;
-use std::io::Read;
+use std::io::{self, BufRead, BufReader, Read};
 
-use flate2::read::ZlibDecoder;
+use flate2::bufread::ZlibDecoder;
 
 use super::Values;
+
+/// Bytes worked on at a time; a multiple of every number's size.
+const PIECE: usize = 1 << 16;
 
 /// How a file writes its arrays.
 #[derive(Clone, Copy, Debug)]
@@ -17,104 +19,182 @@ pub(super) struct Layout {
     pub compressed: bool,
 }
 
-/// The bytes of an array and its header.
-pub(super) enum Source<'a> {
-    Raw(&'a [u8]),
-    Base64(&'a [u8]),
+/// What takes an array's numbers, piece by piece, so that a large one is not held twice.
+pub(super) type Take<'t> = &'t mut dyn FnMut(Values) -> Result<(), String>;
+
+/// Bytes in base64. Padding may stand in the middle, where a header was encoded on its own; blanks are passed over,
+/// and anything else ends them.
+pub(super) struct Base64<R> {
+    from: R,
+    bits: u32,
+    filled: u32,
 }
 
-impl Source<'_> {
-    /// The first `count` bytes; none if there are fewer.
-    fn first(&self, count: usize) -> Option<Cow<'_, [u8]>> {
-        match self {
-            Source::Raw(bytes) => bytes.get(..count).map(Cow::Borrowed),
-            Source::Base64(text) => {
-                let bytes = base64(text, count);
-                (bytes.len() == count).then_some(Cow::Owned(bytes))
-            }
-        }
+impl<R: BufRead> Base64<R> {
+    pub(super) fn new(from: R) -> Self {
+        Base64 { from, bits: 0, filled: 0 }
     }
 }
 
-/// Decodes base64 until `limit` bytes are there or the text ends. Padding may stand in the middle, where a
-/// header was encoded on its own; blanks are passed over.
-fn base64(text: &[u8], limit: usize) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let (mut bits, mut filled) = (0_u32, 0);
-    for &c in text {
-        if bytes.len() >= limit {
-            break;
-        }
-        let digit = match c {
-            b'A'..=b'Z' => c - b'A',
-            b'a'..=b'z' => c - b'a' + 26,
-            b'0'..=b'9' => c - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            b'=' => {
-                (bits, filled) = (0, 0);
-                continue;
+impl<R: BufRead> Read for Base64<R> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let mut count = 0;
+        while count < into.len() {
+            let text = self.from.fill_buf()?;
+            if text.is_empty() {
+                break;
             }
-            _ if c.is_ascii_whitespace() => continue,
-            _ => break,
+            let (mut used, mut ended) = (0, false);
+            for &c in text {
+                if count == into.len() {
+                    break;
+                }
+                used += 1;
+                let digit = match c {
+                    b'A'..=b'Z' => c - b'A',
+                    b'a'..=b'z' => c - b'a' + 26,
+                    b'0'..=b'9' => c - b'0' + 52,
+                    b'+' => 62,
+                    b'/' => 63,
+                    b'=' => {
+                        (self.bits, self.filled) = (0, 0);
+                        continue;
+                    }
+                    _ if c.is_ascii_whitespace() => continue,
+                    _ => {
+                        // It is left where it is, and ends every later read as well.
+                        (used, ended) = (used - 1, true);
+                        break;
+                    }
+                };
+                self.bits = (self.bits << 6) | u32::from(digit);
+                self.filled += 6;
+                if self.filled >= 8 {
+                    self.filled -= 8;
+                    into[count] = (self.bits >> self.filled) as u8;
+                    count += 1;
+                    self.bits &= (1 << self.filled) - 1;
+                }
+            }
+            self.from.consume(used);
+            if ended {
+                break;
+            }
+        }
+        Ok(count)
+    }
+}
+
+/// Numbers from bytes that come in pieces of any length.
+struct Numbers<'t> {
+    kind: Kind,
+    big_endian: bool,
+    /// The beginning of a number whose end is in the next piece.
+    broken: Vec<u8>,
+    take: Take<'t>,
+}
+
+impl Numbers<'_> {
+    fn piece(&mut self, bytes: &[u8]) -> Result<(), String> {
+        let mut all = std::mem::take(&mut self.broken);
+        let bytes = if all.is_empty() {
+            bytes
+        } else {
+            all.extend_from_slice(bytes);
+            &all
         };
-        bits = (bits << 6) | u32::from(digit);
-        filled += 6;
-        if filled >= 8 {
-            filled -= 8;
-            bytes.push((bits >> filled) as u8);
-            bits &= (1 << filled) - 1;
+        let (whole, rest) = bytes.split_at(bytes.len() - bytes.len() % self.kind.size());
+        self.broken = rest.to_vec();
+        if whole.is_empty() { Ok(()) } else { (self.take)(self.kind.decode(whole, self.big_endian)?) }
+    }
+
+    /// All of a stream; how many bytes there were.
+    fn all(&mut self, mut from: impl Read) -> Result<u64, String> {
+        let mut piece = vec![0; PIECE];
+        let mut total = 0;
+        loop {
+            match from.read(&mut piece) {
+                Ok(0) => return Ok(total),
+                Ok(count) => {
+                    total += count as u64;
+                    self.piece(&piece[..count])?;
+                }
+                Err(e) if e.kind() == io::ErrorKind::Interrupted => {}
+                Err(e) => return Err(e.to_string()),
+            }
         }
     }
-    bytes.truncate(limit);
-    bytes
 }
 
-/// The bytes of an array without its header, uncompressed. Memory grows with what is really there, not with
-/// what a header claims.
-pub(super) fn bytes(source: &Source, layout: Layout) -> Result<Vec<u8>, String> {
+/// Reads an array with its header, from its first byte on. Memory grows with what is really there, not with what a
+/// header claims.
+pub(super) fn binary(from: &mut dyn Read, layout: Layout, kind: Kind, take: Take) -> Result<(), String> {
     let short = || "the data are cut short".to_owned();
-    let word = |bytes: &[u8], i: usize| -> Result<usize, String> {
-        let bytes = bytes.get(i * layout.word..(i + 1) * layout.word).ok_or_else(short)?;
+    let word = |from: &mut dyn Read| -> Result<u64, String> {
+        let mut bytes = [0; 8];
+        let bytes = &mut bytes[..layout.word];
+        from.read_exact(bytes).map_err(|_| short())?;
         let add = |number: u64, byte: &u8| number << 8 | u64::from(*byte);
-        let number =
-            if layout.big_endian { bytes.iter().fold(0, add) } else { bytes.iter().rev().fold(0, add) };
-        usize::try_from(number).map_err(|_| short())
+        Ok(if layout.big_endian { bytes.iter().fold(0, add) } else { bytes.iter().rev().fold(0, add) })
     };
-    let size = |words: usize, more: usize| words.checked_mul(layout.word)?.checked_add(more);
-    let first = |count: Option<usize>| count.and_then(|c| source.first(c)).ok_or_else(short);
-    if !layout.compressed {
-        let length = word(&first(size(1, 0))?, 0)?;
-        return Ok(first(size(1, length))?[layout.word..].to_vec());
-    }
-    // Number of blocks, length of a block, length of the last one if it is shorter (else 0), and the
-    // compressed length of each.
-    let head = first(size(1, 0))?;
-    let count = word(&head, 0)?;
-    let words = count.checked_add(3).ok_or_else(short)?;
-    let head = if count == 0 { return Ok(Vec::new()) } else { first(size(words, 0))? };
-    let (block, last) = (word(&head, 1)?, word(&head, 2)?);
-    let mut total = 0_usize;
-    for i in 0..count {
-        total = total.checked_add(word(&head, 3 + i)?).ok_or_else(short)?;
-    }
-    let all = first(size(words, total))?;
-    let mut rest = &all[words * layout.word..];
-    let mut out = Vec::new();
-    for i in 0..count {
-        let (packed, tail) = rest.split_at(word(&head, 3 + i)?);
-        rest = tail;
-        let wanted = if last != 0 && i + 1 == count { last } else { block };
-        let before = out.len();
-        ZlibDecoder::new(packed)
-            .take((wanted as u64).saturating_add(1))
-            .read_to_end(&mut out)
-            .map_err(|e| format!("block {i}: {e}"))?;
-        if out.len() - before != wanted {
-            return Err(format!("block {i} does not have {wanted} bytes"));
+    let mut numbers = Numbers { kind, big_endian: layout.big_endian, broken: Vec::new(), take };
+    if layout.compressed {
+        // Number of blocks, length of a block, length of the last one if it is shorter (else 0), and the
+        // compressed length of each.
+        let count = word(from)?;
+        if count == 0 {
+            return Ok(());
+        }
+        let (block, last) = (word(from)?, word(from)?);
+        let mut packed = Vec::new();
+        for _ in 0..count {
+            packed.push(word(from)?);
+        }
+        for (i, &length) in packed.iter().enumerate() {
+            let wanted = if last != 0 && i + 1 == packed.len() { last } else { block };
+            let mut bytes = BufReader::with_capacity(PIECE, (&mut *from).take(length));
+            let found = numbers
+                .all(ZlibDecoder::new(&mut bytes).take(wanted.saturating_add(1)))
+                .map_err(|e| format!("block {i}: {e}"))?;
+            if found != wanted {
+                return Err(format!("block {i} does not have {wanted} bytes"));
+            }
+            // What the decoder did not need.
+            io::copy(&mut bytes, &mut io::sink()).map_err(|e| e.to_string())?;
+            if bytes.into_inner().limit() > 0 {
+                return Err(short());
+            }
+        }
+    } else {
+        let length = word(from)?;
+        if numbers.all(from.take(length))? != length {
+            return Err(short());
         }
     }
-    Ok(out)
+    if numbers.broken.is_empty() { Ok(()) } else { Err("the last number is broken".to_owned()) }
+}
+
+/// Reads an array written as text.
+pub(super) fn text(from: &mut dyn Read, kind: Kind, take: Take) -> Result<(), String> {
+    let mut all = Vec::new();
+    let mut broken = 0;
+    loop {
+        all.truncate(broken);
+        let more = from.take(PIECE as u64).read_to_end(&mut all).map_err(|e| e.to_string())?;
+        // The last word may go on in the next piece.
+        let end = match all.iter().rposition(u8::is_ascii_whitespace) {
+            _ if more == 0 => all.len(),
+            Some(end) => end,
+            None => 0,
+        };
+        let words = all[..end].split(u8::is_ascii_whitespace).filter(|w| !w.is_empty());
+        take(kind.parse(words)?)?;
+        if more == 0 {
+            return Ok(());
+        }
+        all.copy_within(end.., 0);
+        broken = all.len() - end;
+    }
 }
 
 /// A number type of VTK.
@@ -204,11 +284,39 @@ mod tests {
     use super::*;
 
     #[test]
-    fn base64_is_decoded_across_padding() {
-        // RFC 4648, section 10.
-        assert_eq!(base64(b"Zm9vYmFy", 99), b"foobar");
-        assert_eq!(base64(b"Zm9v\n Yg==Zm8=Zg==", 99), b"foobfof");
-        assert_eq!((base64(b"Zm9vYmFy", 4), base64(b"Z*", 9)), (b"foob".to_vec(), vec![]));
+    fn base64_is_decoded_across_padding_however_much_is_asked_for() {
+        for (text, exact) in [
+            // RFC 4648, section 10.
+            (b"Zm9vYmFy".as_slice(), b"foobar".as_slice()),
+            (b"Zm9v\n Yg==Zm8=Zg==", b"foobfof"),
+            (b"Zm9v*Zm9v", b"foo"),
+            (b"Z*", b""),
+        ] {
+            for step in 1..9 {
+                let mut reader = Base64::new(text);
+                let mut all = Vec::new();
+                while (&mut reader).take(step).read_to_end(&mut all).unwrap() > 0 {}
+                assert_eq!(all, exact, "{step}");
+            }
+        }
+    }
+
+    #[test]
+    fn words_and_numbers_go_on_from_piece_to_piece() {
+        let words: Vec<String> = (0..30_000).map(|n| format!("{n}")).collect();
+        let mut all = Vec::new();
+        let mut take = |values: Values| {
+            all.extend((0..values.len()).map(|i| values.get(i)));
+            Ok(())
+        };
+        text(&mut words.join(" \n").as_bytes(), Kind::Whole(true, 4), &mut take).unwrap();
+        let mut numbers =
+            Numbers { kind: Kind::Whole(true, 4), big_endian: false, broken: Vec::new(), take: &mut take };
+        let bytes: Vec<u8> = (0..1000).flat_map(i32::to_le_bytes).collect();
+        bytes.chunks(7).for_each(|piece| numbers.piece(piece).unwrap());
+        assert!(numbers.broken.is_empty());
+        let wanted: Vec<f64> = (0..30_000).chain(0..1000).map(f64::from).collect();
+        assert!(all == wanted);
     }
 
     #[test]

@@ -1,16 +1,17 @@
 //! Reading a grid.
 
 use std::fs;
+use std::io::{BufReader, Read, SeekFrom};
 use std::path::Path;
 
 use roxmltree::{Document, Node};
 
-use super::data::{Kind, Layout, Source, bytes};
+use super::data::{Base64, Kind, Layout, Take, binary, text};
 use super::header::UNIT_KEY;
+use super::outline::{Appended, Outline, Place, outline};
 use super::{Array, Grid, Values, VtuError};
+use crate::input::Source;
 
-/// Marks the start of the appended data; everything before it is XML, but for the closing tag.
-const APPENDED: &[u8] = b"<AppendedData";
 /// What to do about a file that cannot be read.
 const EXPORT: &str = "open it in ParaView and save it as .vtu with zlib or no compression";
 
@@ -21,50 +22,29 @@ impl Grid {
     /// # Errors
     /// If the file cannot be opened, is damaged, or is no unstructured grid.
     pub fn read(path: &Path) -> Result<Grid, VtuError> {
-        let bytes = fs::read(path).map_err(|source| VtuError::Io { path: path.to_owned(), source })?;
-        parse(&bytes).map_err(|reason| VtuError::Format { path: path.to_owned(), reason })
+        let mut file =
+            fs::File::open(path).map_err(|source| VtuError::Io { path: path.to_owned(), source })?;
+        parse(&mut file).map_err(|reason| VtuError::Format { path: path.to_owned(), reason })
     }
 }
 
-/// The appended data of a file.
-struct Appended<'a> {
-    data: &'a [u8],
-    base64: bool,
-}
-
 /// What is needed to read an array.
-struct File<'a> {
+struct File<'s> {
     layout: Layout,
-    appended: Option<Appended<'a>>,
+    appended: Option<Appended>,
+    source: &'s mut dyn Source,
 }
 
-/// The grid in a file's bytes.
-pub(super) fn parse(bytes: &[u8]) -> Result<Grid, String> {
-    let mark = bytes.windows(APPENDED.len()).position(|w| w == APPENDED);
-    let text = std::str::from_utf8(&bytes[..mark.unwrap_or(bytes.len())]);
-    let mut xml = text.map_err(|_| "the header is not UTF-8")?.to_owned();
-    let appended = match mark {
-        None => None,
-        Some(mark) => {
-            // The XML proper, closed where the appended data begin, is well formed.
-            xml.push_str("</VTKFile>");
-            let rest = &bytes[mark + APPENDED.len()..];
-            let end = rest.iter().position(|&b| b == b'>').ok_or("the appended data do not begin")?;
-            let base64 = rest[..end].windows(8).any(|w| w == b"\"base64\"");
-            let start = rest[end..]
-                .iter()
-                .position(|&b| b == b'_')
-                .ok_or("the appended data have no start mark `_`")?;
-            Some(Appended { data: &rest[end + start + 1..], base64 })
-        }
-    };
+/// The grid in a file.
+pub(super) fn parse(source: &mut dyn Source) -> Result<Grid, String> {
+    let Outline { xml, appended } = outline(source)?;
     let document = Document::parse(&xml).map_err(|e| format!("the header is not XML: {e}"))?;
     let root = document.root_element();
     let kind = root.attribute("type").unwrap_or("nothing");
     if kind != "UnstructuredGrid" {
         return Err(format!("type is {kind}, expected UnstructuredGrid; {EXPORT}"));
     }
-    let file = File { layout: layout(root)?, appended };
+    let mut file = File { layout: layout(root)?, appended, source };
     let grid = child(root, "UnstructuredGrid")?;
     let mut all: Option<Grid> = None;
     for piece in grid.children().filter(|n| n.has_tag_name("Piece")) {
@@ -126,15 +106,7 @@ fn append(all: &mut Grid, piece: Grid) -> Result<(), String> {
     for (arrays, more) in [(&mut all.point_data, piece.point_data), (&mut all.cell_data, piece.cell_data)] {
         arrays.retain_mut(|array| {
             let other = more.iter().find(|o| o.name == array.name && o.components == array.components);
-            match (&mut array.values, other.map(|o| &o.values)) {
-                (Values::Float32(a), Some(Values::Float32(b))) => a.extend(b),
-                (Values::Float64(a), Some(Values::Float64(b))) => a.extend(b),
-                (Values::Int32(a), Some(Values::Int32(b))) => a.extend(b),
-                (Values::Int64(a), Some(Values::Int64(b))) => a.extend(b),
-                (Values::UInt8(a), Some(Values::UInt8(b))) => a.extend(b),
-                _ => return false,
-            }
-            true
+            other.is_some_and(|o| array.values.append(&o.values))
         });
     }
     Ok(())
@@ -156,28 +128,37 @@ fn number(node: Node, attribute: &str) -> Result<usize, String> {
 }
 
 impl File<'_> {
-    fn piece(&self, piece: Node) -> Result<Grid, String> {
-        let points = self.array(child(child(piece, "Points")?, "DataArray")?)?;
-        let coordinates = match points.values {
-            Values::Float64(values) => values,
-            Values::Float32(values) => values.into_iter().map(f64::from).collect(),
-            _ => return Err("the points are no real numbers".to_owned()),
-        };
+    fn piece(&mut self, piece: Node) -> Result<Grid, String> {
+        let mut grid = Grid::default();
+        let mut count = 0;
+        self.numbers(child(child(piece, "Points")?, "DataArray")?, &mut |values| {
+            if !matches!(values, Values::Float32(_) | Values::Float64(_)) {
+                return Err("the points are no real numbers".to_owned());
+            }
+            for i in 0..values.len() {
+                match grid.points.last_mut() {
+                    Some(point) if count % 3 != 0 => point[count % 3] = values.get(i),
+                    _ => grid.points.push([values.get(i), 0.0, 0.0]),
+                }
+                count += 1;
+            }
+            Ok(())
+        })?;
+        if count % 3 != 0 {
+            return Err("the last point has not three coordinates".to_owned());
+        }
         let cells = child(piece, "Cells")?;
-        let whole = |name: &str| self.array(named(cells, name)?).and_then(|a| indices(&a));
-        let types: Vec<u32> = whole("types")?;
-        let grid = Grid {
-            points: coordinates.as_chunks::<3>().0.to_vec(),
-            connectivity: whole("connectivity")?,
-            offsets: whole("offsets")?,
-            types: types
-                .iter()
-                .map(|&t| u8::try_from(t).map_err(|_| format!("cell type {t}")))
-                .collect::<Result<_, _>>()?,
-            point_data: self.arrays(piece, "PointData")?,
-            cell_data: self.arrays(piece, "CellData")?,
-            ..Grid::default()
-        };
+        for (name, into) in [("connectivity", &mut grid.connectivity), ("offsets", &mut grid.offsets)] {
+            self.numbers(named(cells, name)?, &mut |values| append_indices(into, &values))?;
+        }
+        self.numbers(named(cells, "types")?, &mut |values| {
+            let mut types = Vec::new();
+            append_indices(&mut types, &values)?;
+            let narrow = types.iter().map(|&t| u8::try_from(t).map_err(|_| format!("cell type {t}")));
+            narrow.collect::<Result<Vec<u8>, _>>().map(|types| grid.types.extend(types))
+        })?;
+        grid.point_data = self.arrays(piece, "PointData")?;
+        grid.cell_data = self.arrays(piece, "CellData")?;
         let counts = [("NumberOfPoints", grid.points.len()), ("NumberOfCells", grid.offsets.len())];
         for (attribute, found) in counts {
             if number(piece, attribute)? != found {
@@ -188,57 +169,104 @@ impl File<'_> {
     }
 
     /// The arrays of numbers in a section; arrays of text are passed over.
-    fn arrays(&self, piece: Node, tag: &str) -> Result<Vec<Array>, String> {
+    fn arrays(&mut self, piece: Node, tag: &str) -> Result<Vec<Array>, String> {
         let Some(section) = piece.children().find(|n| n.has_tag_name(tag)) else { return Ok(Vec::new()) };
         section.children().filter(|n| n.has_tag_name("DataArray")).map(|n| self.array(n)).collect()
     }
 
-    fn array(&self, node: Node) -> Result<Array, String> {
-        let name = node.attribute("Name").unwrap_or_default().to_owned();
-        let kind = node.attribute("type").unwrap_or("nothing");
-        let in_array = |problem: String| format!("array `{name}`: {problem}");
-        let Some(kind) = Kind::named(kind) else { return Err(in_array(format!("its type is {kind}"))) };
-        let values = self.values(node, kind).map_err(in_array)?;
+    fn array(&mut self, node: Node) -> Result<Array, String> {
+        let mut all: Option<Values> = None;
+        self.numbers(node, &mut |values| {
+            match &mut all {
+                Some(all) => drop(all.append(&values)),
+                None => all = Some(values),
+            }
+            Ok(())
+        })?;
+        let values = match all {
+            Some(values) => values,
+            None => kind(node)?.parse(std::iter::empty())?,
+        };
         let components = match node.attribute("NumberOfComponents") {
             Some(_) => number(node, "NumberOfComponents")?,
             None => 1,
         };
         let key = node.children().find(|n| n.attribute("name") == Some(UNIT_KEY));
         let unit = key.and_then(|n| n.text()).unwrap_or_default().trim().to_owned();
-        Ok(Array { name, unit, components, values })
+        Ok(Array { name: name(node), unit, components, values })
     }
 
-    fn values(&self, node: Node, kind: Kind) -> Result<Values, String> {
+    /// Gives an array's numbers to `take`, piece by piece.
+    fn numbers(&mut self, node: Node, take: Take) -> Result<(), String> {
+        kind(node)
+            .and_then(|kind| self.pieces(node, kind, take))
+            .map_err(|problem| format!("array `{}`: {problem}", name(node)))
+    }
+
+    fn pieces(&mut self, node: Node, kind: Kind, take: Take) -> Result<(), String> {
         // Inline data stand before or after the information keys.
-        let texts = || node.children().filter(|n| n.is_text()).filter_map(|n| n.text());
-        let source = match node.attribute("format").unwrap_or("ascii") {
+        let texts = node.children().filter(|n| n.is_text()).filter_map(|n| n.text());
+        let places = texts.flat_map(str::split_whitespace).filter_map(Place::named);
+        let layout = self.layout;
+        match node.attribute("format").unwrap_or("ascii") {
             "ascii" => {
-                let words = texts().flat_map(str::split_ascii_whitespace).map(str::as_bytes);
-                return kind.parse(words);
+                for Place { start, length } in places {
+                    text(&mut self.from(start)?.take(length), kind, take)?;
+                }
+                Ok(())
             }
             "binary" => {
-                let text = texts().find(|t| !t.trim().is_empty()).unwrap_or_default();
-                Source::Base64(text.as_bytes())
+                let mut places = places;
+                let Place { start, length } = places.next().unwrap_or(Place { start: 0, length: 0 });
+                binary(&mut Base64::new(self.from(start)?.take(length)), layout, kind, take)
             }
             "appended" => {
-                let appended = self.appended.as_ref().ok_or("the file has no appended data")?;
-                let offset = number(node, "offset")?;
-                let data = appended.data.get(offset..).ok_or("the data are cut short")?;
-                if appended.base64 { Source::Base64(data) } else { Source::Raw(data) }
+                let Appended { start, base64 } = self.appended.ok_or("the file has no appended data")?;
+                let offset = number(node, "offset")? as u64;
+                let from = start.checked_add(offset).ok_or("the data are cut short")?;
+                let mut from = self.from(from)?;
+                if base64 {
+                    binary(&mut Base64::new(from), layout, kind, take)
+                } else {
+                    binary(&mut from, layout, kind, take)
+                }
             }
-            other => return Err(format!("format is {other}, expected ascii, binary or appended")),
-        };
-        kind.decode(&bytes(&source, self.layout)?, self.layout.big_endian)
+            other => Err(format!("format is {other}, expected ascii, binary or appended")),
+        }
+    }
+
+    /// The file from a byte on.
+    fn from(&mut self, start: u64) -> Result<BufReader<&mut dyn Source>, String> {
+        self.source.seek(SeekFrom::Start(start)).map_err(|e| format!("it cannot be read: {e}"))?;
+        Ok(BufReader::with_capacity(1 << 16, &mut *self.source))
     }
 }
 
-/// Whole numbers that count points or cells.
-pub(crate) fn indices(array: &Array) -> Result<Vec<u32>, String> {
-    let index = |n: i64| u32::try_from(n).map_err(|_| format!("array `{}` holds {n}", array.name));
-    match &array.values {
-        Values::UInt8(values) => Ok(values.iter().map(|&n| u32::from(n)).collect()),
-        Values::Int32(values) => values.iter().map(|&n| index(i64::from(n))).collect(),
-        Values::Int64(values) => values.iter().map(|&n| index(n)).collect(),
-        _ => Err(format!("array `{}` does not hold whole numbers", array.name)),
+fn name(node: Node) -> String {
+    node.attribute("Name").unwrap_or_default().to_owned()
+}
+
+fn kind(node: Node) -> Result<Kind, String> {
+    let kind = node.attribute("type").unwrap_or("nothing");
+    Kind::named(kind).ok_or_else(|| format!("its type is {kind}"))
+}
+
+/// Adds whole numbers that count points or cells.
+pub(crate) fn append_indices(all: &mut Vec<u32>, values: &Values) -> Result<(), String> {
+    let index = |n: i64| u32::try_from(n).map_err(|_| format!("it holds {n}"));
+    match values {
+        Values::UInt8(values) => all.extend(values.iter().map(|&n| u32::from(n))),
+        Values::Int32(values) => {
+            for &n in values {
+                all.push(index(i64::from(n))?);
+            }
+        }
+        Values::Int64(values) => {
+            for &n in values {
+                all.push(index(n)?);
+            }
+        }
+        _ => return Err("it does not hold whole numbers".to_owned()),
     }
+    Ok(())
 }

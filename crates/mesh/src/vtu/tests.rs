@@ -1,4 +1,5 @@
 use std::fs;
+use std::io::Cursor;
 use std::path::Path;
 
 use super::*;
@@ -99,7 +100,7 @@ fn a_damaged_file_never_makes_the_reader_panic() {
         grid().write(&path).unwrap();
         let original = fs::read(&path).unwrap();
         for cut in 0..original.len() - 40 {
-            assert!(read::parse(&original[..cut]).is_err(), "cut at {cut}");
+            assert!(read::parse(&mut Cursor::new(&original[..cut])).is_err(), "cut at {cut}");
         }
         let mut random = Random(5);
         for _ in 0..5000 {
@@ -108,7 +109,7 @@ fn a_damaged_file_never_makes_the_reader_panic() {
                 let at = random.below(bytes.len());
                 bytes[at] = random.below(256) as u8;
             }
-            if let Ok(grid) = read::parse(&bytes) {
+            if let Ok(grid) = read::parse(&mut Cursor::new(&bytes)) {
                 assert_eq!(grid.check(), Ok(()));
             }
         }
@@ -130,7 +131,7 @@ fn files_of_another_layout_are_refused_in_words() {
         ] {
             let at = original.windows(from.len()).position(|w| w == from.as_bytes()).unwrap();
             let bytes = [&original[..at], to.as_bytes(), &original[at + from.len()..]].concat();
-            let problem = read::parse(&bytes).unwrap_err();
+            let problem = read::parse(&mut Cursor::new(&bytes)).unwrap_err();
             assert!(problem.contains(words), "{problem}");
         }
         fs::write(&path, "").unwrap();
