@@ -10,6 +10,7 @@
 
 mod assemble;
 mod deck;
+mod elements;
 mod entries;
 mod kinds;
 mod model;

@@ -1,6 +1,6 @@
 //! Nodes at the same place: found, and merged where parts of a mesh should be joined.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::Mesh;
 use crate::assembly::drop_unused_nodes;
@@ -70,17 +70,60 @@ pub fn coincident_nodes(mesh: &Mesh, tolerance: f64) -> Vec<(u32, u32)> {
     pairs
 }
 
+/// Pieces up to this size are searched all with all.
+const FEW: usize = 32;
+
 /// Adds the pairs in one piece, whose nodes are ascending.
 fn nearest_earlier(mesh: &Mesh, piece: &[u32], tolerance: f64, pairs: &mut Vec<(u32, u32)>) {
+    if piece.len() > FEW {
+        return in_cells(mesh, piece, tolerance, pairs);
+    }
     let mut firsts: Vec<u32> = Vec::new();
     for &node in piece {
-        let x = &mesh.nodes[node as usize];
-        let near = |&&first: &&u32| squared_distance(&mesh.nodes[first as usize], x) <= tolerance * tolerance;
-        match firsts.iter().find(near) {
+        match firsts.iter().find(|&&first| near(mesh, first, node, tolerance)) {
             Some(&first) => pairs.push((node, first)),
             None => firsts.push(node),
         }
     }
+}
+
+/// The same for a piece of any size, in a time that grows with its size only: an unstructured mesh has no gaps along
+/// the axes. Cells are twice as wide as what is looked for, so eight hold all that is near, and few nodes of which
+/// none is near another fit into one.
+fn in_cells(mesh: &Mesh, piece: &[u32], tolerance: f64, pairs: &mut Vec<(u32, u32)>) {
+    let places = || piece.iter().map(|&n| &mesh.nodes[n as usize]);
+    let low = [0, 1, 2].map(|i| places().map(|x| x[i]).fold(f64::INFINITY, f64::min));
+    let high = [0, 1, 2].map(|i| places().map(|x| x[i]).fold(f64::NEG_INFINITY, f64::max));
+    let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    // Not so narrow that cells cannot be told apart.
+    let width = (2.0 * tolerance).max(1e-12 * extent).max(f64::MIN_POSITIVE);
+    let cell = |offset: f64| (offset / width).floor() as i64;
+    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
+    for &node in piece {
+        let x = mesh.nodes[node as usize];
+        let around = [0, 1, 2].map(|i| {
+            let offset = x[i] - low[i];
+            cell(offset - tolerance)..=cell(offset + tolerance)
+        });
+        let mut first: Option<u32> = None;
+        for i in around[0].clone() {
+            for j in around[1].clone() {
+                for k in around[2].clone() {
+                    let others = cells.get(&[i, j, k]).map_or([].as_slice(), Vec::as_slice);
+                    let nearby = others.iter().copied().find(|&o| near(mesh, o, node, tolerance));
+                    first = first.into_iter().chain(nearby).min();
+                }
+            }
+        }
+        match first {
+            Some(first) => pairs.push((node, first)),
+            None => cells.entry([0, 1, 2].map(|i| cell(x[i] - low[i]))).or_default().push(node),
+        }
+    }
+}
+
+fn near(mesh: &Mesh, a: u32, b: u32, tolerance: f64) -> bool {
+    squared_distance(&mesh.nodes[a as usize], &mesh.nodes[b as usize]) <= tolerance * tolerance
 }
 
 /// Merges nodes within `tolerance` \[m\] of an earlier one into that one; how many disappear.
@@ -163,11 +206,25 @@ mod tests {
         let nodes = (0..400).map(|_| [0; 3].map(|_| random.next())).collect();
         let mesh = Mesh { nodes, ..Mesh::default() };
         for tolerance in [0.0, 0.01, 0.05, 0.1, 2.0] {
-            let mut naive = Vec::new();
-            let all: Vec<u32> = (0..400).collect();
-            nearest_earlier(&mesh, &all, tolerance, &mut naive);
+            let mut naive: Vec<(u32, u32)> = Vec::new();
+            for node in 0..400 {
+                let first = |&o: &u32| naive.iter().all(|p| p.0 != o) && near(&mesh, o, node, tolerance);
+                let first = (0..node).find(first);
+                naive.extend(first.map(|first| (node, first)));
+            }
             assert_eq!(coincident_nodes(&mesh, tolerance), naive, "{tolerance}");
         }
+    }
+
+    /// Without gaps along the axes, as in a mesh of tetrahedra; all with all would take minutes.
+    #[test]
+    fn many_nodes_without_gaps_are_searched_at_once() {
+        let mut random = Random(23);
+        let nodes: Vec<[f64; 3]> = (0..200_000).map(|_| [0; 3].map(|_| random.next())).collect();
+        let mut mesh = Mesh { nodes, ..Mesh::default() };
+        mesh.nodes.extend_from_within(..1000);
+        let pairs = coincident_nodes(&mesh, 1e-4);
+        assert!((0..1000).all(|n| pairs.iter().any(|&(node, _)| node == 200_000 + n)));
     }
 
     #[test]

@@ -1,10 +1,10 @@
-//! What touches what: outer faces, separate parts, coincident nodes, areas of nodes.
+//! What touches what: outer faces, separate parts, nodes of opposite sides, areas of nodes.
 
-mod coincident;
+mod opposite;
 
 use std::collections::BTreeMap;
 
-pub use coincident::{Unmatched, duplicate_nodes, match_faces};
+pub use opposite::{Unmatched, match_faces};
 
 use crate::{Face, Mesh};
 

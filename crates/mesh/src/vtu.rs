@@ -8,9 +8,11 @@
 //! bit a face), named points as field arrays `point:NAME`, and numbers other than 1, 2, 3 … as the arrays
 //! `node number` and `element number`. Of other programs' files, arrays such as `MaterialIds` make groups.
 
+mod base64;
 mod cells;
 mod data;
 mod header;
+mod kind;
 mod outline;
 mod read;
 mod write;
@@ -21,7 +23,7 @@ use std::path::PathBuf;
 use crate::{Mesh, Shape};
 
 pub(crate) use cells::{FORMAT, NO_SOLIDS, solids, write_mesh};
-pub(crate) use data::Kind;
+pub(crate) use kind::Kind;
 pub(crate) use read::append_indices;
 
 /// Numbers of one array, tuple after tuple.

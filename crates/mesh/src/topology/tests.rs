@@ -82,20 +82,6 @@ fn a_shared_face_is_inside_whatever_the_shapes() {
     assert_eq!(components(&mesh, Some(&[2, 1, 3])), [vec![1, 2], vec![3]]);
 }
 
-#[test]
-fn nodes_closer_than_the_tolerance_are_counted_once_each() {
-    let mut mesh = distorted_box(4);
-    assert_eq!(duplicate_nodes(&mesh, 1e-6), 0);
-    for offset in [0.0, 0.9e-6, -0.9e-6] {
-        mesh.nodes.push([2.0 + offset, 0.0, 4.0]);
-    }
-    mesh.nodes.push([3.0, 0.0, 4.0 + 1.1e-6]);
-    assert_eq!(duplicate_nodes(&mesh, 1e-6), 3);
-    assert_eq!(duplicate_nodes(&mesh, 0.0), 1);
-    assert_eq!(duplicate_nodes(&mesh, 100.0), mesh.nodes.len() - 1);
-    assert_eq!(duplicate_nodes(&Mesh::default(), 1.0), 0);
-}
-
 /// Nodes of the planes y = 0 and y = n of a box.
 fn sides(mesh: &Mesh, n: f64) -> (Vec<u32>, Vec<u32>) {
     let at = |level: f64| {

@@ -146,12 +146,10 @@ impl Scan<'_> {
             if tag.len() as u64 > LONGEST {
                 return Err("the header has a tag without an end".into());
             }
+            let comment = tag.starts_with(b"<!--");
             match (byte, quote) {
-                _ if tag.starts_with(b"<!--") => {
-                    if tag.len() >= 7 && tag.ends_with(b"-->") {
-                        return Ok(true);
-                    }
-                }
+                _ if comment && tag.len() >= 7 && tag.ends_with(b"-->") => return Ok(true),
+                _ if comment => {}
                 (b'"' | b'\'', None) => quote = Some(byte),
                 (_, Some(q)) if q == byte => quote = None,
                 (b'>', None) => return Ok(true),

@@ -6,8 +6,10 @@ use std::path::Path;
 
 use roxmltree::{Document, Node};
 
-use super::data::{Base64, Kind, Layout, Take, binary, text};
+use super::base64::Base64;
+use super::data::{Layout, Take, binary, text};
 use super::header::UNIT_KEY;
+use super::kind::Kind;
 use super::outline::{Appended, Outline, Place, outline};
 use super::{Array, Grid, Values, VtuError};
 use crate::input::Source;

@@ -1,45 +1,8 @@
-//! Nodes at the same place, in space or seen along an axis.
+//! Nodes of opposite sides at the same place, seen along an axis.
 
 use std::collections::HashMap;
 
 use crate::Mesh;
-
-/// How many nodes lie within `tolerance` \[m\] of one with a smaller index; 0 in a mesh whose parts
-/// are joined.
-pub fn duplicate_nodes(mesh: &Mesh, tolerance: f64) -> usize {
-    let (low, high) = mesh.bounds();
-    let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
-    // Cells twice as wide as what is looked for, but so that their numbers stay exact.
-    let width = (2.0 * tolerance).max(1e-12 * extent).max(f64::MIN_POSITIVE);
-    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
-    let mut duplicates = 0;
-    for (index, node) in mesh.nodes.iter().enumerate() {
-        let from = [0, 1, 2].map(|i| cell(node[i] - low[i] - tolerance, width));
-        let to = [0, 1, 2].map(|i| cell(node[i] - low[i] + tolerance, width));
-        let mut found = false;
-        for x in from[0]..=to[0] {
-            for y in from[1]..=to[1] {
-                for z in from[2]..=to[2] {
-                    found |= cells.get(&[x, y, z]).is_some_and(|others| {
-                        others.iter().any(|&o| distance(&mesh.nodes[o as usize], node) <= tolerance)
-                    });
-                }
-            }
-        }
-        duplicates += usize::from(found);
-        let own = [0, 1, 2].map(|i| cell(node[i] - low[i], width));
-        cells.entry(own).or_default().push(index as u32);
-    }
-    duplicates
-}
-
-fn cell(offset: f64, width: f64) -> i64 {
-    (offset / width).floor() as i64
-}
-
-fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2) + (a[2] - b[2]).powi(2)).sqrt()
-}
 
 /// Why the nodes of two opposite sides could not be paired. Seen along the axis:
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
