@@ -3,6 +3,11 @@
 //! Nodes come from NBLOCK, elements from EBLOCK with the key SOLID, element types from ET and ETBLOCK. Element
 //! components (CMBLOCK) become groups, node components of one node named points. Elements of no component are in
 //! the group `material N`. Bricks with repeated nodes are the wedges, pyramids and tetrahedra that ANSYS means.
+//!
+//! The blocks are those of the Programmer's Reference (chapter Coded Database File Commands). Checked once,
+//! beside mapdl-archive, on archives that ANSYS wrote with SOLID185, SOLID186 and SOLID187 in three formats of columns,
+//! which are not kept here. Solids in blocks of other keys (COMPACT, or none) are refused, other elements there passed
+//! over with a count; so are archives of single commands (UNBLOCKED).
 
 mod columns;
 mod types;
@@ -12,7 +17,7 @@ use std::path::Path;
 
 use crate::Shape;
 use crate::assembly::{Draft, Numbering};
-use crate::input::{Input, whole};
+use crate::input::{Input, text, whole};
 use crate::note::Note;
 use crate::read::{Fault, Format, Outcome};
 use columns::{Columns, integer, number};
@@ -41,6 +46,8 @@ struct Archive {
     materials: Vec<u32>,
     lines: Vec<u32>,
     components: Vec<Component>,
+    /// The type that TYPE set last.
+    current: Option<u64>,
     /// Whether nodes or elements stand there as single commands.
     unblocked: bool,
 }
@@ -55,7 +62,7 @@ struct Component {
 fn parse(input: &mut Input, _: &Path) -> Outcome {
     let mut archive = Archive::default();
     while input.advance()? {
-        let text = String::from_utf8_lossy(input.text()).into_owned();
+        let text = text(input.text());
         let fields: Vec<&str> = text.split(',').map(str::trim).collect();
         match fields[0].to_ascii_uppercase().as_str() {
             "NBLOCK" => archive.nodes(input)?,
@@ -65,9 +72,12 @@ fn parse(input: &mut Input, _: &Path) -> Outcome {
                 if let (Some(number), Some(name)) =
                     (fields.get(1).and_then(|n| whole(n.as_bytes())), fields.get(2))
                 {
-                    archive.types.insert(number, (*name).to_owned());
+                    // `$` begins another command on the line.
+                    let name = name.split(|c: char| c == '$' || c.is_whitespace()).next();
+                    archive.types.insert(number, name.unwrap_or_default().to_owned());
                 }
             }
+            "TYPE" => archive.current = fields.get(1).and_then(|n| whole(n.as_bytes())),
             "CMBLOCK" => archive.component(input, &fields)?,
             "N" | "EN" | "E" => archive.unblocked = true,
             _ => {}
@@ -121,6 +131,14 @@ impl Archive {
 
     fn elements(&mut self, input: &mut Input, fields: &[&str]) -> Result<(), Fault> {
         let solid = fields.get(2).is_some_and(|f| f.eq_ignore_ascii_case("SOLID"));
+        let current = self.current.and_then(|kind| self.types.get(&kind));
+        if let (false, Some(name)) = (solid, current)
+            && family(name) != Family::Other
+        {
+            return Err(input.fault(format!(
+                "elements of type {name} stand in a block without the key SOLID, which cannot be read; {EXPORT}"
+            )));
+        }
         let columns = Columns::read(input)?;
         loop {
             input.expect("an element, or the end of the block")?;

@@ -18,7 +18,7 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use crate::assembly::{Draft, Numbering};
-use crate::input::{Input, shown};
+use crate::input::{Input, shown, text};
 use crate::read::{Fault, Format, Outcome};
 use entities::{Entities, Names, physical_names};
 use numbers::{Encoding, Numbers};
@@ -58,7 +58,7 @@ fn parse(input: &mut Input, _: &Path) -> Outcome {
     let mut seen = HashSet::new();
     while input.advance()? {
         let Some(name) = input.text().strip_prefix(b"$") else { continue };
-        let name = String::from_utf8_lossy(name).into_owned();
+        let name = text(name);
         if READ.contains(&name.as_str()) && !seen.insert(name.clone()) {
             return Err(input.fault(format!("a second section ${name}; save the mesh in one piece")));
         }
@@ -85,6 +85,11 @@ impl Reader {
                 return Numbers { input, encoding: Encoding::Ascii }.close(name);
             }
             "NOD" => return Err(input.fault(format!("this is MSH version 1, expected 4.1 or 2; {EXPORT}"))),
+            "ParametricNodes" => {
+                return Err(input.fault(
+                    "its nodes have parameters on curves and surfaces; save with Mesh.SaveParametric = 0 or as MSH 4.1",
+                ));
+            }
             "PartitionedEntities" | "GhostElements" => return Err(input.fault(PARTITIONED)),
             "PhysicalNames" => self.names = physical_names(input)?,
             "Entities" | "Nodes" | "Elements" => {
@@ -142,7 +147,7 @@ fn skip(input: &mut Input, name: &str) -> Result<(), Fault> {
     ));
     while input.advance()? {
         match input.text().strip_prefix(b"$End") {
-            Some(end) if String::from_utf8_lossy(end) == name => return Ok(()),
+            Some(end) if end == name.as_bytes() => return Ok(()),
             _ => {}
         }
     }

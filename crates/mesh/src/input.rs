@@ -255,6 +255,14 @@ pub(crate) fn shown(text: &[u8]) -> String {
     text[..text.len().min(40)].escape_ascii().to_string()
 }
 
+/// Text in UTF-8, or else in Latin-1, in which older programs write names: two of them never become one.
+pub(crate) fn text(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().copied().map(char::from).collect(),
+    }
+}
+
 /// A whole number that is not negative.
 pub(crate) fn whole(field: &[u8]) -> Option<u64> {
     let mut number = 0_u64;

@@ -49,6 +49,15 @@ pub fn exterior_faces(mesh: &Mesh, elements: Option<&[u32]>) -> Vec<Face> {
     faces
 }
 
+/// Faces that more than two elements share, the first of each: elements lie on one another there, as they do where a
+/// file has an element twice.
+pub fn crowded_faces(mesh: &Mesh) -> Vec<Face> {
+    let mut keyed: Vec<([u32; 4], Face)> =
+        all_faces(mesh, None).map(|face| (face_key(mesh, face), face)).collect();
+    keyed.sort_unstable();
+    keyed.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() > 2).map(|same| same[0].1).collect()
+}
+
 /// Exterior faces on the planes that bound the mesh, named `xmin`, `xmax`, `ymin`, `ymax`, `base` and
 /// `top`; for meshes from files that do not name their sides.
 ///

@@ -6,7 +6,9 @@ mod arrays;
 
 use std::path::Path;
 
-use crate::input::{Input, real, shown};
+use arrays::Content;
+
+use crate::input::{Input, real, shown, text};
 use crate::read::{Fault, Format, Outcome};
 use crate::vtu::{Grid, Kind, NO_SOLIDS, solids};
 
@@ -85,7 +87,7 @@ impl<'i, 'a> Reader<'i, 'a> {
     /// The next word of the line, in upper case.
     fn word(&mut self, what: &str) -> Result<String, Fault> {
         match self.input.field() {
-            Some(word) => Ok(String::from_utf8_lossy(word).into_owned()),
+            Some(word) => Ok(text(word)),
             None => Err(self.input.fault(format!("the line ends where {what} should stand"))),
         }
     }
@@ -140,13 +142,13 @@ impl<'i, 'a> Reader<'i, 'a> {
                     let name = self.word("a name")?;
                     let components = self.size("the number of components")?;
                     let tuples = self.size("the number of tuples")?;
-                    let kind = self.kind()?;
-                    self.array(name, components, tuples, kind)?;
+                    let content = self.content()?;
+                    self.array(&name, components, tuples, content)?;
                 }
             }
             "SCALARS" => {
                 let name = self.word("a name")?;
-                let kind = self.kind()?;
+                let content = self.content()?;
                 let components =
                     if self.input.text().is_empty() { 1 } else { self.size("the number of components")? };
                 self.input.expect("LOOKUP_TABLE")?;
@@ -156,7 +158,23 @@ impl<'i, 'a> Reader<'i, 'a> {
                         .fault("expected LOOKUP_TABLE here; if there is none, add `LOOKUP_TABLE default`"));
                 }
                 self.word("a name")?;
-                self.array(name, components, self.tuples, kind)?;
+                self.array(&name, components, self.tuples, content)?;
+            }
+            "COLOR_SCALARS" => {
+                let name = self.word("a name")?;
+                let components = self.size("the number of components")?;
+                self.array(&name, components, self.tuples, Content::Colours)?;
+            }
+            "LOOKUP_TABLE" => {
+                let name = self.word("a name")?;
+                let colours = self.size("the number of colours")?;
+                self.array(&name, 4, colours, Content::Colours)?;
+            }
+            "TEXTURE_COORDINATES" => {
+                let name = self.word("a name")?;
+                let components = self.size("the number of components")?;
+                let content = self.content()?;
+                self.array(&name, components, self.tuples, content)?;
             }
             "VECTORS" | "NORMALS" | "TENSORS" | "TENSORS6" | "GLOBAL_IDS" | "PEDIGREE_IDS" => {
                 let components = match word.as_str() {
@@ -166,8 +184,8 @@ impl<'i, 'a> Reader<'i, 'a> {
                     _ => 3,
                 };
                 let name = self.word("a name")?;
-                let kind = self.kind()?;
-                self.array(name, components, self.tuples, kind)?;
+                let content = self.content()?;
+                self.array(&name, components, self.tuples, content)?;
             }
             _ => {
                 let word = shown(word.as_bytes());

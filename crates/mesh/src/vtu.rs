@@ -22,7 +22,7 @@ use std::path::PathBuf;
 
 use crate::{Mesh, Shape};
 
-pub(crate) use cells::{FORMAT, NO_SOLIDS, solids, write_mesh};
+pub(crate) use cells::{FORMAT, NO_SOLIDS, means_something, solids, write_mesh};
 pub(crate) use kind::Kind;
 pub(crate) use read::append_indices;
 

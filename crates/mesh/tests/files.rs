@@ -74,6 +74,46 @@ fn the_same_mesh_in_every_format_has_the_same_places_and_faces() {
     }
 }
 
+/// Every file, damaged in a few places: it is refused, or what is read is whole.
+#[test]
+fn damaged_files_are_refused_or_give_a_sound_mesh() {
+    const WORDS: [&str; 9] = ["", "-1", "0", "99999999999", "18446744073709551615", "nan", "\n", "\"", "<"];
+    let path = std::env::temp_dir().join(format!("tremolite-damaged-{}", std::process::id()));
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut below = |n: usize| {
+        // Xorshift.
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state % n.max(1) as u64) as usize
+    };
+    for (name, ..) in FILES {
+        let original = std::fs::read(data(name)).unwrap();
+        for _ in 0..40 {
+            let mut bytes = original.clone();
+            for _ in 0..=below(3) {
+                let at = below(bytes.len());
+                match below(4) {
+                    0 => bytes.truncate(at),
+                    1 => bytes.iter_mut().skip(at).take(1 + below(8)).for_each(|b| *b = 0xff),
+                    2 => drop(bytes.splice(at..at, WORDS[below(WORDS.len())].bytes())),
+                    _ => drop(bytes.drain(at..(at + below(60)).min(bytes.len()))),
+                }
+            }
+            std::fs::write(&path, &bytes).unwrap();
+            let Ok(mesh) = read(&path) else { continue };
+            let (nodes, elements) = (mesh.nodes.len() as u32, mesh.elements.len() as u32);
+            assert!(mesh.nodes.iter().flatten().all(|x| x.is_finite()), "{name}");
+            assert!(mesh.elements.iter().flat_map(|e| e.nodes).all(|n| n < nodes), "{name}");
+            assert!(mesh.groups.values().flatten().all(|&e| e < elements), "{name}");
+            let sides = |f: &tremolite_mesh::Face| mesh.elements[f.element as usize].shape.faces().len();
+            assert!(mesh.faces.values().flatten().all(|f| usize::from(f.side) < sides(f)), "{name}");
+            assert!(summary(&mesh).min_scaled_jacobian > 0.0, "{name}");
+        }
+    }
+    std::fs::remove_file(&path).unwrap();
+}
+
 #[test]
 fn parts_that_touch_without_common_nodes_are_told_and_can_be_merged() {
     let mut mesh = read(data("shapes.msh")).unwrap();
@@ -100,7 +140,7 @@ fn parts_that_touch_without_common_nodes_are_told_and_can_be_merged() {
     assert_eq!((apart.nodes.len(), tremolite_mesh::topology::components(&apart, None).len()), (whole, 1));
 }
 
-const SCRIPT: &str = "
+const SCRIPT: &str = r"
 import sys, meshio
 for path in sys.argv[1:]:
     mesh = meshio.read(path)
@@ -112,10 +152,17 @@ for path in sys.argv[1:]:
             shape = of[block.type]
             counts[shape] += len(block.data)
             used.update(block.data[:, :corners[shape]].ravel().tolist())
-    print('COUNTS', path, len(used), *counts)
+    sums = mesh.points[sorted(used)].sum(axis=0)
+    print('MESH', path, len(used), *counts, *map(repr, map(float, sums)), sep='\t')
+    for name, blocks in mesh.cell_sets.items():
+        cells = zip(mesh.cells, blocks)
+        members = sum(len(some) for block, some in cells if block.type in of and some is not None)
+        if members:
+            print('GROUP', path, name, members, sep='\t')
 ";
 
-/// Meshio reads the same files, and the ones written here, and finds the same numbers.
+/// Meshio reads the same files, and the ones written here, and finds the same numbers of nodes and elements, the same
+/// places, and as many members of each group of the same name.
 #[test]
 fn meshio_agrees_where_python_has_it() {
     let python = std::env::var("TREMOLITE_PYTHON").unwrap_or_else(|_| "python3".to_owned());
@@ -128,34 +175,56 @@ fn meshio_agrees_where_python_has_it() {
     }
     let folder = std::env::temp_dir().join(format!("tremolite-meshio-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
-    let mut wanted = BTreeMap::new();
-    for (name, nodes, elements) in FILES {
-        // Meshio does not know Abaqus's pyramids.
-        let readable = |path: &PathBuf| elements[2] == 0 || path.extension().is_none_or(|e| e != "inp");
-        if readable(&data(name)) {
-            wanted.insert(data(name), (nodes, elements));
-        }
+    let mut wanted: BTreeMap<PathBuf, Mesh> = BTreeMap::new();
+    for (name, _, elements) in FILES {
+        // Meshio knows neither ANSYS's archives nor Abaqus's pyramids.
+        let readable = |path: &PathBuf| match path.extension().and_then(|e| e.to_str()) {
+            Some("cdb") => false,
+            Some("inp") => elements[2] == 0,
+            _ => true,
+        };
         let mesh = read(data(name)).unwrap();
+        if readable(&data(name)) {
+            wanted.insert(data(name), mesh.clone());
+        }
         for (k, writer) in write::WRITERS.iter().enumerate() {
             let path = folder.join(format!("{name}-{k}.{}", writer.extension));
             write::write_as(&path, &mesh, writer).unwrap();
             if readable(&path) {
-                wanted.insert(path, (nodes, elements));
+                wanted.insert(path, mesh.clone());
             }
         }
     }
     let out = Command::new(&python).arg("-c").arg(SCRIPT).args(wanted.keys()).output().unwrap();
     let text = String::from_utf8_lossy(&out.stdout);
     assert!(out.status.success(), "{text}{}", String::from_utf8_lossy(&out.stderr));
-    let mut found = 0;
-    for line in text.lines().filter_map(|line| line.strip_prefix("COUNTS ")) {
-        let mut words = line.rsplitn(6, ' ');
-        let mut number = || words.next().unwrap().parse::<usize>().unwrap();
-        let [tets, pyramids, wedges, hexes, nodes] = std::array::from_fn(|_| number());
-        let path = PathBuf::from(words.next().unwrap());
-        assert_eq!((nodes, [hexes, wedges, pyramids, tets]), wanted[&path], "{}", path.display());
-        found += 1;
+    let (mut found, mut groups) = (0, 0);
+    for line in text.lines() {
+        let fields: Vec<&str> = line.split('\t').collect();
+        let number = |k: usize| fields[k].parse::<usize>().unwrap();
+        match fields[0] {
+            "MESH" => {
+                let mesh = &wanted[&PathBuf::from(fields[1])];
+                assert_eq!((number(2), [3, 4, 5, 6].map(number)), (mesh.nodes.len(), counts(mesh)), "{line}");
+                for i in 0..3 {
+                    let ours: f64 = mesh.nodes.iter().map(|x| x[i]).sum();
+                    let size: f64 = mesh.nodes.iter().map(|x| x[i].abs()).sum();
+                    // Both sum the same numbers, in another order.
+                    let theirs: f64 = fields[7 + i].parse().unwrap();
+                    assert!((ours - theirs).abs() <= 1e-13 * size, "{line}: {ours}");
+                }
+                found += 1;
+            }
+            "GROUP" => {
+                if let Some(ours) = wanted[&PathBuf::from(fields[1])].groups.get(fields[2]) {
+                    assert_eq!(number(3), ours.len(), "{line}");
+                    groups += 1;
+                }
+            }
+            _ => {}
+        }
     }
     assert_eq!(found, wanted.len());
+    assert!(groups > 50, "{groups} groups were compared");
     std::fs::remove_dir_all(&folder).unwrap();
 }

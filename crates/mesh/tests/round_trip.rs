@@ -60,6 +60,48 @@ fn every_format_gives_back_what_was_written() {
     fs::remove_dir_all(&folder).unwrap();
 }
 
+/// Names that mean something to one of the formats, or to a careless reader.
+#[test]
+fn odd_names_come_back_as_they_were() {
+    let names = [
+        "a;b=c,d",
+        "Körper ☃ 岩",
+        "it's",
+        "x.y",
+        "*star",
+        "**",
+        "$EndNodes",
+        "100",
+        "-1",
+        "a<b>&amp;c",
+        "%20",
+        "GENERATE",
+        "group:x",
+        "S1",
+        "two  blanks",
+        "#",
+        "!bang",
+        "\\n",
+    ];
+    let mut mesh = BoxSpec::uniform([0.0; 3], [6.0, 3.0, 1.0], [6, 3, 1]).mesh().unwrap();
+    mesh.groups.clear();
+    mesh.faces.clear();
+    mesh.points.clear();
+    for (k, name) in (0..).zip(names) {
+        mesh.groups.insert(name.to_owned(), vec![k]);
+        mesh.faces.insert(name.to_owned(), vec![Face { element: k, side: 5 }]);
+        mesh.points.insert(name.to_owned(), mesh.nodes[k as usize]);
+    }
+    let folder = folder("odd-names");
+    for (k, writer) in WRITERS.iter().enumerate() {
+        let path = folder.join(format!("{k}.{}", writer.extension));
+        write_as(&path, &mesh, writer).unwrap();
+        let back = read(&path).unwrap();
+        assert!(back == mesh, "{}: {:?} {:?} {:?}", writer.name, back.groups, back.faces, back.points);
+    }
+    fs::remove_dir_all(&folder).unwrap();
+}
+
 #[test]
 fn a_surface_of_one_side_inside_the_mesh_is_kept_or_told() {
     let mut mesh = BoxSpec::uniform([0.0; 3], [2.0, 1.0, 1.0], [2, 1, 1]).mesh().unwrap();

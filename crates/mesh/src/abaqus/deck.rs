@@ -45,7 +45,7 @@ pub(super) struct Keyword {
 
 impl Keyword {
     fn parse(text: &[u8]) -> Self {
-        let text = String::from_utf8_lossy(text);
+        let text = crate::input::text(text);
         let mut parts = split_outside_quotes(text.trim_start_matches('*')).into_iter();
         let upper = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ").to_uppercase();
         let name = upper(parts.next().unwrap_or_default());

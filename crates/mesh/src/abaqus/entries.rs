@@ -40,12 +40,12 @@ pub(super) fn members(
 
 /// An entry such as `rock`, `Part-1-1.rock` or `Part-1-1.7`.
 fn named(field: &[u8], instance: Option<&str>, line: usize) -> Entry {
-    let text = String::from_utf8_lossy(field);
+    let text = crate::input::text(field);
     let (instance, name) = match (instance, text.split_once('.')) {
         (None, Some((instance, name))) if !text.starts_with('"') => {
             (Some(Label::new(instance).key), name.to_owned())
         }
-        _ => (instance.map(str::to_owned), text.into_owned()),
+        _ => (instance.map(str::to_owned), text.clone()),
     };
     let target = match whole(name.trim().as_bytes()) {
         Some(number) => Target::Range(number, number, 1),
@@ -62,7 +62,7 @@ pub(super) fn surface_entry(deck: &Deck, surface: &mut Set) -> Result<(), Fault>
         return Err(deck.fault("the surface needs an element or element set here"));
     }
     let mut entry = named(first, None, deck.line_number());
-    entry.face = String::from_utf8_lossy(fields.next().unwrap_or_default()).to_uppercase();
+    entry.face = crate::input::text(fields.next().unwrap_or_default()).to_uppercase();
     surface.entries.push(entry);
     Ok(())
 }

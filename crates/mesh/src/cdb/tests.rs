@@ -9,7 +9,7 @@ use crate::sample::Random;
 /// a tetrahedron of 10 nodes and a brick of 20.
 fn archive() -> String {
     let mut text = String::from(
-        "/COM,ANSYS RELEASE 19.2\n/PREP7\n! comment\nET,1,185\net,2,SOLID187\nET,3,181\nET, 7,186\n",
+        "/COM,ANSYS RELEASE 19.2\n/PREP7\n! comment\nET,1,185\net,2,SOLID187\nET,3,181\nET, 7,186 $ KEYOPT,7,2,1\n",
     );
     text += "NBLOCK,6,SOLID,        40,        40\n(3i9,6e21.13e3)\n";
     let mut nodes = vec![];
@@ -136,6 +136,12 @@ fn what_cannot_be_used_is_refused_with_a_way_out() {
             "        9        0       20",
             Some(28),
             "element 20 of type 185 has 9 nodes",
+        ),
+        (
+            "EBLOCK,10,,,1",
+            "TYPE,1\nEBLOCK,9,COMPACT,,1",
+            Some(35),
+            "of type 185 stand in a block without the key SOLID",
         ),
     ] {
         let text = archive();

@@ -1,11 +1,14 @@
 //! Binary FLAC3D grids: gridpoints, zones, zone groups, faces, face groups, each after its count.
 
 use super::{Cell, Grid, Group};
-use crate::input::Input;
+use crate::input::{Input, text};
 use crate::read::Fault;
 
 /// The first bytes.
 const MARK: [u8; 4] = [0xe6, 0xe7, 0xf6, 0x51];
+
+/// The number after the mark in files of FLAC3D 7.
+const LAYOUT: u32 = 3;
 
 pub(super) fn is_binary(head: &[u8]) -> bool {
     head.starts_with(&MARK)
@@ -13,8 +16,13 @@ pub(super) fn is_binary(head: &[u8]) -> bool {
 
 pub(super) fn read(input: &mut Input) -> Result<Grid, Fault> {
     let mut grid = Grid::default();
-    // The mark and a version.
-    take::<8>(input)?;
+    take::<4>(input)?;
+    let layout = number(input)?;
+    if layout != LAYOUT {
+        let problem =
+            format!("its layout is {layout}, of which only {LAYOUT} is known; export the grid in ASCII");
+        return Err(input.fault(problem));
+    }
     for _ in 0..number(input)? {
         grid.draft.mesh.node_ids.push(u64::from(number(input)?));
         let mut x = [0.0; 3];
@@ -33,6 +41,9 @@ pub(super) fn read(input: &mut Input) -> Result<Grid, Fault> {
         Ok(())
     })?;
     grid.face_groups = groups(input)?;
+    if input.bytes(1)?.is_some() {
+        return Err(input.fault("the grid ends here and the file goes on; export the grid in ASCII"));
+    }
     Ok(grid)
 }
 
@@ -82,6 +93,6 @@ fn groups(input: &mut Input) -> Result<Vec<Group>, Fault> {
 
 fn name(input: &mut Input) -> Result<String, Fault> {
     let length = u16::from_le_bytes(take(input)?);
-    let bytes = input.bytes(usize::from(length))?.map(|bytes| String::from_utf8_lossy(bytes).into_owned());
+    let bytes = input.bytes(usize::from(length))?.map(text);
     bytes.ok_or_else(|| input.fault("the file ends in a name; it is cut short"))
 }

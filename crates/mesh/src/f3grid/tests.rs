@@ -113,6 +113,9 @@ fn a_binary_grid_is_read() {
     for cut in 8..BINARY.len() {
         assert!(with_notes(&BINARY[..cut]).is_err(), "cut at {cut}");
     }
+    let fault = |bytes: Vec<u8>| with_notes(&bytes).unwrap_err().problem;
+    assert!(fault([BINARY, &[0]].concat()).contains("the grid ends here and the file goes on"));
+    assert!(fault([&BINARY[..4], &[4, 0, 0, 0], &BINARY[8..]].concat()).contains("its layout is 4"));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::numbers::Numbers;
-use crate::input::Input;
+use crate::input::{Input, text};
 use crate::read::Fault;
 
 /// Names by dimension and tag.
@@ -21,7 +21,7 @@ pub(super) fn physical_names(input: &mut Input) -> Result<Names, Fault> {
         let name = input.text();
         let name = name.strip_prefix(b"\"").unwrap_or(name);
         let name = name.strip_suffix(b"\"").unwrap_or(name);
-        let name = String::from_utf8_lossy(name).trim().to_owned();
+        let name = text(name).trim().to_owned();
         if name.is_empty() {
             return Err(input.fault("the physical name is empty; give it one, or remove the line"));
         }

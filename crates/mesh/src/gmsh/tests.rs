@@ -196,6 +196,7 @@ fn other_kinds_of_file_are_refused_with_a_way_out() {
         ("4.1 0 8", "4 0 8", "4 0", "MSH version 4, expected 4.1 or 2; export it as MSH 4.1 (in Gmsh"),
         ("$Comments", "$NOD", "$NOD", "MSH version 1, expected 4.1 or 2"),
         ("4.1 0 8", "4.1 1 4", "4.1", "its numbers have 4 bytes, expected 8"),
+        ("$Surprise", "$ParametricNodes", "$Param", "save with Mesh.SaveParametric = 0"),
         ("$Surprise", "$PartitionedEntities", "$Part", "partitioned; remove the partition"),
         ("3 1 5 1\n", "3 1 92 1\n", "3 1 92", "64-node hexahedra are not supported"),
         ("3 1 5 1\n", "3 1 98 1\n", "3 1 98", "elements of Gmsh's type 98 are not supported"),

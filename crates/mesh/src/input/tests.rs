@@ -64,3 +64,9 @@ fn a_wrong_field_is_named_with_its_line() {
     let fault = input.expect("another line").unwrap_err();
     assert_eq!(fault.problem, "the file ends here, expected another line; it is cut short");
 }
+
+#[test]
+fn text_that_is_not_utf_8_is_latin_1() {
+    assert_eq!((text("Körper".as_bytes()), text(b"K\xf6rper")), ("Körper".to_owned(), "Körper".to_owned()));
+    assert_ne!(text(b"\xe4"), text(b"\xf6"));
+}

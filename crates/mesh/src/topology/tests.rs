@@ -82,6 +82,15 @@ fn a_shared_face_is_inside_whatever_the_shapes() {
     assert_eq!(components(&mesh, Some(&[2, 1, 3])), [vec![1, 2], vec![3]]);
 }
 
+#[test]
+fn an_element_that_is_there_twice_crowds_the_faces_between_it_and_others() {
+    let mut mesh = distorted_box(2);
+    assert_eq!(crowded_faces(&mesh), []);
+    mesh.elements.push(mesh.elements[0]);
+    // Of its six faces three are shared with a neighbour.
+    assert_eq!(crowded_faces(&mesh).iter().map(|f| f.element).collect::<Vec<_>>(), [0; 3]);
+}
+
 /// Nodes of the planes y = 0 and y = n of a box.
 fn sides(mesh: &Mesh, n: f64) -> (Vec<u32>, Vec<u32>) {
     let at = |level: f64| {

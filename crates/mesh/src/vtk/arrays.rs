@@ -1,12 +1,21 @@
 //! The numbers of a legacy file, as text or as bytes.
 
 use super::{EXPORT, Owner, Reader};
-use crate::input::shown;
+use crate::input::{shown, text};
 use crate::read::Fault;
-use crate::vtu::{Array, Kind, Values, append_indices};
+use crate::vtu::{Array, Kind, Values, append_indices, means_something};
 
 /// Numbers worked on at a time; a multiple of three, so that points stay whole.
 const PIECE: usize = 3 << 14;
+/// What an array holds.
+#[derive(Clone, Copy)]
+pub(super) enum Content {
+    Numbers(Kind),
+    Bits,
+    Colours,
+    Texts,
+}
+
 impl Reader<'_, '_> {
     pub(super) fn kind(&mut self) -> Result<Kind, Fault> {
         let name = self.word("a type of number")?;
@@ -95,22 +104,90 @@ impl Reader<'_, '_> {
         a.checked_mul(b).ok_or_else(|| self.input.fault(format!("{a} times {b} numbers are too many")))
     }
 
-    /// Reads an array.
+    /// What the array at hand holds.
+    pub(super) fn content(&mut self) -> Result<Content, Fault> {
+        match self.input.text().split(u8::is_ascii_whitespace).next().unwrap_or_default() {
+            b"string" => self.word("a type").map(|_| Content::Texts),
+            b"bit" => self.word("a type").map(|_| Content::Bits),
+            _ => self.kind().map(Content::Numbers),
+        }
+    }
+
+    /// Reads an array; one that says nothing about the mesh is passed over.
     pub(super) fn array(
         &mut self,
-        name: String,
+        name: &str,
         components: usize,
         tuples: usize,
-        kind: Kind,
+        content: Content,
     ) -> Result<(), Fault> {
-        let values = self.numbers(self.product(components, tuples)?, kind, &format!("array `{name}`"))?;
+        let count = self.product(components, tuples)?;
+        let name = decoded(name);
+        let what = format!("array `{name}`");
+        let byte = Kind::Whole(false, 1);
+        let kind = match content {
+            Content::Texts => return self.pass_texts(count, &what),
+            Content::Bits => {
+                // Eight to a byte.
+                let count = if self.binary { count.div_ceil(8) } else { count };
+                return self.pieces(count, byte, &what, &mut |_| Ok(()));
+            }
+            // Bytes in a binary file, shares of 1 in a text file.
+            Content::Colours => {
+                if self.binary {
+                    byte
+                } else {
+                    Kind::F32
+                }
+            }
+            Content::Numbers(kind) => kind,
+        };
+        if !means_something(&name) {
+            return self.pieces(count, kind, &what, &mut |_| Ok(()));
+        }
+        let values = self.numbers(count, kind, &what)?;
         let arrays = match self.owner {
             Owner::File => &mut self.grid.field_data,
             Owner::Points => &mut self.grid.point_data,
             Owner::Cells => &mut self.grid.cell_data,
         };
-        arrays.push(Array::new(decoded(&name), "", components, values));
+        arrays.push(Array::new(name, "", components, values));
         Ok(())
+    }
+
+    /// Passes over texts: lines, or in a binary file bytes after their number, whose first two bits say of how many
+    /// bytes it is.
+    fn pass_texts(&mut self, count: usize, what: &str) -> Result<(), Fault> {
+        for _ in 0..count {
+            if !self.binary {
+                if !self.input.next_line()? {
+                    return Err(self.input.fault(format!("the file ends in {what}; it is cut short")));
+                }
+                continue;
+            }
+            let first = self.byte(what)?;
+            let more = match first >> 6 {
+                3 => 0,
+                2 => 1,
+                1 => 3,
+                _ => 7,
+            };
+            let mut length = u64::from(first & 0x3f);
+            for _ in 0..more {
+                length = length << 8 | u64::from(self.byte(what)?);
+            }
+            for _ in 0..length {
+                self.byte(what)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn byte(&mut self, what: &str) -> Result<u8, Fault> {
+        match self.input.bytes(1)?.and_then(|b| b.first().copied()) {
+            Some(byte) => Ok(byte),
+            None => Err(self.input.fault(format!("the file ends in {what}; it is cut short"))),
+        }
     }
 }
 
@@ -131,5 +208,5 @@ fn decoded(name: &str) -> String {
             }
         }
     }
-    String::from_utf8_lossy(&bytes).into_owned()
+    text(&bytes)
 }

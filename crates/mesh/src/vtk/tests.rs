@@ -40,12 +40,25 @@ CELL_DATA 3
 SCALARS MaterialIds int 1
 LOOKUP_TABLE default
 7 1 9
-FIELD FieldData 2
+FIELD FieldData 4
+labels 1 3 string
+a%20b
+
+7
+bits 1 3 bit
+1 0 1
 group:my%20rock 1 3 unsigned_char
 1 0 0
 pressure 1 3 double
 1.5 nan 2
+COLOR_SCALARS shade 2
+0.5 0.25 1 1 0 0
+LOOKUP_TABLE mine 1
+1 0 0 1
 POINT_DATA 12
+TEXTURE_COORDINATES uv 2 float
+0 0 0 0 0 0 0 0 0 0 0 0
+0 0 0 0 0 0 0 0 0 0 0 0
 VECTORS displacement float
 0 0 0 0 0 0 0 0 0 0 0 0
 0 0 0 0 0 0 0 0 0 0 0 0
@@ -99,13 +112,24 @@ fn voxels_labels_and_metadata_are_understood() {
     assert!(with_notes(windows.as_bytes()).unwrap().0 == mesh);
 }
 
+/// A cell that two pieces of a distributed grid have is one element.
+#[test]
+fn ghost_cells_are_not_read_twice() {
+    let ghosts = VOXELS.replacen("bits 1 3 bit\n1 0 1", "vtkGhostType 1 3 unsigned_char\n0 0 1", 1);
+    let (mesh, notes) = with_notes(ghosts.as_bytes()).unwrap();
+    assert_eq!(mesh.element_ids, []);
+    assert_eq!((mesh.elements.len(), mesh.nodes.len()), (1, 8));
+    let ghost = |n: &Note| matches!(n, Note::NotTaken { what, count: 1 } if what.starts_with("ghost cells"));
+    assert!(notes.iter().any(ghost), "{notes:?}");
+}
+
 #[test]
 fn files_of_another_kind_are_refused_with_a_way_out() {
     for (from, to, line, words) in [
         ("UNSTRUCTURED_GRID", "STRUCTURED_POINTS", Some(4), "the data set is STRUCTURED_POINTS, expected"),
         ("CELLS 3 21", "CELLS 4 21", Some(24), "the list of cells is shorter than its cells"),
         ("CELLS 3 21", "POLYS 3 21", Some(21), "`POLYS` is no section that can be read; open it in ParaView"),
-        ("MaterialIds int", "MaterialIds bit", Some(28), "arrays of type `bit` cannot be read"),
+        ("MaterialIds int", "MaterialIds bat", Some(28), "arrays of type `bat` cannot be read"),
         ("LOOKUP_TABLE", "7 1 9", Some(29), "expected LOOKUP_TABLE here"),
         ("8 4 5 6 7", "8 4 5 6 x", Some(24), "in the cells: `x` is no such number"),
         ("11 3 11", "11 3 42", None, "cell 2 has VTK's type 42, which is not supported"),

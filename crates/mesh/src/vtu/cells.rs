@@ -23,6 +23,8 @@ const GROUP: &str = "group:";
 const FACES: &str = "faces:";
 /// Field arrays with this prefix are a named point.
 const POINT: &str = "point:";
+/// Cell array in which bit 0 marks a cell that another piece of a distributed grid has too.
+const GHOST: &str = "vtkGhostType";
 const NODE_NUMBER: &str = "node number";
 const ELEMENT_NUMBER: &str = "element number";
 /// Cell arrays by which other programs tell parts of a mesh apart; each value becomes a group.
@@ -52,8 +54,15 @@ fn is_vtu(head: &[u8]) -> bool {
 }
 
 fn read(input: &mut Input, _: &Path) -> Outcome {
-    let grid = parse(input.source()).map_err(Fault::whole)?;
+    let grid = parse(input.source(), means_something).map_err(Fault::whole)?;
     solids(grid).map_err(Fault::whole)?.finish(NO_SOLIDS)
+}
+
+/// Whether an array of this name says something about a mesh.
+pub(crate) fn means_something(name: &str) -> bool {
+    [GROUP, FACES, POINT].iter().any(|prefix| name.starts_with(prefix))
+        || [NODE_NUMBER, ELEMENT_NUMBER, GHOST].contains(&name)
+        || LABELS.contains(&name.to_lowercase().as_str())
 }
 
 /// Writes a mesh as VTU.
@@ -111,6 +120,8 @@ pub(crate) fn solids(grid: Grid) -> Result<Draft, String> {
     let mut draft = Draft::default();
     // The element of each cell.
     let mut element_of = vec![u32::MAX; grid.types.len()];
+    let mut doubled = 0;
+    let ghosts = grid.cell_array(GHOST).filter(|a| a.components == 1 && whole(a));
     for (cell, &kind) in grid.types.iter().enumerate() {
         let points = grid.cell(cell);
         let mut corners = [0; 8];
@@ -123,6 +134,10 @@ pub(crate) fn solids(grid: Grid) -> Result<Draft, String> {
             }
             Some(Role::Flat(name)) => {
                 draft.skip(name, 1);
+                continue;
+            }
+            Some(_) if ghosts.is_some_and(|a| a.values.get(cell) as i64 & 1 == 1) => {
+                doubled += 1;
                 continue;
             }
             Some(Role::Solid(shape)) => shape,
@@ -142,6 +157,10 @@ pub(crate) fn solids(grid: Grid) -> Result<Draft, String> {
         element_of[cell] = draft.mesh.elements.len() as u32;
         draft.push(cell as u64 + 1, shape, &corners[..shape.nodes()]);
         draft.reduce(points.len(), shape);
+    }
+    if doubled > 0 {
+        let what = "ghost cells, which another piece has too,".to_owned();
+        draft.notes.push(Note::NotTaken { what, count: doubled });
     }
     if let Some(node) = grid.points.iter().position(|x| x.iter().any(|x| !x.is_finite())) {
         return Err(format!("point {node} has a coordinate that is no finite number"));

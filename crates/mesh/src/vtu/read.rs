@@ -26,7 +26,7 @@ impl Grid {
     pub fn read(path: &Path) -> Result<Grid, VtuError> {
         let mut file =
             fs::File::open(path).map_err(|source| VtuError::Io { path: path.to_owned(), source })?;
-        parse(&mut file).map_err(|reason| VtuError::Format { path: path.to_owned(), reason })
+        parse(&mut file, |_| true).map_err(|reason| VtuError::Format { path: path.to_owned(), reason })
     }
 }
 
@@ -35,10 +35,12 @@ struct File<'s> {
     layout: Layout,
     appended: Option<Appended>,
     source: &'s mut dyn Source,
+    /// Which of the arrays beside points and cells are wanted, by name.
+    wanted: fn(&str) -> bool,
 }
 
-/// The grid in a file.
-pub(super) fn parse(source: &mut dyn Source) -> Result<Grid, String> {
+/// The grid in a file, with the arrays whose names are `wanted`; results of a run would be many times the mesh.
+pub(super) fn parse(source: &mut dyn Source, wanted: fn(&str) -> bool) -> Result<Grid, String> {
     let Outline { xml, appended } = outline(source)?;
     let document = Document::parse(&xml).map_err(|e| format!("the header is not XML: {e}"))?;
     let root = document.root_element();
@@ -46,7 +48,7 @@ pub(super) fn parse(source: &mut dyn Source) -> Result<Grid, String> {
     if kind != "UnstructuredGrid" {
         return Err(format!("type is {kind}, expected UnstructuredGrid; {EXPORT}"));
     }
-    let mut file = File { layout: layout(root)?, appended, source };
+    let mut file = File { layout: layout(root)?, appended, source, wanted };
     let grid = child(root, "UnstructuredGrid")?;
     let mut all: Option<Grid> = None;
     for piece in grid.children().filter(|n| n.has_tag_name("Piece")) {
@@ -59,6 +61,9 @@ pub(super) fn parse(source: &mut dyn Source) -> Result<Grid, String> {
     let mut all = all.ok_or("the header has no <Piece>")?;
     if let Some(fields) = grid.children().find(|n| n.has_tag_name("FieldData")) {
         for node in fields.children().filter(|n| n.has_tag_name("DataArray")) {
+            if !wanted(&name(node)) {
+                continue;
+            }
             let array = file.array(node)?;
             if array.name != "TimeValue" {
                 all.field_data.push(array);
@@ -173,7 +178,9 @@ impl File<'_> {
     /// The arrays of numbers in a section; arrays of text are passed over.
     fn arrays(&mut self, piece: Node, tag: &str) -> Result<Vec<Array>, String> {
         let Some(section) = piece.children().find(|n| n.has_tag_name(tag)) else { return Ok(Vec::new()) };
-        section.children().filter(|n| n.has_tag_name("DataArray")).map(|n| self.array(n)).collect()
+        let arrays = section.children().filter(|n| n.has_tag_name("DataArray"));
+        let wanted = self.wanted;
+        arrays.filter(|&n| wanted(&name(n))).map(|n| self.array(n)).collect()
     }
 
     fn array(&mut self, node: Node) -> Result<Array, String> {
@@ -189,9 +196,10 @@ impl File<'_> {
             Some(values) => values,
             None => kind(node)?.parse(std::iter::empty())?,
         };
-        let components = match node.attribute("NumberOfComponents") {
-            Some(_) => number(node, "NumberOfComponents")?,
-            None => 1,
+        // Some programs write it empty where it is 1.
+        let components = match node.attribute("NumberOfComponents").map(str::trim) {
+            Some(count) if !count.is_empty() => number(node, "NumberOfComponents")?,
+            _ => 1,
         };
         let key = node.children().find(|n| n.attribute("name") == Some(UNIT_KEY));
         let unit = key.and_then(|n| n.text()).unwrap_or_default().trim().to_owned();

@@ -100,7 +100,7 @@ fn a_damaged_file_never_makes_the_reader_panic() {
         grid().write(&path).unwrap();
         let original = fs::read(&path).unwrap();
         for cut in 0..original.len() - 40 {
-            assert!(read::parse(&mut Cursor::new(&original[..cut])).is_err(), "cut at {cut}");
+            assert!(read::parse(&mut Cursor::new(&original[..cut]), |_| true).is_err(), "cut at {cut}");
         }
         let mut random = Random(5);
         for _ in 0..5000 {
@@ -109,10 +109,28 @@ fn a_damaged_file_never_makes_the_reader_panic() {
                 let at = random.below(bytes.len());
                 bytes[at] = random.below(256) as u8;
             }
-            if let Ok(grid) = read::parse(&mut Cursor::new(&bytes)) {
+            if let Ok(grid) = read::parse(&mut Cursor::new(&bytes), |_| true) {
                 assert_eq!(grid.check(), Ok(()));
             }
         }
+    });
+}
+
+/// Results of a run beside the mesh cost nothing, and may be of types that cannot be read.
+#[test]
+fn arrays_that_say_nothing_about_the_mesh_are_passed_over() {
+    in_folder("others", |folder| {
+        let path = folder.join("a.vtu");
+        let mut grid = grid();
+        grid.cell_data.push(Array::new("MaterialIds", "", 1, Values::Int32(vec![1, 2, 2, 1])));
+        grid.write(&path).unwrap();
+        let text = fs::read(&path).unwrap();
+        let at = text.windows(7).position(|w| w == b"Float32").unwrap();
+        let odd = [&text[..at], b"Bit", &text[at + 7..]].concat();
+        assert!(read::parse(&mut Cursor::new(&odd), |_| true).unwrap_err().contains("its type is Bit"));
+        let mesh = read::parse(&mut Cursor::new(&odd), means_something).unwrap();
+        assert_eq!((mesh.point_data.len(), mesh.cell_data.len()), (0, 1));
+        assert_eq!(mesh.connectivity, grid.connectivity);
     });
 }
 
@@ -131,7 +149,7 @@ fn files_of_another_layout_are_refused_in_words() {
         ] {
             let at = original.windows(from.len()).position(|w| w == from.as_bytes()).unwrap();
             let bytes = [&original[..at], to.as_bytes(), &original[at + from.len()..]].concat();
-            let problem = read::parse(&mut Cursor::new(&bytes)).unwrap_err();
+            let problem = read::parse(&mut Cursor::new(&bytes), |_| true).unwrap_err();
             assert!(problem.contains(words), "{problem}");
         }
         fs::write(&path, "").unwrap();

@@ -16,7 +16,7 @@ use tremolite_case::Case;
 use tremolite_mesh::merge::{coincident_nodes, shortest_edge};
 use tremolite_mesh::picture::{section, view};
 use tremolite_mesh::quality::{Summary, by_group, summary};
-use tremolite_mesh::topology::{components, exterior_faces, plane_faces};
+use tremolite_mesh::topology::{components, crowded_faces, exterior_faces, plane_faces};
 use tremolite_mesh::{Face, Mesh};
 
 const HELP: &str = "\
@@ -59,6 +59,8 @@ struct Info<'m> {
     sides: BTreeMap<String, Vec<Face>>,
     /// Outer faces that are on no side and in no named set.
     elsewhere: usize,
+    /// Faces that more than two elements share.
+    crowded: Vec<Face>,
     /// Elements of each separate part.
     parts: Vec<usize>,
     /// Within which distance \[m\] nodes were looked for, and how many have another there.
@@ -128,6 +130,7 @@ impl<'m> Info<'m> {
             made,
             elsewhere: exterior_faces(mesh, None).iter().filter(|f| !named.contains(f)).count(),
             sides,
+            crowded: crowded_faces(mesh),
             parts: components(mesh, None).iter().map(Vec::len).collect(),
             coincident: (tolerance, coincident_nodes(mesh, tolerance).len()),
         }

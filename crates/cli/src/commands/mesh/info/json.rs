@@ -46,6 +46,7 @@ impl Info<'_> {
             "side_faces": counts(&self.sides),
             "named_faces": counts(&mesh.faces),
             "other_outer_faces": self.elsewhere,
+            "crowded_faces": self.crowded.len(),
             "parts": self.parts,
             "coincident_nodes": self.coincident.1,
             "coincidence_tolerance": self.coincident.0,

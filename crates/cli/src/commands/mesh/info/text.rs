@@ -117,6 +117,13 @@ impl Info<'_> {
             }
         }
         print(&format!("outer faces on no side and in no named set: {}", self.elsewhere));
+        if let Some(first) = self.crowded.first() {
+            print(&format!(
+                "{} faces are shared by more than two elements: elements lie on one another, such as {}; remove one of each",
+                self.crowded.len(),
+                self.element(first.element)
+            ));
+        }
         match self.parts.as_slice() {
             [_] => print("all elements hang together"),
             parts => {
