@@ -9,23 +9,28 @@
 //! x points across the caverns, y along them with y = 0 in the middle of the block, z up with z = 0 at the
 //! ground. The first cavern's axis is x = 0.
 
+mod claims;
 mod closed;
 mod error;
 mod extrude;
 mod gallery;
 mod ground;
 mod layout;
+mod lines;
 mod opening;
+mod passage;
 mod presets;
 mod profile;
 mod rows;
 mod section;
 mod smooth;
+mod spread;
 mod strata;
 mod stretch;
 #[cfg(test)]
 mod tests;
 mod tube;
+mod wall;
 
 pub use error::CavernError;
 pub use gallery::Gallery;
@@ -33,6 +38,7 @@ pub use ground::Ground;
 pub use strata::RockLayer;
 
 use crate::mesh::Mesh;
+use crate::note::Note;
 
 /// A block of rock with parallel caverns. All lengths in metres.
 ///
@@ -156,8 +162,17 @@ impl CavernSpec {
     /// # Errors
     /// See [`CavernError`]; each names the key and the remedy.
     pub fn mesh(&self) -> Result<Mesh, CavernError> {
+        self.mesh_with_notes().map(|(mesh, _)| mesh)
+    }
+
+    /// The mesh, as [`CavernSpec::mesh`], and where it departs from the description.
+    ///
+    /// # Errors
+    /// As [`CavernSpec::mesh`].
+    pub fn mesh_with_notes(&self) -> Result<(Mesh, Vec<Note>), CavernError> {
         error::check(self)?;
         let section = section::build(self)?;
-        extrude::extrude(self, &section)
+        let mesh = extrude::extrude(self, &section)?;
+        Ok((mesh, section.notes))
     }
 }

@@ -1,10 +1,10 @@
-//! What a reader or writer did that its user should know.
+//! What a reader, a writer or a generator did that its user should know.
 
 use std::fmt;
 
 use crate::Shape;
 
-/// One remark on a mesh that was read or written. Its text says what it means for the calculation.
+/// One remark on a mesh that was read, written or generated. Its text says what it means for the calculation.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Note {
@@ -28,6 +28,11 @@ pub enum Note {
     NotTaken { what: String, count: usize },
     /// The surface `name` has `count` faces inside the mesh for one side only; the file written names both.
     BothSides { name: String, count: usize },
+    /// The cut below bench `bench` of a generated cavern lies `to` \[m\] above its floor, at a gallery's floor or roof,
+    /// instead of `from`, where equal benches have it.
+    MovedCut { cavern: String, bench: u32, from: f64, to: f64 },
+    /// The plane above the layer `layer` of a generated block is level but not a plane of nodes.
+    Stepped { layer: String },
 }
 
 impl fmt::Display for Note {
@@ -75,6 +80,16 @@ impl fmt::Display for Note {
             Note::BothSides { name, count } => write!(
                 f,
                 "surface `{name}` has {count} faces inside the mesh for one side only; this format names both sides"
+            ),
+            Note::MovedCut { cavern, bench, from, to } => write!(
+                f,
+                "the cut below bench {bench} of cavern `{cavern}` lies {to:.3} m above its floor, at a gallery's floor or \
+                 roof, not {from:.3} m, as equal benches have it; a lower `near` keeps it there"
+            ),
+            Note::Stepped { layer } => write!(
+                f,
+                "the plane above layer `{layer}` runs among the elements round a cavern or leaves too little room for \
+                 a line of the grid: there elements belong to the layer of their middles, and the boundary has steps"
             ),
         }
     }

@@ -54,7 +54,8 @@ pub fn run(args: &Args) -> Outcome {
 fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
     if file.extension().is_some_and(|e| e == "toml") {
         let case = Case::read(file, &infos()).map_err(|r| Failure::case(&r))?;
-        let mesh = mesh_of(&case).map_err(|r| Failure::case(&r))?;
+        let (mesh, warnings) = mesh_of(&case).map_err(|r| Failure::case(&r))?;
+        warnings.iter().for_each(|warning| say(&format!("note: {}", warning.message)));
         return Ok((mesh, Some(case)));
     }
     let (mesh, notes) = read_with_notes(file).map_err(Failure::input)?;

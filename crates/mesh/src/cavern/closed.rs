@@ -3,10 +3,11 @@
 
 use super::Cavern;
 use super::layout::Plot;
-use super::opening::{rings, wall_rows};
+use super::opening::rings;
 use super::section::{Part, Section};
 use super::smooth::smooth;
 use super::tube::Tube;
+use super::wall::Rows;
 
 /// Fills the rectangle whose edge nodes are `rim`, clockwise from the lower left corner, with cavern `k`;
 /// returns the smallest scaled Jacobian in it, and that in the lining.
@@ -21,7 +22,7 @@ pub(super) fn fill(
     let counts = plot.counts;
     let (first_quad, first_point) = (section.quads.len(), section.points.len());
     let [low, high] = tube.wall();
-    let (levels, bench_of) = wall_rows(counts.wall, high - low, cavern.benches as usize);
+    let Rows { levels, bench_of } = Rows::even(counts.wall, high - low, cavern.benches as usize);
     let levels: Vec<f64> = levels.iter().map(|v| low + v).collect();
     let outline = outline(tube, &levels, counts.columns);
     let n = outline.len();

@@ -32,7 +32,9 @@ pub enum CavernError {
     /// Elements round a cavern came out inverted, or with a smaller scaled Jacobian than `limit`.
     Poor { cavern: String, scaled_jacobian: f64, limit: f64 },
     /// A gallery that cannot be made; `why` says what is wrong, after its name.
-    Gallery { gallery: String, why: &'static str },
+    Gallery { gallery: String, why: String },
+    /// A gallery that no rows of elements lead through from wall to wall.
+    GalleryRows { gallery: String },
     /// The ground comes too near to the surroundings of the caverns; `at` is x and y.
     LowGround { at: [f64; 2], height: f64, needed: f64 },
     /// Rock that follows the ground came out with a smaller scaled Jacobian than `limit`.
@@ -71,6 +73,11 @@ impl fmt::Display for CavernError {
                  try another `near`, more rock around the cavern, or fewer benches"
             ),
             Self::Gallery { gallery, why } => write!(f, "gallery {gallery:?} {why}"),
+            Self::GalleryRows { gallery } => write!(
+                f,
+                "gallery {gallery:?} and the benches, floors and roofs of its two caverns leave no way to lead rows of \
+                 elements from wall to wall; lower `near`, or move the gallery or a cavern with `at`"
+            ),
             Self::LowGround { at: [x, y], height, needed } => write!(
                 f,
                 "the ground at x = {x:.1} m, y = {y:.1} m is at z = {height:.1} m; the caverns' surroundings need \

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::profile::Outline;
 use super::section::{Part, Section};
-use super::{CavernError, CavernSpec, gallery, ground, strata};
+use super::{CavernError, CavernSpec, ground, passage, strata};
 use crate::boxes::MOST_ELEMENTS;
 use crate::mesh::{Element, Face, Mesh, Shape};
 
@@ -33,7 +33,7 @@ pub(super) fn extrude(spec: &CavernSpec, section: &Section) -> Result<Mesh, Cave
             mesh.elements.push(Element { shape: Shape::Hex8, nodes });
         }
     }
-    let parts = gallery::parts(spec, section);
+    let parts = passage::parts(spec, section);
     group(spec, &parts, &mut mesh);
     faces(spec, section, &parts, &mut mesh);
     points(spec, &mut mesh);

@@ -7,25 +7,6 @@ use super::profile::{Outline, Profile};
 use super::section::{Part, Section};
 use super::smooth::smooth;
 
-/// Levels of the wall's nodes over the floor, and for each row of the wall its bench (1 at the top).
-///
-/// Every bench has the same share of the wall; where the rows do not divide evenly the upper benches get one
-/// more.
-pub(super) fn wall_rows(wall: usize, height: f64, benches: usize) -> (Vec<f64>, Vec<u32>) {
-    let (mut levels, mut bench_of) = (vec![0.0], Vec::with_capacity(wall));
-    let share = height / benches as f64;
-    for bench in (0..benches).rev() {
-        let rows = wall / benches + usize::from(bench < wall % benches);
-        let bottom = (benches - 1 - bench) as f64 * share;
-        for row in 1..=rows {
-            levels.push(bottom + share * row as f64 / rows as f64);
-            bench_of.push(bench as u32 + 1);
-        }
-    }
-    levels[wall] = height;
-    (levels, bench_of)
-}
-
 /// Fills the rectangle whose edge nodes are `rim`, clockwise from the lower left corner, with cavern `k`;
 /// returns the smallest scaled Jacobian in
 /// it, and that in the lining.
@@ -36,9 +17,7 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
     };
     let counts = plot.counts;
     let (first_quad, first_point) = (section.quads.len(), section.points.len());
-    // Levels that do not fit have been refused with the layout.
-    let (levels, bench_of) = plot.levels(cavern.benches).unwrap_or_default();
-    let path = Path { plot, profile, levels: &levels };
+    let path = Path { plot, profile };
 
     // From the opening outwards: the vault's layers, each from the left foot over the crown to the right one.
     let vault: Vec<Vec<u32>> = (0..=counts.layers)
@@ -60,13 +39,14 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
     }
 
     let mut free = Vec::new();
-    let floor = core(section, &path, &vault[0], &bench_of, k, &mut free);
+    let floor = core(section, &path, &vault[0], k, &mut free);
 
     // Below: feet of the lining and clear floor, left to right, then the slab.
     let mut below: Vec<u32> = vault.iter().rev().map(|layer| layer[0]).collect();
     below.extend(&floor[1..floor.len() - 1]);
     below.extend(vault.iter().map(|layer| layer[counts.vault()]));
     let mut sides: [Vec<u32>; 2] = Default::default();
+    let slab = if cavern.lining.floor > 0.0 { Part::Floor(k) } else { Part::Rock };
     for row in 1..=counts.slab {
         let depth = profile.floor * row as f64 / counts.slab as f64;
         let next: Vec<u32> = below
@@ -77,7 +57,7 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
             })
             .collect();
         for i in 0..next.len() - 1 {
-            section.quad([next[i], next[i + 1], below[i + 1], below[i]], Part::Floor(k));
+            section.quad([next[i], next[i + 1], below[i + 1], below[i]], slab);
         }
         sides[0].push(below[0]);
         sides[1].push(below[below.len() - 1]);
@@ -104,7 +84,6 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
 struct Path<'a> {
     plot: &'a Plot,
     profile: &'a Profile,
-    levels: &'a [f64],
 }
 
 impl Path<'_> {
@@ -133,12 +112,14 @@ impl Path<'_> {
 
     fn inner(&self, t: usize) -> [f64; 2] {
         let arc = &self.profile.inner;
-        self.locate(t).map_or_else(|(row, side)| [side * arc.half, self.levels[row]], |s| arc.point(s))
+        self.locate(t)
+            .map_or_else(|(row, side)| [side * arc.half, self.plot.wall.levels[row]], |s| arc.point(s))
     }
 
     fn outer(&self, t: usize) -> [f64; 2] {
         let arc = &self.profile.outer;
-        self.locate(t).map_or_else(|(row, side)| [side * arc.half, self.levels[row]], |s| arc.point(s))
+        self.locate(t)
+            .map_or_else(|(row, side)| [side * arc.half, self.plot.wall.levels[row]], |s| arc.point(s))
     }
 
     /// The edge of the core where a ring lies between it and the intrados: the intrados shrunk sideways by
@@ -153,15 +134,8 @@ impl Path<'_> {
 }
 
 /// Fills the opening; returns the nodes of the clear floor from left to right.
-fn core(
-    section: &mut Section,
-    path: &Path,
-    intrados: &[u32],
-    bench_of: &[u32],
-    k: u32,
-    free: &mut Vec<u32>,
-) -> Vec<u32> {
-    let counts = path.plot.counts;
+fn core(section: &mut Section, path: &Path, intrados: &[u32], k: u32, free: &mut Vec<u32>) -> Vec<u32> {
+    let (counts, bench_of) = (path.plot.counts, &path.plot.wall.bench_of);
     let (columns, rows, vault) = (counts.columns, counts.wall + counts.flank, counts.vault());
     let bench = |row: usize| Part::Bench(k, bench_of.get(row).copied().unwrap_or(1));
     // The first row of bench 1: up to here all rows are level.

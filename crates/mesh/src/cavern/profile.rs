@@ -90,7 +90,7 @@ pub(super) struct Profile {
     pub inner: Roof,
     /// The same as `inner` if the cavern is unlined.
     pub outer: Roof,
-    /// Thickness of the floor slab, 0 if none.
+    /// Thickness of the floor slab, or of the row of rock in its place; 0 if none.
     pub floor: f64,
 }
 

@@ -16,7 +16,7 @@ pub(super) struct Counts {
     pub ring: usize,
     /// Layers of the lining, 0 if none.
     pub layers: usize,
-    /// Rows of the floor slab, 0 if none.
+    /// Rows of the floor slab, or of rock in its place where a gallery's floor is at the foot; 0 if none.
     pub slab: usize,
     /// Edges below the cavern from the foot of the lining (or of its slab) to the point that is tied to the
     /// rectangle's lower corner.
@@ -89,17 +89,28 @@ pub(super) struct Wish {
     pub multiple: usize,
     /// Weight of missing the multiple.
     pub weight: f64,
+    /// Whether no more are of use: the number is `extra`.
+    pub exact: bool,
+    /// What it costs to have so many more than `multiple`; more than there are here cost as much as the last. Empty: what
+    /// missing the multiple costs.
+    pub uneven: Vec<f64>,
 }
 
 impl Wish {
     fn cost(&self, counts: &[usize]) -> f64 {
         let total: usize = counts[self.stretches.clone()].iter().sum();
         let rest = total as isize - self.extra;
+        if self.exact {
+            return 1e6 * rest.unsigned_abs() as f64;
+        }
         if rest < self.multiple as isize {
             return 1e6 * (1 + self.multiple as isize - rest) as f64;
         }
         let rest = rest as usize;
         let off = (rest as f64 / (self.ideal - self.extra as f64)).ln();
+        if let Some(last) = self.uneven.last() {
+            return 4.0 * off * off + self.uneven.get(rest - self.multiple).unwrap_or(last);
+        }
         // Rows of a bench that gets one row more than another differ in height by this ratio.
         let uneven = rest.div_ceil(self.multiple) as f64 / (rest / self.multiple) as f64;
         4.0 * off * off + self.weight * (uneven - 1.0)
@@ -167,8 +178,24 @@ mod tests {
     #[test]
     fn benches_get_equal_rows_where_a_small_change_allows_it() {
         let wishes = [
-            Wish { stretches: 0..2, ideal: 13.4, extra: 1, multiple: 6, weight: 1.0 },
-            Wish { stretches: 0..1, ideal: 9.6, extra: 1, multiple: 4, weight: 1.0 },
+            Wish {
+                stretches: 0..2,
+                ideal: 13.4,
+                extra: 1,
+                multiple: 6,
+                weight: 1.0,
+                exact: false,
+                uneven: vec![],
+            },
+            Wish {
+                stretches: 0..1,
+                ideal: 9.6,
+                extra: 1,
+                multiple: 4,
+                weight: 1.0,
+                exact: false,
+                uneven: vec![],
+            },
         ];
         let counts = whole_numbers(&[30.0, 16.0, 50.0], &wishes);
         assert_eq!((counts[0] - 1) % 4, 0, "{counts:?}");
@@ -178,7 +205,15 @@ mod tests {
 
     #[test]
     fn a_wish_for_more_benches_than_rows_is_met() {
-        let wishes = [Wish { stretches: 0..1, ideal: 3.2, extra: 2, multiple: 7, weight: 1.0 }];
+        let wishes = [Wish {
+            stretches: 0..1,
+            ideal: 3.2,
+            extra: 2,
+            multiple: 7,
+            weight: 1.0,
+            exact: false,
+            uneven: vec![],
+        }];
         assert!(whole_numbers(&[10.0], &wishes)[0] >= 9);
     }
 }

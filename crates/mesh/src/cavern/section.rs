@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::gallery::Passage;
 use super::layout::Layout;
 use super::opening;
-use super::{CavernError, CavernSpec};
+use super::passage::Passage;
+use super::{CavernError, CavernSpec, Ground};
+use crate::note::Note;
 
 /// What a quadrilateral belongs to; the number is that of the cavern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -62,6 +63,8 @@ pub(super) struct Section {
     pub passages: Vec<Passage>,
     /// Lowest and highest x and z of the block.
     pub block: [[f64; 2]; 2],
+    /// Where it departs from what was asked for.
+    pub notes: Vec<Note>,
 }
 
 impl Section {
@@ -111,6 +114,7 @@ const GOOD_JACOBIAN: f64 = 0.45;
 
 pub(super) fn build(spec: &CavernSpec) -> Result<Section, CavernError> {
     let mut insets = vec![None; spec.caverns.len()];
+    lead_rows(spec, &mut insets)?;
     let (mut section, mut worst) = assemble(spec, &insets)?;
     // Where the rings round a cavern are best tied to its rectangle's lower corners is found by trial.
     for (k, cavern) in spec.caverns.iter().enumerate() {
@@ -136,6 +140,59 @@ pub(super) fn build(spec: &CavernSpec) -> Result<Section, CavernError> {
     Ok(section)
 }
 
+/// Where the layout departs from what was asked for.
+fn notes(spec: &CavernSpec, layout: &Layout) -> Vec<Note> {
+    let moved = spec.caverns.iter().zip(&layout.plots).flat_map(|(cavern, plot)| {
+        let cuts = plot.stops.iter().flat_map(|stops| &stops.moved);
+        cuts.map(|cut| Note::MovedCut {
+            cavern: cavern.name.clone(),
+            bench: cut.bench,
+            from: cut.from,
+            to: cut.to,
+        })
+    });
+    // Under ground that is not level no plane above the caverns' surroundings stays level either.
+    let (base, top) = (layout.z[0], if spec.ground == Ground::Level { 0.0 } else { f64::INFINITY });
+    let stepped = spec.layers.iter().skip(1).filter(|layer| {
+        let plane = -layer.depth;
+        let cut = layout.z.contains(&plane) && (spec.ground == Ground::Level || plane <= layout.cover);
+        layer.dip == 0.0 && plane > base && plane < top && !cut
+    });
+    let stepped = stepped.map(|layer| Note::Stepped { layer: layer.name.clone() });
+    moved.chain(stepped).collect()
+}
+
+/// Finds insets with which rows lead through the galleries: rows from the base of the caverns' rectangles to the
+/// gallery must be as many on either side, and each edge more below a cavern is a row more there.
+fn lead_rows(spec: &CavernSpec, insets: &mut [Option<usize>]) -> Result<(), CavernError> {
+    for _ in &spec.galleries {
+        let Err(CavernError::GalleryRows { gallery }) = Layout::new(spec, insets) else { return Ok(()) };
+        let between = spec.galleries.iter().find(|g| g.name == gallery).map(|g| &g.between);
+        let pair: Vec<usize> = spec
+            .caverns
+            .iter()
+            .enumerate()
+            .filter(|(_, cavern)| between.is_some_and(|b| b.contains(&cavern.name)))
+            .map(|(k, _)| k)
+            .collect();
+        let [a, b] = pair[..] else { return Ok(()) };
+        let most = |k: usize| spec.caverns[k].lining.layers as usize + 3;
+        let leads = |insets: &[Option<usize>]| match Layout::new(spec, insets) {
+            Err(CavernError::GalleryRows { gallery: still }) => still != gallery,
+            _ => true,
+        };
+        let mut pairs = (0..=most(a)).flat_map(|i| (0..=most(b)).map(move |j| [i, j]));
+        let found = pairs.any(|[i, j]| {
+            (insets[a], insets[b]) = (Some(i), Some(j));
+            leads(insets)
+        });
+        if !found {
+            return Err(CavernError::GalleryRows { gallery });
+        }
+    }
+    Ok(())
+}
+
 /// The section, and for each cavern the smallest scaled Jacobian in its rectangle and in its lining.
 fn assemble(spec: &CavernSpec, insets: &[Option<usize>]) -> Result<(Section, Vec<[f64; 2]>), CavernError> {
     let layout = Layout::new(spec, insets)?;
@@ -145,6 +202,7 @@ fn assemble(spec: &CavernSpec, insets: &[Option<usize>]) -> Result<(Section, Vec
         cover: layout.cover,
         passages: layout.passages.clone(),
         block: [ends(&layout.x), ends(&layout.z)],
+        notes: notes(spec, &layout),
         ..Section::default()
     };
     let mut taken = vec![false; (layout.x.len() - 1) * (layout.z.len() - 1)];

@@ -7,7 +7,7 @@ use crate::grading::{GradingError, graded};
 pub(super) const GROWTH: f64 = 1.25;
 
 /// Largest growth that a stretch may have so that it meets its neighbours and its cuts.
-const MOST_GROWTH: f64 = 1.3;
+pub(super) const MOST_GROWTH: f64 = 1.3;
 
 /// Longer lines are left as they come: their sizes are far below any misfit.
 const LONG: usize = 2000;
@@ -75,7 +75,7 @@ pub(super) fn stretch(
 }
 
 /// Largest ratio of neighbouring sizes, those beyond the ends included.
-fn growth(line: &[f64], ends: &[Option<End>; 2]) -> f64 {
+pub(super) fn growth(line: &[f64], ends: &[Option<End>; 2]) -> f64 {
     let mut sizes: Vec<f64> = ends[0].iter().map(|e| e.next).collect();
     sizes.extend(line.windows(2).map(|p| p[1] - p[0]));
     sizes.extend(ends[1].iter().map(|e| e.next));

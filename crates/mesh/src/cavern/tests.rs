@@ -22,13 +22,9 @@ fn shaped(shape: CavernShape, size: [f64; 3], benches: u32, lining: Lining) -> C
     Cavern { shape, ..cavern("t", size, benches, [0.0, 0.0], lining) }
 }
 
-/// Caverns of few benches: galleries need rows of elements that lead from wall to wall between the cuts.
+/// The paper's caverns, of six and four benches, with galleries.
 fn with_galleries(galleries: Vec<Gallery>) -> CavernSpec {
-    let mut spec =
-        CavernSpec { galleries, near: 1.7, along: Some(2.0), length: 16.0, ..CavernSpec::yingxiuwan() };
-    spec.caverns[0].benches = 2;
-    spec.caverns[1].benches = 1;
-    spec
+    CavernSpec { galleries, ..CavernSpec::yingxiuwan() }
 }
 
 fn gallery(name: &str, at: [f64; 2]) -> Gallery {
@@ -75,8 +71,12 @@ fn blocks() -> Vec<(&'static str, CavernSpec)> {
         beside(CavernShape::Rectangle, "c", 36.0),
     ];
     let galleries = with_galleries(vec![gallery("bus1", [-1.5, 14.4]), gallery("bus2", [3.0, 14.4])]);
+    // On the floor, on a slab and without one, and beside that at a level of its own.
+    let mut floors = with_galleries(vec![gallery("adit", [-8.0, 0.0]), gallery("bus", [8.0, 19.1])]);
+    floors.caverns[0].lining.floor = 0.6;
     vec![
         ("galleries", galleries),
+        ("galleries on the floor", floors),
         ("yingxiuwan", CavernSpec::yingxiuwan()),
         ("horseshoe", block(1.0, vec![horseshoe.clone()])),
         ("horseshoe, coarse", block(2.5, vec![horseshoe])),

@@ -3,20 +3,28 @@
 use tremolite_case::{self as case, Case, Problem};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer};
-use tremolite_mesh::{Mesh, read};
+use tremolite_mesh::note::Note;
+use tremolite_mesh::{Mesh, read_with_notes};
 
-/// The mesh in metres; nothing if it was refused, which is among the problems.
-pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<Mesh> {
-    let (made, span) = match &case.mesh {
-        case::Mesh::Caverns(caverns) => (spec(caverns).mesh().map_err(|e| e.to_string()), &caverns.span),
-        case::Mesh::Box(bricks) => (boxed(bricks), &bricks.span),
+/// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems.
+pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Mesh, Vec<Problem>)> {
+    let (made, span, remedy) = match &case.mesh {
+        case::Mesh::Caverns(caverns) => {
+            let made = spec(caverns).mesh_with_notes().map_err(|e| e.to_string());
+            (made, &caverns.span, "change the description of the caverns if this is not meant")
+        }
+        case::Mesh::Box(bricks) => (boxed(bricks).map(|mesh| (mesh, Vec::new())), &bricks.span, ""),
         case::Mesh::File(file) => {
-            let made = read(case.resolve(&file.path.value)).map_err(|e| e.to_string());
-            (made.map(|mesh| scaled(mesh, file.unit.value)), &file.path.span)
+            let made = read_with_notes(case.resolve(&file.path.value)).map_err(|e| e.to_string());
+            let made = made.map(|(mesh, notes)| (scaled(mesh, file.unit.value), notes));
+            (made, &file.path.span, "change the file if this is not meant")
         }
     };
     match made {
-        Ok(mesh) => Some(mesh),
+        Ok((mesh, notes)) => {
+            let warning = |note: Note| Problem::new(span.clone(), note.to_string(), remedy);
+            Some((mesh, notes.into_iter().map(warning).collect()))
+        }
         Err(message) => {
             problems.push(Problem::new(span.clone(), message, "change the mesh as the message says"));
             None

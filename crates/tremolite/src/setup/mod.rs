@@ -24,11 +24,11 @@ pub struct Setup {
     pub warnings: Vec<case::Problem>,
 }
 
-/// The mesh of a case alone.
+/// The mesh of a case alone, and what is worth knowing of it, at its place in the case.
 ///
 /// # Errors
 /// Why it cannot be generated or read.
-pub fn mesh_of(case: &Case) -> Result<tremolite_mesh::Mesh, Report> {
+pub fn mesh_of(case: &Case) -> Result<(tremolite_mesh::Mesh, Vec<case::Problem>), Report> {
     let mut problems = Vec::new();
     mesh::build(case, &mut problems).ok_or_else(|| case.report(problems))
 }
@@ -56,7 +56,7 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
     let mesh = mesh::build(case, &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
-    let Some(mesh) = mesh else { return Err(case.report(problems)) };
+    let Some((mesh, mut warnings)) = mesh else { return Err(case.report(problems)) };
     let band = band(case, motion.as_ref(), &mut problems);
     let bodies = regions::build(case, &mesh, laws, band, &mut problems);
     let monitors = monitors::build(case, &mesh, &bodies, &mut problems);
@@ -64,7 +64,7 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
         return Err(case.report(problems));
     };
 
-    let warnings = warnings(case, &bodies, &fields);
+    warnings.extend(self::warnings(case, &bodies, &fields));
     let dynamic = &case.dynamic;
     let duration = dynamic.duration.as_ref().map_or(motion.duration(), |d| d.value);
     let mut problem = Problem::new(mesh, bodies);
