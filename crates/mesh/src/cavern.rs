@@ -25,6 +25,7 @@ mod rows;
 mod section;
 mod smooth;
 mod spread;
+mod stops;
 mod strata;
 mod stretch;
 #[cfg(test)]
@@ -147,6 +148,13 @@ impl Lining {
 
 impl CavernSpec {
     /// The mesh: all hexahedra, of scaled Jacobian at least 0.3, in linings at least 0.6.
+    ///
+    /// Neighbours differ in size, across the face that they share, by at most the factor 1.3 along y everywhere, and
+    /// in the section in the rock outside the transitions. These are: linings and what touches them, since their thickness
+    /// is given; openings; the rings of rock that lead from a cavern to the grid, out to about one and a half arch rises or
+    /// three times `near` (up to 4); the levels of galleries' floors and roofs, where the benches leave no room (up to 2
+    /// for caverns and galleries as those of Yingxiuwan, more where levels are a fraction of `near` apart); rock that is
+    /// stretched or squeezed to a ground that is not level.
     ///
     /// Groups: `rock`, and with layers `rock.NAME` of each that has elements; for each cavern `NAME.lining.crown`, `NAME.lining.walls`, `NAME.lining.floor` (if
     /// there is one) and their union `NAME.lining`; `NAME.bench1` … from the top down and their union

@@ -22,15 +22,21 @@ impl Claim {
     }
 }
 
-/// Rock between extrados and rectangle that gives well-shaped rings, by axis and side.
-pub(super) fn margins(near: f64, outline: &Outline, counts: &Counts) -> [[f64; 2]; 2] {
+/// Rock between extrados and rectangle that gives well-shaped rings, by axis and side. `footed`: a gallery's floor is at
+/// the cavern's foot.
+pub(super) fn margins(near: f64, outline: &Outline, counts: &Counts, footed: bool) -> [[f64; 2]; 2] {
     let profile = match outline {
         Outline::Walls(profile) => profile,
         // Lines from corner to corner at half a right angle, the same on all sides.
         Outline::Closed(tube) => return [[(0.2 * tube.height).max(2.2 * near); 2]; 2],
     };
     // The edges at the foot fan out into as many rows at the rectangle's side.
-    let below = (1.2 * (counts.inset + 1) as f64 * near).max(2.2 * near);
+    let below = if footed {
+        // There these rows are all, and they share it with the row in place of a slab.
+        ((1.1 * counts.inset as f64 + 0.3) * near).max(1.6 * near)
+    } else {
+        (1.2 * (counts.inset + 1) as f64 * near).max(2.2 * near)
+    };
     let above = (1.6 * near).max(0.5 * profile.outer.rise);
     // The line from the tied point of the arch, the springing or half-way up, to the rectangle's corner must
     // not lean too much.

@@ -39,8 +39,6 @@ pub(super) struct Layout {
     pub x: Vec<f64>,
     pub y: Vec<f64>,
     pub z: Vec<f64>,
-    /// Level above which there are no caverns' rectangles.
-    pub cover: f64,
     pub plots: Vec<Plot>,
     /// The galleries.
     pub passages: Vec<Passage>,
@@ -96,7 +94,10 @@ impl Layout {
         let claims = plots.iter().map(|plot| {
             let (low, high) = plot.outline.bounds();
             let body = [low, high].map(|p| [plot.centre[0] + p[0], plot.centre[1] + p[1]]);
-            Claim { body, margin: margins(spec.near, &plot.outline, &plot.counts) }
+            Claim {
+                body,
+                margin: margins(spec.near, &plot.outline, &plot.counts, plot.galleries.first() == Some(&0.0)),
+            }
         });
         let mut claims: Vec<Claim> = claims.collect();
         let floor = plots.iter().map(|p| p.centre[1]).fold(f64::INFINITY, f64::min);
@@ -133,7 +134,12 @@ impl Layout {
         } else {
             passage::planes(spec, spec.length / along)
         };
-        let cover = plots.iter().map(|p| z[p.rows.end]).fold(f64::NEG_INFINITY, f64::max);
-        Ok(Layout { x, y, z, cover, plots, passages })
+        Ok(Layout { x, y, z, plots, passages })
+    }
+
+    /// A cavern's rectangle: lowest and highest x and z.
+    pub fn rectangle(&self, plot: &Plot) -> [[f64; 2]; 2] {
+        let Range { start, end } = plot.columns;
+        [[self.x[start], self.x[end]], [self.z[plot.rows.start], self.z[plot.rows.end]]]
     }
 }

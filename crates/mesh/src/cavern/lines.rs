@@ -5,70 +5,11 @@ use std::ops::Range;
 use super::claims::Claim;
 use super::layout::Plot;
 use super::rows::{Wish, whole_numbers};
+use super::spread::Spread;
+use super::stops::Stops;
 use super::stretch::{End, relax, stretch};
 use super::{Cavern, CavernError, CavernSpec, Ground};
 use crate::boxes::MOST_ELEMENTS;
-
-/// A bound of a cavern's rectangle: where it is, the cavern, the side.
-type Bound = (f64, usize, usize);
-
-/// Lines of the block along one axis that come before all others.
-struct Stops {
-    /// From one end of the block to the other.
-    at: Vec<f64>,
-    /// For each cavern the stops at the ends of its rectangle.
-    places: Vec<[usize; 2]>,
-}
-
-impl Stops {
-    /// The ends of the block, the caverns' bounds, those closer than `tolerance` made one, and the galleries'
-    /// `levels`, where such a line meets one of them there exactly.
-    fn new(block: [f64; 2], claims: &[Claim], axis: usize, tolerance: f64, levels: &[f64]) -> Stops {
-        let mut bounds: Vec<Bound> = Vec::with_capacity(2 * claims.len());
-        for (k, claim) in claims.iter().enumerate() {
-            let [low, high] = claim.bounds(axis);
-            bounds.extend([(low, k, 0), (high, k, 1)]);
-        }
-        bounds.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut lines: Vec<(f64, &[Bound])> = Vec::new();
-        let mut rest = bounds.as_slice();
-        while let Some(start) = rest.first() {
-            let n = rest.iter().take_while(|b| b.0 - start.0 < tolerance).count();
-            let (together, others) = rest.split_at(n);
-            let met = levels.iter().find(|l| together.iter().any(|b| (b.0 - **l).abs() < 1e-9));
-            let mean = together.iter().map(|b| b.0).sum::<f64>() / n as f64;
-            lines.push((met.copied().unwrap_or(mean), together));
-            rest = others;
-        }
-        for &level in levels {
-            if lines.iter().all(|line| line.0 != level) {
-                lines.push((level, &[]));
-            }
-        }
-        lines.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut at = vec![block[0]];
-        let mut places = vec![[0; 2]; claims.len()];
-        for (line, together) in lines {
-            for &(_, k, side) in together {
-                places[k][side] = at.len();
-            }
-            at.push(line);
-        }
-        at.push(block[1]);
-        Stops { at, places }
-    }
-
-    /// The stop at a level that is one.
-    fn place(&self, level: f64) -> usize {
-        let after = self.at.partition_point(|at| *at < level);
-        let nearer = after > 0 && level - self.at[after - 1] < self.at[after.min(self.at.len() - 1)] - level;
-        if nearer || after == self.at.len() { after - 1 } else { after }
-    }
-
-    fn length(&self, stretches: Range<usize>) -> f64 {
-        self.at[stretches.end] - self.at[stretches.start]
-    }
-}
 
 /// The grid lines along one axis; sets the plots' ranges and the counts that depend on them. `levels`: those of
 /// galleries' floors and roofs, each of which becomes a line.
@@ -99,52 +40,45 @@ pub(super) fn lines(
     }
     let counts = whole_numbers(&length, &wishes);
 
+    let inside = inside(&stops.at, &counts);
     let mut line = vec![block[0]];
     let mut at_stop = vec![0];
-    for (i, &n) in counts.iter().enumerate() {
-        let (from, to) = (stops.at[i], stops.at[i + 1]);
-        if n > 0 {
-            line.extend((1..n).map(|k| from + (to - from) * k as f64 / n as f64));
-            line.push(to);
-        } else {
+    for (i, part) in inside.iter().enumerate() {
+        let end = |stop: usize| {
             // At a rectangle between the size of its rows or columns and that of its outermost ring.
-            let end = |stop: usize| {
-                let touching =
-                    plots.iter().zip(claims).zip(&stops.places).filter_map(|((plot, claim), place)| {
-                        let side = place.iter().position(|&p| p == stop)?;
-                        let ring = claim.margin[axis][side] * (1.0 - plot.rings[plot.rings.len() - 2]);
-                        let next = [stop, stop - 1][side];
-                        let row = length[next] / counts[next].max(1) as f64;
-                        Some(End { next: row, wish: (ring * row).sqrt() })
-                    });
-                let inner = stop > 0 && stop + 1 < stops.at.len();
-                inner.then(|| {
-                    let most = |a: End, b: End| End { next: a.next.max(b.next), wish: a.wish.max(b.wish) };
-                    let end = touching.reduce(most).unwrap_or(End { next: spec.near, wish: spec.near });
-                    End { next: end.next, wish: end.wish.max(spec.near).min(spec.far) }
-                })
-            };
-            let ends = [end(i), end(i + 1)];
-            let smaller = ends.iter().flatten().fold(spec.far, |least, end| least.min(end.wish));
-            if to - from < 1.5 * smaller {
-                line.push(to);
-                at_stop.push(line.len() - 1);
-                continue;
-            }
-            let name = ["x", "z"][axis];
-            // Where the ground will bend the rock above the caverns, no line stays level.
-            let level = axis == 1 && (spec.ground == Ground::Level || i + 1 < counts.len());
-            let cuts: Vec<f64> =
-                spec.layers.iter().filter(|l| level && l.dip == 0.0).map(|l| -l.depth).collect();
-            let part = stretch(from, to, ends, spec.far, &cuts)
-                .map_err(|cause| CavernError::Grading { line: name, cause })?;
+            let touching =
+                plots.iter().zip(claims).zip(&stops.places).filter_map(|((plot, claim), place)| {
+                    let side = place.iter().position(|&p| p == stop)?;
+                    let ring = claim.margin[axis][side] * (1.0 - plot.rings[plot.rings.len() - 2]);
+                    let row = match (side, &inside[[stop, stop - 1][side]][..]) {
+                        (0, [first, second, ..]) => second - first,
+                        (1, [.., before, last]) => last - before,
+                        _ => spec.near,
+                    };
+                    Some(End { next: row, wish: (ring * row).sqrt() })
+                });
+            let inner = stop > 0 && stop + 1 < stops.at.len();
+            inner.then(|| {
+                let most = |a: End, b: End| End { next: a.next.max(b.next), wish: a.wish.max(b.wish) };
+                let end = touching.reduce(most).unwrap_or(End { next: spec.near, wish: spec.near });
+                End { next: end.next, wish: end.wish.max(spec.near).min(spec.far) }
+            })
+        };
+        if part.is_empty() {
+            let last = i + 1 == inside.len();
+            line.extend(outside(spec, axis, [stops.at[i], stops.at[i + 1]], [end(i), end(i + 1)], last)?);
+        } else {
             line.extend(&part[1..]);
         }
         at_stop.push(line.len() - 1);
     }
     let planes = spec.layers.iter().filter(|_| axis == 1).map(|l| -l.depth);
-    let held: Vec<f64> = planes.chain(levels.iter().copied()).collect();
-    relax(&mut line, &held);
+    let held: Vec<f64> = planes.chain(stops.at.iter().copied()).collect();
+    let mut relaxed = line.clone();
+    relax(&mut relaxed, &held);
+    if relaxed.windows(2).all(|p| p[1] - p[0] <= spec.far) {
+        line = relaxed;
+    }
     for (plot, place) in plots.iter_mut().zip(&stops.places) {
         let range = at_stop[place[0]]..at_stop[place[1]];
         if axis == 0 {
@@ -156,6 +90,50 @@ pub(super) fn lines(
         }
     }
     Ok(line)
+}
+
+/// Coordinates of the stretches with elements of rectangles, both ends included; none of the others.
+fn inside(stops: &[f64], counts: &[usize]) -> Vec<Vec<f64>> {
+    // Of a rectangle alone all rows and columns are alike; where stops are close they grow from there.
+    let sizes = stops.windows(2).zip(counts).filter(|(_, n)| **n > 0).map(|(s, n)| (s[1] - s[0]) / *n as f64);
+    let spread = Spread::new(stops, sizes.fold(0.0, f64::max));
+    let mut parts = vec![Vec::new(); counts.len()];
+    let mut i = 0;
+    while i < counts.len() {
+        let run = counts[i..].iter().take_while(|n| **n > 0).count();
+        let mut line = vec![stops[i]];
+        (i..i + run).for_each(|k| spread.fill(k, counts[k], &mut line));
+        relax(&mut line, stops);
+        let mut rest = line.as_slice();
+        for k in i..i + run {
+            parts[k] = rest[..=counts[k]].to_vec();
+            rest = &rest[counts[k]..];
+        }
+        i += run.max(1);
+    }
+    parts
+}
+
+/// Coordinates of a stretch that no rectangle covers, without its start. `last`: it is the last along its axis.
+fn outside(
+    spec: &CavernSpec,
+    axis: usize,
+    [from, to]: [f64; 2],
+    ends: [Option<End>; 2],
+    last: bool,
+) -> Result<Vec<f64>, CavernError> {
+    let smaller = ends.iter().flatten().fold(spec.far, |least, end| least.min(end.wish));
+    if to - from < 1.5 * smaller {
+        return Ok(vec![to]);
+    }
+    // Where the ground will bend the rock above the caverns, no line stays level.
+    let level = axis == 1 && (spec.ground == Ground::Level || !last);
+    let cuts: Vec<f64> = spec.layers.iter().filter(|l| level && l.dip == 0.0).map(|l| -l.depth).collect();
+    let line = ["x", "z"][axis];
+    let mut part =
+        stretch(from, to, ends, spec.far, &cuts).map_err(|cause| CavernError::Grading { line, cause })?;
+    part.remove(0);
+    Ok(part)
 }
 
 /// Columns of the rectangle round a cavern.

@@ -2,6 +2,7 @@
 
 use super::Cavern;
 use super::profile::Outline;
+use super::stretch::MOST_GROWTH;
 
 /// Numbers of elements that describe one cavern's part of the section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,6 +118,18 @@ impl Wish {
     }
 }
 
+/// How much the sizes in neighbouring stretches differ, beyond what their elements can bridge with the largest growth.
+fn abrupt(counts: &[usize], length: &[f64]) -> f64 {
+    let pairs = counts.windows(2).zip(length.windows(2)).filter(|(n, _)| n[0] > 0 && n[1] > 0);
+    pairs
+        .map(|(n, l)| {
+            let ratio = (l[0] / n[0] as f64) / (l[1] / n[1] as f64);
+            let bridged = MOST_GROWTH.ln() * 0.5 * (n[0] + n[1]) as f64;
+            (ratio.ln().abs() - bridged).max(0.0).powi(2)
+        })
+        .sum()
+}
+
 /// Whole numbers for the stretches of lengths `length`: near the caverns' wishes and evenly spread.
 ///
 /// A descent from the rounded ideal; the numbers of stretches outside all wishes are
@@ -138,7 +151,7 @@ pub(super) fn whole_numbers(length: &[f64], wishes: &[Wish]) -> Vec<usize> {
             .filter(|&i| density[i] > 0.0)
             .map(|i| (counts[i] as f64 / (density[i] * length[i])).ln().powi(2))
             .sum();
-        4.0 * spread + wishes.iter().map(|w| w.cost(counts)).sum::<f64>()
+        4.0 * spread + 16.0 * abrupt(counts, length) + wishes.iter().map(|w| w.cost(counts)).sum::<f64>()
     };
     // One stretch more or less, or one given to another: neighbours' wishes may conflict along the way.
     let inside: Vec<usize> = (0..counts.len()).filter(|&i| density[i] > 0.0).collect();

@@ -57,8 +57,8 @@ pub(super) struct Section {
     pub parts: Vec<Part>,
     /// Coordinates of the planes across y.
     pub y: Vec<f64>,
-    /// Level above which there are no caverns' rectangles.
-    pub cover: f64,
+    /// The caverns' rectangles: lowest and highest x and z.
+    pub surroundings: Vec<[[f64; 2]; 2]>,
     /// The galleries.
     pub passages: Vec<Passage>,
     /// Lowest and highest x and z of the block.
@@ -68,6 +68,11 @@ pub(super) struct Section {
 }
 
 impl Section {
+    /// Level above which there are no caverns' rectangles.
+    pub fn cover(&self) -> f64 {
+        self.surroundings.iter().map(|[_, z]| z[1]).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     pub fn point(&mut self, x: [f64; 2]) -> u32 {
         self.points.push(x);
         self.points.len() as u32 - 1
@@ -153,9 +158,10 @@ fn notes(spec: &CavernSpec, layout: &Layout) -> Vec<Note> {
     });
     // Under ground that is not level no plane above the caverns' surroundings stays level either.
     let (base, top) = (layout.z[0], if spec.ground == Ground::Level { 0.0 } else { f64::INFINITY });
+    let cover = layout.plots.iter().map(|plot| layout.rectangle(plot)[1][1]).fold(base, f64::max);
     let stepped = spec.layers.iter().skip(1).filter(|layer| {
         let plane = -layer.depth;
-        let cut = layout.z.contains(&plane) && (spec.ground == Ground::Level || plane <= layout.cover);
+        let cut = layout.z.contains(&plane) && (spec.ground == Ground::Level || plane <= cover);
         layer.dip == 0.0 && plane > base && plane < top && !cut
     });
     let stepped = stepped.map(|layer| Note::Stepped { layer: layer.name.clone() });
@@ -199,7 +205,7 @@ fn assemble(spec: &CavernSpec, insets: &[Option<usize>]) -> Result<(Section, Vec
     let ends = |line: &[f64]| [line[0], line[line.len() - 1]];
     let mut section = Section {
         y: layout.y.clone(),
-        cover: layout.cover,
+        surroundings: layout.plots.iter().map(|plot| layout.rectangle(plot)).collect(),
         passages: layout.passages.clone(),
         block: [ends(&layout.x), ends(&layout.z)],
         notes: notes(spec, &layout),

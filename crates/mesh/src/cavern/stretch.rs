@@ -108,25 +108,68 @@ fn snapped(line: &[f64], cuts: &[f64]) -> Option<Vec<f64>> {
     Some(moved)
 }
 
-/// Moves coordinates so that no size is more than the largest growth times its neighbour's, where they may move: not
-/// the ends, nor those among `fixed`. For lines made of stretches that each had to have a whole number of elements.
+/// Moves coordinates so that no size is more than the largest growth times its neighbour's, or as little more as can be,
+/// where they may move: not the ends, nor those among `fixed`. For lines made of stretches that each had to have a
+/// whole number of elements.
+///
+/// One coordinate after the other is put where the squares of what the logarithms of the ratios round it exceed are
+/// least; what cannot be had shows at the fixed ones.
 pub(super) fn relax(line: &mut [f64], fixed: &[f64]) {
+    if growth(line, &[None, None]) <= MOST_GROWTH {
+        return;
+    }
+    // Below the largest growth, so that what is left of an excess stays below it.
+    let most = (0.98 * MOST_GROWTH).ln();
+    let excess = |a: f64, b: f64| ((a / b).ln().abs() - most).max(0.0).powi(2);
+    // Where not all can be had, the fixed ones are to show it.
+    let weight: Vec<f64> = line.iter().map(|x| if fixed.contains(x) { 0.01 } else { 1.0 }).collect();
     // Each sweep carries a misfit on by an element; more are never far apart.
     for _ in 0..200 {
-        let mut settled = true;
+        let mut moved = false;
         for i in 1..line.len() - 1 {
-            let (a, b) = (line[i] - line[i - 1], line[i + 1] - line[i]);
-            if (a / b).max(b / a) <= MOST_GROWTH || fixed.contains(&line[i]) {
+            if weight[i] < 1.0 {
                 continue;
             }
-            settled = false;
-            let small = (a + b) / (1.0 + 0.99 * MOST_GROWTH);
-            line[i] = if a < b { line[i - 1] + small } else { line[i + 1] - small };
+            let (from, to) = (line[i - 1], line[i + 1]);
+            let before = (i > 1).then(|| from - line[i - 2]);
+            let after = line.get(i + 2).map(|next| next - to);
+            let cost = |x: f64| {
+                let (a, b) = (x - from, to - x);
+                let lower = before.map_or(0.0, |h| weight[i - 1] * excess(h, a));
+                let upper = after.map_or(0.0, |h| weight[i + 1] * excess(b, h));
+                excess(a, b) + lower + upper
+            };
+            let now = cost(line[i]);
+            if now == 0.0 {
+                continue;
+            }
+            let best = least(from, to, &cost);
+            if cost(best) < now - 1e-13 {
+                line[i] = best;
+                moved = true;
+            }
         }
-        if settled {
+        if !moved {
             break;
         }
     }
+}
+
+/// Where between two places a function with one valley is least, by golden section.
+fn least(from: f64, to: f64, function: &dyn Fn(f64) -> f64) -> f64 {
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut low, mut high) = (from, to);
+    for _ in 0..40 {
+        let step = golden * (high - low);
+        let (a, b) = (high - step, low + step);
+        // On level ground both ends come nearer.
+        if function(a) <= function(b) {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    0.5 * (low + high)
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::mesh::{Face, Mesh};
 use crate::quality;
 
 mod galleries;
+mod growth;
 mod refusals;
 mod rock;
 mod volumes;
