@@ -1,6 +1,7 @@
 use std::collections::BTreeSet;
 
-use super::{blocks, gallery, made, with_galleries};
+use super::blocks::{blocks, gallery, with_galleries};
+use super::made;
 use crate::cavern::{CavernSpec, Gallery, Lining};
 use crate::mesh::Face;
 use crate::topology::exterior_faces;

@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::{blocks, corners, gallery, made, with_galleries};
+use super::blocks::{blocks, gallery, with_galleries};
+use super::{corners, made};
 use crate::cavern::{CavernSpec, Ground, RockLayer, section};
 use crate::mesh::{Face, Mesh};
 

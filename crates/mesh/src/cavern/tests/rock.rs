@@ -1,4 +1,5 @@
-use super::{block, made, shaped};
+use super::blocks::{block, shaped};
+use super::made;
 use crate::cavern::{CavernError, CavernShape, CavernSpec, Ground, Lining, RockLayer};
 use crate::mesh::Mesh;
 use crate::quality;

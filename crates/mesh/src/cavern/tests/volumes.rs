@@ -1,7 +1,8 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use super::{blocks, made};
+use super::blocks::blocks;
+use super::made;
 use crate::cavern::profile::Profile;
 use crate::cavern::tube::Tube;
 use crate::cavern::{Cavern, CavernShape, CavernSpec, Lining};
