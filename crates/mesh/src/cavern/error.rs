@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::profile::Profile;
+use super::section::LEAST_JACOBIAN;
 use super::tube::{HORSESHOE, Tube};
 use super::{Cavern, CavernShape, CavernSpec};
 use crate::boxes::MOST_ELEMENTS;
@@ -67,6 +68,11 @@ impl fmt::Display for CavernError {
             Self::Grading { line, cause } => {
                 write!(f, "grid along {line}: {cause}; check `near`, `far`, `along`")
             }
+            Self::Poor { cavern, scaled_jacobian, limit } if *limit == LEAST_JACOBIAN[1] => write!(
+                f,
+                "cavern {cavern:?}: an element of its lining has a scaled Jacobian of {scaled_jacobian:.3}, below {limit}; \
+                 bring `lining.walls`, `lining.crown` and `lining.floor` nearer to one another, or lower `near`"
+            ),
             Self::Poor { cavern, scaled_jacobian, limit } => write!(
                 f,
                 "cavern {cavern:?}: an element has a scaled Jacobian of {scaled_jacobian:.3}, below {limit}; \

@@ -50,7 +50,10 @@ pub(super) fn find(spec: &CavernSpec, plots: &[Plot]) -> Result<Vec<Passage>, Ca
             return Err(refuse(gallery, BESIDE));
         }
         let (Outline::Walls(left), Outline::Walls(right)) = (&plots[a].outline, &plots[b].outline) else {
-            return Err(refuse(gallery, "needs caverns with straight walls, not circles or horseshoes"));
+            return Err(refuse(
+                gallery,
+                "needs two caverns with straight walls in `between`, not circles or horseshoes",
+            ));
         };
         let x = [plots[a].centre[0] + left.outer.half, plots[b].centre[0] - right.outer.half];
         let floor = -spec.overburden - spec.caverns[0].height + gallery.at[1];
@@ -158,7 +161,10 @@ pub(super) fn pin(
                 && z[plot.rows.end] > passage.z[0]
         });
         if crossed {
-            return Err(refuse(gallery, "would cross the surroundings of another cavern"));
+            return Err(refuse(
+                gallery,
+                "would cross the surroundings of another cavern; name neighbours in `between`, or move it with `at`",
+            ));
         }
         for level in passage.z {
             for (k, side) in [(a, 1), (b, 0)] {

@@ -112,7 +112,7 @@ impl Section {
 }
 
 /// No element round a cavern may be worse, and none of a lining.
-const LEAST_JACOBIAN: [f64; 2] = [0.3, 0.6];
+pub(super) const LEAST_JACOBIAN: [f64; 2] = [0.3, 0.6];
 
 /// Good enough not to look for better.
 const GOOD_JACOBIAN: f64 = 0.45;

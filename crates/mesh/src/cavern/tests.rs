@@ -7,6 +7,7 @@ use crate::quality;
 mod blocks;
 mod galleries;
 mod growth;
+mod random;
 mod refusals;
 mod rock;
 mod volumes;
