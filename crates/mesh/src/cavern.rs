@@ -154,7 +154,7 @@ impl CavernSpec {
     /// is given; openings; the rings of rock that lead from a cavern to the grid, out to about one and a half arch rises or
     /// three times `near` (up to 4); the levels of galleries' floors and roofs, where the benches leave no room (up to 2
     /// for caverns and galleries as those of Yingxiuwan, more where levels are a fraction of `near` apart); rock that is
-    /// stretched or squeezed to a ground that is not level.
+    /// squeezed under a ground that is not level.
     ///
     /// Groups: `rock`, and with layers `rock.NAME` of each that has elements; for each cavern `NAME.lining.crown`, `NAME.lining.walls`, `NAME.lining.floor` (if
     /// there is one) and their union `NAME.lining`; `NAME.bench1` … from the top down and their union

@@ -37,7 +37,7 @@ pub(super) fn extrude(spec: &CavernSpec, section: &Section) -> Result<Mesh, Cave
     group(spec, &parts, &mut mesh);
     faces(spec, section, &parts, &mut mesh);
     points(spec, &mut mesh);
-    ground::lift(&spec.ground, section.cover(), spec.near, &mut mesh)?;
+    ground::lift(&spec.ground, [section.cover(), section.block[1][1]], spec.near, &mut mesh)?;
     strata::group(&spec.layers, &mut mesh);
     Ok(mesh)
 }

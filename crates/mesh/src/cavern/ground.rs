@@ -10,8 +10,8 @@ const MOST: usize = 100_000;
 /// Steepest slope that leaves elements a scaled Jacobian of 0.3 where the rock is sheared to follow it.
 const LEAST_JACOBIAN: f64 = 0.3;
 
-/// Heights of the ground above z = 0. The rock above the caverns is stretched in z to meet it; from the caverns'
-/// surroundings down nothing moves.
+/// Heights of the ground above z = 0. The rock above the caverns is divided as under the highest ground and squeezed in z
+/// where it is lower, so sizes keep within `far`; from the caverns' surroundings down nothing moves.
 ///
 /// Sides that are to match (periodic ones) need the same heights on both.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,6 +39,22 @@ impl Ground {
                 (1.0 - t) * row(j) + t * row(j + 1)
             }
         }
+    }
+
+    /// Its greatest height within a rectangle of x and y, or 0 if it is nowhere above.
+    pub(super) fn highest(&self, x: [f64; 2], y: [f64; 2]) -> f64 {
+        let inside = |list: &[f64], range: [f64; 2]| -> Vec<f64> {
+            let within = list.iter().copied().filter(|v| range[0] < *v && *v < range[1]);
+            within.chain(range).collect()
+        };
+        // Linear between the places of a table along x and along y, it is highest at one of them or at a corner.
+        let (xs, ys) = match self {
+            Ground::Level => return 0.0,
+            Ground::Inclined { .. } => (x.to_vec(), y.to_vec()),
+            Ground::Table { x: xs, y: ys, .. } => (inside(xs, x), inside(ys, y)),
+        };
+        let heights = ys.iter().flat_map(|&y| xs.iter().map(move |&x| self.height(x, y)));
+        heights.fold(0.0, f64::max)
     }
 }
 
@@ -107,8 +123,13 @@ fn stretched(s: f64, factor: f64) -> f64 {
     if k.abs() < 1e-9 || s >= 1.0 { s } else { (k * s).exp_m1() / k.exp_m1() }
 }
 
-/// Moves the nodes above `cover` in z so that those at z = 0 come to lie on the ground.
-pub(super) fn lift(ground: &Ground, cover: f64, near: f64, mesh: &mut Mesh) -> Result<(), CavernError> {
+/// Moves the nodes above `cover` in z so that those at the level `top` come to lie on the ground.
+pub(super) fn lift(
+    ground: &Ground,
+    [cover, top]: [f64; 2],
+    near: f64,
+    mesh: &mut Mesh,
+) -> Result<(), CavernError> {
     if *ground == Ground::Level {
         return Ok(());
     }
@@ -118,7 +139,7 @@ pub(super) fn lift(ground: &Ground, cover: f64, near: f64, mesh: &mut Mesh) -> R
         if rock < near {
             return Err(CavernError::LowGround { at: [node[0], node[1]], height, needed: cover + near });
         }
-        node[2] = cover + rock * stretched((node[2] - cover) / -cover, rock / -cover);
+        node[2] = cover + rock * stretched((node[2] - cover) / (top - cover), rock / (top - cover));
     }
     let scaled_jacobian = quality::summary(mesh).min_scaled_jacobian;
     if scaled_jacobian < LEAST_JACOBIAN {

@@ -103,7 +103,10 @@ impl Layout {
         let floor = plots.iter().map(|p| p.centre[1]).fold(f64::INFINITY, f64::min);
         let left = claims.iter().map(|c| c.body[0][0]).fold(f64::INFINITY, f64::min);
         let right = claims.iter().map(|c| c.body[1][0]).fold(f64::NEG_INFINITY, f64::max);
-        let block = [[left - spec.sides, right + spec.sides], [floor - spec.below, 0.0]];
+        let across = [left - spec.sides, right + spec.sides];
+        // As high as the ground anywhere: squeezed to meet it, no element gets larger than it is here.
+        let top = spec.ground.highest(across, [-0.5 * spec.length, 0.5 * spec.length]);
+        let block = [across, [floor - spec.below, top]];
 
         shrink(spec, &mut claims, block)?;
         meet_levels(spec.near, &mut claims, &levels);

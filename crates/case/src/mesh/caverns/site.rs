@@ -33,7 +33,7 @@ pub(super) static LAYER: Table = Table {
 pub(super) static GROUND: Table = Table {
     path: "mesh.caverns.ground",
     doc: "Surface of the ground: a plane through z = 0 at x = y = 0, or a table of heights above z = 0. The rock above \
-          the caverns is stretched to meet it.",
+          the caverns is squeezed where the ground is lower.",
     keys: &[
         Key::optional("slope", Kind::List(&ANGLE, 2, 2), "", "Angles at which it rises along x and along y"),
         Key::optional("heights", PLACES, "", "Heights, for each of `y` those at all of `x`"),

@@ -62,9 +62,9 @@ fn marks(mesh: &Mesh, spec: &CavernSpec) -> (Vec<bool>, Vec<bool>) {
     (elements.clone().map(|e| lining[e] || touches(e)).collect(), elements.map(within).collect())
 }
 
-/// Largest growth by zone. `level` has the same elements under level ground.
+/// Largest growth by zone. `level` has the same elements under level ground, as `spec` says.
 fn growth(mesh: &Mesh, level: &Mesh, spec: &CavernSpec) -> HashMap<Zone, f64> {
-    let (lining, around) = marks(level, &CavernSpec { ground: Ground::Level, ..spec.clone() });
+    let (lining, around) = marks(level, spec);
     let floor = -spec.overburden - spec.caverns[0].height;
     let levels: Vec<f64> =
         spec.galleries.iter().flat_map(|g| [floor + g.at[1], floor + g.at[1] + g.height]).collect();
@@ -103,8 +103,14 @@ fn growth(mesh: &Mesh, level: &Mesh, spec: &CavernSpec) -> HashMap<Zone, f64> {
 /// The bounds that [`CavernSpec::mesh`] states.
 fn check(name: &str, spec: &CavernSpec, grid: f64) {
     let mesh = made(name, spec);
-    let level = made(name, &CavernSpec { ground: Ground::Level, ..spec.clone() });
-    let largest = growth(&mesh, &level, spec);
+    // The grid is that under the highest ground.
+    let top = section::build(spec).unwrap().block[1][1];
+    let flat = match spec.ground {
+        Ground::Level => Ground::Level,
+        _ => Ground::Table { x: vec![0.0], y: vec![0.0], heights: vec![top] },
+    };
+    let flat = CavernSpec { ground: flat, ..spec.clone() };
+    let largest = growth(&mesh, &made(name, &flat), &flat);
     for (zone, most) in
         [(Zone::Grid, grid), (Zone::Along, 1.3), (Zone::Level, 2.0), (Zone::Surroundings, 4.0)]
     {
