@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use std::path::Path as File;
 use tremolite_laws::materials::{Concrete, DruckerPrager, HoekBrown, MohrCoulomb};
 use tremolite_laws::path::{Control, Path, Response, drive};
-use tremolite_laws::{History, Material, Point, Value, Values};
+use tremolite_laws::{Material, Point, Value, Values};
 use tremolite_report::loops::{Curve, Loops, Named, Plane, Quantity};
 
 fn main() -> std::io::Result<()> {
@@ -119,7 +119,7 @@ fn strength(law: &Concrete, direction: [f64; 2]) -> [f64; 2] {
     let whole = |x: f64| {
         let [a, b] = direction.map(|c| c * x);
         let e = [(a - 0.17 * b) / YOUNG, (b - 0.17 * a) / YOUNG, -0.17 * (a + b) / YOUNG, 0.0, 0.0, 0.0];
-        let (_, history) = law.update(&Point::<f64>::new(0.0), e, <[f64; 9]>::zero());
+        let (_, history) = law.update(&Point::<f64>::new(0.0), e, tremolite_laws::virgin::<Concrete>());
         history[0] == 0.0 && history[1] == 0.0
     };
     let (mut low, mut high) = (0.0, 20.0 * law.strengths()[1]);
@@ -186,7 +186,7 @@ fn concrete_rates() -> String {
                 let law = concrete(&[("rate_filter_time", 0.0)], &[("rate", code)]);
                 let factor = |rate: f64| {
                     let most = if column == 6 { THRESHOLD } else { fc / YOUNG };
-                    let (mut history, mut strain) = (<[f64; 9]>::zero(), 0.0);
+                    let (mut history, mut strain) = (tremolite_laws::virgin::<Concrete>(), 0.0);
                     while history[column] == 0.0 && strain < 10.0 * most {
                         strain += 1e-2 * most;
                         let e = if column == 6 { strain } else { -strain };

@@ -10,5 +10,5 @@ pub mod shapes;
 pub mod sym3;
 
 pub use lane::{Isa, Lane, Octet, Row};
-pub use material::{History, Material, Moduli, Point, Sym, complementary_energy};
+pub use material::{History, Material, Moduli, Point, Sym, complementary_energy, virgin};
 pub use parameter::{BadParameter, Column, Dimension, Kind, LawInfo, Need, Parameter, Value, Values};

@@ -148,6 +148,11 @@ impl<L: Lane, const N: usize> History<L> for [L; N] {
     }
 }
 
+/// The history of a virgin point of law `M`.
+pub fn virgin<M: Material>() -> M::History<f64> {
+    History::zero()
+}
+
 /// Share of the elastic hourglass stiffness that is left at the least, so that the zero-energy modes of broken elements
 /// stay bounded: an assumption.
 pub(crate) const LEAST_HOURGLASS_SHARE: f64 = 0.05;

@@ -15,7 +15,7 @@ fn with_energy(evolution: &str, energy: f64, words: &[(&str, &str)]) -> Concrete
 /// h ∫ σ dε in uniaxial tension up to `end`, by the trapezoidal rule; both splits are the same there.
 fn energy_per_area(law: &Concrete, h: f64, end: f64, factor: f64) -> f64 {
     let steps = 40_000;
-    let mut history = <[f64; 14]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     let (mut energy, mut last) = (0.0, 0.0);
     // A step in time, then none: the factor is frozen as asked for at the first damage.
     let dt = |e: f64| if factor > 1.0 { e / (3e-5 * factor.powf(50.0)) } else { 0.0 };
@@ -86,8 +86,11 @@ fn the_extent_across_the_crack_is_what_counts() {
         let size = turn(&[g[0], g[1], g[2], 0.0, 0.0, 0.0], &r);
         let mut strain = [0.0; 6];
         strain[axis] = 2.0 * THRESHOLD;
-        let (_, history) =
-            law.update(&Point { dt: 0.0, size }, turn_strain(&strain, &r), <[f64; 14]>::zero());
+        let (_, history) = law.update(
+            &Point { dt: 0.0, size },
+            turn_strain(&strain, &r),
+            tremolite_laws::virgin::<Concrete>(),
+        );
         assert!((history[8] - edges[axis]).abs() < 1e-14);
         // Frozen: a later crack across another edge does not change it.
         let mut other = [0.0; 6];
@@ -107,7 +110,7 @@ impl AtFixedDamage {
     }
 
     fn stress(&self, strain: [f64; 6], damage: [f64; 2]) -> [f64; 6] {
-        let mut history = <[f64; 14]>::zero();
+        let mut history = tremolite_laws::virgin::<Concrete>();
         history[..2].copy_from_slice(&damage);
         let (stress, new) = self.0.update(&point(0.0, 0.5), strain, history);
         assert_eq!(new[..2], damage);
@@ -128,7 +131,7 @@ fn compliance_split_never_dissipates_less_than_nothing() {
     for case in 0..10_000 {
         let driver = if case % 2 == 0 { "strain" } else { "stress" };
         let law = concrete(&[("split", "compliance"), ("driver", driver)]);
-        let mut history = <[f64; 14]>::zero();
+        let mut history = tremolite_laws::virgin::<Concrete>();
         let size = 10f64.powf(-4.5 + 1.5 * random.unit());
         let (mut from, mut to) = ([0.0; 6], random_strain(&mut random, size));
         for step in 0..30 {
@@ -204,7 +207,7 @@ fn the_energy_that_closed_loops_create_is_booked() {
         let corners: Vec<[f64; 6]> = (0..4).map(|_| random_strain(&mut random, 1e-4)).collect();
         let booked = |chords: usize| {
             let (mut work, mut peak) = (0.0, 0.0f64);
-            let mut history = <[f64; 14]>::zero();
+            let mut history = tremolite_laws::virgin::<Concrete>();
             history[..2].copy_from_slice(&damage);
             let (mut strain, mut stress) = (corners[0], law.stress(corners[0], damage));
             (_, history) = law.0.update(&point(0.0, 0.5), strain, history);
@@ -225,7 +228,7 @@ fn the_energy_that_closed_loops_create_is_booked() {
         assert!(miss.abs() < 1e-3, "{miss:e} of {work}");
     }
     // There and back nothing is left.
-    let mut history = <[f64; 14]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     history[..2].copy_from_slice(&damage);
     let far = random_strain(&mut random, 1e-4);
     for k in 0..=200 {
@@ -239,7 +242,7 @@ fn the_energy_that_closed_loops_create_is_booked() {
 #[test]
 fn the_compliance_split_books_no_energy_as_created() {
     let law = AtFixedDamage::new("compliance");
-    let mut history = <[f64; 14]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     history[..2].copy_from_slice(&[0.9, 0.1]);
     let mut random = Random::new(8);
     for _ in 0..100 {

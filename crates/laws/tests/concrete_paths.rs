@@ -7,7 +7,7 @@ use common::concrete::*;
 use proptest::prelude::*;
 use std::sync::OnceLock;
 use tremolite_laws::materials::Concrete;
-use tremolite_laws::{History, Material, Point};
+use tremolite_laws::{Material, Point};
 
 /// The variants, built once.
 fn laws() -> &'static [Concrete] {
@@ -25,7 +25,7 @@ fn follow(
     point: &Point<f64>,
     mut see: impl FnMut(&[f64; 6], &State),
 ) {
-    let mut history = <[f64; 14]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     let mut from = [0.0; 6];
     for to in corners {
         for step in 1..=steps {
@@ -85,7 +85,7 @@ proptest! {
         h in prop::sample::select(vec![0.0, 1e-9, 0.4, 1e3]),
     ) {
         let law = &laws()[law];
-        let mut history = <[f64; 14]>::zero();
+        let mut history = tremolite_laws::virgin::<Concrete>();
         let small = [1e-5, -2e-5, 3e-5, 0.0, 1e-5, 0.0];
         for strain in corners.into_iter().map(|c| c.map(|x| if x.is_finite() { x } else { f64::MAX })).chain([small, [0.0; 6]]) {
             let (stress, new) = law.update(&point(dt, h), strain, history);

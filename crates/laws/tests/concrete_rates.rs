@@ -15,7 +15,7 @@ fn law(rate: &str, filter: f64) -> Concrete {
 
 /// Strain along x at a constant rate without a filter, until damage: (factor, strain) at first damage.
 fn first_damage(law: &Concrete, rate: f64, column: usize) -> (f64, f64) {
-    let mut history = <[f64; 14]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     let mut strain = 0.0;
     let step: f64 = 1e-4 * if column == 6 { THRESHOLD } else { fc() / YOUNG };
     while history[column] == 0.0 {
@@ -77,7 +77,7 @@ fn other_rate_laws_use_their_own_exponents_and_references() {
 fn the_filter_is_the_signed_rate_through_a_first_order_low_pass() {
     let tau = 5e-3;
     let law = law("ceb", tau);
-    let mut history = <[f64; 14]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     let (mut r, mut last) = (0.0f64, 0.0f64);
     let mut t = 0.0;
     for k in 0.. {
@@ -100,7 +100,7 @@ fn the_filter_is_the_signed_rate_through_a_first_order_low_pass() {
 #[test]
 fn factors_are_frozen_at_first_damage() {
     let law = law("ceb", 0.0);
-    let mut history = <[f64; 14]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     for (dt, strain) in [(1.0, 0.9), (0.01, 1.3), (1e-9, 2.0), (1.0, 3.0)] {
         (_, history) = law.update(&point(dt, 0.5), [strain * THRESHOLD, 0.0, 0.0, 0.0, 0.0, 0.0], history);
     }
@@ -113,7 +113,7 @@ fn factors_are_frozen_at_first_damage() {
 #[test]
 fn while_time_stands_still_rates_are_off_and_the_filter_starts_from_rest() {
     let law = law("ceb", 5e-3);
-    let mut history = <[f64; 14]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     for k in 1..=50 {
         let strain = 0.9 * THRESHOLD * k as f64 / 50.0;
         (_, history) = law.update(&point(0.0, 0.5), [strain, 0.0, 0.0, 0.0, 0.0, 0.0], history);

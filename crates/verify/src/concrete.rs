@@ -3,7 +3,7 @@
 use crate::VerifyError;
 use tremolite_laws::materials::Concrete;
 use tremolite_laws::path::{Path, drive};
-use tremolite_laws::{History, Material, Point, Value, Values};
+use tremolite_laws::{Material, Point, Value, Values};
 
 /// E \[Pa\]
 pub const YOUNG: f64 = 25e9;
@@ -94,7 +94,8 @@ pub fn elastic_strain(s: [f64; 3]) -> [f64; 6] {
 
 /// Damage D⁺ and D⁻ that a virgin point takes in one step to the strain of these elastic stresses.
 pub fn damage(law: &Concrete, stress: [f64; 3]) -> [f64; 2] {
-    let (_, history) = law.update(&cube(0.0, 0.5), elastic_strain(stress), <[f64; 9]>::zero());
+    let (_, history) =
+        law.update(&cube(0.0, 0.5), elastic_strain(stress), tremolite_laws::virgin::<Concrete>());
     [history[D_TENSION], history[D_SHEAR]]
 }
 

@@ -15,7 +15,7 @@ use crate::concrete::{Random, SPLITS, concrete, cube};
 use crate::convergence::order;
 use crate::{Check, Effort, Problem, VerifyError};
 use tremolite_laws::materials::Concrete;
-use tremolite_laws::{History, Material};
+use tremolite_laws::Material;
 
 const NAME: &str = "concrete_loops";
 
@@ -68,7 +68,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
 }
 
 fn stress(law: &Concrete, strain: [f64; 6]) -> Result<[f64; 6], VerifyError> {
-    let mut history = <[f64; 9]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     history[..2].copy_from_slice(&DAMAGE);
     let (stress, new) = law.update(&cube(0.0, 0.5), strain, history);
     match new[..2] == DAMAGE {

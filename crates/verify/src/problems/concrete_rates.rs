@@ -11,7 +11,7 @@ use crate::concrete::{FACTOR_SHEAR, FACTOR_TENSION, POISSON, THRESHOLD, YOUNG, c
 use crate::convergence::order;
 use crate::{Check, Effort, Problem, VerifyError};
 use tremolite_laws::materials::Concrete;
-use tremolite_laws::{History, Material};
+use tremolite_laws::Material;
 
 const NAME: &str = "concrete_rates";
 
@@ -54,7 +54,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
 
 /// The factor in `column` that the first damage freezes, in steps of `step` times the static threshold's strain.
 fn first_damage(law: &Concrete, rate: f64, column: usize, step: f64) -> f64 {
-    let mut history = <[f64; 9]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     let most = if column == FACTOR_TENSION { THRESHOLD } else { fc() / YOUNG };
     let mut strain = 0.0;
     // Ten times the static strength: no code's factor reaches it.

@@ -16,7 +16,7 @@ use crate::concrete::{
 use crate::convergence::order;
 use crate::{Check, Effort, Problem, VerifyError};
 use tremolite_laws::materials::Concrete;
-use tremolite_laws::{History, Material};
+use tremolite_laws::Material;
 
 const NAME: &str = "concrete_uniaxial";
 
@@ -155,7 +155,7 @@ fn steps(law: &Concrete, split: &str, effort: Effort, checks: &mut Vec<Check>) {
 
 /// D⁻ after straight lines between corners of strain.
 fn shear_damage(law: &Concrete, corners: &[[f64; 6]], steps: usize) -> f64 {
-    let mut history = <[f64; 9]>::zero();
+    let mut history = tremolite_laws::virgin::<Concrete>();
     let mut from = [0.0; 6];
     for to in corners {
         for step in 1..=steps {
