@@ -29,7 +29,7 @@ pub fn figures() -> Vec<(&'static str, String)> {
 }
 
 /// A law from its numbers and words, which are those of this file.
-fn law<M: Material>(numbers: &[(&str, f64)], words: &[(&str, &str)]) -> M {
+fn values(numbers: &[(&str, f64)], words: &[(&str, &str)]) -> Values {
     let mut values = Values::default();
     for (key, number) in numbers {
         values = values.with(key, *number);
@@ -37,7 +37,15 @@ fn law<M: Material>(numbers: &[(&str, f64)], words: &[(&str, &str)]) -> M {
     for (key, word) in words {
         values.0.insert((*key).to_owned(), Value::Word((*word).to_owned()));
     }
-    M::new(&values).unwrap_or_else(|faults| panic!("{}: {faults:?}", M::NAME))
+    values
+}
+
+fn built<M: Material>(values: &Values) -> M {
+    M::new(values).unwrap_or_else(|faults| panic!("{}: {faults:?}", M::NAME))
+}
+
+fn law<M: Material>(numbers: &[(&str, f64)], words: &[(&str, &str)]) -> M {
+    built(&values(numbers, words))
 }
 
 /// The concrete of `wang2018`, table 1.
@@ -268,16 +276,15 @@ fn rock_envelopes() -> String {
 
 fn rock_triaxial() -> String {
     let rock = |numbers: &[(&str, f64)]| -> MohrCoulomb { law(&[&MODULI[..], &ROCK, numbers].concat(), &[]) };
+    let dilatant = [&MODULI[..], &ROCK, &[("dilation_angle", 10f64.to_radians())]].concat();
     let softening = [
-        ("residual_cohesion", 0.5e6),
-        ("residual_friction_angle", 32f64.to_radians()),
-        ("softening_strain", 0.01),
+        ("plastic_shear_strain", &[0.0, 0.01][..]),
+        ("cohesion", &[2.18e6, 0.5e6]),
+        ("friction_angle", &[42f64.to_radians(), 32f64.to_radians()]),
     ];
-    let laws = [
-        ("ψ = 0°", rock(&[])),
-        ("ψ = 10°", rock(&[("dilation_angle", 10f64.to_radians())])),
-        ("ψ = 10°, softening", rock(&[&[("dilation_angle", 10f64.to_radians())], &softening[..]].concat())),
-    ];
+    let softening = values(&dilatant, &[]).with_table("softening", &softening);
+    let laws =
+        [("ψ = 0°", rock(&[])), ("ψ = 10°", law(&dilatant, &[])), ("ψ = 10°, softening", built(&softening))];
     let runs: Vec<(&str, Response)> =
         laws.iter().map(|(name, law)| (*name, triaxial(law, 5e6, -0.03, 600))).collect();
     // Strain since the confinement was on, compression positive.

@@ -174,6 +174,8 @@ pub trait Material: Send + Sync + Sized + 'static {
     const HISTORY: &'static [Column];
     /// Whether the law looks at [`Point::size`].
     const NEEDS_SIZE: bool = false;
+    /// Whether the material flows plastically: 2×2×2 points then take a hourglass strain that keeps the volume.
+    const FLOWS: bool = false;
     /// Whether states can lose stiffness, so that [`Material::integrity`] is to be asked for.
     const DAMAGES: bool = false;
     /// Column of the history in which the law books what it has dissipated \[J/m³\]. One-point elements add what their

@@ -5,7 +5,7 @@ mod common;
 use common::Random;
 use common::concrete::*;
 use tremolite_laws::materials::Concrete;
-use tremolite_laws::{History, Material, Point};
+use tremolite_laws::{Material, Point};
 
 fn with_energy(evolution: &str, energy: f64, words: &[(&str, &str)]) -> Concrete {
     let values = with_words(values().with("fracture_energy", energy), words);

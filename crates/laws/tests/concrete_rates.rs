@@ -3,9 +3,9 @@
 mod common;
 
 use common::concrete::*;
+use tremolite_laws::Material;
 use tremolite_laws::materials::Concrete;
 use tremolite_laws::path::{Path, drive};
-use tremolite_laws::{History, Material};
 
 const LAST_RATE: f64 = 30.0;
 

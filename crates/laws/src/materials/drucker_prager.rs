@@ -185,6 +185,7 @@ impl Material for DruckerPrager {
     const SOURCE: &'static str = "drucker1952, cone and plane strain; outer and inner cones by geometry";
     const PARAMETERS: &'static [Parameter] = PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
+    const FLOWS: bool = true;
     const DISSIPATION: Option<usize> = Some(super::plastic::ENERGY);
     type History<L: Lane> = [L; 10];
 

@@ -93,6 +93,7 @@ impl Material for HoekBrown {
     const SOURCE: &'static str = "hoek2002, generalised criterion with m_b, s, a and the tensile strength";
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
+    const FLOWS: bool = true;
     const DISSIPATION: Option<usize> = Some(super::plastic::ENERGY);
     type History<L: Lane> = [L; 10];
 

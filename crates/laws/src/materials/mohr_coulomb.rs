@@ -119,6 +119,7 @@ impl Material for MohrCoulomb {
     const SOURCE: &'static str = "clausen2007, returns in principal stresses; tension cut-off added";
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
+    const FLOWS: bool = true;
     const DISSIPATION: Option<usize> = Some(super::plastic::ENERGY);
     type History<L: Lane> = [L; 10];
 

@@ -49,6 +49,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         assert_eq!(corners.len(), geometry.len());
         assert!(corners.iter().flatten().all(|&c| (c as usize) < nodes.len()));
         let stabilisation = Stabilisation::new(moduli);
+        let bending = if M::FLOWS { Stabilisation::flowing(moduli) } else { stabilisation };
         let octets = corners.len().div_ceil(8);
         let mut index = vec![[[0; 8]; 8]; octets];
         let mut packed = vec![R::EMPTY; octets];
@@ -56,7 +57,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
             for k in 0..8 {
                 index[e / 8][k][e % 8] = corner[k];
             }
-            R::set(&mut packed[e / 8], e % 8, hex, &stabilisation);
+            R::set(&mut packed[e / 8], e % 8, hex, &bending);
         }
         Solid {
             elastic: Elastic::from_moduli(band.map_or(moduli, |b| moduli.scaled(b.unrelaxed()))),

@@ -14,10 +14,9 @@
 //! slowly and with heavy damping in proportion to mass, until all is at rest. So only the mesh errs. Rings grow with r;
 //! n is the number of elements a radius at the wall.
 //!
-//! **2×2×2 points.** The assumed bending strain of a fibre e along the radius comes with −ne along the hoop, n = ν/(1 − ν), as
-//! elastic plane stress has it. Where the rock flows its second-order work has the sign of (1 − nM)(1 − nK): with little
-//! dilation it is negative, and the wall wrinkles from node to node and never comes to rest. These figures are printed for
-//! information. One point has an elastic stabilisation instead, whose work is positive; yielding rock should have that.
+//! **2×2×2 points** have a bending strain that keeps the volume here
+//! ([`Stabilisation::flowing`](tremolite_laws::shapes::hex8::Stabilisation::flowing)): with the elastic one the wall wrinkled
+//! from node to node at ψ = 0 and 10°, moved 4.2 and 2.7 times as far and never came to rest.
 
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid};
@@ -115,13 +114,6 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             let fine = open(quadrature, dilation, n)?;
             let wall = fine.wall / exact.inwards(WALL);
             let of = |what: &str| format!("{what}, ψ = {dilation}°, n = {n}, {word}");
-            let contraction = ROCK.poisson / (1.0 - ROCK.poisson);
-            let work = (1.0 - contraction * exact.m) * (1.0 - contraction * exact.k);
-            if quadrature == Quadrature::Full && work < 0.0 {
-                let note = "for information: (1 − nM)(1 − nK) < 0, the assumed strain takes no work to wrinkle the wall";
-                checks.push(Check::beside(NAME, of("wall's motion over exact"), wall, 1.0, "1", note));
-                continue;
-            }
             let coarse = open(quadrature, dilation, n / 2)?;
             let ring = exact.plastic * FRAC_PI_2 / f64::from(around(n));
             let note = "an element there: an element yields or not";

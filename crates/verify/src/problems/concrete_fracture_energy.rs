@@ -90,7 +90,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             checks.push(Check::new(NAME, quantity.clone(), found, ENERGY, 0.1 * ENERGY, "N/m", note));
             if quadrature == Quadrature::OnePoint {
                 let quantity = format!("{quantity}, what the stabilisation holds included");
-                let note = "for information: elastic stabilisation of an open crack that its neighbours warp";
+                let note = "for information: what is left of the stabilisation of an open crack that its neighbours warp";
                 checks.push(Check::beside(NAME, quantity, found + held, ENERGY, "N/m", note));
             }
         }

@@ -14,8 +14,8 @@
 use crate::concrete::{Random, SPLITS, concrete, cube};
 use crate::convergence::order;
 use crate::{Check, Effort, Problem, VerifyError};
-use tremolite_laws::materials::Concrete;
 use tremolite_laws::Material;
+use tremolite_laws::materials::Concrete;
 
 const NAME: &str = "concrete_loops";
 

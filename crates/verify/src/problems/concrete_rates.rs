@@ -10,8 +10,8 @@
 use crate::concrete::{FACTOR_SHEAR, FACTOR_TENSION, POISSON, THRESHOLD, YOUNG, concrete, cube, fc};
 use crate::convergence::order;
 use crate::{Check, Effort, Problem, VerifyError};
-use tremolite_laws::materials::Concrete;
 use tremolite_laws::Material;
+use tremolite_laws::materials::Concrete;
 
 const NAME: &str = "concrete_rates";
 

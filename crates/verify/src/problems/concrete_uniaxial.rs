@@ -15,8 +15,8 @@ use crate::concrete::{
 };
 use crate::convergence::order;
 use crate::{Check, Effort, Problem, VerifyError};
-use tremolite_laws::materials::Concrete;
 use tremolite_laws::Material;
+use tremolite_laws::materials::Concrete;
 
 const NAME: &str = "concrete_uniaxial";
 
