@@ -7,7 +7,7 @@
 //! The crate knows no meshes and no records: whether a group or a point exists, or a step of processing can be
 //! read, is found by the builder of the model, which reports it at the same place through [`Case::report`].
 //!
-//! A material can also stand in a file of its own ([`LawFile`]), under the same keys.
+//! A material can also stand in a file of its own ([`LawFile`]), and so can a mesh ([`MeshAlone`]), under the same keys.
 
 pub mod pattern;
 pub mod units;
@@ -21,6 +21,7 @@ mod keys;
 mod law_file;
 mod material;
 mod mesh;
+mod mesh_alone;
 mod monitor;
 mod motion;
 mod output;
@@ -39,6 +40,7 @@ pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,
 };
+pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
 pub use motion::{Column, Component, Direction, Motion, MotionKind, Record, Records, Window};
 pub use output::Output;

@@ -9,7 +9,7 @@ use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::{print, say};
 use std::path::{Path, PathBuf};
 use tremolite::setup::mesh_of;
-use tremolite_case::Case;
+use tremolite_case::{Case, MeshAlone};
 use tremolite_mesh::cavern::CavernSpec;
 use tremolite_mesh::merge::merge_nodes;
 use tremolite_mesh::{Mesh, read_with_notes, write};
@@ -32,9 +32,9 @@ enum Action {
         #[arg(long)]
         merge: Option<f64>,
     },
-    /// Make the mesh of a case's [mesh.caverns], or of a preset, and write it
+    /// Make the mesh that [mesh.caverns] describes, or a preset, and write it
     Cavern {
-        /// A case, or one of yingxiuwan and yingxiuwan-fine
+        /// A case, a file with [mesh.caverns] alone, or one of yingxiuwan and yingxiuwan-fine
         what: String,
         /// The file to write: vtu, msh or inp
         #[arg(long)]
@@ -50,13 +50,23 @@ pub fn run(args: &Args) -> Outcome {
     }
 }
 
-/// A mesh from a mesh file or from a case, which comes with it; what was done to it on the way goes to the terminal.
+/// A mesh from a mesh file, from a description, or from a case, which comes with it; what was done to it on the way goes
+/// to the terminal.
 fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
     if file.extension().is_some_and(|e| e == "toml") {
-        let case = Case::read(file, &infos()).map_err(|r| Failure::case(&r))?;
-        let (mesh, warnings) = mesh_of(&case).map_err(|r| Failure::case(&r))?;
+        let (made, case) = match MeshAlone::read(file).map_err(|r| Failure::case(&r))? {
+            Some(alone) => {
+                let directory = file.parent().unwrap_or(Path::new(""));
+                (mesh_of(&alone.mesh, directory).map_err(|p| alone.report(p)), None)
+            }
+            None => {
+                let case = Case::read(file, &infos()).map_err(|r| Failure::case(&r))?;
+                (mesh_of(&case.mesh, case.directory()).map_err(|p| case.report(p)), Some(case))
+            }
+        };
+        let (mesh, warnings) = made.map_err(|r| Failure::case(&r))?;
         warnings.iter().for_each(|warning| say(&format!("note: {}", warning.message)));
-        return Ok((mesh, Some(case)));
+        return Ok((mesh, case));
     }
     let (mesh, notes) = read_with_notes(file).map_err(Failure::input)?;
     notes.iter().for_each(|note| say(&format!("note: {note}")));

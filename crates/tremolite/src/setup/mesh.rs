@@ -1,21 +1,27 @@
 //! The mesh of a case: generated or read.
 
-use tremolite_case::{self as case, Case, Problem};
+use std::path::Path;
+use tremolite_case::{self as case, Problem};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer};
 use tremolite_mesh::note::Note;
 use tremolite_mesh::{Mesh, read_with_notes};
 
-/// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems.
-pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Mesh, Vec<Problem>)> {
-    let (made, span, remedy) = match &case.mesh {
+/// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems. Paths
+/// of mesh files start from `directory`.
+pub fn build(
+    mesh: &case::Mesh,
+    directory: &Path,
+    problems: &mut Vec<Problem>,
+) -> Option<(Mesh, Vec<Problem>)> {
+    let (made, span, remedy) = match mesh {
         case::Mesh::Caverns(caverns) => {
             let made = spec(caverns).mesh_with_notes().map_err(|e| e.to_string());
             (made, &caverns.span, "change the description of the caverns if this is not meant")
         }
         case::Mesh::Box(bricks) => (boxed(bricks).map(|mesh| (mesh, Vec::new())), &bricks.span, ""),
         case::Mesh::File(file) => {
-            let made = read_with_notes(case.resolve(&file.path.value)).map_err(|e| e.to_string());
+            let made = read_with_notes(directory.join(&file.path.value)).map_err(|e| e.to_string());
             let made = made.map(|(mesh, notes)| (scaled(mesh, file.unit.value), notes));
             (made, &file.path.span, "change the file if this is not meant")
         }

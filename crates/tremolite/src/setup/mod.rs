@@ -11,6 +11,7 @@ use crate::material::Law;
 use crate::plan::Plan;
 use crate::problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
 use crate::quantities::Field;
+use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
@@ -24,13 +25,17 @@ pub struct Setup {
     pub warnings: Vec<case::Problem>,
 }
 
-/// The mesh of a case alone, and what is worth knowing of it, at its place in the case.
+/// The mesh of a case, or of a mesh's own description, in this folder: in metres, and what is worth knowing of it, at its
+/// place in the file.
 ///
 /// # Errors
-/// Why it cannot be generated or read.
-pub fn mesh_of(case: &Case) -> Result<(tremolite_mesh::Mesh, Vec<case::Problem>), Report> {
+/// Why it cannot be generated or read, at its place in the file.
+pub fn mesh_of(
+    mesh: &case::Mesh,
+    directory: &Path,
+) -> Result<(tremolite_mesh::Mesh, Vec<case::Problem>), Vec<case::Problem>> {
     let mut problems = Vec::new();
-    mesh::build(case, &mut problems).ok_or_else(|| case.report(problems))
+    mesh::build(mesh, directory, &mut problems).ok_or(problems)
 }
 
 /// What a case makes of a mesh, which need not be its own: a body for each region that is not void.
@@ -53,7 +58,7 @@ pub fn bodies_of(case: &Case, mesh: &tremolite_mesh::Mesh, laws: &[Law]) -> Resu
 pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
     let mut problems = Vec::new();
     let motion = motion::build(case, &mut problems);
-    let mesh = mesh::build(case, &mut problems);
+    let mesh = mesh::build(&case.mesh, case.directory(), &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
     let Some((mesh, mut warnings)) = mesh else { return Err(case.report(problems)) };

@@ -8,13 +8,13 @@ use super::steps::{Limits, Steps};
 use crate::commands::infos;
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::{print, say};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Path, PathBuf};
 use tremolite::laws;
 use tremolite::setup::bodies_of;
-use tremolite_case::Case;
+use tremolite_case::{Case, pattern};
 use tremolite_mesh::merge::{coincident_nodes, shortest_edge};
-use tremolite_mesh::picture::{section, view};
+use tremolite_mesh::picture::{section, view, window_of};
 use tremolite_mesh::quality::{Summary, by_group, summary};
 use tremolite_mesh::topology::{components, crowded_faces, exterior_faces, plane_faces};
 use tremolite_mesh::{Face, Mesh};
@@ -30,14 +30,20 @@ any one material.";
 #[derive(clap::Args)]
 #[command(after_help = HELP)]
 pub struct Args {
-    /// A mesh in any supported format, or a case
+    /// A mesh in any supported format, a case, or a file with [mesh] alone
     file: PathBuf,
-    /// Draw the section at y = 0 (or the middle) as SVG
+    /// Draw a section across y as SVG
     #[arg(long)]
     section: Option<PathBuf>,
+    /// Where the section is, in m; by default y = 0, or the middle of a mesh that does not reach there
+    #[arg(long, value_name = "Y", requires = "section", allow_negative_numbers = true)]
+    at: Option<f64>,
     /// Draw a view in three dimensions as SVG
     #[arg(long)]
     view: Option<PathBuf>,
+    /// Draw only these groups in the view, and of the section what lies round them; * stands for any text
+    #[arg(long, value_name = "GROUPS")]
+    only: Option<String>,
     /// What groups are made of, for the stable step; may be given several times
     #[arg(long, value_name = "GROUPS: E = …, nu = …, density = …")]
     material: Vec<String>,
@@ -78,13 +84,36 @@ pub fn run(args: &Args) -> Outcome {
     }
     let (low, high) = mesh.bounds();
     let middle = if low[1] < 0.0 && high[1] > 0.0 { 0.0 } else { 0.5 * (low[1] + high[1]) };
+    let only = args.only.as_deref().map(|only| chosen(&mesh, only)).transpose()?;
     if let Some(path) = &args.section {
-        save(path, &section(&mesh, middle, None))?;
+        let at = args.at.unwrap_or(middle);
+        if !(low[1]..=high[1]).contains(&at) {
+            let range = format!("from {:.3} to {:.3}", low[1], high[1]);
+            return Err(Failure::input(format!("--at {at} lies outside of the mesh, whose y is {range} m")));
+        }
+        let margin = 0.1 * (high[0] - low[0]).max(high[2] - low[2]);
+        let window =
+            args.only.as_ref().and_then(|only| window_of(&mesh, margin, |name| pattern::matches(only, name)));
+        save(path, &section(&mesh, at, window))?;
     }
     if let Some(path) = &args.view {
-        save(path, &view(&mesh, None))?;
+        save(path, &view(&mesh, only.as_deref()))?;
     }
     Ok(Code::Done)
+}
+
+/// Elements of the groups that fit a pattern.
+fn chosen(mesh: &Mesh, pattern: &str) -> Result<Vec<u32>, Failure> {
+    let groups = mesh.groups.iter().filter(|(name, _)| pattern::matches(pattern, name));
+    let elements: BTreeSet<u32> = groups.flat_map(|(_, elements)| elements.iter().copied()).collect();
+    if elements.is_empty() {
+        let names: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
+        return Err(Failure::input(format!(
+            "no group fits --only {pattern}; there are {}",
+            names.join(", ")
+        )));
+    }
+    Ok(elements.into_iter().collect())
 }
 
 fn save(path: &Path, text: &str) -> Result<(), Failure> {
