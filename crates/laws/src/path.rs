@@ -1,12 +1,23 @@
 //! Driving a material law along a path of strain, with some components of stress prescribed instead if wanted.
 //!
 //! Scalar lanes on plain arrays: what `tremolite law`, notebooks and tests share. No files here.
+//!
+//! **Prescribed stress.** The strain that gives it is sought for each row, to round-off. Where none is found for a
+//! whole step, the step is gone in smaller ones, of strain and prescribed stress alike, down to a 4096th.
+//!
+//! **Jumps.** A law whose stress drops at a point of failure, as concrete's from f_c to βf_c with damage in the
+//! compliance, has no state there that keeps the prescribed stress: before the drop the strain is too small for
+//! failure, and after it the sides must move while the damage is not there yet. What happens in a test is that the
+//! damage comes first and the sides follow. So where the smallest step finds no strain, the damage (and plastic
+//! strain) of the strain that would have come next is kept, and the search goes on from there. It does so a few times
+//! at most; [`Response::between`] tells where.
 
 mod solve;
+mod steps;
 
-use crate::material::{History, Material, Point};
+use crate::material::Material;
 use crate::parameter::{BadParameter, Column, Values};
-use solve::Mixed;
+use steps::Walk;
 
 /// What a column of a path prescribes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +49,21 @@ pub struct Response {
     pub columns: &'static [Column],
     /// `history[column][row]`
     pub history: Vec<Vec<f64>>,
+    /// Steps taken between rows, in order; none where strains alone are prescribed.
+    pub between: Vec<Between>,
+}
+
+/// A step on the way to a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Between {
+    /// The row that it leads towards.
+    pub row: usize,
+    /// Its time \[s\]; the row's own step takes what such steps have left, [`Response::last_step`].
+    pub dt: f64,
+    /// Strain, engineering shear.
+    pub strain: [f64; 6],
+    /// Whether it stands for a jump of the law: its stress is not the prescribed one, only its history is kept.
+    pub jump: bool,
 }
 
 impl Response {
@@ -45,6 +71,13 @@ impl Response {
     pub fn column(&self, name: &str) -> Option<&[f64]> {
         let k = self.columns.iter().position(|c| c.name == name)?;
         self.history.get(k).map(Vec::as_slice)
+    }
+
+    /// Time \[s\] of a row's last step, of the `dt` that lies between it and the row before.
+    pub fn last_step(&self, row: usize, dt: f64) -> f64 {
+        let first = self.between.partition_point(|b| b.row < row);
+        let steps = self.between[first..].iter().take_while(|b| b.row == row);
+        steps.fold(dt, |left, step| (left - step.dt).max(0.0))
     }
 }
 
@@ -118,8 +151,8 @@ impl std::fmt::Display for PathError {
             ),
             PathError::NotConverged { row, miss } => write!(
                 f,
-                "no strain gives the stress prescribed at row {row} ({miss:.3e} Pa are missing): the material may \
-                 not carry it; prescribe the strain there, or take smaller steps"
+                "no strain gives the stress prescribed at row {row} ({miss:.3e} Pa are missing), in small steps \
+                 either: the material may not carry it; prescribe the strain there"
             ),
         }
     }
@@ -160,25 +193,22 @@ impl Path {
 /// See [`PathError`].
 pub fn drive<M: Material>(law: &M, path: &Path) -> Result<Response, PathError> {
     let size = path.check(law.size_limit())?;
-    let mut history = <M::History<f64> as History<f64>>::zero();
+    let rows = path.time.len();
     let mut response = Response {
-        strain: Vec::with_capacity(path.time.len()),
-        stress: Vec::with_capacity(path.time.len()),
+        strain: Vec::with_capacity(rows),
+        stress: Vec::with_capacity(rows),
         columns: M::HISTORY,
-        history: vec![Vec::with_capacity(path.time.len()); M::HISTORY.len()],
+        history: vec![Vec::with_capacity(rows); M::HISTORY.len()],
+        between: Vec::new(),
     };
-    let mut mixed = Mixed::new(law.moduli(), path.control);
+    let mut walk = Walk::new(law, size, path.control);
     for (row, (t, values)) in path.time.iter().zip(&path.values).enumerate() {
         let dt = if row > 0 { t - path.time[row - 1] } else { 0.0 };
-        let point = Point { dt, size };
-        let strain = mixed
-            .strain(values, |strain| law.update(&point, *strain, history).0)
+        walk.row(row, dt, values, &mut response.between)
             .map_err(|miss| PathError::NotConverged { row, miss })?;
-        let (stress, new) = law.update(&point, strain, history);
-        history = new;
-        response.strain.push(strain);
-        response.stress.push(stress);
-        for (column, value) in response.history.iter_mut().zip(history.as_ref()) {
+        response.strain.push(walk.reached.strain);
+        response.stress.push(walk.reached.stress);
+        for (column, value) in response.history.iter_mut().zip(walk.history.as_ref()) {
             column.push(*value);
         }
     }

@@ -9,6 +9,7 @@ use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{colour, print, say};
 use path_file::PathFile;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use tremolite_case::{LawFile, Problem};
 use tremolite_laws::materials::MATERIALS;
@@ -27,8 +28,10 @@ Each component is prescribed once. A uniaxial test in x is time,exx,syy,szz,sxy,
 a triaxial one syy and szz hold minus the cell pressure. A name may carry a unit: sxx [MPa]. The material is virgin at the
 first row, which takes no time.
 
-O.csv holds time, the six strains, the six stresses [Pa] and what the law keeps, by its names. A step whose prescribed
-stress the material cannot carry ends with status 1; the rows before it are written.
+O.csv holds time, the six strains, the six stresses [Pa] and what the law keeps, by its names. Where no strain is found
+for a prescribed stress, the step is gone in smaller ones, of strain and stress alike. Where the law's stress drops at
+once, as concrete's when it is crushed, the damage of the next strain comes first and the sides follow; a note names the
+lines. A step whose prescribed stress the material cannot carry ends with status 1; the rows before it are written.
 
   tremolite law concrete.toml --path cyclic.csv --divide 50 --out loops.csv --plot loops.svg";
 
@@ -86,12 +89,22 @@ pub fn run(args: &Args) -> Outcome {
     if !defaults.is_empty() {
         say(&format!("by default: {}", defaults.join(", ")));
     }
+    let jumps: BTreeSet<usize> =
+        response.between.iter().filter(|b| b.jump).map(|b| file.line(b.row)).collect();
+    if !jumps.is_empty() {
+        let lines: Vec<String> = jumps.iter().map(usize::to_string).collect();
+        say(&format!(
+            "{}: the stress drops at once on the way to line {}; damage came first there, then the sides followed",
+            args.path.display(),
+            lines.join(", ")
+        ));
+    }
     write(args, name, &file.path.time, &response)?;
     match stop {
         None => Ok(Code::Done),
         Some((line, miss)) => Err(Failure::failed(format!(
-            "{}, line {line}: no strain was found that gives the prescribed stress, {miss:.3e} Pa are missing; the \
-             material may not carry it there: prescribe the strain, or take smaller steps with --divide",
+            "{}, line {line}: no strain was found that gives the prescribed stress, {miss:.3e} Pa are missing, in \
+             small steps either; the material may not carry it there: prescribe the strain",
             args.path.display()
         ))),
     }

@@ -16,7 +16,7 @@
 //!
 //! **Measures.** `plastic_shear_strain` accumulates √J₂ of the plastic strain of each face that flows; under pure
 //! shear with ψ = 0 that is half the engineering shear strain. `plastic_tension_strain` accumulates the lengthening
-//! that the cut-off adds. `state` sums 1 (shear now), 2 (tension now), 4 (shear in an earlier step), 8 (tension
+//! that the cut-off adds; in a step, a billionth of the elastic strain is no opening. `state` sums 1 (shear now), 2 (tension now), 4 (shear in an earlier step), 8 (tension
 //! earlier).
 //!
 //! **Energy.** Flow never gives out energy: σ:dε_p is Γ(Mσ₁ − σ₃) ≥ Γ f_c (M − 1)/(k − 1) on the envelope, f_t times

@@ -65,6 +65,8 @@ pub(super) struct Elasticity {
     /// K
     pub bulk: f64,
     pub poisson: f64,
+    /// Opening over the largest stress \[1/Pa\] that is not counted as tension: a billionth of the elastic strain.
+    pub least_opening: f64,
     /// Excess over a yield surface \[Pa\] that round-off explains: no flow below it.
     pub round_off: f64,
 }
@@ -76,6 +78,7 @@ impl Elasticity {
             mu: moduli.mu,
             bulk: moduli.lambda + 2.0 / 3.0 * moduli.mu,
             poisson: moduli.poisson(),
+            least_opening: 1e-9 / moduli.young(),
             round_off: 1e-14 * moduli.young(),
         }
     }

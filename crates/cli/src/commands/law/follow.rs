@@ -75,19 +75,16 @@ mod wide {
     fn again<L: Lane, M: Material>(law: &M, path: &Path, mut response: Response) -> Response {
         let mut history = <M::History<L> as History<L>>::zero();
         let mut first = Octet::ZERO;
+        let mut next = 0;
         for row in 0..response.strain.len() {
+            while next < response.between.len() && response.between[next].row == row {
+                let step = &response.between[next];
+                history = law.update(&at(path, step.dt), splat(&step.strain), history).1;
+                next += 1;
+            }
             let dt = if row > 0 { path.time[row] - path.time[row - 1] } else { 0.0 };
-            let mut point = Point::new(L::splat(dt));
-            if let Some(h) = path.size {
-                for squared in &mut point.size[..3] {
-                    *squared = L::splat(h * h);
-                }
-            }
-            let mut strain = [L::splat(0.0); 6];
-            for (lanes, value) in strain.iter_mut().zip(&response.strain[row]) {
-                *lanes = L::splat(*value);
-            }
-            let (stress, new) = law.update(&point, strain, history);
+            let point = at(path, response.last_step(row, dt));
+            let (stress, new) = law.update(&point, splat(&response.strain[row]), history);
             history = new;
             for (value, lanes) in response.stress[row].iter_mut().zip(stress) {
                 lanes.store(&mut first, 0);
@@ -99,5 +96,25 @@ mod wide {
             }
         }
         response
+    }
+
+    #[inline(always)]
+    fn at<L: Lane>(path: &Path, dt: f64) -> Point<L> {
+        let mut point = Point::new(L::splat(dt));
+        if let Some(h) = path.size {
+            for squared in &mut point.size[..3] {
+                *squared = L::splat(h * h);
+            }
+        }
+        point
+    }
+
+    #[inline(always)]
+    fn splat<L: Lane>(strain: &[f64; 6]) -> [L; 6] {
+        let mut lanes = [L::splat(0.0); 6];
+        for (lanes, value) in lanes.iter_mut().zip(strain) {
+            *lanes = L::splat(*value);
+        }
+        lanes
     }
 }

@@ -120,6 +120,9 @@ impl<L: Lane> Flow<L> {
         let shear = L::both(yielding, returned.shear);
         let tension = L::both(yielding, returned.tension);
         let opened = zero.larger(m.neg_mul_add(shorter, longer));
+        // Where sides are free of stress and f_t is 0, how closely they are so would decide whether tension yields.
+        let noise = eigen.values[0].abs().larger(eigen.values[2].abs()) * L::splat(elasticity.least_opening);
+        let tension = L::both(tension, noise.less(opened));
 
         let mut new = *old;
         new[SHEAR] = old[SHEAR] + L::select(shear, shorter * root, zero);
