@@ -118,6 +118,15 @@ fn columns(fields: &fields::Fields) -> BTreeMap<String, Vec<f64>> {
     fields.nodes.iter().filter_map(column).collect()
 }
 
+impl fields::Material {
+    /// Whether all that is wrong with it is what it leaves out; a refused column of a table would not be seen here.
+    fn merely_incomplete(&self, written: &DeTable<'_>) -> bool {
+        written.iter().all(|(key, value)| {
+            !value.get_ref().is_table() && self.fields.nodes.contains_key(key.get_ref().as_ref())
+        })
+    }
+}
+
 impl Checker<'_> {
     /// Checks all materials, each against the parameters of its law and by the law itself.
     pub(crate) fn materials(&mut self, written: &DeTable<'_>) -> Vec<fields::Material> {
@@ -179,18 +188,23 @@ impl Checker<'_> {
         let parameters = info.map(|i| i.parameters.iter().map(|p| p.name).collect());
         let material = fields::Material { name, fields, parameters };
         if let Some(info) = info
-            && self.problems.len() == before
+            && (self.problems.len() == before || material.merely_incomplete(written))
         {
             self.ask_law(info, &material);
         }
         material
     }
 
-    /// Places what the law refuses at the offending key.
+    /// Places what the law refuses at the offending key. Every key that is given has been read, so what the law misses is
+    /// missing; required keys have been reported already.
     fn ask_law(&mut self, info: &LawInfo, material: &fields::Material) {
         let Some(values) = values(material) else { return };
         let Err(refused) = (info.check)(&values) else { return };
         for bad in refused {
+            let required = |p: &Parameter| p.name == bad.name && p.need == parameter::Need::Required;
+            if info.parameters.iter().any(required) && !material.fields.nodes.contains_key(bad.name) {
+                continue;
+            }
             // The key, or a column and the table it is missing in.
             let (key, column) = bad.name.split_once('.').unwrap_or((bad.name, ""));
             let node = material.fields.nodes.get(key);

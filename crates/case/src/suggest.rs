@@ -67,7 +67,11 @@ pub(crate) fn unit(error: &UnitError, dimension: Dimension) -> String {
 
 /// What to write for a required key that is missing.
 pub(crate) fn missing(key: &Key) -> String {
-    format!("add {} ({})", sample(key.name, &key.kind), key.doc)
+    let sample = sample(key.name, &key.kind);
+    // The example of its dimension is a modulus; strengths are told in MPa.
+    let strength = matches!(key.kind, Kind::Number(Dimension::PRESSURE, _)) && !key.doc.contains("modulus");
+    let sample = if strength { sample.replace("GPa", "MPa") } else { sample };
+    format!("add {sample} ({})", key.doc)
 }
 
 /// A kind in words, to be read after 'should be'.

@@ -120,7 +120,7 @@ fn each_mistake_in_a_table_of_columns_is_reported_at_its_line() {
         (change("1.2e6, ", ""), 11, "`cohesion` has 2 numbers, but `plastic_shear_strain` has 3", "one number a row"),
         (change("\"500 kPa\"", "\"500 kN\""), 11, "is a force", "stress"),
         (change("\"46 deg\"", "46"), 12, "`friction_angle` has no unit", "deg"),
-        (change("\"46 deg\"", "\"96 deg\""), 12, "below 90 deg", "cannot"),
+        (change("\"46 deg\"", "\"96 deg\""), 12, "at most 89.9 deg", "cannot"),
         (change("[\"2.18 MPa\"", "[\"2.2 MPa\""), 11, "does not begin with the peak strength", "`cohesion`"),
         (change("0.005, 2e-2", "0.005, 0.005"), 10, "must grow from 0", "peak"),
         (change("plastic_shear_strain = [0, 0.005, 2e-2]\n", ""), 9, "`plastic_shear_strain` is missing", "add"),
@@ -131,5 +131,31 @@ fn each_mistake_in_a_table_of_columns_is_reported_at_its_line() {
         let text = report.to_string();
         assert!(text.contains(&format!("law.toml:{line}:")), "{line}: {text}");
         assert!(text.contains(says) && text.contains(remedy), "{says}: {text}");
+    }
+}
+
+#[test]
+fn all_that_is_missing_is_named_at_once_with_its_unit() {
+    for (law, keys) in [
+        (
+            "concrete-damage",
+            &["`friction_angle`", "`young`", "`poisson`", "`tensile_strength`", "`compressive_strength`"][..],
+        ),
+        ("drucker-prager", &["`young`", "`poisson`", "`cohesion`", "`friction_angle`"]),
+        ("hoek-brown", &["young = \"… GPa\"", "ucs = \"… MPa\"", "gsi = …", "m_i = …"]),
+        ("mohr-coulomb", &["cohesion = \"… MPa\"", "friction_angle = \"… deg\""]),
+    ] {
+        let Err(report) = parse(&format!("[material]\nlaw = \"{law}\"\n")) else {
+            panic!("{law} is incomplete")
+        };
+        let text = report.to_string();
+        for key in keys {
+            assert_eq!(text.matches(key).count(), 1, "{key} once in\n{text}");
+        }
+    }
+    // What is wrong as well is named beside it.
+    let Err(report) = parse("[material]\nlaw = \"drucker-prager\"\ncohesion = -1.0\n") else { panic!() };
+    for words in ["`young` is missing", "`cohesion` must be zero", "`friction_angle` is missing"] {
+        assert!(report.to_string().contains(words), "{report}");
     }
 }
