@@ -105,7 +105,7 @@ struct AtFixedDamage(Concrete);
 
 impl AtFixedDamage {
     fn new(split: &str) -> Self {
-        let values = values().with("tensile_strength", 1e30).with("compressive_strength", 1e33);
+        let values = values().with("tensile_strength", 1e30).with("cohesion", 1e33);
         AtFixedDamage(Concrete::new(&with_words(values, &[("split", split)])).unwrap())
     }
 

@@ -5,6 +5,7 @@ mod common;
 use common::concrete::*;
 use tremolite_laws::materials::Concrete;
 use tremolite_laws::materials::concrete::Grade;
+use tremolite_laws::path::{Path, drive};
 use tremolite_laws::{Material, Need, Values};
 
 fn refused(values: &Values) -> Vec<&'static str> {
@@ -77,11 +78,62 @@ fn wrong_or_missing_values_are_named_and_all_at_once() {
     assert_eq!(all, ["residual_shear", "tensile_strength", "young"]);
 }
 
+/// Tension below f_t with a trace of pressure across it, and the same beyond a crack.
 #[test]
-fn tension_that_counts_as_shear_failure_is_warned_of() {
+fn tension_that_counts_as_shear_failure_is_warned_of_and_happens_as_said() {
     assert!(concrete(&[]).warnings().is_empty());
-    let odd = Concrete::new(&values().with("tensile_strength", 2e6)).unwrap();
-    assert_eq!(odd.warnings().len(), 1);
+    let damage = |law: &Concrete, tension: f64| {
+        let strain = elastic_strain([tension, -1e3, -1e3]);
+        let path = Path::strains(vec![0.0; 2], vec![[0.0; 6], strain]);
+        let response = drive(law, &path).unwrap();
+        [response.column("d_tension").unwrap()[1], response.column("d_shear").unwrap()[1]]
+    };
+    let limit = fc() / slope();
+    for (words, on_crack) in [
+        (vec![("shear_tension", "nominal")], 0.0),
+        (vec![("shear_tension", "effective")], 1.0),
+        (vec![("split", "compliance")], 0.0),
+    ] {
+        let values = with_words(values().with("tensile_strength", 2e6), &words);
+        let odd = Concrete::new(&values).unwrap();
+        let warnings = odd.warnings();
+        assert_eq!(warnings.len(), 1);
+        assert!(warnings[0].contains("1.616 MPa"), "{limit} {}", warnings[0]);
+        assert_eq!(warnings[0].contains("and so does any such pressure"), on_crack == 1.0);
+        assert_eq!(damage(&odd, 0.99 * limit)[1], 0.0);
+        let [tension, shear] = damage(&odd, 1.01 * limit);
+        assert_eq!(tension, 0.0);
+        assert!(shear >= 1.0 - BETA, "{words:?} {shear}");
+        let [tension, shear] = damage(&odd, 2.5e6);
+        assert!(tension > 0.5);
+        assert_eq!(shear > 0.0, on_crack > 0.0, "{words:?}");
+    }
+}
+
+#[test]
+fn keys_without_a_meaning_are_refused_and_defaults_are_not() {
+    let exponential = with_words(values().with("fracture_energy", 130.0), &[("evolution", "exponential")]);
+    assert!(Concrete::new(&exponential).is_ok(), "α at its default");
+    assert_eq!(refused(&exponential.with("residual_tension", 0.2)), ["residual_tension"]);
+    assert_eq!(refused(&values().with("reference_rate", 3e-5)), ["reference_rate"]);
+    assert_eq!(refused(&values().with("rate_filter_time", 1e-2)), ["rate_filter_time"]);
+    assert!(Concrete::new(&values().with("rate_filter_time", 5e-3)).is_ok());
+    let compliance = with_words(values(), &[("split", "compliance")]);
+    assert!(Concrete::new(&with_words(compliance.clone(), &[("shear_tension", "nominal")])).is_ok());
+    assert_eq!(refused(&with_words(compliance, &[("shear_tension", "effective")])), ["shear_tension"]);
+    assert_eq!(refused(&values().with("compressive_strength", 25e6)), ["cohesion"]);
+}
+
+#[test]
+fn a_cohesion_beside_a_grade_and_a_modulus_of_the_wrong_size_are_warned_of() {
+    let grade =
+        with_words(Values::default(), &[("grade", "C30/37")]).with("friction_angle", 46f64.to_radians());
+    assert!(Concrete::new(&grade).unwrap().warnings().is_empty());
+    // So little beside the grade's tensile strength that the other warning comes too.
+    let both = Concrete::new(&grade.with("cohesion", 2e6)).unwrap().warnings();
+    assert!(both.len() == 2 && both[0].contains("9.90 MPa") && both[0].contains("38.00 MPa"), "{both:?}");
+    let soft = Concrete::new(&values().with("young", 25e6)).unwrap().warnings();
+    assert!(soft.len() == 1 && soft[0].contains("young"), "{soft:?}");
 }
 
 /// The declared defaults are the ones in force: filling them in changes nothing.

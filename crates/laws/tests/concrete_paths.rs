@@ -42,7 +42,7 @@ fn follow(
 /// One to six corners of strain, from far below the thresholds to far beyond, and a variant of the law.
 fn paths() -> impl Strategy<Value = (usize, Vec<[f64; 6]>)> {
     let corner = prop::array::uniform6(-1.0..1.0f64);
-    (0..48usize, -5.0..-2.0f64, prop::collection::vec(corner, 1..6)).prop_map(|(law, size, corners)| {
+    (0..36usize, -5.0..-2.0f64, prop::collection::vec(corner, 1..6)).prop_map(|(law, size, corners)| {
         (law, corners.into_iter().map(|c| c.map(|x| x * 10f64.powf(size))).collect())
     })
 }
@@ -79,7 +79,7 @@ proptest! {
     /// No finite strain, of any size, gives anything that is not a number, whatever comes after it.
     #[test]
     fn no_finite_strain_gives_nan(
-        law in 0..48usize,
+        law in 0..36usize,
         corners in prop::collection::vec(prop::array::uniform6(any::<f64>()), 1..6),
         dt in prop::sample::select(vec![0.0, 1e-300, 1e-5, 1e300]),
         h in prop::sample::select(vec![0.0, 1e-9, 0.4, 1e3]),

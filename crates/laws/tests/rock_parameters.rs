@@ -94,7 +94,8 @@ fn hoek_brown_ranges() {
     for (key, bad) in [
         ("ucs", 0.0),
         ("gsi", 101.0),
-        ("gsi", -1.0),
+        ("gsi", 4.9),
+        ("gsi", 0.55),
         ("m_i", 0.0),
         ("disturbance", 1.1),
         ("tensile_strength", -1.0),

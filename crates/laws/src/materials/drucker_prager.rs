@@ -56,7 +56,7 @@ const PARAMETERS: &[Parameter] = &[
         "friction_angle",
         Dimension::ANGLE,
         Need::Optional("q_phi is given"),
-        "friction angle φ, from 0 to below 90°",
+        "friction angle φ, from 0 up to 89.9°",
     ),
     DILATION_ANGLE,
     number(

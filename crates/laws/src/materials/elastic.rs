@@ -45,6 +45,21 @@ pub fn read_moduli(values: &Values) -> Result<Moduli, Vec<BadParameter>> {
     }
 }
 
+/// A sentence where E is less than 100 times the uniaxial compressive strength f_c \[Pa\], as no rock or concrete is:
+/// most have 200 to 1000.
+pub(super) fn soft_for_its_strength(moduli: &Moduli, fc: f64) -> Option<String> {
+    let young = moduli.young();
+    (young < 100.0 * fc).then(|| {
+        format!(
+            "young = {:.3} GPa is only {:.0} times the uniaxial compressive strength of {:.3} MPa, where 200 to 1000 \
+             times is usual: one of the two looks wrong by its unit",
+            young / 1e9,
+            young / fc,
+            fc / 1e6
+        )
+    })
+}
+
 impl Elastic {
     /// The law with given moduli, checked already.
     pub const fn from_moduli(moduli: Moduli) -> Self {

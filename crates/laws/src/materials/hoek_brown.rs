@@ -24,6 +24,7 @@
 mod envelope;
 mod parameters;
 
+use super::elastic::soft_for_its_strength;
 use super::plastic::flow::{Flow, Way};
 use super::plastic::tension::{CutOff, Returned};
 use super::plastic::{COLUMNS, Elasticity, blur, mean_and_radius, unyielding};
@@ -106,7 +107,7 @@ impl Material for HoekBrown {
     }
 
     fn warnings(&self) -> Vec<String> {
-        let mut warnings = Vec::new();
+        let mut warnings = Vec::from_iter(soft_for_its_strength(&self.moduli(), self.envelope.uniaxial()));
         if self.tensile > self.cut_off[0] {
             warnings.push(format!(
                 "tensile_strength {:.3e} Pa lies beyond the apex s σ_ci/m_b = {:.3e} Pa, which is used instead",

@@ -28,6 +28,7 @@
 mod parameters;
 mod softening;
 
+use super::elastic::soft_for_its_strength;
 use super::plastic::flow::Flow;
 use super::plastic::tension::CutOff;
 use super::plastic::{COLUMNS, Elasticity, Memory, SHEAR, TENSION, blur, mean_and_radius, unyielding};
@@ -132,7 +133,7 @@ impl Material for MohrCoulomb {
     }
 
     fn warnings(&self) -> Vec<String> {
-        let mut warnings = Vec::new();
+        let mut warnings = Vec::from_iter(soft_for_its_strength(&self.moduli(), self.peak.fc));
         if self.tensile > self.peak.ft {
             warnings.push(format!(
                 "tensile_strength {:.3e} Pa lies beyond the apex c/tan φ = {:.3e} Pa, which is used instead",

@@ -5,13 +5,10 @@ use super::rate::{RATES, Rate};
 use super::{Concrete, Driver, Evolution, Split};
 use crate::material::Moduli;
 use crate::materials::elastic::read_moduli;
+use crate::materials::plastic::parameters::{ANGLES, is_angle, number};
 use crate::parameter::{BadParameter, Dimension, Kind, Need, Parameter, Value, Values};
 
 const FROM_GRADE: Need = Need::Optional("that of the grade");
-
-const fn number(name: &'static str, dimension: Dimension, need: Need, doc: &'static str) -> Parameter {
-    Parameter { name, kind: Kind::Number(dimension), need, doc }
-}
 
 const fn word(
     name: &'static str,
@@ -27,29 +24,30 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "grade",
         GRADES,
         Need::Optional("young, tensile_strength and a compressive strength or cohesion must be given"),
-        "grade of Model Code 2010; gives mean E, ν, f_t, f_c and G_f, each of which its own key overrides",
+        "grade of Model Code 2010; gives mean E, ν, f_t, f_c and G_f, each of which its own key overrides; G_f needs the \
+         element's size, unless ultimate_strain_ratio is given",
     ),
     number("young", Dimension::PRESSURE, FROM_GRADE, "Young's modulus E"),
     number("poisson", Dimension::NONE, FROM_GRADE, "Poisson's ratio ν, from 0 up to below 0.5"),
     number("tensile_strength", Dimension::PRESSURE, FROM_GRADE, "static uniaxial tensile strength f_t"),
-    number("friction_angle", Dimension::ANGLE, Need::Required, "friction angle φ, from 0 to below 90°"),
+    number("friction_angle", Dimension::ANGLE, Need::Required, "friction angle φ, from 0 up to 89.9°"),
     number(
         "cohesion",
         Dimension::PRESSURE,
         Need::Optional("f_c is given or comes from the grade"),
-        "cohesion c; f_c = 2 c cos φ/(1 − sin φ) where no compressive_strength is given",
+        "cohesion c, in place of compressive_strength: f_c = 2 c cos φ/(1 − sin φ)",
     ),
     number(
         "compressive_strength",
         Dimension::PRESSURE,
         Need::Optional("from the cohesion, else from the grade"),
-        "static uniaxial compressive strength f_c",
+        "static uniaxial compressive strength f_c, in place of the cohesion",
     ),
     number(
         "residual_tension",
         Dimension::NONE,
         Need::Number(0.1),
-        "α, residual strength over f_t after cracking (evolution = residual), above 0 up to 1",
+        "α, residual strength over f_t after cracking (evolution = residual alone), above 0 up to 1",
     ),
     number(
         "residual_shear",
@@ -60,14 +58,16 @@ pub(super) const PARAMETERS: &[Parameter] = &[
     number(
         "ultimate_strain_ratio",
         Dimension::NONE,
-        Need::Optional("from the fracture energy where one is given, else 10"),
+        Need::Optional("from the fracture energy, the given or the grade's, else 10"),
         "ε_us/ε_ts, ultimate over threshold strain in tension (evolution = residual), above 1",
     ),
     number(
         "fracture_energy",
         Dimension::FRACTURE_ENERGY,
-        Need::Optional("ultimate_strain_ratio is used; with evolution = exponential, that of the grade"),
-        "G_f, energy per area of a crack; the element's size across the crack then sets the softening",
+        Need::Optional(
+            "that of the grade unless ultimate_strain_ratio is given; without a grade that ratio is used",
+        ),
+        "G_f, energy per area of a crack; the element's size across the crack then sets the softening, in either evolution",
     ),
     word(
         "evolution",
@@ -80,9 +80,14 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "reference_rate",
         Dimension::RATE,
         Need::Optional("that of the rate law"),
-        "ε̇_s, rate of strain below which strength is static",
+        "ε̇_s, rate of strain below which strength is static (not with rate = none)",
     ),
-    number("rate_filter_time", Dimension::TIME, Need::Number(5e-3), "τ, time over which rates are averaged"),
+    number(
+        "rate_filter_time",
+        Dimension::TIME,
+        Need::Number(5e-3),
+        "τ, time over which rates are averaged (not with rate = none)",
+    ),
     word(
         "driver",
         &["strain", "stress"],
@@ -93,8 +98,8 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "shear_tension",
         &["nominal", "effective"],
         Need::Word("nominal"),
-        "tension across a crack in the shear criterion: what the crack carries, or the effective stress as printed; \
-         without effect with split = compliance, which tests what the point carries",
+        "tension across a crack in the shear criterion: what the crack carries, or the effective stress as printed \
+         (split = effective alone: split = compliance tests what the point carries)",
     ),
     word("split", &["effective", "compliance"], Need::Word("effective"), "how damage enters the stress"),
 ];
@@ -156,6 +161,38 @@ impl Faults {
         self.number(values, name, |x| x > 0.0, "positive")
     }
 
+    /// Refuses keys that say something other than their default and have no meaning with the words chosen.
+    fn idle(&mut self, values: &Values, exponential: bool, static_alone: bool, split: Split) {
+        let says = |name: &str| {
+            let declared = PARAMETERS.iter().find(|p| p.name == name).map(|p| p.need);
+            match (values.0.get(name), declared) {
+                (Some(Value::Number(x)), Some(Need::Number(own))) => *x != own,
+                (Some(Value::Word(word)), Some(Need::Word(own))) => word != own,
+                (given, _) => given.is_some(),
+            }
+        };
+        for (name, idle, with, remedy) in [
+            (
+                "residual_tension",
+                exponential,
+                "evolution = exponential, which falls to nothing",
+                "leave it out, or choose evolution = \"residual\"",
+            ),
+            ("reference_rate", static_alone, "rate = none", "leave it out, or choose a rate law"),
+            ("rate_filter_time", static_alone, "rate = none", "leave it out, or choose a rate law"),
+            (
+                "shear_tension",
+                split == Split::Compliance,
+                "split = compliance, which tests what the point carries",
+                "leave it out, or choose split = \"effective\"",
+            ),
+        ] {
+            if idle && says(name) && self.0.iter().all(|fault| fault.name != name) {
+                self.0.push(BadParameter::new(name, format!("has no meaning with {with}"), remedy));
+            }
+        }
+    }
+
     /// The position of a word in the parameter's list; the declared word where none is given.
     fn word(&mut self, values: &Values, name: &'static str) -> &'static str {
         let Some((words, first)) =
@@ -188,12 +225,19 @@ pub(super) fn read(given: &Values) -> Result<Concrete, Vec<BadParameter>> {
     let positive = |x: f64| x > 0.0;
     let fraction = |x: f64| x > 0.0 && x <= 1.0;
     let ft = faults.number(&values, "tensile_strength", positive, "positive");
-    let angle =
-        faults.number(&values, "friction_angle", |x| (0.0..1.57).contains(&x), "from 0 to below 90 deg");
+    let angle = faults.number(&values, "friction_angle", is_angle, ANGLES);
     let fc = match (values.optional("compressive_strength"), values.optional("cohesion")) {
         (None, Some(_)) => {
             let c = faults.number(&values, "cohesion", positive, "positive");
             c.zip(angle).map(|(c, phi)| 2.0 * c * phi.cos() / (1.0 - phi.sin()))
+        }
+        (Some(_), Some(_)) if given.optional("compressive_strength").is_some() => {
+            faults.0.push(BadParameter::new(
+                "cohesion",
+                "is given together with compressive_strength, which f_c would be taken from",
+                "keep one: f_c = 2 c cos φ/(1 − sin φ)",
+            ));
+            None
         }
         (None, None) => {
             faults.0.push(BadParameter::new(
@@ -236,6 +280,7 @@ pub(super) fn read(given: &Values) -> Result<Concrete, Vec<BadParameter>> {
             ));
         }
     }
+    faults.idle(&values, exponential, rate == "none", split);
     let of_grade = grade.filter(|_| ratio.is_none()).map(|g| g.fracture_energy);
     let energy = energy.or(of_grade);
     if exponential && energy.is_none() {
@@ -258,7 +303,8 @@ pub(super) fn read(given: &Values) -> Result<Concrete, Vec<BadParameter>> {
         _ => Evolution::Ratio { ratio: ratio.unwrap_or(10.0) },
     };
     let law = Concrete::from_parts(moduli, ft, fc, angle, [alpha, beta], evolution);
-    Ok(Concrete { driver, split, nominal, rate: Rate::named(rate, fc, reference, filter), ..law })
+    let replaced = grade.filter(|_| values.optional("cohesion").is_some()).map(|g| g.compressive_strength);
+    Ok(Concrete { driver, split, nominal, replaced, rate: Rate::named(rate, fc, reference, filter), ..law })
 }
 
 impl Concrete {
@@ -285,6 +331,7 @@ impl Concrete {
             driver: Driver::Strain,
             split: Split::Effective,
             nominal: true,
+            replaced: None,
         }
     }
 }

@@ -4,7 +4,7 @@ use super::HoekBrown;
 use super::envelope::Envelope;
 use crate::materials::elastic::{POISSON, YOUNG};
 use crate::materials::plastic::Elasticity;
-use crate::materials::plastic::parameters::{Reading, is_angle, number, slope};
+use crate::materials::plastic::parameters::{ANGLES, Reading, is_angle, number, slope};
 use crate::parameter::{BadParameter, Dimension, Need, Parameter, Values};
 
 pub(super) const PARAMETERS: &[Parameter] = &[
@@ -16,7 +16,12 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         Need::Required,
         "σ_ci, uniaxial compressive strength of the intact rock",
     ),
-    number("gsi", Dimension::NONE, Need::Required, "GSI, geological strength index, from 0 to 100 (intact)"),
+    number(
+        "gsi",
+        Dimension::NONE,
+        Need::Required,
+        "GSI, geological strength index, from 5 to 100 (intact), e.g. 55",
+    ),
     number("m_i", Dimension::NONE, Need::Required, "m_i of the intact rock, positive"),
     number(
         "disturbance",
@@ -28,7 +33,7 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "dilation_angle",
         Dimension::ANGLE,
         Need::Number(0.0),
-        "dilation angle ψ, from 0 to below 90°; kept below the envelope's slope",
+        "dilation angle ψ, from 0 up to 89.9°; kept below the envelope's slope",
     ),
     number(
         "tensile_strength",
@@ -51,7 +56,12 @@ pub(super) fn read(values: &Values) -> Result<HoekBrown, Vec<BadParameter>> {
     let mut reading = Reading::new(values, PARAMETERS);
     let moduli = reading.moduli();
     let ucs = reading.number("ucs", |x| x > 0.0, "positive", "for intact rock 5 to 300 MPa is usual");
-    let gsi = reading.number("gsi", |x| (0.0..=100.0).contains(&x), "from 0 to 100", "100 is intact rock");
+    let gsi = reading.number(
+        "gsi",
+        |x| (5.0..=100.0).contains(&x),
+        "from 5 to 100",
+        "GSI runs from 5 to 100, e.g. 55 (not 0.55); 100 is intact rock",
+    );
     let m_i = reading.number("m_i", |x| x > 0.0 && x <= 100.0, "above 0 and at most 100", "4 to 35 is usual");
     let disturbance = reading.number(
         "disturbance",
@@ -59,8 +69,7 @@ pub(super) fn read(values: &Values) -> Result<HoekBrown, Vec<BadParameter>> {
         "from 0 to 1",
         "0 for careful excavation, 1 for heavy blasting",
     );
-    let dilation =
-        reading.number("dilation_angle", is_angle, "from 0 to below 90 deg", "0 to 15 deg is usual");
+    let dilation = reading.number("dilation_angle", is_angle, ANGLES, "0 to 15 deg is usual");
     let tensile = reading.optional(
         "tensile_strength",
         |x| x >= 0.0,

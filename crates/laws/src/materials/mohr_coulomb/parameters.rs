@@ -80,7 +80,7 @@ fn read_softening(reading: &mut Reading, peak: Row) -> Option<Option<Softening>>
             reading.fault(place, "must grow from 0, row by row", "the first row holds the peak strengths");
         }
     }
-    for (name, place, peak, least_above) in [
+    for (name, place, peak, most) in [
         ("cohesion", "softening.cohesion", peak.cohesion, f64::INFINITY),
         ("friction_angle", "softening.friction_angle", peak.friction, LARGEST_ANGLE),
         ("dilation_angle", "softening.dilation_angle", peak.dilation, LARGEST_ANGLE),
@@ -90,10 +90,10 @@ fn read_softening(reading: &mut Reading, peak: Row) -> Option<Option<Softening>>
         if (strengths[0] - peak).abs() > 1e-9 * peak {
             let remedy = format!("begin the column with the value of `{name}` itself");
             reading.fault(place, "does not begin with the peak strength", remedy);
-        } else if !strengths.iter().all(|x| (0.0..least_above).contains(x)) {
+        } else if !strengths.iter().all(|x| (0.0..=most).contains(x)) {
             reading.fault(
                 place,
-                "must be zero or positive, angles below 90 deg",
+                "must be zero or positive, angles at most 89.9 deg",
                 "strength cannot be negative",
             );
         }

@@ -19,7 +19,7 @@ pub(in crate::materials) const COHESION: Parameter =
     number("cohesion", Dimension::PRESSURE, Need::Required, "cohesion c, zero or more");
 
 pub(in crate::materials) const FRICTION_ANGLE: Parameter =
-    number("friction_angle", Dimension::ANGLE, Need::Required, "friction angle φ, from 0 to below 90°");
+    number("friction_angle", Dimension::ANGLE, Need::Required, "friction angle φ, from 0 up to 89.9°");
 
 pub(in crate::materials) const DILATION_ANGLE: Parameter =
     number("dilation_angle", Dimension::ANGLE, Need::Number(0.0), "dilation angle ψ, from 0 up to φ");
@@ -130,7 +130,7 @@ impl<'a> Reading<'a> {
         let friction = self.number(
             "friction_angle",
             is_angle,
-            "from 0 to below 90 deg",
+            ANGLES,
             "for rock 20 to 60 deg is usual; write the unit, as in \"42 deg\"",
         );
         let most = friction.unwrap_or(LARGEST_ANGLE);
@@ -148,10 +148,13 @@ impl<'a> Reading<'a> {
     }
 }
 
-/// 90° with a margin: slopes stay below 10⁷.
-pub(in crate::materials) const LARGEST_ANGLE: f64 = 1.57;
+/// 89.9°: slopes stay below 1.4·10⁶.
+pub(in crate::materials) const LARGEST_ANGLE: f64 = 89.9 * std::f64::consts::PI / 180.0;
+
+/// What an angle must be.
+pub(in crate::materials) const ANGLES: &str = "from 0 to 89.9 deg";
 
 /// An angle that a slope can be made of.
 pub(in crate::materials) fn is_angle(angle: f64) -> bool {
-    (0.0..LARGEST_ANGLE).contains(&angle)
+    (0.0..=LARGEST_ANGLE).contains(&angle)
 }
