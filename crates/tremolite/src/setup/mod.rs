@@ -116,6 +116,9 @@ fn band(
     }
 }
 
+/// Speeds of P waves \[m/s\] that are nothing unusual: from loose soil to well beyond the stiffest rock.
+const WAVE_SPEEDS: std::ops::RangeInclusive<f64> = 100.0..=10_000.0;
+
 /// What laws find unusual, and fields that no law can fill.
 fn warnings(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Problem> {
     let mut warnings = Vec::new();
@@ -135,6 +138,14 @@ fn warnings(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Problem
         warnings.extend(
             body.material.warnings().into_iter().map(|w| case::Problem::new(span.clone(), w, remedy)),
         );
+        let (pressure, _) = body.material.moduli().wave_speeds(body.density);
+        if !WAVE_SPEEDS.contains(&pressure) {
+            let message = format!(
+                "P waves would travel at {pressure:.0} m/s, where rock and concrete have 100 to 10000 m/s"
+            );
+            let remedy = "look at the units of young and density";
+            warnings.push(case::Problem::new(span.clone(), message, remedy));
+        }
     }
     let kept =
         |field: &Field| bodies.iter().any(|b| b.material.info().history.iter().any(|c| field.holds(c.name)));

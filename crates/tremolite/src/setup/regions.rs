@@ -86,6 +86,9 @@ pub fn build(
     bodies
 }
 
+/// A limit of size \[m\] below this is no concrete's: 1 m and more is.
+const LEAST_SIZE: f64 = 0.1;
+
 /// The refusal of elements that store more energy than a crack across them takes.
 fn oversized(
     mesh: &Mesh,
@@ -117,14 +120,20 @@ fn oversized(
     let others =
         if count > 1 { format!(", and {} others are too large as well", count - 1) } else { String::new() };
     let [x, y, z] = centroid(mesh, element);
+    let remedy = if limit < LEAST_SIZE {
+        "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit"
+    } else {
+        "make the elements finer there, or raise the fracture energy"
+    };
     Some(Problem::new(
         material.span.clone(),
         format!(
             "element {}{place} at ({x:.1}, {y:.1}, {z:.1}) m extends over {extent:.2} m{others}; with this material's \
-             fracture energy elements must stay below {limit:.2} m, or a crack would release more than it takes",
-            mesh.element_id(element as usize)
+             fracture energy elements must stay below {} m, or a crack would release more than it takes",
+            mesh.element_id(element as usize),
+            if limit < LEAST_SIZE { format!("{limit:.1e}") } else { format!("{limit:.2}") }
         ),
-        "make the elements finer there, or raise the fracture energy",
+        remedy,
     ))
 }
 
