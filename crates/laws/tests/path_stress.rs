@@ -191,3 +191,25 @@ fn rock_without_tensile_strength_does_not_yield_where_it_need_not() {
         assert!(states.iter().all(|s| [0.0, 1.0, 5.0].contains(s)), "{steps}: {states:?}");
     }
 }
+
+/// With D⁺ = 1 every lateral strain above some leaves the sides free: in the effective split above −νe, in the
+/// compliance split above 0. There they stay; in the other one they move no more than an elastic body's while the
+/// crack closes.
+#[test]
+fn sides_of_a_crack_that_carries_nothing_do_not_drift() {
+    for split in ["effective", "compliance"] {
+        let values = with_words(concrete::values(), &[("split", split)]);
+        let path = cycle(0, 0.0, &[20.0 * THRESHOLD, THRESHOLD], 100, (25e9, 0.17));
+        let response = drive_named("concrete-damage", &values, &path).unwrap();
+        let damage = response.column("d_tension").unwrap();
+        let broken = damage.iter().position(|d| *d == 1.0).unwrap();
+        let held = response.strain[broken][1];
+        for strain in &response.strain[broken..] {
+            let [least, most] = match split {
+                "compliance" => [0.0, 0.0],
+                _ => [-0.17 * strain[0], held + 0.17 * (20.0 * THRESHOLD - strain[0])],
+            };
+            assert!((least - 1e-12..=most + 1e-12).contains(&strain[1]), "{split}: {strain:?}");
+        }
+    }
+}

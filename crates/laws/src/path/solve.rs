@@ -96,8 +96,8 @@ impl Mixed {
 
     /// The strain that goes with `values`: they themselves where strain is prescribed, the rest so that `stress`
     /// meets them. First the elastic answer from a reached state is tried: a law that yields at the prescribed stress
-    /// has many strains for it, and where it does not flow this one is the least. Else the strain is iterated from
-    /// that one, and from the reached one, as far as `reach` says.
+    /// has many strains for it, and where it does not flow this one is the least. Then that nothing moves, which is the
+    /// answer of an open crack that carries nothing. Else the strain is iterated from the elastic one, and from the reached one, as far as `reach` says.
     ///
     /// # Errors
     /// The trial with the smallest miss.
@@ -112,6 +112,10 @@ impl Mixed {
         if holds {
             self.stretch = 1.0;
             return Ok(elastic);
+        }
+        let still = self.prescribed(from.strain, values);
+        if size(&self.miss(values, &stress(&still))) <= ELASTIC * self.level(&still, values) {
+            return Ok(still);
         }
         let step = distance(&elastic, &from.strain);
         let mut closest = Missed { strain: elastic, miss: f64::INFINITY };
@@ -148,8 +152,7 @@ impl Mixed {
         };
         let modulus = self.moduli.lambda + 2.0 * self.moduli.mu;
         let mut strain = self.prescribed(from.strain, values);
-        let there = step(&strain);
-        let left: Vec<f64> = self.free.iter().map(|&k| (there[k] - values[k]) / modulus).collect();
+        let left = self.miss(values, &step(&strain));
         for (&k, d) in self.free.iter().zip(solve(self.stiffness(), &left)) {
             strain[k] -= d;
         }
@@ -172,6 +175,12 @@ impl Mixed {
         self.level.max(size(strain)).max(load)
     }
 
+    /// What stress \[Pa\] is beyond the prescribed, over λ + 2μ.
+    fn miss(&self, values: &[f64; 6], stress: &[f64; 6]) -> Vec<f64> {
+        let modulus = self.moduli.lambda + 2.0 * self.moduli.mu;
+        self.free.iter().map(|&k| (stress[k] - values[k]) / modulus).collect()
+    }
+
     fn search(
         &self,
         values: &[f64; 6],
@@ -180,10 +189,7 @@ impl Mixed {
         stress: impl Fn(&[f64; 6]) -> [f64; 6],
     ) -> Result<[f64; 6], Missed> {
         let modulus = self.moduli.lambda + 2.0 * self.moduli.mu;
-        let miss = |strain: &[f64; 6]| -> Vec<f64> {
-            let found = stress(strain);
-            self.free.iter().map(|&k| (found[k] - values[k]) / modulus).collect()
-        };
+        let miss = |strain: &[f64; 6]| self.miss(values, &stress(strain));
         let mut tangent = self.stiffness();
         let mut strain = start;
         let mut left = miss(&strain);
