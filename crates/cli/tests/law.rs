@@ -187,7 +187,8 @@ fn bad_files_are_refused_with_file_line_and_way_out_and_nothing_is_written() {
         (CONCRETE, "time,exx,exx,eyy,ezz,gxy,gyz,gzx\n", &["line 1", "exx is there twice"]),
         (CONCRETE, "time,gap,slip1,slip2\n", &["line 1", "interface"]),
         (CONCRETE, "time,sxx [m],eyy,ezz,gxy,gyz,gzx\n", &["line 1", "sxx", "is a length"]),
-        (CONCRETE, "time;exx;eyy\n", &["line 1", "commas"]),
+        (CONCRETE, "time;exx;eyy\n", &["line 1", "neither ezz nor szz"]),
+        (CONCRETE, "time,exx,eyy,ezz,gxy,gyz,gzx\r0,0,0,0,0,0,0\r", &["path.csv", "carriage return", "line ends of Unix"]),
         (CONCRETE, &format!("{good}1,x,0,0,0,0,0\n"), &["path.csv, line 3", "'x' is not a number"]),
         (CONCRETE, &format!("{good}# note\n1,nan,0,0,0,0,0\n"), &["path.csv, line 4", "not finite"]),
         (CONCRETE, &format!("{good}1,0,0\n"), &["path.csv, line 3", "3 values under 7 names"]),
@@ -219,6 +220,119 @@ fn bad_files_are_refused_with_file_line_and_way_out_and_nothing_is_written() {
     std::fs::remove_file(folder.path().join("path.csv")).unwrap();
     assert_eq!(status(&law(folder.path(), &[])), 2);
     assert!(errors(&law(folder.path(), &[])).contains("path.csv: cannot read this file"));
+}
+
+#[test]
+fn no_output_destroys_an_input_or_another_output() {
+    let path = format!("{FREE_SIDES}0,0,0,0,0,0,0\n1,1e-5,0,0,0,0,0\n");
+    let folder = folder(CONCRETE, &path);
+    std::fs::create_dir(folder.path().join("sub")).unwrap();
+    let mut cases = vec![
+        (vec!["--out", "path.csv"], "--out would overwrite --path"),
+        (vec!["--out", "sub/../path.csv"], "--out would overwrite --path"),
+        (vec!["--out", "./law.toml"], "--out would overwrite LAW.toml"),
+        (vec!["--plot", "law.toml"], "--plot would overwrite LAW.toml"),
+        (vec!["--out", "a.svg", "--plot", "./sub/../a.svg"], "--plot would overwrite --out"),
+        (vec!["--plot", "x.png"], "figures are SVG"),
+        (vec!["--plot", "x"], "figures are SVG"),
+    ];
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("path.csv", folder.path().join("link.svg")).unwrap();
+        cases.push((vec!["--plot", "link.svg"], "--plot would overwrite --path"));
+    }
+    let before = std::fs::read_dir(folder.path()).unwrap().count();
+    for (more, words) in cases {
+        let output = law(folder.path(), &more);
+        assert_eq!(status(&output), 2, "{more:?}");
+        assert!(errors(&output).contains(words), "{more:?}: {}", errors(&output));
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), before, "{more:?}");
+    }
+    assert_eq!(std::fs::read_to_string(folder.path().join("path.csv")).unwrap(), path);
+    assert_eq!(std::fs::read_to_string(folder.path().join("law.toml")).unwrap(), CONCRETE);
+    // One row is an answer, but no figure.
+    std::fs::write(folder.path().join("path.csv"), format!("{FREE_SIDES}0,0,0,0,0,0,0\n")).unwrap();
+    assert_eq!(status(&law(folder.path(), &["--out", "one.csv"])), 0);
+    let output = law(folder.path(), &["--plot", "one.svg"]);
+    assert!(status(&output) == 2 && errors(&output).contains("one row makes no figure"));
+}
+
+#[test]
+fn an_answer_is_a_path_and_tables_of_other_programs_are_read() {
+    let rows = ["0,0,0,0,0,0,0", "0.5,1e-4,-2e-5,-2e-5,0,0,0", "1,-2e-4,3e-5,3e-5,0,0,0"];
+    let names = "time,exx,eyy,ezz,gxy,gyz,gzx";
+    let table = |separator: &str, names: &str| {
+        let lines: Vec<String> =
+            std::iter::once(names).chain(rows).map(|l| l.replace(',', separator)).collect();
+        lines.join("\n") + "\n"
+    };
+    let folder = folder(CONCRETE, &table(",", names));
+    let output = law(folder.path(), &[]);
+    assert_eq!(status(&output), 0, "{}", errors(&output));
+    assert!(!String::from_utf8_lossy(&output.stdout).contains("-0,"), "a zero has no sign");
+    for text in [
+        table(";", names),
+        table("\t", names),
+        table(",", "Time[s],EXX,eyy,ezz [1e-3],gxy,gyz,gzx").replace(" [1e-3]", ""),
+        table(",", names).replace('\n', ",\n"),
+        table(";", names).replace('\n', ";\r\n"),
+        String::from_utf8(output.stdout.clone()).unwrap(),
+    ] {
+        std::fs::write(folder.path().join("path.csv"), &text).unwrap();
+        let again = law(folder.path(), &[]);
+        assert_eq!(again.stdout, output.stdout, "{text}{}", errors(&again));
+        assert_eq!(
+            errors(&again).contains("sxx, syy, szz"),
+            text.contains("d_tension"),
+            "{}",
+            errors(&again)
+        );
+    }
+}
+
+#[test]
+fn crushing_is_followed_in_the_compliance_split_and_noted_with_its_line() {
+    let text = format!("{CONCRETE}split = \"compliance\"\n");
+    let folder = folder(&text, &format!("{FREE_SIDES}0,0,0,0,0,0,0\n1,-2e-3,0,0,0,0,0\n"));
+    let mut answers = Vec::new();
+    for isa in tremolite_laws::Isa::ALL.into_iter().filter(|isa| isa.available()) {
+        let output = law(folder.path(), &["--divide", "100", "--isa", isa.name()]);
+        assert_eq!(status(&output), 0, "{}", errors(&output));
+        assert!(errors(&output).contains("drops at once on the way to line 3"), "{}", errors(&output));
+        answers.push(output.stdout);
+    }
+    assert!(answers.windows(2).all(|pair| pair[0] == pair[1]), "the same bits in every instruction set");
+    let text = String::from_utf8(answers.swap_remove(0)).unwrap();
+    let last: Vec<f64> = text.lines().last().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    // β f_c with f_c = 2 c cos φ/(1 − sin φ), within the first order of a step of 2e-5.
+    let (sine, cosine) = 46f64.to_radians().sin_cos();
+    let left = 0.2 * 2.0 * 2e6 * cosine / (1.0 - sine);
+    assert!((last[7] / -left - 1.0).abs() < 2e-3, "{} {left}", last[7]);
+}
+
+#[test]
+fn the_energy_of_a_grade_is_named_where_the_size_is_missing() {
+    let text = "[material]\nlaw = \"concrete-damage\"\ngrade = \"C30/37\"\nfriction_angle = \"46 deg\"\n";
+    let folder = folder(text, &format!("{FREE_SIDES}0,0,0,0,0,0,0\n"));
+    let output = law(folder.path(), &[]);
+    assert_eq!(status(&output), 2);
+    for words in ["that of grade C30/37", "size = ", "ultimate_strain_ratio"] {
+        assert!(errors(&output).contains(words), "{}", errors(&output));
+    }
+}
+
+#[test]
+fn states_of_rock_are_drawn_as_strips() {
+    let rock = "[material]\nlaw = \"mohr-coulomb\"\nyoung = \"10 GPa\"\npoisson = 0.25\ncohesion = \"2 MPa\"\n\
+                friction_angle = \"42 deg\"\n";
+    let folder = folder(rock, &format!("{FREE_SIDES}0,0,0,0,0,0,0\n1,-2e-3,0,0,0,0,0\n"));
+    assert_eq!(status(&law(folder.path(), &["--divide", "50", "--plot", "f.svg"])), 0);
+    let svg = std::fs::read_to_string(folder.path().join("f.svg")).unwrap();
+    for (name, drawn) in
+        [("shear now", true), ("shear earlier", true), ("tension now", false), ("tension earlier", false)]
+    {
+        assert_eq!(svg.contains(name), drawn, "{name}");
+    }
 }
 
 #[test]
@@ -262,11 +376,11 @@ fn list_names_every_parameter_with_its_unit_and_what_stands_for_it() {
     for law in MATERIALS {
         let (_, part) = text.split_once(&format!("{}: ", law.name)).unwrap();
         let part = part.split("\n\n").next().unwrap();
-        // A column of a table and one of the history may have the same name.
-        let (parameters, history) = part.split_once("\n  history").unwrap_or((part, ""));
-        let line = |part: &str, name: &str| {
-            part.lines()
-                .map(str::to_owned)
+        // A history may have the name of a table's column.
+        let (parameters, history) = part.split_once("  history").unwrap_or((part, ""));
+        let line = |lines: &str, name: &str| {
+            lines
+                .lines()
                 .find(|l| l.split_whitespace().next() == Some(name))
                 .unwrap_or_else(|| panic!("{name}"))
         };

@@ -19,6 +19,7 @@ pub mod loops;
 mod page;
 mod scale;
 mod source;
+pub mod strips;
 mod svg;
 mod thin;
 mod ticks;

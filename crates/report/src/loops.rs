@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use crate::axes::{Axes, drawable};
 use crate::scale::Scale;
+use crate::strips::{self, Strip};
 use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::thin::thin;
 use crate::ticks::Ticks;
@@ -98,6 +99,8 @@ pub struct Loops<'a> {
     /// Two at most have room.
     pub planes: Vec<Plane<'a>>,
     pub tracks: Vec<Track<'a>>,
+    /// States that hold or do not, under a name; drawn below the tracks.
+    pub states: Option<(String, Vec<Strip>)>,
 }
 
 impl Loops<'_> {
@@ -121,15 +124,25 @@ impl Loops<'_> {
         let ends = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let along = self.along.scale(self.time.iter());
         let across = Ticks::within(ends.0 * along.factor, ends.1 * along.factor, 10);
-        for (k, track) in self.tracks.iter().enumerate() {
-            let axes = track.draw(&mut svg, (&across, self.time, along.factor), top + HEADING);
+        let over = (&across, self.time, along.factor);
+        let mut lowest = None;
+        for track in &self.tracks {
+            let axes = track.draw(&mut svg, over, top + HEADING);
             top = axes.bottom;
-            if k + 1 == self.tracks.len() {
-                axes.number_across(&mut svg);
-                let label = along.labelled(&self.along.name);
-                svg.text((WIDTH - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, &label);
-                top += 42.0;
-            }
+            lowest = Some(axes);
+        }
+        if let Some((name, strips)) = &self.states {
+            top += HEADING;
+            heading(&mut svg, (LEFT, top - 9.0), name, strips.iter().map(|s| (s.name.as_str(), s.colour)));
+            let axes = strips::draw(&mut svg, strips, over, (LEFT, WIDTH - RIGHT, top));
+            top = axes.bottom;
+            lowest = Some(axes);
+        }
+        if let Some(axes) = lowest {
+            axes.number_across(&mut svg);
+            let label = along.labelled(&self.along.name);
+            svg.text((WIDTH - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, &label);
+            top += 42.0;
         }
         svg.finish(top, &self.title, &remarks.join("; "))
     }

@@ -20,13 +20,14 @@ const HELP: &str = "\
 LAW.toml holds one [material] as a case does; it needs no density. `size = \"0.5 m\"` gives the extent of the element
 to laws with a fracture energy. `tremolite list materials` names all laws and their parameters.
 
-P.csv has a line of names and one row a step, separated by commas; lines that start with # are remarks:
+P.csv has a line of names and one row a step, separated by commas, semicolons or tabs; lines that start with # are
+remarks:
   time                       [s], not falling; where it stands still nothing has a rate
   exx eyy ezz gxy gyz gzx    strain, shear as the engineering angle (gxy = 2 exy); tension is positive
   sxx syy szz sxy syz szx    [Pa], in the place of the strain of that component: its stress is prescribed
 Each component is prescribed once. A uniaxial test in x is time,exx,syy,szz,sxy,syz,szx with zeros below the stresses; for
 a triaxial one syy and szz hold minus the cell pressure. A name may carry a unit: sxx [MPa]. The material is virgin at the
-first row, which takes no time.
+first row, which takes no time. An O.csv of a former run is a path as well: its strains are prescribed.
 
 O.csv holds time, the six strains, the six stresses [Pa] and what the law keeps, by its names. Where no strain is found
 for a prescribed stress, the step is gone in smaller ones, of strain and stress alike. Where the law's stress drops at
@@ -61,7 +62,14 @@ pub struct Args {
 pub fn run(args: &Args) -> Outcome {
     let isa = machine::isa(args.isa.as_deref())?;
     let law = LawFile::read(&args.law, MATERIALS).map_err(|r| Failure::case(&r))?;
+    args.check_files().map_err(Failure::input)?;
     let mut file = PathFile::read(&args.path).map_err(Failure::input)?;
+    if !file.ignored.is_empty() {
+        let (path, names) = (args.path.display(), file.ignored.join(", "));
+        say(&format!(
+            "{path}: {names} belong to an answer and are not read; what the path prescribes is the rest"
+        ));
+    }
     file.divide(args.divide).map_err(Failure::input)?;
     file.path.size = law.size.as_ref().map(|s| s.value);
     let name = law.law.value.as_str();
@@ -77,6 +85,10 @@ pub fn run(args: &Args) -> Outcome {
         }
         Err(error) => return Err(refused(&law, &error)),
     };
+    if args.plot.is_some() && stop.is_none() && file.path.time.len() < 2 {
+        let what = "one row makes no figure; leave --plot out, or give more rows";
+        return Err(Failure::input(format!("{}: {what}", args.path.display())));
+    }
     for warning in follow::warnings(name, &law.parameters) {
         let problem = Problem::new(law.span.clone(), warning, "go on only if this is meant");
         say(&law.report(vec![problem]).as_warnings().render(colour()));
@@ -110,20 +122,67 @@ pub fn run(args: &Args) -> Outcome {
     }
 }
 
+impl Args {
+    /// Refuses outputs that would destroy an input or each other, and figures under a name that says otherwise.
+    fn check_files(&self) -> Result<(), String> {
+        let inputs = [("LAW.toml", Some(&self.law)), ("--path", Some(&self.path))];
+        let outputs = [("--out", self.out.as_ref()), ("--plot", self.plot.as_ref())];
+        for (k, (name, output)) in outputs.iter().enumerate() {
+            let Some(output) = output else { continue };
+            for (other, file) in inputs.iter().chain(&outputs[..k]) {
+                if file.is_some_and(|file| real(file) == real(output)) {
+                    return Err(format!(
+                        "{}: {name} would overwrite {other}, which is the same file; name another",
+                        output.display()
+                    ));
+                }
+            }
+        }
+        match &self.plot {
+            Some(plot) if plot.extension().is_none_or(|e| !e.eq_ignore_ascii_case("svg")) => {
+                Err(format!("{}: figures are SVG; let the name after --plot end in .svg", plot.display()))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A file without links and detours; of one that is not there yet, its folder without them.
+fn real(file: &Path) -> PathBuf {
+    file.canonicalize().unwrap_or_else(|_| {
+        let folder = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        match (folder.canonicalize(), file.file_name()) {
+            (Ok(folder), Some(name)) => folder.join(name),
+            _ => file.to_owned(),
+        }
+    })
+}
+
 /// What the law refuses, at its place in the law file.
 fn refused(law: &LawFile, error: &PathError) -> Failure {
     let problem = match error {
-        PathError::SizeMissing => Problem::new(
-            law.span.clone(),
-            "the law goes by a fracture energy and needs the element's extent",
-            "add size = \"… m\"",
-        ),
+        PathError::SizeMissing => {
+            let given = law.parameters.optional("fracture_energy").is_some();
+            let from = law.parameters.word("grade").filter(|_| !given);
+            let (of, instead) = from.map_or_else(Default::default, |grade| {
+                (format!(", that of grade {grade},"), ", or ultimate_strain_ratio in place of the energy")
+            });
+            Problem::new(
+                law.span.clone(),
+                format!("the law goes by a fracture energy{of} and needs the element's extent"),
+                format!("add size = \"… m\"{instead}"),
+            )
+        }
         PathError::Size { limit, .. } => Problem::new(
             law.size.as_ref().map_or_else(|| law.span.clone(), |s| s.span.clone()),
             format!(
                 "`size` must be below {limit:.3} m, where an element stores as much as a crack dissipates"
             ),
-            "give a smaller size, or a larger fracture energy",
+            if *limit < 0.1 {
+                "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit"
+            } else {
+                "give a smaller size, or a larger fracture energy"
+            },
         ),
         other => return Failure::input(other),
     };
@@ -132,7 +191,7 @@ fn refused(law: &LawFile, error: &PathError) -> Failure {
 
 fn write(args: &Args, law: &str, time: &[f64], response: &Response) -> Result<(), Failure> {
     let put = |path: &Path, text: &str| replace_file(path, text.as_bytes()).map_err(Failure::failed);
-    if let Some(plot) = &args.plot {
+    if let Some(plot) = args.plot.as_ref().filter(|_| time.len() > 1) {
         let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let title = format!("{law} ({}) along {}", name(&args.law), name(&args.path));
         put(plot, &figure::draw(&title, time, response))?;

@@ -4,11 +4,17 @@ use super::path_file::{STRAIN, STRESS};
 use std::borrow::Cow;
 use tremolite_laws::path::Response;
 use tremolite_report::loops::{Course, Curve, Loops, Named, Plane, Quantity, Track};
+use tremolite_report::strips::Strip;
 
 const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "zx"];
 
 /// What varies less than this share of the largest of its kind is round-off.
 const NEGLIGIBLE: f64 = 1e-6;
+
+/// The history that is a sum of flags, and those.
+const STATE: &str = "state";
+const FLAGS: [(&str, u32); 4] =
+    [("shear now", 1), ("tension now", 2), ("shear earlier", 4), ("tension earlier", 8)];
 
 /// The figure as SVG: normal and shear stress over strain, then strain, stress and history over time.
 pub fn draw(title: &str, time: &[f64], response: &Response) -> String {
@@ -32,6 +38,7 @@ pub fn draw(title: &str, time: &[f64], response: &Response) -> String {
         time: if stands { &steps } else { time },
         planes,
         tracks,
+        states: states(response),
     }
     .draw()
 }
@@ -95,7 +102,7 @@ fn histories(response: &Response) -> Vec<Track<'_>> {
         let (word, rest) = column.name.split_once('_').unwrap_or((column.name, ""));
         // A rate factor of 1, and 0 before there is one, changes nothing.
         let idle = word == "factor" && values.iter().all(|x| *x == 0.0 || *x == 1.0);
-        if idle || spread(values) == 0.0 {
+        if idle || spread(values) == 0.0 || column.name == STATE {
             continue;
         }
         let component = STRAIN.iter().position(|name| *name == rest);
@@ -118,6 +125,17 @@ fn histories(response: &Response) -> Vec<Track<'_>> {
         track.courses.retain(|c| spread(c.values) > noise);
     }
     tracks
+}
+
+/// The flags that ever hold of the rock laws' history `state`, their sum.
+fn states(response: &Response) -> Option<(String, Vec<Strip>)> {
+    let sum = response.column(STATE)?;
+    let strips = FLAGS.iter().enumerate().map(|(colour, (name, flag))| {
+        let on = sum.iter().map(|x| (*x as u32) & flag != 0).collect();
+        Strip { name: (*name).to_owned(), colour, on }
+    });
+    let strips: Vec<Strip> = strips.filter(|s| s.on.contains(&true)).collect();
+    (!strips.is_empty()).then(|| (STATE.to_owned(), strips))
 }
 
 /// The tension side alone, where it is too low beside the pressures to be seen.

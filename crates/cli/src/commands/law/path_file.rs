@@ -3,6 +3,7 @@
 use std::path::Path as File;
 use tremolite_case::units;
 use tremolite_laws::Dimension;
+use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::path::{Control, Path};
 
 /// Columns of strain, xx, yy, zz, xy, yz, zx; shear as the engineering angle.
@@ -20,6 +21,8 @@ pub struct PathFile {
     lines: Vec<usize>,
     /// Steps from a row as written to the next.
     steps: usize,
+    /// Columns that were passed over, as they belong to an answer: histories, and stresses beside all strains.
+    pub ignored: Vec<String>,
 }
 
 /// What a column holds, and what turns its numbers into SI.
@@ -32,6 +35,16 @@ struct Column {
 enum Place {
     Time,
     Component(usize, Control),
+    /// Part of an answer, not of a path.
+    Ignored,
+}
+
+/// What a file says above its numbers.
+struct Header {
+    separator: char,
+    columns: Vec<Column>,
+    control: [Control; 6],
+    ignored: Vec<String>,
 }
 
 impl PathFile {
@@ -89,6 +102,10 @@ type Fault = (Option<usize>, String);
 
 fn parse(text: &str) -> Result<PathFile, Fault> {
     let text = text.trim_start_matches('\u{feff}');
+    if text.contains('\r') && !text.contains('\n') {
+        let what = "its lines end with a carriage return alone, as on old Macs; save it with line ends of Unix or Windows";
+        return Err((None, what.into()));
+    }
     let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
     let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
     let Some((at, header)) = lines.next() else {
@@ -97,11 +114,11 @@ fn parse(text: &str) -> Result<PathFile, Fault> {
             "the file is empty; start with a line of names: time,exx,eyy,ezz,gxy,gyz,gzx".into(),
         ));
     };
-    let (columns, control) = columns(header).map_err(|what| (Some(at), what))?;
-    let mut path = Path { time: Vec::new(), values: Vec::new(), control, size: None };
+    let header = read_header(header).map_err(|what| (Some(at), what))?;
+    let mut path = Path { time: Vec::new(), values: Vec::new(), control: header.control, size: None };
     let mut numbers = Vec::new();
     for (number, line) in lines {
-        let (time, values) = row(line, &columns).map_err(|what| (Some(number), what))?;
+        let (time, values) = row(line, &header).map_err(|what| (Some(number), what))?;
         if path.time.last().is_some_and(|last| time < *last) {
             return Err((Some(number), "time falls here; sort the rows by time".into()));
         }
@@ -112,14 +129,34 @@ fn parse(text: &str) -> Result<PathFile, Fault> {
     if numbers.is_empty() {
         return Err((Some(at), "there are no rows below the names; write one row of numbers a step".into()));
     }
-    Ok(PathFile { path, lines: numbers, steps: 1 })
+    Ok(PathFile { path, lines: numbers, steps: 1, ignored: header.ignored })
 }
 
-fn columns(header: &str) -> Result<(Vec<Column>, [Control; 6]), String> {
-    if header.contains([';', '\t']) && !header.contains(',') {
-        return Err("the columns are not separated by commas; save the table with commas".into());
+/// A line without the separator that some programs put behind the last field.
+fn fields(line: &str, separator: char) -> impl Iterator<Item = &str> + Clone {
+    line.strip_suffix(separator).unwrap_or(line).split(separator)
+}
+
+fn read_header(header: &str) -> Result<Header, String> {
+    let separator = [',', ';', '\t'].into_iter().find(|c| header.contains(*c)).unwrap_or(',');
+    let mut columns: Vec<Column> = fields(header, separator).map(column).collect::<Result<_, _>>()?;
+    let has = |control| (0..6).all(|k| columns.iter().any(|c| c.place == Place::Component(k, control)));
+    if has(Control::Strain) && has(Control::Stress) {
+        // An answer: its strains are a path, its stresses what came of them.
+        for column in &mut columns {
+            if matches!(column.place, Place::Component(_, Control::Stress)) {
+                column.place = Place::Ignored;
+            }
+        }
     }
-    let columns: Vec<Column> = header.split(',').map(column).collect::<Result<_, _>>()?;
+    let control = control(&columns)?;
+    let ignored = fields(header, separator).zip(&columns).filter(|(_, c)| c.place == Place::Ignored);
+    let ignored = ignored.map(|(name, _)| split(name).0).collect();
+    Ok(Header { separator, columns, control, ignored })
+}
+
+/// What each component prescribes.
+fn control(columns: &[Column]) -> Result<[Control; 6], String> {
     let count = |place: Place| columns.iter().filter(|c| c.place == place).count();
     match count(Place::Time) {
         0 => return Err("there is no column time; add it, in s".into()),
@@ -147,13 +184,20 @@ fn columns(header: &str) -> Result<(Vec<Column>, [Control; 6]), String> {
             }
         }
     }
-    Ok((columns, control))
+    Ok(control)
+}
+
+/// Name in small letters, and unit in brackets if there is one: `time [s]`, `Time`, `sxx[MPa]`.
+fn split(header: &str) -> (String, &str) {
+    let header = header.trim().trim_matches('"').trim();
+    let end = header.find(|c: char| c.is_whitespace() || c == '[').unwrap_or(header.len());
+    (header[..end].to_ascii_lowercase(), header[end..].trim())
 }
 
 /// A header `name` or `name [unit]`.
 fn column(header: &str) -> Result<Column, String> {
-    let header = header.trim().trim_matches('"').trim();
-    let (name, unit) = header.split_once(char::is_whitespace).unwrap_or((header, ""));
+    let (name, unit) = split(header);
+    let name = name.as_str();
     let position = |names: [&str; 6]| names.iter().position(|n| *n == name);
     let (place, dimension) = if name == "time" {
         (Place::Time, Dimension::TIME)
@@ -161,10 +205,11 @@ fn column(header: &str) -> Result<Column, String> {
         (Place::Component(k, Control::Strain), Dimension::NONE)
     } else if let Some(k) = position(STRESS) {
         (Place::Component(k, Control::Stress), Dimension::PRESSURE)
+    } else if MATERIALS.iter().any(|law| law.history.iter().any(|c| c.name == name)) {
+        return Ok(Column { place: Place::Ignored, factor: 1.0 });
     } else {
         return Err(unknown(name));
     };
-    let unit = unit.trim();
     if unit.is_empty() {
         return Ok(Column { place, factor: 1.0 });
     }
@@ -191,13 +236,15 @@ fn unknown(name: &str) -> String {
     }
 }
 
-fn row(line: &str, columns: &[Column]) -> Result<(f64, [f64; 6]), String> {
-    let found = line.split(',').count();
+fn row(line: &str, header: &Header) -> Result<(f64, [f64; 6]), String> {
+    let Header { separator, columns, .. } = header;
+    let fields = fields(line, *separator);
+    let found = fields.clone().count();
     if found != columns.len() {
         return Err(format!("{found} values under {} names; give one value a column", columns.len()));
     }
     let (mut time, mut values) = (0.0, [0.0; 6]);
-    for (field, column) in line.split(',').zip(columns) {
+    for (field, column) in fields.zip(columns).filter(|(_, c)| c.place != Place::Ignored) {
         let field = field.trim().trim_matches('"');
         let value = field
             .parse::<f64>()
@@ -209,6 +256,7 @@ fn row(line: &str, columns: &[Column]) -> Result<(f64, [f64; 6]), String> {
         match column.place {
             Place::Time => time = value,
             Place::Component(k, _) => values[k] = value,
+            Place::Ignored => {}
         }
     }
     Ok((time, values))

@@ -16,13 +16,18 @@ pub fn text(time: &[f64], response: &Response) -> String {
     let mut text = columns.map(|c| c.header()).collect::<Vec<_>>().join(",");
     text.push('\n');
     for (row, t) in time.iter().enumerate() {
-        push(&mut text, *t);
+        push(&mut text, plain(*t));
         let values = response.strain[row].iter().chain(&response.stress[row]);
         for value in values.chain(response.history.iter().map(|column| &column[row])) {
             text.push(',');
-            push(&mut text, *value);
+            push(&mut text, plain(*value));
         }
         text.push('\n');
     }
     text
+}
+
+/// A number without the sign of a zero.
+fn plain(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x }
 }
