@@ -221,3 +221,22 @@ fn lists_name_what_a_case_may_say() {
     assert_eq!(code(&tremolite(folder.path(), &["report", "."])), 2);
     assert_eq!(code(&tremolite(folder.path(), &["verify", "no_such_problem"])), 2);
 }
+
+#[test]
+fn moduli_and_energies_of_the_wrong_size_are_pointed_at() {
+    let (folder, case) = new_case();
+    change(&case, "young       = \"10 GPa\"", "young       = \"10 MPa\"");
+    let check = tremolite(folder.path(), &["check", "study/case.toml"]);
+    assert_eq!(code(&check), 0, "{}", errors(&check));
+    assert!(errors(&check).contains("P waves would travel at 6"), "{}", errors(&check));
+
+    let (folder, case) = new_case();
+    let concrete = "law = \"concrete-damage\"\nfracture_energy = \"130 N/m\"\ntensile_strength = \"1.2 MPa\"\n\
+                    cohesion = \"2 MPa\"\nfriction_angle = \"46 deg\"\nyoung = \"25 MPa\"";
+    change(&case, "law         = \"elastic\"\nyoung       = \"25 GPa\"", concrete);
+    let check = tremolite(folder.path(), &["check", "study/case.toml"]);
+    assert_eq!(code(&check), 2);
+    for words in ["elements must stay below 4.5e-3 m", "E or G_f looks too low"] {
+        assert!(errors(&check).contains(words), "{}", errors(&check));
+    }
+}

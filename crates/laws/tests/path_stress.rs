@@ -93,6 +93,29 @@ fn cycles_of_every_law_are_followed_whatever_the_step() {
     assert!(faults.is_empty(), "{} of 360:\n{}", faults.len(), faults.join("\n"));
 }
 
+/// Coarse steps err with the first order of a step, and no jump or smaller step adds to that.
+#[test]
+fn coarse_steps_come_to_what_fine_ones_do() {
+    for (word, law, values, moduli) in laws() {
+        for pressure in [0.0, 1e6] {
+            let turns = [2e-4, -1.2e-3, 4e-4, -2e-3, 0.0];
+            let at_turns = |steps: usize| {
+                let path = cycle(1, pressure, &turns, steps, moduli);
+                let response = drive_named(law, &values, &path).unwrap();
+                response.stress.into_iter().step_by(steps).map(|s| s[1]).collect::<Vec<_>>()
+            };
+            let fine = at_turns(2000);
+            let level = fine.iter().fold(0.0f64, |l, s| l.max(s.abs()));
+            for steps in [20, 200] {
+                for (coarse, fine) in at_turns(steps).into_iter().zip(&fine) {
+                    let off = (coarse - fine).abs() / level;
+                    assert!(off < 1.0 / steps as f64, "{word} {law} {pressure} {steps}: {coarse} {fine}");
+                }
+            }
+        }
+    }
+}
+
 /// The paper's concrete pressed to `end` in uniaxial compression, compliance split.
 fn crushed(driver: &str, end: f64, steps: usize) -> (Path, Response) {
     let values = with_words(concrete::values(), &[("split", "compliance"), ("driver", driver)]);

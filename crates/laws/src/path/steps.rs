@@ -143,7 +143,7 @@ impl Jump {
     /// for round-off; then in turn the closest strain, and the way farther on.
     fn trial(&mut self, part: f64, missed: &Missed) -> [f64; 6] {
         let reach = 2f64.powi(self.taken as i32 / 2);
-        let on_way = self.taken % 2 == 0;
+        let on_way = self.taken.is_multiple_of(2);
         self.taken += 1;
         match self.way {
             Some(way) if on_way => std::array::from_fn(|k| (reach * part).mul_add(way[k], self.base[k])),
