@@ -97,7 +97,8 @@ impl Mixed {
     /// The strain that goes with `values`: they themselves where strain is prescribed, the rest so that `stress`
     /// meets them. First the elastic answer from a reached state is tried: a law that yields at the prescribed stress
     /// has many strains for it, and where it does not flow this one is the least. Then that nothing moves, which is the
-    /// answer of an open crack that carries nothing. Else the strain is iterated from the elastic one, and from the reached one, as far as `reach` says.
+    /// answer of an open crack that carries nothing. Else the strain is iterated from the elastic one, and from the
+    /// reached one, as far as `reach` says.
     ///
     /// # Errors
     /// The trial with the smallest miss.
