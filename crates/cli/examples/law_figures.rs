@@ -81,7 +81,15 @@ fn plane<'a>(across: Quantity, up: Quantity, curves: Vec<Curve<'a>>) -> Plane<'a
 }
 
 fn draw(title: &str, planes: Vec<Plane<'_>>) -> String {
-    Loops { title: title.into(), along: Quantity::new("", ""), time: &[], planes, tracks: vec![] }.draw()
+    Loops {
+        title: title.into(),
+        along: Quantity::new("", ""),
+        time: &[],
+        planes,
+        tracks: vec![],
+        states: None,
+    }
+    .draw()
 }
 
 fn stress(name: &str) -> Quantity {

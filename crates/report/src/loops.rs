@@ -133,7 +133,12 @@ impl Loops<'_> {
         }
         if let Some((name, strips)) = &self.states {
             top += HEADING;
-            heading(&mut svg, (LEFT, top - 9.0), name, strips.iter().map(|s| (s.name.as_str(), s.colour)));
+            heading(
+                &mut svg,
+                (LEFT, top - 9.0),
+                name,
+                strips.iter().map(|s| (s.name.as_str(), s.colour, false)),
+            );
             let axes = strips::draw(&mut svg, strips, over, (LEFT, WIDTH - RIGHT, top));
             top = axes.bottom;
             lowest = Some(axes);
