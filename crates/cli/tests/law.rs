@@ -385,6 +385,7 @@ fn list_names_every_parameter_with_its_unit_and_what_stands_for_it() {
         let line = |lines: &str, name: &str| {
             lines
                 .lines()
+                .map(str::to_owned)
                 .find(|l| l.split_whitespace().next() == Some(name))
                 .unwrap_or_else(|| panic!("{name}"))
         };
