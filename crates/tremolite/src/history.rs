@@ -5,6 +5,7 @@
 
 use crate::model::Model;
 use crate::phase::{ElementSlot, Phase};
+use crate::quantities::MEASURES;
 use crate::state::State;
 use tremolite_laws::Column;
 
@@ -16,6 +17,14 @@ pub fn columns(model: &Model, slot: &ElementSlot) -> &'static [Column] {
 /// Position of a column in the history of an element's law; none if the law has no such column.
 pub fn position(model: &Model, slot: &ElementSlot, name: &str) -> Option<usize> {
     columns(model, slot).iter().position(|c| c.name == name)
+}
+
+/// Whether any point of an element has cracked or yielded, by whatever measure its law has.
+pub fn is_damaged(model: &Model, phase: &Phase, state: &State, slot: &ElementSlot) -> bool {
+    MEASURES.iter().any(|measure| {
+        position(model, slot, measure.column)
+            .is_some_and(|at| values(model, phase, state, slot, at).any(|value| value > 0.0))
+    })
 }
 
 /// One column at all points of an element, in the order of points; `column` as [`position`] gives it.

@@ -29,7 +29,8 @@ pub const MONITOR: [Quantity; 18] = [
     q(
         "sxx",
         "Pa",
-        "normal stress along x, tension positive: of the element (one-point), or extrapolated (full)",
+        "normal stress along x, tension positive: of the element (one-point), or extrapolated from its 2×2×2 points; \
+         of the nearest of them once one has cracked or yielded",
     ),
     q("syy", "Pa", "normal stress along y"),
     q("szz", "Pa", "normal stress along z"),
@@ -180,7 +181,23 @@ pub fn mean(points: &[[f64; 6]]) -> [f64; 6] {
     sum.map(|s| s / points.len() as f64)
 }
 
-/// Stress at natural coordinates of an element: of its one point, or trilinear through its 2×2×2 points.
+/// Natural coordinates that count as equally far from two points.
+const BETWEEN: f64 = 1e-6;
+
+/// Stress at natural coordinates of an element whose material has cracked or yielded: of the nearest of its points,
+/// the mean of those that are equally near. A line through points on a limit would lead beyond it; the largest
+/// principal stress of a mean exceeds none of its parts'.
+pub fn nearest_stress(points: &[[f64; 6]], natural: [f64; 3]) -> [f64; 6] {
+    let near = |p: usize| {
+        (0..3).all(|axis| natural[axis].abs() <= BETWEEN || (p >> axis & 1 == 1) == (natural[axis] > 0.0))
+    };
+    let chosen: Vec<[f64; 6]> =
+        points.iter().enumerate().filter(|(p, _)| near(*p)).map(|(_, stress)| *stress).collect();
+    if points.len() == 8 && !chosen.is_empty() { mean(&chosen) } else { mean(points) }
+}
+
+/// Stress at natural coordinates of an element as long as it is elastic: of its one point, or trilinear through its
+/// 2×2×2 points.
 pub fn stress_at(points: &[[f64; 6]], natural: [f64; 3]) -> [f64; 6] {
     if points.len() != 8 {
         return mean(points);
@@ -208,6 +225,19 @@ pub fn length(row: &Row) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn stress_is_extrapolated_in_an_elastic_element_and_never_beyond_its_points_in_a_cracked_one() {
+        // Uniaxial along x, growing with ξ from 1 at one layer of points to 3 at the other.
+        let points: Vec<[f64; 6]> =
+            (0..8).map(|p| [if p & 1 == 1 { 3.0 } else { 1.0 }, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
+        let face = [1.0, 0.0, 0.0];
+        assert!((stress_at(&points, face)[0] - (2.0 + 3f64.sqrt())).abs() < 1e-12);
+        assert_eq!(nearest_stress(&points, face)[0], 3.0);
+        assert_eq!(nearest_stress(&points, [-0.2, 1.0, 1.0])[0], 1.0);
+        assert_eq!(nearest_stress(&points, [0.0; 3])[0], 2.0, "between the two");
+        assert_eq!(nearest_stress(&points[..1], face)[0], 1.0, "one point");
+    }
 
     #[test]
     fn an_element_has_every_flag_of_its_points_and_the_mean_of_its_measures() {

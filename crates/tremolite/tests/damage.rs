@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::damage::{damage, verdict};
-use tremolite::plan::Plan;
+use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, Ending, Outcome, run};
 use tremolite::{
@@ -16,6 +16,7 @@ use tremolite::{
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::{Isa, Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
+use tremolite_mesh::locate::Locator;
 use tremolite_mesh::vtu::Grid;
 use tremolite_results::ResultFolder;
 
@@ -79,6 +80,18 @@ fn go(
     stop_after: f64,
 ) -> (Model, Phase, Outcome) {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
+        let lining = problem.mesh.groups["hall.lining"].clone();
+        let locator = Locator::new(&problem.mesh, Some(&lining));
+        let monitor = |name: &str, point| Monitor {
+            name: name.into(),
+            point,
+            location: locator.locate(point, 1e-6).unwrap(),
+        };
+        let monitors = vec![
+            monitor("crown", [8.0, 1.5, 9.0]),
+            monitor("foot", [6.0, 1.5, 5.0]),
+            monitor("wall", [6.0, 1.5, 7.0]),
+        ];
         let plan = Plan {
             title: "hall".into(),
             duration: 0.3,
@@ -86,7 +99,7 @@ fn go(
             snapshots: Some(0.1),
             fields: Field::ALL.to_vec(),
             checkpoint: None,
-            monitors: Vec::new(),
+            monitors,
             relatives: Vec::new(),
         };
         let model = Model::new(problem).unwrap();
@@ -157,6 +170,27 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     let size = grid.cell_array("crack_size").unwrap();
     assert_eq!(size.unit, "m");
     assert_eq!(grid.cell_data.iter().filter(|a| a.name == "d_tension").count(), 1);
+}
+
+#[test]
+fn monitors_of_cracked_elements_show_no_more_than_their_points_carried() {
+    let folder = tempfile::tempdir().unwrap();
+    let (model, phase, outcome) = go(hall(), folder.path(), 2, false, f64::INFINITY);
+    let table = tremolite_results::Table::read(&folder.path().join("monitors.csv")).unwrap();
+    let locator = Locator::new(&model.mesh, Some(&model.mesh.groups["hall.lining"]));
+    let mut judged = 0;
+    for (name, point) in [("crown", [8.0, 1.5, 9.0]), ("foot", [6.0, 1.5, 5.0]), ("wall", [6.0, 1.5, 7.0])] {
+        let element = locator.locate(point, 1e-6).unwrap().element as usize;
+        let slot = phase.element_slot[element].unwrap().element as usize;
+        let cracked = outcome.state.observers["first d_tension"][slot];
+        let most = outcome.state.observers["s1_max"][slot];
+        let rows = table.column("time").unwrap().iter().zip(table.column(&format!("{name}.s1")).unwrap());
+        for (t, s1) in rows.filter(|(t, _)| **t >= cracked) {
+            judged += 1;
+            assert!(*s1 <= most + 1e-6 * most.abs(), "{name} at {t} s: {s1:e} of {most:e}");
+        }
+    }
+    assert!(judged > 20, "monitors crack: {judged} rows");
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! monitors.csv: histories of points, and of pairs of them.
 
 use super::{Observer, Schedule, View};
+use crate::history;
 use crate::model::Model;
-use crate::phase::Phase;
 use crate::plan::{Monitor, Plan};
-use crate::quantities::{MONITOR, RELATIVE, stress_at};
+use crate::quantities::{MONITOR, RELATIVE, nearest_stress, stress_at};
 use crate::run::RunError;
 use crate::state::State;
 use std::path::Path;
@@ -64,7 +64,8 @@ fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f64; 3] {
 }
 
 /// Stress at a monitor \[Pa\].
-fn stress(phase: &Phase, model: &Model, monitor: &Monitor, points: &[[f64; 6]]) -> [f64; 6] {
+fn stress(view: &View, state: &State, monitor: &Monitor) -> [f64; 6] {
+    let View { model, phase, snapshot, .. } = *view;
     let element = monitor.location.element as usize;
     // The natural coordinates of other shapes are not those of the collapsed hexahedron.
     let natural = match model.mesh.elements[element].shape {
@@ -73,7 +74,12 @@ fn stress(phase: &Phase, model: &Model, monitor: &Monitor, points: &[[f64; 6]]) 
     };
     phase.element_slot[element].map_or([f64::NAN; 6], |slot| {
         let first = slot.point as usize;
-        stress_at(&points[first..first + slot.points as usize], natural)
+        let points = &snapshot.stress[first..first + slot.points as usize];
+        if history::is_damaged(model, phase, state, &slot) {
+            nearest_stress(points, natural)
+        } else {
+            stress_at(points, natural)
+        }
     })
 }
 
@@ -83,7 +89,7 @@ impl Observer for Histories {
     }
 
     fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
-        let View { model, phase, plan, snapshot } = *view;
+        let View { model, plan, snapshot, .. } = *view;
         let mut row = vec![state.time()];
         let mut displacements = Vec::with_capacity(plan.monitors.len());
         for monitor in &plan.monitors {
@@ -92,7 +98,7 @@ impl Observer for Histories {
             row.extend(u);
             row.extend(interpolate(model, monitor, &snapshot.velocity));
             row.extend(interpolate(model, monitor, &snapshot.acceleration));
-            let stress = stress(phase, model, monitor, &snapshot.stress);
+            let stress = stress(view, state, monitor);
             row.extend(stress);
             row.extend(principal_values(&stress));
         }
