@@ -1,7 +1,7 @@
 //! The seam for material laws.
 
 use crate::lane::Lane;
-use crate::parameter::{BadParameter, Column, LawInfo, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Derived, LawInfo, Parameter, Values};
 
 /// A symmetric tensor: xx, yy, zz, xy, yz, zx. Strains carry engineering shear.
 pub type Sym<L> = [L; 6];
@@ -206,6 +206,12 @@ pub trait Material: Send + Sync + Sized + 'static {
     /// for a law without cracks.
     fn crack_energy(&self, _extent: f64) -> Option<f64> {
         None
+    }
+
+    /// The constants that the law works with beside its parameters, for people to check; `extents` \[m\] are the
+    /// shortest and the longest of the elements.
+    fn derived(&self, _extents: [f64; 2]) -> Vec<Derived> {
+        Vec::new()
     }
 
     /// What is unusual about the parameters though the law accepts them, a sentence each.

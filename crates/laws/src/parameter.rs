@@ -148,6 +148,31 @@ impl Values {
     }
 }
 
+/// A constant that a law works with and that its parameters do not show: derived from them, or chosen by a rule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Derived {
+    /// That of the parameter whose place it takes, where there is one.
+    pub name: &'static str,
+    /// Smallest and largest value in SI over the extents asked for; equal where the element's size is without effect.
+    pub range: [f64; 2],
+    /// SI unit as in [`Column`]; `1` for a pure number.
+    pub unit: &'static str,
+    /// Meaning, with the symbol of NOTATION.md.
+    pub doc: &'static str,
+}
+
+impl Derived {
+    /// A constant of one value.
+    pub const fn new(name: &'static str, value: f64, unit: &'static str, doc: &'static str) -> Self {
+        Derived { name, range: [value; 2], unit, doc }
+    }
+
+    /// A constant that goes by the element's extent: its values at two of them, in either order.
+    pub fn between(name: &'static str, [a, b]: [f64; 2], unit: &'static str, doc: &'static str) -> Self {
+        Derived { name, range: [a.min(b), a.max(b)], unit, doc }
+    }
+}
+
 /// A parameter's value that a law refuses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BadParameter {

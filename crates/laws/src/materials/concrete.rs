@@ -34,6 +34,7 @@
 //! 0.3 f_c and cracks under pressure alone near 0.5 f_c; driven by stress 9 to 24 % above.
 
 mod damping;
+mod derived;
 mod energy;
 mod faults;
 mod grade;
@@ -48,7 +49,7 @@ pub use rate::{Power, Rate};
 
 use crate::lane::Lane;
 use crate::material::{Material, Moduli, Point, Sym};
-use crate::parameter::{BadParameter, Column, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Derived, Parameter, Values};
 use crate::sym3::Spectrum;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -232,6 +233,10 @@ impl Material for Concrete {
 
     fn crack_energy(&self, extent: f64) -> Option<f64> {
         Some(self.fracture_energy(extent))
+    }
+
+    fn derived(&self, extents: [f64; 2]) -> Vec<Derived> {
+        self.constants(extents)
     }
 
     fn warnings(&self) -> Vec<String> {

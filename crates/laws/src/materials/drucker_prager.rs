@@ -26,7 +26,7 @@ use super::plastic::parameters::{DILATION_ANGLE, Reading, number};
 use super::plastic::{COLUMNS, Elasticity, SHEAR, STATE, TENSION, mean_and_radius, state, unyielding};
 use crate::lane::Lane;
 use crate::material::{Material, Moduli, Point, Sym, complementary_energy};
-use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Derived, Dimension, Kind, Need, Parameter, Values};
 
 /// The law for one rock; see the [module](self).
 #[derive(Clone, Copy, Debug)]
@@ -195,6 +195,29 @@ impl Material for DruckerPrager {
 
     fn moduli(&self) -> Moduli {
         self.elasticity.moduli()
+    }
+
+    fn derived(&self, _: [f64; 2]) -> Vec<Derived> {
+        let mut all = vec![
+            Derived::new("q_phi", self.q_phi, "1", "q_φ, slope of √J₂ over the mean"),
+            Derived::new("k_phi", self.k_phi, "Pa", "k_φ, √J₂ at no mean stress"),
+            Derived::new("q_psi", self.q_psi, "1", "q_ψ of the flow"),
+        ];
+        if self.q_phi > 0.0 {
+            all.push(Derived::new(
+                "apex",
+                self.k_phi / self.q_phi,
+                "Pa",
+                "k_φ/q_φ, mean tension that the cone allows",
+            ));
+        }
+        all.push(Derived::new(
+            "tensile_strength",
+            self.ft,
+            "Pa",
+            "f_t in use, limit of the mean, not beyond the apex",
+        ));
+        all
     }
 
     fn warnings(&self) -> Vec<String> {

@@ -30,7 +30,7 @@ use super::plastic::tension::{CutOff, Returned};
 use super::plastic::{COLUMNS, Elasticity, blur, mean_and_radius, unyielding};
 use crate::lane::Lane;
 use crate::material::{Material, Moduli, Point, Sym, complementary_energy};
-use crate::parameter::{BadParameter, Column, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Derived, Parameter, Values};
 use crate::sym3::Spectrum;
 use envelope::Envelope;
 
@@ -104,6 +104,28 @@ impl Material for HoekBrown {
 
     fn moduli(&self) -> Moduli {
         self.elasticity.moduli()
+    }
+
+    fn derived(&self, _: [f64; 2]) -> Vec<Derived> {
+        let [mb, s, a] = self.constants();
+        vec![
+            Derived::new("m_b", mb, "1", "m_i exp[(GSI − 100)/(28 − 14D)]"),
+            Derived::new("s", s, "1", "exp[(GSI − 100)/(9 − 3D)]"),
+            Derived::new("a", a, "1", "½ + (e^(−GSI/15) − e^(−20/3))/6"),
+            Derived::new(
+                "compressive_strength",
+                self.envelope.uniaxial(),
+                "Pa",
+                "σ_ci s^a, of the rock mass",
+            ),
+            Derived::new(
+                "apex",
+                self.envelope.apex(),
+                "Pa",
+                "s σ_ci/m_b, all-round tension that the envelope allows",
+            ),
+            Derived::new("tensile_strength", self.cut_off[0], "Pa", "f_t in use, not beyond the apex"),
+        ]
     }
 
     fn warnings(&self) -> Vec<String> {

@@ -34,7 +34,7 @@ use super::plastic::tension::CutOff;
 use super::plastic::{COLUMNS, Elasticity, Memory, SHEAR, TENSION, blur, mean_and_radius, unyielding};
 use crate::lane::Lane;
 use crate::material::{Material, Moduli, Point, Sym, complementary_energy};
-use crate::parameter::{BadParameter, Column, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Derived, Parameter, Values};
 use crate::sym3::Spectrum;
 use softening::Softening;
 
@@ -130,6 +130,25 @@ impl Material for MohrCoulomb {
 
     fn moduli(&self) -> Moduli {
         self.elasticity.moduli()
+    }
+
+    fn derived(&self, _: [f64; 2]) -> Vec<Derived> {
+        let peak = &self.peak;
+        let mut all = vec![
+            Derived::new(
+                "compressive_strength",
+                peak.fc,
+                "Pa",
+                "2c cos φ/(1 − sin φ), uniaxial, at the peak",
+            ),
+            Derived::new("slope", peak.slope, "1", "k = (1 + sin φ)/(1 − sin φ)"),
+        ];
+        if peak.slope > 1.0 {
+            let doc = "c/tan φ, all-round tension that the envelope allows";
+            all.push(Derived::new("apex", peak.fc / (peak.slope - 1.0), "Pa", doc));
+        }
+        all.push(Derived::new("tensile_strength", peak.ft, "Pa", "f_t in use, not beyond the apex"));
+        all
     }
 
     fn warnings(&self) -> Vec<String> {
