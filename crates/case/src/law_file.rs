@@ -132,5 +132,7 @@ impl Checker<'_> {
 /// The name of the first material, where all there is are materials with names as in a case.
 fn lone_name<'a>(table: &'a DeTable<'_>) -> Option<&'a str> {
     let named = !table.is_empty() && table.iter().all(|(_, value)| value.get_ref().is_table());
-    named.then(|| table.iter().next().map(|(key, _)| key.get_ref().as_ref())).flatten()
+    // The table lists names in alphabetical order; the message points at the first in the file.
+    let first = table.iter().map(|(key, _)| key).min_by_key(|key| key.span().start);
+    first.filter(|_| named).map(|key| key.get_ref().as_ref())
 }

@@ -27,6 +27,9 @@ pub(crate) fn key<'a>(name: &str, here: impl Iterator<Item = &'a str> + Clone) -
     let keys: Vec<&str> = here.collect();
     let list = format!("keys here: {}", keys.join(", "));
     match owner(&CASE, name) {
+        Some(table) if table.path.is_empty() => {
+            format!("`{name}` belongs above all tables, at the top of the file; {list}")
+        }
         Some(table) => format!("`{name}` belongs to [{}]; {list}", table.path),
         None => list,
     }

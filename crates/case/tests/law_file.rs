@@ -59,6 +59,7 @@ fn each_mistake_is_reported_at_its_line_with_a_way_out() {
         (change("concrete-damage", "concret-damage"), 3, "cannot be \"concret-damage\"", "\"concrete-damage\""),
         (change("unit_weight", "density = 1\nunit_weight"), 7, "cannot stand beside `density`", "exactly one"),
         (change("[material]", "[material.lining]"), 2, "without a name", "instead of [material.lining]"),
+        (format!("{}\n[material.a]\nlaw = \"elastic\"", change("[material]", "[material.lining]")), 2, "without a name", "instead of [material.lining]"),
         (format!("size = -1{CONCRETE}"), 1, "must be above 0", "above 0"),
         (format!("size = 1{CONCRETE}size = 1"), 10, "given twice", "keep one"),
         (format!("title = 1{CONCRETE}"), 1, "`title` is no key of `law file`", "keys here: size"),
