@@ -31,7 +31,7 @@ pub struct Cut {
 }
 
 /// Names under which a file may keep the number of each element's group.
-const GROUPS: [&str; 3] = ["group", "region", "material"];
+const GROUPS: [&str; 4] = ["body", "group", "region", "material"];
 
 impl Cut {
     /// Cuts the field file `path` at `y` (m), or through the middle of the model.

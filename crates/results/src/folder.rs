@@ -8,8 +8,8 @@ use crate::Error;
 
 /// Files and folders that only a run leaves behind. `case.toml` is not among them: a user may
 /// well keep the case in the folder that is to hold its results.
-const MARKS: [&str; 6] =
-    ["log.txt", "summary.json", "monitors.csv", "energy.csv", "fields.pvd", "checkpoint"];
+const MARKS: [&str; 7] =
+    ["log.txt", "summary.json", "monitors.csv", "energy.csv", "damage.csv", "fields.pvd", "checkpoint"];
 
 /// The folder that holds the results of one run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -115,7 +115,15 @@ impl ResultFolder {
 
     /// Removes what a run writes. Other files in the folder stay.
     fn clear(&self) -> Result<(), Error> {
-        for file in [self.log(), self.summary(), self.monitors(), self.energy(), self.pvd(), self.report()] {
+        for file in [
+            self.log(),
+            self.summary(),
+            self.monitors(),
+            self.energy(),
+            self.damage(),
+            self.pvd(),
+            self.report(),
+        ] {
             remove(&file, |path| fs::remove_file(path))?;
         }
         remove(&self.checkpoint(), |path| fs::remove_dir_all(path))?;
@@ -151,6 +159,11 @@ impl ResultFolder {
     /// `energy.csv`, the energy balance over time.
     pub fn energy(&self) -> PathBuf {
         self.root.join("energy.csv")
+    }
+
+    /// `damage.csv`, damage over time; only of runs whose laws can be damaged.
+    pub fn damage(&self) -> PathBuf {
+        self.root.join("damage.csv")
     }
 
     /// `fields.pvd`, the times of the field files; ParaView opens this one.

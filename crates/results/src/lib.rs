@@ -6,7 +6,7 @@
 //! | file | module | content |
 //! |---|---|---|
 //! | `summary.json` | [`summary`] | verdict, facts of the model, peaks, trust lines |
-//! | `monitors.csv`, `energy.csv` | [`table`] | histories; headers are `name [unit]` |
+//! | `monitors.csv`, `energy.csv`, `damage.csv` | [`table`] | histories; headers are `name [unit]` |
 //! | `fields.pvd` | [`pvd`] | the times of the field files in `fields/` |
 //! | `fields/*.vtu` | [`cut`] | cuts through them; `tremolite_mesh::vtu` reads and writes the files themselves |
 //!
@@ -14,8 +14,10 @@
 //! whole, so a reader sees the old one or the new one, never half of one.
 
 pub mod cut;
+pub mod damage;
 pub mod error;
 pub mod folder;
+pub mod materials;
 pub mod number;
 pub mod peaks;
 pub mod pvd;
@@ -24,13 +26,12 @@ pub mod table;
 pub mod table_writer;
 
 pub use cut::{Cut, CutCell};
+pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;
 pub use folder::{ResultFolder, replace_file};
+pub use materials::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
 pub use peaks::{Peaks, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};
-pub use summary::{
-    Bound, Damaged, Defaulted, GroupDamage, ModelFacts, MotionFacts, Onset, RunFacts, Status, Summary,
-    TrustLine,
-};
+pub use summary::{Bound, Defaulted, ModelFacts, MotionFacts, RunFacts, Status, Summary, TrustLine};
 pub use table::{Column, Table};
 pub use table_writer::TableWriter;

@@ -6,7 +6,7 @@ use std::path::Path;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, Peaks, number, replace_file};
+use crate::{Error, Finding, GroupDamage, MaterialFacts, Peaks, number, replace_file};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -32,8 +32,12 @@ pub struct Summary {
     pub title: String,
     /// How the run ended.
     pub status: Status,
-    /// The outcome in a sentence or two, for people.
+    /// The outcome in a few sentences, for people: that of the run, then that of each structure.
     pub verdict: String,
+    /// How the run went: the first part of the verdict.
+    pub outcome: String,
+    /// What became of each structure: the second part.
+    pub findings: Vec<Finding>,
     /// Wall-clock time of the whole run (s), resumed parts included.
     #[serde(with = "number", default = "number::absent")]
     pub wall_seconds: f64,
@@ -42,6 +46,8 @@ pub struct Summary {
     pub element_updates_per_second: f64,
     /// The model's size and time step.
     pub model: ModelFacts,
+    /// Material, by its name in the case → what it is and what is made of it.
+    pub materials: IndexMap<String, MaterialFacts>,
     /// The motion that went in.
     pub motion: MotionFacts,
     /// Program and machine.
@@ -102,44 +108,6 @@ pub struct MotionFacts {
     pub source: IndexMap<String, String>,
 }
 
-/// How far the elements of a group are damaged at the end of a run.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct GroupDamage {
-    /// Volume of the group's elements (m³).
-    #[serde(with = "number", default = "number::absent")]
-    pub volume: f64,
-    /// Measure of damage, by the name of its field (`d_tension`, `plastic_shear_strain`) → what was found.
-    pub measures: IndexMap<String, Damaged>,
-}
-
-/// One measure of damage in a group of elements.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Damaged {
-    /// Threshold as one writes it (`0.5`) → volume in which the measure is above it (m³).
-    #[serde(deserialize_with = "number::deserialize_map")]
-    pub beyond: IndexMap<String, f64>,
-    /// Largest value in the group.
-    #[serde(with = "number", default = "number::absent")]
-    pub largest: f64,
-    /// Where it first rose above zero; none if it never did.
-    pub first: Option<Onset>,
-}
-
-/// Where and when something began.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Onset {
-    /// First time seen (s).
-    #[serde(with = "number", default = "number::absent")]
-    pub time: f64,
-    /// The element, by its number in the mesh.
-    pub element: u64,
-    /// Its centre (m).
-    pub at: [f64; 3],
-}
-
 /// The program and the machine.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -189,6 +157,8 @@ pub struct TrustLine {
     pub unit: String,
     /// What it means or where it was found, in words; may be empty.
     pub note: String,
+    /// Whether there was nothing to measure, as the note says; the line then neither passes nor warns.
+    pub not_applicable: bool,
 }
 
 impl TrustLine {
@@ -208,8 +178,23 @@ impl TrustLine {
         self
     }
 
+    /// A line that cannot be judged, with the reason. Its `pass` is true, so that no reader takes it for a warning.
+    pub fn not_applicable(name: &str, why: impl Into<String>) -> Self {
+        let line = Self::line(name, f64::NAN, f64::NAN, "", Bound::AtMost, true).with_note(why);
+        TrustLine { not_applicable: true, ..line }
+    }
+
     fn line(name: &str, value: f64, limit: f64, unit: &str, bound: Bound, pass: bool) -> Self {
-        TrustLine { name: name.into(), value, limit, bound, pass, unit: unit.into(), note: String::new() }
+        TrustLine {
+            name: name.into(),
+            value,
+            limit,
+            bound,
+            pass,
+            unit: unit.into(),
+            note: String::new(),
+            not_applicable: false,
+        }
     }
 }
 
@@ -250,6 +235,11 @@ impl Summary {
         let text = fs::read(path).map_err(Error::io(path, "read this file"))?;
         serde_json::from_slice(&text)
             .map_err(|e| Error::format(path, Some(e.line()), format!("not a summary of a run: {e}")))
+    }
+
+    /// Lines of the trust report that were judged.
+    pub fn judged(&self) -> usize {
+        self.trust.iter().filter(|line| !line.not_applicable).count()
     }
 
     /// Lines of the trust report that did not pass.

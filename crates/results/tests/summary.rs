@@ -3,7 +3,8 @@
 use std::fs;
 
 use tremolite_results::{
-    Damaged, Defaulted, Error, GroupDamage, Onset, Peaks, Status, Summary, Table, TrustLine, peaks_by_monitor,
+    Cracks, Damaged, Defaulted, Error, Finding, GroupDamage, MaterialFacts, MaterialValue, Onset, Origin,
+    Peaks, Severity, Status, Summary, Table, TrustLine, peaks_by_monitor,
 };
 
 fn summary() -> Summary {
@@ -28,7 +29,27 @@ fn summary() -> Summary {
         largest: 0.95,
         first: Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.0, -3.0] }),
     };
-    let lining = GroupDamage { volume: 10.0, measures: [("d_tension".to_owned(), tension)].into() };
+    let widest = Some(Onset { time: 5.0, element: 7, at: [0.0; 3] });
+    let cracks = Some(Cracks { opening: 1e-4, widest, stacks: 8, through: 0, through_at: None });
+    let lining = GroupDamage { volume: 10.0, measures: [("d_tension".to_owned(), tension)].into(), cracks };
+    let finding = Finding {
+        group: "hall.lining".into(),
+        severity: Severity::Damaged,
+        headline: "cracked".into(),
+        text: String::new(),
+    };
+    summary.findings.push(finding);
+    let young = MaterialValue {
+        name: "young".into(),
+        value: 1e10,
+        most: 1e10,
+        unit: "Pa".into(),
+        origin: Origin::Given,
+        ..MaterialValue::default()
+    };
+    let word = MaterialValue { name: "rate".into(), word: "ceb".into(), ..young.clone() };
+    let rock = MaterialFacts { law: "elastic".into(), values: vec![young, word], ..MaterialFacts::default() };
+    summary.materials.insert("rock".into(), rock);
     summary.damage.insert("hall.lining".into(), lining);
     summary.energy.insert("kinetic".into(), 0.5);
     summary.energy.insert("error".into(), f64::NAN);
@@ -47,13 +68,13 @@ fn the_json_is_what_the_contract_says() {
     let line = serde_json::to_string(&summary().trust[1]).unwrap();
     assert_eq!(
         line,
-        r#"{"name":"elements per shortest wavelength","value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":""}"#
+        r#"{"name":"elements per shortest wavelength","value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":"","not_applicable":false}"#
     );
     let defaulted = serde_json::to_string(&summary().defaulted).unwrap();
     assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);
     assert_eq!(
         serde_json::to_string(&summary().damage).unwrap(),
-        r#"{"hall.lining":{"volume":10.0,"measures":{"d_tension":{"beyond":{"0.1":2.5,"0.9":1.0},"largest":0.95,"first":{"time":4.25,"element":4711,"at":[1.0,2.0,-3.0]}}}}}"#
+        r#"{"hall.lining":{"volume":10.0,"measures":{"d_tension":{"beyond":{"0.1":2.5,"0.9":1.0},"largest":0.95,"first":{"time":4.25,"element":4711,"at":[1.0,2.0,-3.0]}}},"cracks":{"opening":0.0001,"widest":{"time":5.0,"element":7,"at":[0.0,0.0,0.0]},"stacks":8,"through":0,"through_at":null}}}"#
     );
     let monitors = serde_json::to_string(&summary().monitors).unwrap();
     assert!(monitors.starts_with(r#"{"B":"#), "the order of the case is kept: {monitors}");
@@ -99,6 +120,13 @@ fn summaries_of_other_versions_are_read_and_damaged_ones_refused_with_the_line()
             other => panic!("{damaged} gave {other:?}"),
         }
     }
+}
+
+#[test]
+fn a_line_that_cannot_be_judged_is_no_warning_and_does_not_count() {
+    let line = TrustLine::not_applicable("free field", "the rock yields");
+    let summary = Summary { trust: vec![line, TrustLine::at_most("a", 2.0, 1.0, "")], ..Summary::default() };
+    assert_eq!((summary.judged(), summary.warnings()), (1, 1));
 }
 
 #[test]

@@ -2,23 +2,25 @@
 
 use crate::history;
 use crate::model::{Model, centroid, hex};
-use crate::observers::onset_memory;
+use crate::observers::{Cracks as Watch, onset_memory};
 use crate::phase::Phase;
 use crate::quantities::{MEASURES, Measure};
+use crate::stacks::{Stack, stacks};
 use crate::state::State;
 use indexmap::IndexMap;
-use tremolite_results::{Damaged, GroupDamage, Onset};
+use tremolite_results::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 
 /// Elements with a name.
-struct Group<'a> {
-    name: &'a str,
-    elements: &'a [u32],
+pub(crate) struct Group<'a> {
+    pub name: &'a str,
+    pub elements: &'a [u32],
     /// Whether it is no part of another group of the same body.
-    whole: bool,
+    pub whole: bool,
 }
 
-/// Groups of the mesh that lie in one body each, and bodies that are no such group, where the law has a measure.
-fn groups(model: &Model) -> Vec<Group<'_>> {
+/// Groups of the mesh that lie in one body each, and bodies that such groups do not make up, where the law has a
+/// measure.
+pub(crate) fn groups(model: &Model) -> Vec<Group<'_>> {
     let mut all = Vec::new();
     for body in model.user_bodies() {
         let columns = body.material.info().history;
@@ -35,7 +37,9 @@ fn groups(model: &Model) -> Vec<Group<'_>> {
             .filter(|(_, elements)| within(elements))
             .map(|(name, elements)| (name.as_str(), elements.as_slice()))
             .collect();
-        if !own.iter().any(|(_, elements)| elements.len() == body.elements.len()) {
+        let mut named = vec![false; model.mesh.elements.len()];
+        own.iter().flat_map(|(_, elements)| *elements).for_each(|&e| named[e as usize] = true);
+        if !body.elements.iter().all(|&e| named[e as usize]) {
             all.push(Group { name: &body.name, elements: &body.elements, whole: own.is_empty() });
         }
         // A group is whole unless a larger one (or, of two equal ones, the first) holds all of it.
@@ -60,7 +64,8 @@ pub fn damage(model: &Model, phase: &Phase, state: &State) -> IndexMap<String, G
 }
 
 fn of_group(model: &Model, phase: &Phase, state: &State, group: &Group) -> GroupDamage {
-    let mut result = GroupDamage { volume: 0.0, measures: IndexMap::new() };
+    let cracks = cracks(model, phase, state, group);
+    let mut result = GroupDamage { volume: 0.0, measures: IndexMap::new(), cracks };
     for &element in group.elements {
         let (Some(slot), Ok(hex)) =
             (phase.element_slot[element as usize], hex(&model.mesh, element as usize))
@@ -94,54 +99,110 @@ fn of_group(model: &Model, phase: &Phase, state: &State, group: &Group) -> Group
 
 fn nothing(measure: &Measure) -> Damaged {
     Damaged {
-        beyond: measure.thresholds.iter().map(|t| (t.to_string(), 0.0)).collect(),
+        beyond: measure.thresholds.iter().map(|t| (threshold(*t), 0.0)).collect(),
         largest: 0.0,
         first: None,
     }
 }
 
-/// A sentence for each body or part of it with a name of its own: does it survive?
-pub fn verdict(model: &Model, damage: &IndexMap<String, GroupDamage>) -> String {
-    let mut text = String::new();
-    for group in groups(model).iter().filter(|g| g.whole) {
-        let Some(found) = damage.get(group.name) else { continue };
-        let mut shares = Vec::new();
-        for measure in &MEASURES {
-            let Some(damaged) = found.measures.get(measure.column).filter(|d| d.largest > 0.0) else {
-                continue;
-            };
-            // What has cracked is what matters; the mean of the directions repeats it.
-            if measure.column == "d_b_max" {
-                continue;
-            }
-            let share = |t: &str| percent(damaged.beyond.get(t).copied().unwrap_or(0.0) / found.volume);
-            shares.push(match measure.thresholds {
-                [only] => format!("{} in {} of its volume", measure.words, share(&only.to_string())),
-                _ => format!(
-                    "{} beyond 0.5 in {} of its volume, beyond 0.9 in {}",
-                    measure.words,
-                    share("0.5"),
-                    share("0.9")
-                ),
-            });
+/// A threshold as one writes it: 0.5, 1e-6.
+fn threshold(x: f64) -> String {
+    if x.abs() < 1e-3 { format!("{x:e}") } else { x.to_string() }
+}
+
+/// Damage in tension beyond which a crack is open for good.
+const OPEN: f64 = 0.9;
+
+/// How wide cracks were, and whether they run through; nothing where the law knows none.
+fn cracks(model: &Model, phase: &Phase, state: &State, group: &Group) -> Option<Cracks> {
+    let (widest, when) = (state.observers.get(Watch::OPENING)?, state.observers.get(Watch::TIME)?);
+    let slot = |e: u32| phase.element_slot[e as usize];
+    let place = |e: u32| Place { element: model.mesh.element_id(e as usize), at: centroid(&model.mesh, e) };
+    let own = group.elements.iter().filter_map(|&e| Some((e, slot(e)?.element as usize)));
+    let (element, at) = own.max_by(|a, b| widest[a.1].total_cmp(&widest[b.1]))?;
+    slot(element).and_then(|s| history::position(model, &s, "crack_size"))?;
+    // Through an element if both points of a pair along the axis are open, of four pairs, or its one point.
+    let open = |&(e, axis): &(u32, usize)| {
+        let Some(slot) = slot(e) else { return false };
+        let Some(column) = history::position(model, &slot, "d_tension") else { return false };
+        let open: Vec<bool> =
+            history::values(model, phase, state, &slot, column).map(|damage| damage > OPEN).collect();
+        if open.len() == 8 { (0..8).any(|p| open[p] && open[p ^ 1 << axis]) } else { open.iter().all(|o| *o) }
+    };
+    let stacks = stacks(&model.mesh, group.elements);
+    let through: Vec<&Stack> = stacks.iter().filter(|stack| stack.iter().all(open)).collect();
+    let Place { element, at: centre } = place(element);
+    Some(Cracks {
+        opening: widest[at],
+        widest: (widest[at] > 0.0).then_some(Onset { time: when[at], element, at: centre }),
+        stacks: stacks.len() as u64,
+        through: through.len() as u64,
+        through_at: through.first().map(|stack| place(stack[0].0)),
+    })
+}
+
+/// What became of each group that is no part of another: does it survive?
+pub fn findings(model: &Model, damage: &IndexMap<String, GroupDamage>) -> Vec<Finding> {
+    let whole = groups(model).into_iter().filter(|g| g.whole);
+    whole.filter_map(|group| Some(finding(group.name, damage.get(group.name)?))).collect()
+}
+
+fn finding(group: &str, found: &GroupDamage) -> Finding {
+    let share = |measure: &Measure| {
+        let damaged = found.measures.get(measure.column)?;
+        Some(damaged.beyond.get(&threshold(measure.counts)).copied().unwrap_or(0.0) / found.volume)
+    };
+    // The mean of the directions repeats what cracks and crushing say.
+    let told = MEASURES.iter().filter(|m| m.column != "d_b_max");
+    let shares: Vec<String> = told
+        .filter_map(|m| Some((m, share(m).filter(|share| *share > 0.0)?)))
+        .map(|(m, share)| format!("{} in {} of its volume", m.words, percent(share)))
+        .collect();
+    let first = MEASURES
+        .iter()
+        .filter_map(|m| Some((m, found.measures.get(m.column)?.first?)))
+        .min_by(|a, b| a.1.time.total_cmp(&b.1.time));
+    let Some((measure, onset)) = first else {
+        let headline = "undamaged".to_owned();
+        return Finding { group: group.into(), severity: Severity::Undamaged, headline, text: String::new() };
+    };
+    let mut headline = if shares.is_empty() { "hardly damaged".to_owned() } else { shares.join(", ") };
+    let mut severity = Severity::Damaged;
+    let mut sentences = Vec::new();
+    let at = |[x, y, z]: [f64; 3]| format!("({x:.1}, {y:.1}, {z:.1}) m");
+    if let Some(cracks) = &found.cracks
+        && let Some(widest) = cracks.widest
+    {
+        if let Some(place) = cracks.through_at {
+            severity = Severity::Through;
+            headline += &format!(", through the thickness at {} of {} places", cracks.through, cracks.stacks);
+            sentences.push(format!("One such place is element {} at {}.", place.element, at(place.at)));
+        } else if cracks.stacks > 0 {
+            sentences.push("No crack runs through the thickness.".to_owned());
         }
-        let first = MEASURES
-            .iter()
-            .filter_map(|m| Some((m, found.measures.get(m.column)?.first?)))
-            .min_by(|a, b| a.1.time.total_cmp(&b.1.time));
-        match first {
-            Some((measure, Onset { time, element, at: [x, y, z] })) => {
-                text += &format!(
-                    " {}: {}; first {} at {time:.2} s in element {element} at ({x:.1}, {y:.1}, {z:.1}) m.",
-                    group.name,
-                    shares.join("; "),
-                    measure.words
-                );
-            }
-            None => text += &format!(" {}: undamaged.", group.name),
+        if cracks.is_loose() {
+            sentences.push(format!(
+                "Cracks open beyond {:.0} mm: pieces have come loose, which this model does not follow.",
+                1e3 * Cracks::LOOSE
+            ));
+        } else {
+            sentences.push(format!(
+                "Widest crack {:.2} mm, at {:.2} s in element {} at {}.",
+                1e3 * cracks.opening,
+                widest.time,
+                widest.element,
+                at(widest.at)
+            ));
         }
     }
-    text
+    sentences.push(format!(
+        "First {} at {:.2} s in element {} at {}.",
+        measure.words,
+        onset.time,
+        onset.element,
+        at(onset.at)
+    ));
+    Finding { group: group.into(), severity, headline, text: sentences.join(" ") }
 }
 
 /// A share of a volume; small ones do not become zero.

@@ -23,7 +23,7 @@ pub fn position(model: &Model, slot: &ElementSlot, name: &str) -> Option<usize> 
 pub fn is_damaged(model: &Model, phase: &Phase, state: &State, slot: &ElementSlot) -> bool {
     MEASURES.iter().any(|measure| {
         position(model, slot, measure.column)
-            .is_some_and(|at| values(model, phase, state, slot, at).any(|value| value > 0.0))
+            .is_some_and(|at| values(model, phase, state, slot, at).any(|value| value > measure.onset))
     })
 }
 

@@ -21,6 +21,7 @@ pub mod problem;
 pub mod quantities;
 pub mod run;
 pub mod setup;
+pub mod stacks;
 pub mod state;
 pub mod summary;
 pub mod survey;

@@ -4,6 +4,7 @@ use crate::parts::solid::{Full, OnePoint, Solid};
 use crate::parts::{Part, Quadrature};
 use std::sync::Arc;
 use tremolite_laws::band::Band;
+use tremolite_laws::parameter::Derived;
 use tremolite_laws::shapes::hex8::Hex8;
 use tremolite_laws::{BadParameter, Isa, LawInfo, Material, Moduli, Values};
 
@@ -20,6 +21,12 @@ pub trait AnyMaterial: Send + Sync {
     fn size_limit(&self) -> f64;
     /// See [`Material::crack_energy`].
     fn crack_energy(&self, extent: f64) -> Option<f64>;
+    /// See [`Material::derived`]; of a law with damping over a band also its relaxed modulus.
+    fn derived(&self, extents: [f64; 2]) -> Vec<Derived>;
+    /// The Maxwell bodies beside the law, if there are any.
+    fn band(&self) -> Option<Band> {
+        None
+    }
     /// See [`Material::warnings`].
     fn warnings(&self) -> Vec<String>;
     /// A patch of hexahedra of this material; `corners` index `nodes`, which are the patch's.
@@ -51,6 +58,10 @@ impl<M: Material> AnyMaterial for Instance<M> {
 
     fn crack_energy(&self, extent: f64) -> Option<f64> {
         self.0.crack_energy(extent)
+    }
+
+    fn derived(&self, extents: [f64; 2]) -> Vec<Derived> {
+        self.0.derived(extents)
     }
 
     fn warnings(&self) -> Vec<String> {
@@ -93,6 +104,18 @@ impl<M: Material> AnyMaterial for Banded<M> {
 
     fn crack_energy(&self, extent: f64) -> Option<f64> {
         self.law.crack_energy(extent)
+    }
+
+    fn derived(&self, extents: [f64; 2]) -> Vec<Derived> {
+        let relaxed = self.law.moduli().young();
+        let doc = "E of the law beside the Maxwell bodies, for slow loading: thresholds f_t/E and limits of size go by it";
+        let mut all = vec![Derived::new("relaxed_young", relaxed, "Pa", doc)];
+        all.extend(self.law.derived(extents));
+        all
+    }
+
+    fn band(&self) -> Option<Band> {
+        Some(self.band)
     }
 
     fn warnings(&self) -> Vec<String> {

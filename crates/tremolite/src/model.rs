@@ -201,12 +201,16 @@ impl Model {
         &self.bodies[..count]
     }
 
-    /// Name of the body an element belongs to, and its number in the user's file.
+    /// An element by its number in the user's file, and the smallest group that holds it.
     pub fn element_name(&self, element: usize) -> String {
-        let body = self.bodies.iter().find(|b| b.elements.contains(&(element as u32)));
-        match body {
-            Some(body) => format!("element {} of '{}'", self.mesh.element_id(element), body.name),
-            None => format!("element {}", self.mesh.element_id(element)),
+        let holds = |elements: &[u32]| elements.contains(&(element as u32));
+        let groups = self.mesh.groups.iter().filter(|(_, elements)| holds(elements));
+        let smallest = groups.min_by_key(|(_, elements)| elements.len()).map(|(name, _)| name);
+        let name = smallest.or_else(|| self.bodies.iter().find(|b| holds(&b.elements)).map(|b| &b.name));
+        let number = self.mesh.element_id(element);
+        match name {
+            Some(name) => format!("element {number} of '{name}'"),
+            None => format!("element {number}"),
         }
     }
 }

@@ -50,6 +50,13 @@ pub const RELATIVE: [Quantity; 4] = [
     q("u", "m", "its length"),
 ];
 
+/// Cell arrays of every VTU file, whatever fields are asked for.
+pub const CELLS: [Quantity; 3] = [
+    q("element", "", "the element's number, as messages, the verdict and the page name it"),
+    q("body", "", "which region of the case the element belongs to, from 0"),
+    q("group:NAME", "", "1 in the mesh's group NAME (lining, crown, walls …), 0 outside"),
+];
+
 /// A field of the VTU files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Field {
@@ -95,7 +102,8 @@ impl Field {
             ),
             Field::Damage => (
                 "damage",
-                "d_tension, d_shear, d_b, d_b_max (1): damage, mean over an element's points, zero where its law has none",
+                "d_tension, d_shear, d_b, d_b_max (1): damage, mean over an element's points, zero where its law has \
+                 none; crack_opening (m): widest so far, sampled with the histories",
             ),
             Field::Plastic => (
                 "plastic",
@@ -151,15 +159,31 @@ pub struct Measure {
     pub words: &'static str,
     /// Volumes beyond these are reported.
     pub thresholds: &'static [f64],
+    /// Beyond this it has begun.
+    pub onset: f64,
+    /// Beyond this a point counts as damaged.
+    pub counts: f64,
+}
+
+/// Plastic strain from which on a point counts as yielded. The stress that it relieves, 10 kPa at E = 10 GPa, is below
+/// what the loads of a model are known to.
+pub const YIELDED: f64 = 1e-6;
+
+const fn damage(column: &'static str, words: &'static str) -> Measure {
+    Measure { column, words, thresholds: &[0.1, 0.5, 0.9], onset: 0.0, counts: 0.5 }
+}
+
+const fn plastic(column: &'static str, words: &'static str) -> Measure {
+    Measure { column, words, thresholds: &[YIELDED], onset: YIELDED, counts: YIELDED }
 }
 
 /// What summaries report of damage, and from when on; laws without such a column are left out.
 pub const MEASURES: [Measure; 5] = [
-    Measure { column: "d_tension", words: "tension damage", thresholds: &[0.1, 0.5, 0.9] },
-    Measure { column: "d_shear", words: "shear damage", thresholds: &[0.1, 0.5, 0.9] },
-    Measure { column: "d_b_max", words: "mean principal damage", thresholds: &[0.1, 0.5, 0.9] },
-    Measure { column: "plastic_shear_strain", words: "yielding in shear", thresholds: &[0.0] },
-    Measure { column: "plastic_tension_strain", words: "yielding in tension", thresholds: &[0.0] },
+    damage("d_tension", "cracked"),
+    damage("d_shear", "crushed or sheared"),
+    damage("d_b_max", "mean principal damage"),
+    plastic("plastic_shear_strain", "yielded in shear"),
+    plastic("plastic_tension_strain", "yielded in tension"),
 ];
 
 /// Largest and smallest principal stress over some points.

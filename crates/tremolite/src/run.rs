@@ -3,7 +3,9 @@
 use crate::checkpoint::{self, CheckpointError};
 use crate::engine::{Balance, Engine, Halt, StableStep, stable_step};
 use crate::model::{Model, ModelError};
-use crate::observers::{Energy, Envelopes, Fields, FreeField, Histories, Observer, Onsets, Schedule, View};
+use crate::observers::{
+    Cracks, Energy, Envelopes, Fields, FreeField, Growth, Histories, Observer, Onsets, Schedule, View,
+};
 use crate::phase::Phase;
 use crate::plan::{Plan, Steps};
 use crate::state::State;
@@ -154,11 +156,18 @@ pub fn run(
         Box::new(Energy::new(&folder.energy(), rows, &state)?),
         Box::new(Envelopes { schedule: rows }),
     ];
-    if let Some(free_field) = FreeField::new(model, rows) {
+    if let Some(free_field) = FreeField::new(model, plan.duration, rows) {
         observers.push(Box::new(free_field));
     }
     if let Some(onsets) = Onsets::new(model, rows) {
         observers.push(Box::new(onsets));
+    }
+    if let Some(cracks) = Cracks::new(model, rows)? {
+        observers.push(Box::new(cracks));
+    }
+    // Behind the cracks, whose widths it writes.
+    if let Some(growth) = Growth::new(&folder.damage(), model, phase, rows, &state)? {
+        observers.push(Box::new(growth));
     }
     if let Some(every) = steps.snapshots {
         let schedule = Schedule { every, last: Some(steps.total) };

@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use tremolite::damage::{damage, verdict};
+use tremolite::damage::{damage, findings};
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, Ending, Outcome, run};
@@ -18,7 +18,7 @@ use tremolite_laws::{Isa, Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::locate::Locator;
 use tremolite_mesh::vtu::Grid;
-use tremolite_results::ResultFolder;
+use tremolite_results::{ResultFolder, Severity};
 
 /// A hall of 4 × 4 m in a block of 16 × 3 × 14 m, its lining of 1 m of a concrete of 0.6 MPa tensile strength.
 fn hall() -> Problem {
@@ -144,12 +144,27 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     assert!(first.time > 0.0 && first.time < 0.3);
     let parts = [crown, walls].map(|g| g.measures["d_tension"].first.map_or(f64::INFINITY, |f| f.time));
     assert_eq!(first.time, parts[0].min(parts[1]));
-    let text = verdict(&model, &found);
-    assert!(text.starts_with(" hall.lining: tension damage beyond 0.5 in "), "{text}");
-    assert!(
-        text.contains(&format!("first tension damage at {:.2} s in element {}", first.time, first.element))
-    );
-    assert!(!text.contains("hall.lining.crown"), "the whole is enough for a verdict: {text}");
+    let told = findings(&model, &found);
+    assert_eq!(told.len(), 1, "the whole is enough for a verdict: {told:?}");
+    let share = 100.0 * beyond(lining, "0.5") / lining.volume;
+    assert!(told[0].headline.starts_with(&format!("cracked in {share:.1} % of its volume")), "{told:?}");
+    let began = format!("First cracked at {:.2} s in element {}", first.time, first.element);
+    assert!(told[0].text.contains(&began), "{told:?}");
+
+    // One element thick, of bricks: all but the four corners are passed through, at three places along the hall.
+    let cracks = lining.cracks.as_ref().unwrap();
+    assert_eq!(cracks.stacks, 3 * 16);
+    assert_eq!(told[0].severity == Severity::Through, cracks.through > 0);
+    let widest = cracks.widest.unwrap();
+    assert!(widest.time >= first.time && cracks.opening > 1e-6 && cracks.opening < 0.05, "{cracks:?}");
+    assert!(crown.cracks.as_ref().unwrap().opening <= cracks.opening);
+
+    // The table over time ends with the shares of the summary, and never falls.
+    let table = tremolite_results::Table::read(&folder.path().join("damage.csv")).unwrap();
+    for (column, last) in [("d_tension", 0.01 * share), ("crack_opening", cracks.opening)] {
+        let values = table.column(&format!("hall.lining.{column}")).unwrap();
+        assert!(values[0] == 0.0 && values.is_sorted() && (values.last().unwrap() / last - 1.0).abs() < 1e-9);
+    }
 
     // Cells of the last file, mean over eight equal points, add up to no more than what is beyond 0 and 0.9.
     let grid = Grid::read(&folder.path().join("fields/000003.vtu")).unwrap();
@@ -157,7 +172,14 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
         let array = grid.cell_array(name).unwrap_or_else(|| panic!("{name} is written"));
         (0..array.values.len()).map(|i| array.values.get(i)).collect::<Vec<f64>>()
     };
-    let group = cells("group");
+    let group = cells("body");
+    let numbers = cells("element");
+    assert_eq!(cells("group:hall.lining"), group);
+    let crown: Vec<f64> =
+        model.mesh.groups["hall.lining.crown"].iter().map(|&e| f64::from(e) + 1.0).collect();
+    let marked = numbers.iter().zip(cells("group:hall.lining.crown")).filter(|(_, inside)| *inside == 1.0);
+    assert_eq!(marked.map(|(n, _)| *n).collect::<Vec<f64>>(), crown, "by the numbers of messages");
+    assert!(grid.cell_array("group:hall.excavation").is_none(), "nothing of it is left");
     for name in ["d_tension", "d_shear", "d_b", "d_b_max"] {
         let values = cells(name);
         assert!(values.iter().all(|d| (0.0..=1.0).contains(d)), "{name}");
@@ -231,7 +253,7 @@ fn a_run_stopped_after_the_first_crack_resumes_to_the_same_damage() {
     assert_eq!(resumed.ending, Ending::Done);
     assert!(resumed.state == outcome.state);
     assert_eq!(damage(&model, &phase, &resumed.state), expected);
-    for file in ["energy.csv", "fields.pvd", "fields/000003.vtu"] {
+    for file in ["energy.csv", "damage.csv", "fields.pvd", "fields/000003.vtu"] {
         let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
         assert!(bytes(&whole) == bytes(&parts), "{file}");
     }

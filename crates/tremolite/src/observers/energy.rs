@@ -7,13 +7,9 @@ use crate::state::State;
 use std::path::Path;
 use tremolite_results::{Column, TableWriter};
 
-/// Key of what this observer remembers: bytes written, then the largest values over all rows of |error|, of the strain
-/// energy, of the kinetic energy, of what laws dissipated and of what they created \[J\], and of the hourglass energy
-/// over the strain energy of the same row.
+/// Key of what this observer remembers: bytes written, then the largest values over all rows of |error|, of what laws
+/// dissipated and of what they created \[J\].
 pub const MEMORY: &str = "energy";
-
-/// Strain energies below this share of the largest energy so far are too small to compare with.
-const FLOOR: f64 = 0.01;
 
 /// Writes a row of the energy balance.
 pub struct Energy {
@@ -47,15 +43,11 @@ impl Observer for Energy {
         let mut row = vec![state.time()];
         row.extend(balance.lines().iter().map(|(_, value)| *value));
         self.table.write(&row)?;
-        let memory = state.observers.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 7]);
+        let memory = state.observers.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 4]);
         memory[0] = self.table.bytes_written() as f64;
-        let now = [balance.error.abs(), balance.strain, balance.kinetic, balance.dissipated, balance.created];
+        let now = [balance.error.abs(), balance.dissipated, balance.created];
         for (most, now) in memory[1..].iter_mut().zip(now) {
             *most = most.max(now);
-        }
-        let strain = balance.strain.max(FLOOR * memory[2].max(memory[3]));
-        if strain > 0.0 {
-            memory[6] = memory[6].max(balance.hourglass / strain);
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! fields/*.vtu and fields.pvd: the whole model at some times.
 
-use super::{Envelopes, Observer, Schedule, View};
+use super::{Cracks, Envelopes, Observer, Schedule, View};
 use crate::history;
 use crate::model::Model;
 use crate::phase::{ElementSlot, Phase};
@@ -48,7 +48,12 @@ impl Fields {
         let (mut grid, mesh_nodes) = Grid::from_mesh(&model.mesh, Some(&active));
         let slots: Vec<ElementSlot> = active.iter().filter_map(|&e| phase.element_slot[e as usize]).collect();
         let bodies: Vec<i32> = slots.iter().map(|s| model.patches[s.part as usize].body as i32).collect();
-        grid.cell_data = vec![Array::new("group", "", 1, Values::Int32(bodies))];
+        let numbers = active.iter().map(|&e| model.mesh.element_id(e as usize) as i64).collect();
+        grid.cell_data = vec![
+            Array::new("element", "", 1, Values::Int64(numbers)),
+            Array::new("body", "", 1, Values::Int32(bodies)),
+        ];
+        grid.cell_data.extend(groups(model, &active));
         Ok(Fields {
             schedule,
             folder: folder.fields(),
@@ -98,7 +103,12 @@ impl Fields {
                 }
             }
             // Several of these may hold the same column: they are written together.
-            Field::Damage | Field::Plastic | Field::History => {}
+            Field::Damage => {
+                if let Some(widest) = state.observers.get(Cracks::OPENING) {
+                    grid.cell_data.push(self.cells(Cracks::OPENING, "m", |s| widest[s.element as usize]));
+                }
+            }
+            Field::Plastic | Field::History => {}
         }
     }
 
@@ -119,6 +129,17 @@ impl Fields {
             }));
         }
     }
+}
+
+/// An array `group:NAME`, 1 in the group and 0 outside, for each group with an active element.
+fn groups(model: &Model, active: &[u32]) -> Vec<Array> {
+    let array = |(name, elements): (&String, &Vec<u32>)| {
+        let mut inside = vec![0; model.mesh.elements.len()];
+        elements.iter().for_each(|&e| inside[e as usize] = 1);
+        let values: Vec<u8> = active.iter().map(|&e| inside[e as usize]).collect();
+        values.contains(&1).then(|| Array::new(format!("group:{name}"), "", 1, Values::UInt8(values)))
+    };
+    model.mesh.groups.iter().filter_map(array).collect()
 }
 
 impl Observer for Fields {

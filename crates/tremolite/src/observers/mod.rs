@@ -1,16 +1,20 @@
 //! What looks at a run: when (a schedule in steps) is apart from what (an observer).
 
+mod cracks;
 mod energy;
 mod envelopes;
 mod fields;
 mod free_field;
+mod growth;
 mod histories;
 mod onsets;
 
+pub use cracks::Cracks;
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
 pub use fields::Fields;
 pub use free_field::{FreeField, MEMORY as FREE_FIELD_MEMORY};
+pub use growth::Growth;
 pub use histories::Histories;
 pub use onsets::{Onsets, memory as onset_memory};
 

@@ -7,8 +7,8 @@ use crate::quantities::{MEASURES, Measure};
 use crate::run::RunError;
 use crate::state::State;
 
-/// Keeps by element (in the order of parts) the first time seen at which a measure of damage was above zero at one of
-/// its points, infinite until then, in the state.
+/// Keeps by element (in the order of parts) the first time seen at which a measure of damage had begun at one of its
+/// points, infinite until then, in the state.
 pub struct Onsets {
     schedule: Schedule,
     measures: Vec<Measure>,
@@ -48,7 +48,7 @@ impl Observer for Onsets {
                 }
                 let column = history::position(view.model, slot, measure.column);
                 if column.is_some_and(|c| {
-                    history::values(view.model, view.phase, state, slot, c).any(|value| value > 0.0)
+                    history::values(view.model, view.phase, state, slot, c).any(|value| value > measure.onset)
                 }) {
                     *at = time;
                 }

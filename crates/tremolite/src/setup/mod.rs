@@ -1,5 +1,6 @@
 //! From a checked case to a problem and a plan: reads the mesh and the records, and says all that does not fit.
 
+mod materials;
 mod mesh;
 mod monitors;
 mod motion;
@@ -11,16 +12,22 @@ use crate::material::Law;
 use crate::plan::Plan;
 use crate::problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
 use crate::quantities::Field;
+use indexmap::IndexMap;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
+use tremolite_results::MaterialFacts;
 
 /// All a run needs, and what of the input is worth reporting.
 pub struct Setup {
     pub problem: Problem,
     pub plan: Plan,
     pub motion: MotionFacts,
+    /// Materials by their names in the case.
+    pub materials: IndexMap<String, MaterialFacts>,
+    /// Frequency at which moduli are meant with damping over a band \[Hz\].
+    pub reference: Option<f64>,
     /// What is unusual though it can be run, at its place in the case.
     pub warnings: Vec<case::Problem>,
 }
@@ -51,7 +58,7 @@ pub fn bodies_of(case: &Case, mesh: &tremolite_mesh::Mesh, laws: &[Law]) -> Resu
     if problems.is_empty() { Ok(bodies) } else { Err(case.report(problems)) }
 }
 
-/// Builds the problem and the plan of a case. `laws` are those the case may name.
+/// Builds the problem and the plan of a case, and lists its materials. `laws` are those the case may name.
 ///
 /// # Errors
 /// All problems found in the mesh, the records and what refers to them, at their places in the case.
@@ -62,7 +69,8 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
     let Some((mesh, mut warnings)) = mesh else { return Err(case.report(problems)) };
-    let band = band(case, motion.as_ref(), &mut problems);
+    let reference = reference(case, motion.as_ref());
+    let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let bodies = regions::build(case, &mesh, laws, band, &mut problems);
     let monitors = monitors::build(case, &mesh, &bodies, &mut problems);
     let (Some((motion, facts)), true) = (motion, problems.is_empty()) else {
@@ -70,8 +78,17 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
     };
 
     warnings.extend(self::warnings(case, &bodies, &fields));
+    let materials = materials::facts(case, &mesh, laws, &bodies, reference);
     let dynamic = &case.dynamic;
     let duration = dynamic.duration.as_ref().map_or(motion.duration(), |d| d.value);
+    let histories = &case.output.histories;
+    if histories.value > duration {
+        return Err(case.report(vec![case::Problem::at(
+            histories,
+            format!("rows {} s apart leave none within the run of {duration:.3} s", histories.value),
+            "choose an interval well below the duration",
+        )]));
+    }
     let mut problem = Problem::new(mesh, bodies);
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| side(s.value));
@@ -92,20 +109,21 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
         monitors,
         relatives: case.relatives.iter().map(|r| r.between).collect(),
     };
-    Ok(Setup { problem, plan, motion: facts, warnings })
+    Ok(Setup { problem, plan, motion: facts, materials, reference, warnings })
 }
 
-/// Damping over a band, its moduli meant at the motion's central frequency unless the case says where.
-fn band(
-    case: &Case,
-    motion: Option<&(tremolite_motion::Motion, MotionFacts)>,
-    problems: &mut Vec<case::Problem>,
-) -> Option<Band> {
+/// The frequency \[Hz\] at which moduli are meant with damping over a band: the motion's central one unless the case
+/// says which; none without such damping.
+fn reference(case: &Case, motion: Option<&(tremolite_motion::Motion, MotionFacts)>) -> Option<f64> {
+    match &case.dynamic.band.as_ref()?.reference {
+        Some(reference) => Some(reference.value),
+        None => tremolite_motion::highest_frequency(&motion?.0, 0.5),
+    }
+}
+
+/// Damping over a band with moduli meant at `reference` \[Hz\].
+fn band(case: &Case, reference: f64, problems: &mut Vec<case::Problem>) -> Option<Band> {
     let given = case.dynamic.band.as_ref()?;
-    let reference = match &given.reference {
-        Some(reference) => reference.value,
-        None => tremolite_motion::highest_frequency(&motion?.0, 0.5)?,
-    };
     match Band::fit(given.ratio.value, given.band.value, reference) {
         Ok(band) => Some(band),
         Err(e) => {

@@ -9,6 +9,12 @@ use tremolite_mesh::locate::Locator;
 /// A monitor outside the mesh by up to this \[m\] is taken to lie on its surface.
 const TOLERANCE: f64 = 0.01;
 
+/// A coordinate \[m\] to the millimetre, without needless zeros.
+fn short(x: f64) -> String {
+    let text = format!("{x:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 /// All monitors that could be placed; the others are among the problems.
 pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Problem>) -> Vec<Monitor> {
     let mut solid: Vec<u32> = bodies.iter().flat_map(|b| b.elements.iter().copied()).collect();
@@ -66,7 +72,7 @@ pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Probl
             }
             None => {
                 let (low, high) = mesh.bounds();
-                let [x, y, z] = [0, 1, 2].map(|i| format!("{:.6} to {:.6}", low[i], high[i]));
+                let [x, y, z] = [0, 1, 2].map(|i| format!("{} to {}", short(low[i]), short(high[i])));
                 problems.push(Problem::at(
                     &monitor.at,
                     format!(

@@ -6,7 +6,7 @@ use crate::model::{centroid, hex};
 use crate::parts::Quadrature;
 use crate::problem::Body;
 use std::sync::Arc;
-use tremolite_case::{Case, Element, Fill, Material, Problem, pattern};
+use tremolite_case::{Case, Element, Fill, Material, Problem, Region, pattern};
 use tremolite_laws::band::Band;
 use tremolite_mesh::Mesh;
 
@@ -65,7 +65,7 @@ pub fn build(
                     (0u32..).zip(&region_of).filter(|(_, of)| **of == Some(r)).map(|(e, _)| e).collect();
                 problems.extend(oversized(mesh, &elements, material, &built));
                 bodies.push(Body {
-                    name: region.groups.iter().map(|g| g.value.as_str()).collect::<Vec<_>>().join(", "),
+                    name: name(mesh, region),
                     elements,
                     material: built,
                     density: material.density.value,
@@ -84,6 +84,21 @@ pub fn build(
         }
     }
     bodies
+}
+
+/// The groups that a region's patterns fit, without those that others of them hold.
+fn name(mesh: &Mesh, region: &Region) -> String {
+    let fits = |name: &str| region.groups.iter().any(|pattern| pattern::matches(pattern, name));
+    let groups: Vec<(&String, &Vec<u32>)> = mesh.groups.iter().filter(|(name, _)| fits(name)).collect();
+    let held = |k: usize| {
+        let (_, inner) = groups[k];
+        groups.iter().enumerate().any(|(j, (_, outer))| {
+            let larger = outer.len() > inner.len() || (outer.len() == inner.len() && j < k);
+            larger && inner.iter().all(|e| outer.binary_search(e).is_ok())
+        })
+    };
+    let names: Vec<&str> = (0..groups.len()).filter(|&k| !held(k)).map(|k| groups[k].0.as_str()).collect();
+    names.join(", ")
 }
 
 /// A limit of size \[m\] below this is no concrete's: 1 m and more is.

@@ -1,0 +1,111 @@
+//! What became of structures: damage by group of elements, cracks, and findings in words.
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use crate::number;
+
+/// How badly a structure fared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// Nothing was damaged.
+    #[default]
+    Undamaged,
+    /// Something cracked or yielded.
+    Damaged,
+    /// Cracks run through its thickness.
+    Through,
+}
+
+/// What became of a group of elements that is no part of another.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Finding {
+    /// The group.
+    pub group: String,
+    /// How badly it fared.
+    pub severity: Severity,
+    /// What matters most, to be read after the group's name: 'cracked in 20 % of its volume'.
+    pub headline: String,
+    /// The rest, in sentences; may be empty.
+    pub text: String,
+}
+
+/// How far the elements of a group are damaged at the end of a run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct GroupDamage {
+    /// Volume of the group's elements (m³).
+    #[serde(with = "number", default = "number::absent")]
+    pub volume: f64,
+    /// Measure of damage, by the name of its field (`d_tension`, `plastic_shear_strain`) → what was found.
+    pub measures: IndexMap<String, Damaged>,
+    /// How wide cracks are, and whether they run through; none where the law knows no cracks.
+    pub cracks: Option<Cracks>,
+}
+
+/// The cracks of a group of elements.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Cracks {
+    /// Widest opening over the run (m).
+    #[serde(with = "number", default = "number::absent")]
+    pub opening: f64,
+    /// When and where it was; none if nothing cracked.
+    pub widest: Option<Onset>,
+    /// Stacks of elements through the group's thickness.
+    pub stacks: u64,
+    /// How many of them are cracked through.
+    pub through: u64,
+    /// One of those, by the element and its centre (m), at the end of the run.
+    pub through_at: Option<Place>,
+}
+
+impl Cracks {
+    /// Opening (m) beyond which pieces are loose: some hundredths of strain in elements of some decimetres, which is
+    /// past what small strains and any reinforcement would hold.
+    pub const LOOSE: f64 = 0.02;
+
+    /// Whether a crack opened beyond [`Cracks::LOOSE`]; its width then means little.
+    pub fn is_loose(&self) -> bool {
+        self.opening > Self::LOOSE
+    }
+}
+
+/// An element and its centre.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Place {
+    /// The element, by its number in the mesh.
+    pub element: u64,
+    /// Its centre (m).
+    pub at: [f64; 3],
+}
+
+/// One measure of damage in a group of elements.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Damaged {
+    /// Threshold as one writes it (`0.5`) → volume in which the measure is above it (m³).
+    #[serde(deserialize_with = "number::deserialize_map")]
+    pub beyond: IndexMap<String, f64>,
+    /// Largest value in the group.
+    #[serde(with = "number", default = "number::absent")]
+    pub largest: f64,
+    /// Where it first rose above zero; none if it never did.
+    pub first: Option<Onset>,
+}
+
+/// Where and when something began.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Onset {
+    /// First time seen (s).
+    #[serde(with = "number", default = "number::absent")]
+    pub time: f64,
+    /// The element, by its number in the mesh.
+    pub element: u64,
+    /// Its centre (m).
+    pub at: [f64; 3],
+}

@@ -1,0 +1,152 @@
+//! What reports say of the materials: what was given, what was filled in, what the laws made of it.
+
+use crate::extent::extents;
+use crate::material::{AnyMaterial, Law};
+use crate::model::hex;
+use crate::problem::Body;
+use indexmap::IndexMap;
+use tremolite_case::{Case, Element, Fill, Material};
+use tremolite_laws::{Dimension, Kind, Parameter, Value};
+use tremolite_mesh::Mesh;
+use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
+
+/// The materials that bodies are made of, by name, in the order of the case's regions. `bodies` are those of the
+/// solid regions, `reference` is the frequency \[Hz\] at which moduli are meant with damping over a band.
+pub fn facts(
+    case: &Case,
+    mesh: &Mesh,
+    laws: &[Law],
+    bodies: &[Body],
+    reference: Option<f64>,
+) -> IndexMap<String, MaterialFacts> {
+    let damping = damping(case, reference);
+    let mut all: IndexMap<String, MaterialFacts> = IndexMap::new();
+    let solid = case.regions.iter().filter_map(|r| match &r.fill {
+        Fill::Solid { material, element } => Some((&case.materials[material.value], element.value)),
+        _ => None,
+    });
+    let solid: Vec<(&Material, Element)> = solid.collect();
+    for (body, (material, element)) in bodies.iter().zip(&solid) {
+        let facts = all.entry(material.name.value.clone()).or_insert_with(|| {
+            let made_of_it =
+                bodies.iter().zip(&solid).filter(|(_, (m, _))| m.name.value == material.name.value);
+            let elements = made_of_it.flat_map(|(body, _)| &body.elements);
+            let law = laws.iter().find(|l| l.info.name == material.law.value);
+            let parameters = law.map_or(&[][..], |l| l.info.parameters);
+            let (wave_speed_p, wave_speed_s) = body.material.moduli().wave_speeds(body.density);
+            MaterialFacts {
+                law: material.law.value.clone(),
+                summary: body.material.info().summary.into(),
+                density: body.density,
+                wave_speed_p,
+                wave_speed_s,
+                damping: damping.clone(),
+                groups: Vec::new(),
+                values: values(case, material, parameters, &*body.material, range(mesh, elements)),
+            }
+        });
+        facts.groups.push(MaterialGroup {
+            names: body.name.clone(),
+            elements: body.elements.len() as u64,
+            element: match element {
+                Element::OnePoint => "one-point".into(),
+                Element::Full => "full".into(),
+            },
+        });
+    }
+    all
+}
+
+/// Shortest and longest extent of some elements \[m\].
+fn range<'e>(mesh: &Mesh, elements: impl Iterator<Item = &'e u32>) -> [f64; 2] {
+    let found = elements.filter_map(|&e| hex(mesh, e as usize).ok()).map(|hex| extents(&hex));
+    found.fold([f64::INFINITY, 0.0], |[least, most], [a, b]| [least.min(a), most.max(b)])
+}
+
+fn values(
+    case: &Case,
+    material: &Material,
+    parameters: &[Parameter],
+    law: &dyn AnyMaterial,
+    extents: [f64; 2],
+) -> Vec<MaterialValue> {
+    let mut all = Vec::new();
+    for parameter in parameters {
+        let key = format!("material.{}.{}", material.name.value, parameter.name);
+        let defaulted = case.defaulted.iter().any(|d| d.key == key);
+        let (value, word) = match material.parameters.0.get(parameter.name) {
+            Some(Value::Number(x)) => (*x, String::new()),
+            Some(Value::Word(word)) => (f64::NAN, word.clone()),
+            Some(Value::Table(columns)) => {
+                let rows = columns.values().map(Vec::len).max().unwrap_or(0);
+                let names: Vec<&str> = columns.keys().map(String::as_str).collect();
+                (f64::NAN, format!("{rows} rows of {}", names.join(", ")))
+            }
+            None => continue,
+        };
+        all.push(MaterialValue {
+            name: parameter.name.into(),
+            value,
+            most: value,
+            word,
+            unit: unit(parameter.kind).into(),
+            meaning: parameter.doc.into(),
+            origin: if defaulted { Origin::Default } else { Origin::Given },
+        });
+    }
+    for derived in law.derived(extents) {
+        let [value, most] = derived.range;
+        // What the law does with a given value as it stands would be said twice.
+        if all.iter().any(|v| v.name == derived.name && v.value == value && v.most == most) {
+            continue;
+        }
+        all.push(MaterialValue {
+            name: derived.name.into(),
+            value,
+            most,
+            word: String::new(),
+            unit: if derived.unit == "1" { String::new() } else { derived.unit.into() },
+            meaning: derived.doc.into(),
+            origin: Origin::Derived,
+        });
+    }
+    all
+}
+
+/// The SI unit of a parameter, as results write it.
+fn unit(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Number(Dimension::PRESSURE) => "Pa",
+        Kind::Number(Dimension::LENGTH) => "m",
+        Kind::Number(Dimension::TIME) => "s",
+        Kind::Number(Dimension::RATE) => "1/s",
+        Kind::Number(Dimension::FRACTURE_ENERGY) => "N/m",
+        Kind::Number(Dimension::ANGLE) => "rad",
+        _ => "",
+    }
+}
+
+/// The damping that all materials have, in words.
+fn damping(case: &Case, reference: Option<f64>) -> String {
+    let dynamic = &case.dynamic;
+    let (mass, stiffness) = (dynamic.rayleigh.mass.value, dynamic.rayleigh.stiffness.value);
+    let mut parts = Vec::new();
+    if mass > 0.0 || stiffness > 0.0 {
+        let percent =
+            |f: f64| 100.0 * (mass / (4.0 * std::f64::consts::PI * f) + std::f64::consts::PI * f * stiffness);
+        parts.push(format!(
+            "Rayleigh, {mass} 1/s of the mass and {stiffness} s of the stiffness: {:.2} % at 1 Hz, {:.2} % at 10 Hz",
+            percent(1.0),
+            percent(10.0)
+        ));
+    }
+    if let Some(band) = &dynamic.band {
+        let [low, high] = band.band.value;
+        let meant = reference.map_or(String::new(), |f| format!("; E is meant at {f:.2} Hz"));
+        parts.push(format!(
+            "{:.2} % over {low} to {high} Hz by three Maxwell bodies{meant}",
+            100.0 * band.ratio.value
+        ));
+    }
+    if parts.is_empty() { "none".into() } else { parts.join("; ") }
+}
