@@ -1,13 +1,16 @@
 //! `tremolite check`: what will happen, before it happens.
 
-use super::{load, pool};
+use super::defaulted::{Known, defaulted, text};
+use super::{check_step, load, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{bytes, duration, print};
+use indexmap::IndexMap;
 use std::path::PathBuf;
 use tremolite::run::{choose_step, time_step_cost};
 use tremolite::survey::{Survey, limit_in_words, survey};
-use tremolite::{Model, Phase, Quadrature, stable_step};
+use tremolite::{Model, Phase, stable_step};
+use tremolite_results::{MaterialFacts, Origin};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -32,6 +35,7 @@ pub fn run(args: &Args) -> Outcome {
         let phase = Phase::dynamic(&model).map_err(Failure::input)?;
         let survey = survey(&model, &phase, motion.highest_frequency).map_err(Failure::input)?;
         let stable = stable_step(&model, &phase);
+        check_step(&case, &stable)?;
         let (dt, steps) = choose_step(&model, &plan, &stable);
 
         print(&case.title.value);
@@ -42,7 +46,7 @@ pub fn run(args: &Args) -> Outcome {
         for (name, elements) in &groups {
             print(&format!("           {:28} {:>8}", name, elements.len()));
         }
-        print_bodies(&survey);
+        print_materials(&setup.materials, &survey);
         print("\nMotion");
         print(&format!("           {}", motion.source));
         let [from, to] = motion.window;
@@ -73,11 +77,6 @@ pub fn run(args: &Args) -> Outcome {
             limit_in_words(&model, &stable)
         ));
         print(&format!("           {dt:.4e} s used, {} steps for {:.2} s", steps.total, plan.duration));
-        if let Some(given) = model.time_step.given
-            && given > stable.dt
-        {
-            print("           WARNING: time_step is above the stable step; the energy guard will stop the run");
-        }
         let cost = time_step_cost(&model, &phase, dt);
         let threads = rayon::current_num_threads();
         print("\nEstimate");
@@ -88,27 +87,42 @@ pub fn run(args: &Args) -> Outcome {
             survey.active_elements as f64 / cost / 1e6,
             bytes(survey.bytes)
         ));
-        if !case.defaulted.is_empty() {
+        let left_out = defaulted(&Known {
+            case: &case,
+            model: &model,
+            plan: &plan,
+            motion: &motion,
+            materials: &setup.materials,
+            reference: setup.reference,
+            dt,
+        });
+        if !left_out.is_empty() {
             print("\nLeft out, and taken as");
-            for d in &case.defaulted {
-                print(&format!("           {} = {}", d.key, d.value));
-            }
+            left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
         }
         Ok(Code::Done)
     })
 }
 
-fn print_bodies(survey: &Survey) {
+fn print_materials(materials: &IndexMap<String, MaterialFacts>, survey: &Survey) {
     print("\nMaterials");
-    for body in &survey.bodies {
-        let (p, s) = body.wave_speeds;
-        let element = match body.quadrature {
-            Quadrature::OnePoint => "one-point",
-            Quadrature::Full => "full",
-        };
+    for (name, facts) in materials {
+        print(&format!("           {name}: {}, {}", facts.law, facts.summary));
+        for group in &facts.groups {
+            let body = survey.bodies.iter().find(|b| b.name == group.names);
+            let step = body.map_or(String::new(), |b| format!(", could run at {:.3e} s", b.element_step));
+            print(&format!("             {} {} in {}{step}", group.elements, group.element, group.names));
+        }
         print(&format!(
-            "           {:28} {:>8} {element} {}: {:.0} kg/m3, c_p {p:.0} m/s, c_s {s:.0} m/s, could run at {:.3e} s",
-            body.name, body.elements, body.law, body.density, body.element_step
+            "             {:.0} kg/m3, c_p {:.0} m/s, c_s {:.0} m/s; damping: {}",
+            facts.density, facts.wave_speed_p, facts.wave_speed_s, facts.damping
         ));
+        for (words, derived) in [("given", false), ("derived", true)] {
+            let values = facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived);
+            let values: Vec<String> = values.map(|v| format!("{} {}", v.name, text(v))).collect();
+            if !values.is_empty() {
+                print(&format!("             {words}: {}", values.join(", ")));
+            }
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
-use tremolite::quantities::{Field, MONITOR, RELATIVE};
+use tremolite::quantities::{CELLS, Field, MONITOR, RELATIVE};
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, Need, Parameter};
 
@@ -115,6 +115,10 @@ fn quantities() {
     }
     print("monitors.csv, pairs FIRST-SECOND.quantity");
     for q in RELATIVE {
+        print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
+    }
+    print("fields/*.vtu, always (ParaView: Find Data, element is 3404)");
+    for q in CELLS {
         print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
     }
     print("fields/*.vtu, by the word in output.fields");

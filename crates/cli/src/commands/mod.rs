@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod check;
+mod defaulted;
 pub mod law;
 pub mod list;
 pub mod mesh;
@@ -14,9 +15,9 @@ pub mod verify;
 use crate::exit::Failure;
 use std::path::Path;
 use tremolite::setup::{Setup, setup};
-use tremolite::{Law, laws};
-use tremolite_case::Case;
-use tremolite_laws::{Isa, LawInfo};
+use tremolite::{Law, StableStep, laws};
+use tremolite_case::{Case, Problem, units};
+use tremolite_laws::{Dimension, Isa, LawInfo};
 
 /// Reads a case and builds what it asks for; warnings go to the terminal.
 pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
@@ -32,6 +33,22 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
         crate::terminal::say(&report.render(crate::terminal::colour()));
     }
     Ok((case, setup))
+}
+
+/// Refuses a given time step above the stable one, with which the run would end in noise.
+pub fn check_step(case: &Case, stable: &StableStep) -> Result<(), Failure> {
+    match &case.dynamic.time_step {
+        Some(given) if given.value > stable.dt => {
+            let step = |t: f64| units::format(t, Dimension::TIME);
+            let problem = Problem::at(
+                given,
+                format!("{} is above the stable step of {}", step(given.value), step(stable.dt)),
+                format!("give {} or less, or leave time_step out", step(0.9 * stable.dt)),
+            );
+            Err(Failure::case(&case.report(vec![problem])))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Descriptions of all laws a case may name.

@@ -1,6 +1,7 @@
 //! `tremolite run`: the main job.
 
-use super::{load, pool};
+use super::defaulted::{Known, defaulted};
+use super::{check_step, load, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{ProgressLine, bytes, duration, say};
@@ -13,8 +14,7 @@ use tremolite::run::{Control, Ending, Progress, active_elements, choose_step};
 use tremolite::summary::{Input, summary};
 use tremolite::survey::{limit_in_words, survey};
 use tremolite::{Model, Phase, stable_step};
-use tremolite_case::Case;
-use tremolite_results::{Defaulted, ResultFolder, RunFacts, Summary, Table, replace_file};
+use tremolite_results::{ResultFolder, RunFacts, Summary, Table, replace_file};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -78,6 +78,9 @@ pub fn run(args: &Args) -> Outcome {
         let model = Model::new(setup.problem).map_err(Failure::input)?;
         let phase = Phase::dynamic(&model).map_err(Failure::input)?;
         let survey = survey(&model, &phase, motion.highest_frequency).map_err(Failure::input)?;
+        let stable = stable_step(&model, &phase);
+        check_step(&case, &stable)?;
+        let (dt, steps) = choose_step(&model, &plan, &stable);
 
         let name = case_name(&args.case);
         let folder = if args.resume {
@@ -100,8 +103,6 @@ pub fn run(args: &Args) -> Outcome {
         let started = jiff::Timestamp::now().to_string();
         log.keep(&format!("tremolite {}: {}", env!("CARGO_PKG_VERSION"), command.join(" ")));
 
-        let stable = stable_step(&model, &phase);
-        let (dt, steps) = choose_step(&model, &plan, &stable);
         log.say(&plan.title);
         log.say(&format!(
             "  {} elements, {} nodes, {} steps of {dt:.3e} s, {} threads, {}, about {}",
@@ -140,7 +141,17 @@ pub fn run(args: &Args) -> Outcome {
         let outcome = outcome?;
 
         let histories = Table::read(&folder.monitors()).map_err(Failure::failed)?;
+        let energy = Table::read(&folder.energy()).map_err(Failure::failed)?;
         let (earlier, resumed) = before.map_or((0.0, 0), |s| (s.wall_seconds, s.run.resumed + 1));
+        let defaulted = defaulted(&Known {
+            case: &case,
+            model: &model,
+            plan: &plan,
+            motion: &motion,
+            materials: &setup.materials,
+            reference: setup.reference,
+            dt,
+        });
         let summary = summary(Input {
             model: &model,
             phase: &phase,
@@ -149,6 +160,7 @@ pub fn run(args: &Args) -> Outcome {
             survey: &survey,
             outcome: &outcome,
             histories: &histories,
+            energy: &energy,
             run: RunFacts {
                 program: format!("tremolite {}", env!("CARGO_PKG_VERSION")),
                 command: command.join(" "),
@@ -157,13 +169,18 @@ pub fn run(args: &Args) -> Outcome {
                 instruction_set: isa.name().into(),
                 resumed,
             },
-            defaulted: defaulted(&case, &model),
+            materials: setup.materials.clone(),
+            defaulted,
             wall_seconds: begin.elapsed().as_secs_f64() + if earlier.is_finite() { earlier } else { 0.0 },
         });
         summary.write(&folder.summary()).map_err(Failure::failed)?;
         let page = tremolite_report::write(folder.root()).map_err(Failure::failed)?;
 
         for line in &summary.trust {
+            if line.not_applicable {
+                log.say(&format!("  --   {}: not applicable, {}", line.name, line.note));
+                continue;
+            }
             let mark = if line.pass { "ok  " } else { "LOOK" };
             log.say(&format!("  {mark} {}: {} (limit {})", line.name, short(line.value), line.limit));
         }
@@ -187,14 +204,4 @@ pub fn run(args: &Args) -> Outcome {
 /// Three significant digits.
 fn short(x: f64) -> String {
     if x != 0.0 && x.abs() < 1e-3 { format!("{x:.1e}") } else { format!("{x:.3}") }
-}
-
-/// What the case left out, and what the model chose.
-fn defaulted(case: &Case, model: &Model) -> Vec<Defaulted> {
-    let mut all: Vec<Defaulted> =
-        case.defaulted.iter().map(|d| Defaulted::new(d.key.as_str(), d.value.as_str())).collect();
-    if let Some(distance) = model.boundaries.spring_distance {
-        all.push(Defaulted::new("dynamic.base.distance (used)", format!("{distance:.1} m")));
-    }
-    all
 }
