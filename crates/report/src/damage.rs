@@ -1,90 +1,198 @@
 //! How far the groups of elements are damaged or yielded, as tables.
 
 use serde::Serialize;
-use tremolite_results::{Damaged, Summary};
+use tremolite_results::{Cracks, Damaged, GroupDamage, Onset, Summary};
 
-use crate::scale::{figures, moment, trimmed};
+use crate::scale::{figures, moment, quantity, trimmed};
 
-/// One measure of damage in all groups whose laws have it.
+/// Measures with the same thresholds in all groups whose laws have one of them.
 #[derive(Serialize)]
 pub struct DamageTable {
-    pub heading: String,
+    pub heading: &'static str,
     /// Thresholds, one a column.
     pub thresholds: Vec<String>,
     pub rows: Vec<DamageRow>,
+    /// What was left out of the rows; may be empty.
+    pub note: String,
 }
 
-/// One group.
-#[derive(Serialize)]
+/// One measure in one group.
+#[derive(Serialize, PartialEq)]
 pub struct DamageRow {
+    /// Empty where it is that of the row above.
     pub group: String,
-    /// m³
+    /// m³; empty as well.
     pub volume: String,
+    pub measure: String,
     /// Volume beyond each threshold, m³ and share of the group.
-    pub beyond: Vec<String>,
+    pub beyond: Vec<Share>,
     pub largest: String,
-    /// When and where it began; a dash where it did not.
-    pub first: String,
+    /// When it began; a dash where it did not.
+    pub time: String,
+    /// Where it began.
+    pub place: String,
+}
+
+/// A volume \[m³\] and its share of the group; a dash or zero has none.
+#[derive(Serialize, PartialEq)]
+pub struct Share {
+    pub volume: String,
+    pub percent: String,
+}
+
+/// The cracks of one group.
+#[derive(Serialize)]
+pub struct CrackRow {
+    pub group: String,
+    /// Places at which cracks run through, of how many.
+    pub through: String,
+    /// One of them.
+    pub through_at: String,
+    pub opening: String,
+    pub time: String,
+    pub place: String,
 }
 
 /// What a measure is called on the page; measures that this version does not know keep their names.
-fn heading(measure: &str) -> String {
+pub fn heading(measure: &str) -> String {
     match measure {
-        "d_tension" => "Damage in tension, D⁺".into(),
-        "d_shear" => "Damage in shear, D⁻".into(),
-        "d_b_max" => "Mean principal damage, largest over time, D_b".into(),
+        "d_tension" => "Cracked, D⁺".into(),
+        "d_shear" => "Crushed or sheared, D⁻".into(),
+        "d_b_max" => "Mean of both, D_b".into(),
         "plastic_shear_strain" => "Yielded in shear".into(),
         "plastic_tension_strain" => "Yielded in tension".into(),
         other => other.into(),
     }
 }
 
-/// A table for each measure of the summary, in the order in which groups bring them.
+/// One table for damage and one for yielding, as far as the summary has them.
 pub fn tables(summary: &Summary) -> Vec<DamageTable> {
-    let mut names: Vec<&String> = Vec::new();
-    for name in summary.damage.values().flat_map(|group| group.measures.keys()) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names.into_iter().map(|name| table(summary, name)).collect()
+    let damage = table(summary, "Damage of concrete", |measure| !measure.starts_with("plastic_"));
+    let plastic =
+        table(summary, "Yielding of rock: plastic strain", |measure| measure.starts_with("plastic_"));
+    [damage, plastic].into_iter().flatten().collect()
 }
 
-fn table(summary: &Summary, measure: &str) -> DamageTable {
+fn table(summary: &Summary, heading: &'static str, wanted: impl Fn(&str) -> bool) -> Option<DamageTable> {
+    let measures = |group: &GroupDamage| -> Vec<(String, Damaged)> {
+        let own = group.measures.iter().filter(|(name, _)| wanted(name));
+        own.map(|(name, damaged)| (name.clone(), damaged.clone())).collect()
+    };
     let mut thresholds: Vec<String> = Vec::new();
-    let found =
-        summary.damage.iter().filter_map(|(name, g)| Some((name, g.volume, g.measures.get(measure)?)));
-    for threshold in found.clone().flat_map(|(.., damaged)| damaged.beyond.keys()) {
-        if !thresholds.contains(threshold) {
-            thresholds.push(threshold.clone());
+    for (_, damaged) in summary.damage.values().flat_map(&measures) {
+        for threshold in
+            damaged.beyond.keys().filter(|t| !thresholds.contains(t)).cloned().collect::<Vec<_>>()
+        {
+            thresholds.push(threshold);
         }
     }
     let duration = summary.model.duration;
-    let rows = found
-        .map(|(group, volume, damaged)| DamageRow {
-            group: group.clone(),
-            volume: trimmed(&figures(volume, 4)),
-            beyond: thresholds.iter().map(|t| share(damaged, t, volume)).collect(),
-            largest: trimmed(&figures(damaged.largest, 3)),
-            first: damaged.first.map_or_else(
-                || "–".into(),
-                |first| {
-                    let [x, y, z] = first.at.map(|x| trimmed(&format!("{x:.1}").replace('-', "−")));
-                    let time = moment(first.time, duration);
-                    format!("{time}\u{a0}s, element {} at ({x},\u{a0}{y},\u{a0}{z})", first.element)
-                },
-            ),
-        })
-        .collect();
-    DamageTable { heading: heading(measure), thresholds, rows }
+    let mut rows = Vec::new();
+    let (mut repeated, mut idled) = (0, 0);
+    for (name, group) in &summary.damage {
+        let own: Vec<(String, DamageRow)> = measures(group)
+            .into_iter()
+            .map(|(measure, damaged)| {
+                let row = row(&measure, &damaged, group.volume, &thresholds, duration);
+                (measure, row)
+            })
+            .collect();
+        let cracked = own.iter().find(|(measure, _)| measure == "d_tension");
+        let same = |row: &DamageRow| {
+            cracked.is_some_and(|(_, c)| {
+                (&row.beyond, &row.largest, &row.place) == (&c.beyond, &c.largest, &c.place)
+            })
+        };
+        let repeats: Vec<bool> = own.iter().map(|(m, row)| m == "d_b_max" && same(row)).collect();
+        repeated += repeats.iter().filter(|r| **r).count();
+        let idle = |row: &DamageRow| row.largest == "0";
+        let all_idle = own.iter().all(|(_, row)| idle(row));
+        idled += own.iter().filter(|(_, row)| idle(row) && !all_idle).count();
+        let kept = own
+            .into_iter()
+            .zip(repeats)
+            .enumerate()
+            .filter(|(k, ((_, row), repeats))| if all_idle { *k == 0 } else { !repeats && !idle(row) });
+        let kept = kept.map(|(_, ((_, row), _))| row);
+        let first = rows.len();
+        rows.extend(kept);
+        if let Some(row) = rows.get_mut(first) {
+            row.group.clone_from(name);
+            row.volume = trimmed(&figures(group.volume, 4));
+        }
+    }
+    let mut notes = Vec::new();
+    if repeated > 0 {
+        notes.push("D_b, the mean of both, is not listed where it equals D⁺.");
+    }
+    if idled > 0 {
+        notes.push("Measures that stayed zero are not listed.");
+    }
+    let note = notes.join(" ");
+    (!rows.is_empty()).then_some(DamageTable { heading, thresholds, rows, note })
 }
 
-fn share(damaged: &Damaged, threshold: &str, volume: f64) -> String {
-    match damaged.beyond.get(threshold) {
-        Some(0.0) => "0".into(),
-        Some(&part) if part.is_finite() && volume > 0.0 => {
-            format!("{} ({}\u{a0}%)", trimmed(&figures(part, 3)), trimmed(&figures(100.0 * part / volume, 2)))
-        }
-        _ => "–".into(),
+fn row(measure: &str, damaged: &Damaged, volume: f64, thresholds: &[String], duration: f64) -> DamageRow {
+    let (time, place) = damaged.first.map_or(("–".into(), String::new()), |first| when(&first, duration));
+    DamageRow {
+        group: String::new(),
+        volume: String::new(),
+        measure: heading(measure),
+        beyond: thresholds.iter().map(|t| share(damaged, t, volume)).collect(),
+        largest: trimmed(&figures(damaged.largest, 3)),
+        time,
+        place,
     }
+}
+
+/// A time, and an element with its place.
+fn when(onset: &Onset, duration: f64) -> (String, String) {
+    (format!("{}\u{a0}s", moment(onset.time, duration)), place(onset.element, onset.at))
+}
+
+fn place(element: u64, at: [f64; 3]) -> String {
+    let [x, y, z] = at.map(|x| trimmed(&format!("{x:.1}").replace('-', "−")));
+    format!("element\u{a0}{element} ({x},\u{a0}{y},\u{a0}{z})")
+}
+
+fn share(damaged: &Damaged, threshold: &str, volume: f64) -> Share {
+    let (text, percent) = match damaged.beyond.get(threshold) {
+        Some(0.0) => ("0".into(), String::new()),
+        Some(&part) if part.is_finite() && volume > 0.0 => {
+            (trimmed(&figures(part, 3)), format!("{}\u{a0}%", trimmed(&figures(100.0 * part / volume, 2))))
+        }
+        _ => ("–".into(), String::new()),
+    };
+    Share { volume: text, percent }
+}
+
+/// The widest opening; of loose pieces the limit.
+pub fn opening(cracks: &Cracks) -> String {
+    if cracks.is_loose() {
+        format!(">\u{a0}{}", trimmed(&quantity("m", Cracks::LOOSE)))
+    } else {
+        quantity("m", cracks.opening)
+    }
+}
+
+/// The cracks of each group that has any.
+pub fn cracks(summary: &Summary) -> Vec<CrackRow> {
+    let duration = summary.model.duration;
+    let found = summary.damage.iter().filter_map(|(name, group)| {
+        let cracks = group.cracks.as_ref()?;
+        let (time, place_of) = when(cracks.widest.as_ref()?, duration);
+        Some(CrackRow {
+            group: name.clone(),
+            through: if cracks.stacks > 0 {
+                format!("{} of {}", cracks.through, cracks.stacks)
+            } else {
+                "–".into()
+            },
+            through_at: cracks.through_at.map_or(String::new(), |p| place(p.element, p.at)),
+            opening: opening(cracks),
+            time,
+            place: place_of,
+        })
+    });
+    found.collect()
 }

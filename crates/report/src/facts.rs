@@ -2,19 +2,20 @@
 
 use indexmap::IndexMap;
 use serde::Serialize;
-use tremolite_results::{Bound, Peaks, Status, Summary, Table, TrustLine};
+use tremolite_results::{Bound, Finding, Peaks, Severity, Status, Summary, Table, TrustLine};
 
+use crate::damage::opening;
 use crate::energy::worst_error;
 use crate::scale::{Scale, count, figures, moment, quantity, span, trimmed};
 use crate::source::Source;
 
-/// The outcome at the top of the page.
+/// An outcome at the top of the page.
 #[derive(Serialize)]
 pub struct Outcome {
     /// `good`, `warn` or `bad`: the colour.
     pub class: &'static str,
     pub headline: String,
-    pub verdict: String,
+    pub text: String,
 }
 
 /// A label with a value, and where or what in small print.
@@ -31,7 +32,8 @@ pub struct Check {
     pub name: String,
     pub value: String,
     pub limit: String,
-    pub pass: bool,
+    /// `pass`, `warn`, or a dash for a line that cannot be judged.
+    pub mark: &'static str,
     pub note: String,
 }
 
@@ -56,22 +58,37 @@ pub struct PeakRow {
     pub residual: String,
 }
 
-/// Outcome of the run and colour of the banner.
+/// Outcome of the run and colour of its banner.
 pub fn outcome(source: &Source) -> Outcome {
     let Ok(summary) = &source.summary else {
         let why = source.summary.as_ref().err().cloned().unwrap_or_default();
-        return Outcome { class: "warn", headline: "No summary of the run".into(), verdict: why };
+        return Outcome { class: "warn", headline: "No summary of the run".into(), text: why };
     };
-    let warnings = summary.warnings();
+    let (judged, warnings) = (summary.judged(), summary.warnings());
     let (class, headline) = match summary.status {
-        Status::Failed => ("bad", "The run failed".to_owned()),
-        Status::Stopped => ("warn", "The run was stopped before its end".into()),
-        Status::Done if summary.trust.is_empty() => ("warn", "Done, but nothing was checked".into()),
-        Status::Done if warnings == 0 => ("good", format!("Done; all {} checks pass", summary.trust.len())),
-        Status::Done if warnings == 1 => ("warn", format!("Done; 1 of {} checks warns", summary.trust.len())),
-        Status::Done => ("warn", format!("Done; {warnings} of {} checks warn", summary.trust.len())),
+        Status::Failed => ("bad", "Run: failed".to_owned()),
+        Status::Stopped => ("warn", "Run: stopped before its end".into()),
+        Status::Done if judged == 0 => ("warn", "Run: done, but nothing was checked".into()),
+        Status::Done if warnings == 0 => ("good", format!("Run: sound ({judged} of {judged} checks pass)")),
+        Status::Done if warnings == 1 => ("warn", format!("Run: done, 1 of {judged} checks warns")),
+        Status::Done => ("warn", format!("Run: done, {warnings} of {judged} checks warn")),
     };
-    Outcome { class, headline, verdict: summary.verdict.clone() }
+    let text = if summary.outcome.is_empty() { &summary.verdict } else { &summary.outcome };
+    Outcome { class, headline, text: text.clone() }
+}
+
+/// What became of each structure, each a banner of its own: a sound run may show a lining that fails.
+pub fn findings(summary: &Summary) -> Vec<Outcome> {
+    let banner = |finding: &Finding| Outcome {
+        class: match finding.severity {
+            Severity::Undamaged => "good",
+            Severity::Damaged => "warn",
+            Severity::Through => "bad",
+        },
+        headline: format!("{}: {}", finding.group, finding.headline),
+        text: finding.text.clone(),
+    };
+    summary.findings.iter().map(banner).collect()
 }
 
 /// The few numbers that a reader wants first.
@@ -99,6 +116,14 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s3", |p| -p.min) {
         let note = format!("{monitor} at {}", at(peaks.t_min));
         cards.push(card("Smallest principal stress s3", quantity("Pa", peaks.min), &note));
+    }
+    let cracks = facts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
+    let cracks = cracks.filter_map(|(name, cracks)| Some((name, cracks, cracks.widest?)));
+    // Of equal ones the first: the whole stands before its parts.
+    let wider = cracks.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a });
+    if let Some((group, cracks, widest)) = wider {
+        let note = format!("{group} at {}", at(widest.time));
+        cards.push(card("Widest crack", opening(cracks), &note));
     }
     if let Ok(table) = &source.energy
         && let Some((error, ratio)) = worst_error(table)
@@ -159,12 +184,16 @@ pub fn checks(summary: &Summary) -> Vec<Check> {
 }
 
 fn check(line: &TrustLine) -> Check {
+    if line.not_applicable {
+        let (value, limit) = ("not applicable".into(), String::new());
+        return Check { name: line.name.clone(), value, limit, mark: "–", note: line.note.clone() };
+    }
     let relation = if line.bound == Bound::AtMost { "≤" } else { "≥" };
     Check {
         name: line.name.clone(),
         value: quantity(&line.unit, line.value),
         limit: format!("{relation}\u{a0}{}", trimmed(&quantity(&line.unit, line.limit))),
-        pass: line.pass,
+        mark: if line.pass { "pass" } else { "warn" },
         note: line.note.clone(),
     }
 }
@@ -186,8 +215,13 @@ pub fn model(summary: &Summary) -> Vec<Fact> {
         let note = format!("incident motion = {} × the motion given", trimmed(&figures(motion.factor, 3)));
         facts.push(card("Kind of motion given", motion.kind.clone(), &note));
     }
+    let sources: Vec<&String> = motion.source.values().collect();
+    let shared = sources.windows(2).all(|pair| pair[0] == pair[1]);
+    if let Some(source) = sources.first().filter(|_| shared) {
+        facts.push(card("Record", (*source).clone(), ""));
+    }
     for (axis, &peak) in &motion.peak_acceleration {
-        let source = motion.source.get(axis).map_or("", String::as_str);
+        let source = motion.source.get(axis).filter(|_| !shared).map_or("", String::as_str);
         let value = format!("{} ({}\u{a0}g)", quantity("m/s2", peak), figures(peak / 9.806_65, 2));
         facts.push(card(&format!("Peak incident acceleration, {axis}"), value, source));
     }
@@ -229,6 +263,13 @@ pub fn run(summary: &Summary) -> Vec<Fact> {
         facts.push(card("Resumed from a checkpoint", times, ""));
     }
     facts
+}
+
+/// Time between the rows that peaks are taken from (s).
+pub fn interval(source: &Source) -> Option<String> {
+    let time = source.monitors.as_ref().ok()?.column("time")?;
+    let [first, second, ..] = time else { return None };
+    Some(trimmed(&quantity("s", second - first)))
 }
 
 /// Peaks of all monitors, and of pairs, by family.

@@ -14,8 +14,10 @@ mod energy;
 mod facts;
 mod figure;
 mod frame;
+mod growth;
 mod histories;
 pub mod loops;
+mod materials;
 mod page;
 mod scale;
 mod source;
@@ -61,7 +63,8 @@ pub enum Error {
 /// If `dir` holds no results or cannot be written to.
 pub fn write(dir: &Path) -> Result<PathBuf, Error> {
     let source = Source::read(dir)?;
-    let mut sections = vec![cut_figure::section(&source)];
+    let mut sections: Vec<Section> = growth::section(&source).into_iter().collect();
+    sections.push(cut_figure::section(&source));
     sections.extend(histories::sections(&source));
     sections.push(energy::section(&source));
     let folder = source.folder.figures();

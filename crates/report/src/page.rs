@@ -6,10 +6,12 @@ use minijinja::{AutoEscape, Environment, Value};
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
-use crate::damage::{self, DamageTable};
+use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome, PeakTable};
 use crate::figure::Section;
+use crate::materials::{self, MaterialTable};
 use crate::source::Source;
+use crate::svg::escape;
 
 const TEMPLATE: &str = include_str!("../template/report.html");
 const STYLE: &str = include_str!("../template/report.css");
@@ -19,12 +21,16 @@ struct Page {
     style: Value,
     title: String,
     outcome: Outcome,
+    findings: Vec<Outcome>,
     cards: Vec<Fact>,
     checks: Vec<Check>,
     model: Vec<Fact>,
+    materials: Vec<MaterialTable>,
     damage: Vec<DamageTable>,
+    cracks: Vec<CrackRow>,
     sections: Vec<Part>,
     peaks: Vec<PeakTable>,
+    interval: Option<String>,
     defaulted: Vec<Defaulted>,
     has_summary: bool,
     run: Vec<Fact>,
@@ -59,12 +65,16 @@ pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::
         style: Value::from_safe_string(STYLE.into()),
         title,
         outcome: facts::outcome(source),
+        findings: facts::findings(&summary),
         cards: facts::key_results(source),
         checks: facts::checks(&summary),
         model: facts::model(&summary),
+        materials: materials::tables(&summary),
         damage: damage::tables(&summary),
+        cracks: damage::cracks(&summary),
         sections: sections.iter().map(part).collect(),
         peaks: facts::peaks(source),
+        interval: facts::interval(source),
         defaulted: summary.defaulted.clone(),
         has_summary: source.summary.is_ok(),
         run: facts::run(&summary),
@@ -73,8 +83,14 @@ pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
     environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
+    environment.add_filter("dots", dots);
     environment.add_template("report.html", TEMPLATE)?;
     environment.get_template("report.html")?.render(Serde(&page))
+}
+
+/// A name of several parts, which may break behind its dots and nowhere else.
+fn dots(name: String) -> Value {
+    Value::from_safe_string(escape(&name).replace('.', ".<wbr>"))
 }
 
 fn part(section: &Section) -> Part {

@@ -13,6 +13,8 @@ pub struct Source {
     pub summary: Result<Summary, String>,
     pub monitors: Result<Table, String>,
     pub energy: Result<Table, String>,
+    /// Nothing where the folder has no such file: nothing could be damaged, or an older version ran.
+    pub damage: Option<Result<Table, String>>,
 }
 
 impl Source {
@@ -32,7 +34,8 @@ impl Source {
         if let (Ok(summary), Ok(monitors)) = (&mut summary, &monitors) {
             complete(summary, monitors);
         }
-        Ok(Source { folder, summary, monitors, energy })
+        let damage = folder.damage().exists().then(|| table(&folder.damage()));
+        Ok(Source { folder, summary, monitors, energy, damage })
     }
 
     /// The summary, or an empty one.

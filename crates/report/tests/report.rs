@@ -7,8 +7,9 @@ use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
 use tremolite_report::write;
 use tremolite_results::{
-    Column, Damaged, Defaulted, GroupDamage, Onset, Pvd, ResultFolder, Status, Summary, Table, TableWriter,
-    TrustLine, peaks_by_monitor,
+    Column, Cracks, Damaged, Defaulted, Finding, GroupDamage, MaterialFacts, MaterialGroup, MaterialValue,
+    Onset, Origin, Place, Pvd, ResultFolder, Severity, Status, Summary, Table, TableWriter, TrustLine,
+    peaks_by_monitor,
 };
 
 /// A small but complete result folder: monitors with the given names, one second of a swinging motion.
@@ -80,11 +81,12 @@ fn the_page_shows_every_monitor_every_check_and_every_default() {
     let folder = results(temp.path(), &names);
     let page = page(&folder);
     for name in names {
-        assert!(page.contains(&format!("<th>{name}</th>")), "{name} in the table of peaks");
+        let breakable = name.replace('.', ".<wbr>");
+        assert!(page.contains(&format!("<th>{breakable}</th>")), "{name} in the table of peaks");
         assert!(page.contains(&format!(">{name}</text>")), "{name} in a legend");
     }
     for text in [
-        "Done; all 1 checks pass",
+        "Run: sound (1 of 1 checks pass)",
         "energy error",
         "0.00150",
         "≤\u{a0}0.01",
@@ -202,10 +204,10 @@ fn the_banner_tells_failed_stopped_warned_and_good_runs_apart() {
     let folder = results(temp.path(), &["A"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
     for (status, pass, class, headline) in [
-        (Status::Done, true, "good", "all 1 checks pass"),
-        (Status::Done, false, "warn", "1 of 1 checks warns"),
-        (Status::Stopped, true, "warn", "stopped before its end"),
-        (Status::Failed, true, "bad", "The run failed"),
+        (Status::Done, true, "good", "Run: sound (1 of 1 checks pass)"),
+        (Status::Done, false, "warn", "Run: done, 1 of 1 checks warns"),
+        (Status::Stopped, true, "warn", "Run: stopped before its end"),
+        (Status::Failed, true, "bad", "Run: failed"),
     ] {
         summary.status = status;
         summary.trust[0].pass = pass;
@@ -258,38 +260,168 @@ fn a_field_file_gives_a_section_and_a_broken_one_a_reason() {
     assert!(page(&folder).contains("0.vtu"));
 }
 
-#[test]
-fn damage_is_tabled_by_measure_and_group_with_volumes_shares_and_beginnings() {
-    let temp = tempfile::tempdir().unwrap();
-    let folder = results(temp.path(), &["A"]);
-    assert!(!page(&folder).contains("id=\"damage\""), "nothing can be damaged in this run");
-    let mut summary = Summary::read(&folder.summary()).unwrap();
+/// A lining of 80 m³ with two measures of damage.
+fn cracked() -> GroupDamage {
     let measure = |beyond: &[(&str, f64)], first| Damaged {
         beyond: beyond.iter().map(|(t, v)| ((*t).to_owned(), *v)).collect(),
         largest: 0.95,
         first,
     };
     let first = Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.5, -3.0] });
-    let lining = GroupDamage {
+    let widest = Some(Onset { time: 7.5, element: 4712, at: [1.0, 2.5, -4.0] });
+    GroupDamage {
         volume: 80.0,
         measures: [
             ("d_tension".to_owned(), measure(&[("0.5", 20.0), ("0.9", 4.0)], first)),
+            ("d_b_max".to_owned(), measure(&[("0.5", 20.0), ("0.9", 4.0)], first)),
             ("d_new".to_owned(), measure(&[("0.5", f64::NAN)], None)),
+            ("plastic_shear_strain".to_owned(), measure(&[("1e-6", 1.0)], None)),
         ]
         .into(),
-    };
-    summary.damage.insert("hall.<lining>".into(), lining);
+        cracks: Some(Cracks {
+            opening: 2.4e-4,
+            widest,
+            stacks: 96,
+            through: 7,
+            through_at: Some(Place { element: 4713, at: [0.0; 3] }),
+        }),
+    }
+}
+
+#[test]
+fn damage_is_tabled_by_group_and_measure_with_volumes_shares_beginnings_and_cracks() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    assert!(!page(&folder).contains("id=\"damage\""), "nothing can be damaged in this run");
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.damage.insert("hall.<lining>".into(), cracked());
     summary.model.duration = 20.0;
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     for text in [
-        "Damage in tension, D⁺",
+        "Cracked, D⁺",
         "above 0.5",
-        "20 (25\u{a0}%)",
-        "4 (5\u{a0}%)",
-        "4.25\u{a0}s, element 4711 at (1,\u{a0}2.5,\u{a0}−3)",
-        "hall.&lt;lining&gt;",
+        "above 1e-6",
+        ">20<span class=\"note\">25\u{a0}%",
+        ">4<span class=\"note\">5\u{a0}%",
+        "4.25\u{a0}s",
+        "element\u{a0}4711 (1,\u{a0}2.5,\u{a0}−3)",
+        "hall.<wbr>&lt;lining&gt;",
         "d_new",
+        "7 of 96",
+        "240\u{a0}µm",
+        "7.50\u{a0}s",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert!(!page.contains("Mean of both, D_b"), "it repeats D⁺");
+}
+
+#[test]
+fn a_sound_run_and_a_cracked_lining_have_banners_of_their_own() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    assert!(page(&folder).contains("No structure is judged"));
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.outcome = "The run reached its end.".into();
+    for (severity, class) in
+        [(Severity::Undamaged, "good"), (Severity::Damaged, "warn"), (Severity::Through, "bad")]
+    {
+        let headline = "cracked <i>".to_owned();
+        summary.findings =
+            vec![Finding { group: "hall.lining".into(), severity, headline, text: String::new() }];
+        summary.write(&folder.summary()).unwrap();
+        let page = page(&folder);
+        assert!(
+            page.contains("class=\"outcome good\"><p class")
+                || page.contains("class=\"outcome good\">\n<p class")
+        );
+        assert!(
+            page.contains("Run: sound (1 of 1 checks pass)") && page.contains("The run reached its end.")
+        );
+        assert!(page.contains(&format!("class=\"outcome {class}\"")) && page.contains("cracked &lt;i&gt;"));
+        assert!(!page.contains("The lining stays elastic."), "the verdict as a whole would say all twice");
+    }
+}
+
+#[test]
+fn a_line_that_cannot_be_judged_counts_neither_way() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.trust.push(TrustLine::not_applicable("free field", "the rock yields"));
+    summary.write(&folder.summary()).unwrap();
+    let page = page(&folder);
+    for text in ["1 of 1 checks pass", "not applicable", "the rock yields", "<span class=\"pill\">–"] {
+        assert!(page.contains(text), "{text}");
+    }
+}
+
+#[test]
+fn damage_over_time_is_drawn_group_by_group() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    let text = "time [s],a.lining.d_tension,a.lining.crack_opening [m],b.lining.d_tension,b.lining.d_shear\n\
+                0,0,0,0,0\n1,0.1,1e-4,0.2,0\n2,0.3,2e-4,0.2,0\n";
+    fs::write(folder.damage(), text).unwrap();
+    let page = page(&folder);
+    for text in ["Damage over time", "Cracked, D⁺ (%)", "widest crack (µm)", "highest: a.lining, 30.0\u{a0}%"]
+    {
+        assert!(page.contains(text), "{text}");
+    }
+    assert!(!page.contains("Crushed or sheared"), "zero throughout");
+    assert!(drawings(&folder).contains(&"damage.svg".into()));
+    fs::write(folder.damage(), "time [s],a.d_tension\n0,0\n1,0\n").unwrap();
+    assert!(self::page(&folder).contains("Nothing was damaged."));
+}
+
+#[test]
+fn materials_are_tabled_with_what_is_made_of_them_and_what_their_laws_derive() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    let value = |name: &str, [value, most]: [f64; 2], unit: &str, origin| MaterialValue {
+        name: name.into(),
+        value,
+        most,
+        unit: unit.into(),
+        meaning: format!("meaning of {name}"),
+        origin,
+        ..MaterialValue::default()
+    };
+    let word = MaterialValue { name: "rate".into(), word: "ceb".into(), ..MaterialValue::default() };
+    let facts = MaterialFacts {
+        law: "concrete-damage".into(),
+        density: 2752.3,
+        wave_speed_p: 3125.0,
+        wave_speed_s: 1970.0,
+        damping: "3 % over 0.5 to 20 Hz".into(),
+        groups: vec![MaterialGroup { names: "hall.lining".into(), elements: 1234, element: "full".into() }],
+        values: vec![
+            value("young", [25e9; 2], "Pa", Origin::Given),
+            value("friction_angle", [46f64.to_radians(); 2], "rad", Origin::Given),
+            word,
+            value("rate_filter_time", [5e-3; 2], "s", Origin::Default),
+            value("ultimate_strain", [4.8e-4, 9e-4], "", Origin::Derived),
+        ],
+        ..MaterialFacts::default()
+    };
+    summary.materials.insert("concrete".into(), facts);
+    summary.write(&folder.summary()).unwrap();
+    let page = page(&folder);
+    for text in [
+        "concrete: concrete-damage",
+        "hall.<wbr>lining",
+        "1\u{202f}234 elements, full",
+        "2752\u{a0}kg",
+        "25\u{a0}GPa",
+        ">46°<",
+        ">ceb<",
+        "5\u{a0}ms",
+        "default</span>",
+        "4.8\u{202f}×\u{202f}10⁻⁴ to 9\u{202f}×\u{202f}10⁻⁴",
+        "meaning of young",
+        "What the law makes of them",
     ] {
         assert!(page.contains(text), "{text}");
     }
