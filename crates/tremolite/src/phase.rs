@@ -1,6 +1,5 @@
 //! What is active: parts, masses, ties and where a node's contributions lie. Scratch, rebuilt from model and state.
 
-use crate::material::AnyMaterial;
 use crate::model::{Model, ModelError, Patch, hex, hex_nodes};
 use crate::parts::base::Base;
 use crate::parts::loads::Loads;
@@ -155,16 +154,8 @@ fn add(to: &mut [f64; 6], more: &[f64; 6]) {
     }
 }
 
+/// The part of a patch, and the mass of each of its nodes.
 fn solid(model: &Model, patch: &Patch) -> Result<(Box<dyn Part>, Vec<f64>), ModelError> {
-    part_of(model, patch, &*model.bodies[patch.body].material)
-}
-
-/// The part of a patch as if it were made of this material, and the mass of each of its nodes.
-pub(crate) fn part_of(
-    model: &Model,
-    patch: &Patch,
-    material: &dyn AnyMaterial,
-) -> Result<(Box<dyn Part>, Vec<f64>), ModelError> {
     let body = &model.bodies[patch.body];
     let mut nodes: Vec<u32> = Vec::new();
     let mut local: BTreeMap<u32, u16> = BTreeMap::new();
@@ -191,7 +182,7 @@ pub(crate) fn part_of(
         corners.push(corner);
         geometry.push(hex);
     }
-    Ok((material.patch(body.quadrature, nodes, &corners, &geometry, model.isa), masses))
+    Ok((body.material.patch(body.quadrature, nodes, &corners, &geometry, model.isa), masses))
 }
 
 fn slices(parts: &[Box<dyn Part>]) -> Vec<Slices> {

@@ -162,7 +162,7 @@ pub fn run(
     if let Some(onsets) = Onsets::new(model, rows) {
         observers.push(Box::new(onsets));
     }
-    if let Some(cracks) = Cracks::new(model, rows)? {
+    if let Some(cracks) = Cracks::new(model, rows) {
         observers.push(Box::new(cracks));
     }
     // Behind the cracks, whose widths it writes.

@@ -1,11 +1,9 @@
 //! A patch of hexahedra of one law and one quadrature: the unit of threads and the fused kernel.
 
 mod pass;
-mod strain;
 mod weakened;
 
 pub use pass::{Full, OnePoint, Rule};
-pub use strain::Strain;
 
 use super::{Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick, Work};
 use pass::{Pass, dispatch};

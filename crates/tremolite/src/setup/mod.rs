@@ -53,7 +53,8 @@ pub fn bodies_of(case: &Case, mesh: &tremolite_mesh::Mesh, laws: &[Law]) -> Resu
     let mut problems = Vec::new();
     // Only damping over a band asks for the motion.
     let motion = case.dynamic.band.as_ref().and_then(|_| motion::build(case, &mut problems));
-    let band = band(case, motion.as_ref(), &mut problems);
+    let reference = reference(case, motion.as_ref());
+    let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let bodies = regions::build(case, mesh, laws, band, &mut problems);
     if problems.is_empty() { Ok(bodies) } else { Err(case.report(problems)) }
 }

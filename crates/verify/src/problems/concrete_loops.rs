@@ -33,8 +33,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
     let chords = if effort == Effort::Full { 1600 } else { 400 };
     let mut checks = Vec::new();
     for split in SPLITS {
-        let law =
-            concrete(&[("tensile_strength", 1e30), ("compressive_strength", 1e33)], &[("split", split)])?;
+        let law = concrete(&[("tensile_strength", 1e30), ("cohesion", 1e33)], &[("split", split)])?;
         for corners in [3, 4, 5] {
             let quantity = format!(
                 "energy created over the loop's peak, worst of {LOOPS} with {corners} corners, {split} split"
