@@ -50,21 +50,20 @@ impl Concrete {
             let taken = half.mul_add(dot(&fall, strain), old[ENERGY_DISSIPATED]);
             new[ENERGY_DISSIPATED] = L::select(grows, taken, old[ENERGY_DISSIPATED]);
         }
-        let then = self.principal_stress(last, self.undamaged(&last), new[D_TENSION], new[D_SHEAR]);
-        let twice = dot(stress, &last) - dot(&then, strain);
         // A strain that is no number must not enter the memory.
-        let known = L::both(L::not(quiet), L::splat(f64::MIN).less(twice));
+        let known = L::both(L::not(quiet), L::splat(f64::MIN).less(strain[0] + strain[1] + strain[2]));
         let mut i = 0;
         while i < 3 {
             new[LAST_STRAIN + i] = L::select(known, strain[i], last[i]);
             i += 1;
         }
-        if self.split != Split::Effective {
-            return;
+        if self.split == Split::Effective {
+            let then = self.principal_stress(last, self.undamaged(&last), new[D_TENSION], new[D_SHEAR]);
+            let twice = dot(stress, &last) - dot(&then, strain);
+            // The first damaged step has nothing to go on from.
+            let booked = L::both(known, damaged);
+            let created = half.mul_add(twice, old[ENERGY_CREATED]);
+            new[ENERGY_CREATED] = L::select(booked, created, old[ENERGY_CREATED]);
         }
-        // The first damaged step has nothing to go on from.
-        let booked = L::both(known, damaged);
-        let created = half.mul_add(twice, old[ENERGY_CREATED]);
-        new[ENERGY_CREATED] = L::select(booked, created, old[ENERGY_CREATED]);
     }
 }
