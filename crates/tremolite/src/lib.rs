@@ -26,6 +26,7 @@ pub mod state;
 pub mod summary;
 pub mod survey;
 pub mod ties;
+mod trust;
 
 pub use engine::{Balance, Engine, Halt, Snapshot, StableStep, stable_step};
 pub use material::{AnyMaterial, Instance, Law, laws};

@@ -98,17 +98,7 @@ impl Elasticity {
             e[k] = (-limit).larger(limit.smaller(e[k])) - old[STRAIN + k];
             k += 1;
         }
-        let mu = L::splat(self.mu);
-        let mu2 = L::splat(2.0 * self.mu);
-        let pressure = L::splat(self.lambda) * (e[0] + e[1] + e[2]);
-        [
-            mu2.mul_add(e[0], pressure),
-            mu2.mul_add(e[1], pressure),
-            mu2.mul_add(e[2], pressure),
-            mu * e[3],
-            mu * e[4],
-            mu * e[5],
-        ]
+        self.moduli().stress(&e)
     }
 
     /// C⁻¹:Δσ of principal stresses.

@@ -42,6 +42,26 @@ pub enum CavernError {
     SteepGround { scaled_jacobian: f64, limit: f64 },
 }
 
+impl CavernError {
+    /// What the error is about: the name of a value as in `key`, or of a cavern or gallery; empty for the whole.
+    pub fn subject(&self) -> &str {
+        match self {
+            Self::Value { key, .. } => key,
+            Self::Name { name, .. } => name,
+            Self::TooClose { second: name, .. }
+            | Self::TooNearToEdge { cavern: name, .. }
+            | Self::Poor { cavern: name, .. }
+            | Self::Gallery { gallery: name, .. }
+            | Self::GalleryRows { gallery: name } => name,
+            Self::Caverns { .. }
+            | Self::TooMany { .. }
+            | Self::Grading { .. }
+            | Self::LowGround { .. }
+            | Self::SteepGround { .. } => "",
+        }
+    }
+}
+
 impl fmt::Display for CavernError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

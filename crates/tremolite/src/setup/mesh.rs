@@ -1,5 +1,6 @@
 //! The mesh of a case: generated or read.
 
+use std::ops::Range;
 use std::path::Path;
 use tremolite_case::{self as case, Problem};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
@@ -16,14 +17,19 @@ pub fn build(
 ) -> Option<(Mesh, Vec<Problem>)> {
     let (made, span, remedy) = match mesh {
         case::Mesh::Caverns(caverns) => {
-            let made = spec(caverns).mesh_with_notes().map_err(|e| e.to_string());
+            let made = spec(caverns).mesh_with_notes();
+            let made = made.map_err(|e| (place(caverns, e.subject()), e.to_string()));
             (made, &caverns.span, "change the description of the caverns if this is not meant")
         }
-        case::Mesh::Box(bricks) => (boxed(bricks).map(|mesh| (mesh, Vec::new())), &bricks.span, ""),
+        case::Mesh::Box(bricks) => {
+            let made = boxed(bricks).map(|mesh| (mesh, Vec::new()));
+            (made.map_err(|e| (bricks.span.clone(), e)), &bricks.span, "")
+        }
         case::Mesh::File(file) => {
-            let made = read_with_notes(directory.join(&file.path.value)).map_err(|e| e.to_string());
+            let made = read_with_notes(directory.join(&file.path.value));
             let made = made.map(|(mesh, notes)| (scaled(mesh, file.unit.value), notes));
-            (made, &file.path.span, "change the file if this is not meant")
+            let span = &file.path.span;
+            (made.map_err(|e| (span.clone(), e.to_string())), span, "change the file if this is not meant")
         }
     };
     match made {
@@ -31,10 +37,60 @@ pub fn build(
             let warning = |note: Note| Problem::new(span.clone(), note.to_string(), remedy);
             Some((mesh, notes.into_iter().map(warning).collect()))
         }
-        Err(message) => {
-            problems.push(Problem::new(span.clone(), message, "change the mesh as the message says"));
+        Err((span, message)) => {
+            // Errors of the mesh crate end with the way out.
+            let (what, remedy) = message.rsplit_once("; ").unwrap_or((&message, "change the mesh"));
+            problems.push(Problem::new(span, what, remedy));
             None
         }
+    }
+}
+
+/// Where in the case the generator's `subject` is written.
+fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
+    let subject = subject.strip_prefix("layer ").unwrap_or(subject);
+    let (name, key) = subject.split_once('.').unwrap_or((subject, ""));
+    if let Some(cavern) = c.caverns.iter().find(|cavern| cavern.name.value == name) {
+        let lining = cavern.lining.as_ref();
+        return match key {
+            "at" => cavern.at.span.clone(),
+            "width" => cavern.width.span.clone(),
+            "height" => cavern.height.span.clone(),
+            "arch_rise" => cavern.arch_rise.span.clone(),
+            "benches" => cavern.benches.span.clone(),
+            "lining.walls" => lining.map_or(cavern.span.clone(), |l| l.walls.span.clone()),
+            "lining.crown" => lining.map_or(cavern.span.clone(), |l| l.crown.span.clone()),
+            "lining.floor" => lining.map_or(cavern.span.clone(), |l| l.floor.span.clone()),
+            "lining.layers" => lining.map_or(cavern.span.clone(), |l| l.layers.span.clone()),
+            _ => cavern.name.span.clone(),
+        };
+    }
+    if let Some(gallery) = c.galleries.iter().find(|gallery| gallery.name.value == name) {
+        return match key {
+            "at" => gallery.at.span.clone(),
+            "width" => gallery.width.span.clone(),
+            "height" => gallery.height.span.clone(),
+            _ => gallery.name.span.clone(),
+        };
+    }
+    if let Some(layer) = c.layers.iter().find(|layer| layer.name.value == name) {
+        return match key {
+            "depth" => layer.depth.span.clone(),
+            "dip" => layer.dip.span.clone(),
+            "dip_direction" => layer.dip_direction.span.clone(),
+            _ => layer.name.span.clone(),
+        };
+    }
+    let along = c.along.as_ref().map(|along| &along.span);
+    match name {
+        "overburden" => c.overburden.span.clone(),
+        "below" => c.below.span.clone(),
+        "sides" => c.sides.span.clone(),
+        "length" => c.length.span.clone(),
+        "near" => c.near.span.clone(),
+        "far" => c.far.span.clone(),
+        "along" => along.unwrap_or(&c.span).clone(),
+        _ => c.span.clone(),
     }
 }
 
@@ -115,4 +171,43 @@ fn boxed(bricks: &case::MeshBox) -> Result<Mesh, String> {
 fn scaled(mut mesh: Mesh, unit: f64) -> Mesh {
     mesh.nodes.iter_mut().chain(mesh.points.values_mut()).flatten().for_each(|x| *x *= unit);
     mesh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tremolite_case::MeshAlone;
+
+    const CAVERNS: &str = r#"[mesh.caverns]
+overburden = "60 m"
+below = "40 m"
+sides = "40 m"
+length = "30 m"
+near = "3 m"
+far = "8 m"
+[[mesh.caverns.cavern]]
+name = "hall"
+width = "12 m"
+height = "20 m"
+arch_rise = "3 m"
+lining = { walls = "0.5 m", crown = "0.9 m" }
+"#;
+
+    #[test]
+    fn what_the_generator_refuses_is_shown_where_it_is_written() {
+        for (from, to, marked, remedy) in [
+            ("crown = \"0.9 m\"", "crown = \"9 m\"", "\"9 m\"", "half the width"),
+            ("overburden = \"60 m\"", "overburden = \"0.1 m\"", "\"hall\"", "`overburden`"),
+            ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "[mesh.caverns]", "raise `near`"),
+        ] {
+            let source = CAVERNS.replace(from, to);
+            let alone = MeshAlone::parse(Path::new("mesh.toml"), &source);
+            let alone = alone.unwrap_or_else(|e| panic!("{e}")).expect("it has no other table");
+            let mut problems = Vec::new();
+            assert!(build(&alone.mesh, Path::new(""), &mut problems).is_none());
+            let [problem] = &problems[..] else { panic!("{problems:?}") };
+            assert!(source[problem.span.clone()].starts_with(marked), "{}", &source[problem.span.clone()]);
+            assert!(problem.remedy.contains(remedy), "{problem:?}");
+        }
+    }
 }
