@@ -160,3 +160,27 @@ fn all_that_is_missing_is_named_at_once_with_its_unit() {
         assert!(report.to_string().contains(words), "{report}");
     }
 }
+
+/// A key may be written out though another word makes it idle: what is unusual is a warning of the law, not an error.
+#[test]
+fn every_key_of_concrete_may_be_written_out() {
+    let all = format!(
+        r#"{CONCRETE}residual_tension = 0.1
+residual_shear = 0.2
+ultimate_strain_ratio = 10.0
+rate = "none"
+reference_rate = 3e-5
+driver = "strain"
+shear_tension = "nominal"
+split = "effective"
+evolution = "residual"
+"#
+    );
+    for (from, to) in [("", ""), ("\"effective\"", "\"compliance\""), ("rate = \"none\"", "rate = \"ceb\"")] {
+        assert!(parse(&all.replacen(from, to, usize::from(!from.is_empty()))).is_ok(), "{to}");
+    }
+    let exponential = all
+        .replace("ultimate_strain_ratio = 10.0", "fracture_energy = \"130 N/m\"")
+        .replace("\"residual\"", "\"exponential\"");
+    assert!(parse(&exponential).is_ok());
+}

@@ -95,6 +95,7 @@ pub struct Concrete {
     nominal: bool,
     /// f_c \[Pa\] of the grade where a cohesion stands for it.
     replaced: Option<f64>,
+    idle: unusual::Idle,
 }
 
 // Positions in the history, in the order of `COLUMNS`.

@@ -3,6 +3,7 @@
 use super::faults::Faults;
 use super::grade::{GRADES, Grade};
 use super::rate::{RATES, Rate};
+use super::unusual;
 use super::{Concrete, Driver, Evolution, Split};
 use crate::material::Moduli;
 use crate::materials::elastic::read_moduli;
@@ -140,14 +141,6 @@ pub(super) fn read(given: &Values) -> Result<Concrete, Vec<BadParameter>> {
             let c = faults.number(&values, "cohesion", positive, "positive");
             c.zip(angle).map(|(c, phi)| 2.0 * c * phi.cos() / (1.0 - phi.sin()))
         }
-        (Some(_), Some(_)) if given.optional("compressive_strength").is_some() => {
-            faults.0.push(BadParameter::new(
-                "cohesion",
-                "is given together with compressive_strength, which f_c would be taken from",
-                "keep one: f_c = 2 c cos φ/(1 − sin φ)",
-            ));
-            None
-        }
         (None, None) => {
             faults.0.push(BadParameter::new(
                 "compressive_strength",
@@ -189,7 +182,7 @@ pub(super) fn read(given: &Values) -> Result<Concrete, Vec<BadParameter>> {
             ));
         }
     }
-    faults.idle(&values, exponential, rate == "none", split);
+    let idle = unusual::idle(given, exponential, rate == "none", split);
     let of_grade = grade.filter(|_| ratio.is_none()).map(|g| g.fracture_energy);
     let energy = energy.or(of_grade);
     if exponential && energy.is_none() {
@@ -212,8 +205,17 @@ pub(super) fn read(given: &Values) -> Result<Concrete, Vec<BadParameter>> {
         _ => Evolution::Ratio { ratio: ratio.unwrap_or(10.0) },
     };
     let law = Concrete::from_parts(moduli, ft, fc, angle, [alpha, beta], evolution);
-    let replaced = grade.filter(|_| values.optional("cohesion").is_some()).map(|g| g.compressive_strength);
-    Ok(Concrete { driver, split, nominal, replaced, rate: Rate::named(rate, fc, reference, filter), ..law })
+    let by_cohesion = values.optional("compressive_strength").is_none();
+    let replaced = grade.filter(|_| by_cohesion).map(|g| g.compressive_strength);
+    Ok(Concrete {
+        driver,
+        split,
+        nominal,
+        replaced,
+        idle,
+        rate: Rate::named(rate, fc, reference, filter),
+        ..law
+    })
 }
 
 impl Concrete {
@@ -241,6 +243,7 @@ impl Concrete {
             split: Split::Effective,
             nominal: true,
             replaced: None,
+            idle: unusual::Idle::default(),
         }
     }
 }
