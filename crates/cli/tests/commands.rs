@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tempfile::TempDir;
-use tremolite_results::{Status, Summary};
+use tremolite_results::{Status, Summary, Table};
 
 fn tremolite(folder: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
@@ -121,17 +121,23 @@ fn what_does_not_fit_the_mesh_is_refused_at_its_place() {
 }
 
 #[test]
-fn a_time_step_above_the_stable_one_is_refused_at_its_place_and_nothing_computed() {
+fn an_unstable_run_is_warned_of_ends_with_status_1_and_names_the_element() {
     for step in ["0.3 ms", "1 s"] {
         let (folder, case) = new_case();
         change(&case, "sides    = \"periodic\"", &format!("sides    = \"periodic\"\ntime_step = \"{step}\""));
-        for command in ["check", "run"] {
-            let output = tremolite(folder.path(), &[command, "study/case.toml"]);
-            assert_eq!(code(&output), 2, "{command}: {}", errors(&output));
-            let text = errors(&output);
+        let check = tremolite(folder.path(), &["check", "study/case.toml"]);
+        assert_eq!(code(&check), 0, "{}", errors(&check));
+        let run = tremolite(folder.path(), &["run", "study/case.toml"]);
+        assert_eq!(code(&run), 1, "{}", errors(&run));
+        for output in [&check, &run] {
+            let text = errors(output);
             assert!(text.contains("case.toml:") && text.contains("above the stable step of"), "{text}");
         }
-        assert!(!folder.path().join("results").exists());
+        let text = errors(&run);
+        assert!(text.contains("became unstable") && text.contains("element "), "{text}");
+        let results = folder.path().join("results/study");
+        assert_eq!(Summary::read(&results.join("summary.json")).unwrap().status, Status::Failed);
+        assert!(Table::read(&results.join("monitors.csv")).unwrap().rows() > 0);
     }
 }
 

@@ -35,19 +35,23 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
     Ok((case, setup))
 }
 
-/// Refuses a given time step above the stable one, with which the run would end in noise.
-pub fn check_step(case: &Case, stable: &StableStep) -> Result<(), Failure> {
-    match &case.dynamic.time_step {
-        Some(given) if given.value > stable.dt => {
-            let step = |t: f64| units::format(t, Dimension::TIME);
-            let problem = Problem::at(
-                given,
-                format!("{} is above the stable step of {}", step(given.value), step(stable.dt)),
-                format!("give {} or less, or leave time_step out", step(0.9 * stable.dt)),
-            );
-            Err(Failure::case(&case.report(vec![problem])))
-        }
-        _ => Ok(()),
+/// Warns of a given time step above the stable one: the run will be stopped as soon as energy appears.
+pub fn check_step(case: &Case, stable: &StableStep) {
+    if let Some(given) = &case.dynamic.time_step
+        && given.value > stable.dt
+    {
+        let step = |t: f64| units::format(t, Dimension::TIME);
+        let problem = Problem::at(
+            given,
+            format!(
+                "{} is above the stable step of {}: the run will become unstable and be stopped",
+                step(given.value),
+                step(stable.dt)
+            ),
+            format!("give {} or less, or leave time_step out", step(0.9 * stable.dt)),
+        );
+        let report = case.report(vec![problem]).as_warnings();
+        crate::terminal::say(&report.render(crate::terminal::colour()));
     }
 }
 
