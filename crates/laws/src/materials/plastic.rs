@@ -148,9 +148,13 @@ impl Elasticity {
 /// tension and the elastic √J₂ of strain at yield without confinement: e_y = `strength`/2μ with √J₂ of stress \[Pa\].
 #[inline(always)]
 pub(super) fn hourglass_share<L: Lane>(strength: f64, mu: f64, memory: &Memory<L>) -> L {
+    let plastic = memory[SHEAR] + memory[TENSION];
+    if !L::any(L::splat(0.0).less(plastic)) {
+        return L::splat(1.0);
+    }
     // Rock without cohesion yields at once; the least strain stands for its confinement.
     let yielded = L::splat((0.5 * strength / mu).max(1e-5));
-    let share = yielded / (yielded + memory[SHEAR] + memory[TENSION]);
+    let share = yielded / (yielded + plastic);
     L::splat(LEAST_HOURGLASS_SHARE).larger(share)
 }
 
