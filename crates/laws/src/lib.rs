@@ -11,4 +11,4 @@ pub mod sym3;
 
 pub use lane::{Isa, Lane, Octet, Row};
 pub use material::{History, Material, Moduli, Point, Sym, complementary_energy, virgin};
-pub use parameter::{BadParameter, Column, Dimension, Kind, LawInfo, Need, Parameter, Value, Values};
+pub use parameter::{BadParameter, Column, Dimension, Kind, LawInfo, Need, Parameter, Role, Value, Values};

@@ -1,7 +1,7 @@
 //! The seam for material laws.
 
 use crate::lane::Lane;
-use crate::parameter::{BadParameter, Column, Derived, LawInfo, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Derived, LawInfo, Parameter, Role, Values, position};
 
 /// A symmetric tensor: xx, yy, zz, xy, yz, zx. Strains carry engineering shear.
 pub type Sym<L> = [L; 6];
@@ -178,12 +178,15 @@ pub trait Material: Send + Sync + Sized + 'static {
     const FLOWS: bool = false;
     /// Whether states can lose stiffness, so that [`Material::integrity`] is to be asked for.
     const DAMAGES: bool = false;
-    /// Column of the history in which the law books what it has dissipated \[J/m³\]. One-point elements add what their
-    /// hourglass energy loses by [`Material::hourglass_share`]. A law with history that keeps no such book leaves the
-    /// balance without a check.
-    const DISSIPATION: Option<usize> = None;
-    /// Column in which a law without a potential books what it has given out beyond what it took \[J/m³\].
-    const CREATION: Option<usize> = None;
+    /// Whether strength grows with pressure: such a law says little without the pressure that is there before.
+    const PRESSURE_DEPENDENT: bool = false;
+    /// Column in which the law books what it has dissipated \[J/m³\] ([`Role::Dissipated`]). One-point elements add what
+    /// their hourglass energy loses by [`Material::hourglass_share`]. A law with history that keeps no such book leaves
+    /// the balance without a check.
+    const DISSIPATION: Option<usize> = position(Self::HISTORY, Role::Dissipated);
+    /// Column in which a law without a potential books what it has given out beyond what it took \[J/m³\]
+    /// ([`Role::Created`]).
+    const CREATION: Option<usize> = position(Self::HISTORY, Role::Created);
     /// One lane per entry of `HISTORY`.
     type History<L: Lane>: History<L>;
 
@@ -195,6 +198,10 @@ pub trait Material: Send + Sync + Sized + 'static {
 
     /// The stiffest elastic moduli the law can show: time step, stabilisation, damping and boundaries go by them.
     fn moduli(&self) -> Moduli;
+
+    /// The same material with its elastic moduli times a factor, its strengths as they are: damping over a band gives
+    /// the law what Maxwell bodies leave of the moduli.
+    fn scaled(&self, factor: f64) -> Self;
 
     /// The extent \[m\] that an element must stay below for the law to dissipate its fracture energy; infinite for
     /// a law that does not go by the element's size.
@@ -278,6 +285,7 @@ impl LawInfo {
             source: M::SOURCE,
             parameters: M::PARAMETERS,
             history: M::HISTORY,
+            pressure_dependent: M::PRESSURE_DEPENDENT,
             check: |values| M::new(values).map(|_| ()),
         }
     }

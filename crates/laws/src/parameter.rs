@@ -198,6 +198,38 @@ impl std::fmt::Display for BadParameter {
 
 impl std::error::Error for BadParameter {}
 
+/// What a history column means to those who report on it, whatever its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// The law's own business.
+    Own,
+    /// Damage in tension, 0 sound to 1 broken.
+    TensionDamage,
+    /// Damage in shear or compression, 0 to 1.
+    ShearDamage,
+    /// Mean of the damage over the principal directions as the stress now feels it, 0 to 1.
+    MeanDamage,
+    /// The largest mean damage so far.
+    MeanDamagePeak,
+    /// Extent \[m\] across the crack, from first damage on.
+    CrackExtent,
+    /// Largest principal strain of the last step, from first damage on: with the extent and the damage, how far the crack
+    /// is open.
+    CrackStrain,
+    /// Accumulated plastic strain of shear.
+    PlasticShear,
+    /// Accumulated plastic strain of tension.
+    PlasticTension,
+    /// A component of the plastic strain.
+    PlasticStrain,
+    /// A sum of flags (powers of two) of what the point does and did: shear and tension now 1 and 2, in the past 4 and 8.
+    PlasticState,
+    /// Energy \[J/m³\] that the law has booked as dissipated.
+    Dissipated,
+    /// Energy \[J/m³\] that the law has booked as given out beyond what it took.
+    Created,
+}
+
 /// One history variable of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Column {
@@ -205,6 +237,31 @@ pub struct Column {
     /// SI unit, '1' for a pure number.
     pub unit: &'static str,
     pub doc: &'static str,
+    pub role: Role,
+}
+
+impl Column {
+    /// A column that is the law's own business.
+    pub const fn new(name: &'static str, unit: &'static str, doc: &'static str) -> Self {
+        Column { name, unit, doc, role: Role::Own }
+    }
+
+    /// A column that others report on.
+    pub const fn with_role(name: &'static str, unit: &'static str, role: Role, doc: &'static str) -> Self {
+        Column { name, unit, doc, role }
+    }
+}
+
+/// Position of the first column of a role.
+pub const fn position(columns: &[Column], role: Role) -> Option<usize> {
+    let mut k = 0;
+    while k < columns.len() {
+        if columns[k].role as u8 == role as u8 {
+            return Some(k);
+        }
+        k += 1;
+    }
+    None
 }
 
 /// What is known of a law without an instance of it.
@@ -218,6 +275,8 @@ pub struct LawInfo {
     pub source: &'static str,
     pub parameters: &'static [Parameter],
     pub history: &'static [Column],
+    /// See [`crate::Material::PRESSURE_DEPENDENT`].
+    pub pressure_dependent: bool,
     /// Whether the law accepts these values.
     pub check: fn(&Values) -> Result<(), Vec<BadParameter>>,
 }

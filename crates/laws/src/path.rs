@@ -16,7 +16,7 @@ mod solve;
 mod steps;
 
 use crate::material::Material;
-use crate::parameter::{BadParameter, Column, Values};
+use crate::parameter::{BadParameter, Column, Role, Values, position};
 use steps::Walk;
 
 /// What a column of a path prescribes.
@@ -71,6 +71,12 @@ impl Response {
     pub fn column(&self, name: &str) -> Option<&[f64]> {
         let k = self.columns.iter().position(|c| c.name == name)?;
         self.history.get(k).map(Vec::as_slice)
+    }
+
+    /// A history variable along the path, by what it means, with its name.
+    pub fn with_role(&self, role: Role) -> Option<(&'static str, &[f64])> {
+        let k = position(self.columns, role)?;
+        Some((self.columns[k].name, self.history.get(k)?))
     }
 
     /// Time \[s\] of a row's last step, of the `dt` that lies between it and the row before.

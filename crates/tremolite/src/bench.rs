@@ -1,13 +1,15 @@
 //! A box of distorted hexahedra through the engine that runs use: what `tremolite bench` times.
 
+use crate::assembly::Assembly;
 use crate::engine::{Engine, Halt, stable_step};
-use crate::material::AnyMaterial;
-use crate::model::{Model, ModelError};
-use crate::parts::Quadrature;
+use crate::error::ModelError;
+use crate::life::Stage;
+use crate::model::Model;
 use crate::phase::Phase;
 use crate::problem::{Base, Body, Problem, Rayleigh, Side};
 use std::sync::Arc;
 use std::time::Instant;
+use tremolite_kernels::{AnyMaterial, Line, Quadrature};
 use tremolite_laws::shapes::hex8::{FullGeometry, OnePointGeometry};
 use tremolite_laws::{Isa, Row};
 use tremolite_mesh::boxes::{BoxError, BoxSpec, Distortion};
@@ -87,10 +89,11 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(bench.threads).build()?;
     pool.install(|| {
         let model = Model::new(box_problem(n, bench)?)?;
-        let phase = Phase::dynamic(&model)?;
-        let mut state = phase.rest();
-        state.dt = 0.9 * stable_step(&model, &phase).dt;
-        let mut engine = Engine::new(&model, &phase);
+        let assembly = Assembly::new(&model)?;
+        let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
+        let mut state = assembly.rest();
+        state.dt = 0.9 * stable_step(&model, &assembly, &phase).dt;
+        let mut engine = Engine::new(&model, &assembly, &phase);
         let top = f64::from(n) - 0.25;
         let velocity: Vec<Row> =
             model
@@ -113,7 +116,7 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
         }
         let seconds = begin.elapsed().as_secs_f64();
         let elements = model.user_elements;
-        let kinetic = engine.observe(&mut state).balance.kinetic;
+        let kinetic = engine.observe(&mut state).balance[Line::Kinetic];
         Ok(Timing {
             elements,
             nodes: model.user_nodes,
@@ -121,7 +124,7 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
             threads: bench.threads,
             seconds,
             element_updates_per_second: elements as f64 * bench.steps as f64 / seconds,
-            cost_per_element: cost_per_element(&phase, bench.quadrature, elements),
+            cost_per_element: cost_per_element(&assembly, model.mesh_node.len(), bench.quadrature, elements),
             kinetic,
         })
     })
@@ -130,14 +133,19 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
 /// Bytes and operations of an element update. Bytes: the geometry and corner numbers once, contributions written and
 /// read, and the nodes' rows read and written. Operations: counted in the elastic kernels, a fused multiply–add as
 /// two.
-fn cost_per_element(phase: &Phase, quadrature: Quadrature, elements: usize) -> (f64, f64) {
-    let (_, _, contributions, ..) = phase.totals();
+fn cost_per_element(
+    assembly: &Assembly,
+    nodes: usize,
+    quadrature: Quadrature,
+    elements: usize,
+) -> (f64, f64) {
+    let contributions = assembly.totals().contributions.end;
     let row = size_of::<Row>() as f64;
     let per = |x: usize| x as f64 / elements as f64;
     // Contributions are written, read, and their slots read; a patch's nodes are gathered.
     let contribution_bytes = per(contributions) * (3.0 * row + 8.0);
     // u and du read and written, mass and its inverse read.
-    let node_bytes = per(phase.mass.len()) * (5.0 * row + 12.0);
+    let node_bytes = per(nodes) * (5.0 * row + 12.0);
     let (geometry, operations) = match quadrature {
         Quadrature::OnePoint => (size_of::<OnePointGeometry>() / 8, ONE_POINT_OPERATIONS),
         Quadrature::Full => (size_of::<FullGeometry>() / 8, FULL_OPERATIONS),

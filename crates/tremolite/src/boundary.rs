@@ -1,71 +1,45 @@
 //! The outer faces: what holds nodes, what absorbs, what ties.
 
-use crate::column::{Column, WIDTH};
-use crate::model::{ModelError, centroid};
+use crate::column::WIDTH;
+use crate::error::ModelError;
+use crate::hexahedra::centroid;
+use crate::life::Stage;
+use crate::model::Model;
+use crate::outer_faces::nodes_of;
 use crate::parts::base::BaseNode;
 use crate::problem::{Base, Body, Side};
 use crate::ties::Ties;
-use std::collections::{BTreeMap, BTreeSet};
-use tremolite_mesh::topology::{exterior_faces, match_faces, vector_areas};
+use std::collections::BTreeMap;
+use tremolite_mesh::topology::{match_faces, vector_areas};
 use tremolite_mesh::{Face, Mesh};
 
-/// Nodal matrices and conditions, on engine nodes.
+/// What holds and absorbs in a stage, on engine nodes.
 #[derive(Clone, Debug, Default)]
-pub struct Boundaries {
+pub struct Supports {
     /// Components of a node that are held.
     pub held: BTreeMap<u32, [bool; 3]>,
-    /// Nodes of the base, the column's bottom included; empty for a base without dashpots.
-    pub base: Vec<BaseNode>,
     /// Dashpots of absorbing sides \[N s/m\].
-    pub sides: BTreeMap<u32, [f64; 6]>,
-    /// Distance R used for the springs of the base \[m\].
+    pub dashpots: BTreeMap<u32, [f64; 6]>,
+}
+
+/// What the part at the base is made of.
+#[derive(Clone, Debug, Default)]
+pub struct BaseParts {
+    /// Nodes of the base, the column's bottom included; empty for a base without dashpots.
+    pub nodes: Vec<BaseNode>,
+    /// Distance R used for the springs \[m\].
     pub spring_distance: Option<f64>,
 }
 
-/// Faces of active elements on the outer planes.
-#[derive(Clone, Debug, Default)]
-pub struct OuterFaces {
-    /// `[axis][low or high]`: x, y, z (base and top).
-    pub planes: [[Vec<Face>; 2]; 3],
-}
-
 const NAMES: [[&str; 2]; 2] = [["xmin", "xmax"], ["ymin", "ymax"]];
-
-/// Sorts the exterior faces of the active elements by the plane they lie on.
-pub fn outer_faces(mesh: &Mesh, body_of: &[Option<usize>]) -> OuterFaces {
-    let active: Vec<u32> = (0..body_of.len()).filter(|&e| body_of[e].is_some()).map(|e| e as u32).collect();
-    let (low, high) = mesh.bounds();
-    let mut planes = OuterFaces::default();
-    for face in exterior_faces(mesh, Some(&active)) {
-        for axis in 0..3 {
-            let near = 1e-6 * (high[axis] - low[axis]);
-            for (end, level) in [low[axis], high[axis]].into_iter().enumerate() {
-                if mesh.face_nodes(face).all(|n| (mesh.nodes[n as usize][axis] - level).abs() <= near) {
-                    planes.planes[axis][end].push(face);
-                }
-            }
-        }
-    }
-    planes
-}
-
-/// The nodes of some faces, ascending.
-pub fn nodes_of(mesh: &Mesh, faces: &[Face]) -> Vec<u32> {
-    let nodes: BTreeSet<u32> = faces.iter().flat_map(|&face| mesh.face_nodes(face)).collect();
-    nodes.into_iter().collect()
-}
 
 /// Ties the opposite nodes of periodic sides.
 ///
 /// # Errors
 /// If the two sides' nodes do not match.
-pub fn tie_periodic(
-    mesh: &Mesh,
-    faces: &OuterFaces,
-    sides: [Side; 2],
-    ties: &mut Ties,
-) -> Result<(), ModelError> {
-    let (low, high) = mesh.bounds();
+pub fn tie_periodic(model: &Model, ties: &mut Ties) -> Result<(), ModelError> {
+    let Model { mesh, faces, sides, .. } = model;
+    let (low, high) = faces.bounds;
     let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
     for axis in 0..2 {
         if sides[axis] != Side::Periodic {
@@ -83,25 +57,6 @@ pub fn tie_periodic(
         }
     }
     Ok(())
-}
-
-/// Whether the base needs the free field of a reference column.
-pub fn needs_column(base: &Base) -> bool {
-    matches!(base, Base::ViscousSpring { normal, tangential, .. } if *normal != 0.0 || *tangential != 0.0)
-}
-
-/// What the boundaries are made from.
-pub struct Input<'a> {
-    pub mesh: &'a Mesh,
-    pub user_elements: usize,
-    pub bodies: &'a [Body],
-    pub body_of: &'a [Option<usize>],
-    pub faces: &'a OuterFaces,
-    pub base: Base,
-    pub sides: [Side; 2],
-    pub held: &'a [(u32, [bool; 3])],
-    pub column: Option<&'a Column>,
-    pub engine_node: &'a [u32],
 }
 
 /// Σ A (tangential I + (normal − tangential) n⊗n) by node, over faces with the two factors of each.
@@ -136,25 +91,29 @@ fn impedances(body: &Body) -> (f64, f64) {
     (body.density * p, body.density * s)
 }
 
-/// Supports, dashpots and springs of all boundaries.
+/// ρc_p and ρc_s behind a face. Every face belongs to an element of a body.
+fn face_impedance(model: &Model, face: Face) -> (f64, f64) {
+    model.body_of[face.element as usize].map_or((0.0, 0.0), |b| impedances(&model.bodies[b]))
+}
+
+/// What holds and absorbs in a stage. Before the shaking the base is fixed, and sides that are not periodic are rollers.
 ///
 /// # Errors
 /// If a plane on which something should act has no faces.
-pub fn collect(input: Input) -> Result<Boundaries, ModelError> {
-    let Input { mesh, bodies, faces, engine_node, .. } = input;
-    let mut out = Boundaries::default();
-    let engine = |n: u32| engine_node[n as usize];
-    // Every face belongs to an active element, so its body is known.
-    let body = |face: Face| input.body_of[face.element as usize].map(|b| &bodies[b]);
-    let face_impedance = |face: Face| body(face).map_or((0.0, 0.0), impedances);
-
-    for &(node, held) in input.held {
-        if let Some(&e) = engine_node.get(node as usize).filter(|&&e| e != u32::MAX) {
+pub fn supports(model: &Model, stage: Stage) -> Result<Supports, ModelError> {
+    let Model { mesh, faces, .. } = model;
+    let mut out = Supports::default();
+    let engine = |n: u32| model.engine_node[n as usize];
+    for &(node, held) in &model.held {
+        if let Some(&e) = model.engine_node.get(node as usize).filter(|&&e| e != u32::MAX) {
             hold(&mut out.held, e, held);
         }
     }
     for axis in 0..2 {
-        let side = input.sides[axis];
+        let side = match (stage, model.sides[axis]) {
+            (Stage::Shaking, side) | (_, side @ (Side::Periodic | Side::Fixed)) => side,
+            (Stage::Before(_), _) => Side::Roller,
+        };
         for (end, faces) in faces.planes[axis].iter().enumerate() {
             if side != Side::Free && faces.is_empty() {
                 return Err(ModelError::NoFaces(NAMES[axis][end]));
@@ -174,51 +133,64 @@ pub fn collect(input: Input) -> Result<Boundaries, ModelError> {
                     }
                 }
                 Side::Viscous => {
-                    for (n, matrix) in nodal_matrices(mesh, faces, face_impedance) {
-                        add(out.sides.entry(engine(n)).or_default(), &matrix);
+                    for (n, matrix) in nodal_matrices(mesh, faces, |face| face_impedance(model, face)) {
+                        add(out.dashpots.entry(engine(n)).or_default(), &matrix);
                     }
                 }
             }
         }
     }
-
     let base = &faces.planes[2][0];
-    if input.base != Base::Free && base.is_empty() {
+    if stage != Stage::Shaking || model.base == Base::Fixed {
+        if base.is_empty() {
+            return Err(ModelError::NoFaces("base"));
+        }
+        for n in nodes_of(mesh, base) {
+            hold(&mut out.held, engine(n), [true; 3]);
+        }
+    }
+    Ok(out)
+}
+
+/// Dashpots and springs of the base in the shaking, the column's included.
+///
+/// # Errors
+/// If the plane of a base that should do something has no faces.
+pub fn base(model: &Model) -> Result<BaseParts, ModelError> {
+    let Model { mesh, bodies, .. } = model;
+    let engine = |n: u32| model.engine_node[n as usize];
+    let faces = &model.faces.planes[2][0];
+    if model.base != Base::Free && faces.is_empty() {
         return Err(ModelError::NoFaces("base"));
     }
-    let springs = match input.base {
-        Base::Free => return Ok(out),
-        Base::Fixed => {
-            for n in nodes_of(mesh, base) {
-                hold(&mut out.held, engine(n), [true; 3]);
-            }
-            return Ok(out);
-        }
+    let mut out = BaseParts::default();
+    let springs = match model.base {
+        Base::Free | Base::Fixed => return Ok(out),
         Base::Viscous => None,
         Base::ViscousSpring { normal, tangential, distance } => {
-            let distance = distance.unwrap_or_else(|| scatter_distance(&input));
+            let distance = distance.unwrap_or_else(|| scatter_distance(model));
             out.spring_distance = Some(distance);
             Some((normal, tangential, distance))
         }
     };
-    let spring_of = |face: Face| match (springs, body(face)) {
+    let spring_of = |face: Face| match (springs, model.body_of[face.element as usize]) {
         (Some((normal, tangential, distance)), Some(body)) => {
-            let g = body.material.moduli().mu;
+            let g = bodies[body].material.moduli().mu;
             (normal * g / distance, tangential * g / distance)
         }
         _ => (0.0, 0.0),
     };
-    let free_field = input.column.map(|c| engine(c.bottom[0]));
-    let spring_matrices = nodal_matrices(mesh, base, spring_of);
-    for (n, dashpot) in nodal_matrices(mesh, base, face_impedance) {
+    let free_field = model.column.as_ref().map(|c| engine(c.bottom()[0]));
+    let spring_matrices = nodal_matrices(mesh, faces, spring_of);
+    for (n, dashpot) in nodal_matrices(mesh, faces, |face| face_impedance(model, face)) {
         let spring = spring_matrices.get(&n).copied().unwrap_or_default();
-        out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: true });
+        out.nodes.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: true });
     }
-    if let Some(column) = input.column {
+    if let Some(column) = &model.column {
         let (p, s) = impedances(&bodies[column.bottom_body]);
         let quarter = 0.25 * WIDTH * WIDTH;
-        for n in column.bottom {
-            out.base.push(BaseNode {
+        for n in column.bottom() {
+            out.nodes.push(BaseNode {
                 node: engine(n),
                 dashpot: [s * quarter, s * quarter, p * quarter, 0.0, 0.0, 0.0],
                 spring: [0.0; 6],
@@ -244,10 +216,10 @@ fn add(to: &mut [f64; 6], more: &[f64; 6]) {
 }
 
 /// From the centre of the excavated elements (of all, if none is) down to the base \[m\].
-fn scatter_distance(input: &Input) -> f64 {
-    let void: Vec<usize> = (0..input.user_elements).filter(|&e| input.body_of[e].is_none()).collect();
-    let all: Vec<usize> = (0..input.user_elements).collect();
+fn scatter_distance(model: &Model) -> f64 {
+    let void: Vec<usize> = (0..model.user_elements).filter(|&e| model.body_of[e].is_none()).collect();
+    let all: Vec<usize> = (0..model.user_elements).collect();
     let chosen = if void.is_empty() { &all } else { &void };
-    let sum: f64 = chosen.iter().map(|&e| centroid(input.mesh, e as u32)[2]).sum();
-    (sum / chosen.len() as f64 - input.mesh.bounds().0[2]).max(1.0)
+    let sum: f64 = chosen.iter().map(|&e| centroid(&model.mesh, e as u32)[2]).sum();
+    (sum / chosen.len() as f64 - model.faces.bounds.0[2]).max(1.0)
 }

@@ -3,10 +3,10 @@
 //! Its bottom moves as u_ff, the free field at the level of the base, on which the springs of the base act.
 //! It feels the same incident wave through dashpots alone.
 
-use crate::model::{ModelError, hex_nodes};
-use crate::parts::Quadrature;
+use crate::error::ModelError;
+use crate::hexahedra::hex_nodes;
 use crate::problem::Body;
-use crate::ties::Ties;
+use tremolite_kernels::Quadrature;
 use tremolite_mesh::{Element, Mesh, Shape};
 
 /// Side of the column's square section \[m\]; its width cancels.
@@ -15,10 +15,17 @@ pub const WIDTH: f64 = 1.0;
 /// Where the column's nodes are.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// The four nodes of the bottom, in the mesh's numbering.
-    pub bottom: [u32; 4],
+    /// The four nodes of each level, in the mesh's numbering, which move as one; upwards.
+    pub rings: Vec<[u32; 4]>,
     /// Index of the body whose material the bottom has.
     pub bottom_body: usize,
+}
+
+impl Column {
+    /// The four nodes of the bottom.
+    pub fn bottom(&self) -> [u32; 4] {
+        self.rings[0]
+    }
 }
 
 fn refusal(reason: &str) -> ModelError {
@@ -36,7 +43,6 @@ pub fn build(
     mesh: &mut Mesh,
     bodies: &mut Vec<Body>,
     body_of: &[Option<usize>],
-    ties: &mut Ties,
 ) -> Result<Column, ModelError> {
     let (low, high) = mesh.bounds();
     let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
@@ -71,22 +77,18 @@ pub fn build(
     // Beside the mesh, so that a picture with it shows two things.
     let x0 = low[0] - (high[0] - low[0]) - WIDTH;
     let y0 = low[1];
-    let ring = |mesh: &mut Mesh, ties: &mut Ties, z: f64| -> [u32; 4] {
+    let ring = |mesh: &mut Mesh, z: f64| -> [u32; 4] {
         let start = mesh.nodes.len() as u32;
         for (dx, dy) in [(0.0, 0.0), (WIDTH, 0.0), (WIDTH, WIDTH), (0.0, WIDTH)] {
             mesh.nodes.push([x0 + dx, y0 + dy, z]);
         }
-        ties.grow(mesh.nodes.len());
-        for k in 1..4 {
-            ties.join(start, start + k);
-        }
         [start, start + 1, start + 2, start + 3]
     };
     let bottom_body = first.2;
-    let mut below = ring(mesh, ties, first.0);
-    let bottom = below;
+    let mut below = ring(mesh, first.0);
+    let mut rings = vec![below];
     for (_, top, body) in layers {
-        let above = ring(mesh, ties, top);
+        let above = ring(mesh, top);
         let element = mesh.elements.len() as u32;
         mesh.elements.push(Element::new(
             Shape::Hex8,
@@ -108,6 +110,7 @@ pub fn build(
             }
         }
         below = above;
+        rings.push(above);
     }
-    Ok(Column { bottom, bottom_body })
+    Ok(Column { rings, bottom_body })
 }

@@ -1,70 +1,34 @@
 //! How far each group of elements is damaged or has yielded, at the end of a run.
 
-use crate::history;
-use crate::model::{Model, centroid, hex};
+use crate::groups::{Group, groups};
+use crate::hexahedra::{centroid, hex};
+use crate::history::History;
+use crate::model::Model;
 use crate::observers::{Cracks as Watch, onset_memory};
 use crate::phase::Phase;
 use crate::quantities::{MEASURES, Measure};
 use crate::stacks::{Stack, stacks};
-use crate::state::State;
+use crate::state::Memory;
 use indexmap::IndexMap;
+use tremolite_laws::Role;
+use tremolite_laws::parameter::position;
 use tremolite_results::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
-
-/// Elements with a name.
-pub(crate) struct Group<'a> {
-    pub name: &'a str,
-    pub elements: &'a [u32],
-    /// Whether it is no part of another group of the same body.
-    pub whole: bool,
-}
-
-/// Groups of the mesh that lie in one body each, and bodies that such groups do not make up, where the law has a
-/// measure.
-pub(crate) fn groups(model: &Model) -> Vec<Group<'_>> {
-    let mut all = Vec::new();
-    for body in model.user_bodies() {
-        let columns = body.material.info().history;
-        if !columns.iter().any(|c| MEASURES.iter().any(|m| m.column == c.name)) {
-            continue;
-        }
-        let mut inside = vec![false; model.mesh.elements.len()];
-        body.elements.iter().for_each(|&e| inside[e as usize] = true);
-        let within = |elements: &[u32]| !elements.is_empty() && elements.iter().all(|&e| inside[e as usize]);
-        let own: Vec<(&str, &[u32])> = model
-            .mesh
-            .groups
-            .iter()
-            .filter(|(_, elements)| within(elements))
-            .map(|(name, elements)| (name.as_str(), elements.as_slice()))
-            .collect();
-        let mut named = vec![false; model.mesh.elements.len()];
-        own.iter().flat_map(|(_, elements)| *elements).for_each(|&e| named[e as usize] = true);
-        if !body.elements.iter().all(|&e| named[e as usize]) {
-            all.push(Group { name: &body.name, elements: &body.elements, whole: own.is_empty() });
-        }
-        // A group is whole unless a larger one (or, of two equal ones, the first) holds all of it.
-        let mut whole = vec![true; own.len()];
-        for (k, (_, outer)) in own.iter().enumerate() {
-            let mut inside = vec![false; model.mesh.elements.len()];
-            outer.iter().for_each(|&e| inside[e as usize] = true);
-            for (i, (_, inner)) in own.iter().enumerate() {
-                let smaller = inner.len() < outer.len() || (inner.len() == outer.len() && k < i);
-                whole[i] &= !(smaller && inner.iter().all(|&e| inside[e as usize]));
-            }
-        }
-        all.extend(own.iter().zip(whole).map(|((name, elements), whole)| Group { name, elements, whole }));
-    }
-    all
-}
 
 /// What summaries say of damage, by group. Volumes are those of integration points, and first times go by the rows of
 /// the histories.
-pub fn damage(model: &Model, phase: &Phase, state: &State) -> IndexMap<String, GroupDamage> {
-    groups(model).iter().map(|group| (group.name.to_owned(), of_group(model, phase, state, group))).collect()
+pub fn damage(
+    model: &Model,
+    phase: &Phase,
+    history: History,
+    memory: &Memory,
+) -> IndexMap<String, GroupDamage> {
+    let of = |group: &Group| of_group(model, phase, history, memory, group);
+    groups(model).iter().map(|group| (group.name.to_owned(), of(group))).collect()
 }
 
-fn of_group(model: &Model, phase: &Phase, state: &State, group: &Group) -> GroupDamage {
-    let cracks = cracks(model, phase, state, group);
+fn of_group(model: &Model, phase: &Phase, history: History, memory: &Memory, group: &Group) -> GroupDamage {
+    let columns = group.body.material.info().history;
+    let cracks = cracks(model, phase, history, memory, group);
     let mut result = GroupDamage { volume: 0.0, measures: IndexMap::new(), cracks };
     for &element in group.elements {
         let (Some(slot), Ok(hex)) =
@@ -75,9 +39,10 @@ fn of_group(model: &Model, phase: &Phase, state: &State, group: &Group) -> Group
         result.volume += hex.volume;
         let weights: &[f64] = if slot.points == 8 { &hex.weights } else { &[hex.volume] };
         for measure in &MEASURES {
-            let Some(column) = history::position(model, &slot, measure.column) else { continue };
-            let found = result.measures.entry(measure.column.to_owned()).or_insert_with(|| nothing(measure));
-            for (value, weight) in history::values(model, phase, state, &slot, column).zip(weights) {
+            let Some(column) = position(columns, measure.role) else { continue };
+            let name = columns[column].name.to_owned();
+            let found = result.measures.entry(name).or_insert_with(|| nothing(measure));
+            for (value, weight) in history.values(&slot, column).zip(weights) {
                 found.largest = found.largest.max(value);
                 for (threshold, volume) in measure.thresholds.iter().zip(found.beyond.values_mut()) {
                     if value > *threshold {
@@ -85,7 +50,7 @@ fn of_group(model: &Model, phase: &Phase, state: &State, group: &Group) -> Group
                     }
                 }
             }
-            let first = state.observers.get(&onset_memory(measure)).map(|times| times[slot.element as usize]);
+            let first = memory.get(&onset_memory(measure)).map(|times| times[slot.element as usize]);
             if let Some(time) = first.filter(|time| time.is_finite())
                 && found.first.is_none_or(|earlier| time < earlier.time)
             {
@@ -114,19 +79,18 @@ fn threshold(x: f64) -> String {
 const OPEN: f64 = 0.9;
 
 /// How wide cracks were, and whether they run through; nothing where the law knows none.
-fn cracks(model: &Model, phase: &Phase, state: &State, group: &Group) -> Option<Cracks> {
-    let (widest, when) = (state.observers.get(Watch::OPENING)?, state.observers.get(Watch::TIME)?);
+fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group: &Group) -> Option<Cracks> {
+    let (widest, when) = (memory.get(Watch::OPENING)?, memory.get(Watch::TIME)?);
     let slot = |e: u32| phase.element_slot[e as usize];
     let place = |e: u32| Place { element: model.mesh.element_id(e as usize), at: centroid(&model.mesh, e) };
     let own = group.elements.iter().filter_map(|&e| Some((e, slot(e)?.element as usize)));
     let (element, at) = own.max_by(|a, b| widest[a.1].total_cmp(&widest[b.1]))?;
-    slot(element).and_then(|s| history::position(model, &s, "crack_size"))?;
+    slot(element).and_then(|s| history.with_role(&s, Role::CrackExtent))?;
     // Through an element if both points of a pair along the axis are open, of four pairs, or its one point.
     let open = |&(e, axis): &(u32, usize)| {
         let Some(slot) = slot(e) else { return false };
-        let Some(column) = history::position(model, &slot, "d_tension") else { return false };
-        let open: Vec<bool> =
-            history::values(model, phase, state, &slot, column).map(|damage| damage > OPEN).collect();
+        let Some(column) = history.with_role(&slot, Role::TensionDamage) else { return false };
+        let open: Vec<bool> = history.values(&slot, column).map(|damage| damage > OPEN).collect();
         if open.len() == 8 { (0..8).any(|p| open[p] && open[p ^ 1 << axis]) } else { open.iter().all(|o| *o) }
     };
     let stacks = stacks(&model.mesh, group.elements);
@@ -144,23 +108,26 @@ fn cracks(model: &Model, phase: &Phase, state: &State, group: &Group) -> Option<
 /// What became of each group that is no part of another: does it survive?
 pub fn findings(model: &Model, damage: &IndexMap<String, GroupDamage>) -> Vec<Finding> {
     let whole = groups(model).into_iter().filter(|g| g.whole);
-    whole.filter_map(|group| Some(finding(group.name, damage.get(group.name)?))).collect()
+    whole.filter_map(|group| Some(finding(&group, damage.get(group.name)?))).collect()
 }
 
-fn finding(group: &str, found: &GroupDamage) -> Finding {
+fn finding(group: &Group, found: &GroupDamage) -> Finding {
+    let columns = group.body.material.info().history;
+    let group = group.name;
+    let damaged = |m: &Measure| position(columns, m.role).and_then(|at| found.measures.get(columns[at].name));
     let share = |measure: &Measure| {
-        let damaged = found.measures.get(measure.column)?;
+        let damaged = damaged(measure)?;
         Some(damaged.beyond.get(&threshold(measure.counts)).copied().unwrap_or(0.0) / found.volume)
     };
     // The mean of the directions repeats what cracks and crushing say.
-    let told = MEASURES.iter().filter(|m| m.column != "d_b_max");
+    let told = MEASURES.iter().filter(|m| m.role != Role::MeanDamagePeak);
     let shares: Vec<String> = told
         .filter_map(|m| Some((m, share(m).filter(|share| *share > 0.0)?)))
         .map(|(m, share)| format!("{} in {} of its volume", m.words, percent(share)))
         .collect();
     let first = MEASURES
         .iter()
-        .filter_map(|m| Some((m, found.measures.get(m.column)?.first?)))
+        .filter_map(|m| Some((m, damaged(m)?.first?)))
         .min_by(|a, b| a.1.time.total_cmp(&b.1.time));
     let Some((measure, onset)) = first else {
         let headline = "undamaged".to_owned();

@@ -3,42 +3,56 @@
 //! Histories are brought up to date when the parts are evaluated: who looks at a state that the engine has just
 //! observed sees those of its displacements.
 
-use crate::model::Model;
-use crate::phase::{ElementSlot, Phase};
+use crate::assembly::Assembly;
+use crate::phase::ElementSlot;
 use crate::quantities::MEASURES;
-use crate::state::State;
-use tremolite_laws::Column;
+use tremolite_laws::parameter::position;
+use tremolite_laws::{Column, Octet, Role};
 
-/// The columns of the law that an active element is made of.
-pub fn columns(model: &Model, slot: &ElementSlot) -> &'static [Column] {
-    model.bodies[model.patches[slot.part as usize].body].material.info().history
+/// The histories of all parts at one time.
+#[derive(Clone, Copy)]
+pub struct History<'a> {
+    pub assembly: &'a Assembly,
+    /// The state's octets, or a copy of them.
+    pub octets: &'a [Octet],
 }
 
-/// Position of a column in the history of an element's law; none if the law has no such column.
-pub fn position(model: &Model, slot: &ElementSlot, name: &str) -> Option<usize> {
-    columns(model, slot).iter().position(|c| c.name == name)
-}
+impl<'a> History<'a> {
+    /// The columns of the law that an active element is made of.
+    pub fn columns(&self, slot: &ElementSlot) -> &'static [Column] {
+        self.assembly.members[slot.member as usize].part.columns()
+    }
 
-/// Whether any point of an element has cracked or yielded, by whatever measure its law has.
-pub fn is_damaged(model: &Model, phase: &Phase, state: &State, slot: &ElementSlot) -> bool {
-    MEASURES.iter().any(|measure| {
-        position(model, slot, measure.column)
-            .is_some_and(|at| values(model, phase, state, slot, at).any(|value| value > measure.onset))
-    })
-}
+    /// Position of a column by its name in the history of an element's law; none if the law has no such column.
+    pub fn named(&self, slot: &ElementSlot, name: &str) -> Option<usize> {
+        self.columns(slot).iter().position(|c| c.name == name)
+    }
 
-/// One column at all points of an element, in the order of points; `column` as [`position`] gives it.
-pub fn values<'s>(
-    model: &Model,
-    phase: &Phase,
-    state: &'s State,
-    slot: &ElementSlot,
-    column: usize,
-) -> impl ExactSizeIterator<Item = f64> + 's + use<'s> {
-    let slices = &phase.slices[slot.part as usize];
-    let (points, count) = (slot.points as usize, columns(model, slot).len());
-    let element = slot.element as usize - slices.elements.start;
-    // A part's octets lie element octet by element octet, in each point by point, in each column by column.
-    let first = slices.history.start + element / 8 * points * count + column;
-    (0..points).map(move |p| state.history[first + p * count].0[element % 8])
+    /// Position of a column by what it means.
+    pub fn with_role(&self, slot: &ElementSlot, role: Role) -> Option<usize> {
+        position(self.columns(slot), role)
+    }
+
+    /// Whether any point of an element has cracked or yielded, by whatever measure its law has.
+    pub fn is_damaged(&self, slot: &ElementSlot) -> bool {
+        MEASURES.iter().any(|measure| {
+            self.with_role(slot, measure.role)
+                .is_some_and(|at| self.values(slot, at).any(|value| value > measure.onset))
+        })
+    }
+
+    /// One column at all points of an element, in the order of points.
+    pub fn values(
+        &self,
+        slot: &ElementSlot,
+        column: usize,
+    ) -> impl ExactSizeIterator<Item = f64> + 'a + use<'a> {
+        let slices = &self.assembly.slices[slot.member as usize];
+        let (points, count) = (slot.points as usize, self.columns(slot).len());
+        let element = slot.element as usize - slices.elements.start;
+        // The layout that Part::columns describes.
+        let first = slices.history.start + element / 8 * points * count + column;
+        let octets = self.octets;
+        (0..points).map(move |p| octets[first + p * count].0[element % 8])
+    }
 }

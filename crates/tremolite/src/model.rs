@@ -1,39 +1,15 @@
 //! The checked model: immutable, in the engine's numbering.
 
-use crate::boundary::{self, Boundaries};
-use crate::column;
+use crate::column::{self, Column};
+use crate::error::ModelError;
+use crate::hexahedra::{centroid, hex};
+use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
-use crate::problem::{Body, Incident, Problem, Rayleigh, TimeStep};
-use crate::ties::Ties;
+use crate::problem::{Base, Body, Incident, MakePart, Problem, Rayleigh, Side, TimeStep};
 use std::ops::Range;
 use tremolite_laws::Isa;
-use tremolite_laws::shapes::hex8::{BadShape, Hex8};
+use tremolite_mesh::Mesh;
 use tremolite_mesh::order::hilbert_order;
-use tremolite_mesh::topology::Unmatched;
-use tremolite_mesh::{Mesh, Shape};
-
-/// Why a problem cannot be run.
-#[derive(Debug, thiserror::Error)]
-pub enum ModelError {
-    #[error("no element belongs to a body: assign a material to at least one group")]
-    Empty,
-    #[error(
-        "element {element} belongs to '{first}' and to '{second}': let each element be in one region only"
-    )]
-    Twice { element: u64, first: String, second: String },
-    #[error("element {element} of '{body}' cannot be used: {reason}")]
-    BadElement { element: u64, body: String, reason: BadShape },
-    #[error("the sides {low} and {high} cannot be periodic: {reason}")]
-    Periodic { low: &'static str, high: &'static str, reason: Unmatched },
-    #[error(
-        "no element face lies on the plane of the {0}, so nothing can act there: the outer sides must be plane"
-    )]
-    NoFaces(&'static str),
-    #[error("{0}")]
-    Column(String),
-    #[error("'{body}' has density {density} kg/m³: it must be positive")]
-    Density { body: String, density: f64 },
-}
 
 /// Elements that one thread works on together.
 #[derive(Clone, Debug)]
@@ -51,6 +27,8 @@ pub struct Model {
     pub user_nodes: usize,
     pub user_elements: usize,
     pub bodies: Vec<Body>,
+    /// The body of each element of the user's, none for void ones.
+    pub body_of: Vec<Option<usize>>,
     /// Patches of the user's elements, then those of the reference column.
     pub patches: Vec<Patch>,
     pub user_patches: usize,
@@ -60,36 +38,25 @@ pub struct Model {
     pub engine_node: Vec<u32>,
     /// Engine nodes of the user's model; those of the column follow.
     pub counted: Range<usize>,
-    /// Engine node → the engine node it moves with (itself if it is its own master).
-    pub master: Vec<u32>,
-    pub boundaries: Boundaries,
+    /// Faces of the user's elements on the outer planes.
+    pub faces: OuterFaces,
+    pub base: Base,
+    /// Sides normal to x and to y.
+    pub sides: [Side; 2],
+    /// Components held at single nodes of the mesh.
+    pub held: Vec<(u32, [bool; 3])>,
+    /// Nodes of the mesh that move as one, beside those of periodic sides and of the column.
+    pub ties: Vec<(u32, u32)>,
+    /// The reference column, if the base needs one.
+    pub column: Option<Column>,
     pub incident: Option<Incident>,
     pub rayleigh: Rayleigh,
     /// Loads on engine nodes.
     pub loads: Vec<Load>,
+    /// Parts of the program's own.
+    pub parts: Vec<MakePart>,
     pub time_step: TimeStep,
     pub isa: Isa,
-}
-
-/// Corners of an element as a hexahedron, of which the other shapes are collapsed ones.
-///
-/// Collapsing keeps the patch test, the six rigid modes and the right row-sum masses, since the shape functions that
-/// fall together add up to those of the smaller shape. A tetrahedron is the constant-strain one: it locks in bending
-/// and at ν → ½. A wedge bends well along its axis and locks across its triangles; a pyramid is in between.
-pub fn hex_nodes(mesh: &Mesh, element: usize) -> [u32; 8] {
-    let e = &mesh.elements[element];
-    let n = e.nodes;
-    match e.shape {
-        Shape::Hex8 => n,
-        Shape::Wedge6 => [n[0], n[1], n[2], n[2], n[3], n[4], n[5], n[5]],
-        Shape::Pyramid5 => [n[0], n[1], n[2], n[3], n[4], n[4], n[4], n[4]],
-        Shape::Tet4 => [n[0], n[1], n[2], n[2], n[3], n[3], n[3], n[3]],
-    }
-}
-
-/// Geometry of an element that was checked to be usable.
-pub fn hex(mesh: &Mesh, element: usize) -> Result<Hex8, BadShape> {
-    Hex8::new(hex_nodes(mesh, element).map(|n| mesh.nodes[n as usize]))
 }
 
 /// Elements a patch: enough patches to share out small models, large ones for locality.
@@ -107,16 +74,10 @@ impl Model {
         let (user_nodes, user_elements) = (mesh.nodes.len(), mesh.elements.len());
         let body_of = check_bodies(&mesh, &bodies)?;
 
-        let faces = boundary::outer_faces(&mesh, &body_of);
-        let mut ties = Ties::new(mesh.nodes.len());
-        for (a, b) in &problem.ties {
-            ties.join(*a, *b);
-        }
-        boundary::tie_periodic(&mesh, &faces, problem.sides, &mut ties)?;
-
+        let faces = OuterFaces::of(&mesh, &body_of);
         let user_bodies = bodies.len();
-        let column = if boundary::needs_column(&problem.base) {
-            Some(column::build(&mut mesh, &mut bodies, &body_of, &mut ties)?)
+        let column = if problem.base.has_springs() {
+            Some(column::build(&mut mesh, &mut bodies, &body_of)?)
         } else {
             None
         };
@@ -151,19 +112,6 @@ impl Model {
                 counted = 0..mesh_node.len();
             }
         }
-        let master: Vec<u32> = ties.masters(&mesh_node, &engine_node);
-        let boundaries = boundary::collect(boundary::Input {
-            mesh: &mesh,
-            user_elements,
-            bodies: &bodies,
-            body_of: &body_of,
-            faces: &faces,
-            base: problem.base,
-            sides: problem.sides,
-            held: &problem.held,
-            column: column.as_ref(),
-            engine_node: &engine_node,
-        })?;
         let loads = problem
             .loads
             .into_iter()
@@ -180,16 +128,22 @@ impl Model {
             user_nodes,
             user_elements,
             bodies,
+            body_of,
             patches,
             user_patches,
             mesh_node,
             engine_node,
             counted,
-            master,
-            boundaries,
+            faces,
+            base: problem.base,
+            sides: problem.sides,
+            held: problem.held,
+            ties: problem.ties,
+            column,
             incident: problem.incident,
             rayleigh: problem.rayleigh,
             loads,
+            parts: problem.parts,
             time_step: problem.time_step,
             isa: problem.isa,
         })
@@ -213,18 +167,6 @@ impl Model {
             None => format!("element {number}"),
         }
     }
-}
-
-/// Mean of an element's nodes.
-pub fn centroid(mesh: &Mesh, element: u32) -> [f64; 3] {
-    let nodes = mesh.elements[element as usize].nodes();
-    let mut sum = [0.0; 3];
-    for &n in nodes {
-        for i in 0..3 {
-            sum[i] += mesh.nodes[n as usize][i];
-        }
-    }
-    sum.map(|s| s / nodes.len() as f64)
 }
 
 /// The body of each element, none for void ones; every element of a body can be integrated.

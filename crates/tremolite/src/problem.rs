@@ -1,9 +1,9 @@
 //! The problem as a program states it: what a case file becomes, and what a Rust program writes directly.
 
-use crate::material::AnyMaterial;
-use crate::parts::Quadrature;
+use crate::member::Member;
 use crate::parts::loads::Load;
 use std::sync::Arc;
+use tremolite_kernels::{AnyMaterial, Quadrature};
 use tremolite_laws::Isa;
 use tremolite_mesh::Mesh;
 use tremolite_motion::Motion;
@@ -56,6 +56,13 @@ pub enum Base {
     },
 }
 
+impl Base {
+    /// Whether springs act, which need the free field of a reference column.
+    pub fn has_springs(&self) -> bool {
+        matches!(self, Base::ViscousSpring { normal, tangential, .. } if *normal != 0.0 || *tangential != 0.0)
+    }
+}
+
 /// Rayleigh damping C = ω M + ξ K (19).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rayleigh {
@@ -89,6 +96,10 @@ impl Default for TimeStep {
     }
 }
 
+/// Makes a part of a program's own, once the mesh has its final form and its nodes have their engine numbers (`u32::MAX`
+/// for those that no element uses). Such parts come behind all others.
+pub type MakePart = Arc<dyn Fn(&Mesh, &[u32]) -> Member + Send + Sync>;
+
 /// Everything that defines a run in space.
 #[derive(Clone)]
 pub struct Problem {
@@ -106,6 +117,8 @@ pub struct Problem {
     pub held: Vec<(u32, [bool; 3])>,
     /// Nodes of the mesh that move as one.
     pub ties: Vec<(u32, u32)>,
+    /// Parts of the program's own.
+    pub parts: Vec<MakePart>,
     pub time_step: TimeStep,
     pub isa: Isa,
     /// Elements a patch, rounded up to eights; by default from the size of the model.
@@ -125,6 +138,7 @@ impl Problem {
             loads: Vec::new(),
             held: Vec::new(),
             ties: Vec::new(),
+            parts: Vec::new(),
             time_step: TimeStep::default(),
             isa: Isa::best(),
             patch_elements: None,

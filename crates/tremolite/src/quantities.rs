@@ -1,7 +1,7 @@
 //! The quantities that results hold: names, units and meaning in one list.
 
-use tremolite_laws::Row;
 use tremolite_laws::sym3::principal_values;
+use tremolite_laws::{Column, Role, Row};
 
 /// A component of a monitor's history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,10 +118,16 @@ impl Field {
     }
 
     /// Whether this field writes a column of a law's history.
-    pub fn holds(self, column: &str) -> bool {
+    pub fn holds(self, column: &Column) -> bool {
         match self {
-            Field::Damage => column.starts_with("d_"),
-            Field::Plastic => column.starts_with("plastic_") || column == STATE,
+            Field::Damage => matches!(
+                column.role,
+                Role::TensionDamage | Role::ShearDamage | Role::MeanDamage | Role::MeanDamagePeak
+            ),
+            Field::Plastic => matches!(
+                column.role,
+                Role::PlasticShear | Role::PlasticTension | Role::PlasticStrain | Role::PlasticState
+            ),
             Field::History => true,
             _ => false,
         }
@@ -133,28 +139,25 @@ impl Field {
     }
 }
 
-/// The history column that holds a sum of flags (powers of two) instead of a measure.
-pub const STATE: &str = "state";
-
 /// The name of a history column among the fields.
-pub fn field_name(column: &'static str) -> &'static str {
-    if column == STATE { "plastic_state" } else { column }
+pub fn field_name(column: &Column) -> &'static str {
+    if column.role == Role::PlasticState { "plastic_state" } else { column.name }
 }
 
 /// One value for an element from those of its points: all flags that any of them has, the mean of everything else.
-pub fn of_element(column: &str, values: impl ExactSizeIterator<Item = f64>) -> f64 {
+pub fn of_element(column: &Column, values: impl ExactSizeIterator<Item = f64>) -> f64 {
     let points = values.len() as f64;
-    if column == STATE {
+    if column.role == Role::PlasticState {
         values.fold(0, |flags, value| flags | value as u32).into()
     } else {
         values.sum::<f64>() / points
     }
 }
 
-/// A column of the laws' histories that says how far material is damaged, and the values that count.
+/// What columns of the laws' histories say of how far material is damaged, and the values that count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
-    pub column: &'static str,
+    pub role: Role,
     /// In words, as the verdict has it.
     pub words: &'static str,
     /// Volumes beyond these are reported.
@@ -169,21 +172,22 @@ pub struct Measure {
 /// what the loads of a model are known to.
 pub const YIELDED: f64 = 1e-6;
 
-const fn damage(column: &'static str, words: &'static str) -> Measure {
-    Measure { column, words, thresholds: &[0.1, 0.5, 0.9], onset: 0.0, counts: 0.5 }
+const fn damage(role: Role, words: &'static str) -> Measure {
+    Measure { role, words, thresholds: &[0.1, 0.5, 0.9], onset: 0.0, counts: 0.5 }
 }
 
-const fn plastic(column: &'static str, words: &'static str) -> Measure {
-    Measure { column, words, thresholds: &[YIELDED], onset: YIELDED, counts: YIELDED }
+const fn plastic(role: Role, words: &'static str) -> Measure {
+    Measure { role, words, thresholds: &[YIELDED], onset: YIELDED, counts: YIELDED }
 }
 
-/// What summaries report of damage, and from when on; laws without such a column are left out.
+/// What summaries report of damage, and from when on; laws without such a column are left
+/// out.
 pub const MEASURES: [Measure; 5] = [
-    damage("d_tension", "cracked"),
-    damage("d_shear", "crushed or sheared"),
-    damage("d_b_max", "mean principal damage"),
-    plastic("plastic_shear_strain", "yielded in shear"),
-    plastic("plastic_tension_strain", "yielded in tension"),
+    damage(Role::TensionDamage, "cracked"),
+    damage(Role::ShearDamage, "crushed or sheared"),
+    damage(Role::MeanDamagePeak, "mean principal damage"),
+    plastic(Role::PlasticShear, "yielded in shear"),
+    plastic(Role::PlasticTension, "yielded in tension"),
 ];
 
 /// Largest and smallest principal stress over some points.
@@ -265,11 +269,13 @@ mod tests {
 
     #[test]
     fn an_element_has_every_flag_of_its_points_and_the_mean_of_its_measures() {
-        assert_eq!(of_element("state", [4.0, 8.0, 0.0, 5.0].into_iter()), 13.0);
-        assert_eq!(of_element("d_tension", [0.0, 0.5, 1.0, 0.5].into_iter()), 0.5);
-        assert_eq!(field_name("state"), "plastic_state");
-        assert!(
-            Field::Plastic.holds("state") && !Field::Damage.holds("state") && Field::Damage.holds("d_b_max")
-        );
+        let column = |name, role| Column::with_role(name, "1", role, "");
+        let flags = column("flow", Role::PlasticState);
+        let damage = column("kappa", Role::TensionDamage);
+        assert_eq!(of_element(&flags, [4.0, 8.0, 0.0, 5.0].into_iter()), 13.0);
+        assert_eq!(of_element(&damage, [0.0, 0.5, 1.0, 0.5].into_iter()), 0.5);
+        assert_eq!(field_name(&flags), "plastic_state");
+        assert_eq!(field_name(&damage), "kappa");
+        assert!(Field::Plastic.holds(&flags) && !Field::Damage.holds(&flags) && Field::Damage.holds(&damage));
     }
 }

@@ -1,33 +1,20 @@
 //! A run: the loop that steps, lets observers look, and stops in good order.
 
-use crate::checkpoint::{self, CheckpointError};
-use crate::engine::{Balance, Engine, Halt, StableStep, stable_step};
-use crate::model::{Model, ModelError};
-use crate::observers::{
-    Cracks, Energy, Envelopes, Fields, FreeField, Growth, Histories, Observer, Onsets, Schedule, View,
-};
+use crate::assembly::Assembly;
+use crate::checkpoint;
+use crate::engine::{Engine, Halt, StableStep, stable_step};
+use crate::error::RunError;
+use crate::hexahedra::centroid;
+use crate::history::History;
+use crate::model::Model;
+use crate::observers::{OBSERVERS, Observer, OwnObservers, Setting, View};
 use crate::phase::Phase;
 use crate::plan::{Plan, Steps};
 use crate::state::State;
-use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use tremolite_kernels::Lines;
 use tremolite_results::ResultFolder;
-
-/// Why a run could not go on. What was computed before is kept.
-#[derive(Debug, thiserror::Error)]
-pub enum RunError {
-    #[error("{}: {source}", path.display())]
-    Io { path: PathBuf, source: std::io::Error },
-    #[error(transparent)]
-    Results(#[from] tremolite_results::Error),
-    #[error(transparent)]
-    Vtu(#[from] tremolite_mesh::vtu::VtuError),
-    #[error(transparent)]
-    Checkpoint(#[from] CheckpointError),
-    #[error(transparent)]
-    Model(#[from] ModelError),
-}
 
 /// How far a run is.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +53,7 @@ pub struct Outcome {
     /// Wall time of the loop in this process \[s\], observers included, and of its steps alone.
     pub loop_seconds: f64,
     pub step_seconds: f64,
-    pub balance: Balance,
+    pub balance: Lines,
     pub state: State,
 }
 
@@ -75,6 +62,11 @@ impl Outcome {
     pub fn updates_per_second(&self, elements: usize) -> f64 {
         self.taken_here as f64 * elements as f64 / self.step_seconds.max(1e-9)
     }
+
+    /// What laws remember at the end.
+    pub fn history<'a>(&'a self, assembly: &'a Assembly) -> History<'a> {
+        History { assembly, octets: &self.state.history }
+    }
 }
 
 /// What a run listens and talks to.
@@ -82,11 +74,8 @@ pub struct Control<'a> {
     /// Set from outside: stop at the next step with a checkpoint.
     pub stop: &'a AtomicBool,
     pub progress: &'a mut dyn FnMut(Progress),
-}
-
-/// Number of active elements of the user's model.
-pub fn active_elements(phase: &Phase) -> usize {
-    phase.slices[..phase.counted_parts].last().map_or(0, |s| s.elements.end)
+    /// Observers of the program's own.
+    pub observers: OwnObservers,
 }
 
 /// The step a model runs with and the plan in steps.
@@ -134,62 +123,59 @@ const TELL: Duration = Duration::from_millis(200);
 /// but an [`Ending`].
 pub fn run(
     model: &Model,
+    assembly: &Assembly,
     phase: &Phase,
     plan: &Plan,
     folder: &ResultFolder,
     resume: bool,
     control: &mut Control,
 ) -> Result<Outcome, RunError> {
-    let stable = stable_step(model, phase);
+    let stable = stable_step(model, assembly, phase);
     let (dt, steps) = choose_step(model, plan, &stable);
     let fingerprint = fingerprint(model, plan, dt);
-    let mut state = phase.rest();
+    let mut state = assembly.rest();
     state.dt = dt;
     if resume {
         checkpoint::read(&folder.checkpoint(), &mut state, fingerprint)?;
     }
-    let first = state.step;
+    let first = state.steps();
 
-    let rows = Schedule { every: steps.histories, last: Some(steps.total) };
-    let mut observers: Vec<Box<dyn Observer>> = vec![
-        Box::new(Histories::new(&folder.monitors(), plan, rows, &state)?),
-        Box::new(Energy::new(&folder.energy(), rows, &state)?),
-        Box::new(Envelopes { schedule: rows }),
-    ];
-    if let Some(free_field) = FreeField::new(model, plan.duration, rows) {
-        observers.push(Box::new(free_field));
+    let setting = Setting {
+        folder,
+        model,
+        assembly,
+        phase,
+        plan,
+        steps,
+        memory: &state.observers,
+        step: first,
+        time: state.time(),
+        dt,
+    };
+    let mut observers: Vec<Box<dyn Observer>> = Vec::new();
+    for make in OBSERVERS {
+        observers.extend(make(&setting)?);
     }
-    if let Some(onsets) = Onsets::new(model, rows) {
-        observers.push(Box::new(onsets));
-    }
-    if let Some(cracks) = Cracks::new(model, rows) {
-        observers.push(Box::new(cracks));
-    }
-    // Behind the cracks, whose widths it writes.
-    if let Some(growth) = Growth::new(&folder.damage(), model, phase, rows, &state)? {
-        observers.push(Box::new(growth));
-    }
-    if let Some(every) = steps.snapshots {
-        let schedule = Schedule { every, last: Some(steps.total) };
-        observers.push(Box::new(Fields::new(folder, model, phase, schedule, &state)?));
+    for make in &control.observers {
+        observers.extend(make(&setting)?);
     }
 
-    let elements = active_elements(phase);
-    let mut engine = Engine::new(model, phase);
+    let elements = phase.counted_elements;
+    let mut engine = Engine::new(model, assembly, phase);
     let begin = Instant::now();
     let (mut told, mut kept) = (begin, begin);
     let mut observing = Duration::ZERO;
-    let mut balance = Balance::default();
+    let mut balance = Lines::default();
     let ending = loop {
         let now = Instant::now();
         if now - told >= TELL {
             told = now;
             let seconds = (now - begin).saturating_sub(observing).as_secs_f64();
             (control.progress)(Progress {
-                step: state.step,
+                step: state.steps(),
                 total: steps.total,
                 time: state.time(),
-                updates_per_second: (state.step - first) as f64 * elements as f64 / seconds,
+                updates_per_second: (state.steps() - first) as f64 * elements as f64 / seconds,
             });
         }
         // Before the parts are evaluated, so that a resumed run evaluates them once as well.
@@ -202,18 +188,20 @@ pub fn run(
                 break Ending::Stopped;
             }
         }
-        if observers.iter().any(|o| o.schedule().due(state.step)) {
+        let step = state.steps();
+        if observers.iter().any(|o| o.schedule().due(step)) {
             let look = Instant::now();
             let snapshot = engine.observe(&mut state);
             balance = snapshot.balance;
-            let view = View { model, phase, plan, snapshot: &snapshot };
-            let step = state.step;
+            let history = History { assembly, octets: &state.history };
+            let numbers = &state.numbers;
+            let view = View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers };
             for observer in observers.iter_mut().filter(|o| o.schedule().due(step)) {
-                observer.see(&view, &mut state)?;
+                observer.see(&view, &mut state.observers)?;
             }
             observing += look.elapsed();
         }
-        if state.step >= steps.total {
+        if step >= steps.total {
             break Ending::Done;
         }
         if let Err(halt) = engine.step(&mut state) {
@@ -225,8 +213,8 @@ pub fn run(
     Ok(Outcome {
         ending,
         steps,
-        taken: state.step,
-        taken_here: state.step - first,
+        taken: state.steps(),
+        taken_here: state.steps() - first,
         dt,
         stable,
         loop_seconds,
@@ -251,15 +239,15 @@ fn hot_spot(model: &Model, phase: &Phase, engine: &mut Engine, state: &mut State
             worst = (energy, e);
         }
     }
-    let [x, y, z] = crate::model::centroid(&model.mesh, worst.1 as u32);
+    let [x, y, z] = centroid(&model.mesh, worst.1 as u32);
     format!("{} at ({x:.2}, {y:.2}, {z:.2}) m", model.element_name(worst.1))
 }
 
 /// Seconds a step takes here, from a short timing of the real engine on a state of its own.
-pub fn time_step_cost(model: &Model, phase: &Phase, dt: f64) -> f64 {
-    let mut state = phase.rest();
+pub fn time_step_cost(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> f64 {
+    let mut state = assembly.rest();
     state.dt = dt;
-    let mut engine = Engine::new(model, phase);
+    let mut engine = Engine::new(model, assembly, phase);
     // At rest with a tiny motion, so that no number is subnormal or zero throughout.
     let v = vec![tremolite_laws::Row::new([1e-6, 2e-6, 3e-6]); state.u.len()];
     let u = state.u.clone();

@@ -1,34 +1,31 @@
 //! Everything that evolves, and nothing else: a checkpoint is a State.
 
 use std::collections::BTreeMap;
+use tremolite_kernels::Lines;
 use tremolite_laws::{Octet, Row};
 
-/// Lines of the energy balance \[J\], sums since the start.
+/// The books of the energy balance \[J\], sums since the start.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ledger {
-    /// Energy the run started with.
-    pub initial: f64,
-    /// Work into springs of the boundary.
-    pub springs: f64,
-    /// Work of incident waves and loads on the model.
-    pub input: f64,
-    /// Sum of the positive increments of `input` and of `initial`: what the guard measures against.
+    /// Of the lines that are booked step by step, and of what the run started with.
+    pub lines: Lines,
+    /// Sum of the positive increments of what is put in and of what was held at the start: what the guard measures
+    /// against.
     pub supplied: f64,
-    /// Taken by Rayleigh damping.
-    pub rayleigh: f64,
-    /// Taken by the dashpots of the base.
-    pub base_dashpots: f64,
-    /// Taken by the dashpots of the sides.
-    pub side_dashpots: f64,
-    /// Work against the forces of all parts, and the energy that elements held at the start.
+    /// Work against the forces of all parts, and the energy that they held at the start.
     pub parts: f64,
 }
+
+/// What observers remember: envelopes, steps seen, bytes written, by observer and column.
+pub type Memory = BTreeMap<String, Vec<f64>>;
 
 /// All that evolves in a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
-    /// Number n of the step whose displacements these are.
+    /// Number n of the step whose displacements these are, counted from the first of all.
     pub step: u64,
+    /// Number of the step at which t = 0: those before it belong to stages before the earthquake.
+    pub origin: u64,
     /// Step \[s\] of `du`.
     pub dt: f64,
     /// u^n \[m\], engine nodes.
@@ -42,8 +39,7 @@ pub struct State {
     /// What other parts remember.
     pub numbers: Vec<f64>,
     pub ledger: Ledger,
-    /// What observers remember: envelopes, steps seen, bytes written, by observer and column.
-    pub observers: BTreeMap<String, Vec<f64>>,
+    pub observers: Memory,
 }
 
 /// A column of the state, for writing and reading.
@@ -56,18 +52,30 @@ pub enum Column<'a> {
 }
 
 impl State {
-    /// Time of the displacements \[s\].
+    /// Steps since t = 0.
+    pub fn steps(&self) -> u64 {
+        self.step - self.origin
+    }
+
+    /// Time of the displacements by the scheme \[s\]; what laws are told of the time is
+    /// [`crate::Phase::tick`]'s.
     pub fn time(&self) -> f64 {
-        self.step as f64 * self.dt
+        self.steps() as f64 * self.dt
+    }
+
+    /// Begins to count the time here, with steps of `dt` \[s\] and everything at rest where it is.
+    pub fn begin(&mut self, dt: f64) {
+        (self.origin, self.dt) = (self.step, dt);
+        self.du.fill(Row::ZERO);
     }
 
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
-        let Ledger { initial, springs, input, supplied, rayleigh, base_dashpots, side_dashpots, parts } =
-            &mut self.ledger;
-        let ledger = vec![initial, springs, input, supplied, rayleigh, base_dashpots, side_dashpots, parts];
+        let Ledger { lines, supplied, parts } = &mut self.ledger;
+        let ledger = lines.values_mut().chain([supplied, parts]).collect();
         let mut columns = vec![
             ("step".to_owned(), "1", Column::Count(&mut self.step)),
+            ("origin".to_owned(), "1", Column::Count(&mut self.origin)),
             ("dt".to_owned(), "s", Column::Scalars(vec![&mut self.dt])),
             ("displacement".to_owned(), "m", Column::Rows(&mut self.u)),
             ("increment".to_owned(), "m", Column::Rows(&mut self.du)),

@@ -1,40 +1,19 @@
 //! What a run leaves for people: summary.json, with a verdict and a line for each thing that bears on trust.
 
 use crate::damage;
-use crate::plan::Plan;
-use crate::run::{Ending, Outcome, active_elements};
-use crate::setup::MotionFacts;
-use crate::survey::{Survey, limit_in_words};
+use crate::engine::Halt;
+use crate::evidence::Evidence;
+use crate::run::{Ending, Outcome};
+use crate::survey::limit_in_words;
 use crate::trust::trust;
-use crate::{Halt, Model, Phase};
 use indexmap::IndexMap;
 use tremolite_results::{
-    Defaulted, Finding, MaterialFacts, ModelFacts, MotionFacts as MotionSummary, Peaks, RunFacts, Status,
-    Summary, Table, TrustLine, peaks_by_monitor,
+    Finding, ModelFacts, MotionFacts as MotionSummary, Peaks, Status, Summary, TrustLine, peaks_by_monitor,
 };
 
-/// All a summary is made from.
-pub struct Input<'a> {
-    pub model: &'a Model,
-    pub phase: &'a Phase,
-    pub plan: &'a Plan,
-    pub motion: &'a MotionFacts,
-    pub survey: &'a Survey,
-    pub outcome: &'a Outcome,
-    /// monitors.csv as it was written.
-    pub histories: &'a Table,
-    /// energy.csv as it was written.
-    pub energy: &'a Table,
-    pub materials: IndexMap<String, MaterialFacts>,
-    pub run: RunFacts,
-    pub defaulted: Vec<Defaulted>,
-    /// Wall time of the whole process so far \[s\].
-    pub wall_seconds: f64,
-}
-
 /// The summary of a run that ended.
-pub fn summary(input: Input) -> Summary {
-    let Input { model, phase, plan, motion, survey, outcome, histories, .. } = input;
+pub fn summary(evidence: Evidence) -> Summary {
+    let Evidence { model, assembly, phase, plan, motion, survey, outcome, histories, .. } = evidence;
     let all = peaks_by_monitor(histories);
     let is_pair = |name: &str| {
         plan.relatives
@@ -43,8 +22,8 @@ pub fn summary(input: Input) -> Summary {
     };
     let (relative, monitors): (IndexMap<_, _>, IndexMap<_, _>) =
         all.into_iter().partition(|(n, _)| is_pair(n));
-    let trust = trust(&input);
-    let damage = damage::damage(model, phase, &outcome.state);
+    let trust = trust(&evidence);
+    let damage = damage::damage(model, phase, outcome.history(assembly), &outcome.state.observers);
     let run = run_in_words(outcome, &trust, &monitors);
     let findings = damage::findings(model, &damage);
     let status = match outcome.ending {
@@ -66,18 +45,18 @@ pub fn summary(input: Input) -> Summary {
         verdict: verdict(&run, &findings),
         outcome: run,
         findings,
-        wall_seconds: input.wall_seconds,
-        element_updates_per_second: outcome.updates_per_second(active_elements(phase)),
+        wall_seconds: evidence.wall_seconds,
+        element_updates_per_second: outcome.updates_per_second(phase.counted_elements),
         model: ModelFacts {
             groups,
             elements: survey.active_elements as u64,
             nodes: survey.nodes as u64,
             steps: outcome.taken,
             time_step: outcome.dt,
-            step_set_by: limit_in_words(model, &outcome.stable),
+            step_set_by: limit_in_words(model, assembly, &outcome.stable),
             duration: outcome.taken as f64 * outcome.dt,
         },
-        materials: input.materials,
+        materials: evidence.materials,
         motion: MotionSummary {
             kind: motion.kind.to_string(),
             factor: motion.factor,
@@ -88,10 +67,10 @@ pub fn summary(input: Input) -> Summary {
         monitors,
         relative,
         damage,
-        energy: outcome.balance.lines().iter().map(|(n, v)| ((*n).to_owned(), *v)).collect(),
+        energy: outcome.balance.iter().map(|(line, value)| (line.name().to_owned(), value)).collect(),
         trust,
-        run: input.run,
-        defaulted: input.defaulted,
+        run: evidence.run,
+        defaulted: evidence.defaulted,
     }
 }
 

@@ -1,10 +1,12 @@
 //! What can be said of a model before it runs: materials, steps, wavelengths, memory.
 
+use crate::assembly::Assembly;
 use crate::engine::{Limit, StableStep};
-use crate::model::{Model, ModelError, hex};
-use crate::parts::Quadrature;
-use crate::phase::Phase;
+use crate::error::ModelError;
+use crate::hexahedra::{centroid, hex};
+use crate::model::Model;
 use rayon::prelude::*;
+use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::{FullGeometry, OnePointGeometry, element_frequencies};
 
@@ -54,7 +56,7 @@ impl Survey {
 ///
 /// # Errors
 /// If an element's geometry cannot be used; [`Model::new`] has checked that.
-pub fn survey(model: &Model, phase: &Phase, frequency: f64) -> Result<Survey, ModelError> {
+pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Survey, ModelError> {
     let mut bodies = Vec::new();
     for body in model.user_bodies() {
         let moduli = body.material.moduli();
@@ -99,7 +101,7 @@ pub fn survey(model: &Model, phase: &Phase, frequency: f64) -> Result<Survey, Mo
         });
     }
     let active = bodies.iter().map(|b| b.elements).sum();
-    let (history, numbers, contributions, points, elements) = phase.totals();
+    let totals = assembly.totals();
     let row = size_of::<Row>();
     let geometry: usize = bodies
         .iter()
@@ -115,30 +117,31 @@ pub fn survey(model: &Model, phase: &Phase, frequency: f64) -> Result<Survey, Mo
         void_elements: model.user_elements - active,
         nodes: model.counted.len(),
         bytes: geometry
-            + 64 * history
-            + 8 * numbers
-            + (row + 4) * contributions
+            + 64 * totals.history.end
+            + 8 * totals.numbers.end
+            + (row + 4) * totals.contributions.end
             + nodes * (5 * row + 16)
-            + points * 48
-            + elements * 16
+            + totals.points.end * 48
+            + totals.elements.end * 16
             + active * AROUND
             + PROGRAM,
     })
 }
 
 /// What sets the step, in words.
-pub fn limit_in_words(model: &Model, stable: &StableStep) -> String {
+pub fn limit_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> String {
     match &stable.limit {
         Limit::Element(e) if (*e as usize) < model.user_elements => {
-            let [x, y, z] = crate::model::centroid(&model.mesh, *e);
+            let [x, y, z] = centroid(&model.mesh, *e);
             format!("{} at ({x:.1}, {y:.1}, {z:.1}) m", model.element_name(*e as usize))
         }
         Limit::Element(_) => "the reference column's finest layer".into(),
-        Limit::Boundary(n) => {
-            let [x, y, z] = model.mesh.nodes[*n as usize];
+        Limit::Part { member, node } => {
+            let [x, y, z] = model.mesh.nodes[*node as usize];
             format!(
-                "boundary springs at node {} at ({x:.1}, {y:.1}, {z:.1}) m",
-                model.mesh.node_id(*n as usize)
+                "{} at node {} at ({x:.1}, {y:.1}, {z:.1}) m",
+                assembly.members[*member as usize].name,
+                model.mesh.node_id(*node as usize)
             )
         }
         Limit::Damping => "Rayleigh damping, mostly its stiffness-proportional part".into(),

@@ -1,4 +1,4 @@
-//! Nodes that move as one: periodic sides, the reference column, later slabs and closed interfaces.
+//! Nodes that move as one: periodic sides, the reference column, later slabs.
 
 /// Sets of tied nodes, as a forest whose roots are the smallest nodes.
 #[derive(Clone, Debug)]
@@ -10,11 +10,6 @@ impl Ties {
     /// `nodes` nodes, none tied.
     pub fn new(nodes: usize) -> Self {
         Ties { parent: (0..nodes as u32).collect() }
-    }
-
-    /// Room for more nodes, none tied.
-    pub fn grow(&mut self, nodes: usize) {
-        self.parent.extend(self.parent.len() as u32..nodes as u32);
     }
 
     fn root(&mut self, mut node: u32) -> u32 {

@@ -1,12 +1,13 @@
 //! How far a run can be trusted: each line a number against a limit.
 
-use crate::Model;
+use crate::evidence::Evidence;
 use crate::extent::extents;
-use crate::history;
-use crate::model::hex;
+use crate::hexahedra::hex;
+use crate::model::Model;
 use crate::observers::{ENERGY_MEMORY, FREE_FIELD_MEMORY};
-use crate::summary::Input;
 use crate::survey::limit_in_words;
+use tremolite_laws::Role;
+use tremolite_laws::parameter::position;
 use tremolite_results::{Table, TrustLine};
 
 /// Elements a wavelength below which a wave's amplitude and speed suffer (Kuhlemeyer & Lysmer 1973).
@@ -31,15 +32,16 @@ const CRACK_ENERGY: f64 = 50.0;
 const BROKEN: f64 = 0.99;
 
 /// Monitors in elements that tension has broken through: nothing holds such pieces, so their displacements mean little.
-fn broken_monitors(input: &Input) -> Option<TrustLine> {
-    let Input { model, phase, plan, outcome, .. } = input;
+fn broken_monitors(evidence: &Evidence) -> Option<TrustLine> {
+    let Evidence { assembly, phase, plan, outcome, .. } = evidence;
+    let history = outcome.history(assembly);
     let mut judged = false;
     let mut broken: Vec<&str> = Vec::new();
     for monitor in &plan.monitors {
         let Some(slot) = &phase.element_slot[monitor.location.element as usize] else { continue };
-        let Some(column) = history::position(model, slot, "d_tension") else { continue };
+        let Some(column) = history.with_role(slot, Role::TensionDamage) else { continue };
         judged = true;
-        if history::values(model, phase, &outcome.state, slot, column).all(|d| d > BROKEN) {
+        if history.values(slot, column).all(|d| d > BROKEN) {
             broken.push(&monitor.name);
         }
     }
@@ -56,8 +58,8 @@ fn broken_monitors(input: &Input) -> Option<TrustLine> {
     })
 }
 
-pub(crate) fn trust(input: &Input) -> Vec<TrustLine> {
-    let Input { model, motion, survey, outcome, .. } = input;
+pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
+    let Evidence { model, assembly, phase, motion, survey, outcome, .. } = evidence;
     let mut lines = Vec::new();
     if let Some(coarsest) = survey.coarsest() {
         lines.push(
@@ -73,7 +75,7 @@ pub(crate) fn trust(input: &Input) -> Vec<TrustLine> {
     lines.push(TrustLine::at_most("time step over stable step", outcome.dt / stable.dt, 1.0, "").with_note(
         format!(
             "set by {}; the estimate changed by {:.0e} in the last of {} iterations",
-            limit_in_words(model, stable),
+            limit_in_words(model, assembly, stable),
             stable.change,
             stable.iterations
         ),
@@ -82,7 +84,7 @@ pub(crate) fn trust(input: &Input) -> Vec<TrustLine> {
     if let [_, error, dissipated, created] = memory(ENERGY_MEMORY)[..] {
         let supplied = outcome.state.ledger.supplied;
         if supplied > 0.0 {
-            let note = if input.phase.keeps_books() {
+            let note = if phase.keeps_books {
                 "largest difference between the energy found and the energy put in"
             } else {
                 "says nothing of damping over a band, whose line is what all others leave"
@@ -106,10 +108,10 @@ pub(crate) fn trust(input: &Input) -> Vec<TrustLine> {
             );
         }
     }
-    lines.extend(hourglass(input.energy));
+    lines.extend(hourglass(evidence.energy));
     lines.extend(free_field(&memory(FREE_FIELD_MEMORY)));
     lines.extend(unstressed(model));
-    lines.extend(broken_monitors(input));
+    lines.extend(broken_monitors(evidence));
     if let Some(incident) = &model.incident {
         let u = &incident.motion.displacement;
         let worst = (0..3)
@@ -179,8 +181,11 @@ fn free_field(memory: &[f64]) -> Option<TrustLine> {
 
 /// Rock that yields by its pressure, without the pressure: no stage of a run gives it an initial stress yet.
 fn unstressed(model: &Model) -> Option<TrustLine> {
-    let yields = |column: &tremolite_laws::Column| column.name.starts_with("plastic_");
-    let bodies = model.user_bodies().iter().filter(|b| b.material.info().history.iter().any(yields));
+    let plastic = [Role::PlasticShear, Role::PlasticTension];
+    let bodies = model.user_bodies().iter().filter(|body| {
+        let info = body.material.info();
+        info.pressure_dependent && plastic.iter().any(|&role| position(info.history, role).is_some())
+    });
     let names: Vec<&str> = bodies.map(|b| b.name.as_str()).collect();
     (!names.is_empty()).then(|| {
         TrustLine::at_most("yielding rock without initial stress", names.len() as f64, 0.0, "").with_note(format!(

@@ -1,10 +1,10 @@
 //! What several problems are built from: elastic bodies, bricks, columns, and forces on a set of nodes.
 
+use crate::VerifyError;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
-use tremolite::{AnyMaterial, Body, Instance, Problem, Quadrature};
-use tremolite_laws::Moduli;
-use tremolite_laws::materials::Elastic;
+use tremolite::{AnyMaterial, Body, Problem, Quadrature, elastic, laws};
+use tremolite_laws::{Moduli, Values};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::boxes::{BoxError, BoxSpec, Distortion};
 
@@ -39,7 +39,7 @@ impl Solid {
     }
 
     fn material(&self) -> Arc<dyn AnyMaterial> {
-        Arc::new(Instance(Arc::new(Elastic::from_moduli(self.moduli()))))
+        elastic(self.moduli())
     }
 
     /// A body of these elements.
@@ -53,6 +53,16 @@ impl Solid {
         let body = self.body("solid", elements, quadrature);
         Problem::new(mesh, vec![body])
     }
+}
+
+/// A material of a law of the list, by the law's name.
+///
+/// # Errors
+/// If there is no such law, or it refuses the values.
+pub fn material(law: &str, values: &Values) -> Result<Arc<dyn AnyMaterial>, VerifyError> {
+    let known = laws().into_iter().find(|known| known.info.name == law);
+    let law = known.ok_or_else(|| VerifyError::Setup(format!("there is no law '{law}'")))?;
+    (law.build)(values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))
 }
 
 /// A box of bricks from the origin, its nodes shifted by up to `fraction` of the spacing.

@@ -1,12 +1,13 @@
 //! A problem made ready to run, and its run.
 
 use crate::VerifyError;
-use tremolite::{Engine, Model, Phase, Problem, Snapshot, State, stable_step};
+use tremolite::{Assembly, Engine, Model, Phase, Problem, Snapshot, Stage, State, stable_step};
 use tremolite_laws::Row;
 
 /// A model with its dynamic phase.
 pub struct Simulation {
     pub model: Model,
+    pub assembly: Assembly,
     pub phase: Phase,
 }
 
@@ -15,17 +16,18 @@ impl Simulation {
     /// If the problem is not a model.
     pub fn new(problem: Problem) -> Result<Self, VerifyError> {
         let model = Model::new(problem)?;
-        let phase = Phase::dynamic(&model)?;
-        Ok(Simulation { model, phase })
+        let assembly = Assembly::new(&model)?;
+        let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
+        Ok(Simulation { model, assembly, phase })
     }
 
     /// The stable step \[s\].
     pub fn stable(&self) -> f64 {
-        stable_step(&self.model, &self.phase).dt
+        stable_step(&self.model, &self.assembly, &self.phase).dt
     }
 
     pub fn engine(&self) -> Engine<'_> {
-        Engine::new(&self.model, &self.phase)
+        Engine::new(&self.model, &self.assembly, &self.phase)
     }
 
     /// Coordinates \[m\] of an engine node.
@@ -47,7 +49,7 @@ impl Simulation {
 
     /// A state with given displacement \[m\] and velocity \[m/s\] at each engine node, started as (25)–(27).
     pub fn start(&self, engine: &mut Engine, dt: f64, initial: impl Fn(usize) -> [[f64; 3]; 2]) -> State {
-        let mut state = self.phase.rest();
+        let mut state = self.assembly.rest();
         state.dt = dt;
         let nodes = 0..self.model.mesh_node.len();
         let u = nodes.clone().map(|n| Row::new(initial(n)[0])).collect();

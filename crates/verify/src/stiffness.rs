@@ -25,7 +25,7 @@ impl Assembled {
     pub fn new(simulation: &Simulation) -> Self {
         let phase = &simulation.phase;
         let nodes = phase.mass.len();
-        let master = &simulation.model.master;
+        let master = &phase.master;
         let unknowns: Vec<(usize, usize)> = (0..nodes)
             .filter(|&n| master[n] as usize == n)
             .flat_map(|n| (0..3).map(move |i| (n, i)))
@@ -47,7 +47,8 @@ impl Assembled {
                     row.0[i] = 1.0;
                 }
             }
-            for part in &phase.parts {
+            for &member in &phase.active {
+                let part = &simulation.assembly.members[member as usize].part;
                 let mut out = vec![Row::ZERO; part.nodes().len()];
                 part.stiffness_times(&w, &mut out, &mut scratch);
                 for (&to, force) in part.nodes().iter().zip(&out) {
@@ -88,7 +89,8 @@ impl Assembled {
         let model = &simulation.model;
         let mut by_node = vec![[0.0; 3]; model.mesh_node.len()];
         for (node, force) in forces {
-            let to = &mut by_node[model.master[model.engine_node[*node as usize] as usize] as usize];
+            let to =
+                &mut by_node[simulation.phase.master[model.engine_node[*node as usize] as usize] as usize];
             (0..3).for_each(|i| to[i] += force[i]);
         }
         let b: Vec<f64> = self.unknowns.iter().map(|&(n, i)| by_node[n][i]).collect();

@@ -9,7 +9,7 @@ use indexmap::IndexMap;
 use std::path::PathBuf;
 use tremolite::run::{choose_step, time_step_cost};
 use tremolite::survey::{Survey, limit_in_words, survey};
-use tremolite::{Model, Phase, stable_step};
+use tremolite::{Assembly, Model, Phase, Stage, stable_step};
 use tremolite_results::{MaterialFacts, Origin};
 
 #[derive(clap::Args)]
@@ -32,9 +32,10 @@ pub fn run(args: &Args) -> Outcome {
         let groups = setup.problem.mesh.groups.clone();
         let (motion, plan) = (setup.motion, setup.plan);
         let model = Model::new(setup.problem).map_err(Failure::input)?;
-        let phase = Phase::dynamic(&model).map_err(Failure::input)?;
-        let survey = survey(&model, &phase, motion.highest_frequency).map_err(Failure::input)?;
-        let stable = stable_step(&model, &phase);
+        let assembly = Assembly::new(&model).map_err(Failure::input)?;
+        let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(Failure::input)?;
+        let survey = survey(&model, &assembly, motion.highest_frequency).map_err(Failure::input)?;
+        let stable = stable_step(&model, &assembly, &phase);
         check_step(&case, &stable);
         let (dt, steps) = choose_step(&model, &plan, &stable);
 
@@ -74,10 +75,10 @@ pub fn run(args: &Args) -> Outcome {
         print(&format!(
             "           {:.4e} s stable, set by {}",
             stable.dt,
-            limit_in_words(&model, &stable)
+            limit_in_words(&model, &assembly, &stable)
         ));
         print(&format!("           {dt:.4e} s used, {} steps for {:.2} s", steps.total, plan.duration));
-        let cost = time_step_cost(&model, &phase, dt);
+        let cost = time_step_cost(&model, &assembly, &phase, dt);
         let threads = rayon::current_num_threads();
         print("\nEstimate");
         print(&format!(
@@ -89,7 +90,7 @@ pub fn run(args: &Args) -> Outcome {
         ));
         let left_out = defaulted(&Known {
             case: &case,
-            model: &model,
+            assembly: &assembly,
             plan: &plan,
             motion: &motion,
             materials: &setup.materials,

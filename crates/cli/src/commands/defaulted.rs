@@ -1,7 +1,7 @@
 //! What a case left out, with the values that the run used in its place.
 
 use indexmap::IndexMap;
-use tremolite::Model;
+use tremolite::Assembly;
 use tremolite::plan::Plan;
 use tremolite::setup::MotionFacts;
 use tremolite_case::{Case, Mesh, units};
@@ -11,7 +11,7 @@ use tremolite_results::{Defaulted, MaterialFacts, MaterialValue};
 /// What the values of left-out keys follow from.
 pub struct Known<'a> {
     pub case: &'a Case,
-    pub model: &'a Model,
+    pub assembly: &'a Assembly,
     pub plan: &'a Plan,
     pub motion: &'a MotionFacts,
     pub materials: &'a IndexMap<String, MaterialFacts>,
@@ -39,7 +39,7 @@ fn used(known: &Known, key: &str) -> Option<String> {
         "dynamic.duration" => Some(seconds(known.plan.duration)),
         "dynamic.time_step" => Some(seconds(known.dt)),
         "dynamic.base.distance" => {
-            known.model.boundaries.spring_distance.map(|r| units::format(r, Dimension::LENGTH))
+            known.assembly.spring_distance.map(|r| units::format(r, Dimension::LENGTH))
         }
         "dynamic.damping.reference" => known.reference.map(|f| units::format(f, Dimension::RATE)),
         "motion.window" => {

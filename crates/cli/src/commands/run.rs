@@ -10,10 +10,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
-use tremolite::run::{Control, Ending, Progress, active_elements, choose_step};
-use tremolite::summary::{Input, summary};
+use tremolite::evidence::Evidence;
+use tremolite::run::{Control, Ending, Progress, choose_step};
+use tremolite::summary::summary;
 use tremolite::survey::{limit_in_words, survey};
-use tremolite::{Model, Phase, stable_step};
+use tremolite::{Assembly, Model, Phase, Stage, stable_step};
 use tremolite_results::{ResultFolder, RunFacts, Summary, Table, replace_file};
 
 #[derive(clap::Args)]
@@ -76,9 +77,10 @@ pub fn run(args: &Args) -> Outcome {
     pool.install(|| {
         let (motion, plan) = (setup.motion, setup.plan);
         let model = Model::new(setup.problem).map_err(Failure::input)?;
-        let phase = Phase::dynamic(&model).map_err(Failure::input)?;
-        let survey = survey(&model, &phase, motion.highest_frequency).map_err(Failure::input)?;
-        let stable = stable_step(&model, &phase);
+        let assembly = Assembly::new(&model).map_err(Failure::input)?;
+        let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(Failure::input)?;
+        let survey = survey(&model, &assembly, motion.highest_frequency).map_err(Failure::input)?;
+        let stable = stable_step(&model, &assembly, &phase);
         check_step(&case, &stable);
         let (dt, steps) = choose_step(&model, &plan, &stable);
 
@@ -116,7 +118,7 @@ pub fn run(args: &Args) -> Outcome {
         log.say(&format!(
             "  the stable step is {:.3e} s, set by {}",
             stable.dt,
-            limit_in_words(&model, &stable)
+            limit_in_words(&model, &assembly, &stable)
         ));
         log.say(&format!(
             "  motion: kind = {}, so the incident wave is {} times the given motion",
@@ -134,8 +136,8 @@ pub fn run(args: &Args) -> Outcome {
                 format!("{:.2} s of {:.2} s  {:.1} M/s", p.time, plan.duration, p.updates_per_second / 1e6);
             line.show(p.step as f64 / p.total as f64, &words);
         };
-        let mut control = Control { stop: &stop, progress: &mut tell };
-        let outcome = tremolite::run::run(&model, &phase, &plan, &folder, args.resume, &mut control)
+        let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
+        let outcome = tremolite::run::run(&model, &assembly, &phase, &plan, &folder, args.resume, &mut control)
             .map_err(Failure::failed);
         line.end();
         let outcome = outcome?;
@@ -145,15 +147,16 @@ pub fn run(args: &Args) -> Outcome {
         let (earlier, resumed) = before.map_or((0.0, 0), |s| (s.wall_seconds, s.run.resumed + 1));
         let defaulted = defaulted(&Known {
             case: &case,
-            model: &model,
+            assembly: &assembly,
             plan: &plan,
             motion: &motion,
             materials: &setup.materials,
             reference: setup.reference,
             dt,
         });
-        let summary = summary(Input {
+        let summary = summary(Evidence {
             model: &model,
+            assembly: &assembly,
             phase: &phase,
             plan: &plan,
             motion: &motion,
@@ -184,7 +187,7 @@ pub fn run(args: &Args) -> Outcome {
             let mark = if line.pass { "ok  " } else { "LOOK" };
             log.say(&format!("  {mark} {}: {} (limit {})", line.name, short(line.value), line.limit));
         }
-        let elements = active_elements(&phase);
+        let elements = phase.counted_elements;
         log.say(&format!(
             "  {} for {} steps: {:.1} million element updates a second",
             duration(outcome.loop_seconds),

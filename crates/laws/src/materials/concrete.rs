@@ -49,7 +49,7 @@ pub use rate::{Power, Rate};
 
 use crate::lane::Lane;
 use crate::material::{Material, Moduli, Point, Sym};
-use crate::parameter::{BadParameter, Column, Derived, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Derived, Parameter, Role, Values};
 use crate::sym3::Spectrum;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -114,47 +114,40 @@ const ENERGY_CREATED: usize = 10;
 const LAST_STRAIN: usize = 11;
 const MEMORY: usize = 14;
 
-const fn last_strain(name: &'static str) -> Column {
-    Column { name, unit: "1", doc: "principal strain of the last step, once damaged" }
+const fn last_strain(name: &'static str, role: Role) -> Column {
+    Column::with_role(name, "1", role, "principal strain of the last step, once damaged")
 }
 
 const COLUMNS: [Column; MEMORY] = [
-    Column { name: "d_tension", unit: "1", doc: "D⁺, damage in tension" },
-    Column { name: "d_shear", unit: "1", doc: "D⁻, damage in shear" },
-    Column { name: "d_b", unit: "1", doc: "D_b, mean principal damage as the stress now feels it" },
-    Column { name: "d_b_max", unit: "1", doc: "largest D_b so far" },
-    Column {
-        name: "smoothed_tension",
-        unit: "1",
-        doc: "equivalent tensile strain, smoothed over the filter time",
-    },
-    Column {
-        name: "smoothed_shear",
-        unit: "1",
-        doc: "largest compressive strain, smoothed over the filter time",
-    },
-    Column {
-        name: "factor_tension", unit: "1", doc: "rate factor f_ε at first damage in tension; 0 before"
-    },
-    Column { name: "factor_shear", unit: "1", doc: "rate factor of f_c at first damage in shear; 0 before" },
-    Column {
-        name: "crack_size",
-        unit: "m",
-        doc: "element's extent across the crack at first damage; 0 before",
-    },
-    Column {
-        name: "energy_dissipated",
-        unit: "J/m3",
-        doc: "taken by growing damage: what ½σ:ε fell by at the strains at which it grew",
-    },
-    Column {
-        name: "energy_created",
-        unit: "J/m3",
-        doc: "work that the effective split gave out beyond what it took, since it has no potential",
-    },
-    last_strain("last_e1"),
-    last_strain("last_e2"),
-    last_strain("last_e3"),
+    Column::with_role("d_tension", "1", Role::TensionDamage, "D⁺, damage in tension"),
+    Column::with_role("d_shear", "1", Role::ShearDamage, "D⁻, damage in shear"),
+    Column::with_role("d_b", "1", Role::MeanDamage, "D_b, mean principal damage as the stress now feels it"),
+    Column::with_role("d_b_max", "1", Role::MeanDamagePeak, "largest D_b so far"),
+    Column::new("smoothed_tension", "1", "equivalent tensile strain, smoothed over the filter time"),
+    Column::new("smoothed_shear", "1", "largest compressive strain, smoothed over the filter time"),
+    Column::new("factor_tension", "1", "rate factor f_ε at first damage in tension; 0 before"),
+    Column::new("factor_shear", "1", "rate factor of f_c at first damage in shear; 0 before"),
+    Column::with_role(
+        "crack_size",
+        "m",
+        Role::CrackExtent,
+        "element's extent across the crack at first damage; 0 before",
+    ),
+    Column::with_role(
+        "energy_dissipated",
+        "J/m3",
+        Role::Dissipated,
+        "taken by growing damage: what ½σ:ε fell by at the strains at which it grew",
+    ),
+    Column::with_role(
+        "energy_created",
+        "J/m3",
+        Role::Created,
+        "work that the effective split gave out beyond what it took, since it has no potential",
+    ),
+    last_strain("last_e1", Role::CrackStrain),
+    last_strain("last_e2", Role::Own),
+    last_strain("last_e3", Role::Own),
 ];
 
 impl Concrete {
@@ -210,8 +203,7 @@ impl Material for Concrete {
     const HISTORY: &'static [Column] = &COLUMNS;
     const NEEDS_SIZE: bool = true;
     const DAMAGES: bool = true;
-    const DISSIPATION: Option<usize> = Some(ENERGY_DISSIPATED);
-    const CREATION: Option<usize> = Some(ENERGY_CREATED);
+    const PRESSURE_DEPENDENT: bool = true;
     type History<L: Lane> = [L; MEMORY];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
@@ -220,6 +212,11 @@ impl Material for Concrete {
 
     fn moduli(&self) -> Moduli {
         self.moduli
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let moduli = self.moduli.scaled(factor);
+        Concrete { moduli, young: moduli.young(), ..*self }
     }
 
     /// 2 G_f E/f_t²: a larger element stores more than a crack dissipates.

@@ -83,6 +83,10 @@ impl Material for Elastic {
         self.moduli
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        Elastic { moduli: self.moduli.scaled(factor) }
+    }
+
     #[inline(always)]
     fn update<L: Lane>(&self, _: &Point<L>, e: Sym<L>, history: [L; 0]) -> (Sym<L>, [L; 0]) {
         (self.moduli.stress(&e), history)

@@ -95,7 +95,7 @@ impl Material for HoekBrown {
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
     const FLOWS: bool = true;
-    const DISSIPATION: Option<usize> = Some(super::plastic::ENERGY);
+    const PRESSURE_DEPENDENT: bool = true;
     type History<L: Lane> = [L; 10];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
@@ -104,6 +104,11 @@ impl Material for HoekBrown {
 
     fn moduli(&self) -> Moduli {
         self.elasticity.moduli()
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let elasticity = Elasticity::new(self.moduli().scaled(factor));
+        HoekBrown { elasticity, ..*self }
     }
 
     fn derived(&self, _: [f64; 2]) -> Vec<Derived> {

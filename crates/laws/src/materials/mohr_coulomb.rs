@@ -121,7 +121,7 @@ impl Material for MohrCoulomb {
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
     const HISTORY: &'static [Column] = &COLUMNS;
     const FLOWS: bool = true;
-    const DISSIPATION: Option<usize> = Some(super::plastic::ENERGY);
+    const PRESSURE_DEPENDENT: bool = true;
     type History<L: Lane> = [L; 10];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
@@ -130,6 +130,11 @@ impl Material for MohrCoulomb {
 
     fn moduli(&self) -> Moduli {
         self.elasticity.moduli()
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let elasticity = Elasticity::new(self.moduli().scaled(factor));
+        MohrCoulomb { elasticity, ..self.clone() }
     }
 
     fn derived(&self, _: [f64; 2]) -> Vec<Derived> {

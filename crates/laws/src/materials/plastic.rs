@@ -9,7 +9,7 @@ pub(super) mod tension;
 
 use crate::lane::Lane;
 use crate::material::{LEAST_HOURGLASS_SHARE, Moduli, Sym};
-use crate::parameter::Column;
+use crate::parameter::{Column, Role};
 use crate::sym3::Spectrum;
 
 /// History of a point, in the order of [`COLUMNS`].
@@ -19,7 +19,7 @@ pub(super) const SHEAR: usize = 0;
 pub(super) const TENSION: usize = 1;
 pub(super) const STATE: usize = 2;
 const STRAIN: usize = 3;
-pub(super) const ENERGY: usize = 9;
+const ENERGY: usize = 9;
 
 /// Flags whose sum is `state`.
 const SHEAR_NOW: f64 = 1.0;
@@ -28,30 +28,40 @@ const SHEAR_PAST: f64 = 4.0;
 const TENSION_PAST: f64 = 8.0;
 
 const fn component(name: &'static str) -> Column {
-    Column { name, unit: "1", doc: "plastic strain since placement, engineering shear" }
+    Column::with_role(name, "1", Role::PlasticStrain, "plastic strain since placement, engineering shear")
 }
 
 pub(super) const COLUMNS: [Column; 10] = [
-    Column {
-        name: "plastic_shear_strain", unit: "1", doc: "accumulated √J₂ of the plastic strain of shear"
-    },
-    Column {
-        name: "plastic_tension_strain",
-        unit: "1",
-        doc: "accumulated plastic strain of the tension cut-off",
-    },
-    Column {
-        name: "state",
-        unit: "1",
-        doc: "sum of 1 shear yielding now, 2 tension now, 4 shear in an earlier step, 8 tension earlier",
-    },
+    Column::with_role(
+        "plastic_shear_strain",
+        "1",
+        Role::PlasticShear,
+        "accumulated √J₂ of the plastic strain of shear",
+    ),
+    Column::with_role(
+        "plastic_tension_strain",
+        "1",
+        Role::PlasticTension,
+        "accumulated plastic strain of the tension cut-off",
+    ),
+    Column::with_role(
+        "state",
+        "1",
+        Role::PlasticState,
+        "sum of 1 shear yielding now, 2 tension now, 4 shear in an earlier step, 8 tension earlier",
+    ),
     component("plastic_exx"),
     component("plastic_eyy"),
     component("plastic_ezz"),
     component("plastic_gxy"),
     component("plastic_gyz"),
     component("plastic_gzx"),
-    Column { name: "energy_dissipated", unit: "J/m3", doc: "σ:dε_p, stress at the end of each step" },
+    Column::with_role(
+        "energy_dissipated",
+        "J/m3",
+        Role::Dissipated,
+        "σ:dε_p, stress at the end of each step",
+    ),
 ];
 
 /// Strains are kept below this: beyond any that means something, squares of stresses would overflow.

@@ -17,79 +17,44 @@
 //! of ½ v⁻ᵀM v⁻ equals the work of all forces. Contributions of parts are summed node by node in the order of parts,
 //! chunks of nodes in ascending order, so bits do not depend on threads.
 
+mod gather;
 mod nodes;
 mod power;
+mod product;
 
 pub use power::{Limit, StableStep, stable_step};
 
+use crate::assembly::{Assembly, Slices};
+use crate::member::Member;
 use crate::model::Model;
-use crate::parts::{ElementEnergy, Motion, Own, ProbeOut, Scratch, Slices, Tick, Work};
+use crate::parts::{ElementEnergy, Kept, Motion, Own, ProbeOut, Scratch};
 use crate::phase::Phase;
-use crate::state::State;
-use nodes::Rates;
+use crate::state::{Ledger, State};
+use nodes::{NodeSums, Rates};
 use rayon::prelude::*;
+use tremolite_kernels::{Booked, Line, Lines};
 use tremolite_laws::Row;
 
-/// Stresses, energies and velocities at one time, for observers.
+/// What is seen at one time, beside the histories and numbers that parts keep.
 #[derive(Clone, Debug, Default)]
 pub struct Snapshot {
-    /// Stress \[Pa\] of every point, global axes, in the order of parts.
-    pub stress: Vec<[f64; 6]>,
-    /// Energies of every element, in the order of parts.
-    pub energy: Vec<ElementEnergy>,
+    /// Steps since t = 0, and the time \[s\].
+    pub step: u64,
+    pub time: f64,
+    /// Displacement \[m\] by engine node.
+    pub displacement: Vec<Row>,
     /// v̂ \[m/s\] by engine node.
     pub velocity: Vec<Row>,
     /// dv/dt \[m/s²\] by engine node.
     pub acceleration: Vec<Row>,
-    /// Lines of the balance at this time.
-    pub balance: Balance,
+    /// Stress \[Pa\] of every point, global axes, in the order of members.
+    pub stress: Vec<[f64; 6]>,
+    /// Energies of every element, in the order of members.
+    pub energy: Vec<ElementEnergy>,
+    /// The energy balance at this time.
+    pub balance: Lines,
     /// Work done on the elements since the start, and what they held then \[J\]: ½ f·(Δu⁻ + Δu⁺) over all steps.
     pub internal: f64,
-}
-
-/// The energy balance at one time \[J\].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Balance {
-    pub kinetic: f64,
-    /// What elements would give back: ∫ [`tremolite_laws::Material::stored_energy`].
-    pub strain: f64,
-    pub hourglass: f64,
-    /// Taken by damage and plastic flow, as laws book it step by step.
-    pub dissipated: f64,
-    /// Given out by laws that have no potential, as they book it: enters the sum with a minus.
-    pub created: f64,
-    /// Taken by damping over a band, and whatever laws that keep no books take: the work done on the elements less all
-    /// other lines. Zero by definition where there are neither; the error then tests the laws as well.
-    pub band: f64,
-    pub rayleigh: f64,
-    pub base_dashpots: f64,
-    pub side_dashpots: f64,
-    pub springs: f64,
-    pub input: f64,
-    pub initial: f64,
-    /// What is found less what was put in.
-    pub error: f64,
-}
-
-impl Balance {
-    /// Names and values of the lines, in the order of energy.csv.
-    pub fn lines(&self) -> [(&'static str, f64); 13] {
-        [
-            ("kinetic", self.kinetic),
-            ("strain", self.strain),
-            ("hourglass", self.hourglass),
-            ("dissipated", self.dissipated),
-            ("created_by_law", self.created),
-            ("band_damping", self.band),
-            ("rayleigh_damping", self.rayleigh),
-            ("base_dashpots", self.base_dashpots),
-            ("side_dashpots", self.side_dashpots),
-            ("base_springs", self.springs),
-            ("input", self.input),
-            ("initial", self.initial),
-            ("error", self.error),
-        ]
-    }
 }
 
 /// Why a step could not be taken.
@@ -106,11 +71,12 @@ const GUARD: f64 = 3.0;
 /// The engine for one machine.
 pub struct Engine<'a> {
     model: &'a Model,
+    assembly: &'a Assembly,
     phase: &'a Phase,
     contributions: Vec<Row>,
     rates: Rates,
     /// The parts' own work, if they were evaluated at the state's displacements already.
-    evaluated: Option<Work>,
+    evaluated: Option<Lines>,
 }
 
 /// A slice of `data` for each part; the slices' ranges ascend without gaps.
@@ -129,22 +95,22 @@ fn split<'d, T>(
         .collect()
 }
 
-/// One part with its slices.
+/// One active part with its slices.
 struct Job<'j> {
-    part: usize,
+    member: &'j Member,
     out: &'j mut [Row],
     own: Own<'j>,
 }
 
 impl<'a> Engine<'a> {
     /// An engine for a phase of a model.
-    pub fn new(model: &'a Model, phase: &'a Phase) -> Self {
-        let (.., contributions, _, _) = phase.totals();
+    pub fn new(model: &'a Model, assembly: &'a Assembly, phase: &'a Phase) -> Self {
         Engine {
             model,
+            assembly,
             phase,
-            contributions: vec![Row::ZERO; contributions],
-            rates: Rates::new(model, phase),
+            contributions: vec![Row::ZERO; assembly.totals().contributions.end],
+            rates: Rates::new(model, assembly),
             evaluated: None,
         }
     }
@@ -178,70 +144,117 @@ impl<'a> Engine<'a> {
             .clone()
             .map(|n| 0.5 * self.phase.mass[n] * state.du[n].0.iter().map(|d| d * d).sum::<f64>() / (dt * dt))
             .sum();
-        state.ledger = crate::state::Ledger {
-            initial: now.kinetic + now.strain + now.hourglass,
-            supplied: minus + now.strain + now.hourglass,
-            springs: -now.springs,
-            input: -now.input,
-            rayleigh: -now.rayleigh,
-            base_dashpots: -now.base_dashpots,
-            side_dashpots: -now.side_dashpots,
-            parts: now.strain + now.hourglass - (snapshot.internal + now.springs - now.input),
-        };
+        let held = self.held(state, &snapshot.energy);
+        let mut ledger = Ledger::default();
+        let (mut stored, mut work) = (0.0, 0.0);
+        for &line in Line::ALL {
+            match line.booked() {
+                Booked::Stored => stored += held[line],
+                // What springs hold at the start was supplied.
+                Booked::Work => {
+                    stored += held[line];
+                    work += line.sign() * now[line];
+                    ledger.lines[line] = held[line] - now[line];
+                }
+                Booked::Damping => ledger.lines[line] = -now[line],
+                Booked::Motion | Booked::Spent | Booked::Start | Booked::Rest => {}
+            }
+        }
+        ledger.lines[Line::Initial] = now[Line::Kinetic] + stored;
+        ledger.supplied = minus + stored;
+        ledger.parts = stored - (snapshot.internal + work);
+        state.ledger = ledger;
     }
 
     /// Evaluates all parts at u^n, and the products with K that ξ ≠ 0 needs.
-    fn evaluate(&mut self, state: &mut State, probe: Option<ProbeOut>) -> Work {
-        let phase = self.phase;
-        let tick = Tick { time: state.time(), dt: state.dt };
+    fn evaluate(&mut self, state: &mut State, probe: Option<ProbeOut>) -> Lines {
+        let Engine { model, assembly, phase, .. } = *self;
+        let tick = phase.tick(state);
         let motion = Motion { u: &state.u, du: &state.du };
-        let slices = &phase.slices;
-        let jobs: Vec<Job> = split(&mut self.contributions, slices, |s| s.contributions.clone())
+        let slices = &assembly.slices;
+        let all = split(&mut self.contributions, slices, |s| s.contributions.clone())
             .into_iter()
             .zip(split(&mut state.history, slices, |s| s.history.clone()))
             .zip(split(&mut state.overstress, slices, |s| s.overstress.clone()))
             .zip(split(&mut state.numbers, slices, |s| s.numbers.clone()))
-            .enumerate()
-            .map(|(part, (((out, history), overstress), numbers))| Job {
-                part,
+            .zip(&assembly.members)
+            .map(|((((out, history), overstress), numbers), member)| Job {
+                member,
                 out,
                 own: Own { history, overstress, numbers },
-            })
-            .collect();
-        let works: Vec<Work> = match probe {
+            });
+        let mut active = phase.active.iter().copied().peekable();
+        let jobs = all.zip(0u32..).filter(|(_, m)| active.next_if_eq(m).is_some()).map(|(job, _)| job);
+        let works: Vec<Lines> = match probe {
             None => jobs
+                .collect::<Vec<Job>>()
                 .into_par_iter()
                 .map_init(Scratch::default, |scratch, job| {
-                    phase.parts[job.part].forces(&tick, &motion, job.own, job.out, scratch)
+                    job.member.part.forces(&tick, &motion, job.own, job.out, scratch)
                 })
                 .collect(),
             Some(probe) => {
                 let stress = split(probe.stress, slices, |s| s.points.clone());
                 let energy = split(probe.energy, slices, |s| s.elements.clone());
-                jobs.into_par_iter()
-                    .zip(stress)
+                let mut to: Vec<ProbeOut> = stress
+                    .into_iter()
                     .zip(energy)
-                    .map_init(Scratch::default, |scratch, ((job, stress), energy)| {
-                        let to = ProbeOut { stress, energy };
-                        phase.parts[job.part].probe(&tick, &motion, job.own, job.out, to, scratch)
+                    .map(|(stress, energy)| ProbeOut { stress, energy })
+                    .collect();
+                let mut index = 0;
+                let mut active = phase.active.iter().copied().peekable();
+                to.retain(|_| {
+                    index += 1;
+                    active.next_if_eq(&(index - 1)).is_some()
+                });
+                jobs.collect::<Vec<Job>>()
+                    .into_par_iter()
+                    .zip(to)
+                    .map_init(Scratch::default, |scratch, (job, to)| {
+                        job.member.part.probe(&tick, &motion, job.own, job.out, to, scratch)
                     })
                     .collect()
             }
         };
-        self.rates.update(self.model, phase, &self.contributions, state);
-        works.into_iter().fold(Work::default(), |sum, w| Work {
-            springs: sum.springs + w.springs,
-            input: sum.input + w.input,
-        })
+        self.rates.update(model, assembly, phase, &self.contributions, state);
+        works.into_iter().fold(Lines::default(), |sum, work| sum + work)
+    }
+
+    /// What the counted parts hold, have dissipated and created, by line: by element, and what else they report.
+    fn held(&self, state: &State, energy: &[ElementEnergy]) -> Lines {
+        let mut held = Lines::default();
+        let motion = Motion { u: &state.u, du: &state.du };
+        for &m in &self.phase.active {
+            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
+            if !member.counted {
+                continue;
+            }
+            for element in &energy[slices.elements.clone()] {
+                held[Line::Strain] += element.strain;
+                held[Line::Hourglass] += element.hourglass;
+                held[Line::Dissipated] += element.dissipated;
+                held[Line::Created] += element.created;
+            }
+            let kept = Kept {
+                history: &state.history[slices.history.clone()],
+                overstress: &state.overstress[slices.overstress.clone()],
+                numbers: &state.numbers[slices.numbers.clone()],
+            };
+            held = held + member.part.energy(&motion, kept);
+        }
+        held
     }
 
     /// What observers see at u^n. Laws and boundaries remember what they saw, so a state is observed at most once a
     /// step, and [`Engine::step`] goes on from there.
     pub fn observe(&mut self, state: &mut State) -> Snapshot {
-        let (_, _, _, points, elements) = self.phase.totals();
+        let totals = self.assembly.totals();
         let mut snapshot = Snapshot {
-            stress: vec![[0.0; 6]; points],
-            energy: vec![ElementEnergy::default(); elements],
+            step: state.steps(),
+            time: state.time(),
+            displacement: state.u.clone(),
+            stress: vec![[0.0; 6]; totals.points.end],
+            energy: vec![ElementEnergy::default(); totals.elements.end],
             ..Snapshot::default()
         };
         let probe = ProbeOut { stress: &mut snapshot.stress, energy: &mut snapshot.energy };
@@ -251,45 +264,33 @@ impl<'a> Engine<'a> {
         (sums, snapshot.velocity, snapshot.acceleration) =
             nodes::measure(self.model, self.phase, &self.contributions, &self.rates, state);
 
-        let counted = self.phase.slices[..self.phase.counted_parts].last().map_or(0, |s| s.elements.end);
-        let mut held = ElementEnergy::default();
-        for element in &snapshot.energy[..counted] {
-            held.strain += element.strain;
-            held.hourglass += element.hourglass;
-            held.dissipated += element.dissipated;
-            held.created += element.created;
+        let held = self.held(state, &snapshot.energy);
+        let taken = sums.dampings();
+        let (ledger, balance) = (&state.ledger, &mut snapshot.balance);
+        // All parts but the elements book their own work, and the elements what they hold and have lost.
+        let mut elements = ledger.parts + sums.parts;
+        for &line in Line::ALL {
+            balance[line] = match line.booked() {
+                Booked::Motion => sums.kinetic,
+                Booked::Stored | Booked::Spent => held[line],
+                Booked::Damping => ledger.lines[line] + taken[line],
+                Booked::Work => ledger.lines[line] + line.sign() * work[line],
+                Booked::Start => ledger.lines[line],
+                Booked::Rest => 0.0,
+            };
+            if line.booked() == Booked::Work {
+                elements -= line.sign() * balance[line];
+            }
         }
-        let ledger = &state.ledger;
-        let mut balance = Balance {
-            kinetic: sums.kinetic,
-            strain: held.strain,
-            hourglass: held.hourglass,
-            dissipated: held.dissipated,
-            created: held.created,
-            band: 0.0,
-            rayleigh: ledger.rayleigh + sums.rayleigh,
-            base_dashpots: ledger.base_dashpots + sums.base_dashpots,
-            side_dashpots: ledger.side_dashpots + sums.side_dashpots,
-            springs: ledger.springs + work.springs,
-            input: ledger.input - work.input,
-            initial: ledger.initial,
-            error: 0.0,
-        };
-        // All parts but the elements book their own work.
-        snapshot.internal = ledger.parts + sums.parts - balance.springs + balance.input;
-        if !self.phase.keeps_books() {
-            balance.band = snapshot.internal - held.strain - held.hourglass - held.dissipated + held.created;
+        snapshot.internal = elements;
+        if !self.phase.keeps_books {
+            let of_elements = |line: &&Line| matches!(line.booked(), Booked::Stored | Booked::Spent);
+            balance[Line::Band] = Line::ALL
+                .iter()
+                .filter(of_elements)
+                .fold(elements, |rest, &line| rest - line.sign() * balance[line]);
         }
-        balance.error = balance.kinetic + balance.strain + balance.hourglass + balance.dissipated
-            - balance.created
-            + balance.band
-            + balance.rayleigh
-            + balance.base_dashpots
-            + balance.side_dashpots
-            + balance.springs
-            - balance.input
-            - balance.initial;
-        snapshot.balance = balance;
+        balance[Line::Error] = balance.sum();
         snapshot
     }
 
@@ -304,14 +305,7 @@ impl<'a> Engine<'a> {
         };
         let time = state.time();
         let sums = nodes::advance(self.model, self.phase, &self.contributions, &self.rates, state);
-        let ledger = &mut state.ledger;
-        ledger.springs += work.springs;
-        ledger.input -= work.input;
-        ledger.supplied += (-work.input).max(0.0);
-        ledger.rayleigh += sums.rayleigh;
-        ledger.base_dashpots += sums.base_dashpots;
-        ledger.side_dashpots += sums.side_dashpots;
-        ledger.parts += sums.parts;
+        state.ledger.book(&work, &sums);
         state.step += 1;
         // Written so that a kinetic energy that is not a number halts as well.
         if sums.kinetic <= GUARD * state.ledger.supplied {
@@ -320,9 +314,31 @@ impl<'a> Engine<'a> {
             Err(Halt::Energy {
                 kinetic: sums.kinetic,
                 supplied: state.ledger.supplied,
-                step: state.step,
+                step: state.steps(),
                 time,
             })
         }
+    }
+}
+
+impl Ledger {
+    /// Books a step: the parts' own work, and what the node pass found.
+    fn book(&mut self, work: &Lines, sums: &NodeSums) {
+        let taken = sums.dampings();
+        for &line in Line::ALL {
+            match line.booked() {
+                Booked::Work => {
+                    let more = line.sign() * work[line];
+                    self.lines[line] += more;
+                    // Lines of what is put in have a minus in the sum of what is found.
+                    if line.sign() < 0.0 {
+                        self.supplied += more.max(0.0);
+                    }
+                }
+                Booked::Damping => self.lines[line] += taken[line],
+                Booked::Motion | Booked::Stored | Booked::Spent | Booked::Start | Booked::Rest => {}
+            }
+        }
+        self.parts += sums.parts;
     }
 }

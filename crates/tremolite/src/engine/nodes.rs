@@ -1,15 +1,18 @@
 //! The passes over nodes: contributions to forces, forces to motion.
 
-use super::power::stiffness_times;
+use super::gather::force;
+use super::product::stiffness_times;
+use crate::assembly::Assembly;
 use crate::model::Model;
 use crate::parts::base::times;
 use crate::phase::{Dashpot, Phase};
 use crate::state::State;
 use rayon::prelude::*;
+use tremolite_kernels::{Line, Lines};
 use tremolite_laws::{Isa, Row};
 
 /// Nodes a chunk: the unit of threads and of sums, whatever their number.
-const CHUNK: usize = 2048;
+pub(super) const CHUNK: usize = 2048;
 
 /// What a pass adds up over the nodes that count \[J\].
 #[derive(Clone, Copy, Debug, Default)]
@@ -25,6 +28,15 @@ pub struct NodeSums {
 }
 
 impl NodeSums {
+    /// Work against the dampings, by line.
+    pub fn dampings(&self) -> Lines {
+        let mut taken = Lines::default();
+        taken[Line::Rayleigh] = self.rayleigh;
+        taken[Line::BaseDashpots] = self.base_dashpots;
+        taken[Line::SideDashpots] = self.side_dashpots;
+        taken
+    }
+
     fn plus(self, o: NodeSums) -> NodeSums {
         NodeSums {
             kinetic: self.kinetic + o.kinetic,
@@ -48,51 +60,51 @@ pub struct Rates {
 
 impl Rates {
     /// Room for the products, if the model needs them.
-    pub fn new(model: &Model, phase: &Phase) -> Self {
+    pub fn new(model: &Model, assembly: &Assembly) -> Self {
         if model.rayleigh.stiffness == 0.0 {
             return Rates::default();
         }
-        let zero = vec![Row::ZERO; phase.mass.len()];
-        let (.., contributions, _, _) = phase.totals();
+        let zero = vec![Row::ZERO; model.mesh_node.len()];
         Rates {
             minus: zero.clone(),
             hat: zero.clone(),
             velocity: zero,
-            contributions: vec![Row::ZERO; contributions],
+            contributions: vec![Row::ZERO; assembly.totals().contributions.end],
         }
     }
 
     /// Both products at the state, whose forces are in `contributions`.
-    pub fn update(&mut self, model: &Model, phase: &Phase, contributions: &[Row], state: &State) {
+    pub fn update(
+        &mut self,
+        model: &Model,
+        assembly: &Assembly,
+        phase: &Phase,
+        contributions: &[Row],
+        state: &State,
+    ) {
         if model.rayleigh.stiffness == 0.0 {
             return;
         }
         for (v, du) in self.velocity.iter_mut().zip(&state.du) {
             *v = Row(du.0.map(|d| d / state.dt));
         }
-        stiffness_times(phase, Some(state), &self.velocity, &mut self.contributions, &mut self.minus);
+        stiffness_times(
+            assembly,
+            phase,
+            Some(state),
+            &self.velocity,
+            &mut self.contributions,
+            &mut self.minus,
+        );
         // Tied nodes move as their masters, of which alone v̂ is worked out.
         let (_, hat, _) = measure(model, phase, contributions, self, state);
         self.velocity = hat;
-        stiffness_times(phase, Some(state), &self.velocity, &mut self.contributions, &mut self.hat);
+        stiffness_times(assembly, phase, Some(state), &self.velocity, &mut self.contributions, &mut self.hat);
     }
 
     fn at(rows: &[Row], node: usize) -> Row {
         rows.get(node).copied().unwrap_or(Row::ZERO)
     }
-}
-
-/// Sum of a node's contributions, in the order of parts.
-#[inline(always)]
-pub(super) fn force(phase: &Phase, contributions: &[Row], node: usize) -> Row {
-    let mut sum = Row::ZERO;
-    for &slot in &phase.slot[phase.start[node] as usize..phase.start[node + 1] as usize] {
-        let row = &contributions[slot as usize];
-        for i in 0..4 {
-            sum.0[i] += row.0[i];
-        }
-    }
-    sum
 }
 
 /// v̂, dv/dt and the forces of the dampings at a node.

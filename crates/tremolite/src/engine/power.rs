@@ -2,21 +2,22 @@
 //!
 //! Dashpots act on the mean of v⁻ and v⁺ and take energy in every step whatever its length, so they bound nothing.
 
-use super::nodes::force;
+use super::nodes::CHUNK;
+use super::product::stiffness_times;
+use crate::assembly::Assembly;
 use crate::model::Model;
-use crate::parts::{ElementEnergy, Motion, Own, ProbeOut, Scratch, Tick};
+use crate::parts::{ElementEnergy, Scratch};
 use crate::phase::Phase;
-use crate::state::State;
 use rayon::prelude::*;
-use tremolite_laws::{Octet, Row};
+use tremolite_laws::Row;
 
 /// What bounds the step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Limit {
     /// The stiffness around an element (index in the mesh).
     Element(u32),
-    /// The springs at a node of the boundary (index in the mesh).
-    Boundary(u32),
+    /// A part without elements, at a node (index in the mesh).
+    Part { member: u32, node: u32 },
     /// Rayleigh's damping.
     Damping,
 }
@@ -34,33 +35,6 @@ pub struct StableStep {
     /// Iterations made, and the relative change of λ in the last one: the estimate comes from below.
     pub iterations: u32,
     pub change: f64,
-}
-
-/// K w of all parts by engine node, added up in the order of parts; a tied node's share is its master's. Without a
-/// state the stiffness is elastic, with one it is what damage has left.
-pub fn stiffness_times(
-    phase: &Phase,
-    state: Option<&State>,
-    w: &[Row],
-    contributions: &mut [Row],
-    out: &mut [Row],
-) {
-    let mut rest = &mut *contributions;
-    let mut jobs: Vec<(usize, &mut [Row])> = Vec::with_capacity(phase.parts.len());
-    for (p, part) in phase.parts.iter().enumerate() {
-        let (own, after) = std::mem::take(&mut rest).split_at_mut(part.nodes().len());
-        jobs.push((p, own));
-        rest = after;
-    }
-    jobs.into_par_iter().for_each_init(Scratch::default, |scratch, (p, own)| match state {
-        Some(state) => {
-            let history = &state.history[phase.slices[p].history.clone()];
-            phase.parts[p].damping_times(&state.u, history, w, own, scratch);
-        }
-        None => phase.parts[p].stiffness_times(w, own, scratch),
-    });
-    let contributions = &*contributions;
-    out.par_iter_mut().enumerate().for_each(|(node, out)| *out = force(phase, contributions, node));
 }
 
 /// A fixed start without symmetry, so that no mode is missed.
@@ -97,32 +71,27 @@ const CONVERGED: f64 = 1e-5;
 ///
 /// The Rayleigh quotient approaches λmax from below; the iteration stops when it rises by less than 10⁻⁵ a time,
 /// or after 300 times. Callers keep a margin ([`crate::problem::TimeStep::safety`], 0.9 by default).
-pub fn stable_step(model: &Model, phase: &Phase) -> StableStep {
-    let (.., contributions, _, _) = phase.totals();
-    let mut contributions = vec![Row::ZERO; contributions];
+pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableStep {
+    let mut contributions = vec![Row::ZERO; assembly.totals().contributions.end];
     let mut w = start(phase);
     let mut kw = vec![Row::ZERO; w.len()];
     let (mut lambda, mut change, mut iterations) = (0.0, f64::INFINITY, 0);
     while iterations < ITERATIONS && change > CONVERGED {
-        stiffness_times(phase, None, &w, &mut contributions, &mut kw);
-        let (mut wkw, mut wmw) = (0.0, 0.0);
-        for (n, (w, kw)) in w.iter().zip(&kw).enumerate() {
-            // A tied node's mass and force are its master's.
-            if phase.start[n] != phase.start[n + 1] {
-                wkw += w.0[0] * kw.0[0] + w.0[1] * kw.0[1] + w.0[2] * kw.0[2];
-                wmw += phase.mass[n] * (w.0[0] * w.0[0] + w.0[1] * w.0[1] + w.0[2] * w.0[2]);
-            }
-        }
+        stiffness_times(assembly, phase, None, &w, &mut contributions, &mut kw);
+        let [wkw, wmw] = products(phase, &w, &kw);
         let quotient = wkw / wmw;
         change = ((quotient - lambda) / quotient).abs();
         lambda = quotient;
         iterations += 1;
         let scale = 1.0 / (wmw.sqrt() * quotient);
-        for (n, w) in w.iter_mut().enumerate() {
-            for i in 0..3 {
-                w.0[i] = kw[n].0[i] * phase.inverse_mass[n].0[i] * scale;
+        w.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, w)| {
+            for (k, w) in w.iter_mut().enumerate() {
+                let n = chunk * CHUNK + k;
+                for i in 0..3 {
+                    w.0[i] = kw[n].0[i] * phase.inverse_mass[n].0[i] * scale;
+                }
             }
-        }
+        });
         follow(phase, &mut w);
     }
     let frequency = lambda.sqrt();
@@ -130,42 +99,55 @@ pub fn stable_step(model: &Model, phase: &Phase) -> StableStep {
     let damping_rate = model.rayleigh.mass + xi * lambda;
     let dt_stiffness = 2.0 / frequency;
     let dt_damping = if damping_rate > 0.0 { 2.0 / damping_rate } else { f64::INFINITY };
-    let limit = if dt_stiffness <= dt_damping { hottest(model, phase, &w) } else { Limit::Damping };
+    let limit = if dt_stiffness <= dt_damping { hottest(model, assembly, phase, &w) } else { Limit::Damping };
     StableStep { dt: dt_stiffness.min(dt_damping), frequency, damping_rate, limit, iterations, change }
 }
 
-/// Where the mode `w` stores most energy: an element of the user's mesh, or a node on springs.
-fn hottest(model: &Model, phase: &Phase, w: &[Row]) -> Limit {
-    let tick = Tick { time: 0.0, dt: 0.0 };
-    let motion = Motion { u: w, du: w };
+/// wᵀKw and wᵀMw, by chunks in ascending order: the same bits on any number of threads.
+fn products(phase: &Phase, w: &[Row], kw: &[Row]) -> [f64; 2] {
+    let sums: Vec<[f64; 2]> = w
+        .par_chunks(CHUNK)
+        .zip(kw.par_chunks(CHUNK))
+        .enumerate()
+        .map(|(chunk, (w, kw))| {
+            let mut sums = [0.0; 2];
+            for (k, (w, kw)) in w.iter().zip(kw).enumerate() {
+                let n = chunk * CHUNK + k;
+                // A tied node's mass and force are its master's.
+                if phase.start[n] != phase.start[n + 1] {
+                    sums[0] += w.0[0] * kw.0[0] + w.0[1] * kw.0[1] + w.0[2] * kw.0[2];
+                    sums[1] += phase.mass[n] * (w.0[0] * w.0[0] + w.0[1] * w.0[1] + w.0[2] * w.0[2]);
+                }
+            }
+            sums
+        })
+        .collect();
+    sums.into_iter().fold([0.0; 2], |sum, more| [sum[0] + more[0], sum[1] + more[1]])
+}
+
+/// Where the mode `w` stores most energy: an element of the mesh, or a node of a part without elements.
+fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row]) -> Limit {
     let mut scratch = Scratch::default();
     let mut best = (0.0, Limit::Element(0));
-    for (p, part) in phase.parts.iter().enumerate() {
-        let (elements, points) = part.elements();
-        let sizes = part.state_sizes();
-        let mut out = vec![Row::ZERO; part.nodes().len()];
-        if elements == 0 {
-            part.stiffness_times(w, &mut out, &mut scratch);
-            for (&node, f) in part.nodes().iter().zip(&out) {
-                let x = w[node as usize];
-                let energy = 0.5 * (f.0[0] * x.0[0] + f.0[1] * x.0[1] + f.0[2] * x.0[2]);
-                if energy > best.0 {
-                    best = (energy, Limit::Boundary(model.mesh_node[node as usize]));
+    for &m in &phase.active {
+        let part = &assembly.members[m as usize].part;
+        if let Some(patch) = model.patches.get(m as usize) {
+            let mut energy = vec![ElementEnergy::default(); patch.elements.len()];
+            part.stiffness_energy(w, &mut energy, &mut scratch);
+            for (&element, energy) in patch.elements.iter().zip(&energy) {
+                if energy.held() > best.0 {
+                    best = (energy.held(), Limit::Element(element));
                 }
             }
             continue;
         }
-        let mut history = vec![Octet::ZERO; sizes.history];
-        let mut overstress = vec![Octet::ZERO; sizes.overstress];
-        let mut numbers = vec![0.0; sizes.numbers];
-        let mut stress = vec![[0.0; 6]; elements * points];
-        let mut energy = vec![ElementEnergy::default(); elements];
-        let own = Own { history: &mut history, overstress: &mut overstress, numbers: &mut numbers };
-        let probe = ProbeOut { stress: &mut stress, energy: &mut energy };
-        part.probe(&tick, &motion, own, &mut out, probe, &mut scratch);
-        for (&element, energy) in model.patches[p].elements.iter().zip(&energy) {
-            if energy.held() > best.0 {
-                best = (energy.held(), Limit::Element(element));
+        let mut out = vec![Row::ZERO; part.nodes().len()];
+        part.stiffness_times(w, &mut out, &mut scratch);
+        for (&node, f) in part.nodes().iter().zip(&out) {
+            let x = w[node as usize];
+            let energy = 0.5 * (f.0[0] * x.0[0] + f.0[1] * x.0[1] + f.0[2] * x.0[2]);
+            if energy > best.0 {
+                best = (energy, Limit::Part { member: m, node: model.mesh_node[node as usize] });
             }
         }
     }

@@ -1,15 +1,15 @@
 //! How far cracks have opened.
 
-use super::{Observer, Schedule, View};
-use crate::history;
-use crate::model::Model;
-use crate::run::RunError;
-use crate::state::State;
+use super::{Observer, Schedule, Setting, View};
+use crate::error::RunError;
+use crate::state::Memory;
+use tremolite_laws::Role;
+use tremolite_laws::parameter::position;
 
-/// What a law must keep of a point: damage in tension, the extent across the crack, the largest principal strain.
-const COLUMNS: [&str; 3] = ["d_tension", "crack_size", "last_e1"];
+/// What a law must keep of a point.
+const ROLES: [Role; 3] = [Role::TensionDamage, Role::CrackExtent, Role::CrackStrain];
 
-/// Keeps by element (in the order of parts) the widest crack seen at one of its points \[m\], and when \[s\], under
+/// Keeps by element (in the order of members) the widest crack seen at one of its points \[m\], and when \[s\], under
 /// [`Cracks::OPENING`] and [`Cracks::TIME`] in the state.
 ///
 /// The opening is D⁺ ε₁ h with the largest principal strain ε₁ and the extent h across the crack at first damage: of
@@ -24,12 +24,10 @@ impl Cracks {
     pub const TIME: &'static str = "crack_opening time";
 
     /// The observer, if a law of the model can crack.
-    pub fn new(model: &Model, schedule: Schedule) -> Option<Self> {
-        let cracks = |patch: &crate::model::Patch| {
-            let history = model.bodies[patch.body].material.info().history;
-            COLUMNS.iter().all(|name| history.iter().any(|column| column.name == *name))
-        };
-        model.patches[..model.user_patches].iter().any(cracks).then_some(Cracks { schedule })
+    pub fn new(setting: &Setting) -> Option<Self> {
+        let cracks = |history| ROLES.iter().all(|&role| position(history, role).is_some());
+        let mut bodies = setting.model.user_bodies().iter();
+        bodies.any(|body| cracks(body.material.info().history)).then(|| Cracks { schedule: setting.rows() })
     }
 }
 
@@ -38,18 +36,17 @@ impl Observer for Cracks {
         self.schedule
     }
 
-    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
-        let View { model, phase, .. } = *view;
-        let elements = view.snapshot.energy.len();
-        let mut take = |name: &str| state.observers.remove(name).unwrap_or_else(|| vec![0.0; elements]);
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
+        let View { phase, history, snapshot, .. } = *view;
+        let elements = snapshot.energy.len();
+        let mut take = |name: &str| memory.remove(name).unwrap_or_else(|| vec![0.0; elements]);
         let (mut widest, mut when) = (take(Self::OPENING), take(Self::TIME));
         for slot in phase.element_slot.iter().flatten() {
-            let [Some(damage), Some(size), Some(strain)] =
-                COLUMNS.map(|name| history::position(model, slot, name))
+            let [Some(damage), Some(size), Some(strain)] = ROLES.map(|role| history.with_role(slot, role))
             else {
                 continue;
             };
-            let column = |at| history::values(model, phase, state, slot, at);
+            let column = |at| history.values(slot, at);
             let opening = column(damage)
                 .zip(column(size))
                 .zip(column(strain))
@@ -57,11 +54,11 @@ impl Observer for Cracks {
                 .fold(0.0, f64::max);
             let at = slot.element as usize;
             if opening > widest[at] {
-                (widest[at], when[at]) = (opening, state.time());
+                (widest[at], when[at]) = (opening, snapshot.time);
             }
         }
-        state.observers.insert(Self::OPENING.into(), widest);
-        state.observers.insert(Self::TIME.into(), when);
+        memory.insert(Self::OPENING.into(), widest);
+        memory.insert(Self::TIME.into(), when);
         Ok(())
     }
 }

@@ -1,10 +1,9 @@
 //! energy.csv: the balance over time.
 
-use super::{Observer, Schedule, View};
-use crate::engine::Balance;
-use crate::run::RunError;
-use crate::state::State;
-use std::path::Path;
+use super::{Observer, Schedule, Setting, View};
+use crate::error::RunError;
+use crate::state::Memory;
+use tremolite_kernels::Line;
 use tremolite_results::{Column, TableWriter};
 
 /// Key of what this observer remembers: bytes written, then the largest values over all rows of |error|, of what laws
@@ -22,14 +21,15 @@ impl Energy {
     ///
     /// # Errors
     /// If the file cannot be written, or is shorter than the state remembers.
-    pub fn new(path: &Path, schedule: Schedule, state: &State) -> Result<Self, RunError> {
+    pub fn new(setting: &Setting) -> Result<Self, RunError> {
         let mut columns = vec![Column::new("time", "s")];
-        columns.extend(Balance::default().lines().iter().map(|(name, _)| Column::new(*name, "J")));
-        let table = match state.observers.get(MEMORY) {
-            Some(memory) => TableWriter::resume(path, &columns, memory[0] as u64)?,
-            None => TableWriter::create(path, &columns)?,
+        columns.extend(Line::ALL.iter().map(|line| Column::new(line.name(), "J")));
+        let path = setting.folder.energy();
+        let table = match setting.memory.get(MEMORY) {
+            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
+            None => TableWriter::create(&path, &columns)?,
         };
-        Ok(Energy { schedule, table })
+        Ok(Energy { schedule: setting.rows(), table })
     }
 }
 
@@ -38,14 +38,14 @@ impl Observer for Energy {
         self.schedule
     }
 
-    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let balance = &view.snapshot.balance;
-        let mut row = vec![state.time()];
-        row.extend(balance.lines().iter().map(|(_, value)| *value));
+        let mut row = vec![view.snapshot.time];
+        row.extend(balance.iter().map(|(_, value)| value));
         self.table.write(&row)?;
-        let memory = state.observers.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 4]);
+        let memory = memory.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 4]);
         memory[0] = self.table.bytes_written() as f64;
-        let now = [balance.error.abs(), balance.dissipated, balance.created];
+        let now = [balance[Line::Error].abs(), balance[Line::Dissipated], balance[Line::Created]];
         for (most, now) in memory[1..].iter_mut().zip(now) {
             *most = most.max(now);
         }

@@ -1,15 +1,14 @@
 //! fields/*.vtu and fields.pvd: the whole model at some times.
 
-use super::{Cracks, Envelopes, Observer, Schedule, View};
-use crate::history;
+use super::{Cracks, Envelopes, Observer, Schedule, Setting, View};
+use crate::error::RunError;
 use crate::model::Model;
-use crate::phase::{ElementSlot, Phase};
+use crate::phase::ElementSlot;
 use crate::quantities::{Field, extremes, field_name, mean, of_element};
-use crate::run::RunError;
-use crate::state::State;
+use crate::state::Memory;
 use tremolite_laws::Row;
 use tremolite_mesh::vtu::{Array, Grid, Values};
-use tremolite_results::{Pvd, ResultFolder};
+use tremolite_results::Pvd;
 
 /// Writes the chosen fields of the active elements.
 pub struct Fields {
@@ -24,22 +23,18 @@ pub struct Fields {
 }
 
 impl Fields {
-    /// Starts the list of files, or goes on with it at the state's time.
+    /// Starts the list of files, or goes on with it at the state's time; nothing if the plan wants no fields.
     ///
     /// # Errors
     /// If the list cannot be written or read.
-    pub fn new(
-        folder: &ResultFolder,
-        model: &Model,
-        phase: &Phase,
-        schedule: Schedule,
-        state: &State,
-    ) -> Result<Self, RunError> {
-        let list = if state.step == 0 {
+    pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
+        let Setting { folder, model, phase, steps, .. } = *setting;
+        let Some(every) = steps.snapshots else { return Ok(None) };
+        let list = if setting.step == 0 {
             Pvd::create(&folder.pvd())?
         } else {
             // Files of the state's own time are written again.
-            Pvd::resume(&folder.pvd(), state.time() - 0.5 * state.dt)?
+            Pvd::resume(&folder.pvd(), setting.time - 0.5 * setting.dt)?
         };
         std::fs::create_dir_all(folder.fields())
             .map_err(|source| RunError::Io { path: folder.fields(), source })?;
@@ -47,21 +42,21 @@ impl Fields {
             (0u32..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).collect();
         let (mut grid, mesh_nodes) = Grid::from_mesh(&model.mesh, Some(&active));
         let slots: Vec<ElementSlot> = active.iter().filter_map(|&e| phase.element_slot[e as usize]).collect();
-        let bodies: Vec<i32> = slots.iter().map(|s| model.patches[s.part as usize].body as i32).collect();
+        let bodies: Vec<i32> = slots.iter().map(|s| model.patches[s.member as usize].body as i32).collect();
         let numbers = active.iter().map(|&e| model.mesh.element_id(e as usize) as i64).collect();
         grid.cell_data = vec![
             Array::new("element", "", 1, Values::Int64(numbers)),
             Array::new("body", "", 1, Values::Int32(bodies)),
         ];
         grid.cell_data.extend(groups(model, &active));
-        Ok(Fields {
-            schedule,
+        Ok(Some(Fields {
+            schedule: Schedule { every, last: Some(steps.total) },
             folder: folder.fields(),
             list,
             grid,
             nodes: mesh_nodes.iter().map(|&n| model.engine_node[n as usize]).collect(),
             slots,
-        })
+        }))
     }
 
     fn nodal(&self, name: &str, unit: &str, rows: &[Row]) -> Array {
@@ -74,12 +69,14 @@ impl Fields {
         Array::new(name, unit, 1, Values::Float32(values))
     }
 
-    fn add(&self, grid: &mut Grid, field: Field, view: &View, state: &State) {
+    fn add(&self, grid: &mut Grid, field: Field, view: &View, memory: &Memory) {
         let points = |slot: &ElementSlot| {
             &view.snapshot.stress[slot.point as usize..slot.point as usize + slot.points as usize]
         };
         match field {
-            Field::Displacement => grid.point_data.push(self.nodal("displacement", "m", &state.u)),
+            Field::Displacement => {
+                grid.point_data.push(self.nodal("displacement", "m", &view.snapshot.displacement))
+            }
             Field::Velocity => grid.point_data.push(self.nodal("velocity", "m/s", &view.snapshot.velocity)),
             Field::Acceleration => {
                 grid.point_data.push(self.nodal("acceleration", "m/s2", &view.snapshot.acceleration));
@@ -93,18 +90,18 @@ impl Fields {
                 grid.cell_data.push(self.cells("s3", "Pa", |s| extremes(points(s))[1]));
             }
             Field::Envelope => {
-                let Some(most) = state.observers.get(Envelopes::DISPLACEMENT) else { return };
+                let Some(most) = memory.get(Envelopes::DISPLACEMENT) else { return };
                 let values = self.nodes.iter().map(|&n| most[n as usize] as f32).collect();
                 grid.point_data.push(Array::new("displacement_max", "m", 1, Values::Float32(values)));
                 for name in [Envelopes::S1, Envelopes::S3] {
-                    if let Some(column) = state.observers.get(name) {
+                    if let Some(column) = memory.get(name) {
                         grid.cell_data.push(self.cells(name, "Pa", |s| column[s.element as usize]));
                     }
                 }
             }
             // Several of these may hold the same column: they are written together.
             Field::Damage => {
-                if let Some(widest) = state.observers.get(Cracks::OPENING) {
+                if let Some(widest) = memory.get(Cracks::OPENING) {
                     grid.cell_data.push(self.cells(Cracks::OPENING, "m", |s| widest[s.element as usize]));
                 }
             }
@@ -113,19 +110,20 @@ impl Fields {
     }
 
     /// The laws' columns that the fields ask for, zero in elements whose law has none of that name.
-    fn add_histories(&self, grid: &mut Grid, view: &View, state: &State) {
-        let View { model, phase, plan, .. } = *view;
+    fn add_histories(&self, grid: &mut Grid, view: &View) {
+        let View { model, plan, history, .. } = *view;
         let mut written: Vec<&str> = Vec::new();
         let all = model.user_bodies().iter().flat_map(|b| b.material.info().history);
-        for column in all.filter(|c| plan.fields.iter().any(|f| f.holds(c.name))) {
+        for column in all.filter(|c| plan.fields.iter().any(|f| f.holds(c))) {
             if written.contains(&column.name) {
                 continue;
             }
             written.push(column.name);
             let unit = if column.unit == "1" { "" } else { column.unit };
-            grid.cell_data.push(self.cells(field_name(column.name), unit, |slot| {
-                history::position(model, slot, column.name)
-                    .map_or(0.0, |at| of_element(column.name, history::values(model, phase, state, slot, at)))
+            grid.cell_data.push(self.cells(field_name(column), unit, |slot| {
+                history
+                    .named(slot, column.name)
+                    .map_or(0.0, |at| of_element(column, history.values(slot, at)))
             }));
         }
     }
@@ -147,16 +145,16 @@ impl Observer for Fields {
         self.schedule
     }
 
-    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let mut grid = self.grid.clone();
-        grid.time = Some(state.time());
+        grid.time = Some(view.snapshot.time);
         for &field in &view.plan.fields {
-            self.add(&mut grid, field, view, state);
+            self.add(&mut grid, field, view, memory);
         }
-        self.add_histories(&mut grid, view, state);
-        let name = format!("{:06}.vtu", state.step.div_ceil(self.schedule.every));
+        self.add_histories(&mut grid, view);
+        let name = format!("{:06}.vtu", view.snapshot.step.div_ceil(self.schedule.every));
         grid.write(&self.folder.join(&name))?;
-        self.list.add(state.time(), &format!("fields/{name}"))?;
+        self.list.add(view.snapshot.time, &format!("fields/{name}"))?;
         Ok(())
     }
 }

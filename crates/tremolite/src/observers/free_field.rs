@@ -2,13 +2,12 @@
 
 mod theory;
 
-use super::{Observer, Schedule, View};
-use crate::model::Model;
-use crate::phase::Phase;
+use super::{Observer, Schedule, Setting, View};
+use crate::error::RunError;
 use crate::quantities::MEASURES;
-use crate::run::RunError;
-use crate::state::State;
+use crate::state::Memory;
 use theory::{Layer, surface_velocity};
+use tremolite_laws::parameter::position;
 
 /// Key of what this observer remembers: the largest difference, the largest predicted velocity in the rows and over
 /// the run \[m/s\]; 1 if the column has yielded or cracked, else 0.
@@ -30,8 +29,9 @@ pub struct FreeField {
 const REFINEMENT: f64 = 8.0;
 
 impl FreeField {
-    /// The observer for a run of `duration` \[s\], if the model has a homogeneous column and an incident wave.
-    pub fn new(model: &Model, duration: f64, schedule: Schedule) -> Option<Self> {
+    /// The observer, if the model has a homogeneous column and an incident wave.
+    pub fn new(setting: &Setting) -> Option<Self> {
+        let Setting { model, plan, .. } = *setting;
         let column = &model.bodies[model.user_bodies().len()..];
         let ([body], Some(incident)) = (column, &model.incident) else { return None };
         let height = |n: u32| model.mesh.nodes[n as usize][2];
@@ -47,22 +47,22 @@ impl FreeField {
                 band: body.material.band(),
                 rayleigh: model.rayleigh,
             };
-            surface_velocity(&layer, |t| incident.factor * incident.motion.at(t).v[i], dt, duration)
+            surface_velocity(&layer, |t| incident.factor * incident.motion.at(t).v[i], dt, plan.duration)
         });
         let peak = predicted.iter().flatten().fold(0.0_f64, |most, v| most.max(v.abs()));
         let top = model.engine_node[top as usize] as usize;
-        Some(FreeField { schedule, top, predicted, dt, peak })
+        Some(FreeField { schedule: setting.rows(), top, predicted, dt, peak })
     }
 }
 
 /// Whether the material of the reference column has yielded or cracked anywhere.
-fn is_damaged(model: &Model, phase: &Phase, state: &State) -> bool {
+fn is_damaged(view: &View) -> bool {
+    let View { model, assembly, history, .. } = *view;
     (model.user_patches..model.patches.len()).any(|p| {
-        let columns = model.bodies[model.patches[p].body].material.info().history;
-        let own = &state.history[phase.slices[p].history.clone()];
+        let columns = assembly.members[p].part.columns();
+        let own = &history.octets[assembly.slices[p].history.clone()];
         MEASURES.iter().any(|measure| {
-            let at = columns.iter().position(|c| c.name == measure.column);
-            at.is_some_and(|at| {
+            position(columns, measure.role).is_some_and(|at| {
                 own.iter()
                     .skip(at)
                     .step_by(columns.len())
@@ -77,12 +77,12 @@ impl Observer for FreeField {
         self.schedule
     }
 
-    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let found = view.snapshot.velocity[self.top].xyz();
-        let damaged = is_damaged(view.model, view.phase, state);
-        let place = state.time() / self.dt;
+        let damaged = is_damaged(view);
+        let place = view.snapshot.time / self.dt;
         let (before, part) = (place as usize, place.fract());
-        let memory = state.observers.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 4]);
+        let memory = memory.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 4]);
         for (found, predicted) in found.iter().zip(&self.predicted) {
             let at = |i: usize| predicted.get(i).copied().unwrap_or(0.0);
             let exact = (1.0 - part) * at(before) + part * at(before + 1);

@@ -1,14 +1,15 @@
 //! damage.csv: how damage grows, group by group.
 
-use super::{Cracks, Observer, Schedule, View};
-use crate::damage::{Group, groups};
-use crate::history;
-use crate::model::{Model, hex};
+use super::{Cracks, Observer, Schedule, Setting, View};
+use crate::error::RunError;
+use crate::groups::{Group, groups};
+use crate::hexahedra::hex;
+use crate::model::Model;
 use crate::phase::{ElementSlot, Phase};
 use crate::quantities::{MEASURES, Measure};
-use crate::run::RunError;
-use crate::state::State;
-use std::path::Path;
+use crate::state::Memory;
+use tremolite_laws::parameter::position;
+use tremolite_laws::{Column as Kept, Role};
 use tremolite_results::{Column, TableWriter};
 
 /// Key of what this observer remembers: the bytes written.
@@ -24,7 +25,8 @@ struct Cell {
 struct Part {
     cells: Vec<Cell>,
     volume: f64,
-    measures: Vec<Measure>,
+    /// What its law keeps, by column.
+    measures: Vec<(&'static Kept, Measure)>,
     cracks: bool,
 }
 
@@ -41,13 +43,8 @@ impl Growth {
     ///
     /// # Errors
     /// If the file cannot be written, or is shorter than the state remembers.
-    pub fn new(
-        path: &Path,
-        model: &Model,
-        phase: &Phase,
-        schedule: Schedule,
-        state: &State,
-    ) -> Result<Option<Self>, RunError> {
+    pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
+        let Setting { model, phase, .. } = *setting;
         let groups = groups(model);
         let whole: Vec<&Group> = groups.iter().filter(|g| g.whole).collect();
         let parts: Vec<Part> = whole.iter().map(|group| part(model, phase, group)).collect();
@@ -58,7 +55,7 @@ impl Growth {
                 .name
                 .replace(", ", "+")
                 .replace(|c: char| c.is_whitespace() || ",\"'[]".contains(c), "_");
-            columns.extend(part.measures.iter().map(|m| Column::new(format!("{name}.{}", m.column), "")));
+            columns.extend(part.measures.iter().map(|(c, _)| Column::new(format!("{name}.{}", c.name), "")));
             if part.cracks {
                 columns.push(Column::new(format!("{name}.crack_opening"), "m"));
             }
@@ -66,11 +63,12 @@ impl Growth {
         if parts.is_empty() {
             return Ok(None);
         }
-        let table = match state.observers.get(MEMORY) {
-            Some(memory) => TableWriter::resume(path, &columns, memory[0] as u64)?,
-            None => TableWriter::create(path, &columns)?,
+        let path = setting.folder.damage();
+        let table = match setting.memory.get(MEMORY) {
+            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
+            None => TableWriter::create(&path, &columns)?,
         };
-        Ok(Some(Growth { schedule, table, parts }))
+        Ok(Some(Growth { schedule: setting.rows(), table, parts }))
     }
 }
 
@@ -85,11 +83,12 @@ fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
         let volumes = if slot.points == 8 { hex.weights.to_vec() } else { vec![hex.volume] };
         cells.push(Cell { slot, volumes });
     }
-    let has = |name: &str| cells.iter().any(|c| history::position(model, &c.slot, name).is_some());
+    let history = group.body.material.info().history;
+    let measure = |m: &Measure| position(history, m.role).map(|at| (&history[at], *m));
     Part {
         volume: cells.iter().flat_map(|c| &c.volumes).sum(),
-        measures: MEASURES.iter().filter(|m| has(m.column)).copied().collect(),
-        cracks: has("crack_size"),
+        measures: MEASURES.iter().filter_map(measure).collect(),
+        cracks: position(history, Role::CrackExtent).is_some(),
         cells,
     }
 }
@@ -99,28 +98,28 @@ impl Observer for Growth {
         self.schedule
     }
 
-    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
-        let View { model, phase, .. } = *view;
-        let mut row = vec![state.time()];
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
+        let View { history, snapshot, .. } = *view;
+        let mut row = vec![snapshot.time];
         for part in &self.parts {
-            for measure in &part.measures {
+            for (_, measure) in &part.measures {
                 let mut damaged = 0.0;
                 for cell in &part.cells {
-                    let Some(column) = history::position(model, &cell.slot, measure.column) else { continue };
-                    let values = history::values(model, phase, state, &cell.slot, column);
+                    let Some(column) = history.with_role(&cell.slot, measure.role) else { continue };
+                    let values = history.values(&cell.slot, column);
                     let beyond = values.zip(&cell.volumes).filter(|(value, _)| *value > measure.counts);
                     damaged += beyond.map(|(_, volume)| volume).sum::<f64>();
                 }
                 row.push(damaged / part.volume);
             }
             if part.cracks {
-                let widest = state.observers.get(Cracks::OPENING);
+                let widest = memory.get(Cracks::OPENING);
                 let of_cell = |cell: &Cell| widest.map_or(0.0, |w| w[cell.slot.element as usize]);
                 row.push(part.cells.iter().map(of_cell).fold(0.0, f64::max));
             }
         }
         self.table.write(&row)?;
-        state.observers.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
+        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
         Ok(())
     }
 }

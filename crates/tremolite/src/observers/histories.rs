@@ -1,13 +1,11 @@
 //! monitors.csv: histories of points, and of pairs of them.
 
-use super::{Observer, Schedule, View};
-use crate::history;
+use super::{Observer, Schedule, Setting, View};
+use crate::error::RunError;
 use crate::model::Model;
 use crate::plan::{Monitor, Plan};
 use crate::quantities::{MONITOR, RELATIVE, nearest_stress, stress_at};
-use crate::run::RunError;
-use crate::state::State;
-use std::path::Path;
+use crate::state::Memory;
 use tremolite_laws::Row;
 use tremolite_laws::sym3::principal_values;
 use tremolite_mesh::Shape;
@@ -40,13 +38,13 @@ impl Histories {
     ///
     /// # Errors
     /// If the file cannot be written, or is shorter than the state remembers.
-    pub fn new(path: &Path, plan: &Plan, schedule: Schedule, state: &State) -> Result<Self, RunError> {
-        let columns = columns(plan);
-        let table = match state.observers.get(MEMORY) {
-            Some(memory) => TableWriter::resume(path, &columns, memory[0] as u64)?,
-            None => TableWriter::create(path, &columns)?,
+    pub fn new(setting: &Setting) -> Result<Self, RunError> {
+        let (path, columns) = (setting.folder.monitors(), columns(setting.plan));
+        let table = match setting.memory.get(MEMORY) {
+            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
+            None => TableWriter::create(&path, &columns)?,
         };
-        Ok(Histories { schedule, table })
+        Ok(Histories { schedule: setting.rows(), table })
     }
 }
 
@@ -64,8 +62,8 @@ fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f64; 3] {
 }
 
 /// Stress at a monitor \[Pa\].
-fn stress(view: &View, state: &State, monitor: &Monitor) -> [f64; 6] {
-    let View { model, phase, snapshot, .. } = *view;
+fn stress(view: &View, monitor: &Monitor) -> [f64; 6] {
+    let View { model, phase, snapshot, history, .. } = *view;
     let element = monitor.location.element as usize;
     // The natural coordinates of other shapes are not those of the collapsed hexahedron.
     let natural = match model.mesh.elements[element].shape {
@@ -75,11 +73,7 @@ fn stress(view: &View, state: &State, monitor: &Monitor) -> [f64; 6] {
     phase.element_slot[element].map_or([f64::NAN; 6], |slot| {
         let first = slot.point as usize;
         let points = &snapshot.stress[first..first + slot.points as usize];
-        if history::is_damaged(model, phase, state, &slot) {
-            nearest_stress(points, natural)
-        } else {
-            stress_at(points, natural)
-        }
+        if history.is_damaged(&slot) { nearest_stress(points, natural) } else { stress_at(points, natural) }
     })
 }
 
@@ -88,17 +82,17 @@ impl Observer for Histories {
         self.schedule
     }
 
-    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, plan, snapshot, .. } = *view;
-        let mut row = vec![state.time()];
+        let mut row = vec![snapshot.time];
         let mut displacements = Vec::with_capacity(plan.monitors.len());
         for monitor in &plan.monitors {
-            let u = interpolate(model, monitor, &state.u);
+            let u = interpolate(model, monitor, &snapshot.displacement);
             displacements.push(u);
             row.extend(u);
             row.extend(interpolate(model, monitor, &snapshot.velocity));
             row.extend(interpolate(model, monitor, &snapshot.acceleration));
-            let stress = stress(view, state, monitor);
+            let stress = stress(view, monitor);
             row.extend(stress);
             row.extend(principal_values(&stress));
         }
@@ -108,7 +102,7 @@ impl Observer for Histories {
             row.push((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt());
         }
         self.table.write(&row)?;
-        state.observers.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
+        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
         Ok(())
     }
 }

@@ -16,14 +16,18 @@ pub use fields::Fields;
 pub use free_field::{FreeField, MEMORY as FREE_FIELD_MEMORY};
 pub use growth::Growth;
 pub use histories::Histories;
-pub use onsets::{Onsets, memory as onset_memory};
+pub use onsets::{Onsets, memory_key as onset_memory};
 
+use crate::assembly::{Assembly, Slices};
 use crate::engine::Snapshot;
+use crate::error::RunError;
+use crate::history::History;
 use crate::model::Model;
 use crate::phase::Phase;
-use crate::plan::Plan;
-use crate::run::RunError;
-use crate::state::State;
+use crate::plan::{Plan, Steps};
+use crate::state::Memory;
+use std::sync::Arc;
+use tremolite_results::ResultFolder;
 
 /// When an observer looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,21 +45,82 @@ impl Schedule {
     }
 }
 
-/// What an observer sees at u^n.
+/// What an observer sees at u^n: numbers of that time, wherever the state itself is kept.
+#[derive(Clone, Copy)]
 pub struct View<'a> {
     pub model: &'a Model,
+    pub assembly: &'a Assembly,
     pub phase: &'a Phase,
     pub plan: &'a Plan,
     pub snapshot: &'a Snapshot,
+    /// What laws remember at points.
+    pub history: History<'a>,
+    /// What other parts remember.
+    pub numbers: &'a [f64],
 }
 
-/// Something that looks at a run now and then. All it remembers from one look to the next is in
-/// [`State::observers`], so a resumed run goes on as if it had never stopped.
+impl<'a> View<'a> {
+    /// What a part remembers beside histories of points.
+    pub fn numbers_of(&self, slices: &Slices) -> &'a [f64] {
+        &self.numbers[slices.numbers.clone()]
+    }
+}
+
+/// Something that looks at a run now and then. All it remembers from one look to the next is in the memory that it is
+/// given, which is part of the state, so a resumed run goes on as if it had never stopped.
 pub trait Observer {
     fn schedule(&self) -> Schedule;
     /// Looks, and writes or remembers.
     ///
     /// # Errors
     /// If a result file cannot be written.
-    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError>;
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError>;
 }
+
+/// What observers are made from, when a run starts or goes on.
+pub struct Setting<'a> {
+    pub folder: &'a ResultFolder,
+    pub model: &'a Model,
+    pub assembly: &'a Assembly,
+    pub phase: &'a Phase,
+    pub plan: &'a Plan,
+    pub steps: Steps,
+    /// What was remembered before; empty at the start.
+    pub memory: &'a Memory,
+    /// Step and time \[s\] since t = 0 from which the run goes on, and the step \[s\].
+    pub step: u64,
+    pub time: f64,
+    pub dt: f64,
+}
+
+impl Setting<'_> {
+    /// The schedule of the rows of histories.
+    pub fn rows(&self) -> Schedule {
+        Schedule { every: self.steps.histories, last: Some(self.steps.total) }
+    }
+}
+
+/// Makes an observer, or nothing where it would have nothing to see.
+///
+/// # Errors
+/// If a file of its cannot be written or gone on with.
+pub type MakeObserver = dyn Fn(&Setting) -> Result<Option<Box<dyn Observer>>, RunError> + Send + Sync;
+
+/// One entry of [`OBSERVERS`].
+type Make = fn(&Setting) -> Result<Option<Box<dyn Observer>>, RunError>;
+
+/// The program's own observers, in the order in which they look.
+pub const OBSERVERS: &[Make] = &[
+    |s| Ok(Some(Box::new(Histories::new(s)?))),
+    |s| Ok(Some(Box::new(Energy::new(s)?))),
+    |s| Ok(Some(Box::new(Envelopes { schedule: s.rows() }))),
+    |s| Ok(FreeField::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(Onsets::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(Cracks::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
+    // Behind the cracks, whose widths it writes.
+    |s| Ok(Growth::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(Fields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+];
+
+/// Observers of a program's own, which look behind those of [`OBSERVERS`].
+pub type OwnObservers = Vec<Arc<MakeObserver>>;

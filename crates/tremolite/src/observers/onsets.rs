@@ -1,13 +1,12 @@
 //! When each element was first damaged or yielded.
 
-use super::{Observer, Schedule, View};
-use crate::history;
-use crate::model::Model;
+use super::{Observer, Schedule, Setting, View};
+use crate::error::RunError;
 use crate::quantities::{MEASURES, Measure};
-use crate::run::RunError;
-use crate::state::State;
+use crate::state::Memory;
+use tremolite_laws::parameter::position;
 
-/// Keeps by element (in the order of parts) the first time seen at which a measure of damage had begun at one of its
+/// Keeps by element (in the order of members) the first time seen at which a measure of damage had begun at one of its
 /// points, infinite until then, in the state.
 pub struct Onsets {
     schedule: Schedule,
@@ -15,18 +14,19 @@ pub struct Onsets {
 }
 
 /// Key of the first times of a measure.
-pub fn memory(measure: &Measure) -> String {
-    format!("first {}", measure.column)
+pub fn memory_key(measure: &Measure) -> String {
+    format!("first {}", measure.words)
 }
 
 impl Onsets {
     /// The observer, if a law of the model can be damaged.
-    pub fn new(model: &Model, schedule: Schedule) -> Option<Self> {
+    pub fn new(setting: &Setting) -> Option<Self> {
         let known = |m: &&Measure| {
-            model.user_bodies().iter().any(|b| b.material.info().history.iter().any(|c| c.name == m.column))
+            let mut bodies = setting.model.user_bodies().iter();
+            bodies.any(|b| position(b.material.info().history, m.role).is_some())
         };
         let measures: Vec<Measure> = MEASURES.iter().filter(known).copied().collect();
-        (!measures.is_empty()).then_some(Onsets { schedule, measures })
+        (!measures.is_empty()).then(|| Onsets { schedule: setting.rows(), measures })
     }
 }
 
@@ -35,25 +35,23 @@ impl Observer for Onsets {
         self.schedule
     }
 
-    fn see(&mut self, view: &View, state: &mut State) -> Result<(), RunError> {
-        let time = state.time();
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
+        let View { history, snapshot, .. } = *view;
         for measure in &self.measures {
-            let key = memory(measure);
-            let elements = view.snapshot.energy.len();
-            let mut first = state.observers.remove(&key).unwrap_or_else(|| vec![f64::INFINITY; elements]);
+            let key = memory_key(measure);
+            let elements = snapshot.energy.len();
+            let mut first = memory.remove(&key).unwrap_or_else(|| vec![f64::INFINITY; elements]);
             for slot in view.phase.element_slot.iter().flatten() {
                 let at = &mut first[slot.element as usize];
                 if at.is_finite() {
                     continue;
                 }
-                let column = history::position(view.model, slot, measure.column);
-                if column.is_some_and(|c| {
-                    history::values(view.model, view.phase, state, slot, c).any(|value| value > measure.onset)
-                }) {
-                    *at = time;
+                let column = history.with_role(slot, measure.role);
+                if column.is_some_and(|c| history.values(slot, c).any(|value| value > measure.onset)) {
+                    *at = snapshot.time;
                 }
             }
-            state.observers.insert(key, first);
+            memory.insert(key, first);
         }
         Ok(())
     }

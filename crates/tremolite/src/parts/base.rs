@@ -4,7 +4,8 @@
 //! (`lysmer1969` for the dashpots, `wang2018` for the springs). The dashpots act on velocity and belong to the step
 //! ([`crate::engine`]); this part gives the other two terms. Vertical incidence in homogeneous ground below the base.
 
-use super::{Motion, Own, Part, Scratch, StateSizes, Tick, Work};
+use super::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
+use tremolite_kernels::{Line, Lines};
 use tremolite_laws::Row;
 use tremolite_motion::Motion as Record;
 
@@ -20,6 +21,15 @@ pub struct BaseNode {
     pub free_field: Option<u32>,
     /// Whether its work is booked (not the reference column's).
     pub counted: bool,
+}
+
+impl BaseNode {
+    /// u − u_ff \[m\].
+    fn scattered(&self, u: &[Row]) -> [f64; 3] {
+        let (own, free) =
+            (u[self.node as usize].xyz(), self.free_field.map_or([0.0; 3], |n| u[n as usize].xyz()));
+        [own[0] - free[0], own[1] - free[1], own[2] - free[2]]
+    }
 }
 
 /// Product of a symmetric 3×3 matrix (xx, yy, zz, xy, yz, zx) and a vector.
@@ -58,23 +68,21 @@ impl Part for Base {
         StateSizes { numbers: REMEMBERED * self.pushed.len(), ..StateSizes::default() }
     }
 
-    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Work {
+    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Lines {
         let velocity = match &self.incident {
             Some((record, factor)) => record.at(tick.time).v.map(|v| v * factor),
             None => [0.0; 3],
         };
-        let mut work = Work::default();
+        let mut work = Lines::default();
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
         for ((base, out), last) in self.pushed.iter().zip(out).zip(last) {
-            let u = x.u[base.node as usize].xyz();
             let du = x.du[base.node as usize].xyz();
-            let free = base.free_field.map_or([0.0; 3], |n| x.u[n as usize].xyz());
-            let spring = times(&base.spring, [u[0] - free[0], u[1] - free[1], u[2] - free[2]]);
+            let spring = times(&base.spring, base.scattered(x.u));
             let incident = times(&base.dashpot, velocity.map(|v| -2.0 * v));
             for i in 0..3 {
                 if base.counted {
-                    work.springs += 0.5 * (spring[i] + last[i]) * du[i];
-                    work.input += 0.5 * (incident[i] + last[3 + i]) * du[i];
+                    work[Line::Springs] += 0.5 * (spring[i] + last[i]) * du[i];
+                    work[Line::Input] += 0.5 * (incident[i] + last[3 + i]) * du[i];
                 }
                 last[i] = spring[i];
                 last[3 + i] = incident[i];
@@ -82,6 +90,17 @@ impl Part for Base {
             }
         }
         work
+    }
+
+    /// ½(u − u_ff)·K(u − u_ff).
+    fn energy(&self, x: &Motion, _: Kept) -> Lines {
+        let mut held = Lines::default();
+        for base in self.pushed.iter().filter(|base| base.counted) {
+            let d = base.scattered(x.u);
+            let force = times(&base.spring, d);
+            held[Line::Springs] += 0.5 * (force[0] * d[0] + force[1] * d[1] + force[2] * d[2]);
+        }
+        held
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], _: &mut Scratch) {

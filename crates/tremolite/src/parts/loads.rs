@@ -1,7 +1,8 @@
 //! Given nodal forces that vary in time.
 
-use super::{Motion, Own, Part, Scratch, StateSizes, Tick, Work};
+use super::{Motion, Own, Part, Scratch, StateSizes, Tick};
 use std::sync::Arc;
+use tremolite_kernels::{Line, Lines};
 use tremolite_laws::Row;
 
 /// Forces with one common history.
@@ -42,14 +43,14 @@ impl Part for Loads {
         StateSizes { numbers: 1, ..StateSizes::default() }
     }
 
-    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Work {
+    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Lines {
         let factor = (self.load.factor)(tick.time);
         let mean = 0.5 * (factor + own.numbers[0]);
         own.numbers[0] = factor;
-        let mut work = Work::default();
+        let mut work = Lines::default();
         for ((node, force), out) in self.load.forces.iter().zip(out) {
             let du = x.du[*node as usize].xyz();
-            work.input -= mean * (force[0] * du[0] + force[1] * du[1] + force[2] * du[2]);
+            work[Line::Input] -= mean * (force[0] * du[0] + force[1] * du[1] + force[2] * du[2]);
             *out = Row::new(force.map(|f| -f * factor));
         }
         work

@@ -1,11 +1,11 @@
 //! What reports say of the materials: what was given, what was filled in, what the laws made of it.
 
 use crate::extent::extents;
-use crate::material::{AnyMaterial, Law};
-use crate::model::hex;
+use crate::hexahedra::hex;
 use crate::problem::Body;
 use indexmap::IndexMap;
 use tremolite_case::{Case, Element, Fill, Material};
+use tremolite_kernels::{AnyMaterial, Law};
 use tremolite_laws::{Dimension, Kind, Parameter, Value};
 use tremolite_mesh::Mesh;
 use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin};

@@ -8,13 +8,13 @@ mod regions;
 
 pub use motion::MotionFacts;
 
-use crate::material::Law;
 use crate::plan::Plan;
 use crate::problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
 use crate::quantities::Field;
 use indexmap::IndexMap;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
+use tremolite_kernels::Law;
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
 use tremolite_results::MaterialFacts;
@@ -167,7 +167,7 @@ fn warnings(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Problem
         }
     }
     let kept =
-        |field: &Field| bodies.iter().any(|b| b.material.info().history.iter().any(|c| field.holds(c.name)));
+        |field: &Field| bodies.iter().any(|b| b.material.info().history.iter().any(|c| field.holds(c)));
     let words = [Field::Damage, Field::Plastic, Field::History];
     for field in words.iter().filter(|f| fields.contains(f) && !kept(f)) {
         let word = field.description().0;

@@ -1,12 +1,12 @@
 //! Which elements are made of what.
 
 use crate::extent::extents;
-use crate::material::{AnyMaterial, Law};
-use crate::model::{centroid, hex};
-use crate::parts::Quadrature;
+use crate::hexahedra::{centroid, hex};
 use crate::problem::Body;
 use std::sync::Arc;
 use tremolite_case::{Case, Element, Fill, Material, Problem, Region, pattern};
+use tremolite_kernels::Quadrature;
+use tremolite_kernels::{AnyMaterial, Law};
 use tremolite_laws::band::Band;
 use tremolite_mesh::Mesh;
 

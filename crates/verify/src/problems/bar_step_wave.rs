@@ -64,7 +64,7 @@ impl Bar {
         }
         let mesh = &self.simulation.model.mesh;
         for (e, slot) in self.simulation.phase.element_slot.iter().enumerate() {
-            let z = tremolite::model::centroid(mesh, e as u32)[2];
+            let z = tremolite::hexahedra::centroid(mesh, e as u32)[2];
             if let (Some(slot), true) = (slot, (from..=to).contains(&z)) {
                 for point in 0..slot.points {
                     s = (s.0 + self.snapshot.stress[slot.point as usize + usize::from(point)][2], s.1 + 1.0);

@@ -19,18 +19,18 @@
 //! from node to node at ψ = 0 and 10°, moved 4.2 and 2.7 times as far and never came to rest.
 
 use crate::convergence::order;
-use crate::models::{QUADRATURES, Solid};
+use crate::models::{QUADRATURES, Solid, material};
 use crate::simulation::Simulation;
 use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
-use tremolite::history;
-use tremolite::model::centroid;
+use tremolite::hexahedra::centroid;
+use tremolite::history::History;
 use tremolite::parts::loads::Load;
 use tremolite::quantities::mean;
-use tremolite::{Instance, Quadrature, Rayleigh};
+use tremolite::{Line, Quadrature, Rayleigh};
 use tremolite_laws::materials::MohrCoulomb;
-use tremolite_laws::{Material, Values};
+use tremolite_laws::{Material, Role, Values};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::topology::vector_areas;
 
@@ -205,7 +205,6 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
         .with("friction_angle", FRICTION.to_radians())
         .with("dilation_angle", dilation.to_radians())
         .with("tensile_strength", COHESION / FRICTION.to_radians().tan());
-    let law = MohrCoulomb::new(&values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))?;
     let (speed, _) = ROCK.speeds();
     let frequency = 1.5 * speed / OUTER;
     let (ramp, end) = (30.0 / frequency, 50.0 / frequency);
@@ -222,7 +221,7 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
     let wall: Vec<u32> = vector_areas(&mesh, &mesh.faces["xmin"]).keys().copied().collect();
 
     let mut problem = ROCK.fill(mesh, quadrature);
-    problem.bodies[0].material = Arc::new(Instance(Arc::new(law)));
+    problem.bodies[0].material = material(MohrCoulomb::NAME, &values)?;
     problem.loads = loads;
     problem.rayleigh = Rayleigh { mass: 2.0 * frequency, stiffness: 0.0 };
     problem.held = polar
@@ -242,6 +241,7 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
         engine.step(&mut state)?;
     }
     let snapshot = engine.observe(&mut state);
+    let history = History { assembly: &simulation.assembly, octets: &state.history };
 
     let inwards = wall.iter().map(|&node| {
         let n = simulation.model.engine_node[node as usize] as usize;
@@ -249,13 +249,13 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
         -((u[0] - first[0]) * x[0] + (u[1] - first[1]) * x[1]) / WALL
     });
     let inwards = inwards.sum::<f64>() / wall.len() as f64;
-    let held = snapshot.balance.strain;
+    let held = snapshot.balance[Line::Strain];
     let mut opened = Opened {
         wall: inwards,
         stress: 0.0,
         plastic: 0.0,
-        hourglass: snapshot.balance.hourglass / held,
-        kinetic: snapshot.balance.kinetic / held,
+        hourglass: snapshot.balance[Line::Hourglass] / held,
+        kinetic: snapshot.balance[Line::Kinetic] / held,
     };
     let mut volume = 0.0;
     for element in 0..simulation.model.mesh.elements.len() as u32 {
@@ -273,11 +273,9 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
             opened.stress += r * r * (radial - exact_radial).abs().max((hoop - exact_hoop).abs()) / FAR;
             volume += r * r;
         }
-        let strain =
-            history::position(&simulation.model, &slot, "plastic_shear_strain").map_or(0.0, |column| {
-                history::values(&simulation.model, &simulation.phase, &state, &slot, column)
-                    .fold(0.0, f64::max)
-            });
+        let strain = history
+            .with_role(&slot, Role::PlasticShear)
+            .map_or(0.0, |column| history.values(&slot, column).fold(0.0, f64::max));
         if strain > 0.0 {
             // To the outer edge of its ring.
             opened.plastic = opened.plastic.max(r * (OUTER / WALL).powf(0.5 / rings));

@@ -16,12 +16,11 @@
 //! per real area it dissipates V/(hA) G_f: information again, 0.71 at worst in a cube.
 
 use crate::concrete::{FT, POISSON, SPLITS, THRESHOLD, YOUNG, values};
-use crate::models::{QUADRATURES, distorted};
+use crate::models::{QUADRATURES, distorted, material};
 use crate::simulation::Simulation;
 use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::PI;
-use std::sync::Arc;
-use tremolite::{Body, Instance, Quadrature};
+use tremolite::{Body, Line, Quadrature};
 use tremolite_laws::Material;
 use tremolite_laws::materials::Concrete;
 use tremolite_mesh::Mesh;
@@ -123,11 +122,10 @@ impl<'a> Pull<'a> {
 
     fn body(&self, name: &str, elements: Vec<u32>, strength: f64) -> Result<Body, VerifyError> {
         let values = values(&[("fracture_energy", ENERGY), ("tensile_strength", strength)], self.words);
-        let law = Concrete::new(&values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))?;
         Ok(Body {
             name: name.into(),
             elements,
-            material: Arc::new(Instance(Arc::new(law))),
+            material: material(Concrete::NAME, &values)?,
             density: 2752.0,
             quadrature: self.quadrature,
         })
@@ -188,7 +186,7 @@ impl<'a> Pull<'a> {
             engine.step(&mut state)?;
         }
         let balance = engine.observe(&mut state).balance;
-        Ok([balance.dissipated, balance.hourglass])
+        Ok([balance[Line::Dissipated], balance[Line::Hourglass]])
     }
 }
 
@@ -234,6 +232,7 @@ fn volume_and_extent(mesh: &Mesh, along: [f64; 3]) -> Result<(f64, f64), VerifyE
     let through = |x: &[f64; 3]| (0..3).map(|i| along[i] * x[i]).sum::<f64>();
     let mean = mesh.nodes.iter().map(through).sum::<f64>() / 8.0;
     let square = mesh.nodes.iter().map(|x| (through(x) - mean).powi(2)).sum::<f64>();
-    let hex = tremolite::model::hex(mesh, 0).map_err(|reason| VerifyError::Setup(format!("{reason:?}")))?;
+    let hex =
+        tremolite::hexahedra::hex(mesh, 0).map_err(|reason| VerifyError::Setup(format!("{reason:?}")))?;
     Ok((hex.volume, (0.5 * square).sqrt()))
 }

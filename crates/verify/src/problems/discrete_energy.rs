@@ -9,7 +9,7 @@
 use crate::models::{QUADRATURES, Solid, distorted};
 use crate::simulation::Simulation;
 use crate::{Check, Effort, Problem, VerifyError};
-use tremolite::{Base, Engine, Quadrature, State};
+use tremolite::{Base, Engine, Line, Quadrature, State};
 
 const NAME: &str = "discrete_energy";
 
@@ -64,5 +64,6 @@ fn energy(simulation: &Simulation, engine: &mut Engine, state: &mut State) -> f6
     let square = |a: &tremolite_laws::Row| a.xyz().iter().map(|x| x * x).sum::<f64>();
     let ama: f64 = mass.zip(&snapshot.acceleration).map(|(m, a)| m * square(a)).sum();
     let balance = &snapshot.balance;
-    balance.kinetic + balance.strain + balance.hourglass - 0.125 * state.dt * state.dt * ama
+    balance[Line::Kinetic] + balance[Line::Strain] + balance[Line::Hourglass]
+        - 0.125 * state.dt * state.dt * ama
 }

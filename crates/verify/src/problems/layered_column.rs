@@ -106,7 +106,7 @@ fn error(h: f64, base: Base, quadrature: Quadrature) -> Result<f64, VerifyError>
     let z = Axis::uniform(-LAYER - ROCK, 0.0, layers);
     let mesh = BoxSpec { x: across.clone(), y: across, z, distortion: None }.mesh()?;
     let (rock, soil): (Vec<u32>, Vec<u32>) =
-        (0..layers).partition(|&e| tremolite::model::centroid(&mesh, e)[2] < -LAYER);
+        (0..layers).partition(|&e| tremolite::hexahedra::centroid(&mesh, e)[2] < -LAYER);
     let [soft, stiff] = SPEEDS.map(|speed| Solid::from_shear_speed(speed, 0.25, DENSITY));
     let bodies = vec![stiff.body("rock", rock, quadrature), soft.body("layer", soil, quadrature)];
     let mut problem = tremolite::Problem::new(mesh, bodies);

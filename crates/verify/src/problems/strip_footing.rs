@@ -9,15 +9,15 @@
 //! the lowest layer, averaged over the last quarter of the way. Between the last node that is driven and the next one the footing ends at
 //! an unknown place: half an element is added to b.
 
-use crate::models::{QUADRATURES, Solid};
+use crate::models::{QUADRATURES, Solid, material};
 use crate::simulation::Simulation;
 use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::PI;
 use std::sync::Arc;
-use tremolite::model::centroid;
+use tremolite::hexahedra::centroid;
 use tremolite::parts::loads::Load;
 use tremolite::quantities::mean;
-use tremolite::{Instance, Quadrature};
+use tremolite::{Line, Quadrature};
 use tremolite_laws::materials::MohrCoulomb;
 use tremolite_laws::{Material, Values};
 use tremolite_mesh::boxes::BoxSpec;
@@ -80,7 +80,6 @@ fn press(quadrature: Quadrature, n: u32) -> Result<Pressed, VerifyError> {
         .with("friction_angle", 0.0)
         .with("dilation_angle", 0.0)
         .with("tensile_strength", 1e9);
-    let law = MohrCoulomb::new(&values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))?;
     let under = |x: &[f64; 3]| x[2] > 3.0 - 1e-9 && x[0] < 1.0 + 1e-9;
     let footing: Vec<u32> =
         (0u32..).zip(&mesh.nodes).filter(|(_, x)| under(x)).map(|(node, _)| node).collect();
@@ -91,7 +90,7 @@ fn press(quadrature: Quadrature, n: u32) -> Result<Pressed, VerifyError> {
     });
     let held: Vec<(u32, [bool; 3])> = held.collect();
     let mut problem = SOIL.fill(mesh, quadrature);
-    problem.bodies[0].material = Arc::new(Instance(Arc::new(law)));
+    problem.bodies[0].material = material(MohrCoulomb::NAME, &values)?;
     problem.held = held;
     // The footing's motion is given; the load on it books the work that moves it.
     let share = -5.14 * COHESION * h / footing.len() as f64;
@@ -130,6 +129,6 @@ fn press(quadrature: Quadrature, n: u32) -> Result<Pressed, VerifyError> {
     Ok(Pressed {
         load: sums[3] / counts[3],
         before: sums[2] / counts[2],
-        hourglass: balance.hourglass / balance.dissipated,
+        hourglass: balance[Line::Hourglass] / balance[Line::Dissipated],
     })
 }

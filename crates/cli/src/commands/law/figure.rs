@@ -2,6 +2,7 @@
 
 use super::path_file::{STRAIN, STRESS};
 use std::borrow::Cow;
+use tremolite_laws::Role;
 use tremolite_laws::path::Response;
 use tremolite_report::loops::{Course, Curve, Loops, Named, Plane, Quantity, Track};
 use tremolite_report::strips::Strip;
@@ -11,8 +12,7 @@ const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "zx"];
 /// What varies less than this share of the largest of its kind is round-off.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// The history that is a sum of flags, and those.
-const STATE: &str = "state";
+/// The flags of a plastic state.
 const FLAGS: [(&str, u32); 4] =
     [("shear now", 1), ("tension now", 2), ("shear earlier", 4), ("tension earlier", 8)];
 
@@ -102,7 +102,7 @@ fn histories(response: &Response) -> Vec<Track<'_>> {
         let (word, rest) = column.name.split_once('_').unwrap_or((column.name, ""));
         // A rate factor of 1, and 0 before there is one, changes nothing.
         let idle = word == "factor" && values.iter().all(|x| *x == 0.0 || *x == 1.0);
-        if idle || spread(values) == 0.0 || column.name == STATE {
+        if idle || spread(values) == 0.0 || column.role == Role::PlasticState {
             continue;
         }
         let component = STRAIN.iter().position(|name| *name == rest);
@@ -127,15 +127,15 @@ fn histories(response: &Response) -> Vec<Track<'_>> {
     tracks
 }
 
-/// The flags that ever hold of the rock laws' history `state`, their sum.
+/// The flags that ever hold of a plastic state, their sum.
 fn states(response: &Response) -> Option<(String, Vec<Strip>)> {
-    let sum = response.column(STATE)?;
+    let (name, sum) = response.with_role(Role::PlasticState)?;
     let strips = FLAGS.iter().enumerate().map(|(colour, (name, flag))| {
         let on = sum.iter().map(|x| (*x as u32) & flag != 0).collect();
         Strip { name: (*name).to_owned(), colour, on }
     });
     let strips: Vec<Strip> = strips.filter(|s| s.on.contains(&true)).collect();
-    (!strips.is_empty()).then(|| (STATE.to_owned(), strips))
+    (!strips.is_empty()).then(|| (name.to_owned(), strips))
 }
 
 /// The tension side alone, where it is too low beside the pressures to be seen.

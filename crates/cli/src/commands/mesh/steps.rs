@@ -3,7 +3,7 @@
 use super::made_of::MadeOf;
 use rayon::prelude::*;
 use tremolite::Quadrature;
-use tremolite::model::hex;
+use tremolite::hexahedra::hex;
 use tremolite_laws::shapes::hex8::element_frequencies;
 use tremolite_mesh::Mesh;
 

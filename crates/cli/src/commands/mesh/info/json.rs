@@ -4,7 +4,7 @@ use super::Info;
 use crate::commands::mesh::steps::{FEW, Limits};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
-use tremolite::model::centroid;
+use tremolite::hexahedra::centroid;
 use tremolite_mesh::{Face, quality};
 
 impl Info<'_> {

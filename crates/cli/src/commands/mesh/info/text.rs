@@ -5,7 +5,7 @@ use crate::commands::mesh::steps::{FEW, NEAR};
 use crate::terminal::print;
 use std::collections::BTreeMap;
 use std::path::Path;
-use tremolite::model::centroid;
+use tremolite::hexahedra::centroid;
 use tremolite_mesh::quality::{self, Summary};
 
 impl Info<'_> {

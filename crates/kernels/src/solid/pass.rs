@@ -1,7 +1,7 @@
 //! A pass of a kernel over the octets of a patch, in the instruction set of the machine.
 
-use super::super::{ElementEnergy, ProbeOut};
 use super::weakened::LEFT;
+use crate::part::{ElementEnergy, ProbeOut};
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation};
 use tremolite_laws::{Isa, Lane, Material, Octet, Point, Row};

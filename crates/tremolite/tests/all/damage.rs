@@ -1,7 +1,7 @@
 //! A lined cavern under a strong pulse: histories as fields, in the summary and in the verdict; bits; resuming.
 
-mod common;
-
+use crate::ready::Ready;
+use indexmap::IndexMap;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,15 +10,13 @@ use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, Ending, Outcome, run};
 use tremolite::{
-    AnyMaterial, Base, Body, Incident, Instance, Model, Phase, Problem, Quadrature, Rayleigh, Side, laws,
-    model,
+    AnyMaterial, Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, elastic, hexahedra, laws,
 };
-use tremolite_laws::materials::Elastic;
 use tremolite_laws::{Isa, Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::locate::Locator;
 use tremolite_mesh::vtu::Grid;
-use tremolite_results::{ResultFolder, Severity};
+use tremolite_results::{GroupDamage, ResultFolder, Severity};
 
 /// A hall of 4 × 4 m in a block of 16 × 3 × 14 m, its lining of 1 m of a concrete of 0.6 MPa tensile strength.
 fn hall() -> Problem {
@@ -29,7 +27,7 @@ fn hall_of(strength: f64, split: &str) -> Problem {
     let mut mesh = BoxSpec::uniform([0.0; 3], [16.0, 3.0, 14.0], [16, 3, 14]).mesh().unwrap();
     mesh.groups.clear();
     for e in 0..mesh.elements.len() as u32 {
-        let [x, _, z] = model::centroid(&mesh, e).map(|x| x - 0.5);
+        let [x, _, z] = hexahedra::centroid(&mesh, e).map(|x| x - 0.5);
         let (x, z) = (x.round() as i32, z.round() as i32);
         let mut add = |name: &str| mesh.groups.entry(name.into()).or_default().push(e);
         if (6..10).contains(&x) && (5..9).contains(&z) {
@@ -50,7 +48,7 @@ fn hall_of(strength: f64, split: &str) -> Problem {
         .with("fracture_energy", 130.0);
     values.0.insert("split".into(), tremolite_laws::parameter::Value::Word(split.into()));
     let concrete = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
-    let rock = Elastic::from_moduli(Moduli::from_young_poisson(10e9, 0.25));
+    let rock = elastic(Moduli::from_young_poisson(10e9, 0.25));
     let body = |name: &str, group: &str, material: Arc<dyn AnyMaterial>, quadrature| Body {
         name: name.into(),
         elements: mesh.groups[group].clone(),
@@ -59,26 +57,20 @@ fn hall_of(strength: f64, split: &str) -> Problem {
         quadrature,
     };
     let bodies = vec![
-        body("rock", "rock", Arc::new(Instance(Arc::new(rock))), Quadrature::OnePoint),
+        body("rock", "rock", rock, Quadrature::OnePoint),
         body("*.lining", "hall.lining", (concrete.build)(&values).unwrap(), Quadrature::Full),
     ];
     let mut problem = Problem::new(mesh, bodies);
     problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: None };
     problem.sides = [Side::Periodic; 2];
     problem.rayleigh = Rayleigh { mass: 0.4, stiffness: 0.0 };
-    problem.incident = Some(Incident { motion: common::pulse(), factor: 0.5 });
+    problem.incident = Some(Incident { motion: crate::block::pulse(), factor: 0.5 });
     problem.patch_elements = Some(16);
     problem
 }
 
 /// Runs the hall into a folder; stops at the first chance after `stop_after` \[s\] of simulated time.
-fn go(
-    problem: Problem,
-    folder: &Path,
-    threads: usize,
-    resume: bool,
-    stop_after: f64,
-) -> (Model, Phase, Outcome) {
+fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after: f64) -> (Ready, Outcome) {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
         let lining = problem.mesh.groups["hall.lining"].clone();
         let locator = Locator::new(&problem.mesh, Some(&lining));
@@ -102,8 +94,7 @@ fn go(
             monitors,
             relatives: Vec::new(),
         };
-        let model = Model::new(problem).unwrap();
-        let phase = Phase::dynamic(&model).unwrap();
+        let ready = Ready::new(problem);
         let results = if resume {
             ResultFolder::open_existing(folder).unwrap()
         } else {
@@ -111,18 +102,23 @@ fn go(
         };
         let stop = AtomicBool::new(false);
         let mut tell = |p: tremolite::run::Progress| stop.store(p.time > stop_after, Ordering::Relaxed);
-        let mut control = Control { stop: &stop, progress: &mut tell };
-        let outcome = run(&model, &phase, &plan, &results, resume, &mut control).unwrap();
-        (model, phase, outcome)
+        let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
+        let outcome =
+            run(&ready.model, &ready.assembly, &ready.phase, &plan, &results, resume, &mut control).unwrap();
+        (ready, outcome)
     })
+}
+
+fn damaged(ready: &Ready, outcome: &Outcome) -> IndexMap<String, GroupDamage> {
+    damage(&ready.model, &ready.phase, outcome.history(&ready.assembly), &outcome.state.observers)
 }
 
 #[test]
 fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     let folder = tempfile::tempdir().unwrap();
-    let (model, phase, outcome) = go(hall(), folder.path(), 2, false, f64::INFINITY);
+    let (ready, outcome) = go(hall(), folder.path(), 2, false, f64::INFINITY);
     assert_eq!(outcome.ending, Ending::Done);
-    let found = damage(&model, &phase, &outcome.state);
+    let found = damaged(&ready, &outcome);
     let names: Vec<&str> = found.keys().map(String::as_str).collect();
     assert_eq!(
         names,
@@ -131,7 +127,7 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     );
     let [lining, crown, walls] = [0, 1, 2].map(|i| &found[i]);
     assert!((lining.volume - 60.0).abs() < 1e-9 && (crown.volume - 18.0).abs() < 1e-9);
-    let beyond = |g: &tremolite_results::GroupDamage, t: &str| g.measures["d_tension"].beyond[t];
+    let beyond = |g: &GroupDamage, t: &str| g.measures["d_tension"].beyond[t];
     for threshold in ["0.1", "0.5", "0.9"] {
         let parts = beyond(crown, threshold) + beyond(walls, threshold);
         assert!((beyond(lining, threshold) - parts).abs() < 1e-9, "parts make the whole");
@@ -144,7 +140,7 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     assert!(first.time > 0.0 && first.time < 0.3);
     let parts = [crown, walls].map(|g| g.measures["d_tension"].first.map_or(f64::INFINITY, |f| f.time));
     assert_eq!(first.time, parts[0].min(parts[1]));
-    let told = findings(&model, &found);
+    let told = findings(&ready.model, &found);
     assert_eq!(told.len(), 1, "the whole is enough for a verdict: {told:?}");
     let share = 100.0 * beyond(lining, "0.5") / lining.volume;
     assert!(told[0].headline.starts_with(&format!("cracked in {share:.1} % of its volume")), "{told:?}");
@@ -176,7 +172,7 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     let numbers = cells("element");
     assert_eq!(cells("group:hall.lining"), group);
     let crown: Vec<f64> =
-        model.mesh.groups["hall.lining.crown"].iter().map(|&e| f64::from(e) + 1.0).collect();
+        ready.model.mesh.groups["hall.lining.crown"].iter().map(|&e| f64::from(e) + 1.0).collect();
     let marked = numbers.iter().zip(cells("group:hall.lining.crown")).filter(|(_, inside)| *inside == 1.0);
     assert_eq!(marked.map(|(n, _)| *n).collect::<Vec<f64>>(), crown, "by the numbers of messages");
     assert!(grid.cell_array("group:hall.excavation").is_none(), "nothing of it is left");
@@ -197,14 +193,14 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
 #[test]
 fn monitors_of_cracked_elements_show_no_more_than_their_points_carried() {
     let folder = tempfile::tempdir().unwrap();
-    let (model, phase, outcome) = go(hall(), folder.path(), 2, false, f64::INFINITY);
+    let (ready, outcome) = go(hall(), folder.path(), 2, false, f64::INFINITY);
     let table = tremolite_results::Table::read(&folder.path().join("monitors.csv")).unwrap();
-    let locator = Locator::new(&model.mesh, Some(&model.mesh.groups["hall.lining"]));
+    let locator = Locator::new(&ready.model.mesh, Some(&ready.model.mesh.groups["hall.lining"]));
     let mut judged = 0;
     for (name, point) in [("crown", [8.0, 1.5, 9.0]), ("foot", [6.0, 1.5, 5.0]), ("wall", [6.0, 1.5, 7.0])] {
         let element = locator.locate(point, 1e-6).unwrap().element as usize;
-        let slot = phase.element_slot[element].unwrap().element as usize;
-        let cracked = outcome.state.observers["first d_tension"][slot];
+        let slot = ready.phase.element_slot[element].unwrap().element as usize;
+        let cracked = outcome.state.observers["first cracked"][slot];
         let most = outcome.state.observers["s1_max"][slot];
         let rows = table.column("time").unwrap().iter().zip(table.column(&format!("{name}.s1")).unwrap());
         for (t, s1) in rows.filter(|(t, _)| **t >= cracked) {
@@ -221,8 +217,8 @@ fn damage_has_the_same_bits_for_any_threads_and_instruction_set() {
         let folder = tempfile::tempdir().unwrap();
         let mut problem = hall();
         problem.isa = isa;
-        let (model, phase, outcome) = go(problem, folder.path(), threads, false, f64::INFINITY);
-        let found = damage(&model, &phase, &outcome.state);
+        let (ready, outcome) = go(problem, folder.path(), threads, false, f64::INFINITY);
+        let found = damaged(&ready, &outcome);
         let field = std::fs::read(folder.path().join("fields/000003.vtu")).unwrap();
         (outcome.state, found, field)
     };
@@ -243,16 +239,16 @@ fn a_run_stopped_after_the_first_crack_resumes_to_the_same_damage() {
         problem.time_step.given = Some(1e-5);
         problem
     };
-    let (model, phase, outcome) = go(problem(), &whole, 2, false, f64::INFINITY);
-    let expected = damage(&model, &phase, &outcome.state);
+    let (ready, outcome) = go(problem(), &whole, 2, false, f64::INFINITY);
+    let expected = damaged(&ready, &outcome);
     let first = expected["hall.lining"].measures["d_tension"].first.unwrap().time;
     let (.., stopped) = go(problem(), &parts, 1, false, first);
     assert_eq!(stopped.ending, Ending::Stopped);
     assert!(stopped.taken < stopped.steps.total);
-    let (model, phase, resumed) = go(problem(), &parts, 3, true, f64::INFINITY);
+    let (ready, resumed) = go(problem(), &parts, 3, true, f64::INFINITY);
     assert_eq!(resumed.ending, Ending::Done);
     assert!(resumed.state == outcome.state);
-    assert_eq!(damage(&model, &phase, &resumed.state), expected);
+    assert_eq!(damaged(&ready, &resumed), expected);
     for file in ["energy.csv", "damage.csv", "fields.pvd", "fields/000003.vtu"] {
         let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
         assert!(bytes(&whole) == bytes(&parts), "{file}");

@@ -1,12 +1,7 @@
 //! A small shaken block, for the tests of the engine and of runs.
 
-// Each test binary uses a part of it.
-#![allow(dead_code)]
-
-use std::sync::Arc;
-use tremolite::{Base, Body, Incident, Instance, Problem, Quadrature, Rayleigh, Side};
+use tremolite::{Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, elastic};
 use tremolite_laws::Moduli;
-use tremolite_laws::materials::Elastic;
 use tremolite_mesh::boxes::{BoxSpec, Distortion};
 use tremolite_motion::{Motion, Sample, ricker_velocity};
 
@@ -17,13 +12,13 @@ pub fn block(elements: [u32; 3]) -> Problem {
     spec.distortion = Some(Distortion { fraction: 0.1, seed: 3, periodic: [true; 2] });
     let mesh = spec.mesh().unwrap();
     let middle: Vec<bool> = (0..mesh.elements.len() as u32)
-        .map(|e| (tremolite::model::centroid(&mesh, e)[2] - 7.0).abs() < 1.5)
+        .map(|e| (tremolite::hexahedra::centroid(&mesh, e)[2] - 7.0).abs() < 1.5)
         .collect();
     let choose = |want: bool| (0u32..).zip(&middle).filter(|(_, m)| **m == want).map(|(e, _)| e).collect();
     let body = |name: &str, elements, young, nu, quadrature| Body {
         name: name.into(),
         elements,
-        material: Arc::new(Instance(Arc::new(Elastic::from_moduli(Moduli::from_young_poisson(young, nu))))),
+        material: elastic(Moduli::from_young_poisson(young, nu)),
         density: 2700.0,
         quadrature,
     };

@@ -1,11 +1,8 @@
 //! A cracked element carries no damping: two halves that fly apart keep their momentum.
 
-use std::sync::Arc;
-use tremolite::{
-    Base, Body, Engine, Instance, Model, Phase, Problem, Quadrature, Rayleigh, Side, laws, stable_step,
-};
+use crate::ready::Ready;
+use tremolite::{Base, Body, Problem, Quadrature, Rayleigh, Side, elastic, laws};
 use tremolite_laws::band::Band;
-use tremolite_laws::materials::Elastic;
 use tremolite_laws::{Moduli, Row, Values};
 use tremolite_mesh::boxes::BoxSpec;
 
@@ -31,8 +28,7 @@ fn upper_half(quadrature: Quadrature, damping: Damping) -> [f64; 2] {
         Damping::Stiffness => (concrete.build)(&values),
         Damping::Band => (concrete.build_banded)(&values, Band::fit(0.05, [5.0, 200.0], 30.0).unwrap()),
     };
-    let elastic = Elastic::from_moduli(Moduli::from_young_poisson(25e9, 0.17));
-    let middle = |e: &u32| (tremolite::model::centroid(&mesh, *e)[2] - 1.5).abs() < 0.1;
+    let middle = |e: &u32| (tremolite::hexahedra::centroid(&mesh, *e)[2] - 1.5).abs() < 0.1;
     let body = |name: &str, elements: Vec<u32>, material, quadrature| Body {
         name: name.into(),
         elements,
@@ -45,7 +41,7 @@ fn upper_half(quadrature: Quadrature, damping: Damping) -> [f64; 2] {
         body(
             "strong",
             (0..3).filter(|e| !middle(e)).collect(),
-            Arc::new(Instance(Arc::new(elastic))),
+            elastic(Moduli::from_young_poisson(25e9, 0.17)),
             Quadrature::OnePoint,
         ),
     ];
@@ -54,14 +50,13 @@ fn upper_half(quadrature: Quadrature, damping: Damping) -> [f64; 2] {
     problem.sides = [Side::Free; 2];
     let stiffness = if matches!(damping, Damping::Stiffness) { 1e-5 } else { 0.0 };
     problem.rayleigh = Rayleigh { mass: 0.0, stiffness };
-    let model = Model::new(problem).unwrap();
-    let phase = Phase::dynamic(&model).unwrap();
-    let mut state = phase.rest();
-    state.dt = 0.5 * stable_step(&model, &phase).dt;
+    let ready = Ready::new(problem);
+    let (model, phase) = (&ready.model, &ready.phase);
+    let mut state = ready.rest(0.5);
     let above = |node: usize| model.mesh.nodes[model.mesh_node[node] as usize][2] > 1.5;
     let velocity = |node: usize| Row::new([0.0, 0.0, if above(node) { 1.0 } else { -1.0 }]);
     let velocities: Vec<Row> = (0..state.u.len()).map(velocity).collect();
-    let mut engine = Engine::new(&model, &phase);
+    let mut engine = ready.engine();
     let at_rest = state.u.clone();
     engine.start(&mut state, at_rest, &velocities);
     let mut momentum = |steps: usize| {

@@ -1,8 +1,7 @@
 //! Meshes of mixed shapes: the patch test through the model and the engine.
 
-use std::sync::Arc;
-use tremolite::{Body, Engine, Instance, Model, Phase, Problem, Quadrature};
-use tremolite_laws::materials::Elastic;
+use crate::ready::Ready;
+use tremolite::{Body, Problem, Quadrature, elastic};
 use tremolite_laws::{Moduli, Row};
 use tremolite_mesh::{Element, Mesh, Shape};
 
@@ -81,12 +80,12 @@ fn a_mixed_mesh_passes_the_patch_test_to_round_off() {
         let body = Body {
             name: "block".into(),
             elements: (0..mesh.elements.len() as u32).collect(),
-            material: Arc::new(Instance(Arc::new(Elastic::from_moduli(moduli)))),
+            material: elastic(moduli),
             density: 1000.0,
             quadrature,
         };
-        let model = Model::new(Problem::new(mesh, vec![body])).unwrap();
-        let phase = Phase::dynamic(&model).unwrap();
+        let ready = Ready::new(Problem::new(mesh, vec![body]));
+        let (model, phase) = (&ready.model, &ready.phase);
         // MacNeal & Harder's field: all strains 10⁻³, stresses 2000 and 400 Pa.
         let field = |x: [f64; 3]| {
             [
@@ -95,10 +94,10 @@ fn a_mixed_mesh_passes_the_patch_test_to_round_off() {
                 5e-4 * (x[0] + x[1] + 2.0 * x[2]),
             ]
         };
-        let mut state = phase.rest();
+        let mut state = ready.assembly.rest();
         state.dt = 1e-6;
         state.u = model.mesh_node.iter().map(|&n| Row::new(field(model.mesh.nodes[n as usize]))).collect();
-        let snapshot = Engine::new(&model, &phase).observe(&mut state);
+        let snapshot = ready.engine().observe(&mut state);
         for stress in &snapshot.stress {
             for (found, exact) in stress.iter().zip([2000.0, 2000.0, 2000.0, 400.0, 400.0, 400.0]) {
                 assert!((found - exact).abs() < 1e-9 * exact, "{quadrature:?}: {stress:?}");

@@ -7,7 +7,7 @@ use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Po
 pub(super) const LEFT: usize = 7;
 
 const fn column(name: &'static str) -> Column {
-    Column { name, unit: "1", doc: "what damage has left" }
+    Column::new(name, "1", "what damage has left")
 }
 
 /// The law; its history holds what is left, and stays as it is.
@@ -35,6 +35,10 @@ impl Material for Weakened {
 
     fn moduli(&self) -> Moduli {
         self.0
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Weakened(self.0.scaled(factor))
     }
 
     #[inline(always)]

@@ -5,14 +5,15 @@ mod weakened;
 
 pub use pass::{Full, OnePoint, Rule};
 
-use super::{Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick, Work};
+use crate::line::Lines;
+use crate::part::{ElementEnergy, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
 use pass::{Pass, dispatch};
 use std::marker::PhantomData;
 use std::sync::Arc;
 use tremolite_laws::band::{Band, BandStep, MEMORY};
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::shapes::hex8::{Hex8, Stabilisation};
-use tremolite_laws::{Isa, Material, Moduli, Octet, Point, Row};
+use tremolite_laws::{Column, Isa, Material, Moduli, Octet, Point, Row};
 use weakened::{LEFT, Weakened};
 
 /// A patch of elements.
@@ -108,8 +109,9 @@ impl<M: Material, R: Rule> Solid<M, R> {
         }
     }
 
+    /// The Maxwell bodies over a step; none while time stands still, where without memory they would be springs.
     fn band_step(&self, dt: f64) -> Option<BandStep> {
-        self.band.map(|b| b.step(dt, self.law.moduli()))
+        self.band.filter(|_| dt > 0.0).map(|b| b.step(dt, self.law.moduli()))
     }
 }
 
@@ -131,18 +133,22 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         (self.elements, R::POINTS)
     }
 
+    fn columns(&self) -> &'static [Column] {
+        M::HISTORY
+    }
+
     fn keeps_books(&self) -> bool {
         self.band.is_none() && (M::HISTORY.is_empty() || M::DISSIPATION.is_some())
     }
 
-    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Work {
+    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Lines {
         let rows = self.gather(x.u, scratch);
         let band = self.band_step(tick.dt);
         dispatch::<R, M, false>(
             self.isa,
             self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, None),
         );
-        Work::default()
+        Lines::default()
     }
 
     fn probe(
@@ -153,14 +159,14 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         out: &mut [Row],
         probe: ProbeOut,
         scratch: &mut Scratch,
-    ) -> Work {
+    ) -> Lines {
         let rows = self.gather(x.u, scratch);
         let band = self.band_step(tick.dt);
         dispatch::<R, M, true>(
             self.isa,
             self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, Some(probe)),
         );
-        Work::default()
+        Lines::default()
     }
 
     fn damping_times(&self, u: &[Row], history: &[Octet], w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
@@ -190,6 +196,17 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         dispatch::<R, Elastic, false>(
             self.isa,
             self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, out, None),
+        );
+    }
+
+    fn stiffness_energy(&self, w: &[Row], energy: &mut [ElementEnergy], scratch: &mut Scratch) {
+        let mut out = vec![Row::ZERO; self.nodes.len()];
+        let mut stress = vec![[0.0; 6]; energy.len() * R::POINTS];
+        let probe = ProbeOut { stress: &mut stress, energy };
+        let rows = self.gather(w, scratch);
+        dispatch::<R, Elastic, true>(
+            self.isa,
+            self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, &mut out, Some(probe)),
         );
     }
 }

@@ -1,14 +1,13 @@
 //! Runs as a whole: files, resuming, stopping.
 
-mod common;
-
-use common::block;
+use crate::block::block;
+use crate::ready::Ready;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, Ending, Outcome, run};
-use tremolite::{Halt, Model, Phase, Problem};
+use tremolite::{Halt, Line, Problem};
 use tremolite_mesh::locate::Locator;
 use tremolite_results::{Pvd, ResultFolder, Table};
 
@@ -35,8 +34,7 @@ fn plan(problem: &Problem) -> Plan {
 fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_at: Option<u64>) -> Outcome {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
         let plan = plan(&problem);
-        let model = Model::new(problem).unwrap();
-        let phase = Phase::dynamic(&model).unwrap();
+        let Ready { model, assembly, phase } = Ready::new(problem);
         let results = if resume {
             ResultFolder::open_existing(folder).unwrap()
         } else {
@@ -48,8 +46,8 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_at: Op
                 stop.store(true, Ordering::Relaxed);
             }
         };
-        let mut control = Control { stop: &stop, progress: &mut tell };
-        run(&model, &phase, &plan, &results, resume, &mut control).unwrap()
+        let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
+        run(&model, &assembly, &phase, &plan, &results, resume, &mut control).unwrap()
     })
 }
 
@@ -79,12 +77,11 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
     let mut other = problem();
     other.rayleigh.mass = 0.5;
     let plan = plan(&other);
-    let model = Model::new(other).unwrap();
-    let phase = Phase::dynamic(&model).unwrap();
+    let Ready { model, assembly, phase } = Ready::new(other);
     let stop = AtomicBool::new(false);
-    let mut control = Control { stop: &stop, progress: &mut |_| {} };
+    let mut control = Control { stop: &stop, progress: &mut |_| {}, observers: Vec::new() };
     let results = ResultFolder::open_existing(&parts).unwrap();
-    let refused = run(&model, &phase, &plan, &results, true, &mut control).unwrap_err();
+    let refused = run(&model, &assembly, &phase, &plan, &results, true, &mut control).unwrap_err();
     assert!(refused.to_string().contains("another model or plan"), "{refused}");
 }
 
@@ -92,11 +89,7 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
 fn a_step_thirty_per_cent_too_large_is_stopped_by_the_guard_with_the_element_named_and_results_kept() {
     let folder = tempfile::tempdir().unwrap();
     let mut problem = block([6, 5, 7]);
-    let stable = {
-        let model = Model::new(problem.clone()).unwrap();
-        let phase = Phase::dynamic(&model).unwrap();
-        tremolite::stable_step(&model, &phase).dt
-    };
+    let stable = Ready::new(problem.clone()).stable();
     problem.time_step.given = Some(1.3 * stable);
     let outcome = go(problem, folder.path(), 2, false, None);
     let Ending::Failed { halt: Halt::Energy { kinetic, supplied, step, .. }, place } = &outcome.ending else {
@@ -135,7 +128,7 @@ fn histories_have_the_columns_and_times_of_the_plan() {
     }
     // The scheme keeps its own energy, which differs from the physical one by (ωΔt/2)² at most; 25 Hz ends the pulse.
     let share = (std::f64::consts::PI * 25.0 * outcome.dt).powi(2);
-    assert!(outcome.balance.error.abs() < share * outcome.state.ledger.supplied);
+    assert!(outcome.balance[Line::Error].abs() < share * outcome.state.ledger.supplied);
     let energy = Table::read(&folder.path().join("energy.csv")).unwrap();
     assert_eq!(energy.columns.last().unwrap().header(), "error [J]");
 }

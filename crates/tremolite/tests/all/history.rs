@@ -1,9 +1,9 @@
 //! Histories of laws, read back point by point.
 
-mod common;
-
-use std::sync::Arc;
-use tremolite::{Engine, Instance, Model, Phase, history, stable_step};
+use crate::block::block;
+use crate::ready::Ready;
+use tremolite::Law;
+use tremolite::history::History;
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Point, Sym, Values};
 
@@ -11,9 +11,9 @@ use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Po
 struct Remembers(Elastic, Moduli);
 
 const COLUMNS: [Column; 3] = [
-    Column { name: "once", unit: "Pa", doc: "mean stress" },
-    Column { name: "twice", unit: "Pa", doc: "twice the mean stress" },
-    Column { name: "thrice", unit: "Pa", doc: "three times the mean stress" },
+    Column::new("once", "Pa", "mean stress"),
+    Column::new("twice", "Pa", "twice the mean stress"),
+    Column::new("thrice", "Pa", "three times the mean stress"),
 ];
 
 impl Material for Remembers {
@@ -33,6 +33,11 @@ impl Material for Remembers {
         self.1
     }
 
+    fn scaled(&self, factor: f64) -> Self {
+        let moduli = self.1.scaled(factor);
+        Remembers(Elastic::from_moduli(moduli), moduli)
+    }
+
     #[inline(always)]
     fn update<L: Lane>(&self, point: &Point<L>, strain: Sym<L>, _: [L; 3]) -> (Sym<L>, [L; 3]) {
         let (stress, _) = self.0.update(point, strain, []);
@@ -43,29 +48,28 @@ impl Material for Remembers {
 
 #[test]
 fn every_column_of_every_point_is_found_in_both_quadratures_and_padded_octets() {
-    let mut problem = common::block([5, 3, 7]);
-    let law = Arc::new(Remembers::new(&Values::default()).unwrap());
+    let mut problem = block([5, 3, 7]);
+    let material = (Law::of::<Remembers>().build)(&Values::default()).unwrap();
     for body in &mut problem.bodies {
         assert_ne!(body.elements.len() % 8, 0, "the last octet is padded");
-        body.material = Arc::new(Instance(law.clone()));
+        body.material = material.clone();
     }
     problem.patch_elements = Some(24);
-    let model = Model::new(problem).unwrap();
-    let phase = Phase::dynamic(&model).unwrap();
-    let mut state = phase.rest();
-    state.dt = 0.9 * stable_step(&model, &phase).dt;
-    let mut engine = Engine::new(&model, &phase);
+    let ready = Ready::new(problem);
+    let mut state = ready.rest(0.9);
+    let mut engine = ready.engine();
     while state.time() < 0.15 {
         engine.step(&mut state).unwrap();
     }
     let snapshot = engine.observe(&mut state);
+    let history = History { assembly: &ready.assembly, octets: &state.history };
     let most = snapshot.stress.iter().flatten().fold(0.0_f64, |m, s| m.max(s.abs()));
     let mut points = [0, 0];
-    for slot in phase.element_slot.iter().flatten() {
-        assert_eq!(history::position(&model, slot, "nothing"), None);
+    for slot in ready.phase.element_slot.iter().flatten() {
+        assert_eq!(history.named(slot, "nothing"), None);
         for (k, column) in COLUMNS.iter().enumerate() {
-            let position = history::position(&model, slot, column.name).unwrap();
-            let values = history::values(&model, &phase, &state, slot, position);
+            let position = history.named(slot, column.name).unwrap();
+            let values = history.values(slot, position);
             assert_eq!(values.len(), slot.points as usize);
             for (p, value) in values.enumerate() {
                 let s = snapshot.stress[slot.point as usize + p];

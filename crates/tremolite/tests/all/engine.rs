@@ -1,9 +1,8 @@
 //! The step's promises: bits, rest, balance, ties.
 
-mod common;
-
-use common::block;
-use tremolite::{Engine, Model, Phase, Problem, Side, State, stable_step};
+use crate::block::block;
+use crate::ready::Ready;
+use tremolite::{Line, Problem, Side, State};
 use tremolite_laws::{Isa, Row};
 
 fn pool<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
@@ -12,21 +11,19 @@ fn pool<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 
 /// State and observed balance after some steps, observing on the way.
 fn run(problem: Problem, steps: u64) -> (State, Vec<u64>, usize) {
-    let model = Model::new(problem).unwrap();
-    let phase = Phase::dynamic(&model).unwrap();
-    let mut state = phase.rest();
-    state.dt = 0.9 * stable_step(&model, &phase).dt;
-    let mut engine = Engine::new(&model, &phase);
+    let ready = Ready::new(problem);
+    let mut state = ready.rest(0.9);
+    let mut engine = ready.engine();
     let mut balances = Vec::new();
     for step in 0..steps {
         if step % 40 == 39 {
             let snapshot = engine.observe(&mut state);
-            balances.extend(snapshot.balance.lines().iter().map(|(_, x)| x.to_bits()));
+            balances.extend(snapshot.balance.iter().map(|(_, x)| x.to_bits()));
             balances.extend(snapshot.stress.iter().flatten().map(|x| x.to_bits()));
         }
         engine.step(&mut state).unwrap();
     }
-    (state, balances, model.patches.len())
+    (state, balances, ready.model.patches.len())
 }
 
 #[test]
@@ -74,14 +71,13 @@ fn without_input_everything_stays_at_rest_exactly() {
 
 #[test]
 fn periodic_sides_move_as_one() {
-    let model = Model::new(block([6, 5, 7])).unwrap();
-    let phase = Phase::dynamic(&model).unwrap();
-    let mut state = phase.rest();
-    state.dt = 0.9 * stable_step(&model, &phase).dt;
-    let mut engine = Engine::new(&model, &phase);
+    let ready = Ready::new(block([6, 5, 7]));
+    let mut state = ready.rest(0.9);
+    let mut engine = ready.engine();
     for _ in 0..150 {
         engine.step(&mut state).unwrap();
     }
+    let model = &ready.model;
     let find = |x: f64, y: f64, z: f64| {
         let near = |p: &[f64; 3]| (p[0] - x).abs() + (p[1] - y).abs() + (p[2] - z).abs() < 1e-9;
         let mesh_node = model.mesh.nodes[..model.user_nodes].iter().position(near).unwrap();
@@ -102,15 +98,13 @@ fn energy_balance_closes_with_the_second_order_of_the_step() {
             let mut problem = block([6, 5, 7]);
             problem.sides = [sides; 2];
             problem.rayleigh.mass = 3.0;
-            let model = Model::new(problem).unwrap();
-            let phase = Phase::dynamic(&model).unwrap();
-            let mut state = phase.rest();
-            state.dt = safety * stable_step(&model, &phase).dt;
-            let mut engine = Engine::new(&model, &phase);
+            let ready = Ready::new(problem);
+            let mut state = ready.rest(safety);
+            let mut engine = ready.engine();
             let (mut worst, mut supplied) = (0.0_f64, 0.0);
             while state.time() < 0.3 {
                 let balance = engine.observe(&mut state).balance;
-                worst = worst.max(balance.error.abs());
+                worst = worst.max(balance[Line::Error].abs());
                 supplied = state.ledger.supplied;
                 engine.step(&mut state).unwrap();
             }
@@ -127,14 +121,13 @@ fn energy_balance_closes_with_the_second_order_of_the_step() {
 fn held_components_and_ties_do_what_they_say() {
     let mut problem = block([4, 3, 5]);
     problem.sides = [Side::Roller, Side::Fixed];
-    let model = Model::new(problem).unwrap();
-    let phase = Phase::dynamic(&model).unwrap();
-    let mut state = phase.rest();
-    state.dt = 0.9 * stable_step(&model, &phase).dt;
-    let mut engine = Engine::new(&model, &phase);
+    let ready = Ready::new(problem);
+    let mut state = ready.rest(0.9);
+    let mut engine = ready.engine();
     for _ in 0..200 {
         engine.step(&mut state).unwrap();
     }
+    let model = &ready.model;
     let mut slid = 0.0_f64;
     for (node, u) in state.u.iter().enumerate().take(model.counted.end) {
         let [x, y, _] = model.mesh.nodes[model.mesh_node[node] as usize];

@@ -1,0 +1,158 @@
+//! The lines of the energy balance: one list, by which parts, the engine, `energy.csv` and the summary go.
+
+use std::ops::{Add, Index, IndexMut};
+
+/// Who finds the value of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Booked {
+    /// The node pass, from velocities at one time.
+    Motion,
+    /// Parts, when they are looked at: what they would give back.
+    Stored,
+    /// Parts, when they are looked at: what they have dissipated or created since the start.
+    Spent,
+    /// Parts, step by step: work of their forces on the nodes, positive where energy flows from the nodes into the part.
+    Work,
+    /// The node pass, step by step: work against forces that go by velocity.
+    Damping,
+    /// The start of the run.
+    Start,
+    /// Nobody: what the other lines leave.
+    Rest,
+}
+
+macro_rules! lines {
+    ($($(#[doc = $doc:literal])+ $line:ident = $name:literal, $sign:literal, $booked:ident;)+) => {
+        /// A line of the balance \[J\].
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Line {
+            $($(#[doc = $doc])+ $line,)+
+        }
+
+        impl Line {
+            /// All lines, in the order of `energy.csv`.
+            pub const ALL: &[Line] = &[$(Line::$line),+];
+
+            /// The word in `energy.csv` and in `summary.json`.
+            pub const fn name(self) -> &'static str {
+                match self { $(Line::$line => $name,)+ }
+            }
+
+            /// How the line enters the sum whose value is the error.
+            pub const fn sign(self) -> f64 {
+                match self { $(Line::$line => $sign,)+ }
+            }
+
+            /// Who finds its value.
+            pub const fn booked(self) -> Booked {
+                match self { $(Line::$line => Booked::$booked,)+ }
+            }
+        }
+    };
+}
+
+lines! {
+    /// ½vᵀMv at v̂.
+    Kinetic = "kinetic", 1.0, Motion;
+    /// What elements would give back: ∫ [`tremolite_laws::Material::stored_energy`].
+    Strain = "strain", 1.0, Stored;
+    /// Held by the stabilisation of one-point elements.
+    Hourglass = "hourglass", 1.0, Stored;
+    /// Taken by damage and plastic flow, as laws book it step by step.
+    Dissipated = "dissipated", 1.0, Spent;
+    /// Given out by laws that have no potential, as they book it.
+    Created = "created_by_law", -1.0, Spent;
+    /// Taken by damping over a band, and whatever laws that keep no books take: the work done on the elements less what
+    /// they hold, have dissipated and created. Zero by definition where there are neither; the error then tests the laws.
+    Band = "band_damping", 1.0, Rest;
+    /// Taken by Rayleigh damping.
+    Rayleigh = "rayleigh_damping", 1.0, Damping;
+    /// Taken by the dashpots of the base.
+    BaseDashpots = "base_dashpots", 1.0, Damping;
+    /// Taken by the dashpots of the sides.
+    SideDashpots = "side_dashpots", 1.0, Damping;
+    /// Work into springs of the boundary, and what they held at the start.
+    Springs = "base_springs", 1.0, Work;
+    /// Work of incident waves and loads on the model.
+    Input = "input", -1.0, Work;
+    /// Energy that the run started with.
+    Initial = "initial", -1.0, Start;
+    /// What is found less what was put in: the sum of all other lines with their signs.
+    Error = "error", 0.0, Rest;
+}
+
+/// A value \[J\] for each line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lines([f64; Line::ALL.len()]);
+
+impl Default for Lines {
+    fn default() -> Self {
+        Lines([0.0; Line::ALL.len()])
+    }
+}
+
+impl Lines {
+    /// Lines with their values, in the order of [`Line::ALL`].
+    pub fn iter(&self) -> impl Iterator<Item = (Line, f64)> + '_ {
+        Line::ALL.iter().map(|&line| (line, self[line]))
+    }
+
+    /// Every value, in the order of [`Line::ALL`].
+    pub fn values_mut(&mut self) -> impl Iterator<Item = &mut f64> {
+        self.0.iter_mut()
+    }
+
+    /// Sum of the lines with their signs, in the order of the list.
+    pub fn sum(&self) -> f64 {
+        Line::ALL.iter().fold(0.0, |sum, &line| sum + line.sign() * self[line])
+    }
+}
+
+impl Index<Line> for Lines {
+    type Output = f64;
+    fn index(&self, line: Line) -> &f64 {
+        &self.0[line as usize]
+    }
+}
+
+impl IndexMut<Line> for Lines {
+    fn index_mut(&mut self, line: Line) -> &mut f64 {
+        &mut self.0[line as usize]
+    }
+}
+
+impl Add for Lines {
+    type Output = Lines;
+    fn add(mut self, more: Lines) -> Lines {
+        for (a, b) in self.0.iter_mut().zip(more.0) {
+            *a += b;
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_has_a_name_of_its_own_and_a_sign_unless_it_is_the_sum() {
+        for (i, line) in Line::ALL.iter().enumerate() {
+            assert_eq!(*line as usize, i);
+            assert_eq!(Line::ALL.iter().filter(|other| other.name() == line.name()).count(), 1);
+            assert_eq!(line.sign().abs(), if *line == Line::Error { 0.0 } else { 1.0 }, "{}", line.name());
+        }
+        assert_eq!(Line::ALL.last(), Some(&Line::Error), "scripts expect it last");
+    }
+
+    #[test]
+    fn the_sum_takes_what_was_put_in_off_what_is_found() {
+        let mut lines = Lines::default();
+        lines[Line::Kinetic] = 3.0;
+        lines[Line::Strain] = 2.0;
+        lines[Line::Created] = 0.5;
+        lines[Line::Input] = 4.0;
+        lines[Line::Error] = 77.0;
+        assert_eq!(lines.sum(), 0.5);
+    }
+}

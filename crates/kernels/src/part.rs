@@ -1,0 +1,151 @@
+//! Parts: everything that pushes on nodes. M a = −Σ over parts.
+
+use crate::line::Lines;
+use tremolite_laws::{Column, Octet, Row};
+
+/// What laws and loads may know of the time, which is not the scheme's: before the earthquake time stands still for
+/// them while the scheme goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tick {
+    /// Time of the displacements \[s\].
+    pub time: f64,
+    /// Step \[s\]; 0 while time stands still: no rates, no Maxwell bodies.
+    pub dt: f64,
+}
+
+/// Motion of all nodes at a time.
+#[derive(Clone, Copy)]
+pub struct Motion<'a> {
+    /// Displacement u^n \[m\].
+    pub u: &'a [Row],
+    /// Increment u^n − u^(n−1) \[m\].
+    pub du: &'a [Row],
+}
+
+/// What a part alone reads and writes of the state.
+pub struct Own<'a> {
+    /// History of the law, octet by octet.
+    pub history: &'a mut [Octet],
+    /// Memory of the damping bodies, octet by octet.
+    pub overstress: &'a mut [Octet],
+    /// Other numbers that the part remembers.
+    pub numbers: &'a mut [f64],
+}
+
+/// The same, to be read alone.
+#[derive(Clone, Copy)]
+pub struct Kept<'a> {
+    pub history: &'a [Octet],
+    pub overstress: &'a [Octet],
+    pub numbers: &'a [f64],
+}
+
+/// Lengths of a part's slices of the state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StateSizes {
+    /// Octets of the law's history.
+    pub history: usize,
+    /// Octets of the damping bodies.
+    pub overstress: usize,
+    /// Other numbers.
+    pub numbers: usize,
+}
+
+/// Energies of an element \[J\], each of the line of its name.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ElementEnergy {
+    /// Held by the law at its points.
+    pub strain: f64,
+    /// Held by the stabilisation.
+    pub hourglass: f64,
+    /// Booked by the law as dissipated since the start.
+    pub dissipated: f64,
+    /// Booked by the law as created since the start.
+    pub created: f64,
+}
+
+impl ElementEnergy {
+    /// What the element holds.
+    pub fn held(&self) -> f64 {
+        self.strain + self.hourglass
+    }
+}
+
+/// What a probing pass leaves per element and point.
+pub struct ProbeOut<'a> {
+    /// Stress \[Pa\] of every point, global axes, element by element.
+    pub stress: &'a mut [[f64; 6]],
+    /// Energies \[J\] of every element.
+    pub energy: &'a mut [ElementEnergy],
+}
+
+/// Room a thread reuses from part to part.
+#[derive(Default)]
+pub struct Scratch {
+    pub rows: Vec<Row>,
+    /// A copy of a history.
+    pub history: Vec<Octet>,
+    /// What damage has left, point by point.
+    pub left: Vec<Octet>,
+}
+
+/// Something that pushes on nodes. No part reads another's memory.
+pub trait Part: Send + Sync {
+    /// Nodes pushed, in the order of the part's contributions.
+    fn nodes(&self) -> &[u32];
+    /// Length of the part's slices of the state.
+    fn state_sizes(&self) -> StateSizes {
+        StateSizes::default()
+    }
+    /// Number of elements and of integration points in each; zero for parts without elements.
+    fn elements(&self) -> (usize, usize) {
+        (0, 0)
+    }
+    /// Columns of the history of each point. The octets lie element octet by element octet, in each point by point, in
+    /// each column by column; a part without elements may lay out its history as it likes and names no columns.
+    fn columns(&self) -> &'static [Column] {
+        &[]
+    }
+    /// Whether all that the part takes and gives out is in the lines that it reports.
+    fn keeps_books(&self) -> bool {
+        true
+    }
+    /// Forces that resist the displacements (sign of ∫Bᵀσ), one row a node, and the work that they did on the nodes since
+    /// the last step, by those lines that are booked so ([`crate::Booked::Work`]); positive where energy flows from the
+    /// nodes into the part.
+    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Lines;
+    /// As [`Part::forces`], and stresses and energies as well. Parts without elements need not provide it.
+    fn probe(
+        &self,
+        tick: &Tick,
+        x: &Motion,
+        own: Own,
+        out: &mut [Row],
+        _: ProbeOut,
+        scratch: &mut Scratch,
+    ) -> Lines {
+        self.forces(tick, x, own, out, scratch)
+    }
+    /// What the part holds \[J\], has dissipated and created since the start, by line, beside what it leaves by element
+    /// in [`Part::probe`]. Of a line that is booked as work it is asked at the start of a run alone: what is held then was
+    /// supplied.
+    fn energy(&self, _x: &Motion, _kept: Kept) -> Lines {
+        Lines::default()
+    }
+    /// K w with the elastic stiffness, as the power iteration wants it.
+    fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch);
+    /// ½wᵀKw \[J\] of each element with the elastic stiffness; asked of parts with elements.
+    fn stiffness_energy(&self, _w: &[Row], _energy: &mut [ElementEnergy], _scratch: &mut Scratch) {}
+    /// K w as Rayleigh's damping ξK wants it: with what damage has left of the stiffness at displacements `u` and
+    /// with this `history`.
+    fn damping_times(
+        &self,
+        _u: &[Row],
+        _history: &[Octet],
+        w: &[Row],
+        out: &mut [Row],
+        scratch: &mut Scratch,
+    ) {
+        self.stiffness_times(w, out, scratch);
+    }
+}

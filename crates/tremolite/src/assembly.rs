@@ -1,0 +1,146 @@
+//! Every part that a model will ever have, made once, with its fixed slices of the state.
+
+use crate::boundary;
+use crate::error::ModelError;
+use crate::hexahedra::{hex, hex_nodes};
+use crate::life::Life;
+use crate::member::Member;
+use crate::model::{Model, Patch};
+use crate::parts::StateSizes;
+use crate::parts::base::{Base, BaseNode};
+use crate::parts::loads::Loads;
+use crate::state::State;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use tremolite_laws::{Octet, Row};
+
+/// Where a part's slices begin and end.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Slices {
+    pub contributions: Range<usize>,
+    pub history: Range<usize>,
+    pub overstress: Range<usize>,
+    pub numbers: Range<usize>,
+    pub points: Range<usize>,
+    pub elements: Range<usize>,
+}
+
+/// All parts of a model, whatever stage they live in. Slices do not change with the stage, so neither does a column of the
+/// state, nor a checkpoint.
+pub struct Assembly {
+    /// In the order in which a node sums what they hold for it: patches of the user's elements (as the model's patches),
+    /// those of the reference column, the base, loads, the program's own.
+    pub members: Vec<Member>,
+    /// Of each member.
+    pub slices: Vec<Slices>,
+    /// Nodes of the base, the column's bottom included; empty for a base without dashpots.
+    pub base: Vec<BaseNode>,
+    /// Distance R used for the springs of the base \[m\].
+    pub spring_distance: Option<f64>,
+    /// Number of nodes.
+    nodes: usize,
+}
+
+impl Assembly {
+    /// The parts of a model.
+    ///
+    /// # Errors
+    /// If no face lies on the plane of a base that should do something.
+    pub fn new(model: &Model) -> Result<Self, ModelError> {
+        let mut members: Vec<Member> =
+            model.patches.par_iter().map(|patch| solid(model, patch)).collect::<Result<_, _>>()?;
+        for member in &mut members[model.user_patches..] {
+            member.counted = false;
+        }
+        let boundary::BaseParts { nodes: base, spring_distance } = boundary::base(model)?;
+        if !base.is_empty() {
+            let incident = model.incident.as_ref().map(|i| (i.motion.clone(), i.factor));
+            let part = Box::new(Base::new(base.clone(), incident));
+            members.push(Member { life: Life::SHAKING, ..Member::new("boundary springs", part) });
+        }
+        for (k, load) in model.loads.iter().enumerate() {
+            let part = Box::new(Loads::new(load.clone()));
+            members.push(Member::new(format!("load {}", k + 1), part));
+        }
+        members.extend(model.parts.iter().map(|make| make(&model.mesh, &model.engine_node)));
+        let slices = slices(&members);
+        Ok(Assembly { members, slices, base, spring_distance, nodes: model.mesh_node.len() })
+    }
+
+    /// A state at rest.
+    pub fn rest(&self) -> State {
+        let totals = self.totals();
+        State {
+            u: vec![Row::ZERO; self.nodes],
+            du: vec![Row::ZERO; self.nodes],
+            history: vec![Octet::ZERO; totals.history.end],
+            overstress: vec![Octet::ZERO; totals.overstress.end],
+            numbers: vec![0.0; totals.numbers.end],
+            ..State::default()
+        }
+    }
+
+    /// Where all slices end: the lengths of the columns.
+    pub fn totals(&self) -> Slices {
+        self.slices.last().cloned().unwrap_or_default()
+    }
+
+    /// A member by its name, with its slices: for observers of a program's own parts.
+    pub fn named(&self, name: &str) -> Option<(&Member, &Slices)> {
+        self.members.iter().zip(&self.slices).find(|(member, _)| member.name == name)
+    }
+}
+
+/// The part of a patch, with the mass of each of its nodes.
+fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
+    let body = &model.bodies[patch.body];
+    let mut nodes: Vec<u32> = Vec::new();
+    let mut local: BTreeMap<u32, u16> = BTreeMap::new();
+    let mut corners = Vec::with_capacity(patch.elements.len());
+    let mut geometry = Vec::with_capacity(patch.elements.len());
+    let mut masses: Vec<f64> = Vec::new();
+    for &e in &patch.elements {
+        let hex = hex(&model.mesh, e as usize).map_err(|reason| ModelError::BadElement {
+            element: model.mesh.element_id(e as usize),
+            body: body.name.clone(),
+            reason,
+        })?;
+        let mut corner = [0; 8];
+        let mesh_nodes = hex_nodes(&model.mesh, e as usize);
+        for k in 0..8 {
+            let node = model.engine_node[mesh_nodes[k] as usize];
+            corner[k] = *local.entry(node).or_insert_with(|| {
+                nodes.push(node);
+                masses.push(0.0);
+                (nodes.len() - 1) as u16
+            });
+            masses[corner[k] as usize] += body.density * hex.corner_volumes[k];
+        }
+        corners.push(corner);
+        geometry.push(hex);
+    }
+    let part = body.material.patch(body.quadrature, nodes, &corners, &geometry, model.isa);
+    Ok(Member { masses, ..Member::new(body.name.clone(), part) })
+}
+
+fn slices(members: &[Member]) -> Vec<Slices> {
+    let mut last = Slices::default();
+    let after = |range: &Range<usize>, length: usize| range.end..range.end + length;
+    members
+        .iter()
+        .map(|member| {
+            let StateSizes { history, overstress, numbers } = member.part.state_sizes();
+            let (elements, points) = member.part.elements();
+            last = Slices {
+                contributions: after(&last.contributions, member.part.nodes().len()),
+                history: after(&last.history, history),
+                overstress: after(&last.overstress, overstress),
+                numbers: after(&last.numbers, numbers),
+                points: after(&last.points, elements * points),
+                elements: after(&last.elements, elements),
+            };
+            last.clone()
+        })
+        .collect()
+}

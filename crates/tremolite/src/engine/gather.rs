@@ -1,0 +1,17 @@
+//! Contributions of parts to the force of a node.
+
+use crate::phase::Phase;
+use tremolite_laws::Row;
+
+/// Sum of a node's contributions, in the order of parts.
+#[inline(always)]
+pub(super) fn force(phase: &Phase, contributions: &[Row], node: usize) -> Row {
+    let mut sum = Row::ZERO;
+    for &slot in &phase.slot[phase.start[node] as usize..phase.start[node + 1] as usize] {
+        let row = &contributions[slot as usize];
+        for i in 0..4 {
+            sum.0[i] += row.0[i];
+        }
+    }
+    sum
+}

@@ -1,0 +1,31 @@
+//! What is known of a run that has ended.
+
+use crate::assembly::Assembly;
+use crate::model::Model;
+use crate::phase::Phase;
+use crate::plan::Plan;
+use crate::run::Outcome;
+use crate::setup::MotionFacts;
+use crate::survey::Survey;
+use indexmap::IndexMap;
+use tremolite_results::{Defaulted, MaterialFacts, RunFacts, Table};
+
+/// All a summary is made from.
+pub struct Evidence<'a> {
+    pub model: &'a Model,
+    pub assembly: &'a Assembly,
+    pub phase: &'a Phase,
+    pub plan: &'a Plan,
+    pub motion: &'a MotionFacts,
+    pub survey: &'a Survey,
+    pub outcome: &'a Outcome,
+    /// monitors.csv as it was written.
+    pub histories: &'a Table,
+    /// energy.csv as it was written.
+    pub energy: &'a Table,
+    pub materials: IndexMap<String, MaterialFacts>,
+    pub run: RunFacts,
+    pub defaulted: Vec<Defaulted>,
+    /// Wall time of the whole process so far \[s\].
+    pub wall_seconds: f64,
+}

@@ -1,0 +1,59 @@
+//! Groups of elements for which damage is reported.
+
+use crate::model::Model;
+use crate::problem::Body;
+use crate::quantities::MEASURES;
+use tremolite_laws::parameter::position;
+
+/// Elements with a name.
+pub(crate) struct Group<'a> {
+    pub name: &'a str,
+    pub body: &'a Body,
+    pub elements: &'a [u32],
+    /// Whether it is no part of another group of the same body.
+    pub whole: bool,
+}
+
+/// Groups of the mesh that lie in one body each, and bodies that such groups do not make up, where the law has a
+/// measure.
+pub(crate) fn groups(model: &Model) -> Vec<Group<'_>> {
+    let mut all = Vec::new();
+    for body in model.user_bodies() {
+        let columns = body.material.info().history;
+        if MEASURES.iter().all(|m| position(columns, m.role).is_none()) {
+            continue;
+        }
+        let mut inside = vec![false; model.mesh.elements.len()];
+        body.elements.iter().for_each(|&e| inside[e as usize] = true);
+        let within = |elements: &[u32]| !elements.is_empty() && elements.iter().all(|&e| inside[e as usize]);
+        let own: Vec<(&str, &[u32])> = model
+            .mesh
+            .groups
+            .iter()
+            .filter(|(_, elements)| within(elements))
+            .map(|(name, elements)| (name.as_str(), elements.as_slice()))
+            .collect();
+        let mut named = vec![false; model.mesh.elements.len()];
+        own.iter().flat_map(|(_, elements)| *elements).for_each(|&e| named[e as usize] = true);
+        if !body.elements.iter().all(|&e| named[e as usize]) {
+            all.push(Group { name: &body.name, body, elements: &body.elements, whole: own.is_empty() });
+        }
+        // A group is whole unless a larger one (or, of two equal ones, the first) holds all of it.
+        let mut whole = vec![true; own.len()];
+        for (k, (_, outer)) in own.iter().enumerate() {
+            let mut inside = vec![false; model.mesh.elements.len()];
+            outer.iter().for_each(|&e| inside[e as usize] = true);
+            for (i, (_, inner)) in own.iter().enumerate() {
+                let smaller = inner.len() < outer.len() || (inner.len() == outer.len() && k < i);
+                whole[i] &= !(smaller && inner.iter().all(|&e| inside[e as usize]));
+            }
+        }
+        all.extend(own.iter().zip(whole).map(|((name, elements), whole)| Group {
+            name,
+            body,
+            elements,
+            whole,
+        }));
+    }
+    all
+}

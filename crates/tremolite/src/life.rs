@@ -1,0 +1,44 @@
+//! When something is there: stages before the earthquake, then the shaking.
+
+/// A stage of a model's history, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// Before the earthquake, counted from 0: time stands still.
+    Before(u16),
+    /// The earthquake.
+    Shaking,
+}
+
+/// From which stage on something is there, and from which on it is gone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Life {
+    pub born: Stage,
+    /// Never if none.
+    pub gone: Option<Stage>,
+}
+
+impl Life {
+    /// From the first stage to the end.
+    pub const ALWAYS: Life = Life { born: Stage::Before(0), gone: None };
+    /// In the earthquake alone.
+    pub const SHAKING: Life = Life { born: Stage::Shaking, gone: None };
+
+    /// Whether it is there in a stage.
+    pub fn holds(&self, stage: Stage) -> bool {
+        self.born <= stage && self.gone.is_none_or(|gone| stage < gone)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_life_begins_with_its_stage_and_ends_before_the_one_that_takes_it() {
+        let bench = Life { born: Stage::Before(0), gone: Some(Stage::Before(2)) };
+        let stages = [Stage::Before(0), Stage::Before(1), Stage::Before(2), Stage::Shaking];
+        assert_eq!(stages.map(|stage| bench.holds(stage)), [true, true, false, false]);
+        assert_eq!(stages.map(|stage| Life::SHAKING.holds(stage)), [false, false, false, true]);
+        assert!(stages.iter().all(|&stage| Life::ALWAYS.holds(stage)));
+    }
+}

@@ -1,0 +1,24 @@
+//! A part with what the model knows of it.
+
+use crate::life::Life;
+use crate::parts::Part;
+
+/// One of a model's parts.
+pub struct Member {
+    /// For messages, and by which a program finds its own.
+    pub name: String,
+    pub part: Box<dyn Part>,
+    /// Mass \[kg\] that it gives each of its nodes, in the order of its nodes; empty for a part without mass.
+    pub masses: Vec<f64>,
+    /// Stages in which it is there.
+    pub life: Life,
+    /// Whether its energy is part of the balance (not the reference column's).
+    pub counted: bool,
+}
+
+impl Member {
+    /// A part without mass that is always there and enters the balance.
+    pub fn new(name: impl Into<String>, part: Box<dyn Part>) -> Self {
+        Member { name: name.into(), part, masses: Vec::new(), life: Life::ALWAYS, counted: true }
+    }
+}

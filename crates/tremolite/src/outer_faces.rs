@@ -1,0 +1,41 @@
+//! The faces of a model on its outer planes.
+
+use std::collections::BTreeSet;
+use tremolite_mesh::topology::exterior_faces;
+use tremolite_mesh::{Face, Mesh};
+
+/// Faces of elements on the outer planes.
+#[derive(Clone, Debug, Default)]
+pub struct OuterFaces {
+    /// `[axis][low or high]`: x, y, z (base and top).
+    pub planes: [[Vec<Face>; 2]; 3],
+    /// Smallest and largest coordinates of the mesh \[m\].
+    pub bounds: ([f64; 3], [f64; 3]),
+}
+
+impl OuterFaces {
+    /// Sorts the exterior faces of the elements that have a body by the plane they lie on.
+    pub fn of(mesh: &Mesh, body_of: &[Option<usize>]) -> Self {
+        let active: Vec<u32> =
+            (0..body_of.len()).filter(|&e| body_of[e].is_some()).map(|e| e as u32).collect();
+        let (low, high) = mesh.bounds();
+        let mut planes = <[[Vec<Face>; 2]; 3]>::default();
+        for face in exterior_faces(mesh, Some(&active)) {
+            for axis in 0..3 {
+                let near = 1e-6 * (high[axis] - low[axis]);
+                for (end, level) in [low[axis], high[axis]].into_iter().enumerate() {
+                    if mesh.face_nodes(face).all(|n| (mesh.nodes[n as usize][axis] - level).abs() <= near) {
+                        planes[axis][end].push(face);
+                    }
+                }
+            }
+        }
+        OuterFaces { planes, bounds: (low, high) }
+    }
+}
+
+/// The nodes of some faces, ascending.
+pub fn nodes_of(mesh: &Mesh, faces: &[Face]) -> Vec<u32> {
+    let nodes: BTreeSet<u32> = faces.iter().flat_map(|&face| mesh.face_nodes(face)).collect();
+    nodes.into_iter().collect()
+}

@@ -1,0 +1,14 @@
+//! All tests of the engine and of runs: one binary, since each links the whole engine.
+
+mod block;
+mod cracked_damping;
+mod damage;
+mod engine;
+mod history;
+mod outside_law;
+mod outside_part;
+mod ready;
+mod runs;
+mod setup_materials;
+mod shapes;
+mod stages;

@@ -1,0 +1,187 @@
+//! A part and an observer from outside: what ARCHITECTURE.md, 'How to add a part', says.
+
+use crate::block::block;
+use crate::ready::Ready;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use tremolite::observers::{Observer, Schedule, Setting, View};
+use tremolite::parts::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
+use tremolite::plan::Plan;
+use tremolite::run::{Control, Ending, run};
+use tremolite::state::Memory;
+use tremolite::{Base, Limit, Line, Lines, Member, Problem, RunError, Side};
+use tremolite_laws::Row;
+use tremolite_mesh::Mesh;
+use tremolite_results::{Column, ResultFolder, Table, TableWriter};
+
+/// Springs of one stiffness \[N/m\] from nodes to the ground. Remembers the last forces, for the work between two steps,
+/// and the largest elongation that it saw.
+struct Springs {
+    nodes: Vec<u32>,
+    stiffness: f64,
+}
+
+impl Part for Springs {
+    fn nodes(&self) -> &[u32] {
+        &self.nodes
+    }
+
+    fn state_sizes(&self) -> StateSizes {
+        StateSizes { numbers: 3 * self.nodes.len() + 1, ..StateSizes::default() }
+    }
+
+    fn forces(&self, _: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Lines {
+        let mut work = Lines::default();
+        let (most, last) = own.numbers.split_last_mut().unwrap();
+        for ((&node, out), last) in self.nodes.iter().zip(out).zip(last.chunks_exact_mut(3)) {
+            let (u, du) = (x.u[node as usize].xyz(), x.du[node as usize].xyz());
+            let force = u.map(|u| self.stiffness * u);
+            for i in 0..3 {
+                work[Line::Springs] += 0.5 * (force[i] + last[i]) * du[i];
+                last[i] = force[i];
+                *most = most.max(u[i].abs());
+            }
+            *out = Row::new(force);
+        }
+        work
+    }
+
+    fn energy(&self, x: &Motion, _: Kept) -> Lines {
+        let square = |&n: &u32| x.u[n as usize].0.iter().map(|u| u * u).sum::<f64>();
+        let mut held = Lines::default();
+        held[Line::Springs] = 0.5 * self.stiffness * self.nodes.iter().map(square).sum::<f64>();
+        held
+    }
+
+    fn stiffness_times(&self, w: &[Row], out: &mut [Row], _: &mut Scratch) {
+        for (&node, out) in self.nodes.iter().zip(out) {
+            *out = Row(w[node as usize].0.map(|w| self.stiffness * w));
+        }
+    }
+}
+
+const NAME: &str = "side springs";
+
+/// The block without base and sides, on springs at its sides.
+fn on_springs(stiffness: f64) -> Problem {
+    let mut problem = block([5, 4, 6]);
+    problem.base = Base::Free;
+    problem.sides = [Side::Free; 2];
+    problem.incident = None;
+    problem.rayleigh.mass = 0.0;
+    problem.parts = vec![Arc::new(move |mesh: &Mesh, engine_node: &[u32]| {
+        let side = |x: &[f64; 3]| x[0] == 0.0 || x[0] == 12.0;
+        let nodes: Vec<u32> =
+            mesh.nodes.iter().zip(engine_node).filter(|(x, _)| side(x)).map(|(_, &n)| n).collect();
+        Member::new(NAME, Box::new(Springs { nodes, stiffness }))
+    })];
+    problem
+}
+
+/// What springs hold at the start is supplied, so the guard lets the block swing on them, and the balance closes. (It
+/// counted as nothing, and the guard stopped such a run after a few steps.)
+#[test]
+fn a_block_released_from_stretched_springs_swings_and_its_balance_closes() {
+    let error = |safety: f64| {
+        let ready = Ready::new(on_springs(1e7));
+        let mut state = ready.rest(safety);
+        let mut engine = ready.engine();
+        let moved = vec![Row::new([1e-3, 2e-3, 0.0]); state.u.len()];
+        let still = vec![Row::ZERO; state.u.len()];
+        engine.start(&mut state, moved, &still);
+        let springs = 2.0 * 5.0 * 7.0;
+        let held = 0.5 * 1e7 * springs * 5e-6;
+        assert!((state.ledger.lines[Line::Initial] / held - 1.0).abs() < 1e-12);
+        let (mut worst, mut most) = (0.0_f64, 0.0_f64);
+        while state.time() < 1.0 {
+            let balance = engine.observe(&mut state).balance;
+            worst = worst.max(balance[Line::Error].abs());
+            most = most.max(balance[Line::Kinetic]);
+            engine.step(&mut state).unwrap();
+        }
+        assert!(most > 0.5 * held, "the block swings: {most:e} of {held:e} J");
+        worst / held
+    };
+    let (coarse, fine) = (error(0.4), error(0.1));
+    let order = (coarse / fine).log2() / 2.0;
+    assert!(coarse < 0.01 && (order - 2.0).abs() < 0.1, "order {order:.2} from {coarse:e} to {fine:e}");
+}
+
+#[test]
+fn springs_that_set_the_step_are_named_by_their_part() {
+    let stiff = Ready::new(on_springs(1e12));
+    let stable = tremolite::stable_step(&stiff.model, &stiff.assembly, &stiff.phase);
+    assert!(matches!(stable.limit, Limit::Part { .. }), "{stable:?}");
+    let words = tremolite::survey::limit_in_words(&stiff.model, &stiff.assembly, &stable);
+    assert!(words.starts_with("side springs at node "), "{words}");
+}
+
+/// Writes how far the springs were stretched: a result and a file of its own.
+struct Stretched {
+    schedule: Schedule,
+    table: TableWriter,
+}
+
+impl Stretched {
+    fn path(folder: &ResultFolder) -> PathBuf {
+        folder.root().join("springs.csv")
+    }
+
+    fn new(setting: &Setting) -> Result<Self, RunError> {
+        let columns = [Column::new("time", "s"), Column::new("stretch", "m")];
+        let path = Self::path(setting.folder);
+        let table = match setting.memory.get("stretched") {
+            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
+            None => TableWriter::create(&path, &columns)?,
+        };
+        Ok(Stretched { schedule: setting.rows(), table })
+    }
+}
+
+impl Observer for Stretched {
+    fn schedule(&self) -> Schedule {
+        self.schedule
+    }
+
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
+        let Some((_, slices)) = view.assembly.named(NAME) else { return Ok(()) };
+        let most = view.numbers_of(slices).last().copied().unwrap_or(0.0);
+        self.table.write(&[view.snapshot.time, most])?;
+        memory.insert("stretched".into(), vec![self.table.bytes_written() as f64]);
+        Ok(())
+    }
+}
+
+#[test]
+fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut problem = on_springs(1e7);
+    problem.base = Base::Viscous;
+    problem.incident = block([1; 3]).incident;
+    let Ready { model, assembly, phase } = Ready::new(problem);
+    let plan = Plan {
+        title: "springs".into(),
+        duration: 0.1,
+        histories: 0.002,
+        snapshots: None,
+        fields: Vec::new(),
+        checkpoint: None,
+        monitors: Vec::new(),
+        relatives: Vec::new(),
+    };
+    let results = ResultFolder::create(Some(folder.path()), "springs", true).unwrap();
+    let mut control = Control {
+        stop: &AtomicBool::new(false),
+        progress: &mut |_| {},
+        observers: vec![Arc::new(|setting: &Setting| {
+            Ok(Some(Box::new(Stretched::new(setting)?) as Box<dyn Observer>))
+        })],
+    };
+    let outcome = run(&model, &assembly, &phase, &plan, &results, false, &mut control).unwrap();
+    assert_eq!(outcome.ending, Ending::Done);
+    let table = Table::read(&Stretched::path(&results)).unwrap();
+    let stretch = table.column("stretch").unwrap();
+    assert_eq!(stretch.len(), 51);
+    assert!(stretch.is_sorted() && *stretch.last().unwrap() > 1e-5, "{stretch:?}");
+}

@@ -1,0 +1,36 @@
+//! A problem made ready to run in one phase.
+
+use tremolite::{Assembly, Engine, Model, Phase, Problem, Stage, State, stable_step};
+
+/// A model with its parts and what of them is active.
+pub struct Ready {
+    pub model: Model,
+    pub assembly: Assembly,
+    pub phase: Phase,
+}
+
+impl Ready {
+    /// The shaking of a problem.
+    pub fn new(problem: Problem) -> Self {
+        let model = Model::new(problem).unwrap();
+        let assembly = Assembly::new(&model).unwrap();
+        let phase = Phase::of(&model, &assembly, Stage::Shaking).unwrap();
+        Ready { model, assembly, phase }
+    }
+
+    /// The stable step \[s\].
+    pub fn stable(&self) -> f64 {
+        stable_step(&self.model, &self.assembly, &self.phase).dt
+    }
+
+    /// A state at rest with this share of the stable step.
+    pub fn rest(&self, safety: f64) -> State {
+        let mut state = self.assembly.rest();
+        state.dt = safety * self.stable();
+        state
+    }
+
+    pub fn engine(&self) -> Engine<'_> {
+        Engine::new(&self.model, &self.assembly, &self.phase)
+    }
+}
