@@ -6,6 +6,7 @@ use tremolite_laws::parameter::{Dimension, LawInfo};
 
 use crate::check::Checker;
 use crate::consistency;
+use crate::defaulted::Defaulted;
 use crate::dynamic::{DYNAMIC, Dynamic};
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
@@ -86,15 +87,6 @@ pub struct Case {
     pub warnings: Vec<Problem>,
     /// Keys that were left out, with what is used instead.
     pub defaulted: Vec<Defaulted>,
-}
-
-/// A key that was left out.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Defaulted {
-    /// Its path: `mesh.caverns.cavern[powerhouse].benches`.
-    pub key: String,
-    /// What is used, as it would be written, or what happens instead.
-    pub value: String,
 }
 
 impl Case {

@@ -7,7 +7,7 @@ use toml::Spanned as Located;
 use toml::de::{DeTable, DeValue};
 use tremolite_laws::parameter::LawInfo;
 
-use crate::case::Defaulted;
+use crate::defaulted::Defaulted;
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Need, Table, When};
 use crate::{Problem, suggest, units};

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 use tremolite_laws::parameter::{Dimension, LawInfo, Values};
 
-use crate::case::Defaulted;
 use crate::check::Checker;
+use crate::defaulted::Defaulted;
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::material::{self, MATERIAL};
 use crate::{Problem, Report, Spanned, syntax};

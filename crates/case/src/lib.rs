@@ -15,6 +15,7 @@ pub mod units;
 mod case;
 mod check;
 mod consistency;
+mod defaulted;
 mod dynamic;
 mod fields;
 mod keys;
@@ -33,7 +34,8 @@ mod suggest;
 mod syntax;
 mod value;
 
-pub use case::{Case, Defaulted};
+pub use case::Case;
+pub use defaulted::Defaulted;
 pub use dynamic::{BandDamping, Base, Dynamic, Rayleigh, Side};
 pub use law_file::LawFile;
 pub use material::Material;
