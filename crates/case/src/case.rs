@@ -110,7 +110,7 @@ impl Case {
     pub fn parse(path: &Path, source: &str, laws: &[LawInfo]) -> Result<Case, Report> {
         let report = |problems| Report::new(path, source, problems);
         let document = syntax::parse(source).map_err(report)?;
-        let mut checker = Checker::new(laws);
+        let mut checker = Checker::new(&CASE, laws);
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { mut problems, defaulted, .. } = checker;
         let (found, warnings) = consistency::check(&written);

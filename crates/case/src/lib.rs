@@ -20,6 +20,7 @@ mod dynamic;
 mod fields;
 mod keys;
 mod law_file;
+mod law_key;
 mod material;
 mod mesh;
 mod mesh_alone;
