@@ -6,6 +6,7 @@ use tremolite_laws::parameter::{Dimension, LawInfo};
 
 use crate::check::Checker;
 use crate::consistency;
+use crate::defaulted::Defaulted;
 use crate::dynamic::{DYNAMIC, Dynamic};
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
@@ -88,15 +89,6 @@ pub struct Case {
     pub defaulted: Vec<Defaulted>,
 }
 
-/// A key that was left out.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Defaulted {
-    /// Its path: `mesh.caverns.cavern[powerhouse].benches`.
-    pub key: String,
-    /// What is used, as it would be written, or what happens instead.
-    pub value: String,
-}
-
 impl Case {
     /// Reads and checks a case file. `laws` are the material laws it may name, usually
     /// [`MATERIALS`](tremolite_laws::materials::MATERIALS).
@@ -118,7 +110,7 @@ impl Case {
     pub fn parse(path: &Path, source: &str, laws: &[LawInfo]) -> Result<Case, Report> {
         let report = |problems| Report::new(path, source, problems);
         let document = syntax::parse(source).map_err(report)?;
-        let mut checker = Checker::new(laws);
+        let mut checker = Checker::new(&CASE, laws);
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { mut problems, defaulted, .. } = checker;
         let (found, warnings) = consistency::check(&written);

@@ -7,7 +7,7 @@ use toml::Spanned as Located;
 use toml::de::{DeTable, DeValue};
 use tremolite_laws::parameter::LawInfo;
 
-use crate::case::Defaulted;
+use crate::defaulted::Defaulted;
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Need, Table, When};
 use crate::{Problem, suggest, units};
@@ -17,6 +17,8 @@ pub(crate) type Given<'a> = BTreeMap<&'a str, (Range<usize>, &'a Located<DeValue
 
 /// What is collected while a case is checked.
 pub(crate) struct Checker<'a> {
+    /// The table of all tables of a case, where a misplaced key may belong.
+    case: &'static Table,
     pub laws: &'a [LawInfo],
     pub problems: Vec<Problem>,
     pub defaulted: Vec<Defaulted>,
@@ -25,8 +27,8 @@ pub(crate) struct Checker<'a> {
 }
 
 impl<'a> Checker<'a> {
-    pub fn new(laws: &'a [LawInfo]) -> Self {
-        Checker { laws, problems: Vec::new(), defaulted: Vec::new(), stand_in: None }
+    pub fn new(case: &'static Table, laws: &'a [LawInfo]) -> Self {
+        Checker { case, laws, problems: Vec::new(), defaulted: Vec::new(), stand_in: None }
     }
 
     pub fn problem(&mut self, span: Range<usize>, message: impl Into<String>, remedy: impl Into<String>) {
@@ -46,7 +48,7 @@ impl<'a> Checker<'a> {
         let keys = || table.keys.iter().chain(more.unwrap_or_default());
         if more.is_some() {
             for (name, (at, _)) in given.iter().filter(|(name, _)| !keys().any(|k| k.name == **name)) {
-                let remedy = suggest::key(name, keys().filter(|k| !k.is_later()).map(|k| k.name));
+                let remedy = suggest::key(self.case, name, keys().filter(|k| !k.is_later()).map(|k| k.name));
                 self.problem(at.clone(), format!("`{name}` is no key of {}", place(path)), remedy);
             }
         }

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 use tremolite_laws::parameter::{Dimension, LawInfo, Values};
 
-use crate::case::Defaulted;
+use crate::case::CASE;
 use crate::check::Checker;
+use crate::defaulted::Defaulted;
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::material::{self, MATERIAL};
 use crate::{Problem, Report, Spanned, syntax};
@@ -69,7 +70,7 @@ impl LawFile {
     pub fn parse(path: &Path, source: &str, laws: &[LawInfo]) -> Result<LawFile, Report> {
         let report = |problems| Report::new(path, source, problems);
         let document = syntax::parse(source).map_err(report)?;
-        let mut checker = Checker::new(laws);
+        let mut checker = Checker::new(&CASE, laws);
         let file = checker.law_file(document.get_ref(), document.span());
         let Checker { problems, defaulted, .. } = checker;
         match file {

@@ -8,8 +8,8 @@ use tremolite_laws::parameter::{self, Dimension, LawInfo, Parameter, Value, Valu
 
 use crate::check::{Checker, given};
 use crate::fields::{self, Item};
-use crate::keys::{Key, Kind, Limit, Need, Table, When};
-use crate::{Problem, Spanned};
+use crate::keys::{Key, Kind, Limit, Table};
+use crate::{Problem, Spanned, law_key};
 
 /// The keys that every material has; those of its law come from the law.
 pub(crate) static MATERIAL: Table = Table {
@@ -65,23 +65,6 @@ impl Material {
     }
 }
 
-/// A law's parameter as a key of the material's table.
-pub(crate) fn key(parameter: &Parameter) -> Key {
-    let kind = match parameter.kind {
-        // Limits are the law's own to check.
-        parameter::Kind::Number(dimension) => Kind::Number(dimension, Limit::Any),
-        parameter::Kind::Word(words) => Kind::Word(words),
-        parameter::Kind::Table(columns) => Kind::Columns(columns),
-    };
-    let need = match parameter.need {
-        parameter::Need::Required => Need::Required,
-        parameter::Need::Number(x) => Need::Number(x),
-        parameter::Need::Word(word) => Need::Word(word),
-        parameter::Need::Optional(text) => Need::Optional(text),
-    };
-    Key { name: parameter.name, kind, need, when: When::Always, doc: parameter.doc }
-}
-
 /// The law's parameters; nothing if the law is unknown.
 pub(crate) fn values(material: &fields::Material) -> Option<Values> {
     let mut values = Values::default();
@@ -95,15 +78,6 @@ pub(crate) fn values(material: &fields::Material) -> Option<Values> {
         values.0.insert((*name).to_owned(), value);
     }
     Some(values)
-}
-
-/// A column of a law's table as a key of that table.
-pub(crate) fn column(parameter: &Parameter) -> Key {
-    let key = key(parameter);
-    match key.kind {
-        Kind::Number(dimension, _) => Key { kind: Kind::Numbers(dimension), ..key },
-        _ => key,
-    }
 }
 
 /// The columns of a checked table of them.
@@ -182,7 +156,7 @@ impl Checker<'_> {
             self.word(&names, law, &at, "law");
         }
         let keys: Option<Vec<Key>> =
-            info.map(|i| i.parameters.iter().map(key).chain(more.iter().copied()).collect());
+            info.map(|i| i.parameters.iter().map(law_key::of).chain(more.iter().copied()).collect());
         let before = self.problems.len();
         let fields = self.table(table, keys.as_deref(), written, span, path);
         let parameters = info.map(|i| i.parameters.iter().map(|p| p.name).collect());

@@ -49,7 +49,7 @@ impl MeshAlone {
         if is_case(document.get_ref()) {
             return Ok(None);
         }
-        let mut checker = Checker::new(&[]);
+        let mut checker = Checker::new(&CASE, &[]);
         let written = checker.table(&MESH_ALONE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { mut problems, .. } = checker;
         let mesh = written.table("mesh");

@@ -6,8 +6,8 @@ use tremolite_laws::parameter::{Dimension, LawInfo};
 
 use crate::case::CASE;
 use crate::keys::{Key, Kind, Limit, Need, Table, When};
-use crate::material::{self, COLUMNS, MATERIAL};
-use crate::units;
+use crate::material::{COLUMNS, MATERIAL};
+use crate::{law_key, units};
 
 /// The schema of a case that may name these laws (JSON Schema, draft 2020-12).
 ///
@@ -101,7 +101,7 @@ fn kind(kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
             "type": "array", "items": number(*dimension, Limit::Any), "minItems": 1,
         }),
         Kind::Columns(columns) => {
-            return object(COLUMNS.doc, columns.iter().map(material::column), &[], laws);
+            return object(COLUMNS.doc, columns.iter().map(law_key::column), &[], laws);
         }
         Kind::Table(t) => return table(t, laws),
         Kind::Tables(t) => json!({ "type": "array", "items": table(t, laws) }),
@@ -152,7 +152,7 @@ fn number(dimension: Dimension, limit: Limit) -> Map<String, Value> {
 }
 
 fn material(law: &LawInfo, laws: &[LawInfo]) -> Value {
-    let parameters = law.parameters.iter().map(material::key);
+    let parameters = law.parameters.iter().map(law_key::of);
     let mut schema =
         object(MATERIAL.doc, MATERIAL.keys.iter().copied().chain(parameters), MATERIAL.choice, laws);
     if let Some(Value::Object(properties)) = schema.get_mut("properties") {

@@ -2,9 +2,8 @@
 
 use tremolite_laws::parameter::Dimension;
 
-use crate::case::CASE;
 use crate::keys::{Key, Kind, Limit, Need, Table};
-use crate::material;
+use crate::law_key;
 use crate::units::{self, UnitError};
 
 /// The candidate most like a word, if one is close enough to be meant.
@@ -19,14 +18,18 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>)
     (distance <= word.chars().count() / 3).then_some(candidate)
 }
 
-/// What to write for an unknown key.
-pub(crate) fn key<'a>(name: &str, here: impl Iterator<Item = &'a str> + Clone) -> String {
+/// What to write for an unknown key; `case` is the table of all tables, one of which may have it.
+pub(crate) fn key<'a>(
+    case: &'static Table,
+    name: &str,
+    here: impl Iterator<Item = &'a str> + Clone,
+) -> String {
     if let Some(meant) = nearest(name, here.clone()) {
         return format!("did you mean `{meant}`?");
     }
     let keys: Vec<&str> = here.collect();
     let list = format!("keys here: {}", keys.join(", "));
-    match owner(&CASE, name) {
+    match owner(case, name) {
         Some(table) if table.path.is_empty() => {
             format!("`{name}` belongs above all tables, at the top of the file; {list}")
         }
@@ -139,7 +142,7 @@ fn sample_value(kind: &Kind) -> String {
         Kind::Columns(columns) => {
             let inside: Vec<String> = columns
                 .iter()
-                .map(material::column)
+                .map(law_key::column)
                 .filter(|k| matches!(k.need, Need::Required))
                 .map(|k| sample(k.name, &k.kind))
                 .collect();

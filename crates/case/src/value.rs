@@ -10,8 +10,8 @@ use tremolite_laws::parameter::Dimension;
 use crate::check::Checker;
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, LATER_WORDS, Limit, Table};
-use crate::material::{self, COLUMNS};
-use crate::{suggest, units};
+use crate::material::COLUMNS;
+use crate::{law_key, suggest, units};
 
 impl Checker<'_> {
     /// Checks a value; nothing if it is refused, and then the problem is kept.
@@ -61,7 +61,7 @@ impl Checker<'_> {
                 Item::List(nodes)
             }
             (Kind::Columns(columns), DeValue::Table(t)) => {
-                let keys: Vec<Key> = columns.iter().map(material::column).collect();
+                let keys: Vec<Key> = columns.iter().map(law_key::column).collect();
                 let fields = self.table(&COLUMNS, Some(&keys), t, span.clone(), path);
                 self.as_long(&fields);
                 Item::Table(fields)

@@ -20,8 +20,8 @@ mod write;
 
 use std::path::Path;
 
+use crate::format::{Format, Outcome};
 use crate::input::Input;
-use crate::read::{Format, Outcome};
 use deck::Deck;
 use model::Model;
 

@@ -8,9 +8,9 @@ mod soundness;
 
 use std::collections::BTreeMap;
 
-use crate::merge::{coincident_nodes, shortest_edge};
+use crate::coincident::{coincident_nodes, shortest_edge};
+use crate::fault::Fault;
 use crate::note::Note;
-use crate::read::Fault;
 use crate::{Element, Mesh, Shape};
 
 pub(crate) use facets::{Facet, Stray};

@@ -9,6 +9,8 @@
 //! x points across the caverns, y along them with y = 0 in the middle of the block, z up with z = 0 at the
 //! ground. The first cavern's axis is x = 0.
 
+mod build;
+mod check;
 mod claims;
 mod closed;
 mod error;
@@ -17,10 +19,13 @@ mod gallery;
 mod ground;
 mod layout;
 mod lines;
+mod name;
 mod opening;
 mod passage;
+mod plot;
 mod presets;
 mod profile;
+mod rings;
 mod rows;
 mod section;
 mod smooth;
@@ -178,8 +183,8 @@ impl CavernSpec {
     /// # Errors
     /// As [`CavernSpec::mesh`].
     pub fn mesh_with_notes(&self) -> Result<(Mesh, Vec<Note>), CavernError> {
-        error::check(self)?;
-        let section = section::build(self)?;
+        check::check(self)?;
+        let section = build::build(self)?;
         let mesh = extrude::extrude(self, &section)?;
         Ok((mesh, section.notes))
     }

@@ -17,9 +17,10 @@ use std::path::Path;
 
 use crate::Shape;
 use crate::assembly::{Draft, Numbering};
+use crate::fault::Fault;
+use crate::format::{Format, Outcome};
 use crate::input::{Input, text, whole};
 use crate::note::Note;
-use crate::read::{Fault, Format, Outcome};
 use columns::{Columns, integer, number};
 use types::{Family, family};
 

@@ -17,9 +17,10 @@ use std::path::Path;
 
 use crate::Shape;
 use crate::assembly::{Draft, Facet, Numbering, Stray};
+use crate::fault::Fault;
+use crate::format::{Format, Outcome};
 use crate::input::{Input, shown};
 use crate::note::Note;
-use crate::read::{Fault, Format, Outcome};
 
 /// FLAC3D grids, for [`crate::read::read`].
 pub(crate) const FORMAT: Format = Format { name: "FLAC3D grid", recognises: is_f3grid, parse };

@@ -18,8 +18,9 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use crate::assembly::{Draft, Numbering};
+use crate::fault::Fault;
+use crate::format::{Format, Outcome};
 use crate::input::{Input, shown, text};
-use crate::read::{Fault, Format, Outcome};
 use entities::{Entities, Names, physical_names};
 use numbers::{Encoding, Numbers};
 

@@ -3,7 +3,7 @@
 
 use std::io::{ErrorKind, Read, Seek};
 
-use crate::read::Fault;
+use crate::fault::Fault;
 
 /// Bytes asked for at a time.
 const PIECE: usize = 1 << 20;

@@ -5,7 +5,10 @@ mod assembly;
 pub mod boxes;
 pub mod cavern;
 pub mod cdb;
+mod coincident;
 pub mod f3grid;
+mod fault;
+mod format;
 pub mod gmsh;
 pub mod grading;
 mod input;
@@ -20,9 +23,12 @@ pub mod quality;
 pub mod read;
 #[cfg(test)]
 mod sample;
+mod shortest;
 pub mod topology;
+mod trouble;
 pub mod vtk;
 pub mod vtu;
+mod whole_file;
 pub mod write;
 
 pub use mesh::{Element, Face, Mesh, Shape};

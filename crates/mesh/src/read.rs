@@ -5,8 +5,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::Mesh;
+use crate::fault::Fault;
 use crate::input::Input;
 use crate::note::Note;
+
+pub use crate::format::Format;
 
 /// Why a mesh file could not be read.
 #[derive(Debug, thiserror::Error)]
@@ -27,41 +30,6 @@ pub enum ReadError {
     /// The same, where no single line is to blame.
     #[error("{}: {problem}", path.display())]
     File { path: PathBuf, problem: String },
-}
-
-/// What a reader finds wrong; [`read`] adds the file.
-#[derive(Debug)]
-pub(crate) struct Fault {
-    /// None if it is the file that was asked for, not one included there.
-    pub file: Option<PathBuf>,
-    /// Counted from 1; none if the whole file is meant.
-    pub line: Option<usize>,
-    pub problem: String,
-}
-
-impl Fault {
-    /// A fault in a line.
-    pub(crate) fn at(line: usize, problem: impl Into<String>) -> Self {
-        Fault { file: None, line: Some(line), problem: problem.into() }
-    }
-
-    /// A fault of the whole file.
-    pub(crate) fn whole(problem: impl Into<String>) -> Self {
-        Fault { file: None, line: None, problem: problem.into() }
-    }
-}
-
-/// What a reader comes to.
-pub(crate) type Outcome = Result<(Mesh, Vec<Note>), Fault>;
-
-/// One mesh format.
-pub struct Format {
-    /// As the user knows it.
-    pub name: &'static str,
-    /// Whether a file that begins so is of this kind.
-    pub(crate) recognises: fn(&[u8]) -> bool,
-    /// The mesh in a file; the path is there for files that refer to others.
-    pub(crate) parse: fn(&mut Input, &Path) -> Outcome,
 }
 
 /// The formats that [`read`] knows. A new one is a module with a `FORMAT` and a line here.

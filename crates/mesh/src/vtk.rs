@@ -8,8 +8,9 @@ use std::path::Path;
 
 use arrays::Content;
 
+use crate::fault::Fault;
+use crate::format::{Format, Outcome};
 use crate::input::{Input, real, shown, text};
-use crate::read::{Fault, Format, Outcome};
 use crate::vtu::{Grid, Kind, NO_SOLIDS, solids};
 
 /// VTK's legacy format, for [`crate::read::read`].

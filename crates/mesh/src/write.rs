@@ -1,12 +1,12 @@
 //! The back door for mesh files: writing a mesh in the format that the file's name asks for.
 
-use std::fmt;
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use crate::Mesh;
 use crate::note::Note;
+use crate::trouble::Trouble;
+use crate::whole_file::whole_file;
 
 /// Why a mesh was not written.
 #[derive(Debug, thiserror::Error)]
@@ -24,19 +24,6 @@ pub enum WriteError {
     /// The format cannot hold this mesh.
     #[error("{}: not written: {reason}", path.display())]
     Mesh { path: PathBuf, reason: String },
-}
-
-/// What a writer finds wrong; [`write()`] adds the file.
-#[derive(Debug)]
-pub(crate) enum Trouble {
-    Io(io::Error),
-    Mesh(String),
-}
-
-impl From<io::Error> for Trouble {
-    fn from(error: io::Error) -> Self {
-        Trouble::Io(error)
-    }
 }
 
 /// One format to write.
@@ -89,39 +76,4 @@ pub fn write_as(path: impl AsRef<Path>, mesh: &Mesh, writer: &Writer) -> Result<
         Trouble::Io(source) => WriteError::Io { path: path.to_owned(), source },
         Trouble::Mesh(reason) => WriteError::Mesh { path: path.to_owned(), reason },
     })
-}
-
-/// Writes a file that appears complete or not at all: it is written under a neighbouring name that ends in
-/// `.part` and then renamed.
-pub(crate) fn whole_file<T, E: From<io::Error>>(
-    path: &Path,
-    write: impl FnOnce(&mut BufWriter<File>) -> Result<T, E>,
-) -> Result<T, E> {
-    let mut part = path.as_os_str().to_owned();
-    part.push(".part");
-    let attempt = || {
-        let mut out = BufWriter::with_capacity(1 << 16, File::create(&part)?);
-        let result = write(&mut out)?;
-        out.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
-        fs::rename(&part, path)?;
-        Ok(result)
-    };
-    attempt().inspect_err(|_| {
-        // The half-written file is of no use; the first error is the one to tell.
-        let _ = fs::remove_file(&part);
-    })
-}
-
-/// A real number in the fewest characters that read back as the same number.
-pub(crate) struct Shortest(pub f64);
-
-impl fmt::Display for Shortest {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let size = self.0.abs();
-        if size == 0.0 || (1e-5..1e16).contains(&size) {
-            write!(f, "{}", self.0)
-        } else {
-            write!(f, "{:e}", self.0)
-        }
-    }
 }

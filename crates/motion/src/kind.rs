@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::shown::shown;
+
 /// Where the given motion is thought to act. Taking one for another is the most frequent error of users in
 /// this field, so it is a type, and the factor is meant to be printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,10 +49,7 @@ impl FromStr for Kind {
             "outcrop" => Ok(Kind::Outcrop),
             "incident" => Ok(Kind::Incident),
             "within" => Ok(Kind::Within),
-            _ => Err(format!(
-                "'{}' is not a kind of motion; use outcrop, incident or within",
-                crate::read::shown(word)
-            )),
+            _ => Err(format!("'{}' is not a kind of motion; use outcrop, incident or within", shown(word))),
         }
     }
 }

@@ -43,6 +43,7 @@ mod orientation;
 mod process;
 mod pulse;
 mod read;
+mod shown;
 mod spectrum;
 mod strongest;
 mod units;

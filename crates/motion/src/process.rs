@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::baseline::{bring_to_rest, detrend_linear, taper};
+use crate::shown::shown;
 use crate::{Band, Channel, Error, Filter};
 
 /// One step of processing.
@@ -37,7 +38,7 @@ impl Process {
     /// # Errors
     /// A sentence that names the fault and the forms that are read.
     pub fn parse(text: &str) -> Result<Process, String> {
-        let wrong = |problem: String| format!("'{}': {problem}; {FORMS}", crate::read::shown(text));
+        let wrong = |problem: String| format!("'{}': {problem}; {FORMS}", shown(text));
         // A unit may stand right behind its number.
         let spaced = split_units(text);
         let mut words = spaced.split_whitespace();
@@ -49,7 +50,7 @@ impl Process {
                 match word.parse::<f64>() {
                     Ok(value) if value.is_finite() => values.push(value),
                     Err(_) if word.eq_ignore_ascii_case(unit) => {}
-                    _ => return Err(wrong(format!("'{}' is out of place", crate::read::shown(word)))),
+                    _ => return Err(wrong(format!("'{}' is out of place", shown(word)))),
                 }
             }
             if values.len() != count {

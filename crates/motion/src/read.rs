@@ -10,9 +10,9 @@ use std::io::Read;
 use std::path::Path;
 use std::str::FromStr;
 
+use crate::shown::shown;
 use crate::{Channel, Error, Orientation, Units};
 use source::Source;
-pub(crate) use source::shown;
 
 /// What a file of plain numbers does not say itself. For files that do say it, a statement here must agree.
 #[derive(Debug, Clone, PartialEq, Default)]

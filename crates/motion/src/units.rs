@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::shown::shown;
+
 /// Standard gravity (m/s²), exact by definition: what 'g' means in a record.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
@@ -63,7 +65,7 @@ impl FromStr for Units {
             "mm/s2" => Ok(Units::MillimetrePerSecond2),
             _ => Err(format!(
                 "'{}' is not a unit of acceleration known here; use g, m/s2, cm/s2 (or gal) or mm/s2",
-                crate::read::shown(text)
+                shown(text)
             )),
         }
     }

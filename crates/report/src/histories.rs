@@ -1,4 +1,5 @@
-//! Figures of what the monitors recorded: displacement, differences, velocity, acceleration, stress.
+//! Figures of what the monitors recorded: displacement, differences, stress, velocity, acceleration, and whatever
+//! else the table holds.
 
 use std::borrow::Cow;
 
@@ -6,6 +7,7 @@ use tremolite_results::Table;
 
 use crate::chart::{Chart, Line, Mark, Panel};
 use crate::figure::{Figure, Section};
+use crate::pairs::{difference, is_pair, names};
 use crate::scale::{Scale, quantity};
 use crate::source::Source;
 use crate::svg::LINES;
@@ -45,6 +47,9 @@ const STRESS: Family = Family {
         ("s3", "s3, the smallest principal stress", Mark::Lowest),
     ],
 };
+
+/// Quantities beyond the families that are known, by figures: components of one tensor share one.
+const TOGETHER: [&[&str]; 3] = [&["sxx", "syy", "szz"], &["sxy", "syz", "szx"], &["s2"]];
 
 /// A component this much smaller than the largest one of its figure is round-off or nearly so, and not drawn.
 const NEGLIGIBLE: f64 = 1e-6;
@@ -88,46 +93,6 @@ pub fn sections(source: &Source) -> Vec<Section> {
     sections.extend([&STRESS, &VELOCITY, &ACCELERATION].map(|f| family(table, f, of_monitors)));
     sections.extend(others(table, &monitors));
     sections
-}
-
-/// Monitors, or pairs, that have columns, in the table's order.
-fn names(table: &Table) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for (name, _) in table.columns.iter().filter_map(|column| column.name.rsplit_once('.')) {
-        if !names.iter().any(|known| known == name) {
-            names.push(name.into());
-        }
-    }
-    names
-}
-
-/// The two names that `pair` joins with a hyphen; names may hold hyphens themselves.
-fn halves<'a>(pair: &'a str, names: &[String]) -> Option<(&'a str, &'a str)> {
-    let known = |half: &str| names.iter().any(|name| name == half);
-    pair.match_indices('-')
-        .map(|(i, _)| (&pair[..i], &pair[i + 1..]))
-        .find(|(first, second)| known(first) && known(second))
-}
-
-/// Whether a name in the headers is that of a pair of two other names.
-pub fn is_pair(name: &str, names: &[String]) -> bool {
-    halves(name, names).is_some()
-}
-
-/// The column of a pair or, without one, the difference of its monitors' columns.
-fn difference<'a>(
-    table: &'a Table,
-    monitors: &[String],
-    pair: &str,
-    quantity: &str,
-) -> Option<Cow<'a, [f64]>> {
-    if let Some(column) = table.column(&format!("{pair}.{quantity}")) {
-        return Some(column.into());
-    }
-    let (first, second) = halves(pair, monitors)?;
-    let first = table.column(&format!("{first}.{quantity}"))?;
-    let second = table.column(&format!("{second}.{quantity}"))?;
-    Some(first.iter().zip(second).map(|(a, b)| a - b).collect::<Vec<_>>().into())
 }
 
 fn largest(histories: &Histories<'_>) -> f64 {
@@ -215,38 +180,42 @@ fn figures(table: &Table, heading: &str, file: &str, caption: &str, panels: Vec<
     figures.collect()
 }
 
-/// Every quantity that no family holds, three to a figure.
+/// Every quantity of the monitors that no family holds: those of [`TOGETHER`] first, then any other by itself, in the
+/// order of the table. So a quantity that the engine gains has its figure without a word here. What pairs have beyond
+/// displacement, its length, is left to the table.
 fn others(table: &Table, monitors: &[String]) -> Vec<Section> {
     let families = [&DISPLACEMENT, &STRESS, &VELOCITY, &ACCELERATION];
     let known =
         |quantity: &str| families.iter().any(|family| family.panels.iter().any(|panel| panel.0 == quantity));
-    let mut panels: Vec<Wanted<'_>> = Vec::new();
+    let mut figures_of: Vec<Vec<(&str, Histories<'_>)>> = vec![Vec::new(); TOGETHER.len()];
     for (column, values) in table.columns.iter().zip(&table.values) {
         let Some((monitor, quantity)) = column.name.rsplit_once('.') else { continue };
         if known(quantity) || !monitors.iter().any(|name| name == monitor) {
             continue;
         }
         let history = (monitor.to_owned(), Cow::from(values.as_slice()));
-        match panels.iter_mut().find(|panel| panel.title == quantity) {
-            Some(panel) => panel.histories.push(history),
-            None => panels.push(Wanted {
-                title: quantity.into(),
-                scale: Scale::suiting(&column.unit, 1.0),
-                mark: Mark::Largest,
-                histories: vec![history],
-            }),
+        match figures_of.iter_mut().flatten().find(|(name, _)| *name == quantity) {
+            Some((_, histories)) => histories.push(history),
+            None => {
+                let panel = (quantity, vec![history]);
+                match TOGETHER.iter().position(|names| names.contains(&quantity)) {
+                    Some(figure) => figures_of[figure].push(panel),
+                    None => figures_of.push(vec![panel]),
+                }
+            }
         }
     }
-    for panel in &mut panels {
-        panel.scale = Scale::suiting(unit(table, &panel.title), largest(&panel.histories));
-    }
     let mut sections = Vec::new();
-    let mut rest = panels.into_iter().peekable();
-    while rest.peek().is_some() {
-        let batch: Vec<_> = rest.by_ref().take(3).collect();
+    for panels in figures_of.into_iter().filter(|panels| !panels.is_empty()) {
+        let heading = panels.iter().map(|panel| panel.0).collect::<Vec<_>>().join(", ");
         let file = format!("further-{}", sections.len() + 1);
-        let heading = batch.iter().map(|panel| panel.title.as_str()).collect::<Vec<_>>().join(", ");
-        sections.push(Section::Drawn(figures(table, &heading, &file, "", batch)));
+        let wanted = panels.into_iter().map(|(quantity, histories)| Wanted {
+            title: quantity.into(),
+            scale: Scale::suiting(unit(table, quantity), largest(&histories)),
+            mark: Mark::Largest,
+            histories,
+        });
+        sections.push(Section::Drawn(figures(table, &heading, &file, "", wanted.collect())));
     }
     sections
 }

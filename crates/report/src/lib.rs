@@ -19,6 +19,7 @@ mod histories;
 pub mod loops;
 mod materials;
 mod page;
+mod pairs;
 mod scale;
 mod source;
 pub mod strips;

@@ -5,7 +5,7 @@ use std::path::Path;
 use indexmap::IndexMap;
 use tremolite_results::{ResultFolder, Summary, Table, peaks_by_monitor};
 
-use crate::histories::is_pair;
+use crate::pairs::is_pair;
 
 /// The content of a result folder; for each file that could not be read, a sentence that says why.
 pub struct Source {

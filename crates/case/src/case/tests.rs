@@ -63,7 +63,7 @@ fn every_default_is_a_good_value_of_its_key() {
         for key in table.keys {
             let Need::Default(text) = key.need else { continue };
             let value = DeValue::parse(text).unwrap_or_else(|e| panic!("{}: {e}", key.name));
-            let mut checker = Checker::new(MATERIALS);
+            let mut checker = Checker::new(&CASE, MATERIALS);
             assert!(checker.value(&key.kind, value.get_ref(), 0..0, key.name).is_some(), "{}", key.name);
             assert_eq!(checker.problems, []);
         }

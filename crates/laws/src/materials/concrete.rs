@@ -40,6 +40,7 @@ mod faults;
 mod grade;
 mod parameters;
 mod rate;
+mod read;
 mod stress;
 mod thresholds;
 mod unusual;
@@ -207,7 +208,7 @@ impl Material for Concrete {
     type History<L: Lane> = [L; MEMORY];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
-        parameters::read(values)
+        read::read(values)
     }
 
     fn moduli(&self) -> Moduli {

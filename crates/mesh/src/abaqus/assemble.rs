@@ -8,8 +8,8 @@ use super::part::{Instance, Part, Set, Sets};
 use super::sets::{Assembly, Of, Picked, Placed};
 use crate::Face;
 use crate::assembly::{Draft, Facet, Numbering, Stray};
+use crate::fault::Fault;
 use crate::note::Note;
-use crate::read::Fault;
 
 /// All that a set or surface becomes.
 struct Named {

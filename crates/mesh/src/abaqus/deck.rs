@@ -3,8 +3,8 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
+use crate::fault::Fault;
 use crate::input::{Input, shown, whole};
-use crate::read::Fault;
 
 /// Files open at a time; more is a mistake.
 const DEEPEST: usize = 20;

@@ -5,7 +5,7 @@ use super::kinds::{Kind, fewest};
 use super::model::{Model, Section};
 use super::part::{Flat, set};
 use crate::assembly::numbered;
-use crate::read::Fault;
+use crate::fault::Fault;
 
 impl Model {
     /// A line of an element, which may need several.

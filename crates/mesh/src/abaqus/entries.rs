@@ -2,8 +2,8 @@
 
 use super::deck::{Deck, Label};
 use super::part::{Entry, Set, Target};
+use crate::fault::Fault;
 use crate::input::whole;
-use crate::read::Fault;
 
 /// A data line of a set.
 pub(super) fn members(

@@ -7,8 +7,8 @@ use super::entries::{members, surface_entry};
 use super::kinds::{Kind, kind};
 use super::part::{Instance, Part, set};
 use crate::assembly::Draft;
+use crate::fault::Fault;
 use crate::note::Note;
-use crate::read::Fault;
 
 /// What the file holds.
 #[derive(Default)]

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use super::kinds::face_numbers;
 use super::part::{Entry, Part, Set, Target};
 use crate::assembly::{Draft, Numbering};
-use crate::read::Fault;
+use crate::fault::Fault;
 use crate::topology::exterior_faces;
 use crate::{Face, Shape};
 

@@ -2,9 +2,9 @@ use std::fs;
 use std::io::Cursor;
 
 use super::*;
+use crate::fault::Fault;
 use crate::note::Note;
 use crate::quality::{by_group, summary};
-use crate::read::Fault;
 use crate::sample::Random;
 use crate::topology::vector_areas;
 use crate::{Face, Mesh, Shape};

@@ -6,7 +6,8 @@ use std::io::{self, Write};
 use super::kinds;
 use crate::Mesh;
 use crate::note::Note;
-use crate::write::{Shortest, Trouble};
+use crate::shortest::Shortest;
+use crate::trouble::Trouble;
 
 /// The largest number that Abaqus takes.
 const LARGEST: u64 = 999_999_999;

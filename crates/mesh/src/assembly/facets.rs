@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::read::Fault;
+use crate::fault::Fault;
 use crate::topology::{all_faces, face_key};
 use crate::{Face, Mesh};
 

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use super::degenerate::{collapse, is_degenerate};
 use super::kept;
+use crate::fault::Fault;
 use crate::note::Note;
 use crate::quality::scaled_jacobian;
-use crate::read::Fault;
 use crate::{Element, Face, Mesh, Shape};
 
 /// Scaled Jacobian below which an element is flat: a thousand times round-off, far below any element

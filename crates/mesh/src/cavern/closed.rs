@@ -2,8 +2,8 @@
 //! round, the rings of rock.
 
 use super::Cavern;
-use super::layout::Plot;
-use super::opening::rings;
+use super::plot::Plot;
+use super::rings::rings;
 use super::section::{Part, Section};
 use super::smooth::smooth;
 use super::tube::Tube;

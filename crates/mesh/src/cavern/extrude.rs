@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::profile::Outline;
 use super::section::{Part, Section};
-use super::{CavernError, CavernSpec, ground, passage, strata};
+use super::{CavernError, CavernSpec, ground, strata};
 use crate::boxes::MOST_ELEMENTS;
 use crate::mesh::{Element, Face, Mesh, Shape};
 
@@ -33,13 +33,51 @@ pub(super) fn extrude(spec: &CavernSpec, section: &Section) -> Result<Mesh, Cave
             mesh.elements.push(Element { shape: Shape::Hex8, nodes });
         }
     }
-    let parts = passage::parts(spec, section);
+    let parts = parts(spec, section);
     group(spec, &parts, &mut mesh);
     faces(spec, section, &parts, &mut mesh);
     points(spec, &mut mesh);
     ground::lift(&spec.ground, [section.cover(), section.block[1][1]], spec.near, &mut mesh)?;
     strata::group(&spec.layers, &mut mesh);
     Ok(mesh)
+}
+
+/// What each element belongs to, layer by layer along y: the section's parts, but for the galleries.
+fn parts(spec: &CavernSpec, section: &Section) -> Vec<Part> {
+    let layers = section.y.len() - 1;
+    let mut parts = section.parts.repeat(layers);
+    for (g, (gallery, passage)) in (0..).zip(spec.galleries.iter().zip(&section.passages)) {
+        let [from, to] = gallery.walls();
+        let along = (0..layers).filter(|&l| section.y[l] > from - 1e-6 && section.y[l + 1] < to + 1e-6);
+        let along: Vec<usize> = along.collect();
+        for (q, quad) in section.quads.iter().enumerate() {
+            let middle =
+                [0, 1].map(|c| quad.iter().map(|&n| section.points[n as usize][c]).sum::<f64>() / 4.0);
+            let inside = |range: [f64; 2], at: f64| at > range[0] && at < range[1];
+            if !inside(passage.z, middle[1]) {
+                continue;
+            }
+            let part = match section.parts[q] {
+                Part::Rock if inside(passage.x, middle[0]) => Part::Gallery(g),
+                // The wall on the side of the other cavern: from the extrados in by no more than half the opening.
+                Part::Walls(k) => {
+                    let [left, right] = passage.caverns;
+                    let near = |edge: f64| (middle[0] - edge).abs() < 0.5 * spec.caverns[k as usize].width;
+                    let facing =
+                        k as usize == left && near(passage.x[0]) || k as usize == right && near(passage.x[1]);
+                    if !facing {
+                        continue;
+                    }
+                    Part::Opening(g)
+                }
+                _ => continue,
+            };
+            for &layer in &along {
+                parts[layer * section.quads.len() + q] = part;
+            }
+        }
+    }
+    parts
 }
 
 fn group(spec: &CavernSpec, parts: &[Part], mesh: &mut Mesh) {

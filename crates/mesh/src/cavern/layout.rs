@@ -4,35 +4,15 @@ use std::ops::Range;
 
 use super::claims::{Claim, margins, meet_levels, shrink};
 use super::lines::lines;
-use super::passage::{self, Passage, Pin};
+use super::passage::{self, Passage};
+use super::plot::Plot;
 use super::profile::Outline;
 use super::rows::Counts;
 use super::stretch::GROWTH;
-use super::wall::{Rows, Stops};
-use super::{Cavern, CavernError, CavernSpec};
+use super::wall::Rows;
+use super::{CavernError, CavernSpec};
 use crate::boxes::MOST_ELEMENTS;
 use crate::grading::graded;
-
-/// A cavern's place in the grid.
-pub(super) struct Plot {
-    /// The middle of the clear floor: x, z.
-    pub centre: [f64; 2],
-    pub outline: Outline,
-    pub counts: Counts,
-    /// Grid lines of the rectangle, first and last.
-    pub columns: Range<usize>,
-    pub rows: Range<usize>,
-    /// Rows of the straight walls; none of a closed outline.
-    pub wall: Rows,
-    /// Levels over the foot at which galleries meet its walls, rising.
-    pub galleries: Vec<f64>,
-    /// Where the walls have nodes whatever their number; nothing without galleries.
-    pub stops: Option<Stops>,
-    /// The walls' nodes at the galleries' levels.
-    pub pins: Vec<Pin>,
-    /// Where the rings of rock lie between extrados (0) and rectangle (1), both included.
-    pub rings: Vec<f64>,
-}
 
 /// The lines of the grid and the caverns' places in it.
 pub(super) struct Layout {
@@ -42,21 +22,6 @@ pub(super) struct Layout {
     pub plots: Vec<Plot>,
     /// The galleries.
     pub passages: Vec<Passage>,
-}
-
-impl Plot {
-    /// Prepares a cavern for the galleries that meet its walls.
-    fn meet_galleries(&mut self, cavern: &Cavern, near: f64) {
-        let Outline::Walls(profile) = &mut self.outline else { return };
-        let Some(&lowest) = self.galleries.first() else { return };
-        self.stops = Some(Stops::new(profile.inner.springing, cavern.benches, &self.galleries, near));
-        // A row that ends at the foot would leave the rock below it a corner of 180 degrees: it gets a row of its own,
-        // as a floor slab is.
-        if lowest == 0.0 && self.counts.slab == 0 {
-            profile.floor = 0.7 * near;
-            self.counts.slab = 1;
-        }
-    }
 }
 
 impl Layout {

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::claims::Claim;
-use super::layout::Plot;
+use super::plot::Plot;
 use super::rows::{Wish, whole_numbers};
 use super::spread::Spread;
 use super::stops::Stops;

@@ -2,8 +2,9 @@
 
 use super::Cavern;
 use super::closed;
-use super::layout::Plot;
+use super::plot::Plot;
 use super::profile::{Outline, Profile};
+use super::rings::rings;
 use super::section::{Part, Section};
 use super::smooth::smooth;
 
@@ -202,33 +203,4 @@ fn core(section: &mut Section, path: &Path, intrados: &[u32], k: u32, free: &mut
         floor.push(intrados[vault]);
     }
     floor
-}
-
-/// The rings of rock between the outside of the lining and the rectangle's rim.
-pub(super) fn rings(section: &mut Section, plot: &Plot, outline: &[u32], rim: &[u32], free: &mut Vec<u32>) {
-    let n = rim.len();
-    let mut inner = outline.to_vec();
-    for (layer, &s) in plot.rings.iter().enumerate().skip(1) {
-        let outer: Vec<u32> = if layer + 1 == plot.rings.len() {
-            rim.to_vec()
-        } else {
-            (0..n)
-                .map(|t| {
-                    let (a, b) = (section.points[outline[t] as usize], section.points[rim[t] as usize]);
-                    let level = plot.held(t);
-                    let z = level.unwrap_or_else(|| a[1] + s * (b[1] - a[1]));
-                    let node = section.point([a[0] + s * (b[0] - a[0]), z]);
-                    if level.is_none() {
-                        free.push(node);
-                    }
-                    node
-                })
-                .collect()
-        };
-        for t in 0..n {
-            let u = (t + 1) % n;
-            section.quad([outer[t], inner[t], inner[u], outer[u]], Part::Rock);
-        }
-        inner = outer;
-    }
 }

@@ -1,25 +1,14 @@
-//! Galleries in the block: where they run, which rows of the grid they take, which elements lie in them.
+//! Galleries in the block: where they run, and which rows of the grid they take.
 //!
 //! A row of the grid runs from one cavern's wall through the rings of rock round it to the other's. Floors and roofs
 //! are lines of the grid; on the walls and in the rings the nodes of their rows are held at the same levels.
 
 use super::gallery::{Gallery, LEAST};
-use super::layout::Plot;
+use super::plot::{Pin, Plot};
 use super::profile::Outline;
-use super::section::{Part, Section};
 use super::spread::Spread;
 use super::stretch::relax;
 use super::{CavernError, CavernSpec};
-
-/// A level on a cavern's wall that a gallery asks for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pin {
-    /// Number of the wall's node, 0 at the foot.
-    pub node: usize,
-    /// Above the clear floor.
-    pub level: f64,
-    pub sides: [bool; 2],
-}
 
 /// A gallery's place in the block.
 #[derive(Clone, Debug)]
@@ -221,57 +210,4 @@ pub(super) fn planes(spec: &CavernSpec, along: f64) -> Vec<f64> {
     }
     relax(&mut line, &stops);
     line
-}
-
-impl Plot {
-    /// The grid's row, from the rectangle's base, at a straight wall's foot.
-    pub fn first_row(&self) -> usize {
-        self.counts.inset + self.counts.slab
-    }
-
-    /// The level at which node `t` of the outline, and the ring nodes on its line, are held for a gallery.
-    pub fn held(&self, t: usize) -> Option<f64> {
-        let (foot, vault) = (self.first_row(), self.counts.vault());
-        let held =
-            |pin: &&Pin| pin.sides[0] && t == foot + pin.node || pin.sides[1] && t == foot + vault - pin.node;
-        self.pins.iter().find(held).map(|pin| self.centre[1] + pin.level)
-    }
-}
-
-/// What each element belongs to, layer by layer along y: the section's parts, but for the galleries.
-pub(super) fn parts(spec: &CavernSpec, section: &Section) -> Vec<Part> {
-    let layers = section.y.len() - 1;
-    let mut parts = section.parts.repeat(layers);
-    for (g, (gallery, passage)) in (0..).zip(spec.galleries.iter().zip(&section.passages)) {
-        let [from, to] = gallery.walls();
-        let along = (0..layers).filter(|&l| section.y[l] > from - 1e-6 && section.y[l + 1] < to + 1e-6);
-        let along: Vec<usize> = along.collect();
-        for (q, quad) in section.quads.iter().enumerate() {
-            let middle =
-                [0, 1].map(|c| quad.iter().map(|&n| section.points[n as usize][c]).sum::<f64>() / 4.0);
-            let inside = |range: [f64; 2], at: f64| at > range[0] && at < range[1];
-            if !inside(passage.z, middle[1]) {
-                continue;
-            }
-            let part = match section.parts[q] {
-                Part::Rock if inside(passage.x, middle[0]) => Part::Gallery(g),
-                // The wall on the side of the other cavern: from the extrados in by no more than half the opening.
-                Part::Walls(k) => {
-                    let [left, right] = passage.caverns;
-                    let near = |edge: f64| (middle[0] - edge).abs() < 0.5 * spec.caverns[k as usize].width;
-                    let facing =
-                        k as usize == left && near(passage.x[0]) || k as usize == right && near(passage.x[1]);
-                    if !facing {
-                        continue;
-                    }
-                    Part::Opening(g)
-                }
-                _ => continue,
-            };
-            for &layer in &along {
-                parts[layer * section.quads.len() + q] = part;
-            }
-        }
-    }
-    parts
 }

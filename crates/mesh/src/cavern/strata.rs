@@ -1,7 +1,7 @@
 //! Layers of different rock.
 
-use super::CavernError;
 use super::error::value;
+use super::{CavernError, name};
 use crate::Mesh;
 
 const MOST_LAYERS: usize = 1000;
@@ -33,7 +33,7 @@ pub(super) fn check(layers: &[RockLayer]) -> Result<(), CavernError> {
         return Err(value("layers", layers.len() as f64, format!("at most {MOST_LAYERS} layers")));
     }
     for (k, layer) in layers.iter().enumerate() {
-        super::error::check_name(&layer.name, layers[..k].iter().any(|other| other.name == layer.name))?;
+        name::check(&layer.name, layers[..k].iter().any(|other| other.name == layer.name))?;
         let key = |key: &str| format!("layer {}.{key}", layer.name);
         if k == 0 {
             for (name, x) in [("depth", layer.depth), ("dip", layer.dip)] {

@@ -1,7 +1,7 @@
 //! Numbers in fixed columns, as Fortran formats give them.
 
+use crate::fault::Fault;
 use crate::input::{Input, parse, real};
-use crate::read::Fault;
 
 /// Columns of a block: whole numbers, then real ones.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! Binary FLAC3D grids: gridpoints, zones, zone groups, faces, face groups, each after its count.
 
 use super::{Cell, Grid, Group};
+use crate::fault::Fault;
 use crate::input::{Input, text};
-use crate::read::Fault;
 
 /// The first bytes.
 const MARK: [u8; 4] = [0xe6, 0xe7, 0xf6, 0x51];

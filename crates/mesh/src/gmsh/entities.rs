@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::numbers::Numbers;
+use crate::fault::Fault;
 use crate::input::{Input, text};
-use crate::read::Fault;
 
 /// Names by dimension and tag.
 pub(super) type Names = HashMap<(u64, i64), String>;

@@ -1,7 +1,7 @@
 //! The numbers of an MSH file, written as text or as bytes.
 
+use crate::fault::Fault;
 use crate::input::Input;
-use crate::read::Fault;
 
 /// How a file's numbers are written.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::write::Shortest;
+use crate::shortest::Shortest;
 
 /// Numbers as text or as bytes.
 pub(super) struct Out<'a> {

@@ -7,7 +7,7 @@ use super::kinds::{FACETS, Kind, Role, SOLIDS, kind, unusable};
 use super::node;
 use super::numbers::{Encoding, Numbers};
 use crate::assembly::{Draft, Facet, Numbering};
-use crate::read::Fault;
+use crate::fault::Fault;
 
 /// Reads the section $Nodes into the mesh, all of them, with their numbers.
 pub(super) fn nodes(numbers: &mut Numbers, draft: &mut Draft) -> Result<(), Fault> {

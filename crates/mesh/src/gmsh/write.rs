@@ -7,7 +7,7 @@ use super::kinds;
 use super::out::Out;
 use crate::note::Note;
 use crate::topology::{all_faces, face_key};
-use crate::write::Trouble;
+use crate::trouble::Trouble;
 use crate::{Face, Mesh};
 
 /// Writes a mesh as MSH 4.1 ASCII.

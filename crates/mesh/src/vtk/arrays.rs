@@ -1,8 +1,8 @@
 //! The numbers of a legacy file, as text or as bytes.
 
 use super::{EXPORT, Owner, Reader};
+use crate::fault::Fault;
 use crate::input::{shown, text};
-use crate::read::Fault;
 use crate::vtu::{Array, Kind, Values, append_indices, means_something};
 
 /// Numbers worked on at a time; a multiple of three, so that points stay whole.

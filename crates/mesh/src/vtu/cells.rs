@@ -8,10 +8,11 @@ use std::path::Path;
 use super::read::{append_indices, parse};
 use super::{Array, Grid, Values};
 use crate::assembly::Draft;
+use crate::fault::Fault;
+use crate::format::{Format, Outcome};
 use crate::input::Input;
 use crate::note::Note;
-use crate::read::{Fault, Format, Outcome};
-use crate::write::Trouble;
+use crate::trouble::Trouble;
 use crate::{Face, Mesh, Shape};
 
 /// VTU, for [`crate::read::read`].

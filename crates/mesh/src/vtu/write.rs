@@ -9,7 +9,7 @@ use flate2::write::ZlibEncoder;
 
 use super::header::{UNIT_KEY, type_name};
 use super::{Array, Grid, Values, VtuError};
-use crate::write::whole_file;
+use crate::whole_file::whole_file;
 
 /// Uncompressed length of a block: large enough that zlib's window pays, small enough to stream.
 const BLOCK: usize = 1 << 18;

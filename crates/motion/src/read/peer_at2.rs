@@ -6,7 +6,8 @@
 //! component's azimuth or `UP`.
 
 use super::TextOptions;
-use super::source::{Source, leading_number, number, shown};
+use super::source::{Source, leading_number, number};
+use crate::shown::shown;
 use crate::{Channel, Error, Orientation};
 
 /// How far down the line with NPTS and DT may stand.

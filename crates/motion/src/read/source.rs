@@ -1,8 +1,8 @@
 //! The lines of a file, and what all readers need of them.
 
-use std::borrow::Cow;
 use std::path::Path;
 
+use crate::shown::shown;
 use crate::{Channel, Error, Units};
 
 /// A text file in lines. Line indices count from 0 here, from 1 in messages.
@@ -112,15 +112,4 @@ pub(crate) fn leading_number(text: &str) -> Option<&str> {
     let text = text.trim_start();
     let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.".contains(c))).unwrap_or(text.len());
     (end > 0).then(|| &text[..end])
-}
-
-/// A word of a file as a message may show it: short and printable.
-pub(crate) fn shown(word: &str) -> Cow<'_, str> {
-    if word.chars().count() <= 40 && !word.chars().any(char::is_control) {
-        return Cow::Borrowed(word);
-    }
-    let mut short: String =
-        word.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
-    short.push('…');
-    Cow::Owned(short)
 }

@@ -3,8 +3,9 @@
 //! Numbers are separated by blanks, tabs, commas or semicolons. `#` begins a comment. Comments of the form
 //! `# units = "cm/s2"` and `# dt = "0.005 s"` count as declarations, written as in a case file.
 
-use super::source::{Source, number, shown};
+use super::source::{Source, number};
 use super::{Column, TextOptions};
+use crate::shown::shown;
 use crate::{Channel, Error, Orientation, Units};
 
 /// The numbers of a file.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::blocks::{blocks, gallery, with_galleries};
 use super::{corners, made};
-use crate::cavern::{CavernSpec, Ground, RockLayer, section};
+use crate::cavern::{CavernSpec, Ground, RockLayer, build};
 use crate::mesh::{Face, Mesh};
 
 /// Where a pair of neighbours lies.
@@ -52,7 +52,7 @@ fn marks(mesh: &Mesh, spec: &CavernSpec) -> (Vec<bool>, Vec<bool>) {
         }
     }
     let touches = |e: usize| mesh.elements[e].nodes().iter().any(|&n| touched[n as usize]);
-    let rectangles = section::build(spec).unwrap().surroundings;
+    let rectangles = build::build(spec).unwrap().surroundings;
     let within = |e: usize| {
         let nodes = mesh.elements[e].nodes();
         let middle = [0, 2].map(|c| nodes.iter().map(|&n| mesh.nodes[n as usize][c]).sum::<f64>() / 8.0);
@@ -104,7 +104,7 @@ fn growth(mesh: &Mesh, level: &Mesh, spec: &CavernSpec) -> HashMap<Zone, f64> {
 fn check(name: &str, spec: &CavernSpec, grid: f64) {
     let mesh = made(name, spec);
     // The grid is that under the highest ground.
-    let top = section::build(spec).unwrap().block[1][1];
+    let top = build::build(spec).unwrap().block[1][1];
     let flat = match spec.ground {
         Ground::Level => Ground::Level,
         _ => Ground::Table { x: vec![0.0], y: vec![0.0], heights: vec![top] },

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::corners;
 use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer};
-use crate::merge::coincident_nodes;
+use crate::coincident::coincident_nodes;
 use crate::mesh::{Face, Mesh};
 use crate::quality;
 

@@ -1,0 +1,31 @@
+//! The keys that a law's parameters become.
+
+use tremolite_laws::parameter::{self, Parameter};
+
+use crate::keys::{Key, Kind, Limit, Need, When};
+
+/// A law's parameter as a key of the material's table.
+pub(crate) fn of(parameter: &Parameter) -> Key {
+    let kind = match parameter.kind {
+        // Limits are the law's own to check.
+        parameter::Kind::Number(dimension) => Kind::Number(dimension, Limit::Any),
+        parameter::Kind::Word(words) => Kind::Word(words),
+        parameter::Kind::Table(columns) => Kind::Columns(columns),
+    };
+    let need = match parameter.need {
+        parameter::Need::Required => Need::Required,
+        parameter::Need::Number(x) => Need::Number(x),
+        parameter::Need::Word(word) => Need::Word(word),
+        parameter::Need::Optional(text) => Need::Optional(text),
+    };
+    Key { name: parameter.name, kind, need, when: When::Always, doc: parameter.doc }
+}
+
+/// A column of a law's table as a key of that table.
+pub(crate) fn column(parameter: &Parameter) -> Key {
+    let key = of(parameter);
+    match key.kind {
+        Kind::Number(dimension, _) => Key { kind: Kind::Numbers(dimension), ..key },
+        _ => key,
+    }
+}
