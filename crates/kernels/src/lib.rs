@@ -4,6 +4,7 @@
 //! happens in this crate: a change to the time loop, an observer or the case reader compiles none of it again. So whoever
 //! wants a material asks [`laws`] or [`elastic`] for it; only a law of one's own is made with [`Law::of`].
 
+pub mod follow;
 pub mod line;
 pub mod material;
 pub mod part;

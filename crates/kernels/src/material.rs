@@ -112,6 +112,8 @@ fn instance<M: Material>(law: M) -> Arc<dyn AnyMaterial> {
 }
 
 /// An elastic material.
+// Inlined into another crate it would be compiled there, kernels and all.
+#[inline(never)]
 pub fn elastic(moduli: Moduli) -> Arc<dyn AnyMaterial> {
     instance(Elastic::from_moduli(moduli))
 }
@@ -148,6 +150,7 @@ macro_rules! entries {
 }
 
 /// All laws of the laws crate.
+#[inline(never)]
 pub fn laws() -> Vec<Law> {
     tremolite_laws::for_each_material!(entries)
 }

@@ -239,6 +239,8 @@ fn drive_values<M: Material>(values: &Values, path: &Path) -> Result<Response, P
 ///
 /// # Errors
 /// See [`PathError`].
+// Inlined into another crate it would be compiled there, with every law.
+#[inline(never)]
 pub fn drive_named(name: &str, values: &Values, path: &Path) -> Result<Response, PathError> {
     match DRIVERS.iter().find(|(own, _)| *own == name) {
         Some((_, drive)) => drive(values, path),

@@ -46,6 +46,7 @@ mod read;
 mod shown;
 mod spectrum;
 mod strongest;
+mod transfer;
 mod units;
 mod write;
 
@@ -63,7 +64,9 @@ pub use orientation::Orientation;
 pub use process::{Process, lowest_lowpass, process};
 pub use pulse::{Scalar, ricker_velocity};
 pub use read::{Column, FORMATS, Format, TextOptions, read, read_bytes};
+pub use realfft::num_complex::Complex64;
 pub use spectrum::{default_periods, pseudo_acceleration};
 pub use strongest::{Strongest, strongest_window};
+pub use transfer::transferred;
 pub use units::{STANDARD_GRAVITY, Units};
 pub use write::write_text;

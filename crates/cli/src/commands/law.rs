@@ -1,7 +1,6 @@
 //! `tremolite law`: one material driven along a path of strain and stress.
 
 mod figure;
-mod follow;
 mod path_file;
 mod table;
 
@@ -12,6 +11,7 @@ use path_file::PathFile;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use tremolite_case::{LawFile, Problem};
+use tremolite_kernels::follow;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::path::{PathError, Response};
 use tremolite_results::replace_file;

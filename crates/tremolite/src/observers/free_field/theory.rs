@@ -1,10 +1,9 @@
 //! A homogeneous column under a vertical wave, exact in the frequency domain.
 
 use crate::problem::Rayleigh;
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 use tremolite_laws::band::Band;
+use tremolite_motion::{Complex64, transferred};
 
 /// A column of one material.
 pub struct Layer {
@@ -54,27 +53,13 @@ pub fn surface_velocity(layer: &Layer, incident: impl Fn(f64) -> f64, dt: f64, d
     let fade = |t: f64| {
         if t <= duration { 1.0 } else { 0.5 + 0.5 * (PI * (t - duration) / (span - duration)).cos() }
     };
-    let mut wave: Vec<f64> = (0..count).map(|k| k as f64 * dt).map(|t| fade(t) * incident(t)).collect();
+    let wave: Vec<f64> = (0..count).map(|k| k as f64 * dt).map(|t| fade(t) * incident(t)).collect();
     if wave.iter().all(|v| *v == 0.0) {
         return Vec::new();
     }
-    let mut planner = RealFftPlanner::<f64>::new();
-    let forward = planner.plan_fft_forward(count);
-    let back = planner.plan_fft_inverse(count);
-    let mut lines = forward.make_output_vec();
-    // Refused only for wrong lengths.
-    let Ok(()) = forward.process(&mut wave, &mut lines) else { return Vec::new() };
-    let step = TAU / span;
-    for (k, line) in lines.iter_mut().enumerate() {
-        // Close to zero the factor is smooth, and at zero itself 0/0.
-        *line *= layer.factor(step * (k as f64).max(1e-6)) / count as f64;
-    }
-    for end in [0, count / 2] {
-        lines[end].im = 0.0;
-    }
-    let Ok(()) = back.process(&mut lines, &mut wave) else { return Vec::new() };
-    wave.truncate(wanted);
-    wave
+    let mut found = transferred(&wave, dt, &|omega| layer.factor(omega));
+    found.truncate(wanted);
+    found
 }
 
 #[cfg(test)]

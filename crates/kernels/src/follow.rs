@@ -1,6 +1,6 @@
 //! A law by its name, along a path, with the registers of an instruction set.
 
-use tremolite_laws::path::{Path, PathError, Response, drive, drive_named};
+use tremolite_laws::path::{Path, PathError, Response, drive_named};
 use tremolite_laws::{Isa, Material, Values};
 
 /// What is done with a law that is known by its type.
@@ -20,6 +20,10 @@ const ENTRIES: &[Entry] = tremolite_laws::for_each_material!(entries);
 
 /// The response of a registered law. Strains under prescribed stress are sought in scalars; the response to them is
 /// then that of the instruction set.
+///
+/// # Errors
+/// See [`PathError`].
+#[inline(never)]
 pub fn follow(name: &str, values: &Values, path: &Path, isa: Isa) -> Result<Response, PathError> {
     match ENTRIES.iter().find(|e| e.name == name) {
         Some(entry) => (entry.follow)(values, path, isa),
@@ -28,6 +32,7 @@ pub fn follow(name: &str, values: &Values, path: &Path, isa: Isa) -> Result<Resp
 }
 
 /// What is unusual about the parameters though the law accepts them.
+#[inline(never)]
 pub fn warnings(name: &str, values: &Values) -> Vec<String> {
     ENTRIES.iter().find(|e| e.name == name).map_or_else(Vec::new, |entry| (entry.warnings)(values))
 }
@@ -38,7 +43,7 @@ fn warnings_of<M: Material>(values: &Values) -> Vec<String> {
 
 fn follow_law<M: Material>(values: &Values, path: &Path, isa: Isa) -> Result<Response, PathError> {
     let law = M::new(values).map_err(PathError::Parameters)?;
-    let response = drive(&law, path)?;
+    let response = drive_named(M::NAME, values, path)?;
     #[cfg(target_arch = "x86_64")]
     if isa.available() {
         match isa {
