@@ -1,0 +1,8 @@
+//! The tests of this crate, one binary.
+
+mod commands;
+mod law;
+mod law_figures;
+mod layout;
+mod mesh;
+mod references;
