@@ -6,3 +6,4 @@ mod law_figures;
 mod layout;
 mod mesh;
 mod references;
+mod verify;
