@@ -1,6 +1,7 @@
 //! The tests of this crate, one binary.
 
 mod commands;
+mod every_law;
 mod law;
 mod law_figures;
 mod layout;

@@ -2,7 +2,6 @@
 
 mod common;
 mod concrete_energy;
-mod concrete_lanes;
 mod concrete_parameters;
 mod concrete_paths;
 mod concrete_rates;
@@ -11,9 +10,9 @@ mod damage_left;
 mod derived;
 mod eigen;
 mod hex8;
+mod lanes;
 mod path;
 mod path_stress;
-mod rock_lanes;
 mod rock_parameters;
 mod rock_properties;
 mod rock_reference;

@@ -2,8 +2,9 @@
 
 use crate::common::Random;
 use crate::common::concrete::{self, BETA, FT, THRESHOLD, fc, ramp, slope, with_words};
-use crate::common::rock::{mohr_coulomb, rock};
-use tremolite_laws::Values;
+use crate::common::rock::mohr_coulomb;
+use crate::common::samples::{Sample, samples};
+use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::path::{Control, Path, Response, drive_named};
 
 /// Strain along one axis between turning points, `steps` steps to each; pressure on the sides from the start.
@@ -37,38 +38,20 @@ fn miss(path: &Path, response: &Response, young: f64) -> f64 {
     most
 }
 
-fn laws() -> Vec<(&'static str, &'static str, Values, (f64, f64))> {
-    let rocks = (crate::common::rock::YOUNG, crate::common::rock::POISSON);
-    let mut laws = vec![
-        ("perfect", "mohr-coulomb", mohr_coulomb(2.18e6, 42.0, 10.0, 1e6), rocks),
-        ("associated", "mohr-coulomb", mohr_coulomb(2.18e6, 42.0, 42.0, 1e6), rocks),
-        ("without tension", "mohr-coulomb", mohr_coulomb(2.18e6, 42.0, 0.0, 0.0), rocks),
-        ("cone", "drucker-prager", mohr_coulomb(2.18e6, 42.0, 42.0, 1e6), rocks),
-        ("mass", "hoek-brown", rock(&[("ucs", 8e7), ("gsi", 55.0), ("m_i", 15.0)]), rocks),
-    ];
-    for split in ["effective", "compliance"] {
-        for evolution in ["residual", "exponential"] {
-            let words = [("split", split), ("evolution", evolution)];
-            let mut values = with_words(concrete::values(), &words);
-            if evolution == "exponential" {
-                values = values.with("fracture_energy", 130.0);
-            }
-            laws.push((
-                if split == "effective" { evolution } else { split },
-                "concrete-damage",
-                values,
-                (25e9, 0.17),
-            ));
-        }
-    }
-    laws
+/// Every law with its samples, each with Young's modulus and Poisson's ratio.
+fn laws() -> impl Iterator<Item = (&'static Sample, (f64, f64))> {
+    MATERIALS.iter().flat_map(|law| samples(law.name)).map(|sample| {
+        let [young, poisson] = ["young", "poisson"].map(|key| sample.values().optional(key).unwrap());
+        (sample, (young, poisson))
+    })
 }
 
 #[test]
 fn cycles_of_every_law_are_followed_whatever_the_step() {
     let mut random = Random::new(12);
-    let mut faults = Vec::new();
-    for (word, law, values, moduli) in laws() {
+    let (mut cycles, mut faults) = (0, Vec::new());
+    for (sample, moduli) in laws() {
+        let (law, word, values) = (sample.law, sample.variant, sample.values());
         for draw in 0..40 {
             let axis = (3.0 * random.unit()) as usize;
             let pressure = [0.0, 1e5, 1e6, if law == "concrete-damage" { 5e5 } else { 5e6 }]
@@ -77,24 +60,27 @@ fn cycles_of_every_law_are_followed_whatever_the_step() {
             let turns = [0; 4].map(|_| size * random.symmetric());
             let steps = [5, 20, 100][draw % 3];
             let path = cycle(axis, pressure, &turns, steps, moduli);
+            cycles += 1;
             match drive_named(law, &values, &path) {
                 Ok(response) => {
                     let miss = miss(&path, &response, moduli.0);
                     if miss > 1e-9 {
-                        faults.push(format!("{word} {law} {draw}: misses {miss:.1e}"));
+                        faults.push(format!("{law}, {word}, {draw}: misses {miss:.1e}"));
                     }
                 }
-                Err(e) => faults.push(format!("{word} {law} {draw}, {pressure} {size:.1e} {steps}: {e}")),
+                Err(e) => faults.push(format!("{law}, {word}, {draw}, {pressure} {size:.1e} {steps}: {e}")),
             }
         }
     }
-    assert!(faults.is_empty(), "{} of 360:\n{}", faults.len(), faults.join("\n"));
+    assert!(faults.is_empty(), "{} of {cycles}:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Coarse steps err with the first order of a step, and no jump or smaller step adds to that.
+/// Coarse steps err with the first order of a step, and no jump or smaller step adds to that. A table of softening is read
+/// at the strain before the step, in which rock may lose more: in the longest of 20 here 1.0 MPa where 4.8 are left.
 #[test]
 fn coarse_steps_come_to_what_fine_ones_do() {
-    for (word, law, values, moduli) in laws() {
+    for (sample, moduli) in laws() {
+        let (law, word, values) = (sample.law, sample.variant, sample.values());
         for pressure in [0.0, 1e6] {
             let turns = [2e-4, -1.2e-3, 4e-4, -2e-3, 0.0];
             let at_turns = |steps: usize| {
@@ -105,9 +91,10 @@ fn coarse_steps_come_to_what_fine_ones_do() {
             let fine = at_turns(2000);
             let level = fine.iter().fold(0.0f64, |l, s| l.max(s.abs()));
             for steps in [20, 200] {
+                let most = if sample.tables.is_empty() || steps > 20 { 1.0 } else { 4.5 };
                 for (coarse, fine) in at_turns(steps).into_iter().zip(&fine) {
                     let off = (coarse - fine).abs() / level;
-                    assert!(off < 1.0 / steps as f64, "{word} {law} {pressure} {steps}: {coarse} {fine}");
+                    assert!(off < most / steps as f64, "{law}, {word}, {pressure} {steps}: {coarse} {fine}");
                 }
             }
         }

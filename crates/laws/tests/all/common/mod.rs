@@ -36,3 +36,4 @@ impl Random {
 
 pub mod concrete;
 pub mod rock;
+pub mod samples;
