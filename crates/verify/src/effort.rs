@@ -8,6 +8,6 @@ pub enum Effort {
     /// What `tremolite verify` runs: at most six minutes for all problems in the release profile.
     #[default]
     Verify,
-    /// Finer meshes, series of parameters and long runs, up to a minute a problem.
+    /// Finer meshes, series of parameters and long runs, minutes a problem.
     Full,
 }
