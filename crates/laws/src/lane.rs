@@ -54,6 +54,8 @@ pub trait Lane:
     fn less(self, other: Self) -> Self::Mask;
     /// `yes` where the mask is set, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Whether any lane is set: the one thing to branch on, and to pass over work alone. Whoever skips work by it leaves
+    /// every lane what it would be with the work done, so that the bits do not depend on which lanes lie side by side.
     fn any(mask: Self::Mask) -> bool;
     /// Where both masks are set.
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;

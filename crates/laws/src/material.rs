@@ -159,10 +159,11 @@ pub(crate) const LEAST_HOURGLASS_SHARE: f64 = 0.05;
 
 /// A material law: stress from the strain since the material was placed, and from history.
 ///
-/// Laws are written in [`Lane`] operations alone, never with `if` on data, so that one source serves the scalar
-/// reference and every register width with the same bits. Every law is in total form: what it must remember
-/// (plastic strain, damage, the last strain) is in its history, so nothing drifts and a checkpoint holds all of
-/// it. Laws are isotropic; tensors in a history live in the axes that the caller passes strains in.
+/// Laws are written in [`Lane`] operations alone, so that one source serves the scalar reference and every register width
+/// with the same bits. Data are selected, never branched on, but for [`Lane::any`], which may pass over work that no lane
+/// needs. Every law is in total form: what it must remember (plastic strain, damage, the last strain) is in its history, so
+/// nothing drifts and a checkpoint holds all of it. Laws are isotropic; tensors in a history live in the axes that the
+/// caller passes strains in.
 pub trait Material: Send + Sync + Sized + 'static {
     /// The word after `law =` in a case.
     const NAME: &'static str;

@@ -104,4 +104,23 @@ mod tests {
         assert!(matches!(read(&path), Err(ReadError::Unknown { .. })));
         fs::remove_dir_all(&folder).unwrap();
     }
+
+    /// The tests of files go through the folder, so a format without a file there would go untested.
+    #[test]
+    fn every_format_has_a_file_of_the_same_mesh_among_the_tests() {
+        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+        for (k, format) in FORMATS.iter().enumerate() {
+            let has = fs::read_dir(&data).unwrap().map(|file| file.unwrap().path()).any(|path| {
+                let head = fs::read(&path).unwrap();
+                let first = FORMATS.iter().position(|f| (f.recognises)(&head));
+                path.file_name().unwrap().to_string_lossy().starts_with("shapes") && first == Some(k)
+            });
+            assert!(
+                has,
+                "{}: put the mesh of shapes.geo into {} as such a file",
+                format.name,
+                data.display()
+            );
+        }
+    }
 }

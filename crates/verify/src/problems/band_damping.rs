@@ -21,6 +21,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "three Maxwell bodies damp column modes across a band by the target ratio",
     source: "`emmerich1987`, modulus of the generalised Maxwell body",
+    from: Effort::Test,
     run,
 };
 

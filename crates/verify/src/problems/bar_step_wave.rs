@@ -22,6 +22,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "step traction on a bar: v = σ₀/(ρc), doubled at a fixed end, cancelled at a free one",
     source: "d'Alembert's solution (Graff 1975, chapter 2)",
+    from: Effort::Test,
     run,
 };
 

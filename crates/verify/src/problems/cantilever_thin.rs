@@ -21,6 +21,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "lining strip with one element through its thickness: deflection and first frequency",
     source: "Timoshenko and Euler beams; Cowper 1966",
+    from: Effort::Test,
     run,
 };
 

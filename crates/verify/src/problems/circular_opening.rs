@@ -40,6 +40,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "circular opening in Mohr–Coulomb rock: plastic radius, stresses, convergence of the wall",
     source: "`salencon1969`",
+    from: Effort::Verify,
     run,
 };
 

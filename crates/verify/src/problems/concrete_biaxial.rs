@@ -19,6 +19,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "biaxial strength of concrete: exact envelope, and its distance from Kupfer's tests",
     source: "closed forms of `wang2018` (9), (13)-(14); tests of `kupfer1969`, fit of `kupfer1973`",
+    from: Effort::Test,
     run,
 };
 

@@ -32,6 +32,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "a crack dissipates G_f in elements of 0.1 to 1 m: one element, a bar, a crack askew",
     source: "`bazant1983`; energy balance",
+    from: Effort::Test,
     run,
 };
 

@@ -23,6 +23,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "energy that closed loops at fixed damage create: the paper's split and the compliance split",
     source: "a potential conserves energy exactly; `ladeveze1984`, `laborderie1991` for the split that has one",
+    from: Effort::Test,
     run,
 };
 

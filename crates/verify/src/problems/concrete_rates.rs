@@ -19,6 +19,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "dynamic factors of concrete at 1e-4 to 30 1/s by three codes, and through the filter",
     source: "`wang2018` (12), (16) after CEB; `mc1990`; `mc2010`",
+    from: Effort::Test,
     run,
 };
 

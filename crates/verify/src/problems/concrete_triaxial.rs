@@ -12,6 +12,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "concrete confined by 0 to 20 MPa fails at Mohr–Coulomb, whatever the middle stress",
     source: "`wang2018` (13)-(14): Mohr–Coulomb in compression",
+    from: Effort::Test,
     run,
 };
 

@@ -24,6 +24,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "concrete in tension, compression and a cycle that closes a crack; step-size convergence",
     source: "closed forms of `wang2018` (2)-(16) under uniaxial stress",
+    from: Effort::Test,
     run,
 };
 
@@ -131,7 +132,7 @@ fn cycle(law: &Concrete, split: &str, checks: &mut Vec<Check>) -> Result<(), Ver
 }
 
 fn steps(law: &Concrete, split: &str, effort: Effort, checks: &mut Vec<Check>) {
-    let paths = if effort == Effort::Full { 3000 } else { 300 };
+    let paths = if effort == Effort::Full { 3000 } else { 100 };
     let counts = [32, 128, 512];
     let mut mean = [0.0; 3];
     let mut random = Random::new(11);

@@ -18,6 +18,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "free decay of column modes gives the ratio ω/(2ω_n) + ½ξω_n",
     source: "modal analysis of C = ωM + ξK, wang2018 (19)",
+    from: Effort::Test,
     run,
 };
 

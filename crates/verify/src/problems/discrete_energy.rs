@@ -17,6 +17,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "½v'Mv + ½u'Ku − ⅛Δt²a'Ma stays constant over 10,000 undamped steps",
     source: "exact invariant of velocity Verlet, from wang2018 (20)-(21) with C = 0",
+    from: Effort::Test,
     run,
 };
 

@@ -22,6 +22,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "plane P and S waves obey sin(½ωΔt) = (cΔt/h) sin(½kh)",
     source: "dispersion relation of lumped linear elements and central differences (Hughes 2000, chapter 9)",
+    from: Effort::Test,
     run,
 };
 

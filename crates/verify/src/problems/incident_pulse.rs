@@ -23,6 +23,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "vertical SV and P pulses: twice the incident motion at the surface, absorbed by the base",
     source: "d'Alembert's solution for a half-space (Kramer 1996, section 7.2); Lysmer & Kuhlemeyer 1969",
+    from: Effort::Test,
     run,
 };
 

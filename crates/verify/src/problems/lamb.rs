@@ -31,6 +31,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "point load on a half-space: vertical surface motion with P, S and Rayleigh waves",
     source: "Pekeris 1955, PNAS 41:469-480, nu = 1/4",
+    from: Effort::Verify,
     run,
 };
 

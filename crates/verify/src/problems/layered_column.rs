@@ -24,6 +24,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "soft layer on rock under an S pulse: the surface motion with all echoes",
     source: "closed form of an undamped layer on an elastic half-space (Kramer 1996, section 7.2)",
+    from: Effort::Test,
     run,
 };
 

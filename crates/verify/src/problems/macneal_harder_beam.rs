@@ -22,6 +22,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "slender cantilever of six elements: bending both ways and twist, regular and skewed",
     source: "MacNeal & Harder 1985, Finite Elem. Anal. Des. 1:3-20",
+    from: Effort::Test,
     run,
 };
 

@@ -19,6 +19,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "Mohr–Coulomb, Drucker–Prager and Hoek–Brown rock: triaxial, extension, plane strain, dilation",
     source: "closed forms; `drucker1952` for plane strain, `hoek2002` for the rock mass",
+    from: Effort::Test,
     run,
 };
 

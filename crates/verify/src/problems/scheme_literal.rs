@@ -37,6 +37,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "the step equals (20), (21), (25)-(27) as written; the print's K u^n grows",
     source: "wang2018 (20)-(27), with K u^{n+1} in (21) and the dashpots on the mean velocity",
+    from: Effort::Test,
     run,
 };
 

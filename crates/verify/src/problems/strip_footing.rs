@@ -28,6 +28,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "rough strip footing on clay: Prandtl's load, neither locked nor carried by hourglass patterns",
     source: "`prandtl1920`",
+    from: Effort::Test,
     run,
 };
 

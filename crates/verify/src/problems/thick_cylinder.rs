@@ -22,6 +22,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "thick cylinder at ν = 0.49 to 0.4999: no locking in volume, regular and distorted",
     source: "Lamé's solution; MacNeal & Harder 1985",
+    from: Effort::Test,
     run,
 };
 

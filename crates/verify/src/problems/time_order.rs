@@ -19,6 +19,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "order 2 in the time step, undamped and with both Rayleigh terms",
     source: "exact solution of the semi-discrete equations by modes",
+    from: Effort::Test,
     run,
 };
 

@@ -1,0 +1,8 @@
+//! The tests of this crate, one binary.
+
+mod files;
+mod good_case;
+mod hostile_input;
+mod law_file;
+mod problems;
+mod schema;

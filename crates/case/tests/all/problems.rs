@@ -1,0 +1,233 @@
+//! Bad cases: each problem is reported at its place, with a way out.
+
+use std::path::Path;
+
+use tremolite_case::{Case, Problem, Report};
+use tremolite_laws::materials::MATERIALS;
+
+const GOOD: &str = include_str!("../cases/every-key.toml");
+
+/// A change to the good case, and the one problem that must come of it.
+struct Bad {
+    from: &'static str,
+    to: &'static str,
+    /// How the text that is underlined starts.
+    marks: &'static str,
+    says: &'static str,
+    remedy: &'static str,
+}
+
+const fn bad(
+    from: &'static str,
+    to: &'static str,
+    marks: &'static str,
+    says: &'static str,
+    remedy: &'static str,
+) -> Bad {
+    Bad { from, to, marks, says, remedy }
+}
+
+fn report(source: &str) -> Report {
+    match Case::parse(Path::new("case.toml"), source, MATERIALS) {
+        Ok(_) => panic!("must be refused:\n{source}"),
+        Err(report) => report,
+    }
+}
+
+#[rustfmt::skip]
+const BAD: &[Bad] = &[
+    // Keys
+    bad("overburden =", "overburdn = 1\noverburden =", "overburdn", "no key of `mesh.caverns`", "did you mean `overburden`?"),
+    bad("safety = 0.8", "safety = 0.8\ndt = 3", "dt", "no key of `dynamic`", "`dt` belongs to [motion.east]"),
+    bad("safety = 0.8", "safety = 0.8\ntitle = 3", "title", "no key of `dynamic`", "`title` belongs above all tables"),
+    bad("poisson = 0.25", "poisson = 0.25\ncohesion = 3", "cohesion", "no key of `material.rock`", "keys here: law, density, unit_weight, young, poisson"),
+    bad("kind = \"within\"\n", "", "[motion]", "`kind` is missing", "\"outcrop\" | \"incident\" | \"within\""),
+    bad("title = \"every key\"\n", "", "", "`title` is missing in the case", "add title = \"…\""),
+    bad("young = \"10 GPa\"\n", "", "[material.rock]", "`young` is missing", "young = \"… GPa\" (Young's modulus E)"),
+    bad("element = \"one-point\"\n", "", "[[region]]", "`element` is missing in `region[1]`", "full: 2×2×2 points"),
+    bad("sides = { x = \"viscous\", y = \"roller\" }\n", "", "[dynamic]", "`sides` is missing", "periodic"),
+    bad("[[region]]\ngroups = [\"powerhouse.bench*\"]", "[[region]]\nelement = \"full\"\ngroups = [\"powerhouse.bench*\"]", "element", "only where `material` is not \"void\"", "leave it out"),
+    bad("kind = \"viscous-spring\", normal = 1.5, tangential = 0.5, distance", "kind = \"fixed\", distance", "distance", "only with `kind = \"viscous-spring\"`", "leave it out"),
+    bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"27 kN/m3\"\ndensity = 2700", "unit_weight", "`unit_weight` cannot stand beside `density`", "exactly one of"),
+    bad("unit_weight = \"27 kN/m3\"\n", "", "[material.rock]", "needs one of `density`, `unit_weight`", "give one of"),
+    bad("[material.rock]", "[mesh.file]\npath = \"a\"\n[material.rock]", "file", "`file` cannot stand beside `caverns`", "exactly one of `caverns`, `box`, `file`"),
+    bad("kind = \"within\"", "kind = \"within\"\nfile = \"x.V2A\"", "east", "`east` cannot stand beside `file`", "exactly one of"),
+    bad("factor = 0.667", "factor = 0.667, units = \"g\"", "units", "only beside `file`", "leave it out"),
+    // Units
+    bad("young = \"10 GPa\"", "young = \"10 m\"", "\"10 m\"", "is a length (`m`), a stress or modulus is expected", "10 GPa"),
+    bad("young = \"10 GPa\"", "young = \"10 Gpa\"", "\"10 Gpa\"", "unknown unit `Gpa`", "did you mean `GPa`?"),
+    bad("young = \"10 GPa\"", "young = \"10 GPa rock\"", "\"10 GPa rock\"", "cannot be read", "such as \"10 GPa\""),
+    bad("young = \"10 GPa\"", "young = nan", "nan", "not a finite number", "finite"),
+    bad("young = \"10 GPa\"", "young = -inf", "-inf", "not a finite number", "finite"),
+    bad("young = \"10 GPa\"", "young = \"1e999 Pa\"", "\"1e999 Pa\"", "too large", "finite"),
+    bad("near = \"120 cm\"", "near = \"1,2 m\"", "\"1,2 m\"", "comma", "as a dot"),
+    bad("near = \"120 cm\"", "near = \"1.2\"", "\"1.2\"", "has no unit", "\"1.2 m\""),
+    bad("model_x_azimuth = \"30 deg\"", "model_x_azimuth = 30", "30", "has no unit", "deg"),
+    bad("units = \"cm/s2\"", "units = \"cm/s\"", "\"cm/s\"", "is a velocity", "units = \"m/s2\""),
+    bad("histories = \"20 ms\"", "histories = true", "true", "should be a time, not true or false", "\"… s\""),
+    // Limits
+    bad("width = 17", "width = 0", "0", "must be above 0", "above 0"),
+    bad("poisson = 0.25", "poisson = 0.5", "0.5", "must be at least 0 and below 0.5", "0.15 to 0.35"),
+    bad("safety = 0.8", "safety = 1.2", "1.2", "above 0 and at most 1", "at most 1"),
+    bad("mass = \"0.3 1/s\"", "mass = \"-0.3 1/s\"", "\"-0.3 1/s\"", "must be 0 or more", "0 or more"),
+    bad("benches = 6", "benches = 0", "0", "a whole number from 1 to 50, not 0", "benches"),
+    bad("benches = 6", "benches = 2.5", "2.5", "a whole number from 1 to 50, not a number", "benches"),
+    bad("benches = 6", "benches = 99999999999999999999", "99999", "a whole number from 1 to 50", "benches"),
+    bad("duration = \"19.5 s\"", "duration = \"0 s\"", "\"0 s\"", "must be above 0", "above 0"),
+    bad("snapshots = \"none\"", "snapshots = \"0 s\"", "\"0 s\"", "must be above 0", "or \"none\""),
+    bad("snapshots = \"none\"", "snapshots = \"never\"", "\"never\"", "does not start with a number", "or \"none\""),
+    bad("window = [\"20.5 s\", \"40 s\"]", "window = [\"40 s\", \"20 s\"]", "[\"40 s\"", "ends before it begins", "earlier time first"),
+    bad("window = [\"20.5 s\", \"40 s\"]", "window = [\"40 s\"]", "[\"40 s\"]", "a list of 2", "window"),
+    bad("window = [\"20.5 s\", \"40 s\"]", "window = { strongest = \"0 s\" }", "\"0 s\"", "must be above 0", "above 0"),
+    bad("near = \"120 cm\"", "near = \"12 m\"", "\"12 m\"", "`near` is larger than `far`", "smaller size"),
+    bad("height = 37.2", "height = 4.4", "\"4.5 m\"", "must be below `height`", "the arch included"),
+    bad("arch_rise = \"2.2 m\"\n", "", "[[mesh.caverns.cavern]]", "must be above 0", "rectangle"),
+    bad("shape = \"ellipse\"", "shape = \"circle\"", "\"2.2 m\"", "no meaning", "leave it out"),
+    bad("arch_rise = \"4.5 m\"", "arch_rise = \"9 m\"", "\"9 m\"", "more than half the width", "a semicircle"),
+    // Words and names
+    bad("kind = \"within\"", "kind = \"outcrp\"", "\"outcrp\"", "`kind` cannot be \"outcrp\"", "did you mean \"outcrop\"?"),
+    bad("element = \"full\"", "element = \"quadratic\"", "\"quadratic\"", "cannot be", "one of \"one-point\", \"full\""),
+    bad("law = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25", "law = \"elastik\"", "\"elastik\"", "cannot be \"elastik\"", "did you mean \"elastic\"?"),
+    bad("name = \"A\"", "name = \"A.1\"", "\"A.1\"", "cannot be used as a name", "no blanks or quotes"),
+    bad("title = \"every key\"", "title = \" \"", "\" \"", "an empty text", "title"),
+    bad("material = \"rock\"", "material = \"rok\"", "\"rok\"", "no material `rok`", "did you mean \"rock\"?"),
+    bad("material = \"rock\"", "material = \"marble\"", "\"marble\"", "no material `marble`", "add [material.marble]"),
+    bad("[material.concrete]", "[material.void]\nlaw = \"elastic\"\ndensity = 1\nyoung = 1\npoisson = 0\n[material.concrete]", "void", "cannot be called `void`", "another name"),
+    bad("between = [\"free\", \"A\"]", "between = [\"free\", \"B\"]", "\"B\"", "no monitor `B`", "known monitors: A, free"),
+    bad("between = [\"free\", \"A\"]", "between = [\"A\", \"A\"]", "\"A\"]", "against itself", "another monitor"),
+    bad("name = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "name = \"A\"\nat = [1, 2, 3]\n[[monitor]]\nname = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "\"A\"", "monitor `A` is named twice", "its own name"),
+    bad("name = \"transformer\"", "name = \"powerhouse\"", "\"powerhouse\"", "two caverns are called `powerhouse`", "its own name"),
+    bad("between = [\"powerhouse\", \"transformer\"]", "between = [\"powerhouse\", \"hall\"]", "\"hall\"", "there is no cavern `hall`", "two caverns of this block"),
+    bad("name = \"busbar\"", "name = \"transformer\"", "\"transformer\"", "a cavern or another gallery is called `transformer`", "its own name"),
+    bad("name = \"sound\"", "name = \"weathered\"", "\"weathered\"", "two layers are called `weathered`", "its own name"),
+    bad("groups = [\"*.lining\"]", "groups = [\"*.lining\", \"rock\"]", "\"rock\"", "group `rock` is named twice", "one region only"),
+    bad("fields = [\"displacement\", \"s1\"]", "fields = [\"s1\", \"s1\"]", "\"s1\"]", "field `s1` is named twice", "once"),
+    bad("from = \"east\"", "from = \"up\"", "\"up\"", "`up` is not a record of its own", "has a `file`"),
+    bad("columns = [\"time\", \"acceleration\"]", "columns = [\"time\", \"skip\"]", "\"time\"", "one column must be the acceleration", "\"acceleration\""),
+    bad("columns = [\"time\", \"acceleration\"]", "columns = [\"time\", \"acceleration\"], dt = 1", "1", "`dt` beside a column of times", "leave `dt` out"),
+    bad("at = [\"0 m\", \"1 m\", \"-210 m\"]", "at = [0, 1]", "[0, 1]", "a list of 3, each a length, not a list of 2", "[\"… m\", \"… m\", \"… m\"]"),
+    bad("groups = [\"*.lining\"]", "groups = \"*.lining\"", "\"*.lining\"", "should be a list", "groups = [\"…\"]"),
+    bad("[[relative]]", "[relative]", "[relative]", "should be a list of tables", "[[relative]]"),
+    // What later versions bring
+    bad("[initial]", "[[stage]]\nname = \"bench 1\"\n[initial]", "stage", "`stage` is not available yet", "material = \"void\""),
+    bad("[initial]", "[[interface]]\nlaw = \"bandis\"\n[initial]", "interface", "`interface` is not available yet", "tied"),
+    bad("[initial]", "[report]\nlanguage = \"zh\"\n[initial]", "report", "`report` is not available yet", "English"),
+    bad("gravity = \"10 m/s2\"", "gravity = \"10 m/s2\"\nlateral = { x = 0.8, y = 0.8 }", "lateral", "`lateral` is not available yet", "leave it out"),
+    bad("damping = { rayleigh", "damping = { ratio = 0.03, rayleigh", "ratio", "`ratio` has a meaning only beside `band`", "leave it out"),
+    bad("sides = { x = \"viscous\"", "sides = { x = \"free-field\"", "\"free-field\"", "\"free-field\" is not available yet", "periodic"),
+    bad("{ x = \"viscous\", y = \"roller\" }", "\"symmetry\"", "\"symmetry\"", "\"symmetry\" is not available yet", "roller"),
+    bad("material = \"concrete\"", "before = \"rock\"\nmaterial = \"concrete\"", "before", "`before` is not available yet", "leave it out"),
+    // TOML
+    bad("near = \"120 cm\"", "near = 120 cm", "120 cm", "not in quotes", "\"120 cm\""),
+    bad("near = \"120 cm\"", "near =", "\n", "a value is missing", "write a value"),
+    bad("near = \"120 cm\"", "near = \"120 cm", "\n", "a quotation mark is missing", "close the text"),
+    bad("near = \"120 cm\"", "near = 1\nnear = 2", "near = 2", "given twice", "keep one"),
+    bad("near = \"120 cm\"", "near \"120 cm\"", "\"120 cm\"", "a key without `=`", "key = value"),
+];
+
+impl Bad {
+    /// Where the problem must be marked: a missing key at the header before the change, all else in the change.
+    fn place(&self, source: &str) -> usize {
+        let change = GOOD.find(self.from).expect("the change applies to the good case");
+        if self.marks.is_empty() {
+            0
+        } else if self.marks.starts_with('[') && !self.to.contains(self.marks) {
+            let end = change + self.to.len();
+            source[..end].rfind(self.marks).expect("the mark stands before the change")
+        } else {
+            change + source[change..].find(self.marks).expect("the mark stands in the change")
+        }
+    }
+
+    /// What is wrong with the report, if anything is.
+    fn failure(&self) -> Option<String> {
+        let source = GOOD.replacen(self.from, self.to, 1);
+        let report = report(&source);
+        let place = self.place(&source);
+        let line = source[..place].matches('\n').count() + 1;
+        let good = matches!(&report.problems[..], [problem]
+            if problem.message.contains(self.says)
+                && problem.remedy.contains(self.remedy)
+                && problem.span.start == place
+                && report.position(problem).0 == line
+                && report.to_string().contains(&format!("case.toml:{line}:")));
+        (!good).then(|| format!("{}\n    must give one problem in line {line}, but:\n{report}", self.to))
+    }
+}
+
+#[test]
+fn each_mistake_is_reported_once_at_its_place_with_a_way_out() {
+    let failures: Vec<String> = BAD.iter().filter_map(Bad::failure).collect();
+    assert!(failures.is_empty(), "{} of {}:\n{}", failures.len(), BAD.len(), failures.join("\n\n"));
+}
+
+#[test]
+fn all_problems_of_a_file_are_reported_in_its_order() {
+    let source = GOOD
+        .replace("near = \"120 cm\"", "near = \"120 MPa\"")
+        .replace("poisson = 0.25", "poisson = 0.7")
+        .replace("element = \"full\"", "elemnt = \"full\"")
+        .replace("kind = \"within\"\n", "")
+        .replace("safety = 0.8", "safety = 7")
+        .replace("between = [\"free\", \"A\"]", "between = [\"free\", \"Q\"]")
+        .replace("[output]", "[[stage]]\n[output]");
+    let report = report(&source);
+    let found: Vec<(usize, &str)> =
+        report.problems.iter().map(|p| (report.position(p).0, p.message.as_str())).collect();
+    let line = |text: &str| source.lines().position(|l| l.contains(text)).expect(text) + 1;
+    assert_eq!(
+        found,
+        [
+            (line("120 MPa"), "`near` is a stress or modulus (`MPa`), a length is expected"),
+            (line("poisson = 0.7"), "`poisson` must be at least 0 and below 0.5"),
+            (line("groups = [\"*.lining\"]") - 1, "`element` is missing in `region[2]`"),
+            (line("elemnt"), "`elemnt` is no key of `region[2]`"),
+            (line("[motion]"), "`kind` is missing in `motion`"),
+            (line("safety"), "`safety` must be above 0 and at most 1"),
+            (line("\"Q\""), "there is no monitor `Q`"),
+            (line("[[stage]]"), "`stage` is not available yet"),
+        ]
+    );
+}
+
+#[test]
+fn a_problem_is_shown_with_its_line_underlined() {
+    let source = GOOD.replace("near = \"120 cm\"", "near = \"120 Cm\"");
+    let text = report(&source).render(false);
+    assert_eq!(
+        text,
+        "error: `near` has an unknown unit `Cm`\n \
+         --> case.toml:9:8\n  \
+           |\n\
+         9 | near = \"120 Cm\"\n  \
+           |        ^^^^^^^^\n  \
+           |\n\
+         help: did you mean `cm`?\n\n\
+         case.toml: 1 error"
+    );
+    assert!(report(&source).render(true).contains("\u{1b}["), "colour only where it is asked for");
+}
+
+#[test]
+fn problems_found_later_are_shown_in_the_same_way() {
+    let case = Case::parse(Path::new("case.toml"), GOOD, MATERIALS).unwrap_or_else(|e| panic!("{e}"));
+    let at = &case.monitors[1].at;
+    let report = case.report(vec![
+        Problem::at(at, "monitor `free` lies outside the mesh", "move it"),
+        Problem::at(&case.regions[0].groups[0], "the mesh has no group `rock`", "name one that it has"),
+    ]);
+    let lines: Vec<usize> = report.problems.iter().map(|p| report.position(p).0).collect();
+    assert!(lines[0] < lines[1], "sorted by place");
+    assert!(report.to_string().contains("at = [\"0 m\", \"1 m\", \"-210 m\"]"), "{report}");
+}
+
+#[test]
+fn what_is_allowed_but_hardly_meant_is_a_warning() {
+    let unused = "[material.spare]\nlaw = \"elastic\"\nyoung = 1\npoisson = 0\ndensity = 1\n[initial]";
+    let source = GOOD.replace("[initial]", unused);
+    let case = Case::parse(Path::new("case.toml"), &source, MATERIALS).unwrap_or_else(|e| panic!("{e}"));
+    let [warning] = &case.warnings[..] else { panic!("one warning") };
+    assert_eq!(warning.message, "no region is made of `spare`");
+    let text = case.report(case.warnings.clone()).as_warnings().to_string();
+    assert!(text.starts_with("warning: ") && text.ends_with("1 warning"), "{text}");
+}

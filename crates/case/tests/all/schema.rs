@@ -1,0 +1,168 @@
+//! The JSON schema says what the reader does.
+
+use std::path::Path;
+
+use serde_json::{Map, Value};
+use toml::de::{DeTable, DeValue};
+use tremolite_case::{Case, schema};
+use tremolite_laws::materials::MATERIALS;
+
+const EVERY_KEY: &str = include_str!("../cases/every-key.toml");
+const FIRST_SHAKE: &str = include_str!("../../../../cases/first-shake/case.toml");
+
+fn json(value: &DeValue<'_>) -> Value {
+    match value {
+        DeValue::String(s) => s.as_ref().into(),
+        DeValue::Integer(n) => n.as_str().parse::<i64>().expect("a decimal integer").into(),
+        DeValue::Float(x) => x.as_str().parse::<f64>().expect("a float").into(),
+        DeValue::Boolean(b) => (*b).into(),
+        DeValue::Datetime(d) => d.to_string().into(),
+        DeValue::Array(a) => a.iter().map(|v| json(v.get_ref())).collect(),
+        DeValue::Table(t) => t.iter().map(|(k, v)| (k.get_ref().to_string(), json(v.get_ref()))).collect(),
+    }
+}
+
+fn case(source: &str) -> Value {
+    let table = DeTable::parse(source).expect("good TOML").into_inner();
+    json(&DeValue::Table(table))
+}
+
+/// The words of JSON Schema that our schema uses; any other is an error, so that none goes unchecked.
+const WORDS: &[&str] = &[
+    "$schema",
+    "additionalProperties",
+    "anyOf",
+    "const",
+    "default",
+    "description",
+    "enum",
+    "examples",
+    "exclusiveMinimum",
+    "items",
+    "maxItems",
+    "maximum",
+    "minItems",
+    "minLength",
+    "minProperties",
+    "minimum",
+    "oneOf",
+    "pattern",
+    "properties",
+    "required",
+    "title",
+    "type",
+];
+
+/// Whether a value fits a schema. Patterns of text are left to editors.
+fn fits(schema: &Value, value: &Value) -> bool {
+    let Value::Object(schema) = schema else { return schema != &Value::Bool(false) };
+    schema.iter().all(|(word, rule)| {
+        assert!(WORDS.contains(&word.as_str()), "{word}");
+        let all = |each: &dyn Fn(&Value) -> bool| {
+            rule.as_array().expect("an array").iter().filter(|r| each(r)).count()
+        };
+        let number = |holds: &dyn Fn(f64, f64) -> bool| {
+            value.as_f64().is_none_or(|x| holds(x, rule.as_f64().expect("a number")))
+        };
+        let least =
+            |length: Option<usize>| length.is_none_or(|n| n as u64 >= rule.as_u64().expect("a length"));
+        match word.as_str() {
+            "type" => match rule.as_str().expect("a type") {
+                "object" => value.is_object(),
+                "array" => value.is_array(),
+                "string" => value.is_string(),
+                "number" => value.is_number(),
+                "integer" => value.is_i64() || value.is_u64(),
+                other => panic!("{other}"),
+            },
+            "enum" => rule.as_array().expect("words").contains(value),
+            "const" => rule == value,
+            "anyOf" => all(&|r| fits(r, value)) > 0,
+            "oneOf" => all(&|r| fits(r, value)) == 1,
+            "required" => {
+                value.as_object().is_none_or(|o| all(&|k| !o.contains_key(k.as_str().expect("a key"))) == 0)
+            }
+            "minimum" => number(&|x, limit| x >= limit),
+            "maximum" => number(&|x, limit| x <= limit),
+            "exclusiveMinimum" => number(&|x, limit| x > limit),
+            "minItems" => least(value.as_array().map(Vec::len)),
+            "maxItems" => value.as_array().is_none_or(|a| a.len() as u64 <= rule.as_u64().expect("a length")),
+            "minLength" => least(value.as_str().map(str::len)),
+            "minProperties" => least(value.as_object().map(Map::len)),
+            "items" => value.as_array().is_none_or(|a| a.iter().all(|v| fits(rule, v))),
+            "properties" => value.as_object().is_none_or(|o| {
+                rule.as_object().expect("properties").iter().all(|(k, r)| o.get(k).is_none_or(|v| fits(r, v)))
+            }),
+            "additionalProperties" => value.as_object().is_none_or(|o| {
+                let known = schema.get("properties").and_then(Value::as_object);
+                let other = |k: &str| known.is_none_or(|p| !p.contains_key(k));
+                o.iter().filter(|(k, _)| other(k)).all(|(_, v)| fits(rule, v))
+            }),
+            _ => true,
+        }
+    })
+}
+
+#[test]
+fn good_cases_fit() {
+    let schema = schema(MATERIALS);
+    assert!(fits(&schema, &case(EVERY_KEY)));
+    assert!(fits(&schema, &case(FIRST_SHAKE)));
+}
+
+#[test]
+fn what_the_reader_refuses_for_its_form_does_not_fit() {
+    let schema = schema(MATERIALS);
+    for (from, to) in [
+        ("near = \"120 cm\"", "nears = \"120 cm\""),
+        ("kind = \"within\"", "kind = \"outcrp\""),
+        ("kind = \"within\"\n", ""),
+        ("benches = 6", "benches = 0"),
+        ("safety = 0.8", "safety = 1.5"),
+        ("model_x_azimuth = \"30 deg\"", "model_x_azimuth = 30"),
+        ("unit_weight = \"27 kN/m3\"", "unit_weight = \"27 kN/m3\"\ndensity = 2700"),
+        ("unit_weight = \"27 kN/m3\"\n", ""),
+        ("young = \"10 GPa\"\n", ""),
+        ("law = \"elastic\"", "law = \"plastic\""),
+        ("at = [\"0 m\", \"1 m\", \"-210 m\"]", "at = [0, 1]"),
+        ("[material.rock]", "[mesh.file]\npath = \"a\"\n[material.rock]"),
+        ("y = \"roller\"", "y = \"free-field\""),
+        ("[initial]", "[[stage]]\nname = \"a\"\n[initial]"),
+    ] {
+        let source = EVERY_KEY.replacen(from, to, 1);
+        assert!(!fits(&schema, &case(&source)), "{to}");
+        assert!(Case::parse(Path::new("case.toml"), &source, MATERIALS).is_err(), "{to}");
+    }
+}
+
+#[test]
+fn editors_find_a_description_for_every_key_and_the_parameters_of_every_law() {
+    fn walk(schema: &Value, count: &mut usize) {
+        match schema {
+            Value::Object(map) => {
+                if let Some(Value::Object(properties)) = map.get("properties") {
+                    for (key, property) in properties {
+                        *count += 1;
+                        assert!(property["description"].as_str().is_some_and(|d| d.len() > 5), "{key}");
+                    }
+                }
+                map.values().for_each(|v| walk(v, count));
+            }
+            Value::Array(list) => list.iter().for_each(|v| walk(v, count)),
+            _ => {}
+        }
+    }
+    let schema = schema(MATERIALS);
+    let mut count = 0;
+    walk(&schema, &mut count);
+    assert!(count > 80, "{count} keys");
+    assert_eq!(schema["properties"]["output"]["properties"]["histories"]["default"], "0.01 s");
+    let materials =
+        schema["properties"]["material"]["additionalProperties"]["oneOf"].as_array().expect("laws");
+    for (law, material) in MATERIALS.iter().zip(materials) {
+        assert_eq!(material["properties"]["law"]["const"], law.name);
+        for parameter in law.parameters {
+            assert!(material["properties"][parameter.name].is_object(), "{}.{}", law.name, parameter.name);
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! The tests of this crate, one binary.
+
+mod circles;
+mod commands;
+mod every_law;
+mod law;
+mod law_figures;
+mod layout;
+mod mesh;
+mod references;
+mod verify;

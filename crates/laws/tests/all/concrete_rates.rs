@@ -1,0 +1,139 @@
+//! Rates, filter and freezing; time that stands still.
+
+use crate::common::concrete::*;
+use tremolite_laws::Material;
+use tremolite_laws::materials::Concrete;
+use tremolite_laws::path::{Path, drive};
+
+const LAST_RATE: f64 = 30.0;
+
+fn law(rate: &str, filter: f64) -> Concrete {
+    Concrete::new(&with_words(values().with("rate_filter_time", filter), &[("rate", rate)])).unwrap()
+}
+
+/// Strain along x at a constant rate without a filter, until damage: (factor, strain) at first damage.
+fn first_damage(law: &Concrete, rate: f64, column: usize) -> (f64, f64) {
+    let mut history = tremolite_laws::virgin::<Concrete>();
+    let mut strain = 0.0;
+    let step: f64 = 1e-4 * if column == 6 { THRESHOLD } else { fc() / YOUNG };
+    while history[column] == 0.0 {
+        strain += step;
+        let e = match column {
+            6 => [strain, 0.0, 0.0, 0.0, 0.0, 0.0],
+            _ => [-strain, POISSON * strain, POISSON * strain, 0.0, 0.0, 0.0],
+        };
+        (_, history) = law.update(&point(step / rate, 0.5), e, history);
+    }
+    (history[column], strain)
+}
+
+/// Factors (12) and (16) with the reference rate of the CEB law; beyond 30 s⁻¹ and below the reference they stand.
+#[test]
+fn dynamic_factors_are_the_ceb_values() {
+    let law = law("ceb", 0.0);
+    let xi = 1.0 / (5.0 + 0.75 * fc() / 1e6);
+    for rate in [1e-6f64, 3e-5, 1e-4, 1e-2, 1.0, 30.0, 300.0] {
+        let ratio = rate.clamp(3e-5, LAST_RATE) / 3e-5;
+        for (column, exact, start) in
+            [(6, f64::powf(ratio, 0.020), THRESHOLD), (7, f64::powf(ratio, 1.026 * xi), fc() / YOUNG)]
+        {
+            let (factor, strain) = first_damage(&law, rate, column);
+            // Rate from a difference of strains: their round-off over a step of 1e-4 of the strain at damage.
+            assert!((factor / exact - 1.0).abs() <= 1e-12, "{rate} 1/s, column {column}: {factor} {exact}");
+            // Found on a grid of steps of 1e-4 of the static strain.
+            assert!(strain >= exact * start * (1.0 - 1e-9) && strain <= exact * start + 1.01e-4 * start);
+        }
+    }
+    // By hand: (1/3e-5)^0.02 = e^(0.02 · 10.4143) = 1.23160.
+    assert!((first_damage(&law, 1.0, 6).0 - 1.2316).abs() < 5e-5);
+}
+
+/// Model Code 2010: 1.018 and 1.014 to the power of decades, from its own references.
+#[test]
+fn other_rate_laws_use_their_own_exponents_and_references() {
+    let mpa = fc() / 1e6;
+    for (word, rate, column, exact) in [
+        ("mc2010", 1.0, 6, 1e6f64.powf(0.018)),
+        ("mc2010", 1.0, 7, (1.0f64 / 3e-5).powf(0.014)),
+        ("mc90", 1.0, 6, (1.0f64 / 3e-6).powf(1.016 / (10.0 + 0.6 * mpa))),
+        ("mc90", 1.0, 7, (1.0f64 / 3e-5).powf(1.026 / (5.0 + 0.9 * mpa))),
+    ] {
+        let (factor, _) = first_damage(&law(word, 0.0), rate, column);
+        assert!((factor / exact - 1.0).abs() <= 1e-12, "{word} {column}: {factor} {exact}");
+    }
+    let printed = Concrete::new(&with_words(
+        values().with("reference_rate", 0.3).with("rate_filter_time", 0.0),
+        &[("rate", "ceb")],
+    ))
+    .unwrap();
+    assert_eq!(first_damage(&printed, 1e-2, 6).0, 1.0);
+    assert!((first_damage(&printed, 3.0, 6).0 - 10f64.powf(0.02)).abs() < 1e-12);
+}
+
+/// r ← r + Δt/(τ + Δt)(rate − r), written out, gives the factor that the smoothed strain gives.
+#[test]
+fn the_filter_is_the_signed_rate_through_a_first_order_low_pass() {
+    let tau = 5e-3;
+    let law = law("ceb", tau);
+    let mut history = tremolite_laws::virgin::<Concrete>();
+    let (mut r, mut last) = (0.0f64, 0.0f64);
+    let mut t = 0.0;
+    for k in 0.. {
+        // Steps of changing length, strain that grows and swings.
+        let dt = 1e-4 * (1.0 + 0.5 * (k as f64 * 0.7).sin());
+        t += dt;
+        let strain = (2e-3 * t + 0.2 * THRESHOLD * (900.0 * t).sin()).max(0.0);
+        r += dt / (tau + dt) * ((strain - last) / dt - r);
+        last = strain;
+        (_, history) = law.update(&point(dt, 0.5), [strain, 0.0, 0.0, 0.0, 0.0, 0.0], history);
+        assert!((history[4] - (strain - tau * r)).abs() <= 1e-12 * THRESHOLD);
+        if history[6] > 0.0 {
+            break;
+        }
+    }
+    let exact = (r.abs().clamp(3e-5, LAST_RATE) / 3e-5).powf(0.02);
+    assert!((history[6] / exact - 1.0).abs() <= 1e-12);
+}
+
+#[test]
+fn factors_are_frozen_at_first_damage() {
+    let law = law("ceb", 0.0);
+    let mut history = tremolite_laws::virgin::<Concrete>();
+    for (dt, strain) in [(1.0, 0.9), (0.01, 1.3), (1e-9, 2.0), (1.0, 3.0)] {
+        (_, history) = law.update(&point(dt, 0.5), [strain * THRESHOLD, 0.0, 0.0, 0.0, 0.0, 0.0], history);
+    }
+    let exact = (0.4 * THRESHOLD / 0.01 / 3e-5f64).powf(0.02);
+    assert!((history[6] / exact - 1.0).abs() < 1e-12, "{} {exact}", history[6]);
+    // D⁺ of the plateau at 3 ε_ts, thresholds times the frozen factor.
+    assert!((history[0] - (1.0 - ALPHA * exact / 3.0)).abs() < 1e-12);
+}
+
+#[test]
+fn while_time_stands_still_rates_are_off_and_the_filter_starts_from_rest() {
+    let law = law("ceb", 5e-3);
+    let mut history = tremolite_laws::virgin::<Concrete>();
+    for k in 1..=50 {
+        let strain = 0.9 * THRESHOLD * k as f64 / 50.0;
+        (_, history) = law.update(&point(0.0, 0.5), [strain, 0.0, 0.0, 0.0, 0.0, 0.0], history);
+        assert!((history[4] - strain).abs() <= 1e-14 * THRESHOLD);
+    }
+    // Quiet after the stages: no rate, so the static threshold holds.
+    let strain = |x: f64| [x * THRESHOLD, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let (_, rest) = law.update(&point(1e-5, 0.5), strain(0.9), history);
+    assert!((rest[4] - 0.9 * THRESHOLD).abs() < 1e-18);
+    let (_, broken) = law.update(&point(0.0, 0.5), strain(1.01), history);
+    assert_eq!(broken[6], 1.0);
+}
+
+/// Through the path driver: the time column sets the rate, the first row takes none.
+#[test]
+fn a_path_with_time_shows_the_rate_and_one_without_does_not() {
+    let law = law("ceb", 0.0);
+    let strain = ramp(0.0, 1.5 * THRESHOLD, 300);
+    for (rate, exact) in [(Some(1e-2), (1e-2f64 / 3e-5).powf(0.02)), (None, 1.0)] {
+        let time = strain.iter().map(|e| rate.map_or(0.0, |r: f64| e / r)).collect();
+        let path = Path::strains(time, strain.iter().map(|&e| [e, 0.0, 0.0, 0.0, 0.0, 0.0]).collect());
+        let factor = *drive(&law, &path).unwrap().column("factor_tension").unwrap().last().unwrap();
+        assert!((factor / exact - 1.0).abs() < 1e-10, "{factor} {exact}");
+    }
+}

@@ -1,0 +1,20 @@
+//! The tests of this crate, one binary.
+
+mod common;
+mod concrete_energy;
+mod concrete_parameters;
+mod concrete_paths;
+mod concrete_rates;
+mod concrete_strength;
+mod damage_left;
+mod derived;
+mod eigen;
+mod hex8;
+mod lanes;
+mod path;
+mod path_stress;
+mod rock_parameters;
+mod rock_properties;
+mod rock_reference;
+mod rock_strength;
+mod size;

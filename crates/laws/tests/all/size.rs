@@ -1,0 +1,103 @@
+//! The size tensor that element kernels hand to laws which ask for it.
+
+use crate::common::Random;
+use tremolite_laws::shapes::hex8::{
+    CORNERS, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point,
+};
+use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Point, Row, Values};
+
+/// A law whose stress is the size tensor itself.
+struct ShowsSize;
+
+impl Material for ShowsSize {
+    const NAME: &'static str = "shows-size";
+    const SUMMARY: &'static str = "a test's own";
+    const SOURCE: &'static str = "";
+    const PARAMETERS: &'static [Parameter] = &[];
+    const HISTORY: &'static [Column] = &[];
+    const NEEDS_SIZE: bool = true;
+    type History<L: Lane> = [L; 0];
+
+    fn new(_: &Values) -> Result<Self, Vec<BadParameter>> {
+        Ok(ShowsSize)
+    }
+
+    fn moduli(&self) -> Moduli {
+        Moduli::from_young_poisson(1.0, 0.2)
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        ShowsSize
+    }
+
+    fn update<L: Lane>(&self, point: &Point<L>, _: [L; 6], _: [L; 0]) -> ([L; 6], [L; 0]) {
+        (point.size, [])
+    }
+}
+
+#[test]
+fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
+    let mut random = Random::new(31);
+    for _ in 0..50 {
+        let (r, sides) = (random.rotation(), [0.25, 1.2, 0.6]);
+        let corners = CORNERS.map(|c| {
+            let x: [f64; 3] = std::array::from_fn(|i| sides[i] * (0.5 * c[i] + 0.12 * random.symmetric()));
+            std::array::from_fn(|i| 3.0 + (0..3).map(|j| r[j][i] * x[j]).sum::<f64>())
+        });
+        let mean: [f64; 3] =
+            std::array::from_fn(|i| corners.iter().map(|x: &[f64; 3]| x[i]).sum::<f64>() / 8.0);
+        let exact = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)]
+            .map(|(i, j)| 0.5 * corners.iter().map(|x| (x[i] - mean[i]) * (x[j] - mean[j])).sum::<f64>());
+        let hex = Hex8::new(corners).unwrap();
+        let stabilisation = Stabilisation::new(ShowsSize.moduli());
+        let index: [[u16; 8]; 8] = std::array::from_fn(|k| [k as u16; 8]);
+        let (rows, point) = ([Row::ZERO; 8], Point::new(0.0));
+        for points in [1, 8] {
+            let mut out = [Row::ZERO; 8];
+            let mut probe = Probe::ZERO;
+            // SAFETY: eight rows, indices 0 to 7, and the scalar lane needs no instruction set.
+            unsafe {
+                if points == 1 {
+                    let mut g = OnePointGeometry::EMPTY;
+                    g.set(0, &hex, &stabilisation);
+                    one_point::<f64, _, true>(
+                        &ShowsSize,
+                        &stabilisation,
+                        &point,
+                        &g,
+                        &index,
+                        &mut [],
+                        None,
+                        &mut [],
+                        &rows,
+                        &mut out,
+                        &mut probe,
+                    );
+                } else {
+                    let mut g = FullGeometry::EMPTY;
+                    g.set(0, &hex, &stabilisation);
+                    full::<f64, _, true>(
+                        &ShowsSize,
+                        &stabilisation,
+                        &point,
+                        &g,
+                        &index,
+                        &mut [],
+                        None,
+                        &mut [],
+                        &rows,
+                        &mut out,
+                        &mut probe,
+                    );
+                }
+            }
+            for stress in &probe.stress[..points] {
+                for (found, exact) in stress.iter().zip(exact) {
+                    assert!((found.0[0] - exact).abs() <= 1e-13, "{points} points: {} {exact}", found.0[0]);
+                    // Lanes without an element: no size, and no NaN.
+                    assert_eq!(found.0[1], 0.0);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! The tests of this crate, one binary.
+
+mod files;
+mod round_trip;

@@ -1,0 +1,55 @@
+//! One verification problem and what comes of it.
+
+use crate::{Check, Effort, PROBLEMS, UnknownName, VerifyError};
+use std::time::Instant;
+
+/// One verification problem.
+#[derive(Clone, Copy, Debug)]
+pub struct Problem {
+    /// The word on the command line.
+    pub name: &'static str,
+    /// One line on what is verified.
+    pub summary: &'static str,
+    /// Where the reference solution comes from.
+    pub source: &'static str,
+    /// The least effort that takes it in: a test where it takes 2 s at most, else [`Effort::Verify`]. A problem of the
+    /// tests does the same at both, so that nothing is lost where only the others are verified.
+    pub from: Effort,
+    /// Runs it.
+    pub run: fn(Effort) -> Result<Vec<Check>, VerifyError>,
+}
+
+/// What a problem came to.
+#[derive(Clone, Debug)]
+pub struct Verified {
+    pub checks: Vec<Check>,
+    /// Wall time \[s\].
+    pub seconds: f64,
+}
+
+impl Verified {
+    /// How many checks were missed.
+    pub fn missed(&self) -> usize {
+        self.checks.iter().filter(|check| !check.pass).count()
+    }
+}
+
+impl Problem {
+    /// Runs the problem; one that cannot be run to its end is a check that is missed.
+    pub fn verify(&self, effort: Effort) -> Verified {
+        let start = Instant::now();
+        let checks = (self.run)(effort).unwrap_or_else(|error| vec![Check::broken(self.name, &error)]);
+        Verified { checks, seconds: start.elapsed().as_secs_f64() }
+    }
+}
+
+/// The problems of these names, or all if there are none, in the order of [`PROBLEMS`].
+///
+/// # Errors
+/// If a name is not in the list.
+pub fn select(names: &[&str]) -> Result<Vec<&'static Problem>, UnknownName> {
+    if let Some(unknown) = names.iter().find(|name| PROBLEMS.iter().all(|p| p.name != **name)) {
+        return Err(UnknownName { name: (*unknown).to_owned() });
+    }
+    Ok(PROBLEMS.iter().filter(|p| names.is_empty() || names.contains(&p.name)).collect())
+}
