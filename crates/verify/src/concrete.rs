@@ -2,8 +2,7 @@
 
 use crate::VerifyError;
 use tremolite_laws::materials::Concrete;
-use tremolite_laws::path::{Path, drive};
-use tremolite_laws::{Material, Point, Value, Values};
+use tremolite_laws::{Material, Point, Value, Values, virgin};
 
 /// E \[Pa\]
 pub const YOUNG: f64 = 25e9;
@@ -72,17 +71,15 @@ pub fn concrete(numbers: &[(&str, f64)], words: &[(&str, &str)]) -> Result<Concr
 /// Stress along x, and the largest stress across it, at strains along x with the lateral strain that belongs to the
 /// exact stress \[Pa\] there: −νε in the effective split, −νσ/E in the compliance split. Solving for the lateral strain
 /// would find one of many, since a point cracked through has no lateral stiffness. Time stands still.
-///
-/// # Errors
-/// If the path cannot be followed.
-pub fn uniaxial(law: &Concrete, split: &str, rows: &[(f64, f64)]) -> Result<Vec<[f64; 2]>, VerifyError> {
-    let strain = rows.iter().map(|&(e, s)| {
+pub fn uniaxial(law: &Concrete, split: &str, rows: &[(f64, f64)]) -> Vec<[f64; 2]> {
+    let mut history = virgin::<Concrete>();
+    let stress = rows.iter().map(|&(e, s)| {
         let lateral = -POISSON * if split == "compliance" { s / YOUNG } else { e };
-        [e, lateral, lateral, 0.0, 0.0, 0.0]
+        let stress;
+        (stress, history) = law.update(&Point::new(0.0), [e, lateral, lateral, 0.0, 0.0, 0.0], history);
+        [stress[0], stress[1].abs().max(stress[2].abs())]
     });
-    let path = Path::strains(vec![0.0; rows.len()], strain.collect());
-    let response = drive(law, &path).map_err(|e| VerifyError::Setup(e.to_string()))?;
-    Ok(response.stress.iter().map(|s| [s[0], s[1].abs().max(s[2].abs())]).collect())
+    stress.collect()
 }
 
 /// Strain of an undamaged point under these principal stresses along the axes.
@@ -94,8 +91,7 @@ pub fn elastic_strain(s: [f64; 3]) -> [f64; 6] {
 
 /// Damage D⁺ and D⁻ that a virgin point takes in one step to the strain of these elastic stresses.
 pub fn damage(law: &Concrete, stress: [f64; 3]) -> [f64; 2] {
-    let (_, history) =
-        law.update(&cube(0.0, 0.5), elastic_strain(stress), tremolite_laws::virgin::<Concrete>());
+    let (_, history) = law.update(&cube(0.0, 0.5), elastic_strain(stress), virgin::<Concrete>());
     [history[D_TENSION], history[D_SHEAR]]
 }
 

@@ -3,7 +3,7 @@
 use crate::VerifyError;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
-use tremolite::{AnyMaterial, Body, Problem, Quadrature, elastic, laws};
+use tremolite::{AnyMaterial, Body, Law, Problem, Quadrature, elastic, laws};
 use tremolite_laws::{Moduli, Values};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::boxes::{BoxError, BoxSpec, Distortion};
@@ -55,14 +55,21 @@ impl Solid {
     }
 }
 
+/// A law of the list by its name.
+///
+/// # Errors
+/// If there is none.
+pub fn law(name: &str) -> Result<Law, VerifyError> {
+    let known = laws().into_iter().find(|known| known.info.name == name);
+    known.ok_or_else(|| VerifyError::Setup(format!("there is no law '{name}'")))
+}
+
 /// A material of a law of the list, by the law's name.
 ///
 /// # Errors
 /// If there is no such law, or it refuses the values.
-pub fn material(law: &str, values: &Values) -> Result<Arc<dyn AnyMaterial>, VerifyError> {
-    let known = laws().into_iter().find(|known| known.info.name == law);
-    let law = known.ok_or_else(|| VerifyError::Setup(format!("there is no law '{law}'")))?;
-    (law.build)(values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))
+pub fn material(name: &str, values: &Values) -> Result<Arc<dyn AnyMaterial>, VerifyError> {
+    (law(name)?.build)(values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))
 }
 
 /// A box of bricks from the origin, its nodes shifted by up to `fraction` of the spacing.

@@ -6,11 +6,12 @@
 //! cycles are passed over, while the bodies settle.
 
 use crate::convergence::Oscillation;
-use crate::models::{Solid, column};
+use crate::models::{Solid, column, law};
 use crate::simulation::Simulation;
 use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::{PI, TAU};
-use tremolite::{Base, Law, Quadrature, Side};
+use tremolite::{Base, Quadrature, Side};
+use tremolite_laws::Material;
 use tremolite_laws::Values;
 use tremolite_laws::band::Band;
 use tremolite_laws::materials::Elastic;
@@ -73,7 +74,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
 fn decay(band: Band, quadrature: Quadrature, mode: u32, f: f64) -> Result<Oscillation, VerifyError> {
     let mut problem = ROCK.fill(column(SIZE, LAYERS, 1)?, quadrature);
     let values = Values::default().with("young", ROCK.young).with("poisson", ROCK.poisson);
-    problem.bodies[0].material = (Law::of::<Elastic>().build_banded)(&values, band)
+    problem.bodies[0].material = (law(Elastic::NAME)?.build_banded)(&values, band)
         .map_err(|_| VerifyError::Setup("the elastic law refuses its values".into()))?;
     problem.base = Base::Fixed;
     problem.sides = [Side::Periodic; 2];
