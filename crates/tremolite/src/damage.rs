@@ -1,14 +1,14 @@
 //! How far each group of elements is damaged or has yielded, at the end of a run.
 
 use crate::groups::{Group, groups};
-use crate::hexahedra::{centroid, hex};
+use tremolite_engine::hexahedra::{centroid, hex};
 use crate::history::History;
-use crate::model::Model;
+use tremolite_engine::model::Model;
 use crate::observers::{Cracks as Watch, onset_memory};
-use crate::phase::Phase;
+use tremolite_engine::phase::Phase;
 use crate::quantities::{MEASURES, Measure};
 use crate::stacks::{Stack, stacks};
-use crate::state::Memory;
+use tremolite_engine::state::Memory;
 use indexmap::IndexMap;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;

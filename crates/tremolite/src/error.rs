@@ -1,34 +1,10 @@
-//! Why something cannot be run, or cannot go on.
+//! Why a run could not go on.
 
 use crate::checkpoint::CheckpointError;
 use std::path::PathBuf;
-use tremolite_laws::shapes::hex8::BadShape;
-use tremolite_mesh::topology::Unmatched;
+use tremolite_engine::ModelError;
 
-/// Why a problem cannot be run.
-#[derive(Debug, thiserror::Error)]
-pub enum ModelError {
-    #[error("no element belongs to a body: assign a material to at least one group")]
-    Empty,
-    #[error(
-        "element {element} belongs to '{first}' and to '{second}': let each element be in one region only"
-    )]
-    Twice { element: u64, first: String, second: String },
-    #[error("element {element} of '{body}' cannot be used: {reason}")]
-    BadElement { element: u64, body: String, reason: BadShape },
-    #[error("the sides {low} and {high} cannot be periodic: {reason}")]
-    Periodic { low: &'static str, high: &'static str, reason: Unmatched },
-    #[error(
-        "no element face lies on the plane of the {0}, so nothing can act there: the outer sides must be plane"
-    )]
-    NoFaces(&'static str),
-    #[error("{0}")]
-    Column(String),
-    #[error("'{body}' has density {density} kg/m³: it must be positive")]
-    Density { body: String, density: f64 },
-}
-
-/// Why a run could not go on. What was computed before is kept.
+/// What stopped it. What was computed before is kept.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     #[error("{}: {source}", path.display())]

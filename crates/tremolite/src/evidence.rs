@@ -1,8 +1,8 @@
 //! What is known of a run that has ended.
 
-use crate::assembly::Assembly;
-use crate::model::Model;
-use crate::phase::Phase;
+use tremolite_engine::assembly::Assembly;
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::Phase;
 use crate::plan::Plan;
 use crate::run::Outcome;
 use crate::setup::MotionFacts;

@@ -1,7 +1,7 @@
 //! Groups of elements for which damage is reported.
 
-use crate::model::Model;
-use crate::problem::Body;
+use tremolite_engine::model::Model;
+use tremolite_engine::problem::Body;
 use crate::quantities::MEASURES;
 use tremolite_laws::parameter::position;
 

@@ -1,47 +1,23 @@
-//! Tremolite: the problem and its time loop.
+//! Tremolite: from a case to results.
 //!
-//! [`Problem`] → [`Model`] (checked, immutable) → [`Assembly`] (every part it will ever have) → [`Phase`] (what of it is
-//! active in a stage) + [`State`] (all that evolves) → [`Engine`] (the step).
+//! [`setup`] makes a [`Problem`] and a [`plan::Plan`] of a case, [`run`] runs them through the engine
+//! ([`tremolite_engine`], whose modules are passed on here) and lets [`observers`] look, [`summary`] says what came out.
 
-pub mod assembly;
-pub mod bench;
-pub mod boundary;
 pub mod checkpoint;
-pub mod column;
 pub mod damage;
-pub mod engine;
 pub mod error;
 pub mod evidence;
-pub mod extent;
 mod groups;
-pub mod hexahedra;
 pub mod history;
-pub mod life;
-pub mod member;
-pub mod model;
 pub mod observers;
-pub mod outer_faces;
-pub mod parts;
-pub mod phase;
 pub mod plan;
-pub mod problem;
 pub mod quantities;
 pub mod run;
 pub mod setup;
 pub mod stacks;
-pub mod state;
 pub mod summary;
 pub mod survey;
-pub mod ties;
 mod trust;
 
-pub use assembly::Assembly;
-pub use engine::{Engine, Halt, Limit, Snapshot, StableStep, stable_step};
-pub use error::{ModelError, RunError};
-pub use life::{Life, Stage};
-pub use member::Member;
-pub use model::Model;
-pub use phase::Phase;
-pub use problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
-pub use state::State;
-pub use tremolite_kernels::{AnyMaterial, Law, Line, Lines, Quadrature, elastic, laws};
+pub use error::RunError;
+pub use tremolite_engine::*;

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 use tremolite_mesh::{Mesh, Shape};
 
-use crate::hexahedra::hex;
+use tremolite_engine::hexahedra::hex;
 
 /// Hexahedra from one surface of a group to the opposite one, each with the natural axis (0, 1, 2) along which it is
 /// passed, in ascending order of elements.
@@ -114,7 +114,7 @@ mod tests {
         let far = |x: f64| (x - 3.0).abs();
         let ring = |mesh: &Mesh| -> Vec<u32> {
             let far = |e: &u32| {
-                let [x, _, z] = crate::hexahedra::centroid(mesh, *e);
+                let [x, _, z] = tremolite_engine::hexahedra::centroid(mesh, *e);
                 far(x).max(far(z))
             };
             (0..36).filter(|e| (1.0..2.0).contains(&far(e))).collect()

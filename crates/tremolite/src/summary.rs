@@ -1,7 +1,7 @@
 //! What a run leaves for people: summary.json, with a verdict and a line for each thing that bears on trust.
 
 use crate::damage;
-use crate::engine::Halt;
+use tremolite_engine::Halt;
 use crate::evidence::Evidence;
 use crate::run::{Ending, Outcome};
 use crate::survey::limit_in_words;

@@ -1,10 +1,10 @@
 //! What can be said of a model before it runs: materials, steps, wavelengths, memory.
 
-use crate::assembly::Assembly;
-use crate::engine::{Limit, StableStep};
-use crate::error::ModelError;
-use crate::hexahedra::{centroid, hex};
-use crate::model::Model;
+use tremolite_engine::assembly::Assembly;
+use tremolite_engine::{Limit, StableStep};
+use tremolite_engine::ModelError;
+use tremolite_engine::hexahedra::{centroid, hex};
+use tremolite_engine::model::Model;
 use rayon::prelude::*;
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;

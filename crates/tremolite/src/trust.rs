@@ -1,9 +1,9 @@
 //! How far a run can be trusted: each line a number against a limit.
 
 use crate::evidence::Evidence;
-use crate::extent::extents;
-use crate::hexahedra::hex;
-use crate::model::Model;
+use tremolite_engine::extent::extents;
+use tremolite_engine::hexahedra::hex;
+use tremolite_engine::model::Model;
 use crate::observers::{ENERGY_MEMORY, FREE_FIELD_MEMORY};
 use crate::survey::limit_in_words;
 use tremolite_laws::Role;

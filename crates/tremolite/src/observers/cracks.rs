@@ -2,7 +2,7 @@
 
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
-use crate::state::Memory;
+use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
 

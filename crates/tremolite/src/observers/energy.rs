@@ -2,7 +2,7 @@
 
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
-use crate::state::Memory;
+use tremolite_engine::state::Memory;
 use tremolite_kernels::Line;
 use tremolite_results::{Column, TableWriter};
 

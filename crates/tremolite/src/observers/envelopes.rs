@@ -3,7 +3,7 @@
 use super::{Observer, Schedule, View};
 use crate::error::RunError;
 use crate::quantities::{extremes, length};
-use crate::state::Memory;
+use tremolite_engine::state::Memory;
 
 /// Keeps the largest displacement by engine node, and the largest s1 and smallest s3 by element (in the order of
 /// members), under [`Envelopes::DISPLACEMENT`], [`Envelopes::S1`] and [`Envelopes::S3`] in the state.

@@ -2,10 +2,10 @@
 
 use super::{Cracks, Envelopes, Observer, Schedule, Setting, View};
 use crate::error::RunError;
-use crate::model::Model;
-use crate::phase::ElementSlot;
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::ElementSlot;
 use crate::quantities::{Field, extremes, field_name, mean, of_element};
-use crate::state::Memory;
+use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_results::Pvd;

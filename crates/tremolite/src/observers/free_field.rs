@@ -5,7 +5,7 @@ mod theory;
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::quantities::MEASURES;
-use crate::state::Memory;
+use tremolite_engine::state::Memory;
 use theory::{Layer, surface_velocity};
 use tremolite_laws::parameter::position;
 

@@ -18,14 +18,14 @@ pub use growth::Growth;
 pub use histories::Histories;
 pub use onsets::{Onsets, memory_key as onset_memory};
 
-use crate::assembly::{Assembly, Slices};
-use crate::engine::Snapshot;
+use tremolite_engine::assembly::{Assembly, Slices};
+use tremolite_engine::Snapshot;
 use crate::error::RunError;
 use crate::history::History;
-use crate::model::Model;
-use crate::phase::Phase;
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::Phase;
 use crate::plan::{Plan, Steps};
-use crate::state::Memory;
+use tremolite_engine::state::Memory;
 use std::sync::Arc;
 use tremolite_results::ResultFolder;
 

@@ -1,8 +1,8 @@
 //! What reports say of the materials: what was given, what was filled in, what the laws made of it.
 
-use crate::extent::extents;
-use crate::hexahedra::hex;
-use crate::problem::Body;
+use tremolite_engine::extent::extents;
+use tremolite_engine::hexahedra::hex;
+use tremolite_engine::problem::Body;
 use indexmap::IndexMap;
 use tremolite_case::{Case, Element, Fill, Material};
 use tremolite_kernels::{AnyMaterial, Law};

@@ -9,7 +9,7 @@ mod regions;
 pub use motion::MotionFacts;
 
 use crate::plan::Plan;
-use crate::problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
+use tremolite_engine::problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
 use crate::quantities::Field;
 use indexmap::IndexMap;
 use std::path::Path;

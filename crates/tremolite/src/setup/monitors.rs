@@ -1,7 +1,7 @@
 //! Where the monitors are.
 
 use crate::plan::Monitor;
-use crate::problem::Body;
+use tremolite_engine::problem::Body;
 use tremolite_case::{Case, Place, Problem};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::locate::Locator;

@@ -1,8 +1,8 @@
 //! Which elements are made of what.
 
-use crate::extent::extents;
-use crate::hexahedra::{centroid, hex};
-use crate::problem::Body;
+use tremolite_engine::extent::extents;
+use tremolite_engine::hexahedra::{centroid, hex};
+use tremolite_engine::problem::Body;
 use std::sync::Arc;
 use tremolite_case::{Case, Element, Fill, Material, Problem, Region, pattern};
 use tremolite_kernels::Quadrature;

@@ -1,6 +1,6 @@
 //! A homogeneous column under a vertical wave, exact in the frequency domain.
 
-use crate::problem::Rayleigh;
+use tremolite_engine::problem::Rayleigh;
 use std::f64::consts::{PI, TAU};
 use tremolite_laws::band::Band;
 use tremolite_motion::{Complex64, transferred};

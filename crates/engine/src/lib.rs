@@ -1,0 +1,34 @@
+//! The engine: a problem in space, made into parts and masses, and the step that moves it.
+//!
+//! [`Problem`] → [`Model`] (checked, immutable) → [`Assembly`] (every part it will ever have) → [`Phase`] (what of it is
+//! active in a stage) + [`State`] (all that evolves) → [`Engine`] (the step). It knows nothing of case files, of results
+//! and of who observes.
+
+pub mod assembly;
+pub mod bench;
+pub mod boundary;
+pub mod column;
+pub mod engine;
+pub mod error;
+pub mod extent;
+pub mod hexahedra;
+pub mod life;
+pub mod member;
+pub mod model;
+pub mod outer_faces;
+pub mod parts;
+pub mod phase;
+pub mod problem;
+pub mod state;
+pub mod ties;
+
+pub use assembly::Assembly;
+pub use engine::{Engine, Halt, Limit, Snapshot, StableStep, stable_step};
+pub use error::ModelError;
+pub use life::{Life, Stage};
+pub use member::Member;
+pub use model::Model;
+pub use phase::Phase;
+pub use problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
+pub use state::State;
+pub use tremolite_kernels::{AnyMaterial, Law, Line, Lines, Quadrature, elastic, laws};
