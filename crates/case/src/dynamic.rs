@@ -126,13 +126,13 @@ static RAYLEIGH: Table = Table {
 words! {
     /// What holds the base.
     BaseKind {
-        /// Dashpots and springs on the scattered wave.
+        /// dashpots and springs on the scattered motion; the incident wave enters here
         ViscousSpring = "viscous-spring",
-        /// Dashpots alone (Lysmer and Kuhlemeyer).
+        /// dashpots (Lysmer & Kuhlemeyer); the incident wave enters here
         Viscous = "viscous",
-        /// No displacement; no motion enters.
+        /// no displacement; no motion enters
         Fixed = "fixed",
-        /// Nothing: no motion enters.
+        /// no traction; no motion enters
         Free = "free",
     }
 }
@@ -140,16 +140,16 @@ words! {
 words! {
     /// What holds a pair of sides.
     Side {
-        /// No motion.
-        Fixed = "fixed",
-        /// No motion normal to the side.
-        Roller = "roller",
-        /// Nothing.
-        Free = "free",
-        /// Dashpots (Lysmer and Kuhlemeyer).
-        Viscous = "viscous",
-        /// Opposite nodes move together.
+        /// opposite nodes move as one: an endless row of such blocks
         Periodic = "periodic",
+        /// dashpots (Lysmer & Kuhlemeyer)
+        Viscous = "viscous",
+        /// no displacement normal to the side
+        Roller = "roller",
+        /// no displacement
+        Fixed = "fixed",
+        /// no traction
+        Free = "free",
     }
 }
 

@@ -171,14 +171,18 @@ pub const LATER_WORDS: &[(&str, &str)] = &[
 
 /// Declares an enumeration of words of the case file; the words are written once.
 macro_rules! words {
-    ($(#[$meta:meta])* $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal,)* }) => {
+    ($(#[$meta:meta])* $name:ident { $($(#[doc = $doc:literal])+ $variant:ident = $word:literal,)* }) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum $name { $($(#[$doc])* $variant,)* }
+        pub enum $name { $($(#[doc = $doc])+ $variant,)* }
 
         impl $name {
             /// The words as they are written in a case.
             pub const WORDS: &'static [&'static str] = &[$($word),*];
+
+            /// Each word with what it means.
+            pub const MEANINGS: &'static [(&'static str, &'static str)] =
+                &[$(($word, concat!($($doc),+).trim_ascii())),*];
 
             /// The word as it is written in a case.
             pub fn word(self) -> &'static str {

@@ -1,13 +1,13 @@
 //! Every part that a model will ever have, made once, with its fixed slices of the state.
 
 use crate::boundary;
+use crate::boundary::base::BaseNode;
 use crate::error::ModelError;
 use crate::hexahedra::{hex, hex_nodes};
-use crate::life::Life;
 use crate::member::Member;
 use crate::model::{Model, Patch};
 use crate::parts::StateSizes;
-use crate::parts::base::{Base, BaseNode};
+
 use crate::parts::loads::Loads;
 use crate::state::State;
 use rayon::prelude::*;
@@ -30,7 +30,7 @@ pub struct Slices {
 /// state, nor a checkpoint.
 pub struct Assembly {
     /// In the order in which a node sums what they hold for it: patches of the user's elements (as the model's patches),
-    /// those of the reference column, the base, loads, the program's own.
+    /// those of the reference column, boundaries, loads, the program's own.
     pub members: Vec<Member>,
     /// Of each member.
     pub slices: Vec<Slices>,
@@ -53,12 +53,9 @@ impl Assembly {
         for member in &mut members[model.user_patches..] {
             member.counted = false;
         }
-        let boundary::BaseParts { nodes: base, spring_distance } = boundary::base(model)?;
-        if !base.is_empty() {
-            let incident = model.incident.as_ref().map(|i| (i.motion.clone(), i.factor));
-            let part = Box::new(Base::new(base.clone(), incident));
-            members.push(Member { life: Life::SHAKING, ..Member::new("boundary springs", part) });
-        }
+        let boundary::Members { members: of_boundaries, base, spring_distance } =
+            boundary::members(model.surroundings())?;
+        members.extend(of_boundaries);
         for (k, load) in model.loads.iter().enumerate() {
             let part = Box::new(Loads::new(load.clone()));
             members.push(Member::new(format!("load {}", k + 1), part));

@@ -1,12 +1,14 @@
 //! A box of distorted hexahedra through the engine that runs use: what `tremolite bench` times.
 
 use crate::assembly::Assembly;
+use crate::body::Body;
+use crate::boundary::{Base, Side};
 use crate::engine::{Engine, Halt, stable_step};
 use crate::error::ModelError;
 use crate::life::Stage;
 use crate::model::Model;
 use crate::phase::Phase;
-use crate::problem::{Base, Body, Problem, Rayleigh, Side};
+use crate::problem::{Problem, Rayleigh};
 use std::sync::Arc;
 use std::time::Instant;
 use tremolite_kernels::{AnyMaterial, Line, Quadrature};

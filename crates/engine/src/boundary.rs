@@ -1,17 +1,107 @@
-//! The outer faces: what holds nodes, what absorbs, what ties.
+//! Boundaries: what holds the outer faces, what absorbs there, what ties them, what enters.
+//!
+//! A boundary is a variant of [`Side`] or [`Base`] and what it does with its faces: components held, ties and dashpots
+//! are filled in here; one that pushes with more is a part in a file below this one, made in [`members`].
 
-use crate::column::WIDTH;
+pub mod base;
+
+use crate::body::Body;
+use crate::column::{Column, WIDTH};
 use crate::error::ModelError;
 use crate::hexahedra::centroid;
-use crate::life::Stage;
-use crate::model::Model;
-use crate::outer_faces::nodes_of;
-use crate::parts::base::BaseNode;
-use crate::problem::{Base, Body, Side};
+use crate::life::{Life, Stage};
+use crate::member::Member;
+use crate::outer_faces::{OuterFaces, nodes_of};
 use crate::ties::Ties;
+use base::{BaseNode, BasePart};
 use std::collections::BTreeMap;
 use tremolite_mesh::topology::{match_faces, vector_areas};
 use tremolite_mesh::{Face, Mesh};
+use tremolite_motion::Motion;
+
+/// What holds or leaves a pair of opposite vertical sides.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// No traction.
+    #[default]
+    Free,
+    /// No displacement.
+    Fixed,
+    /// No displacement normal to the side.
+    Roller,
+    /// Dashpots ρc_p, ρc_s (Lysmer & Kuhlemeyer 1969).
+    Viscous,
+    /// Opposite nodes move as one.
+    Periodic,
+}
+
+/// What holds or drives the base.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Base {
+    #[default]
+    Free,
+    Fixed,
+    /// Dashpots, through which the incident wave enters.
+    Viscous,
+    /// Dashpots and springs α G/R on the motion scattered by the caverns.
+    ViscousSpring {
+        /// α_N (normal).
+        normal: f64,
+        /// α_T (tangential).
+        tangential: f64,
+        /// R \[m\], from the source of scattering to the base; by default from the centre of what is excavated.
+        distance: Option<f64>,
+    },
+}
+
+impl Base {
+    /// Whether springs act, which need the free field of a reference column.
+    pub fn has_springs(&self) -> bool {
+        matches!(self, Base::ViscousSpring { normal, tangential, .. } if *normal != 0.0 || *tangential != 0.0)
+    }
+}
+
+/// An incident wave, travelling up through the base.
+#[derive(Clone)]
+pub struct Incident {
+    /// Motion in the model's axes.
+    pub motion: Motion,
+    /// Factor from that motion to the incident wave: ½ for an outcrop's.
+    pub factor: f64,
+}
+
+/// What boundaries are made from: a checked model, as far as they need it.
+#[derive(Clone, Copy)]
+pub struct Surroundings<'a> {
+    pub mesh: &'a Mesh,
+    pub user_elements: usize,
+    pub bodies: &'a [Body],
+    /// The body of each element of the user's, none for void ones.
+    pub body_of: &'a [Option<usize>],
+    pub engine_node: &'a [u32],
+    pub faces: &'a OuterFaces,
+    pub base: Base,
+    pub sides: [Side; 2],
+    pub held: &'a [(u32, [bool; 3])],
+    pub column: Option<&'a Column>,
+    pub incident: Option<&'a Incident>,
+}
+
+impl Surroundings<'_> {
+    fn engine(&self, node: u32) -> u32 {
+        self.engine_node[node as usize]
+    }
+
+    /// The body behind a face. Every face belongs to an element of a body.
+    fn body(&self, face: Face) -> Option<&Body> {
+        self.body_of[face.element as usize].map(|b| &self.bodies[b])
+    }
+
+    /// ρc_p and ρc_s behind a face.
+    fn impedance(&self, face: Face) -> (f64, f64) {
+        self.body(face).map_or((0.0, 0.0), impedances)
+    }
+}
 
 /// What holds and absorbs in a stage, on engine nodes.
 #[derive(Clone, Debug, Default)]
@@ -22,12 +112,13 @@ pub struct Supports {
     pub dashpots: BTreeMap<u32, [f64; 6]>,
 }
 
-/// What the part at the base is made of.
-#[derive(Clone, Debug, Default)]
-pub struct BaseParts {
+/// Parts of the boundaries, in their order, and what others need to know of them.
+#[derive(Default)]
+pub struct Members {
+    pub members: Vec<Member>,
     /// Nodes of the base, the column's bottom included; empty for a base without dashpots.
-    pub nodes: Vec<BaseNode>,
-    /// Distance R used for the springs \[m\].
+    pub base: Vec<BaseNode>,
+    /// Distance R used for the springs of the base \[m\].
     pub spring_distance: Option<f64>,
 }
 
@@ -37,8 +128,8 @@ const NAMES: [[&str; 2]; 2] = [["xmin", "xmax"], ["ymin", "ymax"]];
 ///
 /// # Errors
 /// If the two sides' nodes do not match.
-pub fn tie_periodic(model: &Model, ties: &mut Ties) -> Result<(), ModelError> {
-    let Model { mesh, faces, sides, .. } = model;
+pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelError> {
+    let Surroundings { mesh, faces, sides, .. } = around;
     let (low, high) = faces.bounds;
     let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
     for axis in 0..2 {
@@ -91,26 +182,21 @@ fn impedances(body: &Body) -> (f64, f64) {
     (body.density * p, body.density * s)
 }
 
-/// ρc_p and ρc_s behind a face. Every face belongs to an element of a body.
-fn face_impedance(model: &Model, face: Face) -> (f64, f64) {
-    model.body_of[face.element as usize].map_or((0.0, 0.0), |b| impedances(&model.bodies[b]))
-}
-
 /// What holds and absorbs in a stage. Before the shaking the base is fixed, and sides that are not periodic are rollers.
 ///
 /// # Errors
 /// If a plane on which something should act has no faces.
-pub fn supports(model: &Model, stage: Stage) -> Result<Supports, ModelError> {
-    let Model { mesh, faces, .. } = model;
+pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelError> {
+    let Surroundings { mesh, faces, .. } = around;
     let mut out = Supports::default();
-    let engine = |n: u32| model.engine_node[n as usize];
-    for &(node, held) in &model.held {
-        if let Some(&e) = model.engine_node.get(node as usize).filter(|&&e| e != u32::MAX) {
+    let engine = |n: u32| around.engine(n);
+    for &(node, held) in around.held {
+        if let Some(&e) = around.engine_node.get(node as usize).filter(|&&e| e != u32::MAX) {
             hold(&mut out.held, e, held);
         }
     }
     for axis in 0..2 {
-        let side = match (stage, model.sides[axis]) {
+        let side = match (stage, around.sides[axis]) {
             (Stage::Shaking, side) | (_, side @ (Side::Periodic | Side::Fixed)) => side,
             (Stage::Before(_), _) => Side::Roller,
         };
@@ -133,7 +219,7 @@ pub fn supports(model: &Model, stage: Stage) -> Result<Supports, ModelError> {
                     }
                 }
                 Side::Viscous => {
-                    for (n, matrix) in nodal_matrices(mesh, faces, |face| face_impedance(model, face)) {
+                    for (n, matrix) in nodal_matrices(mesh, faces, |face| around.impedance(face)) {
                         add(out.dashpots.entry(engine(n)).or_default(), &matrix);
                     }
                 }
@@ -141,7 +227,7 @@ pub fn supports(model: &Model, stage: Stage) -> Result<Supports, ModelError> {
         }
     }
     let base = &faces.planes[2][0];
-    if stage != Stage::Shaking || model.base == Base::Fixed {
+    if stage != Stage::Shaking || around.base == Base::Fixed {
         if base.is_empty() {
             return Err(ModelError::NoFaces("base"));
         }
@@ -152,45 +238,56 @@ pub fn supports(model: &Model, stage: Stage) -> Result<Supports, ModelError> {
     Ok(out)
 }
 
-/// Dashpots and springs of the base in the shaking, the column's included.
+/// The parts of boundaries that push with more than dashpots.
 ///
 /// # Errors
 /// If the plane of a base that should do something has no faces.
-pub fn base(model: &Model) -> Result<BaseParts, ModelError> {
-    let Model { mesh, bodies, .. } = model;
-    let engine = |n: u32| model.engine_node[n as usize];
-    let faces = &model.faces.planes[2][0];
-    if model.base != Base::Free && faces.is_empty() {
+pub fn members(around: Surroundings) -> Result<Members, ModelError> {
+    let mut out = base_nodes(around)?;
+    if !out.base.is_empty() {
+        let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
+        let part = Box::new(BasePart::new(out.base.clone(), incident));
+        out.members.push(Member { life: Life::SHAKING, ..Member::new("boundary springs", part) });
+    }
+    Ok(out)
+}
+
+/// Dashpots and springs of the base in the shaking, the column's included.
+fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
+    let Surroundings { mesh, bodies, .. } = around;
+    let engine = |n: u32| around.engine(n);
+    let faces = &around.faces.planes[2][0];
+    if around.base != Base::Free && faces.is_empty() {
         return Err(ModelError::NoFaces("base"));
     }
-    let mut out = BaseParts::default();
-    let springs = match model.base {
+    let mut out = Members::default();
+    let springs = match around.base {
         Base::Free | Base::Fixed => return Ok(out),
         Base::Viscous => None,
         Base::ViscousSpring { normal, tangential, distance } => {
-            let distance = distance.unwrap_or_else(|| scatter_distance(model));
+            let distance = distance.unwrap_or_else(|| scatter_distance(around));
             out.spring_distance = Some(distance);
             Some((normal, tangential, distance))
         }
     };
-    let spring_of = |face: Face| match (springs, model.body_of[face.element as usize]) {
+    let spring_of = |face: Face| match (springs, around.body(face)) {
         (Some((normal, tangential, distance)), Some(body)) => {
-            let g = bodies[body].material.moduli().mu;
+            let g = body.material.moduli().mu;
             (normal * g / distance, tangential * g / distance)
         }
         _ => (0.0, 0.0),
     };
-    let free_field = model.column.as_ref().map(|c| engine(c.bottom()[0]));
+    let free_field = around.column.map(|c| engine(c.bottom()[0]));
     let spring_matrices = nodal_matrices(mesh, faces, spring_of);
-    for (n, dashpot) in nodal_matrices(mesh, faces, |face| face_impedance(model, face)) {
+    for (n, dashpot) in nodal_matrices(mesh, faces, |face| around.impedance(face)) {
         let spring = spring_matrices.get(&n).copied().unwrap_or_default();
-        out.nodes.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: true });
+        out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: true });
     }
-    if let Some(column) = &model.column {
+    if let Some(column) = around.column {
         let (p, s) = impedances(&bodies[column.bottom_body]);
         let quarter = 0.25 * WIDTH * WIDTH;
         for n in column.bottom() {
-            out.nodes.push(BaseNode {
+            out.base.push(BaseNode {
                 node: engine(n),
                 dashpot: [s * quarter, s * quarter, p * quarter, 0.0, 0.0, 0.0],
                 spring: [0.0; 6],
@@ -216,10 +313,10 @@ fn add(to: &mut [f64; 6], more: &[f64; 6]) {
 }
 
 /// From the centre of the excavated elements (of all, if none is) down to the base \[m\].
-fn scatter_distance(model: &Model) -> f64 {
-    let void: Vec<usize> = (0..model.user_elements).filter(|&e| model.body_of[e].is_none()).collect();
-    let all: Vec<usize> = (0..model.user_elements).collect();
+fn scatter_distance(around: Surroundings) -> f64 {
+    let void: Vec<usize> = (0..around.user_elements).filter(|&e| around.body_of[e].is_none()).collect();
+    let all: Vec<usize> = (0..around.user_elements).collect();
     let chosen = if void.is_empty() { &all } else { &void };
-    let sum: f64 = chosen.iter().map(|&e| centroid(&model.mesh, e as u32)[2]).sum();
-    (sum / chosen.len() as f64 - model.faces.bounds.0[2]).max(1.0)
+    let sum: f64 = chosen.iter().map(|&e| centroid(around.mesh, e as u32)[2]).sum();
+    (sum / chosen.len() as f64 - around.faces.bounds.0[2]).max(1.0)
 }

@@ -3,9 +3,9 @@
 //! Its bottom moves as u_ff, the free field at the level of the base, on which the springs of the base act.
 //! It feels the same incident wave through dashpots alone.
 
+use crate::body::Body;
 use crate::error::ModelError;
 use crate::hexahedra::hex_nodes;
-use crate::problem::Body;
 use tremolite_kernels::Quadrature;
 use tremolite_mesh::{Element, Mesh, Shape};
 

@@ -6,6 +6,7 @@
 
 pub mod assembly;
 pub mod bench;
+pub mod body;
 pub mod boundary;
 pub mod column;
 pub mod engine;
@@ -23,12 +24,14 @@ pub mod state;
 pub mod ties;
 
 pub use assembly::Assembly;
+pub use body::Body;
+pub use boundary::{Base, Incident, Side};
 pub use engine::{Engine, Halt, Limit, Snapshot, StableStep, stable_step};
 pub use error::ModelError;
 pub use life::{Life, Stage};
 pub use member::Member;
 pub use model::Model;
 pub use phase::Phase;
-pub use problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
+pub use problem::{Problem, Rayleigh, TimeStep};
 pub use state::State;
 pub use tremolite_kernels::{AnyMaterial, Law, Line, Lines, Quadrature, elastic, laws};

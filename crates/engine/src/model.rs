@@ -1,11 +1,13 @@
 //! The checked model: immutable, in the engine's numbering.
 
+use crate::body::Body;
+use crate::boundary::{Base, Incident, Side, Surroundings};
 use crate::column::{self, Column};
 use crate::error::ModelError;
 use crate::hexahedra::{centroid, hex};
 use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
-use crate::problem::{Base, Body, Incident, MakePart, Problem, Rayleigh, Side, TimeStep};
+use crate::problem::{MakePart, Problem, Rayleigh, TimeStep};
 use std::ops::Range;
 use tremolite_laws::Isa;
 use tremolite_mesh::Mesh;
@@ -147,6 +149,23 @@ impl Model {
             time_step: problem.time_step,
             isa: problem.isa,
         })
+    }
+
+    /// What boundaries are made from.
+    pub fn surroundings(&self) -> Surroundings<'_> {
+        Surroundings {
+            mesh: &self.mesh,
+            user_elements: self.user_elements,
+            bodies: &self.bodies,
+            body_of: &self.body_of,
+            engine_node: &self.engine_node,
+            faces: &self.faces,
+            base: self.base,
+            sides: self.sides,
+            held: &self.held,
+            column: self.column.as_ref(),
+            incident: self.incident.as_ref(),
+        }
     }
 
     /// Bodies of the user, without the reference column's.

@@ -90,12 +90,12 @@ impl Phase {
         for &(a, b) in &model.ties {
             ties.join(a, b);
         }
-        boundary::tie_periodic(model, &mut ties)?;
+        boundary::tie_periodic(model.surroundings(), &mut ties)?;
         for ring in model.column.iter().flat_map(|column| &column.rings) {
             ring[1..].iter().for_each(|&node| ties.join(ring[0], node));
         }
         let master = ties.masters(&model.mesh_node, &model.engine_node);
-        let supports = boundary::supports(model, stage)?;
+        let supports = boundary::supports(model.surroundings(), stage)?;
 
         let mut mass = vec![0.0; model.mesh_node.len()];
         for Member { part, masses, .. } in active.iter().map(there) {

@@ -1,67 +1,12 @@
 //! The problem as a program states it: what a case file becomes, and what a Rust program writes directly.
 
+use crate::body::Body;
+use crate::boundary::{Base, Incident, Side};
 use crate::member::Member;
 use crate::parts::loads::Load;
 use std::sync::Arc;
-use tremolite_kernels::{AnyMaterial, Quadrature};
 use tremolite_laws::Isa;
 use tremolite_mesh::Mesh;
-use tremolite_motion::Motion;
-
-/// Elements of one material and one quadrature.
-#[derive(Clone)]
-pub struct Body {
-    /// For messages and reports.
-    pub name: String,
-    /// Indices into the mesh's elements.
-    pub elements: Vec<u32>,
-    pub material: Arc<dyn AnyMaterial>,
-    /// Density ρ \[kg/m³\].
-    pub density: f64,
-    pub quadrature: Quadrature,
-}
-
-/// What holds or leaves a pair of opposite vertical sides.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Side {
-    /// No traction.
-    #[default]
-    Free,
-    /// No displacement.
-    Fixed,
-    /// No displacement normal to the side.
-    Roller,
-    /// Dashpots ρc_p, ρc_s (Lysmer & Kuhlemeyer 1969).
-    Viscous,
-    /// Opposite nodes move as one.
-    Periodic,
-}
-
-/// What holds or drives the base.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Base {
-    #[default]
-    Free,
-    Fixed,
-    /// Dashpots, through which the incident wave enters.
-    Viscous,
-    /// Dashpots and springs α G/R on the motion scattered by the caverns.
-    ViscousSpring {
-        /// α_N (normal).
-        normal: f64,
-        /// α_T (tangential).
-        tangential: f64,
-        /// R \[m\], from the source of scattering to the base; by default from the centre of what is excavated.
-        distance: Option<f64>,
-    },
-}
-
-impl Base {
-    /// Whether springs act, which need the free field of a reference column.
-    pub fn has_springs(&self) -> bool {
-        matches!(self, Base::ViscousSpring { normal, tangential, .. } if *normal != 0.0 || *tangential != 0.0)
-    }
-}
 
 /// Rayleigh damping C = ω M + ξ K (19).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -70,15 +15,6 @@ pub struct Rayleigh {
     pub mass: f64,
     /// ξ \[s\].
     pub stiffness: f64,
-}
-
-/// An incident wave, travelling up through the base.
-#[derive(Clone)]
-pub struct Incident {
-    /// Motion in the model's axes.
-    pub motion: Motion,
-    /// Factor from that motion to the incident wave: ½ for an outcrop's.
-    pub factor: f64,
 }
 
 /// How the time step is found.

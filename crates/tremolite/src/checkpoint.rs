@@ -3,9 +3,9 @@
 //! A line that names the format; the length of a JSON header as u64; the header (columns in order, with names, units
 //! and lengths, and the fingerprint of the model); the columns as little-endian numbers; a CRC-32 of all before it.
 
-use tremolite_engine::state::{Column, State};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
+use tremolite_engine::state::{Column, State};
 use tremolite_laws::{Octet, Row};
 
 const MAGIC: &[u8] = b"tremolite checkpoint 1\n";

@@ -1,15 +1,15 @@
 //! How far each group of elements is damaged or has yielded, at the end of a run.
 
 use crate::groups::{Group, groups};
-use tremolite_engine::hexahedra::{centroid, hex};
 use crate::history::History;
-use tremolite_engine::model::Model;
 use crate::observers::{Cracks as Watch, onset_memory};
-use tremolite_engine::phase::Phase;
 use crate::quantities::{MEASURES, Measure};
 use crate::stacks::{Stack, stacks};
-use tremolite_engine::state::Memory;
 use indexmap::IndexMap;
+use tremolite_engine::hexahedra::{centroid, hex};
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::Phase;
+use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
 use tremolite_results::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};

@@ -1,13 +1,13 @@
 //! What is known of a run that has ended.
 
-use tremolite_engine::assembly::Assembly;
-use tremolite_engine::model::Model;
-use tremolite_engine::phase::Phase;
 use crate::plan::Plan;
 use crate::run::Outcome;
 use crate::setup::MotionFacts;
 use crate::survey::Survey;
 use indexmap::IndexMap;
+use tremolite_engine::assembly::Assembly;
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::Phase;
 use tremolite_results::{Defaulted, MaterialFacts, RunFacts, Table};
 
 /// All a summary is made from.

@@ -1,8 +1,8 @@
 //! Groups of elements for which damage is reported.
 
-use tremolite_engine::model::Model;
-use tremolite_engine::problem::Body;
 use crate::quantities::MEASURES;
+use tremolite_engine::Body;
+use tremolite_engine::model::Model;
 use tremolite_laws::parameter::position;
 
 /// Elements with a name.

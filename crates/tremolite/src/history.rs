@@ -3,9 +3,9 @@
 //! Histories are brought up to date when the parts are evaluated: who looks at a state that the engine has just
 //! observed sees those of its displacements.
 
+use crate::quantities::MEASURES;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::phase::ElementSlot;
-use crate::quantities::MEASURES;
 use tremolite_laws::parameter::position;
 use tremolite_laws::{Column, Octet, Role};
 

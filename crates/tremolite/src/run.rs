@@ -1,18 +1,18 @@
 //! A run: the loop that steps, lets observers look, and stops in good order.
 
-use tremolite_engine::assembly::Assembly;
 use crate::checkpoint;
-use tremolite_engine::{Engine, Halt, StableStep, stable_step};
 use crate::error::RunError;
-use tremolite_engine::hexahedra::centroid;
 use crate::history::History;
-use tremolite_engine::model::Model;
 use crate::observers::{OBSERVERS, Observer, OwnObservers, Setting, View};
-use tremolite_engine::phase::Phase;
 use crate::plan::{Plan, Steps};
-use tremolite_engine::state::State;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use tremolite_engine::assembly::Assembly;
+use tremolite_engine::hexahedra::centroid;
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::Phase;
+use tremolite_engine::state::State;
+use tremolite_engine::{Engine, Halt, StableStep, stable_step};
 use tremolite_kernels::Lines;
 use tremolite_results::ResultFolder;
 

@@ -1,12 +1,12 @@
 //! What a run leaves for people: summary.json, with a verdict and a line for each thing that bears on trust.
 
 use crate::damage;
-use tremolite_engine::Halt;
 use crate::evidence::Evidence;
 use crate::run::{Ending, Outcome};
 use crate::survey::limit_in_words;
 use crate::trust::trust;
 use indexmap::IndexMap;
+use tremolite_engine::Halt;
 use tremolite_results::{
     Finding, ModelFacts, MotionFacts as MotionSummary, Peaks, Status, Summary, TrustLine, peaks_by_monitor,
 };

@@ -1,11 +1,11 @@
 //! What can be said of a model before it runs: materials, steps, wavelengths, memory.
 
-use tremolite_engine::assembly::Assembly;
-use tremolite_engine::{Limit, StableStep};
+use rayon::prelude::*;
 use tremolite_engine::ModelError;
+use tremolite_engine::assembly::Assembly;
 use tremolite_engine::hexahedra::{centroid, hex};
 use tremolite_engine::model::Model;
-use rayon::prelude::*;
+use tremolite_engine::{Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::{FullGeometry, OnePointGeometry, element_frequencies};

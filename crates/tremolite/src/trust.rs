@@ -1,11 +1,11 @@
 //! How far a run can be trusted: each line a number against a limit.
 
 use crate::evidence::Evidence;
+use crate::observers::{ENERGY_MEMORY, FREE_FIELD_MEMORY};
+use crate::survey::limit_in_words;
 use tremolite_engine::extent::extents;
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
-use crate::observers::{ENERGY_MEMORY, FREE_FIELD_MEMORY};
-use crate::survey::limit_in_words;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
 use tremolite_results::{Table, TrustLine};

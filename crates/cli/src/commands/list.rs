@@ -3,6 +3,7 @@
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
 use tremolite::quantities::{CELLS, Field, MONITOR, RELATIVE};
+use tremolite_case::{BaseKind, Side};
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, Need, Parameter};
 
@@ -87,24 +88,14 @@ fn materials() {
 }
 
 fn boundaries() {
-    print("base (dynamic.base)");
-    for (name, doc) in [
-        ("viscous-spring", "dashpots and springs on the scattered motion; the incident wave enters here"),
-        ("viscous", "dashpots (Lysmer & Kuhlemeyer); the incident wave enters here"),
-        ("fixed", "no displacement"),
-        ("free", "no traction"),
+    for (heading, meanings) in [
+        ("base (dynamic.base)", BaseKind::MEANINGS),
+        ("sides (dynamic.sides.x, dynamic.sides.y)", Side::MEANINGS),
     ] {
-        print(&format!("    {name:16} {doc}"));
-    }
-    print("sides (dynamic.sides.x, dynamic.sides.y)");
-    for (name, doc) in [
-        ("periodic", "opposite nodes move as one: an endless row of such blocks"),
-        ("viscous", "dashpots (Lysmer & Kuhlemeyer)"),
-        ("roller", "no displacement normal to the side"),
-        ("fixed", "no displacement"),
-        ("free", "no traction"),
-    ] {
-        print(&format!("    {name:16} {doc}"));
+        print(heading);
+        for (word, meaning) in meanings {
+            print(&format!("    {word:16} {meaning}"));
+        }
     }
 }
 

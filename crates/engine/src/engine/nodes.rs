@@ -3,8 +3,8 @@
 use super::gather::force;
 use super::product::stiffness_times;
 use crate::assembly::Assembly;
+use crate::boundary::base::times;
 use crate::model::Model;
-use crate::parts::base::times;
 use crate::phase::{Dashpot, Phase};
 use crate::state::State;
 use rayon::prelude::*;

@@ -17,4 +17,5 @@ mod rock_parameters;
 mod rock_properties;
 mod rock_reference;
 mod rock_strength;
+mod scaled;
 mod size;

@@ -2,9 +2,9 @@
 
 use super::{Cracks, Envelopes, Observer, Schedule, Setting, View};
 use crate::error::RunError;
+use crate::quantities::{Field, extremes, field_name, mean, of_element};
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::ElementSlot;
-use crate::quantities::{Field, extremes, field_name, mean, of_element};
 use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
 use tremolite_mesh::vtu::{Array, Grid, Values};

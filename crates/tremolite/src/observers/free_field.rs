@@ -5,8 +5,8 @@ mod theory;
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::quantities::MEASURES;
-use tremolite_engine::state::Memory;
 use theory::{Layer, surface_velocity};
+use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
 
 /// Key of what this observer remembers: the largest difference, the largest predicted velocity in the rows and over

@@ -3,10 +3,10 @@
 use super::{Cracks, Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::groups::{Group, groups};
+use crate::quantities::{MEASURES, Measure};
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
-use crate::quantities::{MEASURES, Measure};
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
 use tremolite_laws::{Column as Kept, Role};

@@ -2,9 +2,9 @@
 
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
-use tremolite_engine::model::Model;
 use crate::plan::{Monitor, Plan};
 use crate::quantities::{MONITOR, RELATIVE, nearest_stress, stress_at};
+use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
 use tremolite_laws::sym3::principal_values;

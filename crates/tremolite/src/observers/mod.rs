@@ -18,15 +18,15 @@ pub use growth::Growth;
 pub use histories::Histories;
 pub use onsets::{Onsets, memory_key as onset_memory};
 
-use tremolite_engine::assembly::{Assembly, Slices};
-use tremolite_engine::Snapshot;
 use crate::error::RunError;
 use crate::history::History;
+use crate::plan::{Plan, Steps};
+use std::sync::Arc;
+use tremolite_engine::Snapshot;
+use tremolite_engine::assembly::{Assembly, Slices};
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
-use crate::plan::{Plan, Steps};
 use tremolite_engine::state::Memory;
-use std::sync::Arc;
 use tremolite_results::ResultFolder;
 
 /// When an observer looks.

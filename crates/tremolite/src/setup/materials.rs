@@ -1,10 +1,10 @@
 //! What reports say of the materials: what was given, what was filled in, what the laws made of it.
 
-use tremolite_engine::extent::extents;
-use tremolite_engine::hexahedra::hex;
-use tremolite_engine::problem::Body;
 use indexmap::IndexMap;
 use tremolite_case::{Case, Element, Fill, Material};
+use tremolite_engine::Body;
+use tremolite_engine::extent::extents;
+use tremolite_engine::hexahedra::hex;
 use tremolite_kernels::{AnyMaterial, Law};
 use tremolite_laws::{Dimension, Kind, Parameter, Value};
 use tremolite_mesh::Mesh;

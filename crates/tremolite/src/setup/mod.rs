@@ -9,11 +9,11 @@ mod regions;
 pub use motion::MotionFacts;
 
 use crate::plan::Plan;
-use tremolite_engine::problem::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
 use crate::quantities::Field;
 use indexmap::IndexMap;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
+use tremolite_engine::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
 use tremolite_kernels::Law;
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;

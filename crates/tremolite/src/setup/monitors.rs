@@ -1,8 +1,8 @@
 //! Where the monitors are.
 
 use crate::plan::Monitor;
-use tremolite_engine::problem::Body;
 use tremolite_case::{Case, Place, Problem};
+use tremolite_engine::Body;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::locate::Locator;
 

@@ -1,10 +1,10 @@
 //! Which elements are made of what.
 
-use tremolite_engine::extent::extents;
-use tremolite_engine::hexahedra::{centroid, hex};
-use tremolite_engine::problem::Body;
 use std::sync::Arc;
 use tremolite_case::{Case, Element, Fill, Material, Problem, Region, pattern};
+use tremolite_engine::Body;
+use tremolite_engine::extent::extents;
+use tremolite_engine::hexahedra::{centroid, hex};
 use tremolite_kernels::Quadrature;
 use tremolite_kernels::{AnyMaterial, Law};
 use tremolite_laws::band::Band;

@@ -1,7 +1,7 @@
 //! A homogeneous column under a vertical wave, exact in the frequency domain.
 
-use tremolite_engine::problem::Rayleigh;
 use std::f64::consts::{PI, TAU};
+use tremolite_engine::problem::Rayleigh;
 use tremolite_laws::band::Band;
 use tremolite_motion::{Complex64, transferred};
 

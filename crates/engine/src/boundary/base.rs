@@ -4,7 +4,7 @@
 //! (`lysmer1969` for the dashpots, `wang2018` for the springs). The dashpots act on velocity and belong to the step
 //! ([`crate::engine`]); this part gives the other two terms. Vertical incidence in homogeneous ground below the base.
 
-use super::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
+use crate::parts::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::Row;
 use tremolite_motion::Motion as Record;
@@ -42,24 +42,24 @@ pub fn times(m: &[f64; 6], v: [f64; 3]) -> [f64; 3] {
 }
 
 /// Incident wave and springs of the base.
-pub struct Base {
+pub struct BasePart {
     nodes: Vec<u32>,
     pushed: Vec<BaseNode>,
     /// Velocity of the up-going wave, already factored for the kind of motion; none for a base at rest.
     incident: Option<(Record, f64)>,
 }
 
-impl Base {
+impl BasePart {
     /// The part; `incident` is a record and the factor from its kind of motion to the up-going wave.
     pub fn new(pushed: Vec<BaseNode>, incident: Option<(Record, f64)>) -> Self {
-        Base { nodes: pushed.iter().map(|b| b.node).collect(), pushed, incident }
+        BasePart { nodes: pushed.iter().map(|b| b.node).collect(), pushed, incident }
     }
 }
 
 /// Numbers remembered per node: the last spring force and the last incident force.
 const REMEMBERED: usize = 6;
 
-impl Part for Base {
+impl Part for BasePart {
     fn nodes(&self) -> &[u32] {
         &self.nodes
     }

@@ -1,0 +1,17 @@
+//! Elements of one material.
+
+use std::sync::Arc;
+use tremolite_kernels::{AnyMaterial, Quadrature};
+
+/// Elements of one material and one quadrature.
+#[derive(Clone)]
+pub struct Body {
+    /// For messages and reports.
+    pub name: String,
+    /// Indices into the mesh's elements.
+    pub elements: Vec<u32>,
+    pub material: Arc<dyn AnyMaterial>,
+    /// Density ρ \[kg/m³\].
+    pub density: f64,
+    pub quadrature: Quadrature,
+}
