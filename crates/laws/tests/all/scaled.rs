@@ -13,7 +13,9 @@ fn scales<M: Material>() {
         let factor = 0.81;
         let scaled = law.scaled(factor);
         let (own, less) = (law.moduli(), scaled.moduli());
-        assert!((less.mu / own.mu - factor).abs() < 1e-14 && (less.lambda / own.lambda - factor).abs() < 1e-14);
+        assert!(
+            (less.mu / own.mu - factor).abs() < 1e-14 && (less.lambda / own.lambda - factor).abs() < 1e-14
+        );
         let Some(young) = values.optional("young") else { continue };
         let made = M::new(&values.with("young", factor * young)).unwrap();
         let mut random = Random::new(5);
