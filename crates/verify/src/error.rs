@@ -1,6 +1,5 @@
 //! Why a verification problem could not be run.
 
-use crate::PROBLEMS;
 use tremolite::{Halt, ModelError};
 use tremolite_mesh::boxes::BoxError;
 
@@ -29,15 +28,4 @@ impl From<Halt> for VerifyError {
     fn from(halt: Halt) -> Self {
         VerifyError::Halt(halt)
     }
-}
-
-/// A name that no problem has.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no verification problem '{name}'; there are {}", names())]
-pub struct UnknownName {
-    pub name: String,
-}
-
-fn names() -> String {
-    PROBLEMS.iter().map(|p| p.name).collect::<Vec<_>>().join(", ")
 }

@@ -26,14 +26,16 @@ mod models;
 mod problem;
 pub mod problems;
 mod rock;
+mod select;
 mod simulation;
 mod stiffness;
 
 pub use check::Check;
 pub use effort::Effort;
-pub use error::{UnknownName, VerifyError};
-pub use problem::{Problem, Verified, select};
+pub use error::VerifyError;
+pub use problem::{Problem, Verified};
 pub use problems::PROBLEMS;
+pub use select::{UnknownName, select};
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! One verification problem and what comes of it.
 
-use crate::{Check, Effort, PROBLEMS, UnknownName, VerifyError};
+use crate::{Check, Effort, VerifyError};
 use std::time::Instant;
 
 /// One verification problem.
@@ -41,15 +41,4 @@ impl Problem {
         let checks = (self.run)(effort).unwrap_or_else(|error| vec![Check::broken(self.name, &error)]);
         Verified { checks, seconds: start.elapsed().as_secs_f64() }
     }
-}
-
-/// The problems of these names, or all if there are none, in the order of [`PROBLEMS`].
-///
-/// # Errors
-/// If a name is not in the list.
-pub fn select(names: &[&str]) -> Result<Vec<&'static Problem>, UnknownName> {
-    if let Some(unknown) = names.iter().find(|name| PROBLEMS.iter().all(|p| p.name != **name)) {
-        return Err(UnknownName { name: (*unknown).to_owned() });
-    }
-    Ok(PROBLEMS.iter().filter(|p| names.is_empty() || names.contains(&p.name)).collect())
 }
