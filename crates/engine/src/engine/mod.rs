@@ -100,6 +100,8 @@ struct Job<'j> {
     member: &'j Member,
     out: &'j mut [Row],
     own: Own<'j>,
+    /// Where stresses and energies go, if they are wanted.
+    probe: Option<ProbeOut<'j>>,
 }
 
 impl<'a> Engine<'a> {
@@ -166,12 +168,17 @@ impl<'a> Engine<'a> {
         state.ledger = ledger;
     }
 
-    /// Evaluates all parts at u^n, and the products with K that ξ ≠ 0 needs.
+    /// Evaluates all active parts at u^n, and the products with K that ξ ≠ 0 needs.
     fn evaluate(&mut self, state: &mut State, probe: Option<ProbeOut>) -> Lines {
         let Engine { model, assembly, phase, .. } = *self;
         let tick = phase.tick(state);
         let motion = Motion { u: &state.u, du: &state.du };
         let slices = &assembly.slices;
+        let mut probes = probe.map(|probe| {
+            let stress = split(probe.stress, slices, |s| s.points.clone());
+            let energy = split(probe.energy, slices, |s| s.elements.clone());
+            stress.into_iter().zip(energy).map(|(stress, energy)| ProbeOut { stress, energy })
+        });
         let all = split(&mut self.contributions, slices, |s| s.contributions.clone())
             .into_iter()
             .zip(split(&mut state.history, slices, |s| s.history.clone()))
@@ -182,40 +189,18 @@ impl<'a> Engine<'a> {
                 member,
                 out,
                 own: Own { history, overstress, numbers },
+                probe: probes.as_mut().and_then(Iterator::next),
             });
         let mut active = phase.active.iter().copied().peekable();
-        let jobs = all.zip(0u32..).filter(|(_, m)| active.next_if_eq(m).is_some()).map(|(job, _)| job);
-        let works: Vec<Lines> = match probe {
-            None => jobs
-                .collect::<Vec<Job>>()
-                .into_par_iter()
-                .map_init(Scratch::default, |scratch, job| {
-                    job.member.part.forces(&tick, &motion, job.own, job.out, scratch)
-                })
-                .collect(),
-            Some(probe) => {
-                let stress = split(probe.stress, slices, |s| s.points.clone());
-                let energy = split(probe.energy, slices, |s| s.elements.clone());
-                let mut to: Vec<ProbeOut> = stress
-                    .into_iter()
-                    .zip(energy)
-                    .map(|(stress, energy)| ProbeOut { stress, energy })
-                    .collect();
-                let mut index = 0;
-                let mut active = phase.active.iter().copied().peekable();
-                to.retain(|_| {
-                    index += 1;
-                    active.next_if_eq(&(index - 1)).is_some()
-                });
-                jobs.collect::<Vec<Job>>()
-                    .into_par_iter()
-                    .zip(to)
-                    .map_init(Scratch::default, |scratch, (job, to)| {
-                        job.member.part.probe(&tick, &motion, job.own, job.out, to, scratch)
-                    })
-                    .collect()
-            }
-        };
+        let jobs: Vec<Job> =
+            (0u32..).zip(all).filter_map(|(m, job)| active.next_if_eq(&m).map(|_| job)).collect();
+        let works: Vec<Lines> = jobs
+            .into_par_iter()
+            .map_init(Scratch::default, |scratch, Job { member, out, own, probe }| match probe {
+                None => member.part.forces(&tick, &motion, own, out, scratch),
+                Some(to) => member.part.probe(&tick, &motion, own, out, to, scratch),
+            })
+            .collect();
         self.rates.update(model, assembly, phase, &self.contributions, state);
         works.into_iter().fold(Lines::default(), |sum, work| sum + work)
     }
