@@ -67,9 +67,16 @@ static SIDES: Table = Table {
     path: "dynamic.sides",
     doc: "Boundaries at the sides normal to x and to y.",
     keys: &[
-        Key::required("x", Kind::Word(Side::WORDS), "boundary at the two sides normal to x"),
-        Key::required("y", Kind::Word(Side::WORDS), "boundary at the two sides normal to y"),
+        Key::required("x", Kind::Brief(&SIDE, &["kind"]), "boundary at the two sides normal to x"),
+        Key::required("y", Kind::Brief(&SIDE, &["kind"]), "boundary at the two sides normal to y"),
     ],
+    choice: &[],
+};
+
+static SIDE: Table = Table {
+    path: "dynamic.sides.x",
+    doc: "Boundary at a pair of sides.",
+    keys: &[Key::required("kind", Kind::Word(SideKind::WORDS), "what holds the two sides")],
     choice: &[],
 };
 
@@ -139,7 +146,7 @@ words! {
 
 words! {
     /// What holds a pair of sides.
-    Side {
+    SideKind {
         /// opposite nodes move as one: an endless row of such blocks
         Periodic = "periodic",
         /// dashpots (Lysmer & Kuhlemeyer)
@@ -193,6 +200,21 @@ pub enum Base {
     Free,
 }
 
+/// Boundary at a pair of sides, its numbers in SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Side {
+    /// Opposite nodes move together.
+    Periodic,
+    /// Dashpots ρc.
+    Viscous,
+    /// No motion normal to the side.
+    Roller,
+    /// No motion.
+    Fixed,
+    /// Nothing.
+    Free,
+}
+
 /// Damping nearly independent of frequency over a band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BandDamping {
@@ -216,7 +238,7 @@ impl Dynamic {
     pub(crate) fn read(f: &Fields) -> Option<Self> {
         let (duration, time_step) = (f.number("duration"), f.number("time_step"));
         let base = f.table("base").and_then(Base::read);
-        let side = |key| f.table("sides").and_then(|s| s.word(key, Side::from_word));
+        let side = |key| f.table("sides").and_then(|s| s.table(key)).and_then(Side::read);
         let sides = (side("x"), side("y"));
         let rayleigh = f.table("damping").and_then(|d| d.table("rayleigh")).and_then(Rayleigh::read);
         let band = f.table("damping").and_then(BandDamping::read);
@@ -258,6 +280,20 @@ impl Base {
             BaseKind::Free => Base::Free,
         };
         Some(Spanned::new(base, kind.span))
+    }
+}
+
+impl Side {
+    fn read(f: &Fields) -> Option<Spanned<Self>> {
+        let kind = f.word("kind", SideKind::from_word)?;
+        let side = match kind.value {
+            SideKind::Periodic => Side::Periodic,
+            SideKind::Viscous => Side::Viscous,
+            SideKind::Roller => Side::Roller,
+            SideKind::Fixed => Side::Fixed,
+            SideKind::Free => Side::Free,
+        };
+        Some(Spanned::new(side, kind.span))
     }
 }
 

@@ -16,6 +16,17 @@ pub struct Table {
     pub choice: &'static [&'static [&'static str]],
 }
 
+impl Table {
+    /// The words that may stand for the whole table where they stand for these keys of it, in tables below as well.
+    pub fn words_of(&self, keys: &[&str]) -> Option<&'static [&'static str]> {
+        match self.keys.iter().find(|key| keys.contains(&key.name))?.kind {
+            Kind::Word(words) => Some(words),
+            Kind::Brief(table, keys) => table.words_of(keys),
+            _ => None,
+        }
+    }
+}
+
 /// One key of a table.
 #[derive(Clone, Copy, Debug)]
 pub struct Key {

@@ -37,7 +37,7 @@ mod value;
 
 pub use case::Case;
 pub use defaulted::Defaulted;
-pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side};
+pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, SideKind};
 pub use law_file::LawFile;
 pub use material::Material;
 pub use mesh::{

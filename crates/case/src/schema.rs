@@ -106,7 +106,7 @@ fn kind(kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
         Kind::Table(t) => return table(t, laws),
         Kind::Tables(t) => json!({ "type": "array", "items": table(t, laws) }),
         Kind::Brief(t, keys) => {
-            let short = t.keys.iter().find(|k| keys.contains(&k.name)).map(|k| self::kind(&k.kind, laws));
+            let short = t.words_of(keys).map(|words| self::kind(&Kind::Word(words), laws));
             json!({ "anyOf": [short, table(t, laws)] })
         }
         Kind::Materials => {

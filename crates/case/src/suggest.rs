@@ -97,16 +97,10 @@ pub(crate) fn describe(kind: &Kind) -> String {
         Kind::Columns(_) => "a table of columns".to_owned(),
         Kind::Table(_) | Kind::Materials => "a table".to_owned(),
         Kind::Tables(_) => "a list of tables".to_owned(),
-        Kind::Brief(table, _) => {
-            let words = table.keys.iter().find_map(|k| match k.kind {
-                Kind::Word(words) => Some(words),
-                _ => None,
-            });
-            words.map_or_else(
-                || "a table".to_owned(),
-                |w| format!("a table or one of \"{}\"", w.join("\", \"")),
-            )
-        }
+        Kind::Brief(table, keys) => table.words_of(keys).map_or_else(
+            || "a table".to_owned(),
+            |words| format!("a table or one of \"{}\"", words.join("\", \"")),
+        ),
         Kind::Either(kinds) => kinds.iter().map(describe).collect::<Vec<_>>().join(" or "),
         Kind::Later(_) => "left out".to_owned(),
     }

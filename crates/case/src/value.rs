@@ -82,9 +82,7 @@ impl Checker<'_> {
                 Item::Table(self.table(table, Some(&[]), t, span.clone(), path))
             }
             (Kind::Brief(table, keys), DeValue::String(word)) => {
-                if let Some(Kind::Word(words)) =
-                    table.keys.iter().find(|k| keys.contains(&k.name)).map(|k| &k.kind)
-                {
+                if let Some(words) = table.words_of(keys) {
                     self.word(words, word, &span, path)?;
                 }
                 let mut long = DeTable::new();

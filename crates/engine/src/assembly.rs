@@ -7,7 +7,6 @@ use crate::hexahedra::{hex, hex_nodes};
 use crate::member::Member;
 use crate::model::{Model, Patch};
 use crate::parts::StateSizes;
-
 use crate::parts::loads::Loads;
 use crate::state::State;
 use rayon::prelude::*;
@@ -46,7 +45,7 @@ impl Assembly {
     /// The parts of a model.
     ///
     /// # Errors
-    /// If no face lies on the plane of a base that should do something.
+    /// If no face lies on the plane of a base that should do something, or a part of the program's own does not fit.
     pub fn new(model: &Model) -> Result<Self, ModelError> {
         let mut members: Vec<Member> =
             model.patches.par_iter().map(|patch| solid(model, patch)).collect::<Result<_, _>>()?;
@@ -60,7 +59,11 @@ impl Assembly {
             let part = Box::new(Loads::new(load.clone()));
             members.push(Member::new(format!("load {}", k + 1), part));
         }
-        members.extend(model.parts.iter().map(|make| make(&model.mesh, &model.engine_node)));
+        for make in &model.parts {
+            let member = make(&model.mesh, &model.engine_node);
+            check(model, &member)?;
+            members.push(member);
+        }
         let slices = slices(&members);
         Ok(Assembly { members, slices, base, spring_distance, nodes: model.mesh_node.len() })
     }
@@ -87,6 +90,29 @@ impl Assembly {
     pub fn named(&self, name: &str) -> Option<(&Member, &Slices)> {
         self.members.iter().zip(&self.slices).find(|(member, _)| member.name == name)
     }
+}
+
+/// Refuses a program's own part that the engine could not take as it is.
+fn check(model: &Model, member: &Member) -> Result<(), ModelError> {
+    let Member { name, part, masses, counted, .. } = member;
+    let refuse = |reason: String| Err(ModelError::Member { name: name.clone(), reason });
+    let nodes = part.nodes();
+    if let Some(node) = nodes.iter().find(|&&n| n as usize >= model.mesh_node.len()) {
+        return refuse(format!(
+            "it pushes engine node {node}, which is none: leave out nodes that no element uses"
+        ));
+    }
+    if !masses.is_empty() && masses.len() != nodes.len() {
+        return refuse(format!(
+            "it has {} masses for {} nodes: give one a node, or none",
+            masses.len(),
+            nodes.len()
+        ));
+    }
+    if !counted && nodes.iter().any(|&n| model.counted.contains(&(n as usize))) {
+        return refuse("it is left out of the balance and pushes nodes that are in it: count it".into());
+    }
+    Ok(())
 }
 
 /// The part of a patch, with the mass of each of its nodes.

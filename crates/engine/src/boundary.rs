@@ -20,7 +20,7 @@ use tremolite_mesh::{Face, Mesh};
 use tremolite_motion::Motion;
 
 /// What holds or leaves a pair of opposite vertical sides.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Side {
     /// No traction.
     #[default]
@@ -33,6 +33,11 @@ pub enum Side {
     Viscous,
     /// Opposite nodes move as one.
     Periodic,
+}
+
+impl Side {
+    /// One of each, for tests that go over all: enter what is added.
+    pub const EXAMPLES: [Side; 5] = [Side::Free, Side::Fixed, Side::Roller, Side::Viscous, Side::Periodic];
 }
 
 /// What holds or drives the base.
@@ -182,7 +187,8 @@ fn impedances(body: &Body) -> (f64, f64) {
     (body.density * p, body.density * s)
 }
 
-/// What holds and absorbs in a stage. Before the shaking the base is fixed, and sides that are not periodic are rollers.
+/// What holds and absorbs in a stage. Before the shaking the base is fixed, the column's too, and sides that are neither
+/// periodic nor fixed are rollers.
 ///
 /// # Errors
 /// If a plane on which something should act has no faces.
@@ -231,7 +237,9 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
         if base.is_empty() {
             return Err(ModelError::NoFaces("base"));
         }
-        for n in nodes_of(mesh, base) {
+        let column = around.column.filter(|_| stage != Stage::Shaking);
+        let below = column.iter().flat_map(|column| column.bottom());
+        for n in nodes_of(mesh, base).into_iter().chain(below) {
             hold(&mut out.held, engine(n), [true; 3]);
         }
     }
@@ -247,7 +255,7 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
     if !out.base.is_empty() {
         let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
         let part = Box::new(BasePart::new(out.base.clone(), incident));
-        out.members.push(Member { life: Life::SHAKING, ..Member::new("boundary springs", part) });
+        out.members.push(Member { life: Life::SHAKING, ..Member::new("springs of the base", part) });
     }
     Ok(out)
 }

@@ -22,6 +22,8 @@ pub enum ModelError {
     NoFaces(&'static str),
     #[error("{0}")]
     Column(String),
+    #[error("the part '{name}' cannot be used: {reason}")]
+    Member { name: String, reason: String },
     #[error("'{body}' has density {density} kg/m³: it must be positive")]
     Density { body: String, density: f64 },
 }

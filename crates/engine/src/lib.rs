@@ -34,4 +34,4 @@ pub use model::Model;
 pub use phase::Phase;
 pub use problem::{Problem, Rayleigh, TimeStep};
 pub use state::State;
-pub use tremolite_kernels::{AnyMaterial, Law, Line, Lines, Quadrature, elastic, laws};
+pub use tremolite_kernels::{AnyMaterial, Booked, Law, Line, Lines, Quadrature, elastic, laws};

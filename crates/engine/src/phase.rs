@@ -44,7 +44,6 @@ pub struct ElementSlot {
 
 /// The active parts of an assembly, and the nodes they act on.
 pub struct Phase {
-    pub stage: Stage,
     pub drive: Drive,
     /// Members that are there, ascending.
     pub active: Vec<u32>,
@@ -72,8 +71,8 @@ pub struct Phase {
 }
 
 impl Phase {
-    /// What is active in a stage. Before the shaking the base is fixed, the sides are rollers (unless they are tied to each
-    /// other or stay as they are), and no dashpots act.
+    /// What is active in a stage. Before the shaking the base is fixed, sides that are neither periodic nor fixed are rollers,
+    /// and no dashpots act.
     ///
     /// # Errors
     /// If sides cannot be tied, or no face lies on a plane on which something should act.
@@ -130,7 +129,6 @@ impl Phase {
         let (start, slot) = sources(assembly, &active, &master);
         let counted = || active.iter().map(there).filter(|member| member.counted);
         Ok(Phase {
-            stage,
             drive,
             counted_nodes: model.counted.clone(),
             counted_elements: counted().map(|member| member.part.elements().0).sum(),

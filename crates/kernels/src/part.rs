@@ -127,14 +127,15 @@ pub trait Part: Send + Sync {
         self.forces(tick, x, own, out, scratch)
     }
     /// What the part holds \[J\], has dissipated and created since the start, by line, beside what it leaves by element
-    /// in [`Part::probe`]. Of a line that is booked as work it is asked at the start of a run alone: what is held then was
+    /// in [`Part::probe`]. Of a line that is booked as work it counts at the start of a run alone: what is held then was
     /// supplied.
     fn energy(&self, _x: &Motion, _kept: Kept) -> Lines {
         Lines::default()
     }
     /// K w with the elastic stiffness, as the power iteration wants it.
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch);
-    /// ½wᵀKw \[J\] of each element with the elastic stiffness; asked of parts with elements.
+    /// ½wᵀKw \[J\] of each element with the elastic stiffness, by which the step's limit is traced to one; asked of the
+    /// model's own patches, while other parts are traced to their nodes.
     fn stiffness_energy(&self, _w: &[Row], _energy: &mut [ElementEnergy], _scratch: &mut Scratch) {}
     /// K w as Rayleigh's damping ξK wants it: with what damage has left of the stiffness at displacements `u` and
     /// with this `history`.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use tremolite_engine::state::{Column, State};
 use tremolite_laws::{Octet, Row};
 
-const MAGIC: &[u8] = b"tremolite checkpoint 1\n";
+const MAGIC: &[u8] = b"tremolite checkpoint 2\n";
 const FILE: &str = "state.bin";
 
 /// Why a checkpoint could not be written or read.

@@ -3,7 +3,7 @@
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
 use tremolite::quantities::{CELLS, Field, MONITOR, RELATIVE};
-use tremolite_case::{BaseKind, Side};
+use tremolite_case::{BaseKind, SideKind};
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, Need, Parameter};
 
@@ -90,7 +90,7 @@ fn materials() {
 fn boundaries() {
     for (heading, meanings) in [
         ("base (dynamic.base)", BaseKind::MEANINGS),
-        ("sides (dynamic.sides.x, dynamic.sides.y)", Side::MEANINGS),
+        ("sides (dynamic.sides.x, dynamic.sides.y)", SideKind::MEANINGS),
     ] {
         print(heading);
         for (word, meaning) in meanings {

@@ -53,8 +53,6 @@ pub struct Snapshot {
     pub energy: Vec<ElementEnergy>,
     /// The energy balance at this time.
     pub balance: Lines,
-    /// Work done on the elements since the start, and what they held then \[J\]: ½ f·(Δu⁻ + Δu⁺) over all steps.
-    pub internal: f64,
 }
 
 /// Why a step could not be taken.
@@ -122,6 +120,8 @@ impl<'a> Engine<'a> {
     /// the step must be set.
     pub fn start(&mut self, state: &mut State, u: Vec<Row>, v: &[Row]) {
         let dt = state.dt;
+        // What was booked before belongs to another balance.
+        state.ledger = Ledger::default();
         state.u = u;
         state.du = v.iter().map(|v| Row(v.0.map(|x| x * dt))).collect();
         for &(node, master) in &self.phase.tied {
@@ -136,7 +136,7 @@ impl<'a> Engine<'a> {
             }
         }
         // The balance starts here: what the ledger would book for the step before the first is cancelled.
-        let snapshot = self.observe(&mut state.clone());
+        let (snapshot, elements) = self.look(&mut state.clone());
         let now = snapshot.balance;
         self.evaluated = None;
         // The guard compares with the kinetic energy of v⁻, which may exceed that of v⁰.
@@ -156,15 +156,17 @@ impl<'a> Engine<'a> {
                 Booked::Work => {
                     stored += held[line];
                     work += line.sign() * now[line];
-                    ledger.lines[line] = held[line] - now[line];
+                    ledger.lines[line] = line.sign() * held[line] - now[line];
                 }
+                // What was spent before the start is no part of this balance.
+                Booked::Spent => ledger.lines[line] = held[line],
                 Booked::Damping => ledger.lines[line] = -now[line],
-                Booked::Motion | Booked::Spent | Booked::Start | Booked::Rest => {}
+                Booked::Motion | Booked::Start | Booked::Rest => {}
             }
         }
         ledger.lines[Line::Initial] = now[Line::Kinetic] + stored;
         ledger.supplied = minus + stored;
-        ledger.parts = stored - (snapshot.internal + work);
+        ledger.parts = stored - (elements + work);
         state.ledger = ledger;
     }
 
@@ -233,6 +235,12 @@ impl<'a> Engine<'a> {
     /// What observers see at u^n. Laws and boundaries remember what they saw, so a state is observed at most once a
     /// step, and [`Engine::step`] goes on from there.
     pub fn observe(&mut self, state: &mut State) -> Snapshot {
+        self.look(state).0
+    }
+
+    /// What observers see, and the work done \[J\] on all parts that book none themselves, with what they held at the
+    /// start.
+    fn look(&mut self, state: &mut State) -> (Snapshot, f64) {
         let totals = self.assembly.totals();
         let mut snapshot = Snapshot {
             step: state.steps(),
@@ -257,7 +265,8 @@ impl<'a> Engine<'a> {
         for &line in Line::ALL {
             balance[line] = match line.booked() {
                 Booked::Motion => sums.kinetic,
-                Booked::Stored | Booked::Spent => held[line],
+                Booked::Stored => held[line],
+                Booked::Spent => held[line] - ledger.lines[line],
                 Booked::Damping => ledger.lines[line] + taken[line],
                 Booked::Work => ledger.lines[line] + line.sign() * work[line],
                 Booked::Start => ledger.lines[line],
@@ -267,7 +276,6 @@ impl<'a> Engine<'a> {
                 elements -= line.sign() * balance[line];
             }
         }
-        snapshot.internal = elements;
         if !self.phase.keeps_books {
             let of_elements = |line: &&Line| matches!(line.booked(), Booked::Stored | Booked::Spent);
             balance[Line::Band] = Line::ALL
@@ -276,7 +284,7 @@ impl<'a> Engine<'a> {
                 .fold(elements, |rest, &line| rest - line.sign() * balance[line]);
         }
         balance[Line::Error] = balance.sum();
-        snapshot
+        (snapshot, elements)
     }
 
     /// One step from u^n to u^{n+1}.

@@ -360,6 +360,10 @@ pub fn measure(
             for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
                 let node = first + k;
                 let dashpot = dashpots.take(node);
+                // As when advancing: nodes that no part pushes stay.
+                if phase.start[node] == phase.start[node + 1] {
+                    continue;
+                }
                 let du = state.du[node];
                 let force = force(phase, contributions, node);
                 let step = node_step(&damping, phase, rates, dashpot, node, force, du);

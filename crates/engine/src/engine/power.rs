@@ -112,12 +112,10 @@ fn products(phase: &Phase, w: &[Row], kw: &[Row]) -> [f64; 2] {
         .map(|(chunk, (w, kw))| {
             let mut sums = [0.0; 2];
             for (k, (w, kw)) in w.iter().zip(kw).enumerate() {
-                let n = chunk * CHUNK + k;
-                // A tied node's mass and force are its master's.
-                if phase.start[n] != phase.start[n + 1] {
-                    sums[0] += w.0[0] * kw.0[0] + w.0[1] * kw.0[1] + w.0[2] * kw.0[2];
-                    sums[1] += phase.mass[n] * (w.0[0] * w.0[0] + w.0[1] * w.0[1] + w.0[2] * w.0[2]);
-                }
+                // A tied node's mass and force are its master's; its own are zero.
+                let mass = phase.mass[chunk * CHUNK + k];
+                sums[0] += w.0[0] * kw.0[0] + w.0[1] * kw.0[1] + w.0[2] * kw.0[2];
+                sums[1] += mass * (w.0[0] * w.0[0] + w.0[1] * w.0[1] + w.0[2] * w.0[2]);
             }
             sums
         })

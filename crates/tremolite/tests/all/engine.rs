@@ -93,7 +93,7 @@ fn periodic_sides_move_as_one() {
 /// own energy, which is kept exactly, from the physical one.
 #[test]
 fn energy_balance_closes_with_the_second_order_of_the_step() {
-    for sides in [Side::Periodic, Side::Viscous, Side::Free] {
+    for sides in Side::EXAMPLES {
         let error = |safety: f64| {
             let mut problem = block([6, 5, 7]);
             problem.sides = [sides; 2];
@@ -118,7 +118,31 @@ fn energy_balance_closes_with_the_second_order_of_the_step() {
 }
 
 #[test]
-fn held_components_and_ties_do_what_they_say() {
+fn nodes_that_a_problem_ties_move_as_one() {
+    let mut problem = block([4, 3, 5]);
+    let at = |x: f64, y: f64| {
+        let near = |p: &[f64; 3]| (p[0] - x).abs() + (p[1] - y).abs() + (p[2] - 14.0).abs() < 1e-9;
+        problem.mesh.nodes.iter().position(near).unwrap() as u32
+    };
+    let (a, b) = (at(0.0, 0.0), at(12.0, 10.0));
+    problem.sides = [Side::Free; 2];
+    let moved = |problem: Problem| {
+        let ready = Ready::new(problem);
+        let mut state = ready.rest(0.9);
+        let mut engine = ready.engine();
+        (0..200).for_each(|_| engine.step(&mut state).unwrap());
+        [a, b].map(|n| state.u[ready.model.engine_node[n as usize] as usize])
+    };
+    let [free_a, free_b] = moved(problem.clone());
+    assert_ne!(free_a, free_b);
+    problem.ties = vec![(a, b)];
+    let [tied_a, tied_b] = moved(problem);
+    assert_eq!(tied_a, tied_b);
+    assert_ne!(tied_a, Row::ZERO);
+}
+
+#[test]
+fn held_components_do_what_they_say() {
     let mut problem = block([4, 3, 5]);
     problem.sides = [Side::Roller, Side::Fixed];
     let ready = Ready::new(problem);

@@ -64,7 +64,7 @@ impl Part for Springs {
 const NAME: &str = "side springs";
 
 /// The block without base and sides, on springs at its sides.
-fn on_springs(stiffness: f64) -> Problem {
+pub fn on_springs(stiffness: f64) -> Problem {
     let mut problem = block([5, 4, 6]);
     problem.base = Base::Free;
     problem.sides = [Side::Free; 2];
@@ -184,4 +184,25 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
     let stretch = table.column("stretch").unwrap();
     assert_eq!(stretch.len(), 51);
     assert!(stretch.is_sorted() && *stretch.last().unwrap() > 1e-5, "{stretch:?}");
+}
+
+#[test]
+fn parts_that_the_engine_could_not_take_are_refused_by_name() {
+    type Change = fn(&mut Member);
+    let refused = |nodes: Vec<u32>, change: Change| {
+        let mut problem = on_springs(1e7);
+        problem.parts = vec![Arc::new(move |_: &Mesh, _: &[u32]| {
+            let mut member = Member::new(NAME, Box::new(Springs { nodes: nodes.clone(), stiffness: 1e7 }));
+            change(&mut member);
+            member
+        })];
+        let model = tremolite::Model::new(problem).unwrap();
+        tremolite::Assembly::new(&model).err().expect("it is refused").to_string()
+    };
+    let void = refused(vec![3, u32::MAX], |_| ());
+    assert!(void.contains("'side springs'") && void.contains("leave out nodes"), "{void}");
+    let light = refused(vec![3, 4], |member| member.masses = vec![1.0]);
+    assert!(light.contains("1 masses for 2 nodes"), "{light}");
+    let uncounted = refused(vec![3], |member| member.counted = false);
+    assert!(uncounted.contains("count it"), "{uncounted}");
 }

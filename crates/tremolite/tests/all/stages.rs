@@ -3,7 +3,7 @@
 use crate::block::block;
 use crate::ready::Ready;
 use tremolite::phase::Drive;
-use tremolite::{Assembly, Engine, Life, Line, Model, Phase, Stage, State, laws, stable_step};
+use tremolite::{Assembly, Engine, Life, Line, Model, Phase, Side, Stage, State, laws, stable_step};
 use tremolite_laws::{Row, Values};
 
 const BEFORE: Stage = Stage::Before(0);
@@ -72,36 +72,73 @@ fn a_body_that_is_born_with_the_shaking_is_absent_before_and_no_column_moves() {
     }
 
     // Into the earthquake: the same state, its time counted anew.
-    let dt = 0.9 * stable_step(&model, &assembly, &shaking).dt;
+    let dt = 0.2 * stable_step(&model, &assembly, &shaking).dt;
     state.begin(dt);
     assert_eq!((state.step, state.steps(), state.time()), (200, 0, 0.0));
     assert_eq!(layout(&mut state), columns);
     let mut engine = Engine::new(&model, &assembly, &shaking);
     let (u, still) = (state.u.clone(), vec![Row::ZERO; state.u.len()]);
     engine.start(&mut state, u, &still);
+    // The balance begins anew with what is held: nothing of the stage's books is left in it.
+    let snapshot = engine.observe(&mut state);
+    let held = snapshot.balance[Line::Initial];
+    assert!(held > 0.0 && snapshot.balance[Line::Error].abs() < 1e-9 * held, "{:?}", snapshot.balance);
+    assert_eq!((snapshot.step, snapshot.time), (0, 0.0));
     for _ in 0..100 {
         engine.step(&mut state).unwrap();
     }
+    let error = engine.observe(&mut state).balance[Line::Error];
+    // ⅛Δt²aᵀMa of the scheme: with all energy at the mesh's highest frequency (ωΔt/2)² of it, 0.04 here.
+    assert!(error.abs() < 0.04 * held, "{error:e} of {held:e} J");
     assert_eq!((state.step, state.time()), (300, 100.0 * dt));
     assert_eq!(layout(&mut state), columns);
     assert!(alone.iter().all(|&n| shaking.mass[n] > 0.0));
 }
 
+/// Before the shaking, whatever the sides are in it: a fixed base, the column's too, rollers, nothing that absorbs; single
+/// nodes stay held, and time is 0.
 #[test]
 fn supports_before_the_shaking_are_a_fixed_base_and_rollers_and_absorb_nothing() {
-    let mut problem = block([5, 4, 6]);
-    problem.sides = [tremolite::Side::Viscous; 2];
-    let ready = Ready::new(problem);
-    let before = Phase::of(&ready.model, &ready.assembly, BEFORE).unwrap();
-    assert_eq!((before.drive, ready.phase.drive), (Drive::Quasistatic, Drive::Dynamic));
-    assert!(before.dashpots.is_empty() && !ready.phase.dashpots.is_empty());
-    for n in ready.model.counted.clone() {
-        let [x, y, z] = ready.model.mesh.nodes[ready.model.mesh_node[n] as usize];
-        let free = |phase: &Phase| phase.inverse_mass[n].xyz().map(|w| w > 0.0);
-        let base = z == 0.0;
-        let held = [base || x == 0.0 || x == 12.0, base || y == 0.0 || y == 10.0, base];
-        assert_eq!(free(&before), held.map(|held| !held), "({x}, {y}, {z})");
-        assert_eq!(free(&ready.phase), [true; 3]);
+    for side in Side::EXAMPLES {
+        let mut problem = block([5, 4, 6]);
+        problem.sides = [side; 2];
+        let top = |x: &[f64; 3]| x[2] == 14.0;
+        let single = problem.mesh.nodes.iter().position(top).unwrap() as u32;
+        problem.held = vec![(single, [false, false, true])];
+        let ready = Ready::new(problem);
+        let before = Phase::of(&ready.model, &ready.assembly, BEFORE).unwrap();
+        assert_eq!((before.drive, ready.phase.drive), (Drive::Quasistatic, Drive::Dynamic));
+        assert!(before.dashpots.is_empty() && !ready.phase.dashpots.is_empty());
+        let mut state = ready.rest(0.9);
+        state.step = 7;
+        let tick = before.tick(&state);
+        assert_eq!((tick.time, tick.dt), (0.0, 0.0));
+        assert!(ready.phase.tick(&state).time > 0.0);
+        let springs = |m: &u32| ready.assembly.members[*m as usize].name == "springs of the base";
+        assert!(!before.active.iter().any(springs) && ready.phase.active.iter().any(springs));
+        let column = ready.model.column.as_ref().unwrap();
+        let of = |node: u32| before.master[ready.model.engine_node[node as usize] as usize] as usize;
+        for n in 0..ready.model.mesh_node.len() {
+            let mesh_node = ready.model.mesh_node[n];
+            let [x, y, z] = ready.model.mesh.nodes[mesh_node as usize];
+            let master = before.master[n] as usize;
+            let held = before.inverse_mass[master].xyz().map(|w| w == 0.0);
+            let base = z == 0.0;
+            let on = [x == 0.0 || x == 12.0, y == 0.0 || y == 10.0];
+            let expected = if n >= ready.model.counted.end {
+                assert!(column.rings.iter().any(|ring| master == of(ring[0])));
+                [base; 3]
+            } else {
+                match side {
+                    Side::Periodic => [base, base, base || mesh_node == single],
+                    Side::Fixed => [base || on[0] || on[1]; 3],
+                    Side::Roller | Side::Viscous | Side::Free => [base || on[0], base || on[1], base],
+                }
+            };
+            // The held node and what is tied to it.
+            let expected = if master == of(single) { [expected[0], expected[1], true] } else { expected };
+            assert_eq!(held, expected, "{side:?}: ({x}, {y}, {z})");
+        }
     }
 }
 
@@ -149,4 +186,53 @@ fn time_stands_still_for_laws_before_the_shaking_while_the_scheme_goes_on() {
     };
     let (before, shaking) = (strength(BEFORE), strength(Stage::Shaking));
     assert!(shaking > 1.05 * before, "{before:e} {shaking:e} Pa");
+}
+
+/// Rock that has yielded and cracked before: what it spent then is no part of the balance that begins.
+#[test]
+fn what_was_spent_before_a_start_is_neither_in_the_balance_nor_its_error() {
+    let values = Values::default()
+        .with("young", 1e9)
+        .with("poisson", 0.25)
+        .with("cohesion", 2e4)
+        .with("friction_angle", 0.7)
+        .with("dilation_angle", 0.0)
+        .with("tensile_strength", 1e4);
+    let rock = laws().into_iter().find(|l| l.info.name == "mohr-coulomb").unwrap();
+    let mut problem = block([5, 4, 6]);
+    problem.bodies.iter_mut().for_each(|body| body.material = (rock.build)(&values).unwrap());
+    let ready = Ready::new(problem);
+    let mut state = ready.rest(0.5);
+    let mut engine = ready.engine();
+    while state.time() < 0.2 {
+        engine.step(&mut state).unwrap();
+    }
+    let spent = engine.observe(&mut state).balance[Line::Dissipated];
+    let dt = state.dt;
+    state.begin(dt);
+    let mut engine = ready.engine();
+    let (u, still) = (state.u.clone(), vec![Row::ZERO; state.u.len()]);
+    engine.start(&mut state, u, &still);
+    let balance = engine.observe(&mut state).balance;
+    let held = balance[Line::Initial];
+    assert!(spent > 0.0 && held > 0.0);
+    assert!(balance[Line::Dissipated].abs() < 1e-9 * spent, "{balance:?}");
+    assert!(balance[Line::Error].abs() < 1e-9 * (held + spent), "{balance:?}");
+}
+
+#[test]
+fn a_checkpoint_keeps_the_step_at_which_the_earthquake_began() {
+    let folder = tempfile::tempdir().unwrap();
+    let ready = Ready::new(block([3, 3, 4]));
+    let mut state = ready.rest(0.9);
+    let mut engine = ready.engine();
+    (0..5).for_each(|_| engine.step(&mut state).unwrap());
+    let dt = state.dt;
+    state.begin(dt);
+    (0..3).for_each(|_| engine.step(&mut state).unwrap());
+    tremolite::checkpoint::write(folder.path(), &mut state, 1).unwrap();
+    let mut read = ready.rest(0.9);
+    tremolite::checkpoint::read(folder.path(), &mut read, 1).unwrap();
+    assert!(read == state);
+    assert_eq!((read.step, read.steps(), read.time()), (8, 3, 3.0 * dt));
 }

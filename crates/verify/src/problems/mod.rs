@@ -2,51 +2,58 @@
 
 use crate::Problem;
 
-pub mod band_damping;
-pub mod bar_step_wave;
-pub mod cantilever_thin;
-pub mod circular_opening;
-pub mod concrete_biaxial;
-pub mod concrete_fracture_energy;
-pub mod concrete_loops;
-pub mod concrete_rates;
-pub mod concrete_triaxial;
-pub mod concrete_uniaxial;
-pub mod damping_ratio;
-pub mod discrete_energy;
-pub mod dispersion;
-pub mod incident_pulse;
-pub mod lamb;
-pub mod layered_column;
-pub mod macneal_harder_beam;
-pub mod rock_strength;
-pub mod scheme_literal;
-pub mod strip_footing;
-pub mod thick_cylinder;
-pub mod time_order;
+macro_rules! problems {
+    ($($name:ident $effort:ident,)*) => {
+        $(pub mod $name;)*
 
-/// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws.
-pub const PROBLEMS: &[Problem] = &[
-    scheme_literal::PROBLEM,
-    time_order::PROBLEM,
-    discrete_energy::PROBLEM,
-    damping_ratio::PROBLEM,
-    band_damping::PROBLEM,
-    dispersion::PROBLEM,
-    bar_step_wave::PROBLEM,
-    incident_pulse::PROBLEM,
-    layered_column::PROBLEM,
-    lamb::PROBLEM,
-    macneal_harder_beam::PROBLEM,
-    cantilever_thin::PROBLEM,
-    thick_cylinder::PROBLEM,
-    concrete_uniaxial::PROBLEM,
-    concrete_triaxial::PROBLEM,
-    concrete_rates::PROBLEM,
-    concrete_biaxial::PROBLEM,
-    concrete_loops::PROBLEM,
-    concrete_fracture_energy::PROBLEM,
-    rock_strength::PROBLEM,
-    circular_opening::PROBLEM,
-    strip_footing::PROBLEM,
-];
+        /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws.
+        pub const PROBLEMS: &[Problem] = &[$($name::PROBLEM),*];
+
+        #[cfg(test)]
+        mod tests {
+            use crate::tests::passes;
+            use crate::{Effort, PROBLEMS};
+
+            $(problems!(@test $name $effort);)*
+
+            #[test]
+            fn every_problem_has_the_name_of_its_file_and_begins_where_the_list_says() {
+                let listed = [$((stringify!($name), Effort::$effort)),*];
+                assert!(PROBLEMS.iter().map(|p| (p.name, p.from)).eq(listed));
+            }
+        }
+    };
+    (@test $name:ident Test) => {
+        #[test]
+        fn $name() {
+            passes(stringify!($name));
+        }
+    };
+    (@test $name:ident Verify) => {};
+}
+
+// A problem's file, and the effort at which it begins: one of the tests is a test by this line.
+problems! {
+    scheme_literal Test,
+    time_order Test,
+    discrete_energy Test,
+    damping_ratio Test,
+    band_damping Test,
+    dispersion Test,
+    bar_step_wave Test,
+    incident_pulse Test,
+    layered_column Test,
+    lamb Verify,
+    macneal_harder_beam Test,
+    cantilever_thin Test,
+    thick_cylinder Test,
+    concrete_uniaxial Test,
+    concrete_triaxial Test,
+    concrete_rates Test,
+    concrete_biaxial Test,
+    concrete_loops Test,
+    concrete_fracture_energy Test,
+    rock_strength Test,
+    circular_opening Verify,
+    strip_footing Test,
+}
