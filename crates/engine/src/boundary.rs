@@ -13,7 +13,7 @@ use crate::life::{Life, Stage};
 use crate::member::Member;
 use crate::outer_faces::{OuterFaces, nodes_of};
 use crate::ties::Ties;
-use base::{BaseNode, BasePart};
+use base::{BaseNode, BasePart, add};
 use std::collections::BTreeMap;
 use tremolite_mesh::topology::{match_faces, vector_areas};
 use tremolite_mesh::{Face, Mesh};
@@ -311,12 +311,6 @@ fn hold(held: &mut BTreeMap<u32, [bool; 3]>, node: u32, more: [bool; 3]) {
     let now = held.entry(node).or_default();
     for i in 0..3 {
         now[i] |= more[i];
-    }
-}
-
-fn add(to: &mut [f64; 6], more: &[f64; 6]) {
-    for (a, b) in to.iter_mut().zip(more) {
-        *a += b;
     }
 }
 

@@ -3,6 +3,7 @@
 
 use crate::assembly::Assembly;
 use crate::boundary;
+use crate::boundary::base::add;
 use crate::error::ModelError;
 use crate::life::Stage;
 use crate::member::Member;
@@ -151,12 +152,6 @@ impl Phase {
             Drive::Quasistatic => Tick { time: 0.0, dt: 0.0 },
             Drive::Dynamic => Tick { time: state.time(), dt: state.dt },
         }
-    }
-}
-
-fn add(to: &mut [f64; 6], more: &[f64; 6]) {
-    for (a, b) in to.iter_mut().zip(more) {
-        *a += b;
     }
 }
 

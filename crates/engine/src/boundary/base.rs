@@ -41,6 +41,13 @@ pub fn times(m: &[f64; 6], v: [f64; 3]) -> [f64; 3] {
     ]
 }
 
+/// Adds one such matrix to another.
+pub fn add(to: &mut [f64; 6], more: &[f64; 6]) {
+    for (a, b) in to.iter_mut().zip(more) {
+        *a += b;
+    }
+}
+
 /// Incident wave and springs of the base.
 pub struct BasePart {
     nodes: Vec<u32>,
