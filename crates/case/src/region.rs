@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use crate::Spanned;
 use crate::fields::Fields;
-use crate::keys::{Key, Kind, Table, When, words};
+use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::material::VOID;
 use crate::pattern;
+use tremolite_laws::Dimension;
 
 pub(crate) static REGION: Table = Table {
     path: "region",
@@ -26,6 +27,14 @@ pub(crate) static REGION: Table = Table {
             "element",
             Kind::Word(Element::WORDS),
             "one-point: fast, for rock; full: 2×2×2 points, sees bending, for linings",
+        )
+        .when(When::IsNot("material", VOID)),
+        Key::optional(
+            "viscosity",
+            Kind::Number(Dimension::NONE, Limit::NotNegative),
+            "0.06 for laws that damage, else 0",
+            "artificial viscosity: share of critical damping at each element's own highest frequency, against the ringing \
+             of pieces between cracks; at most 0.5, shortens the step",
         )
         .when(When::IsNot("material", VOID)),
         Key::later("before", "leave it out: nothing is excavated during the run"),
@@ -65,6 +74,8 @@ pub enum Fill {
         material: Spanned<usize>,
         /// How the elements are integrated.
         element: Spanned<Element>,
+        /// Artificial viscosity b, where it is given.
+        viscosity: Option<Spanned<f64>>,
     },
 }
 
@@ -84,7 +95,11 @@ impl Region {
             Fill::Void
         } else {
             let index = names.iter().position(|n| *n == material.value)?;
-            Fill::Solid { material: Spanned::new(index, material.span), element: element? }
+            Fill::Solid {
+                material: Spanned::new(index, material.span),
+                element: element?,
+                viscosity: f.number("viscosity"),
+            }
         };
         Some(Region { groups, fill, span: f.span.clone() })
     }

@@ -1,5 +1,6 @@
 //! Every part that a model will ever have, made once, with its fixed slices of the state.
 
+use crate::body::Body;
 use crate::boundary;
 use crate::boundary::base::BaseNode;
 use crate::error::ModelError;
@@ -8,10 +9,12 @@ use crate::member::Member;
 use crate::model::{Model, Patch};
 use crate::parts::StateSizes;
 use crate::parts::loads::Loads;
-use crate::state::State;
+use crate::state::{Ledger, State};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use tremolite_kernels::Quadrature;
+use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
 use tremolite_laws::{Octet, Row};
 
 /// Where a part's slices begin and end.
@@ -33,6 +36,11 @@ pub struct Assembly {
     pub members: Vec<Member>,
     /// Of each member.
     pub slices: Vec<Slices>,
+    /// Bodies that the balance is also drawn up for, by name: those of the user, then parts of the program's own that have
+    /// elements.
+    pub accounts: Vec<String>,
+    /// The account of each member, none for those without elements or out of the balance.
+    pub account: Vec<Option<u16>>,
     /// Nodes of the base, the column's bottom included; empty for a base without dashpots.
     pub base: Vec<BaseNode>,
     /// Distance R used for the springs of the base \[m\].
@@ -65,7 +73,21 @@ impl Assembly {
             members.push(member);
         }
         let slices = slices(&members);
-        Ok(Assembly { members, slices, base, spring_distance, nodes: model.mesh_node.len() })
+        let mut accounts: Vec<String> = model.user_bodies().iter().map(|body| body.name.clone()).collect();
+        let account = members
+            .iter()
+            .enumerate()
+            .map(|(m, member)| match model.patches.get(m) {
+                Some(patch) => member.counted.then_some(patch.body as u16),
+                None if member.counted && member.part.elements().0 > 0 => {
+                    accounts.push(member.name.clone());
+                    Some(accounts.len() as u16 - 1)
+                }
+                None => None,
+            })
+            .collect();
+        let nodes = model.mesh_node.len();
+        Ok(Assembly { members, slices, accounts, account, base, spring_distance, nodes })
     }
 
     /// A state at rest.
@@ -77,6 +99,7 @@ impl Assembly {
             history: vec![Octet::ZERO; totals.history.end],
             overstress: vec![Octet::ZERO; totals.overstress.end],
             numbers: vec![0.0; totals.numbers.end],
+            ledger: Ledger::new(self.accounts.len()),
             ..State::default()
         }
     }
@@ -143,8 +166,19 @@ fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
         corners.push(corner);
         geometry.push(hex);
     }
-    let part = body.material.patch(body.quadrature, nodes, &corners, &geometry, model.isa);
+    let viscosity = viscosity(body, &geometry);
+    let part = body.material.patch(body.quadrature, nodes, &corners, &geometry, &viscosity, model.isa);
     Ok(Member { masses, ..Member::new(body.name.clone(), part) })
+}
+
+/// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without.
+fn viscosity(body: &Body, geometry: &[Hex8]) -> Vec<f64> {
+    if body.viscosity == 0.0 {
+        return Vec::new();
+    }
+    let full = body.quadrature == Quadrature::Full;
+    let omegas = element_frequencies(geometry, body.material.stiffest(), body.density, full);
+    omegas.into_iter().map(|omega| 2.0 * body.viscosity / omega).collect()
 }
 
 fn slices(members: &[Member]) -> Vec<Slices> {

@@ -73,6 +73,7 @@ pub fn box_problem(n: u32, bench: &BoxBench) -> Result<Problem, BoxError> {
         material: bench.material.clone(),
         density: 2700.0,
         quadrature: bench.quadrature,
+        viscosity: 0.0,
     };
     let mut problem = Problem::new(mesh, vec![body]);
     problem.base = Base::Fixed;

@@ -14,4 +14,6 @@ pub struct Body {
     /// Density ρ \[kg/m³\].
     pub density: f64,
     pub quadrature: Quadrature,
+    /// Artificial viscosity b: share of critical damping at each element's own highest frequency, 0 for none.
+    pub viscosity: f64,
 }

@@ -105,6 +105,7 @@ pub fn build(
                     material: like.material.clone(),
                     density: like.density,
                     quadrature: Quadrature::OnePoint,
+                    viscosity: like.viscosity,
                 };
                 bodies.push(column);
             }

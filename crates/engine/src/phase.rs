@@ -43,6 +43,11 @@ pub struct ElementSlot {
     pub member: u32,
 }
 
+/// In [`Phase::slot_account`]: a part without an account.
+pub const NO_ACCOUNT: u16 = u16::MAX;
+/// In [`Phase::account`]: ask the slots.
+pub const SEVERAL: u16 = u16::MAX - 1;
+
 /// The active parts of an assembly, and the nodes they act on.
 pub struct Phase {
     pub drive: Drive,
@@ -63,6 +68,10 @@ pub struct Phase {
     /// Contributions of node n are `slot[start[n] .. start[n + 1]]`, in the order of members.
     pub start: Vec<u32>,
     pub slot: Vec<u32>,
+    /// The account ([`Assembly::accounts`]) that alone pushes a node; [`SEVERAL`] where there are more, or other parts.
+    pub account: Vec<u16>,
+    /// Of each slot, [`NO_ACCOUNT`] for parts that have none.
+    pub slot_account: Vec<u16>,
     /// (tied node, master), ascending.
     pub tied: Vec<(u32, u32)>,
     /// Ascending by node.
@@ -127,7 +136,16 @@ impl Phase {
             add(&mut dashpots.entry(master[node as usize]).or_default().sides, matrix);
         }
 
-        let (start, slot) = sources(assembly, &active, &master);
+        let (start, slot, slot_account) = sources(assembly, &active, &master);
+        let account = (0..master.len())
+            .map(|n| {
+                let own = &slot_account[start[n] as usize..start[n + 1] as usize];
+                match own {
+                    [first, rest @ ..] if rest.iter().all(|a| a == first) => *first,
+                    _ => SEVERAL,
+                }
+            })
+            .collect();
         let counted = || active.iter().map(there).filter(|member| member.counted);
         Ok(Phase {
             drive,
@@ -141,6 +159,8 @@ impl Phase {
             inverse_mass,
             start,
             slot,
+            account,
+            slot_account,
             tied,
             dashpots: dashpots.into_iter().collect(),
         })
@@ -155,9 +175,9 @@ impl Phase {
     }
 }
 
-/// Which contributions make up each node's force: by master, in the order of members.
-fn sources(assembly: &Assembly, active: &[u32], master: &[u32]) -> (Vec<u32>, Vec<u32>) {
-    let parts = || active.iter().map(|&m| (&assembly.members[m as usize].part, &assembly.slices[m as usize]));
+/// Which contributions make up each node's force, and whose they are: by master, in the order of members.
+fn sources(assembly: &Assembly, active: &[u32], master: &[u32]) -> (Vec<u32>, Vec<u32>, Vec<u16>) {
+    let parts = || active.iter().map(|&m| (&assembly.members[m as usize].part, m as usize));
     let mut start = vec![0u32; master.len() + 1];
     for (part, _) in parts() {
         for &node in part.nodes() {
@@ -169,14 +189,16 @@ fn sources(assembly: &Assembly, active: &[u32], master: &[u32]) -> (Vec<u32>, Ve
     }
     let mut next = start.clone();
     let mut slot = vec![0u32; start[master.len()] as usize];
-    for (part, slices) in parts() {
+    let mut account = vec![NO_ACCOUNT; slot.len()];
+    for (part, m) in parts() {
         for (i, &node) in part.nodes().iter().enumerate() {
             let at = &mut next[master[node as usize] as usize];
-            slot[*at as usize] = (slices.contributions.start + i) as u32;
+            slot[*at as usize] = (assembly.slices[m].contributions.start + i) as u32;
+            account[*at as usize] = assembly.account[m].unwrap_or(NO_ACCOUNT);
             *at += 1;
         }
     }
-    (start, slot)
+    (start, slot, account)
 }
 
 /// Patches are the first members, in their order.

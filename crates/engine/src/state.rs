@@ -12,8 +12,16 @@ pub struct Ledger {
     /// Sum of the positive increments of what is put in and of what was held at the start: what the guard measures
     /// against.
     pub supplied: f64,
-    /// Work against the forces of all parts, and the energy that they held at the start.
-    pub parts: f64,
+    /// By account ([`crate::Assembly::accounts`]): work on the elements less what artificial viscosity took of it, and what
+    /// they held and had lost at the start.
+    pub bodies: Vec<f64>,
+}
+
+impl Ledger {
+    /// Empty books for so many accounts.
+    pub fn new(accounts: usize) -> Self {
+        Ledger { bodies: vec![0.0; accounts], ..Ledger::default() }
+    }
 }
 
 /// What observers remember: envelopes, steps seen, bytes written, by observer and column.
@@ -71,8 +79,8 @@ impl State {
 
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
-        let Ledger { lines, supplied, parts } = &mut self.ledger;
-        let ledger = lines.values_mut().chain([supplied, parts]).collect();
+        let Ledger { lines, supplied, bodies } = &mut self.ledger;
+        let ledger = lines.values_mut().chain([supplied]).collect();
         let mut columns = vec![
             ("step".to_owned(), "1", Column::Count(&mut self.step)),
             ("origin".to_owned(), "1", Column::Count(&mut self.origin)),
@@ -83,6 +91,7 @@ impl State {
             ("overstress".to_owned(), "1", Column::Octets(&mut self.overstress)),
             ("numbers".to_owned(), "part", Column::Numbers(&mut self.numbers)),
             ("ledger".to_owned(), "J", Column::Scalars(ledger)),
+            ("bodies".to_owned(), "J", Column::Numbers(bodies)),
         ];
         for (name, values) in &mut self.observers {
             columns.push((format!("observer {name}"), "observer", Column::Numbers(values)));

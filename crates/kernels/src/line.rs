@@ -62,9 +62,10 @@ lines! {
     Dissipated = "dissipated", 1.0, Spent;
     /// Given out by laws that have no potential, as they book it.
     Created = "created_by_law", -1.0, Spent;
-    /// Taken by damping over a band, and whatever laws that keep no books take: the work done on the elements less what
-    /// they hold, have dissipated and created. Zero by definition where there are neither; the error then tests the laws.
-    Band = "band_damping", 1.0, Rest;
+    /// Taken by damping over a band, as its bodies book it step by step.
+    Band = "band_damping", 1.0, Spent;
+    /// Taken by artificial viscosity.
+    Viscosity = "artificial_viscosity", 1.0, Work;
     /// Taken by Rayleigh damping.
     Rayleigh = "rayleigh_damping", 1.0, Damping;
     /// Taken by the dashpots of the base.

@@ -27,13 +27,15 @@ pub trait AnyMaterial: Send + Sync {
     fn band(&self) -> Option<Band>;
     /// See [`Material::warnings`].
     fn warnings(&self) -> Vec<String>;
-    /// A patch of hexahedra of this material; `corners` index `nodes`, which are the patch's.
+    /// A patch of hexahedra of this material; `corners` index `nodes`, which are the patch's, and `viscosity` is that of each
+    /// element over its stiffness \[s\], or empty.
     fn patch(
         &self,
         quadrature: Quadrature,
         nodes: Vec<u32>,
         corners: &[[u16; 8]],
         geometry: &[Hex8],
+        viscosity: &[f64],
         isa: Isa,
     ) -> Box<dyn Part>;
 }
@@ -90,15 +92,16 @@ impl<M: Material> AnyMaterial for Instance<M> {
         nodes: Vec<u32>,
         corners: &[[u16; 8]],
         geometry: &[Hex8],
+        viscosity: &[f64],
         isa: Isa,
     ) -> Box<dyn Part> {
         let (law, own, band) = (self.law.clone(), self.own, self.band);
         match quadrature {
             Quadrature::OnePoint => {
-                Box::new(Solid::<M, OnePoint>::new(law, own, band, nodes, corners, geometry, isa))
+                Box::new(Solid::<M, OnePoint>::new(law, own, band, nodes, corners, geometry, viscosity, isa))
             }
             Quadrature::Full => {
-                Box::new(Solid::<M, Full>::new(law, own, band, nodes, corners, geometry, isa))
+                Box::new(Solid::<M, Full>::new(law, own, band, nodes, corners, geometry, viscosity, isa))
             }
         }
     }

@@ -62,6 +62,8 @@ pub struct ElementEnergy {
     pub dissipated: f64,
     /// Booked by the law as created since the start.
     pub created: f64,
+    /// Taken by damping over a band since the start.
+    pub band: f64,
 }
 
 impl ElementEnergy {
@@ -83,6 +85,8 @@ pub struct ProbeOut<'a> {
 #[derive(Default)]
 pub struct Scratch {
     pub rows: Vec<Row>,
+    /// Forces of a second pass.
+    pub out: Vec<Row>,
     /// A copy of a history.
     pub history: Vec<Octet>,
     /// What damage has left, point by point.
@@ -106,7 +110,7 @@ pub trait Part: Send + Sync {
     fn columns(&self) -> &'static [Column] {
         &[]
     }
-    /// Whether all that the part takes and gives out is in the lines that it reports.
+    /// Whether all that the part takes and gives out is in the lines that it reports; without, the balance cannot close.
     fn keeps_books(&self) -> bool {
         true
     }
@@ -138,15 +142,20 @@ pub trait Part: Send + Sync {
     /// model's own patches, while other parts are traced to their nodes.
     fn stiffness_energy(&self, _w: &[Row], _energy: &mut [ElementEnergy], _scratch: &mut Scratch) {}
     /// K w as Rayleigh's damping ξK wants it: with what damage has left of the stiffness at displacements `u` and
-    /// with this `history`.
+    /// with this `history`. Nothing by default: ξK acts on elements alone.
     fn damping_times(
         &self,
         _u: &[Row],
         _history: &[Octet],
-        w: &[Row],
+        _w: &[Row],
         out: &mut [Row],
-        scratch: &mut Scratch,
+        _scratch: &mut Scratch,
     ) {
-        self.stiffness_times(w, out, scratch);
+        out.fill(Row::ZERO);
+    }
+    /// C w of forces that go by v⁻, as artificial viscosity does, without damage: the stable step goes by it. Says whether
+    /// there are any; `out` is left alone where there are none.
+    fn viscosity_times(&self, _w: &[Row], _out: &mut [Row], _scratch: &mut Scratch) -> bool {
+        false
     }
 }

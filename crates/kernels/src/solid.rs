@@ -5,16 +5,16 @@ mod weakened;
 
 pub use pass::{Full, OnePoint, Rule};
 
-use crate::line::Lines;
+use crate::line::{Line, Lines};
 use crate::part::{ElementEnergy, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
-use pass::{Pass, dispatch};
+use pass::{Left, Pass, dispatch, whole};
 use std::marker::PhantomData;
 use std::sync::Arc;
 use tremolite_laws::band::{Band, BandStep, MEMORY};
 use tremolite_laws::materials::Elastic;
-use tremolite_laws::shapes::hex8::{Hex8, Stabilisation};
+use tremolite_laws::shapes::hex8::{Hex8, LEFT, Stabilisation};
 use tremolite_laws::{Column, Isa, Material, Moduli, Octet, Point, Row};
-use weakened::{LEFT, Weakened};
+use weakened::{Remembered, Weakened};
 
 /// A patch of elements.
 pub struct Solid<M: Material, R: Rule> {
@@ -28,16 +28,19 @@ pub struct Solid<M: Material, R: Rule> {
     elements: usize,
     index: Vec<[[u16; 8]; 8]>,
     geometry: Vec<R::Geometry>,
+    /// Artificial viscosity over stiffness \[s\], an octet of elements each; empty without.
+    viscosity: Vec<Octet>,
     rule: PhantomData<R>,
 }
 
 impl<M: Material, R: Rule> Solid<M, R> {
     /// A patch from its nodes, the elements' corners as positions among them (VTK order), and their geometry.
     ///
-    /// `moduli` are the material's own; with a band, which adds to them, the law must have the relaxed ones.
+    /// `moduli` are the material's own; with a band, which adds to them, the law must have the relaxed ones. `viscosity` is
+    /// that of each element over its stiffness \[s\], or empty.
     ///
     /// # Panics
-    /// If a corner is not among the nodes, or corners and geometry differ in number.
+    /// If a corner is not among the nodes, or corners, geometry and viscosity differ in number.
     pub fn new(
         law: Arc<M>,
         moduli: Moduli,
@@ -45,9 +48,11 @@ impl<M: Material, R: Rule> Solid<M, R> {
         nodes: Vec<u32>,
         corners: &[[u16; 8]],
         geometry: &[Hex8],
+        viscosity: &[f64],
         isa: Isa,
     ) -> Self {
         assert_eq!(corners.len(), geometry.len());
+        assert!(viscosity.is_empty() || viscosity.len() == corners.len());
         assert!(corners.iter().flatten().all(|&c| (c as usize) < nodes.len()));
         let stabilisation = Stabilisation::new(moduli);
         let bending = if M::FLOWS { Stabilisation::flowing(moduli) } else { stabilisation };
@@ -70,6 +75,10 @@ impl<M: Material, R: Rule> Solid<M, R> {
             elements: corners.len(),
             index,
             geometry: packed,
+            viscosity: viscosity
+                .chunks(8)
+                .map(|eight| Octet(std::array::from_fn(|lane| eight.get(lane).copied().unwrap_or(0.0))))
+                .collect(),
             rule: PhantomData,
         }
     }
@@ -109,9 +118,68 @@ impl<M: Material, R: Rule> Solid<M, R> {
         }
     }
 
-    /// The Maxwell bodies over a step; none while time stands still, where without memory they would be springs.
-    fn band_step(&self, dt: f64) -> Option<BandStep> {
-        self.band.filter(|_| dt > 0.0).map(|b| b.step(dt, self.law.moduli()))
+    /// Forces of the law, its band and artificial viscosity, and what the latter took.
+    fn evaluate<const PROBE: bool>(
+        &self,
+        tick: &Tick,
+        x: &Motion,
+        own: Own,
+        out: &mut [Row],
+        probe: Option<ProbeOut>,
+        scratch: &mut Scratch,
+    ) -> Lines {
+        let viscous = !self.viscosity.is_empty() && tick.dt > 0.0;
+        let mut left = std::mem::take(&mut scratch.left);
+        left.resize(self.index.len() * R::POINTS * LEFT, Octet::ZERO);
+        let band = self.band.map(|b| b.step(tick.dt, self.law.moduli()));
+        let rows = self.gather(x.u, scratch);
+        let mut pass = self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, probe);
+        if viscous {
+            pass.left = Some(Left { to: &mut left, factor: &self.viscosity });
+        }
+        dispatch::<R, M, PROBE>(self.isa, pass);
+        let mut lines = Lines::default();
+        if viscous {
+            lines[Line::Viscosity] = self.resist(tick.dt, x.du, &mut left, own.numbers, out, scratch);
+        }
+        scratch.left = left;
+        lines
+    }
+
+    /// Adds the forces of artificial viscosity at v⁻ to `out`; the work \[J\] that they did over the last increment, by the
+    /// mean of the forces at its ends. `numbers` remembers the forces.
+    fn resist(
+        &self,
+        dt: f64,
+        du: &[Row],
+        left: &mut [Octet],
+        numbers: &mut [f64],
+        out: &mut [Row],
+        scratch: &mut Scratch,
+    ) -> f64 {
+        let mut forces = std::mem::take(&mut scratch.out);
+        forces.resize(self.nodes.len(), Row::ZERO);
+        let velocities = &mut scratch.rows;
+        velocities.clear();
+        velocities.extend(self.nodes.iter().map(|&n| Row(du[n as usize].0.map(|d| d / dt))));
+        self.weakened(left, velocities, &mut forces);
+        let mut work = 0.0;
+        let ends = velocities.iter().zip(forces.iter().zip(out)).zip(numbers.chunks_exact_mut(3));
+        for ((velocity, (force, out)), last) in ends {
+            for i in 0..3 {
+                work += 0.5 * (last[i] + force.0[i]) * velocity.0[i] * dt;
+                out.0[i] += force.0[i];
+                last[i] = force.0[i];
+            }
+        }
+        scratch.out = forces;
+        work
+    }
+
+    /// The product of the elastic stiffness that is left, with its factor, with `rows` of the patch's nodes.
+    fn weakened(&self, left: &mut [Octet], rows: &[Row], out: &mut [Row]) {
+        let law = Weakened(self.elastic.moduli());
+        dispatch::<R, Weakened, false>(self.isa, self.pass(&law, 0.0, left, None, &mut [], rows, out, None));
     }
 }
 
@@ -125,7 +193,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         StateSizes {
             history: points * M::HISTORY.len(),
             overstress: if self.band.is_some() { points * MEMORY } else { 0 },
-            numbers: 0,
+            numbers: if self.viscosity.is_empty() { 0 } else { 3 * self.nodes.len() },
         }
     }
 
@@ -138,17 +206,11 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
     }
 
     fn keeps_books(&self) -> bool {
-        self.band.is_none() && (M::HISTORY.is_empty() || M::DISSIPATION.is_some())
+        M::HISTORY.is_empty() || M::DISSIPATION.is_some()
     }
 
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Lines {
-        let rows = self.gather(x.u, scratch);
-        let band = self.band_step(tick.dt);
-        dispatch::<R, M, false>(
-            self.isa,
-            self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, None),
-        );
-        Lines::default()
+        self.evaluate::<false>(tick, x, own, out, None, scratch)
     }
 
     fn probe(
@@ -160,13 +222,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         probe: ProbeOut,
         scratch: &mut Scratch,
     ) -> Lines {
-        let rows = self.gather(x.u, scratch);
-        let band = self.band_step(tick.dt);
-        dispatch::<R, M, true>(
-            self.isa,
-            self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, Some(probe)),
-        );
-        Lines::default()
+        self.evaluate::<true>(tick, x, own, out, Some(probe), scratch)
     }
 
     fn damping_times(&self, u: &[Row], history: &[Octet], w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
@@ -178,17 +234,26 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         let mut own = std::mem::take(&mut scratch.history);
         own.clear();
         own.extend_from_slice(history);
-        // Time stands still: the law finds the damage that it left, and its forces are not wanted.
-        let mut pass =
-            self.pass(&*self.law, 0.0, &mut own, None, &mut [], self.gather(u, scratch), out, None);
-        pass.left = Some(&mut left);
-        dispatch::<R, M, true>(self.isa, pass);
-        let weakened = Weakened(self.elastic.moduli());
-        dispatch::<R, Weakened, false>(
-            self.isa,
-            self.pass(&weakened, 0.0, &mut left, None, &mut [], self.gather(w, scratch), out, None),
-        );
+        let law = Remembered(self.law.clone());
+        let mut pass = self.pass(&law, 0.0, &mut own, None, &mut [], self.gather(u, scratch), out, None);
+        pass.left = Some(Left { to: &mut left, factor: &[] });
+        dispatch::<R, Remembered<M>, false>(self.isa, pass);
+        self.weakened(&mut left, self.gather(w, scratch), out);
         (scratch.left, scratch.history) = (left, own);
+    }
+
+    fn viscosity_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) -> bool {
+        if self.viscosity.is_empty() {
+            return false;
+        }
+        let mut left = std::mem::take(&mut scratch.left);
+        left.clear();
+        left.extend(
+            self.viscosity.iter().flat_map(|&factor| (0..R::POINTS).flat_map(move |_| whole(factor))),
+        );
+        self.weakened(&mut left, self.gather(w, scratch), out);
+        scratch.left = left;
+        true
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {

@@ -5,8 +5,15 @@
 //! a_j are fitted to a ratio over a band. The price: moduli grow with frequency (waves disperse), and the unrelaxed
 //! one sets the time step. The frequency at which E is meant is a parameter: the law then gets E/Re M there.
 //!
-//! Integrated by the trapezoidal rule, second order and stable for every step. One number a component is kept, z_j =
-//! (1 − r) e_j + r ε with r = Δt/2τ_j, from which e_j = (z_j + r ε)/(1 + r) at the next step.
+//! Integrated by the trapezoidal rule, second order and stable for every step. Kept are the stretches q_j = ε − e_j and
+//! the strain that they were found at: with r = Δt/2τ_j a step makes q_j ← ((1 − r) q_j + Δε)/(1 + r).
+//!
+//! **In a material that loses strength** the bodies' stress is w Σ a_j C q_j with one share w that never recovers
+//! ([`Material::unbroken`](crate::Material::unbroken)), and they hold w Σ ψ_j, ψ_j = ½ a_j q_j:C:q_j. A share that follows
+//! the sign of the stress, as the damage of a crack does, would let the bodies' memory go on while the crack is open, and give
+//! out at closing energy that nobody put in. By the trapezoidal rule, which is that of the equations of motion, a step takes
+//! exactly w̄ Σ ½ r a_j m_j:C:m_j, with m_j the sum of the stretches before and after, and (w − w′) Σ (ψ̄_j − ¼ a_j Δq_j:C:Δε)
+//! where w falls. Both are booked; the second not below 0, as it would be in a step so long that a stretch changes sign in it.
 
 use crate::lane::{Lane, Octet};
 use crate::material::{Moduli, Sym};
@@ -14,8 +21,11 @@ use crate::material::{Moduli, Sym};
 /// Maxwell bodies.
 pub const BODIES: usize = 3;
 
-/// Octets that a point's bodies keep.
-pub const MEMORY: usize = 6 * BODIES;
+/// Octets that a point's bodies keep: the last strain, the stretches, and what was dissipated \[J/m³\].
+pub const MEMORY: usize = 6 + 6 * BODIES + 1;
+
+const STRETCHES: usize = 6;
+const DISSIPATED: usize = MEMORY - 1;
 
 /// Three fitted Maxwell bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -135,9 +145,15 @@ impl Band {
         self.relaxed() * (1.0 + self.weights.iter().sum::<f64>())
     }
 
-    /// Constants of a step of Δt \[s\] for a law with these relaxed moduli.
+    /// Constants of a step of Δt \[s\] for a law with these relaxed moduli. While time stands still (Δt = 0) the bodies
+    /// are relaxed.
     pub fn step(&self, dt: f64, relaxed: Moduli) -> BandStep {
-        BandStep { weights: self.weights, halves: self.times.map(|tau| 0.5 * dt / tau), moduli: relaxed }
+        BandStep {
+            weights: self.weights,
+            halves: self.times.map(|tau| 0.5 * dt / tau),
+            moduli: relaxed,
+            relaxed: dt == 0.0,
+        }
     }
 }
 
@@ -186,56 +202,108 @@ pub struct BandStep {
     /// r_j = Δt/2τ_j
     halves: [f64; BODIES],
     moduli: Moduli,
+    /// Whether time stands still.
+    relaxed: bool,
 }
 
 impl BandStep {
-    /// The relaxed moduli.
-    pub fn moduli(&self) -> Moduli {
-        self.moduli
-    }
-
-    /// Σ a_j (ε − e_j), which times C is the bodies' stress; their memory is brought on by one step. At Δt = 0 nothing
-    /// flows.
+    /// Stress \[Pa\] of the bodies at a strain, of which the share `now` is left after `before`; their memory and their
+    /// book are brought on by one step. While time stands still they carry nothing and follow the strain.
     #[inline(always)]
-    pub fn stretch<L: Lane>(&self, strain: &Sym<L>, memory: &mut [Octet], at: usize) -> Sym<L> {
-        let mut stretch = [L::splat(0.0); 6];
+    pub fn stress<L: Lane>(
+        &self,
+        strain: &Sym<L>,
+        before: L,
+        now: L,
+        memory: &mut [Octet],
+        at: usize,
+    ) -> Sym<L> {
+        let zero = L::splat(0.0);
+        let mut moved = [zero; 6];
+        let mut c = 0;
+        while c < 6 {
+            moved[c] = strain[c] - L::load(&memory[c], at);
+            strain[c].store(&mut memory[c], at);
+            c += 1;
+        }
+        let mut sum = [zero; 6];
+        let (mut flown, mut held) = (zero, zero);
+        let weakens = L::any(now.less(before));
         let mut j = 0;
         while j < BODIES {
-            let (weight, r) = (L::splat(self.weights[j]), L::splat(self.halves[j]));
-            let inverse = L::splat(1.0 / (1.0 + self.halves[j]));
-            let keep = L::splat(1.0 - self.halves[j]);
+            let weight = L::splat(self.weights[j]);
+            let (inverse, keep) = (1.0 / (1.0 + self.halves[j]), 1.0 - self.halves[j]);
+            let mut mean = [zero; 6];
+            let mut new = [zero; 6];
+            let mut old = [zero; 6];
             let mut c = 0;
             while c < 6 {
-                let z = &mut memory[6 * j + c];
-                let pushed = r * strain[c];
-                let e = (L::load(z, at) + pushed) * inverse;
-                stretch[c] = weight.mul_add(strain[c] - e, stretch[c]);
-                keep.mul_add(e, pushed).store(z, at);
+                let q = &mut memory[STRETCHES + 6 * j + c];
+                old[c] = L::load(q, at);
+                new[c] = L::splat(keep).mul_add(old[c], moved[c]) * L::splat(inverse);
+                if self.relaxed {
+                    new[c] = zero;
+                }
+                new[c].store(q, at);
+                mean[c] = old[c] + new[c];
+                sum[c] = weight.mul_add(new[c], sum[c]);
                 c += 1;
+            }
+            flown = L::splat(self.halves[j] * self.weights[j]).mul_add(self.moduli.energy(&mean), flown);
+            if weakens {
+                let mut turned = [zero; 6];
+                let mut c = 0;
+                while c < 6 {
+                    turned[c] = new[c] - old[c];
+                    c += 1;
+                }
+                let both = self.moduli.energy(&old) + self.moduli.energy(&new);
+                held = (L::splat(0.5) * weight).mul_add(both, held);
+                let across = self.moduli.product(&turned, &moved);
+                held = (L::splat(-0.25) * weight).mul_add(across, held);
             }
             j += 1;
         }
-        stretch
+        let book = &mut memory[DISSIPATED];
+        let lost = (before - now) * held.larger(zero);
+        let taken = (L::splat(0.5) * (before + now)).mul_add(flown, lost);
+        // A strain that is no number must not enter the book.
+        let known = L::splat(-1.0).less(taken);
+        let booked = L::load(book, at);
+        if !self.relaxed {
+            L::select(known, booked + taken, booked).store(book, at);
+        }
+        let mut stress = self.moduli.stress(&sum);
+        let mut c = 0;
+        while c < 6 {
+            stress[c] = now * stress[c];
+            c += 1;
+        }
+        stress
     }
 
-    /// √a_j (ε − e_j) of each body, before [`Self::stretch`] brings the memory on: ½ e:C:e of each is the energy
-    /// \[J/m³\] that it stores.
+    /// What the bodies hold \[J/m³\] after [`Self::stress`], where the share `now` is left of them.
     #[inline(always)]
-    pub fn bodies<L: Lane>(&self, strain: &Sym<L>, memory: &[Octet], at: usize) -> [Sym<L>; BODIES] {
-        let mut bodies = [[L::splat(0.0); 6]; BODIES];
+    pub fn held<L: Lane>(&self, now: L, memory: &[Octet], at: usize) -> L {
+        let mut sum = L::splat(0.0);
         let mut j = 0;
         while j < BODIES {
-            let (r, inverse) = (L::splat(self.halves[j]), L::splat(1.0 / (1.0 + self.halves[j])));
-            let root = L::splat(self.weights[j].sqrt());
+            let mut stretch = [sum; 6];
             let mut c = 0;
             while c < 6 {
-                let e = r.mul_add(strain[c], L::load(&memory[6 * j + c], at)) * inverse;
-                bodies[j][c] = root * (strain[c] - e);
+                stretch[c] = L::load(&memory[STRETCHES + 6 * j + c], at);
                 c += 1;
             }
+            sum = L::splat(self.weights[j]).mul_add(self.moduli.energy(&stretch), sum);
             j += 1;
         }
-        bodies
+        now * sum
+    }
+
+    /// What they have dissipated so far \[J/m³\].
+    #[inline(always)]
+    pub fn dissipated<L: Lane>(memory: &[Octet], at: usize) -> L {
+        L::load(&memory[DISSIPATED], at)
     }
 }
 

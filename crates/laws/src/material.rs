@@ -73,6 +73,22 @@ impl Moduli {
         ]
     }
 
+    /// ½e:C:e \[J/m³\].
+    #[inline(always)]
+    pub fn energy<L: Lane>(&self, e: &Sym<L>) -> L {
+        L::splat(0.5) * self.product(e, e)
+    }
+
+    /// a:C:b \[J/m³\].
+    #[inline(always)]
+    pub fn product<L: Lane>(&self, a: &Sym<L>, b: &Sym<L>) -> L {
+        let traces = (a[0] + a[1] + a[2]) * (b[0] + b[1] + b[2]);
+        let normal = a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]));
+        let shear = a[5].mul_add(b[5], a[4].mul_add(b[4], a[3] * b[3]));
+        let deviator = L::splat(0.5).mul_add(shear, normal);
+        L::splat(2.0 * self.mu).mul_add(deviator, L::splat(self.lambda) * traces)
+    }
+
     /// V·(C:(V·e·V))·V \[Pa\]: what a state with the integrity V ([`Material::integrity`]) carries of an elastic stress.
     /// Its product with e is never negative, so that damping takes energy whatever V is.
     #[inline(always)]
@@ -154,8 +170,8 @@ pub fn virgin<M: Material>() -> M::History<f64> {
 }
 
 /// Share of the elastic hourglass stiffness that is left at the least, so that the zero-energy modes of broken elements
-/// stay bounded: an assumption.
-pub(crate) const LEAST_HOURGLASS_SHARE: f64 = 0.05;
+/// stay bounded: an assumption. A twentieth held a footing up beyond its limit load (verification problem `strip_footing`).
+pub(crate) const LEAST_HOURGLASS_SHARE: f64 = 0.001;
 
 /// A material law: stress from the strain since the material was placed, and from history.
 ///
@@ -227,13 +243,21 @@ pub trait Material: Send + Sync + Sized + 'static {
         Vec::new()
     }
 
-    /// V = Σ (1 − D_i)^¼ p_i⊗p_i with the damage D_i along the principal directions p_i: a cracked point must not go on
-    /// carrying damping stresses ([`Moduli::stress_left`]; along p_i they are 1 − D_i times as large). Asked for only
-    /// with [`Material::DAMAGES`].
+    /// V = Σ (1 − D_i)^¼ p_i⊗p_i with the damage D_i along the principal directions p_i that this history has left: a
+    /// cracked point must not go on carrying damping stresses ([`Moduli::stress_left`]; along p_i they are 1 − D_i times as
+    /// large). For stresses that go by the rate alone; what remembers goes by [`Material::unbroken`]. Asked for only with
+    /// [`Material::DAMAGES`].
     #[inline(always)]
     fn integrity<L: Lane>(&self, _strain: &Sym<L>, _history: &Self::History<L>) -> Sym<L> {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         [one, one, one, zero, zero, zero]
+    }
+
+    /// Share of the stress of Maxwell bodies ([`crate::band`]) that this history has left: from 1 downwards, never growing
+    /// along a path, whatever closes again.
+    #[inline(always)]
+    fn unbroken<L: Lane>(&self, _history: &Self::History<L>) -> L {
+        L::splat(1.0)
     }
 
     /// Share of the elastic stiffness against hourglass modes that one-point elements keep in this state: above 0, at
@@ -264,6 +288,20 @@ pub trait Material: Send + Sync + Sized + 'static {
         strain: Sym<L>,
         history: Self::History<L>,
     ) -> (Sym<L>, Self::History<L>);
+
+    /// The same and V ([`Material::integrity`]) of the new history. A law that damages and has the principal directions at
+    /// hand saves their second decomposition here.
+    #[inline(always)]
+    fn update_left<L: Lane>(
+        &self,
+        point: &Point<L>,
+        strain: Sym<L>,
+        history: Self::History<L>,
+    ) -> (Sym<L>, Self::History<L>, Sym<L>) {
+        let (stress, new) = self.update(point, strain, history);
+        let left = self.integrity(&strain, &new);
+        (stress, new, left)
+    }
 }
 
 /// ½σ:C⁻¹:σ \[J/m³\] of isotropic elasticity.
@@ -287,6 +325,7 @@ impl LawInfo {
             parameters: M::PARAMETERS,
             history: M::HISTORY,
             pressure_dependent: M::PRESSURE_DEPENDENT,
+            damages: M::DAMAGES,
             check: |values| M::new(values).map(|_| ()),
         }
     }

@@ -277,6 +277,8 @@ pub struct LawInfo {
     pub history: &'static [Column],
     /// See [`crate::Material::PRESSURE_DEPENDENT`].
     pub pressure_dependent: bool,
+    /// See [`crate::Material::DAMAGES`].
+    pub damages: bool,
     /// Whether the law accepts these values.
     pub check: fn(&Values) -> Result<(), Vec<BadParameter>>,
 }

@@ -12,7 +12,7 @@ use tremolite_engine::hexahedra::centroid;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
-use tremolite_engine::{Engine, Halt, StableStep, stable_step};
+use tremolite_engine::{Engine, Halt, Snapshot, StableStep, stable_step};
 use tremolite_kernels::Lines;
 use tremolite_results::ResultFolder;
 
@@ -200,12 +200,16 @@ pub fn run(
                 observer.see(&view, &mut state.observers)?;
             }
             observing += look.elapsed();
+            if let Err(halt) = engine.guard(&state, &snapshot) {
+                let place = hottest_element(model, phase, &snapshot);
+                break Ending::Failed { halt, place };
+            }
         }
         if step >= steps.total {
             break Ending::Done;
         }
         if let Err(halt) = engine.step(&mut state) {
-            let place = hot_spot(model, phase, &mut engine, &mut state);
+            let place = hottest_element(model, phase, &engine.observe(&mut state));
             break Ending::Failed { halt, place };
         }
     };
@@ -225,8 +229,7 @@ pub fn run(
 }
 
 /// The element that holds most energy, or the first whose energy is not a number.
-fn hot_spot(model: &Model, phase: &Phase, engine: &mut Engine, state: &mut State) -> String {
-    let snapshot = engine.observe(state);
+fn hottest_element(model: &Model, phase: &Phase, snapshot: &Snapshot) -> String {
     let mut worst = (f64::NEG_INFINITY, 0);
     for (e, slot) in phase.element_slot.iter().enumerate() {
         let Some(slot) = slot else { continue };

@@ -97,10 +97,16 @@ fn run_in_words(
     let mut text = match &outcome.ending {
         Ending::Done => format!("The run reached its end, {time:.2} s."),
         Ending::Stopped => format!("The run was stopped at {time:.3} s; go on with --resume."),
-        Ending::Failed { halt: Halt::Energy { kinetic, supplied, .. }, place } => format!(
-            "The run became unstable and was stopped at {time:.4} s: the kinetic energy of {kinetic:.3e} J exceeds all \
-             the energy supplied, {supplied:.3e} J. Most of it is in {place}. Use a smaller time_step or safety."
-        ),
+        Ending::Failed { halt, place } => {
+            let (what, energy, supplied) = match halt {
+                Halt::Energy { kinetic, supplied, .. } => ("kinetic energy", kinetic, supplied),
+                Halt::Held { held, supplied, .. } => ("energy held by motion and elements", held, supplied),
+            };
+            format!(
+                "The run became unstable and was stopped at {time:.4} s: the {what} of {energy:.3e} J exceeds all \
+                 the energy supplied, {supplied:.3e} J. Most of it is in {place}. Use a smaller time_step or safety."
+            )
+        }
     };
     text += &format!(" {passed} of {} checks of the run pass", judged.count());
     let warned: Vec<&str> = trust.iter().filter(|t| !t.pass).map(|t| t.name.as_str()).collect();

@@ -44,7 +44,14 @@ impl Solid {
 
     /// A body of these elements.
     pub fn body(&self, name: &str, elements: Vec<u32>, quadrature: Quadrature) -> Body {
-        Body { name: name.into(), elements, material: self.material(), density: self.density, quadrature }
+        Body {
+            name: name.into(),
+            elements,
+            material: self.material(),
+            density: self.density,
+            quadrature,
+            viscosity: 0.0,
+        }
     }
 
     /// A problem in which all elements are of this solid.

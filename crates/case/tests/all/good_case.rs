@@ -62,7 +62,7 @@ fn every_value_arrives_in_si() {
         .iter()
         .map(|r| match &r.fill {
             Fill::Void => None,
-            Fill::Solid { material, element } => Some((material.value, element.value)),
+            Fill::Solid { material, element, .. } => Some((material.value, element.value)),
         })
         .collect();
     assert_eq!(fills, [Some((0, Element::OnePoint)), Some((1, Element::Full)), None]);

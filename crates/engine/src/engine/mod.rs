@@ -22,7 +22,7 @@ mod nodes;
 mod power;
 mod product;
 
-pub use power::{Limit, StableStep, stable_step};
+pub use power::{Limit, StableStep, stable_step, viscous_share};
 
 use crate::assembly::{Assembly, Slices};
 use crate::member::Member;
@@ -53,6 +53,24 @@ pub struct Snapshot {
     pub energy: Vec<ElementEnergy>,
     /// The energy balance at this time.
     pub balance: Lines,
+    /// The same for each account ([`Assembly::accounts`]).
+    pub bodies: Vec<BodyBooks>,
+}
+
+/// The books of a body's elements \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyBooks {
+    /// Work done on them, but for what artificial viscosity took, and what they held and had lost at the start.
+    pub work: f64,
+    /// What they hold, have dissipated and created.
+    pub held: Lines,
+}
+
+impl BodyBooks {
+    /// Work that is in none of their lines \[J\].
+    pub fn error(&self) -> f64 {
+        self.work - self.held.sum()
+    }
 }
 
 /// Why a step could not be taken.
@@ -60,10 +78,13 @@ pub struct Snapshot {
 pub enum Halt {
     /// More kinetic energy than was ever supplied, or numbers that are not finite.
     Energy { kinetic: f64, supplied: f64, step: u64, time: f64 },
+    /// More energy held by elements and motion than was ever supplied.
+    Held { held: f64, supplied: f64, step: u64, time: f64 },
 }
 
 /// Kinetic energy beyond this multiple of all energy ever supplied stops a run. In a stable run the discrete energy
-/// bounds it: at most 2 where all energy sits at the mesh's highest frequency, near 1 for waves the mesh carries.
+/// bounds it: at most 2 where all energy sits at the mesh's highest frequency, near 1 for waves the mesh carries. Whoever
+/// looks also compares all energy held.
 const GUARD: f64 = 3.0;
 
 /// The engine for one machine.
@@ -74,7 +95,22 @@ pub struct Engine<'a> {
     contributions: Vec<Row>,
     rates: Rates,
     /// The parts' own work, if they were evaluated at the state's displacements already.
-    evaluated: Option<Lines>,
+    evaluated: Option<Works>,
+}
+
+/// Work that parts book themselves \[J\].
+struct Works {
+    lines: Lines,
+    /// What artificial viscosity took, by account.
+    viscosity: Vec<f64>,
+}
+
+impl Works {
+    /// What came in: positive work by lines of what is put in, which have a minus in the sum of what is found.
+    fn supplied(&self) -> f64 {
+        let put_in = |line: &&Line| line.booked() == Booked::Work && line.sign() < 0.0;
+        Line::ALL.iter().filter(put_in).map(|&line| (line.sign() * self.lines[line]).max(0.0)).sum()
+    }
 }
 
 /// A slice of `data` for each part; the slices' ranges ascend without gaps.
@@ -121,7 +157,7 @@ impl<'a> Engine<'a> {
     pub fn start(&mut self, state: &mut State, u: Vec<Row>, v: &[Row]) {
         let dt = state.dt;
         // What was booked before belongs to another balance.
-        state.ledger = Ledger::default();
+        state.ledger = Ledger::new(self.assembly.accounts.len());
         state.u = u;
         state.du = v.iter().map(|v| Row(v.0.map(|x| x * dt))).collect();
         for &(node, master) in &self.phase.tied {
@@ -136,26 +172,20 @@ impl<'a> Engine<'a> {
             }
         }
         // The balance starts here: what the ledger would book for the step before the first is cancelled.
-        let (snapshot, elements) = self.look(&mut state.clone());
+        let snapshot = self.observe(&mut state.clone());
         let now = snapshot.balance;
         self.evaluated = None;
         // The guard compares with the kinetic energy of v⁻, which may exceed that of v⁰.
-        let minus: f64 = self
-            .phase
-            .counted_nodes
-            .clone()
-            .map(|n| 0.5 * self.phase.mass[n] * state.du[n].0.iter().map(|d| d * d).sum::<f64>() / (dt * dt))
-            .sum();
-        let held = self.held(state, &snapshot.energy);
-        let mut ledger = Ledger::default();
-        let (mut stored, mut work) = (0.0, 0.0);
+        let minus = self.kinetic(state);
+        let (held, _) = self.held(state, &snapshot.energy);
+        let mut ledger = Ledger::new(self.assembly.accounts.len());
+        let mut stored = 0.0;
         for &line in Line::ALL {
             match line.booked() {
                 Booked::Stored => stored += held[line],
                 // What springs hold at the start was supplied.
                 Booked::Work => {
                     stored += held[line];
-                    work += line.sign() * now[line];
                     ledger.lines[line] = line.sign() * held[line] - now[line];
                 }
                 // What was spent before the start is no part of this balance.
@@ -166,12 +196,21 @@ impl<'a> Engine<'a> {
         }
         ledger.lines[Line::Initial] = now[Line::Kinetic] + stored;
         ledger.supplied = minus + stored;
-        ledger.parts = stored - (elements + work);
+        for (own, books) in ledger.bodies.iter_mut().zip(&snapshot.bodies) {
+            *own = -books.error();
+        }
         state.ledger = ledger;
     }
 
+    /// ½v⁻ᵀMv⁻ \[J\]. That of v̂ has in it what the forces are about to do, which is not supplied yet.
+    fn kinetic(&self, state: &State) -> f64 {
+        let Phase { counted_nodes, mass, .. } = self.phase;
+        let square = |n: usize| state.du[n].0.iter().map(|d| d * d).sum::<f64>() / (state.dt * state.dt);
+        counted_nodes.clone().map(|n| 0.5 * mass[n] * square(n)).sum()
+    }
+
     /// Evaluates all active parts at u^n, and the products with K that ξ ≠ 0 needs.
-    fn evaluate(&mut self, state: &mut State, probe: Option<ProbeOut>) -> Lines {
+    fn evaluate(&mut self, state: &mut State, probe: Option<ProbeOut>) -> Works {
         let Engine { model, assembly, phase, .. } = *self;
         let tick = phase.tick(state);
         let motion = Motion { u: &state.u, du: &state.du };
@@ -204,43 +243,57 @@ impl<'a> Engine<'a> {
             })
             .collect();
         self.rates.update(model, assembly, phase, &self.contributions, state);
-        works.into_iter().fold(Lines::default(), |sum, work| sum + work)
+        let mut viscosity = vec![0.0; assembly.accounts.len()];
+        for (work, &m) in works.iter().zip(&phase.active) {
+            if let Some(account) = assembly.account[m as usize] {
+                viscosity[account as usize] += work[Line::Viscosity];
+            }
+        }
+        // Parts that are not counted book what is in no balance.
+        let counted = works
+            .into_iter()
+            .zip(&phase.active)
+            .filter(|(_, m)| assembly.members[**m as usize].counted)
+            .fold(Lines::default(), |sum, (work, _)| sum + work);
+        Works { lines: counted, viscosity }
     }
 
-    /// What the counted parts hold, have dissipated and created, by line: by element, and what else they report.
-    fn held(&self, state: &State, energy: &[ElementEnergy]) -> Lines {
+    /// What the counted parts hold, have dissipated and created, by line: by element, and what else they report; and of the
+    /// elements of each account.
+    fn held(&self, state: &State, energy: &[ElementEnergy]) -> (Lines, Vec<Lines>) {
         let mut held = Lines::default();
+        let mut bodies = vec![Lines::default(); self.assembly.accounts.len()];
         let motion = Motion { u: &state.u, du: &state.du };
         for &m in &self.phase.active {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
             if !member.counted {
                 continue;
             }
+            let mut own = Lines::default();
             for element in &energy[slices.elements.clone()] {
-                held[Line::Strain] += element.strain;
-                held[Line::Hourglass] += element.hourglass;
-                held[Line::Dissipated] += element.dissipated;
-                held[Line::Created] += element.created;
+                own[Line::Strain] += element.strain;
+                own[Line::Hourglass] += element.hourglass;
+                own[Line::Dissipated] += element.dissipated;
+                own[Line::Created] += element.created;
+                own[Line::Band] += element.band;
+            }
+            if let Some(account) = self.assembly.account[m as usize] {
+                let body = &mut bodies[account as usize];
+                *body = *body + own;
             }
             let kept = Kept {
                 history: &state.history[slices.history.clone()],
                 overstress: &state.overstress[slices.overstress.clone()],
                 numbers: &state.numbers[slices.numbers.clone()],
             };
-            held = held + member.part.energy(&motion, kept);
+            held = held + own + member.part.energy(&motion, kept);
         }
-        held
+        (held, bodies)
     }
 
     /// What observers see at u^n. Laws and boundaries remember what they saw, so a state is observed at most once a
     /// step, and [`Engine::step`] goes on from there.
     pub fn observe(&mut self, state: &mut State) -> Snapshot {
-        self.look(state).0
-    }
-
-    /// What observers see, and the work done \[J\] on all parts that book none themselves, with what they held at the
-    /// start.
-    fn look(&mut self, state: &mut State) -> (Snapshot, f64) {
         let totals = self.assembly.totals();
         let mut snapshot = Snapshot {
             step: state.steps(),
@@ -252,39 +305,46 @@ impl<'a> Engine<'a> {
         };
         let probe = ProbeOut { stress: &mut snapshot.stress, energy: &mut snapshot.energy };
         let work = self.evaluate(state, Some(probe));
-        self.evaluated = Some(work);
         let sums;
         (sums, snapshot.velocity, snapshot.acceleration) =
             nodes::measure(self.model, self.phase, &self.contributions, &self.rates, state);
 
-        let held = self.held(state, &snapshot.energy);
+        let (held, bodies) = self.held(state, &snapshot.energy);
         let taken = sums.dampings();
         let (ledger, balance) = (&state.ledger, &mut snapshot.balance);
-        // All parts but the elements book their own work, and the elements what they hold and have lost.
-        let mut elements = ledger.parts + sums.parts;
         for &line in Line::ALL {
             balance[line] = match line.booked() {
                 Booked::Motion => sums.kinetic,
                 Booked::Stored => held[line],
                 Booked::Spent => held[line] - ledger.lines[line],
                 Booked::Damping => ledger.lines[line] + taken[line],
-                Booked::Work => ledger.lines[line] + line.sign() * work[line],
+                Booked::Work => ledger.lines[line] + line.sign() * work.lines[line],
                 Booked::Start => ledger.lines[line],
                 Booked::Rest => 0.0,
             };
-            if line.booked() == Booked::Work {
-                elements -= line.sign() * balance[line];
-            }
-        }
-        if !self.phase.keeps_books {
-            let of_elements = |line: &&Line| matches!(line.booked(), Booked::Stored | Booked::Spent);
-            balance[Line::Band] = Line::ALL
-                .iter()
-                .filter(of_elements)
-                .fold(elements, |rest, &line| rest - line.sign() * balance[line]);
         }
         balance[Line::Error] = balance.sum();
-        (snapshot, elements)
+        snapshot.bodies = bodies
+            .into_iter()
+            .enumerate()
+            .map(|(k, held)| BodyBooks { work: ledger.bodies[k] + sums.bodies[k] - work.viscosity[k], held })
+            .collect();
+        self.evaluated = Some(work);
+        snapshot
+    }
+
+    /// Whether more energy is held than was ever supplied: what the guard cannot see in every step.
+    ///
+    /// # Errors
+    /// [`Halt::Held`] if so.
+    pub fn guard(&self, state: &State, snapshot: &Snapshot) -> Result<(), Halt> {
+        let stored = Line::ALL.iter().filter(|line| line.booked() == Booked::Stored);
+        let held = self.kinetic(state) + stored.map(|&line| snapshot.balance[line]).sum::<f64>();
+        let supplied = state.ledger.supplied + self.evaluated.as_ref().map_or(0.0, Works::supplied);
+        if held <= GUARD * supplied {
+            return Ok(());
+        }
+        Err(Halt::Held { held, supplied, step: snapshot.step, time: snapshot.time })
     }
 
     /// One step from u^n to u^{n+1}.
@@ -316,22 +376,18 @@ impl<'a> Engine<'a> {
 
 impl Ledger {
     /// Books a step: the parts' own work, and what the node pass found.
-    fn book(&mut self, work: &Lines, sums: &NodeSums) {
+    fn book(&mut self, work: &Works, sums: &NodeSums) {
         let taken = sums.dampings();
         for &line in Line::ALL {
             match line.booked() {
-                Booked::Work => {
-                    let more = line.sign() * work[line];
-                    self.lines[line] += more;
-                    // Lines of what is put in have a minus in the sum of what is found.
-                    if line.sign() < 0.0 {
-                        self.supplied += more.max(0.0);
-                    }
-                }
+                Booked::Work => self.lines[line] += line.sign() * work.lines[line],
                 Booked::Damping => self.lines[line] += taken[line],
                 Booked::Motion | Booked::Stored | Booked::Spent | Booked::Start | Booked::Rest => {}
             }
         }
-        self.parts += sums.parts;
+        self.supplied += work.supplied();
+        for ((own, more), viscosity) in self.bodies.iter_mut().zip(&sums.bodies).zip(&work.viscosity) {
+            *own += more - viscosity;
+        }
     }
 }

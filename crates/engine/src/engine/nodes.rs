@@ -1,11 +1,11 @@
 //! The passes over nodes: contributions to forces, forces to motion.
 
 use super::gather::force;
-use super::product::stiffness_times;
+use super::product::{self, Product};
 use crate::assembly::Assembly;
 use crate::boundary::base::times;
 use crate::model::Model;
-use crate::phase::{Dashpot, Phase};
+use crate::phase::{Dashpot, NO_ACCOUNT, Phase, SEVERAL};
 use crate::state::State;
 use rayon::prelude::*;
 use tremolite_kernels::{Line, Lines};
@@ -15,7 +15,7 @@ use tremolite_laws::{Isa, Row};
 pub(super) const CHUNK: usize = 2048;
 
 /// What a pass adds up over the nodes that count \[J\].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct NodeSums {
     /// Of v⁻ when advancing, of v̂ when measuring.
     pub kinetic: f64,
@@ -23,8 +23,8 @@ pub struct NodeSums {
     pub rayleigh: f64,
     pub base_dashpots: f64,
     pub side_dashpots: f64,
-    /// Work against the forces of all parts, likewise.
-    pub parts: f64,
+    /// Work against the forces of elements by account, likewise.
+    pub bodies: Vec<f64>,
 }
 
 impl NodeSums {
@@ -37,13 +37,36 @@ impl NodeSums {
         taken
     }
 
-    fn plus(self, o: NodeSums) -> NodeSums {
-        NodeSums {
-            kinetic: self.kinetic + o.kinetic,
-            rayleigh: self.rayleigh + o.rayleigh,
-            base_dashpots: self.base_dashpots + o.base_dashpots,
-            side_dashpots: self.side_dashpots + o.side_dashpots,
-            parts: self.parts + o.parts,
+    fn new(accounts: usize) -> NodeSums {
+        NodeSums { bodies: vec![0.0; accounts], ..NodeSums::default() }
+    }
+
+    fn plus(mut self, o: NodeSums) -> NodeSums {
+        self.kinetic += o.kinetic;
+        self.rayleigh += o.rayleigh;
+        self.base_dashpots += o.base_dashpots;
+        self.side_dashpots += o.side_dashpots;
+        for (own, more) in self.bodies.iter_mut().zip(o.bodies) {
+            *own += more;
+        }
+        self
+    }
+
+    /// Books the work of twice an increment, `twice`, against the forces of elements at a node.
+    #[inline(always)]
+    fn book_elements(&mut self, phase: &Phase, contributions: &[Row], node: usize, force: Row, twice: Row) {
+        match phase.account[node] {
+            NO_ACCOUNT => {}
+            SEVERAL => {
+                for at in phase.start[node] as usize..phase.start[node + 1] as usize {
+                    let account = phase.slot_account[at];
+                    if account != NO_ACCOUNT {
+                        let own = contributions[phase.slot[at] as usize];
+                        self.bodies[account as usize] += 0.5 * dot(own, twice);
+                    }
+                }
+            }
+            account => self.bodies[account as usize] += 0.5 * dot(force, twice),
         }
     }
 }
@@ -88,18 +111,12 @@ impl Rates {
         for (v, du) in self.velocity.iter_mut().zip(&state.du) {
             *v = Row(du.0.map(|d| d / state.dt));
         }
-        stiffness_times(
-            assembly,
-            phase,
-            Some(state),
-            &self.velocity,
-            &mut self.contributions,
-            &mut self.minus,
-        );
+        let damping = Product::Damping(state);
+        product::times(assembly, phase, damping, &self.velocity, &mut self.contributions, &mut self.minus);
         // Tied nodes move as their masters, of which alone v̂ is worked out.
         let (_, hat, _) = measure(model, phase, contributions, self, state);
         self.velocity = hat;
-        stiffness_times(assembly, phase, Some(state), &self.velocity, &mut self.contributions, &mut self.hat);
+        product::times(assembly, phase, damping, &self.velocity, &mut self.contributions, &mut self.hat);
     }
 
     fn at(rows: &[Row], node: usize) -> Row {
@@ -240,7 +257,8 @@ pub fn advance(
     state: &mut State,
 ) -> NodeSums {
     let damping = damping(model, state);
-    let pass = Advance { phase, contributions, rates, damping, wide: Isa::Avx2.available() };
+    let accounts = state.ledger.bodies.len();
+    let pass = Advance { phase, contributions, rates, damping, accounts, wide: Isa::Avx2.available() };
     let sums: Vec<NodeSums> = state
         .u
         .par_chunks_mut(CHUNK)
@@ -255,7 +273,7 @@ pub fn advance(
         }
         state.du[node as usize] = next;
     }
-    let mut sums = sums.into_iter().fold(NodeSums::default(), NodeSums::plus);
+    let mut sums = sums.into_iter().fold(NodeSums::new(accounts), NodeSums::plus);
     sums.kinetic /= state.dt * state.dt;
     sums
 }
@@ -266,6 +284,7 @@ struct Advance<'a> {
     contributions: &'a [Row],
     rates: &'a Rates,
     damping: Damping,
+    accounts: usize,
     /// Whether the processor has AVX2. No operation is fused, so the bits are the same without it.
     wide: bool,
 }
@@ -291,7 +310,7 @@ impl Advance<'_> {
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let counted = phase.counted_nodes.end;
         let mut dashpots = Dashpots::from(phase, first);
-        let mut sums = NodeSums::default();
+        let mut sums = NodeSums::new(self.accounts);
         // Without dashpots and ξ the step is Δu ← keep Δu + push a, and v̂ = (fade Δu/Δt) + ½Δt a.
         let fade = 1.0 - 0.5 * omega * dt;
         let (keep, push) = (1.0 - omega * dt * fade, dt * dt * fade);
@@ -325,7 +344,8 @@ impl Advance<'_> {
                 }
             }
             if node < counted {
-                sums.parts += 0.5 * dot(force, Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i])));
+                let twice = Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i]));
+                sums.book_elements(phase, contributions, node, force, twice);
             }
             sums.kinetic += 0.5 * own * dot(*du, *du);
             for i in 0..4 {
@@ -347,6 +367,7 @@ pub fn measure(
 ) -> (NodeSums, Vec<Row>, Vec<Row>) {
     let damping = damping(model, state);
     let counted = phase.counted_nodes.end;
+    let accounts = state.ledger.bodies.len();
     let mut velocity = vec![Row::ZERO; state.u.len()];
     let mut acceleration = vec![Row::ZERO; state.u.len()];
     let sums: Vec<NodeSums> = velocity
@@ -356,7 +377,7 @@ pub fn measure(
         .map(|(chunk, (velocity, acceleration))| {
             let first = chunk * CHUNK;
             let mut dashpots = Dashpots::from(phase, first);
-            let mut sums = NodeSums::default();
+            let mut sums = NodeSums::new(accounts);
             for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
                 let node = first + k;
                 let dashpot = dashpots.take(node);
@@ -370,7 +391,7 @@ pub fn measure(
                 if node < counted {
                     sums.kinetic += 0.5 * phase.mass[node] * dot(step.velocity, step.velocity);
                     sums.book(&step, du);
-                    sums.parts += 0.5 * dot(force, du);
+                    sums.book_elements(phase, contributions, node, force, du);
                 }
                 *velocity = step.velocity;
                 *acceleration = step.acceleration;
@@ -382,5 +403,5 @@ pub fn measure(
         velocity[node as usize] = velocity[master as usize];
         acceleration[node as usize] = acceleration[master as usize];
     }
-    (sums.into_iter().fold(NodeSums::default(), NodeSums::plus), velocity, acceleration)
+    (sums.into_iter().fold(NodeSums::new(accounts), NodeSums::plus), velocity, acceleration)
 }

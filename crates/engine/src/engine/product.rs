@@ -8,12 +8,22 @@ use crate::state::State;
 use rayon::prelude::*;
 use tremolite_laws::Row;
 
-/// K w of all active parts by engine node, added up in the order of parts; a tied node's share is its master's. Without a
-/// state the stiffness is elastic, with one it is what damage has left.
-pub fn stiffness_times(
+/// What is multiplied with a motion.
+#[derive(Clone, Copy)]
+pub enum Product<'s> {
+    /// The elastic stiffness K.
+    Stiffness,
+    /// K + s C, with C the artificial viscosity of undamaged elements and s \[1/s\].
+    Viscous(f64),
+    /// The stiffness of elements that damage has left at a state, for ξK.
+    Damping(&'s State),
+}
+
+/// The product by engine node of all active parts, added up in the order of parts; a tied node's share is its master's.
+pub fn times(
     assembly: &Assembly,
     phase: &Phase,
-    state: Option<&State>,
+    product: Product,
     w: &[Row],
     contributions: &mut [Row],
     out: &mut [Row],
@@ -30,12 +40,23 @@ pub fn stiffness_times(
     }
     jobs.into_par_iter().for_each_init(Scratch::default, |scratch, (m, own)| {
         let part = &assembly.members[m as usize].part;
-        match state {
-            Some(state) => {
+        match product {
+            Product::Stiffness => part.stiffness_times(w, own, scratch),
+            Product::Viscous(share) => {
+                let mut viscous = vec![Row::ZERO; own.len()];
+                part.stiffness_times(w, own, scratch);
+                if part.viscosity_times(w, &mut viscous, scratch) {
+                    for (own, more) in own.iter_mut().zip(&viscous) {
+                        for i in 0..3 {
+                            own.0[i] += share * more.0[i];
+                        }
+                    }
+                }
+            }
+            Product::Damping(state) => {
                 let history = &state.history[assembly.slices[m as usize].history.clone()];
                 part.damping_times(&state.u, history, w, own, scratch);
             }
-            None => part.stiffness_times(w, own, scratch),
         }
     });
     let contributions = &*contributions;

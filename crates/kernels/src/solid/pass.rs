@@ -1,9 +1,8 @@
 //! A pass of a kernel over the octets of a patch, in the instruction set of the machine.
 
-use super::weakened::LEFT;
 use crate::part::{ElementEnergy, ProbeOut};
 use tremolite_laws::band::{BandStep, MEMORY};
-use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation};
+use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, LEFT, OnePointGeometry, Probe, Stabilisation};
 use tremolite_laws::{Isa, Lane, Material, Octet, Point, Row};
 
 /// A quadrature with its geometry and kernel.
@@ -26,6 +25,7 @@ pub trait Rule: Send + Sync + 'static {
         history: &mut [Octet],
         band: Option<&BandStep>,
         overstress: &mut [Octet],
+        left: &mut [Octet],
         rows: &[Row],
         out: &mut [Row],
         probe: &mut Probe,
@@ -53,6 +53,7 @@ macro_rules! rule {
                 history: &mut [Octet],
                 band: Option<&BandStep>,
                 overstress: &mut [Octet],
+                left: &mut [Octet],
                 rows: &[Row],
                 out: &mut [Row],
                 probe: &mut Probe,
@@ -60,7 +61,7 @@ macro_rules! rule {
                 // SAFETY: passed on to the caller.
                 unsafe {
                     hex8::$kernel::<L, M, PROBE>(
-                        law, elastic, point, geometry, index, history, band, overstress, rows, out, probe,
+                        law, elastic, point, geometry, index, history, band, overstress, left, rows, out, probe,
                     )
                 }
             }
@@ -90,8 +91,15 @@ pub(super) struct Pass<'a, R: Rule, M> {
     pub rows: &'a [Row],
     pub out: &'a mut [Row],
     pub probe: Option<ProbeOut<'a>>,
-    /// [`LEFT`] octets a point, to be filled by a probing pass over a law that damages.
-    pub left: Option<&'a mut [Octet]>,
+    pub left: Option<Left<'a>>,
+}
+
+/// Where a pass leaves what the law has left, for [`super::weakened::Weakened`].
+pub(super) struct Left<'a> {
+    /// [`LEFT`] octets a point.
+    pub to: &'a mut [Octet],
+    /// Its factor, an octet of elements each; 1 if empty.
+    pub factor: &'a [Octet],
 }
 
 #[inline(always)]
@@ -105,6 +113,10 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
             Some(_) => &mut pass.overstress[i * R::POINTS * MEMORY..(i + 1) * R::POINTS * MEMORY],
             None => &mut [],
         };
+        let room = match left.as_mut() {
+            Some(left) => &mut left.to[i * R::POINTS * LEFT..(i + 1) * R::POINTS * LEFT],
+            None => &mut [],
+        };
         // SAFETY: `Solid::new` checked every index against the number of nodes, which both slices have.
         unsafe {
             R::kernel::<L, M, PROBE>(
@@ -116,6 +128,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
                 history,
                 pass.band.as_ref(),
                 overstress,
+                room,
                 pass.rows,
                 pass.out,
                 &mut probe,
@@ -124,14 +137,24 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
         if PROBE && let Some(to) = wanted.as_mut() {
             keep::<R>(&probe, i, to);
         }
-        if PROBE && let Some(to) = left.as_mut() {
-            for p in 0..R::POINTS {
-                let to = &mut to[(i * R::POINTS + p) * LEFT..][..LEFT];
-                to[..LEFT - 1].copy_from_slice(&probe.integrity[p]);
-                to[LEFT - 1] = probe.hourglass_share;
+        if let Some(left) = left.as_mut() {
+            let factor = left.factor.get(i).copied().unwrap_or(ONE);
+            for point in left.to[i * R::POINTS * LEFT..(i + 1) * R::POINTS * LEFT].chunks_exact_mut(LEFT) {
+                if M::DAMAGES {
+                    point[LEFT - 1] = factor;
+                } else {
+                    point.copy_from_slice(&whole(factor));
+                }
             }
         }
     }
+}
+
+const ONE: Octet = Octet([1.0; 8]);
+
+/// What is left of a material without damage.
+pub(super) fn whole(factor: Octet) -> [Octet; LEFT] {
+    [ONE, ONE, ONE, Octet::ZERO, Octet::ZERO, Octet::ZERO, ONE, factor]
 }
 
 /// Copies an octet's probe to the places of its real elements.
@@ -143,6 +166,7 @@ fn keep<R: Rule>(probe: &Probe, octet: usize, to: &mut ProbeOut) {
             hourglass: probe.hourglass_energy.0[lane],
             dissipated: probe.dissipated.0[lane],
             created: probe.created.0[lane],
+            band: probe.of_band.0[lane],
         };
         for p in 0..R::POINTS {
             to.stress[element * R::POINTS + p] = [0, 1, 2, 3, 4, 5].map(|c| probe.stress[p][c].0[lane]);

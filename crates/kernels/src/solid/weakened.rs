@@ -1,16 +1,15 @@
-//! Elasticity of what damage has left: the K of Rayleigh's ξK in bodies that lose stiffness.
+//! Elasticity of what damage has left: the K of Rayleigh's ξK and of artificial viscosity in bodies that lose stiffness.
 
+use std::sync::Arc;
 use tremolite_laws::materials::Elastic;
+use tremolite_laws::shapes::hex8::LEFT;
 use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Point, Sym, Values};
-
-/// Columns of what is left at a point: V ([`Material::integrity`]), then the share against hourglass modes.
-pub(super) const LEFT: usize = 7;
 
 const fn column(name: &'static str) -> Column {
     Column::new(name, "1", "what damage has left")
 }
 
-/// The law; its history holds what is left, and stays as it is.
+/// The law; its history holds what is left ([`LEFT`]) and a factor, and stays as it is.
 pub(super) struct Weakened(pub Moduli);
 
 impl Material for Weakened {
@@ -26,6 +25,7 @@ impl Material for Weakened {
         column("left_yz"),
         column("left_zx"),
         column("left_hourglass"),
+        Column::new("factor", "1 or s", "all stresses are multiplied by it"),
     ];
     type History<L: Lane> = [L; LEFT];
 
@@ -43,12 +43,64 @@ impl Material for Weakened {
 
     #[inline(always)]
     fn hourglass_share<L: Lane>(&self, left: &[L; LEFT]) -> L {
-        left[LEFT - 1]
+        left[6] * left[7]
     }
 
     #[inline(always)]
     fn update<L: Lane>(&self, _: &Point<L>, e: Sym<L>, left: [L; LEFT]) -> (Sym<L>, [L; LEFT]) {
         let v = [left[0], left[1], left[2], left[3], left[4], left[5]];
-        (self.0.stress_left(&e, &v), left)
+        let mut stress = if L::any((v[0] + v[1] + v[2]).less(L::splat(3.0))) {
+            self.0.stress_left(&e, &v)
+        } else {
+            self.0.stress(&e)
+        };
+        let mut k = 0;
+        while k < 6 {
+            stress[k] = left[7] * stress[k];
+            k += 1;
+        }
+        (stress, left)
+    }
+}
+
+/// A law of which nothing is asked but what its history has left: no stress, no update.
+pub(super) struct Remembered<M>(pub Arc<M>);
+
+impl<M: Material> Material for Remembered<M> {
+    const NAME: &'static str = M::NAME;
+    const SUMMARY: &'static str = M::SUMMARY;
+    const SOURCE: &'static str = M::SOURCE;
+    const PARAMETERS: &'static [Parameter] = M::PARAMETERS;
+    const HISTORY: &'static [Column] = M::HISTORY;
+    const DAMAGES: bool = M::DAMAGES;
+    const DISSIPATION: Option<usize> = None;
+    const CREATION: Option<usize> = None;
+    type History<L: Lane> = M::History<L>;
+
+    fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
+        M::new(values).map(|law| Remembered(Arc::new(law)))
+    }
+
+    fn moduli(&self) -> Moduli {
+        self.0.moduli()
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Remembered(Arc::new(self.0.scaled(factor)))
+    }
+
+    #[inline(always)]
+    fn integrity<L: Lane>(&self, strain: &Sym<L>, history: &M::History<L>) -> Sym<L> {
+        self.0.integrity(strain, history)
+    }
+
+    #[inline(always)]
+    fn hourglass_share<L: Lane>(&self, history: &M::History<L>) -> L {
+        self.0.hourglass_share(history)
+    }
+
+    #[inline(always)]
+    fn update<L: Lane>(&self, _: &Point<L>, _: Sym<L>, history: M::History<L>) -> (Sym<L>, M::History<L>) {
+        ([L::splat(0.0); 6], history)
     }
 }

@@ -247,6 +247,12 @@ impl Material for Concrete {
         self.left(strain, history)
     }
 
+    /// 1 − max(D⁺, D⁻)
+    #[inline(always)]
+    fn unbroken<L: Lane>(&self, history: &[L; MEMORY]) -> L {
+        L::splat(1.0) - history[D_TENSION].larger(history[D_SHEAR])
+    }
+
     #[inline(always)]
     fn hourglass_share<L: Lane>(&self, history: &[L; MEMORY]) -> L {
         Self::bending_share(history)
@@ -254,6 +260,17 @@ impl Material for Concrete {
 
     #[inline(always)]
     fn update<L: Lane>(&self, point: &Point<L>, strain: Sym<L>, old: [L; MEMORY]) -> (Sym<L>, [L; MEMORY]) {
+        let (stress, new, _) = self.update_left(point, strain, old);
+        (stress, new)
+    }
+
+    #[inline(always)]
+    fn update_left<L: Lane>(
+        &self,
+        point: &Point<L>,
+        strain: Sym<L>,
+        old: [L; MEMORY],
+    ) -> (Sym<L>, [L; MEMORY], Sym<L>) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let mut new = old;
         let tensor = bounded(strain);
@@ -277,7 +294,7 @@ impl Material for Concrete {
             }
         }
         if !L::any(L::not(quiet)) {
-            return (stress, new);
+            return (stress, new, damping::whole());
         }
 
         let (tension_law, shear_law) = match &self.rate {
@@ -333,6 +350,7 @@ impl Material for Concrete {
             stress[k] = L::select(quiet, stress[k], damaged[k]);
             k += 1;
         }
-        (stress, new)
+        let left = self.left_along(&eigen, &undamaged, &new);
+        (stress, new, left)
     }
 }

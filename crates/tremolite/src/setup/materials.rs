@@ -22,7 +22,7 @@ pub fn facts(
     let damping = damping(case, reference);
     let mut all: IndexMap<String, MaterialFacts> = IndexMap::new();
     let solid = case.regions.iter().filter_map(|r| match &r.fill {
-        Fill::Solid { material, element } => Some((&case.materials[material.value], element.value)),
+        Fill::Solid { material, element, .. } => Some((&case.materials[material.value], element.value)),
         _ => None,
     });
     let solid: Vec<(&Material, Element)> = solid.collect();

@@ -21,6 +21,7 @@ pub fn block(elements: [u32; 3]) -> Problem {
         material: elastic(Moduli::from_young_poisson(young, nu)),
         density: 2700.0,
         quadrature,
+        viscosity: 0.0,
     };
     let bodies = vec![
         body("rock", choose(false), 1e9, 0.25, Quadrature::OnePoint),

@@ -55,6 +55,7 @@ fn hall_of(strength: f64, split: &str) -> Problem {
         material,
         density: 2700.0,
         quadrature,
+        viscosity: 0.0,
     };
     let bodies = vec![
         body("rock", "rock", rock, Quadrature::OnePoint),

@@ -13,3 +13,4 @@ mod runs;
 mod setup_materials;
 mod shapes;
 mod stages;
+mod viscosity;

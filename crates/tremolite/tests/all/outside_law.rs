@@ -259,7 +259,7 @@ fn damping_over_a_band_relaxes_a_law_whatever_its_moduli_are_called() {
     problem.incident = None;
     problem.bodies.iter_mut().for_each(|body| body.material = material.clone());
     let ready = Ready::new(problem);
-    assert!(!ready.phase.keeps_books, "what Maxwell bodies take is booked by nobody");
+    assert!(!ready.phase.keeps_books, "what this law takes it does not book");
     let before = Phase::of(&ready.model, &ready.assembly, Stage::Before(0)).unwrap();
     let mut state = ready.assembly.rest();
     state.dt = 1e-5;

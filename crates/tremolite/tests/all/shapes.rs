@@ -83,6 +83,7 @@ fn a_mixed_mesh_passes_the_patch_test_to_round_off() {
             material: elastic(moduli),
             density: 1000.0,
             quadrature,
+            viscosity: 0.0,
         };
         let ready = Ready::new(Problem::new(mesh, vec![body]));
         let (model, phase) = (&ready.model, &ready.phase);

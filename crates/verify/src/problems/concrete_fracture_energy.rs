@@ -129,6 +129,7 @@ impl<'a> Pull<'a> {
             material: material(Concrete::NAME, &values)?,
             density: 2752.0,
             quadrature: self.quadrature,
+            viscosity: 0.0,
         })
     }
 

@@ -3,25 +3,51 @@
 use super::{Concrete, D_SHEAR, D_TENSION, MEMORY, bounded};
 use crate::lane::Lane;
 use crate::material::{LEAST_HOURGLASS_SHARE, Sym};
-use crate::sym3::eigen;
+use crate::sym3::{Eigen, eigen};
+
+/// V of a point without damage.
+#[inline(always)]
+pub(super) fn whole<L: Lane>() -> Sym<L> {
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    [one, one, one, zero, zero, zero]
+}
 
 impl Concrete {
     /// Σ (1 − D_i)^¼ p_i⊗p_i in the principal axes of strain, D_i by the sign of the effective stress there.
     #[inline(always)]
     pub(super) fn left<L: Lane>(&self, strain: &Sym<L>, history: &[L; MEMORY]) -> Sym<L> {
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let (tension, shear) = (history[D_TENSION], history[D_SHEAR]);
-        if !L::any(zero.less(tension + shear)) {
-            return [one, one, one, zero, zero, zero];
+        if !L::any(L::splat(0.0).less(history[D_TENSION] + history[D_SHEAR])) {
+            return whole();
         }
         let axes = eigen(&bounded(*strain));
-        let undamaged = self.undamaged(&axes.values);
-        let (plus, minus) = ((one - tension).sqrt().sqrt(), (one - shear).sqrt().sqrt());
-        axes.recompose([
+        self.left_along(&axes, &self.undamaged(&axes.values), history)
+    }
+
+    /// The same where axes and effective stresses are known already.
+    #[inline(always)]
+    pub(super) fn left_along<L: Lane>(
+        &self,
+        axes: &Eigen<L>,
+        undamaged: &[L; 3],
+        history: &[L; MEMORY],
+    ) -> Sym<L> {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let plus = (one - history[D_TENSION]).sqrt().sqrt();
+        let minus = (one - history[D_SHEAR]).sqrt().sqrt();
+        let mut left = axes.recompose([
             L::select(undamaged[0].less(zero), minus, plus),
             L::select(undamaged[1].less(zero), minus, plus),
             L::select(undamaged[2].less(zero), minus, plus),
-        ])
+        ]);
+        // Axes are square to each other but for round-off; what is whole is whole.
+        let damaged = zero.less(history[D_TENSION] + history[D_SHEAR]);
+        let whole = whole::<L>();
+        let mut k = 0;
+        while k < 6 {
+            left[k] = L::select(damaged, left[k], whole[k]);
+            k += 1;
+        }
+        left
     }
 
     /// (1 − D⁺)(1 − D⁻), not below [`LEAST_HOURGLASS_SHARE`].

@@ -2,8 +2,8 @@
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
 use super::{
-    Hex8, Probe, Stabilisation, Surface, gather_modes, gauss_point, scatter_nodal, store_nodal, to_modes,
-    to_nodes,
+    Hex8, LEFT, Probe, Stabilisation, Surface, gather_modes, gauss_point, scatter_nodal, store_nodal,
+    to_modes, to_nodes,
 };
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
@@ -151,6 +151,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
     history: &mut [Octet],
     band: Option<&BandStep>,
     overstress: &mut [Octet],
+    left: &mut [Octet],
     rows: &[Row],
     out: &mut [Row],
     probe: &mut Probe,
@@ -223,37 +224,38 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
         }
         let mut energy = L::splat(0.0);
-        let (mut dissipated, mut created) = (energy, energy);
+        let (mut dissipated, mut created, mut of_band) = (energy, energy, energy);
         let mut p = 0;
         while p < 8 {
             let strain: Sym<L> = [e[0][p], e[1][p], e[2][p], e[3][p], e[4][p], e[5][p]];
             let own = &mut history[p * columns..(p + 1) * columns];
             let old = super::load_history::<L, M>(own, at);
-            let (of_law, new) = material.update(&lane_point, strain, old);
+            let left =
+                if M::DAMAGES && !left.is_empty() { &mut left[p * LEFT..(p + 1) * LEFT] } else { &mut [] };
+            let (of_law, new) = super::answer(material, &lane_point, strain, old, left, at);
+            let weight = L::load(&geometry.weights[p], at);
             let mut stress = of_law;
-            let mut of_band = L::splat(0.0);
+            let mut held = L::splat(0.0);
             if let Some(band) = band {
+                let (before, now) = (super::unbroken(material, &old), super::unbroken(material, &new));
                 let memory = &mut overstress[p * MEMORY..(p + 1) * MEMORY];
+                stress = super::plus(stress, band.stress(&strain, before, now, memory, at));
                 if PROBE {
-                    of_band = super::band_energy(material, band, &strain, &new, memory, at);
+                    held = band.held(now, memory, at);
+                    of_band = weight.mul_add(BandStep::dissipated::<L>(memory, at), of_band);
                 }
-                let stretch = band.stretch(&strain, memory, at);
-                let damping = super::damping_stress(material, band.moduli(), &stretch, &strain, &new);
-                stress = super::plus(stress, damping);
             }
             super::store_history::<L, M>(new, own, at);
-            let weight = L::load(&geometry.weights[p], at);
             let mut c = 0;
             while c < 6 {
                 e[c][p] = weight * stress[c];
                 c += 1;
             }
             if PROBE {
-                let stored = material.stored_energy(&strain, &of_law, &new) + of_band;
+                let stored = material.stored_energy(&strain, &of_law, &new) + held;
                 energy = weight.mul_add(stored, energy);
                 dissipated = weight.mul_add(super::booked(&new, M::DISSIPATION), dissipated);
                 created = weight.mul_add(super::booked(&new, M::CREATION), created);
-                probe.keep_integrity(material, p, &strain, &new, at);
                 let mut c = 0;
                 while c < 6 {
                     stress[c].store(&mut probe.stress[p][c], at);
@@ -266,6 +268,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             energy.store(&mut probe.strain_energy, at);
             dissipated.store(&mut probe.dissipated, at);
             created.store(&mut probe.created, at);
+            of_band.store(&mut probe.of_band, at);
         }
 
         // Back the same way: resultants of the strain's modes, then forces conjugate to s, q, g and the modes.

@@ -40,9 +40,8 @@ pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
 pub use one_point::{OnePointGeometry, one_point};
 
 use crate::Material;
-use crate::band::{BODIES, BandStep};
 use crate::lane::{Lane, Octet, Row};
-use crate::material::{Moduli, Sym};
+use crate::material::{Moduli, Point, Sym};
 
 /// Position of corner k in the binary order that the modal form uses (bit 0 is ξ, bit 1 η, bit 2 ζ).
 pub const BINARY: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
@@ -163,10 +162,8 @@ pub struct Probe {
     /// Energy \[J\] that the law has booked as dissipated so far, and as created.
     pub dissipated: Octet,
     pub created: Octet,
-    /// [`Material::integrity`] of each point, where the law damages.
-    pub integrity: [[Octet; 6]; 8],
-    /// [`Material::hourglass_share`] with one-point quadrature.
-    pub hourglass_share: Octet,
+    /// Energy \[J\] that damping over a band has taken so far.
+    pub of_band: Octet,
 }
 
 impl Probe {
@@ -176,29 +173,13 @@ impl Probe {
         hourglass_energy: Octet::ZERO,
         dissipated: Octet::ZERO,
         created: Octet::ZERO,
-        integrity: [[Octet::ZERO; 6]; 8],
-        hourglass_share: Octet::ZERO,
+        of_band: Octet::ZERO,
     };
-
-    #[inline(always)]
-    fn keep_integrity<L: Lane, M: Material>(
-        &mut self,
-        material: &M,
-        point: usize,
-        strain: &Sym<L>,
-        history: &M::History<L>,
-        at: usize,
-    ) {
-        if M::DAMAGES {
-            let left = material.integrity(strain, history);
-            let mut c = 0;
-            while c < 6 {
-                left[c].store(&mut self.integrity[point][c], at);
-                c += 1;
-            }
-        }
-    }
 }
+
+/// Octets a point of what damage has left of stresses that go by the rate: V ([`Material::integrity`]), the share against
+/// hourglass modes, and one for whoever uses them.
+pub const LEFT: usize = 8;
 
 /// Modal displacements of the lanes `at ..` of an octet: `[component][mode]`.
 ///
@@ -255,45 +236,35 @@ unsafe fn scatter_nodal<L: Lane>(out: &mut [Row], index: &[[u16; 8]; 8], nodal: 
     }
 }
 
-/// Stress \[Pa\] of a stretch that is damped, in what the state has left.
+/// Share of the bodies of a band that the state has left.
 #[inline(always)]
-fn damping_stress<L: Lane, M: Material>(
-    material: &M,
-    moduli: Moduli,
-    stretch: &Sym<L>,
-    strain: &Sym<L>,
-    history: &M::History<L>,
-) -> Sym<L> {
-    if M::DAMAGES {
-        moduli.stress_left(stretch, &material.integrity(strain, history))
-    } else {
-        moduli.stress(stretch)
-    }
+fn unbroken<L: Lane, M: Material>(material: &M, history: &M::History<L>) -> L {
+    if M::DAMAGES { material.unbroken(history) } else { L::splat(1.0) }
 }
 
-/// Energy \[J/m³\] that the bodies of a band store, before their memory is brought on.
+/// The law's answer; what is left of stresses that go by the rate is put into `left`, if there is room for it.
 #[inline(always)]
-fn band_energy<L: Lane, M: Material>(
+fn answer<L: Lane, M: Material>(
     material: &M,
-    band: &BandStep,
-    strain: &Sym<L>,
-    history: &M::History<L>,
-    overstress: &[Octet],
+    point: &Point<L>,
+    strain: Sym<L>,
+    old: M::History<L>,
+    left: &mut [Octet],
     at: usize,
-) -> L {
-    let bodies = band.bodies(strain, overstress, at);
-    let mut twice = L::splat(0.0);
-    let mut j = 0;
-    while j < BODIES {
-        let stress = damping_stress(material, band.moduli(), &bodies[j], strain, history);
+) -> (Sym<L>, M::History<L>) {
+    if !M::DAMAGES {
+        return material.update(point, strain, old);
+    }
+    let (stress, new, integrity) = material.update_left(point, strain, old);
+    if !left.is_empty() {
         let mut c = 0;
         while c < 6 {
-            twice = stress[c].mul_add(bodies[j][c], twice);
+            integrity[c].store(&mut left[c], at);
             c += 1;
         }
-        j += 1;
+        material.hourglass_share(&new).store(&mut left[6], at);
     }
-    L::splat(0.5) * twice
+    (stress, new)
 }
 
 /// A column of the history that may not be.

@@ -59,7 +59,8 @@ impl OnePointGeometry {
 ///
 /// `index[corner][lane]` points into `rows` (displacements \[m\]) and `out` (forces \[N\], the sign of ∫Bᵀσ).
 /// With a band its bodies' stress is added, in what the law says is left; `overstress` is their memory, [`MEMORY`] octets a
-/// point. With `PROBE` the stresses and energies go to `probe` as well.
+/// point. Of a law that damages, what is left goes to `left`, [`LEFT`](super::LEFT) octets a point, unless that is empty. With
+/// `PROBE` the stresses and energies go to `probe` as well.
 ///
 /// # Safety
 /// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
@@ -73,6 +74,7 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
     history: &mut [Octet],
     band: Option<&BandStep>,
     overstress: &mut [Octet],
+    left: &mut [Octet],
     rows: &[Row],
     out: &mut [Row],
     probe: &mut Probe,
@@ -96,16 +98,18 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
         }
         let old = super::load_history::<L, M>(history, at);
-        let (of_law, mut new) = material.update(&lane_point, strain, old);
+        let (of_law, mut new) = super::answer(material, &lane_point, strain, old, left, at);
         let mut stress = of_law;
-        let mut of_band = L::splat(0.0);
+        let mut held = L::splat(0.0);
         if let Some(band) = band {
+            let (before, now) = (super::unbroken(material, &old), super::unbroken(material, &new));
+            let memory = &mut overstress[..MEMORY];
+            stress = super::plus(stress, band.stress(&strain, before, now, memory, at));
             if PROBE {
-                of_band = super::band_energy(material, band, &strain, &new, overstress, at);
+                held = band.held(now, memory, at);
+                (L::load(&geometry.volume, at) * BandStep::dissipated::<L>(memory, at))
+                    .store(&mut probe.of_band, at);
             }
-            let stretch = band.stretch(&strain, &mut overstress[..MEMORY], at);
-            let damping = super::damping_stress(material, band.moduli(), &stretch, &strain, &new);
-            stress = super::plus(stress, damping);
         }
 
         // Hourglass amplitudes along the natural axes, over half-lengths, and their conjugate forces.
@@ -145,13 +149,11 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
                 stress[i].store(&mut probe.stress[0][i], at);
                 i += 1;
             }
-            let stored = material.stored_energy(&strain, &of_law, &new) + of_band;
+            let stored = material.stored_energy(&strain, &of_law, &new) + held;
             (volume * stored).store(&mut probe.strain_energy, at);
             hourglass_energy(&p, &s).store(&mut probe.hourglass_energy, at);
             (volume * super::booked(&new, M::DISSIPATION)).store(&mut probe.dissipated, at);
             (volume * super::booked(&new, M::CREATION)).store(&mut probe.created, at);
-            probe.keep_integrity(material, 0, &strain, &new, at);
-            share.store(&mut probe.hourglass_share, at);
         }
 
         let resultants = stress.map(|s| volume * s);

@@ -1,0 +1,102 @@
+//! Artificial viscosity: it damps an element's highest mode by its share, bounds the step as it says, and books what it takes.
+
+use crate::ready::Ready;
+use tremolite::engine::viscous_share;
+use tremolite::{Body, Problem, Quadrature, elastic};
+use tremolite_kernels::Line;
+use tremolite_laws::{Moduli, Row};
+use tremolite_mesh::boxes::{BoxSpec, Distortion};
+
+const QUADRATURES: [Quadrature; 2] = [Quadrature::OnePoint, Quadrature::Full];
+
+/// A box of free elements, moved at random.
+fn shaken(elements: [u32; 3], quadrature: Quadrature, viscosity: f64) -> Ready {
+    let mut spec = BoxSpec::uniform([0.0; 3], elements.map(f64::from), elements);
+    spec.distortion = Some(Distortion { fraction: 0.1, seed: 3, periodic: [false; 2] });
+    let mesh = spec.mesh().unwrap();
+    let body = Body {
+        name: "box".into(),
+        elements: (0..mesh.elements.len() as u32).collect(),
+        material: elastic(Moduli::from_young_poisson(1e9, 0.2)),
+        density: 2500.0,
+        quadrature,
+        viscosity,
+    };
+    Ready::new(Problem::new(mesh, vec![body]))
+}
+
+fn random(n: usize) -> Row {
+    Row::new([1.0, 2.0, 3.0].map(|i: f64| (12.9898 * (n as f64 + 64.0 * i)).sin()))
+}
+
+/// Kinetic energy over the first after so many steps, or none if the guard stopped them.
+fn left_after(ready: &Ready, factor: f64, steps: usize) -> Option<f64> {
+    let mut state = ready.rest(factor);
+    let velocities: Vec<Row> = (0..state.u.len()).map(random).collect();
+    let mut engine = ready.engine();
+    let at_rest = state.u.clone();
+    engine.start(&mut state, at_rest, &velocities);
+    let supplied = state.ledger.supplied;
+    for _ in 0..steps {
+        engine.step(&mut state).ok()?;
+    }
+    Some(engine.observe(&mut state).balance[Line::Kinetic] / supplied)
+}
+
+#[test]
+fn the_step_is_what_viscosity_leaves_and_no_longer() {
+    for quadrature in QUADRATURES {
+        // One element moves in its highest mode: the share of the step is exact.
+        let one = shaken([1, 1, 1], quadrature, 0.3).stable();
+        let undamped = shaken([1, 1, 1], quadrature, 0.0).stable();
+        assert!(
+            (one / undamped / viscous_share(0.3) - 1.0).abs() < 2e-3,
+            "{quadrature:?}: {one} of {undamped}"
+        );
+        let many = shaken([4, 4, 4], quadrature, 0.3);
+        assert!(left_after(&many, 0.999, 4000).is_some(), "{quadrature:?}: stable");
+        // The estimate is on the safe side of the many elements' own limit.
+        assert!(
+            left_after(&many, 1.03, 20_000).is_none(),
+            "{quadrature:?}: the guard stops what is too long"
+        );
+    }
+}
+
+#[test]
+fn the_highest_mode_of_an_element_is_damped_by_the_share() {
+    for quadrature in QUADRATURES {
+        let ready = shaken([1, 1, 1], quadrature, 0.06);
+        let mut state = ready.rest(0.01);
+        let (dt, omega) = (state.dt, 2.0 / shaken([1, 1, 1], quadrature, 0.0).stable());
+        // The mode by power iteration with the model's own forces: M⁻¹K w from a small displacement.
+        let plain = shaken([1, 1, 1], quadrature, 0.0);
+        let mut mode: Vec<Row> = (0..8).map(random).collect();
+        for _ in 0..2000 {
+            let mut probe = plain.rest(0.01);
+            let mut engine = plain.engine();
+            let still = vec![Row::ZERO; 8];
+            engine.start(&mut probe, mode.clone(), &still);
+            let a = engine.observe(&mut probe).acceleration;
+            let size = a.iter().flat_map(|r| r.0).fold(0.0_f64, |m, x| m.max(x.abs()));
+            mode = a.iter().map(|r| Row(r.0.map(|x| -x / size))).collect();
+        }
+        let velocity: Vec<Row> = mode.iter().map(|r| Row(r.0.map(|x| 1e-3 * x))).collect();
+        let mut engine = ready.engine();
+        let at_rest = state.u.clone();
+        engine.start(&mut state, at_rest, &velocity);
+        let total = |b: &tremolite_kernels::Lines| b[Line::Kinetic] + b[Line::Strain] + b[Line::Hourglass];
+        let before = total(&engine.observe(&mut state).balance);
+        // Ten periods.
+        let steps = (10.0 * std::f64::consts::TAU / omega / dt).round() as usize;
+        for _ in 0..steps {
+            engine.step(&mut state).unwrap();
+        }
+        let balance = engine.observe(&mut state).balance;
+        let ratio = -(total(&balance) / before).ln() / (2.0 * omega * dt * steps as f64);
+        // Forces at v⁻ lag half a step: order 1, ωΔt/2 = 1 %.
+        assert!((ratio / 0.06 - 1.0).abs() < 0.02, "{quadrature:?}: {ratio}");
+        let taken = balance[Line::Viscosity] / before;
+        assert!((taken - (1.0 - total(&balance) / before)).abs() < 1e-4, "{quadrature:?}: {taken}");
+    }
+}
