@@ -26,13 +26,27 @@ pub struct Peaks {
     /// way; let the model come to rest before calling it permanent.
     #[serde(with = "number", default = "number::absent")]
     pub residual: f64,
+    /// Largest and smallest value of all steps, of which the rows hold a few; for displacement, velocity and
+    /// acceleration of monitors.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub step_max: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub step_min: Option<f64>,
 }
 
 impl Peaks {
     /// Peaks of a history. Values that are not finite are passed over.
     pub fn of(time: &[f64], values: &[f64]) -> Self {
         let nan = f64::NAN;
-        let mut peaks = Peaks { max: nan, t_max: nan, min: nan, t_min: nan, residual: nan };
+        let mut peaks = Peaks {
+            max: nan,
+            t_max: nan,
+            min: nan,
+            t_min: nan,
+            residual: nan,
+            step_max: None,
+            step_min: None,
+        };
         for (&t, &x) in time.iter().zip(values).filter(|(_, x)| x.is_finite()) {
             // Written so that the first finite value replaces the NaN.
             if peaks.max.is_nan() || x > peaks.max {
@@ -76,14 +90,14 @@ mod tests {
     #[test]
     fn peaks_have_signs_and_first_times() {
         let peaks = Peaks::of(&[0.0, 1.0, 2.0, 3.0, 4.0], &[0.0, 2.0, -3.0, 2.0, 0.5]);
-        assert_eq!(peaks, Peaks { max: 2.0, t_max: 1.0, min: -3.0, t_min: 2.0, residual: 0.5 });
+        assert_eq!(peaks, Peaks { max: 2.0, t_max: 1.0, min: -3.0, t_min: 2.0, residual: 0.5, step_max: None, step_min: None });
         assert_eq!(peaks.largest(), (2.0, -3.0));
     }
 
     #[test]
     fn peaks_pass_over_what_is_not_finite() {
         let peaks = Peaks::of(&[0.0, 1.0, 2.0, 3.0], &[f64::NAN, 1.0, f64::INFINITY, f64::NAN]);
-        assert_eq!(peaks, Peaks { max: 1.0, t_max: 1.0, min: 1.0, t_min: 1.0, residual: 1.0 });
+        assert_eq!(peaks, Peaks { max: 1.0, t_max: 1.0, min: 1.0, t_min: 1.0, residual: 1.0, step_max: None, step_min: None });
         assert!(Peaks::of(&[], &[]).max.is_nan());
         assert!(Peaks::of(&[0.0], &[f64::NAN]).largest().1.is_nan());
     }

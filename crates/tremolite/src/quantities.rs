@@ -23,7 +23,13 @@ pub const MONITOR: [Quantity; 18] = [
     q("vx", "m/s", "velocity along x"),
     q("vy", "m/s", "velocity along y"),
     q("vz", "m/s", "velocity along z"),
-    q("ax", "m/s2", "acceleration along x"),
+    q(
+        "ax",
+        "m/s2",
+        "acceleration along x: velocity of this row less that of the last, over the time between them, so valid half a row \
+         earlier; 0 in the first row. Such a mean passes little above the rows' Nyquist frequency; peaks of single steps are \
+         in summary.json (step_max, step_min)",
+    ),
     q("ay", "m/s2", "acceleration along y"),
     q("az", "m/s2", "acceleration along z"),
     q(

@@ -3,7 +3,7 @@
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
-use crate::observers::{OBSERVERS, Observer, OwnObservers, Setting, View};
+use crate::observers::{OBSERVERS, Observer, OwnObservers, Setting, Stepped, View};
 use crate::plan::{Plan, Steps};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -212,6 +212,9 @@ pub fn run(
             let place = hottest_element(model, phase, &engine.observe(&mut state));
             break Ending::Failed { halt, place };
         }
+        let State { u, du, dt, observers: memory, .. } = &mut state;
+        let stepped = Stepped { model, plan, u, du, dt: *dt };
+        observers.iter_mut().for_each(|observer| observer.stepped(&stepped, memory));
     };
     let loop_seconds = begin.elapsed().as_secs_f64();
     Ok(Outcome {

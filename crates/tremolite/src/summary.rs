@@ -2,6 +2,7 @@
 
 use crate::damage;
 use crate::evidence::Evidence;
+use crate::observers::Extremes;
 use crate::run::{Ending, Outcome};
 use crate::survey::limit_in_words;
 use crate::trust::trust;
@@ -14,7 +15,13 @@ use tremolite_results::{
 /// The summary of a run that ended.
 pub fn summary(evidence: Evidence) -> Summary {
     let Evidence { model, assembly, phase, plan, motion, survey, outcome, histories, .. } = evidence;
-    let all = peaks_by_monitor(histories);
+    let mut all = peaks_by_monitor(histories);
+    for (monitor, quantities) in &mut all {
+        for (quantity, peaks) in quantities {
+            let extremes = Extremes::of(&outcome.state.observers, plan, monitor, quantity);
+            (peaks.step_max, peaks.step_min) = (extremes.map(|e| e.max), extremes.map(|e| e.min));
+        }
+    }
     let is_pair = |name: &str| {
         plan.relatives
             .iter()

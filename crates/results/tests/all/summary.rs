@@ -21,7 +21,15 @@ fn summary() -> Summary {
         defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
         ..Summary::default()
     };
-    let peaks = Peaks { max: 0.05, t_max: 13.2, min: -0.01, t_min: 9.0, residual: 0.007 };
+    let peaks = Peaks {
+        max: 0.05,
+        t_max: 13.2,
+        min: -0.01,
+        t_min: 9.0,
+        residual: 0.007,
+        step_max: Some(0.06),
+        step_min: None,
+    };
     summary.monitors.entry("B".into()).or_default().insert("ux".into(), peaks);
     summary.monitors.entry("A".into()).or_default().insert("ux".into(), peaks);
     let tension = Damaged {
@@ -143,7 +151,10 @@ fn peaks_come_from_the_table_by_monitor_and_quantity() {
     fs::write(&path, "time [s],B.ux [m],hall.2.s1 [Pa],B.uz [m]\n0,0,5,1\n1,2,4,NaN\n2,-3,9,0.5\n").unwrap();
     let peaks = peaks_by_monitor(&Table::read(&path).unwrap());
     assert_eq!(peaks.keys().collect::<Vec<_>>(), ["B", "hall.2"]);
-    assert_eq!(peaks["B"]["ux"], Peaks { max: 2.0, t_max: 1.0, min: -3.0, t_min: 2.0, residual: -3.0 });
+    assert_eq!(
+        peaks["B"]["ux"],
+        Peaks { max: 2.0, t_max: 1.0, min: -3.0, t_min: 2.0, residual: -3.0, step_max: None, step_min: None }
+    );
     assert_eq!(peaks["hall.2"]["s1"].max, 9.0);
     assert_eq!(peaks["B"]["uz"].residual, 0.5);
 }

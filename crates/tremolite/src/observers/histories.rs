@@ -1,4 +1,7 @@
 //! monitors.csv: histories of points, and of pairs of them.
+//!
+//! Acceleration is that between rows: one step's value out of many would be a sample of what rings far above the rows' own
+//! Nyquist frequency, and alias.
 
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
@@ -11,7 +14,8 @@ use tremolite_laws::sym3::principal_values;
 use tremolite_mesh::Shape;
 use tremolite_results::{Column, TableWriter};
 
-/// Key of what this observer remembers: the bytes written.
+/// Key of what this observer remembers: the bytes written, the time of the last row \[s\] and the monitors' velocities
+/// there \[m/s\].
 const MEMORY: &str = "histories";
 
 /// Writes a row for all monitors.
@@ -49,7 +53,7 @@ impl Histories {
 }
 
 /// A nodal field at a monitor: the shape functions' values times the corners' rows.
-fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f64; 3] {
+pub(super) fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f64; 3] {
     let nodes = model.mesh.elements[monitor.location.element as usize].nodes();
     let mut sum = [0.0; 3];
     for (&node, weight) in nodes.iter().zip(monitor.location.weights) {
@@ -84,14 +88,21 @@ impl Observer for Histories {
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, plan, snapshot, .. } = *view;
+        let last = memory.get(MEMORY).cloned();
+        let mut kept = vec![0.0, snapshot.time];
         let mut row = vec![snapshot.time];
         let mut displacements = Vec::with_capacity(plan.monitors.len());
-        for monitor in &plan.monitors {
+        for (k, monitor) in plan.monitors.iter().enumerate() {
             let u = interpolate(model, monitor, &snapshot.displacement);
+            let v = interpolate(model, monitor, &snapshot.velocity);
             displacements.push(u);
             row.extend(u);
-            row.extend(interpolate(model, monitor, &snapshot.velocity));
-            row.extend(interpolate(model, monitor, &snapshot.acceleration));
+            row.extend(v);
+            row.extend([0, 1, 2].map(|i| match &last {
+                Some(last) => (v[i] - last[2 + 3 * k + i]) / (snapshot.time - last[1]),
+                None => 0.0,
+            }));
+            kept.extend(v);
             let stress = stress(view, monitor);
             row.extend(stress);
             row.extend(principal_values(&stress));
@@ -102,7 +113,8 @@ impl Observer for Histories {
             row.push((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt());
         }
         self.table.write(&row)?;
-        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
+        kept[0] = self.table.bytes_written() as f64;
+        memory.insert(MEMORY.into(), kept);
         Ok(())
     }
 }

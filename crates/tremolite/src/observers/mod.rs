@@ -8,6 +8,7 @@ mod free_field;
 mod growth;
 mod histories;
 mod onsets;
+mod steps;
 
 pub use cracks::Cracks;
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
@@ -17,6 +18,7 @@ pub use free_field::{FreeField, MEMORY as FREE_FIELD_MEMORY};
 pub use growth::Growth;
 pub use histories::Histories;
 pub use onsets::{Onsets, memory_key as onset_memory};
+pub use steps::{Extremes, StepPeaks};
 
 use crate::error::RunError;
 use crate::history::History;
@@ -27,6 +29,7 @@ use tremolite_engine::assembly::{Assembly, Slices};
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::Memory;
+use tremolite_laws::Row;
 use tremolite_results::ResultFolder;
 
 /// When an observer looks.
@@ -75,6 +78,19 @@ pub trait Observer {
     /// # Errors
     /// If a result file cannot be written.
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError>;
+    /// Told of every step as it is made, whatever the schedule: for what must not be missed and costs next to nothing.
+    fn stepped(&mut self, _: &Stepped, _: &mut Memory) {}
+}
+
+/// A step just made.
+#[derive(Clone, Copy)]
+pub struct Stepped<'a> {
+    pub model: &'a Model,
+    pub plan: &'a Plan,
+    /// u^{n+1} and u^{n+1} − u^n by engine node \[m\], and the step \[s\].
+    pub u: &'a [Row],
+    pub du: &'a [Row],
+    pub dt: f64,
 }
 
 /// What observers are made from, when a run starts or goes on.
@@ -112,6 +128,7 @@ type Make = fn(&Setting) -> Result<Option<Box<dyn Observer>>, RunError>;
 /// The program's own observers, in the order in which they look.
 pub const OBSERVERS: &[Make] = &[
     |s| Ok(Some(Box::new(Histories::new(s)?))),
+    |s| Ok(Some(Box::new(StepPeaks::new(s)))),
     |s| Ok(Some(Box::new(Energy::new(s)?))),
     |s| Ok(Some(Box::new(Envelopes { schedule: s.rows() }))),
     |s| Ok(FreeField::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),

@@ -4,6 +4,7 @@ use crate::block::block;
 use crate::ready::Ready;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use tremolite::observers::Extremes;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, Ending, Outcome, run};
@@ -129,8 +130,22 @@ fn histories_have_the_columns_and_times_of_the_plan() {
         let derivative = (top[i + 1] - top[i - 1]) / 0.004;
         assert!((v[i] - derivative).abs() < 0.03 * most);
     }
+    // Acceleration is the change of velocity between rows, and no row is beyond what single steps reached.
+    let a = table.column("top.ax").unwrap();
+    assert_eq!(a[0], 0.0);
+    let plan = plan(&block([4, 4, 5]));
+    let extremes = |quantity| Extremes::of(&outcome.state.observers, &plan, "top", quantity).unwrap();
+    for i in 1..61 {
+        assert!((a[i] - (v[i] - v[i - 1]) / 0.002).abs() < 1e-9 * most / 0.002);
+        assert!(a[i] <= extremes("ax").max && a[i] >= extremes("ax").min);
+        assert!(top[i] <= extremes("ux").max && top[i] >= extremes("ux").min);
+    }
+    assert!(extremes("vx").max > 0.0 && extremes("vx").min < 0.0);
     // The scheme keeps its own energy, which differs from the physical one by (ωΔt/2)² at most; 25 Hz ends the pulse.
     let share = (std::f64::consts::PI * 25.0 * outcome.dt).powi(2);
+    // A step's velocity is the mean over it, which cuts a peak by a sixth of that.
+    let largest = extremes("vx").max.max(-extremes("vx").min);
+    assert!((largest / most - 1.0).abs() < share / 3.0, "{largest} {most}");
     assert!(outcome.balance[Line::Error].abs() < share * outcome.state.ledger.supplied);
     let energy = Table::read(&folder.path().join("energy.csv")).unwrap();
     assert_eq!(energy.columns.last().unwrap().header(), "error [J]");
