@@ -61,6 +61,8 @@ static INITIAL: Table = Table {
 pub struct Case {
     /// The file as the user named it.
     pub path: PathBuf,
+    /// The folder that relative paths of the case start from.
+    pub directory: PathBuf,
     /// Its text, unchanged.
     pub source: String,
     /// What the study is about.
@@ -96,8 +98,17 @@ impl Case {
     /// # Errors
     /// All problems of the file at once, files that it names and that are not there included.
     pub fn read(path: &Path, laws: &[LawInfo]) -> Result<Case, Report> {
+        Case::read_in(path, path.parent().unwrap_or(Path::new("")), laws)
+    }
+
+    /// The same where relative paths start from another folder than the file's: a result folder's case names its files as
+    /// they were named beside the original.
+    ///
+    /// # Errors
+    /// As [`Case::read`].
+    pub fn read_in(path: &Path, directory: &Path, laws: &[LawInfo]) -> Result<Case, Report> {
         let source = syntax::read(path, "case file")?;
-        let case = Case::parse(path, &source, laws)?;
+        let case = Case { directory: directory.to_owned(), ..Case::parse(path, &source, laws)? };
         let missing = case.missing_files();
         if missing.is_empty() { Ok(case) } else { Err(case.report(missing)) }
     }
@@ -138,6 +149,7 @@ impl Case {
         let relatives = case.tables("relative").map(|r| Relative::read(r, &names)).collect::<Option<_>>()?;
         Some(Case {
             path: path.to_owned(),
+            directory: path.parent().unwrap_or(Path::new("")).to_owned(),
             source: source.to_owned(),
             title: case.text("title")?,
             mesh: case.table("mesh").and_then(Mesh::read)?,
@@ -161,7 +173,7 @@ impl Case {
 
     /// The directory that relative paths of the case start from.
     pub fn directory(&self) -> &Path {
-        self.path.parent().unwrap_or(Path::new(""))
+        &self.directory
     }
 
     /// The path of a file that the case names.
@@ -169,12 +181,17 @@ impl Case {
         self.directory().join(file)
     }
 
-    fn missing_files(&self) -> Vec<Problem> {
+    /// The files that the case names, as they are written.
+    pub fn files(&self) -> Vec<&Spanned<PathBuf>> {
         let mut files = self.motion.files();
         if let Mesh::File(file) = &self.mesh {
             files.push(&file.path);
         }
-        let missing = files.into_iter().filter(|f| !self.resolve(&f.value).is_file());
+        files
+    }
+
+    fn missing_files(&self) -> Vec<Problem> {
+        let missing = self.files().into_iter().filter(|f| !self.resolve(&f.value).is_file());
         let problem = |f: &Spanned<PathBuf>| {
             let looked = self.resolve(&f.value);
             let remedy = format!("paths start from the folder of the case; looked for {}", looked.display());

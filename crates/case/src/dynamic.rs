@@ -255,6 +255,20 @@ impl Dynamic {
     }
 }
 
+impl Side {
+    /// The word for this kind of side as it is written in a case.
+    pub fn word(self) -> &'static str {
+        let kind = match self {
+            Side::Periodic => SideKind::Periodic,
+            Side::Viscous => SideKind::Viscous,
+            Side::Roller => SideKind::Roller,
+            Side::Fixed => SideKind::Fixed,
+            Side::Free => SideKind::Free,
+        };
+        kind.word()
+    }
+}
+
 impl Base {
     /// The word for this kind of base as it is written in a case.
     pub fn word(&self) -> &'static str {

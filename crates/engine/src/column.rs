@@ -1,7 +1,8 @@
 //! The reference column: one hexahedron a layer, its sides tied, as the ground far from the caverns.
 //!
 //! Its bottom moves as u_ff, the free field at the level of the base, on which the springs of the base act.
-//! It feels the same incident wave through dashpots alone.
+//! It feels the same incident wave through dashpots alone. Models whose base has no springs have one as well, to be
+//! compared with.
 
 use crate::body::Body;
 use crate::error::ModelError;
@@ -28,52 +29,119 @@ impl Column {
     }
 }
 
-fn refusal(reason: &str) -> ModelError {
+/// Why springs of the base cannot be had.
+pub fn refusal(reason: &str) -> ModelError {
     ModelError::Column(format!(
-        "the springs of the base need the free field of a column at a corner of the model, but {reason}; \
+        "the springs of the base act on what differs from the free field of one column of ground, but {reason}; \
          use base = \"viscous\" instead"
     ))
 }
 
-/// Adds the column beside the mesh: layers and materials as along the vertical edge at (x min, y min).
+/// A layer of ground along a vertical edge of the model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Layer {
+    bottom: f64,
+    top: f64,
+    body: usize,
+}
+
+/// The ground along the four vertical edges of the model, upwards, if it is the same at all of them: only then is one
+/// column the free field of the whole base.
 ///
 /// # Errors
-/// If the mesh has no such edge made of element edges.
-pub fn build(
-    mesh: &mut Mesh,
-    bodies: &mut Vec<Body>,
-    body_of: &[Option<usize>],
-) -> Result<Column, ModelError> {
+/// Why there is no such ground, in words that may stand behind 'but'.
+pub fn ground(mesh: &Mesh, bodies: &[Body], body_of: &[Option<usize>]) -> Result<Ground, String> {
+    let near = near(mesh);
     let (low, high) = mesh.bounds();
-    let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    let corner =
+        |k: usize| [if k & 1 == 0 { low[0] } else { high[0] }, if k & 2 == 0 { low[1] } else { high[1] }];
+    let first = along(mesh, bodies, body_of, corner(0))?;
+    for k in 1..4 {
+        let other = along(mesh, bodies, body_of, corner(k))?;
+        let alike = first.len() == other.len()
+            && first.iter().zip(&other).all(|(a, b)| {
+                (a.bottom - b.bottom).abs() < near
+                    && (a.top - b.top).abs() < near
+                    && same(&bodies[a.body], &bodies[b.body])
+            });
+        if !alike {
+            let [x, y] = corner(k);
+            return Err(format!(
+                "the ground at the corner ({x:.1}, {y:.1}) m differs from that at ({:.1}, {:.1}) m",
+                low[0], low[1]
+            ));
+        }
+    }
+    Ok(Ground { layers: first })
+}
+
+/// The ground at the model's corners.
+#[derive(Clone, Debug)]
+pub struct Ground {
+    layers: Vec<Layer>,
+}
+
+fn near(mesh: &Mesh) -> f64 {
+    let (low, high) = mesh.bounds();
+    1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
+}
+
+/// Whether two bodies are of the same stuff.
+fn same(a: &Body, b: &Body) -> bool {
+    a.material.info().name == b.material.info().name
+        && a.material.values() == b.material.values()
+        && a.material.band() == b.material.band()
+        && a.density == b.density
+}
+
+/// Layers along the vertical edge at a corner.
+fn along(
+    mesh: &Mesh,
+    bodies: &[Body],
+    body_of: &[Option<usize>],
+    corner: [f64; 2],
+) -> Result<Vec<Layer>, String> {
+    let near = near(mesh);
+    let (low, _) = mesh.bounds();
+    let place = format!("at the corner ({:.1}, {:.1}) m", corner[0], corner[1]);
     let on_edge = |n: u32| {
         let x = mesh.nodes[n as usize];
-        (x[0] - low[0]).abs() < near && (x[1] - low[1]).abs() < near
+        (x[0] - corner[0]).abs() < near && (x[1] - corner[1]).abs() < near
     };
-    let mut layers: Vec<(f64, f64, usize)> = Vec::new();
+    let mut layers: Vec<Layer> = Vec::new();
     for (e, body) in body_of.iter().enumerate() {
-        let Some(body) = body else { continue };
+        let Some(body) = *body else { continue };
         let nodes = hex_nodes(mesh, e);
         let mut levels: Vec<f64> =
             nodes.iter().filter(|&&n| on_edge(n)).map(|&n| mesh.nodes[n as usize][2]).collect();
         levels.sort_by(f64::total_cmp);
         levels.dedup_by(|a, b| (*a - *b).abs() < near);
         if let [bottom, top] = levels[..] {
-            layers.push((bottom, top, *body));
+            layers.push(Layer { bottom, top, body });
         }
     }
-    layers.sort_by(|a, b| a.0.total_cmp(&b.0));
-    layers.dedup_by(|a, b| (a.0 - b.0).abs() < near);
-    let Some(first) = layers.first() else {
-        return Err(refusal("no element has a vertical edge at the corner (x min, y min)"));
-    };
-    if (first.0 - low[2]).abs() > near {
-        return Err(refusal("the elements there do not reach down to the base"));
+    layers.sort_by(|a, b| a.bottom.total_cmp(&b.bottom));
+    let doubled = |pair: &[Layer]| (pair[0].bottom - pair[1].bottom).abs() < near;
+    if layers.windows(2).any(|pair| doubled(pair) && !same(&bodies[pair[0].body], &bodies[pair[1].body])) {
+        return Err(format!("two materials meet along the vertical edge {place}"));
     }
-    if layers.windows(2).any(|pair| (pair[0].1 - pair[1].0).abs() > near) {
-        return Err(refusal("the elements there leave a gap"));
+    layers.dedup_by(|a, b| (a.bottom - b.bottom).abs() < near);
+    match layers.first() {
+        None => Err(format!("no element has a vertical edge {place}")),
+        Some(first) if (first.bottom - low[2]).abs() > near => {
+            Err(format!("the elements {place} do not reach down to the base"))
+        }
+        _ if layers.windows(2).any(|pair| (pair[0].top - pair[1].bottom).abs() > near) => {
+            Err(format!("the elements {place} leave a gap"))
+        }
+        _ => Ok(layers),
     }
+}
 
+/// Adds the column beside the mesh: layers and materials of the ground.
+pub fn build(mesh: &mut Mesh, bodies: &mut Vec<Body>, ground: Ground) -> Column {
+    let (low, high) = mesh.bounds();
+    let Ground { layers } = ground;
     // Beside the mesh, so that a picture with it shows two things.
     let x0 = low[0] - (high[0] - low[0]) - WIDTH;
     let y0 = low[1];
@@ -84,10 +152,10 @@ pub fn build(
         }
         [start, start + 1, start + 2, start + 3]
     };
-    let bottom_body = first.2;
-    let mut below = ring(mesh, first.0);
+    let bottom_body = layers[0].body;
+    let mut below = ring(mesh, layers[0].bottom);
     let mut rings = vec![below];
-    for (_, top, body) in layers {
+    for Layer { top, body, .. } in layers {
         let above = ring(mesh, top);
         let element = mesh.elements.len() as u32;
         mesh.elements.push(Element::new(
@@ -113,5 +181,5 @@ pub fn build(
         below = above;
         rings.push(above);
     }
-    Ok(Column { rings, bottom_body })
+    Column { rings, bottom_body }
 }

@@ -49,8 +49,10 @@ pub struct Model {
     pub held: Vec<(u32, [bool; 3])>,
     /// Nodes of the mesh that move as one, beside those of periodic sides and of the column.
     pub ties: Vec<(u32, u32)>,
-    /// The reference column, if the base needs one.
+    /// The reference column, where the base absorbs and the ground is the same at all corners.
     pub column: Option<Column>,
+    /// Why there is none, in words.
+    pub no_column: String,
     pub incident: Option<Incident>,
     pub rayleigh: Rayleigh,
     /// Loads on engine nodes.
@@ -78,10 +80,13 @@ impl Model {
 
         let faces = OuterFaces::of(&mesh, &body_of);
         let user_bodies = bodies.len();
-        let column = if problem.base.has_springs() {
-            Some(column::build(&mut mesh, &mut bodies, &body_of)?)
-        } else {
-            None
+        let (column, no_column) = match problem.base {
+            Base::Free | Base::Fixed => (None, "no wave enters through an absorbing base".to_owned()),
+            Base::Viscous | Base::ViscousSpring { .. } => match column::ground(&mesh, &bodies, &body_of) {
+                Ok(ground) => (Some(column::build(&mut mesh, &mut bodies, ground)), String::new()),
+                Err(reason) if problem.base.has_springs() => return Err(column::refusal(&reason)),
+                Err(reason) => (None, reason),
+            },
         };
 
         let mut patches = Vec::new();
@@ -142,6 +147,7 @@ impl Model {
             held: problem.held,
             ties: problem.ties,
             column,
+            no_column,
             incident: problem.incident,
             rayleigh: problem.rayleigh,
             loads,

@@ -13,6 +13,8 @@ use tremolite_laws::{BadParameter, Isa, LawInfo, Material, Moduli, Values};
 /// A law with its parameters, ready to make patches of elements.
 pub trait AnyMaterial: Send + Sync {
     fn info(&self) -> LawInfo;
+    /// The values that it was made from.
+    fn values(&self) -> &Values;
     /// The material's own elastic moduli: wave speeds and boundaries go by them.
     fn moduli(&self) -> Moduli;
     /// The stiffest moduli it can show: the time step goes by them.
@@ -47,11 +49,16 @@ struct Instance<M> {
     /// The material's own moduli: with a band, meant at its reference frequency.
     own: Moduli,
     band: Option<Band>,
+    values: Values,
 }
 
 impl<M: Material> AnyMaterial for Instance<M> {
     fn info(&self) -> LawInfo {
         LawInfo::of::<M>()
+    }
+
+    fn values(&self) -> &Values {
+        &self.values
     }
 
     fn moduli(&self) -> Moduli {
@@ -110,15 +117,16 @@ impl<M: Material> AnyMaterial for Instance<M> {
 /// A checked material, or every value that its law refuses.
 pub type Built = Result<Arc<dyn AnyMaterial>, Vec<BadParameter>>;
 
-fn instance<M: Material>(law: M) -> Arc<dyn AnyMaterial> {
-    Arc::new(Instance { own: law.moduli(), law: Arc::new(law), band: None })
+fn instance<M: Material>(law: M, values: Values) -> Arc<dyn AnyMaterial> {
+    Arc::new(Instance { own: law.moduli(), law: Arc::new(law), band: None, values })
 }
 
 /// An elastic material.
 // Inlined into another crate it would be compiled there, kernels and all.
 #[inline(never)]
 pub fn elastic(moduli: Moduli) -> Arc<dyn AnyMaterial> {
-    instance(Elastic::from_moduli(moduli))
+    let values = Values::default().with("young", moduli.young()).with("poisson", moduli.poisson());
+    instance(Elastic::from_moduli(moduli), values)
 }
 
 /// One entry of the registry of laws.
@@ -138,11 +146,12 @@ impl Law {
     pub fn of<M: Material>() -> Self {
         Law {
             info: LawInfo::of::<M>(),
-            build: |values| Ok(instance(M::new(values)?)),
+            build: |values| Ok(instance(M::new(values)?, values.clone())),
             build_banded: |values, band| {
                 let law = M::new(values)?;
                 let own = law.moduli();
-                Ok(Arc::new(Instance { law: Arc::new(law.scaled(band.relaxed())), own, band: Some(band) }))
+                let law = Arc::new(law.scaled(band.relaxed()));
+                Ok(Arc::new(Instance { law, own, band: Some(band), values: values.clone() }))
             },
         }
     }

@@ -106,6 +106,15 @@ impl Motion {
         self.acceleration[0].len().saturating_sub(1) as f64 * self.dt
     }
 
+    /// The largest displacement at the end over that component's peak: 0 for a record that comes back to rest.
+    pub fn drift(&self) -> f64 {
+        let of = |u: &Vec<f64>| {
+            let peak = u.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            if peak > 0.0 { u.last().map_or(0.0, |last| last.abs() / peak) } else { 0.0 }
+        };
+        self.displacement.iter().map(of).fold(0.0, f64::max)
+    }
+
     /// The motion times a number: the incident part of an outcrop motion, say
     /// ([`crate::Kind::incident_factor`]).
     pub fn scaled(mut self, factor: f64) -> Motion {

@@ -19,9 +19,11 @@ pub enum Severity {
 }
 
 /// What became of a group of elements that is no part of another.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Finding {
+    /// By which scripts and translations know it: snake case, once in a summary.
+    pub id: String,
     /// The group.
     pub group: String,
     /// How badly it fared.
@@ -30,6 +32,9 @@ pub struct Finding {
     pub headline: String,
     /// The rest, in sentences; may be empty.
     pub text: String,
+    /// What it says, by name, SI units; shares are of the group's volume.
+    #[serde(deserialize_with = "number::deserialize_map")]
+    pub numbers: IndexMap<String, f64>,
 }
 
 /// How far the elements of a group are damaged at the end of a run.

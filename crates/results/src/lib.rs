@@ -24,6 +24,7 @@ pub mod pvd;
 pub mod summary;
 pub mod table;
 pub mod table_writer;
+pub mod trust;
 
 pub use cut::{Cut, CutCell};
 pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
@@ -32,6 +33,7 @@ pub use folder::{ResultFolder, replace_file};
 pub use materials::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
 pub use peaks::{Peaks, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};
-pub use summary::{Bound, Defaulted, ModelFacts, MotionFacts, RunFacts, Status, Summary, TrustLine};
+pub use summary::{Defaulted, Input, ModelFacts, MotionFacts, RunFacts, Status, Summary};
 pub use table::{Column, Table};
 pub use table_writer::TableWriter;
+pub use trust::{Bound, Fact, TrustLine, snake, tell_apart};

@@ -90,14 +90,36 @@ mod tests {
     #[test]
     fn peaks_have_signs_and_first_times() {
         let peaks = Peaks::of(&[0.0, 1.0, 2.0, 3.0, 4.0], &[0.0, 2.0, -3.0, 2.0, 0.5]);
-        assert_eq!(peaks, Peaks { max: 2.0, t_max: 1.0, min: -3.0, t_min: 2.0, residual: 0.5, step_max: None, step_min: None });
+        assert_eq!(
+            peaks,
+            Peaks {
+                max: 2.0,
+                t_max: 1.0,
+                min: -3.0,
+                t_min: 2.0,
+                residual: 0.5,
+                step_max: None,
+                step_min: None
+            }
+        );
         assert_eq!(peaks.largest(), (2.0, -3.0));
     }
 
     #[test]
     fn peaks_pass_over_what_is_not_finite() {
         let peaks = Peaks::of(&[0.0, 1.0, 2.0, 3.0], &[f64::NAN, 1.0, f64::INFINITY, f64::NAN]);
-        assert_eq!(peaks, Peaks { max: 1.0, t_max: 1.0, min: 1.0, t_min: 1.0, residual: 1.0, step_max: None, step_min: None });
+        assert_eq!(
+            peaks,
+            Peaks {
+                max: 1.0,
+                t_max: 1.0,
+                min: 1.0,
+                t_min: 1.0,
+                residual: 1.0,
+                step_max: None,
+                step_min: None
+            }
+        );
         assert!(Peaks::of(&[], &[]).max.is_nan());
         assert!(Peaks::of(&[0.0], &[f64::NAN]).largest().1.is_nan());
     }

@@ -6,7 +6,7 @@ use std::path::Path;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, Finding, GroupDamage, MaterialFacts, Peaks, number, replace_file};
+use crate::{Error, Fact, Finding, GroupDamage, MaterialFacts, Peaks, TrustLine, number, replace_file};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -64,8 +64,14 @@ pub struct Summary {
     /// Line of the energy balance → its value at the end (J).
     #[serde(deserialize_with = "number::deserialize_map")]
     pub energy: IndexMap<String, f64>,
-    /// Each a number against its limit.
+    /// Each a number against its limit; every check is here, those that do not apply with the reason.
     pub trust: Vec<TrustLine>,
+    /// What is true by construction, for people to know.
+    pub facts: Vec<Fact>,
+    /// What the run read: mesh, records, case.
+    pub inputs: Vec<Input>,
+    /// Version of the program.
+    pub version: String,
     /// What the case left out and the program chose.
     pub defaulted: Vec<Defaulted>,
 }
@@ -108,6 +114,18 @@ pub struct MotionFacts {
     pub source: IndexMap<String, String>,
 }
 
+/// A file that the run read.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Input {
+    /// As the case names it; `case` for the case itself.
+    pub name: String,
+    /// Where it lay.
+    pub path: String,
+    /// SHA-256 of its bytes, in hexadecimal digits.
+    pub hash: String,
+}
+
 /// The program and the machine.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -124,78 +142,6 @@ pub struct RunFacts {
     pub instruction_set: String,
     /// How often the run was resumed from a checkpoint.
     pub resumed: u64,
-}
-
-/// On which side of its limit a number should be.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Bound {
-    /// value ≤ limit.
-    #[default]
-    AtMost,
-    /// value ≥ limit.
-    AtLeast,
-}
-
-/// One line of the trust report: a number against its limit.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct TrustLine {
-    /// What was measured.
-    pub name: String,
-    /// The number; NaN if it could not be had.
-    #[serde(with = "number", default = "number::absent")]
-    pub value: f64,
-    /// Its limit.
-    #[serde(with = "number", default = "number::absent")]
-    pub limit: f64,
-    /// On which side of the limit it should be.
-    pub bound: Bound,
-    /// Whether it is. False is a warning, not a failure of the run.
-    pub pass: bool,
-    /// SI unit; empty for a pure number.
-    pub unit: String,
-    /// What it means or where it was found, in words; may be empty.
-    pub note: String,
-    /// Whether there was nothing to measure, as the note says; the line then neither passes nor warns.
-    pub not_applicable: bool,
-}
-
-impl TrustLine {
-    /// A line that passes if `value ≤ limit`. NaN does not pass.
-    pub fn at_most(name: &str, value: f64, limit: f64, unit: &str) -> Self {
-        Self::line(name, value, limit, unit, Bound::AtMost, value <= limit)
-    }
-
-    /// A line that passes if `value ≥ limit`. NaN does not pass.
-    pub fn at_least(name: &str, value: f64, limit: f64, unit: &str) -> Self {
-        Self::line(name, value, limit, unit, Bound::AtLeast, value >= limit)
-    }
-
-    /// The same line with a note.
-    pub fn with_note(mut self, note: impl Into<String>) -> Self {
-        self.note = note.into();
-        self
-    }
-
-    /// A line that cannot be judged, with the reason. Its `pass` is true, so that no reader takes it for a warning.
-    pub fn not_applicable(name: &str, why: impl Into<String>) -> Self {
-        let line = Self::line(name, f64::NAN, f64::NAN, "", Bound::AtMost, true).with_note(why);
-        TrustLine { not_applicable: true, ..line }
-    }
-
-    fn line(name: &str, value: f64, limit: f64, unit: &str, bound: Bound, pass: bool) -> Self {
-        TrustLine {
-            name: name.into(),
-            value,
-            limit,
-            bound,
-            pass,
-            unit: unit.into(),
-            note: String::new(),
-            not_applicable: false,
-        }
-    }
 }
 
 /// A key that the case left out.

@@ -12,7 +12,7 @@ use tremolite_engine::phase::Phase;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
-use tremolite_results::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
+use tremolite_results::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity, snake};
 
 /// What summaries say of damage, by group. Volumes are those of integration points, and first times go by the rows of
 /// the histories.
@@ -114,11 +114,14 @@ pub fn findings(model: &Model, damage: &IndexMap<String, GroupDamage>) -> Vec<Fi
 fn finding(group: &Group, found: &GroupDamage) -> Finding {
     let columns = group.body.material.info().history;
     let group = group.name;
+    let id = format!("damage_{}", snake(group));
     let damaged = |m: &Measure| position(columns, m.role).and_then(|at| found.measures.get(columns[at].name));
     let share = |measure: &Measure| {
         let damaged = damaged(measure)?;
         Some(damaged.beyond.get(&threshold(measure.counts)).copied().unwrap_or(0.0) / found.volume)
     };
+    let mut numbers: IndexMap<String, f64> =
+        MEASURES.iter().filter_map(|m| Some((format!("share_{}", snake(m.words)), share(m)?))).collect();
     // The mean of the directions repeats what cracks and crushing say.
     let told = MEASURES.iter().filter(|m| m.role != Role::MeanDamagePeak);
     let shares: Vec<String> = told
@@ -131,7 +134,13 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
         .min_by(|a, b| a.1.time.total_cmp(&b.1.time));
     let Some((measure, onset)) = first else {
         let headline = "undamaged".to_owned();
-        return Finding { group: group.into(), severity: Severity::Undamaged, headline, text: String::new() };
+        return Finding {
+            id,
+            group: group.into(),
+            severity: Severity::Undamaged,
+            headline,
+            ..Finding::default()
+        };
     };
     let mut headline = if shares.is_empty() { "hardly damaged".to_owned() } else { shares.join(", ") };
     let mut severity = Severity::Damaged;
@@ -140,6 +149,12 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
     if let Some(cracks) = &found.cracks
         && let Some(widest) = cracks.widest
     {
+        numbers.extend([
+            ("crack_opening".to_owned(), cracks.opening),
+            ("crack_time".to_owned(), widest.time),
+            ("through".to_owned(), cracks.through as f64),
+            ("places".to_owned(), cracks.stacks as f64),
+        ]);
         if let Some(place) = cracks.through_at {
             severity = Severity::Through;
             headline += &format!(", through the thickness at {} of {} places", cracks.through, cracks.stacks);
@@ -169,7 +184,9 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
         onset.element,
         at(onset.at)
     ));
-    Finding { group: group.into(), severity, headline, text: sentences.join(" ") }
+    numbers
+        .extend([("first_time".to_owned(), onset.time), ("first_element".to_owned(), onset.element as f64)]);
+    Finding { id, group: group.into(), severity, headline, text: sentences.join(" "), numbers }
 }
 
 /// A share of a volume; small ones do not become zero.

@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
-use tremolite_results::{Defaulted, MaterialFacts, RunFacts, Table};
+use tremolite_results::{Defaulted, Input, MaterialFacts, RunFacts, Table};
 
 /// All a summary is made from.
 pub struct Evidence<'a> {
@@ -24,6 +24,7 @@ pub struct Evidence<'a> {
     /// energy.csv as it was written.
     pub energy: &'a Table,
     pub materials: IndexMap<String, MaterialFacts>,
+    pub inputs: Vec<Input>,
     pub run: RunFacts,
     pub defaulted: Vec<Defaulted>,
     /// Wall time of the whole process so far \[s\].

@@ -8,6 +8,7 @@ use crate::plan::{Plan, Steps};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tremolite_engine::assembly::Assembly;
+use tremolite_engine::engine::BodyBooks;
 use tremolite_engine::hexahedra::centroid;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
@@ -54,6 +55,8 @@ pub struct Outcome {
     pub loop_seconds: f64,
     pub step_seconds: f64,
     pub balance: Lines,
+    /// The books of each account of the assembly, when it was last looked at.
+    pub bodies: Vec<BodyBooks>,
     pub state: State,
 }
 
@@ -165,7 +168,7 @@ pub fn run(
     let begin = Instant::now();
     let (mut told, mut kept) = (begin, begin);
     let mut observing = Duration::ZERO;
-    let mut balance = Lines::default();
+    let (mut balance, mut bodies) = (Lines::default(), Vec::new());
     let ending = loop {
         let now = Instant::now();
         if now - told >= TELL {
@@ -193,6 +196,7 @@ pub fn run(
             let look = Instant::now();
             let snapshot = engine.observe(&mut state);
             balance = snapshot.balance;
+            bodies.clone_from(&snapshot.bodies);
             let history = History { assembly, octets: &state.history };
             let numbers = &state.numbers;
             let view = View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers };
@@ -227,6 +231,7 @@ pub fn run(
         loop_seconds,
         step_seconds: loop_seconds - observing.as_secs_f64(),
         balance,
+        bodies,
         state,
     })
 }

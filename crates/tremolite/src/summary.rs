@@ -5,7 +5,7 @@ use crate::evidence::Evidence;
 use crate::observers::Extremes;
 use crate::run::{Ending, Outcome};
 use crate::survey::limit_in_words;
-use crate::trust::trust;
+use crate::trust::{facts, trust};
 use indexmap::IndexMap;
 use tremolite_engine::Halt;
 use tremolite_results::{
@@ -29,7 +29,7 @@ pub fn summary(evidence: Evidence) -> Summary {
     };
     let (relative, monitors): (IndexMap<_, _>, IndexMap<_, _>) =
         all.into_iter().partition(|(n, _)| is_pair(n));
-    let trust = trust(&evidence);
+    let (trust, facts) = (trust(&evidence), facts(&evidence));
     let damage = damage::damage(model, phase, outcome.history(assembly), &outcome.state.observers);
     let run = run_in_words(outcome, &trust, &monitors);
     let findings = damage::findings(model, &damage);
@@ -75,7 +75,10 @@ pub fn summary(evidence: Evidence) -> Summary {
         relative,
         damage,
         energy: outcome.balance.iter().map(|(line, value)| (line.name().to_owned(), value)).collect(),
+        facts,
         trust,
+        inputs: evidence.inputs,
+        version: env!("CARGO_PKG_VERSION").to_owned(),
         run: evidence.run,
         defaulted: evidence.defaulted,
     }

@@ -14,7 +14,7 @@ pub mod verify;
 
 use crate::exit::Failure;
 use std::path::Path;
-use tremolite::setup::{Setup, setup};
+use tremolite::setup::{Setup, changed, original_folder, setup};
 use tremolite::{Law, StableStep, laws};
 use tremolite_case::{Case, Problem, units};
 use tremolite_laws::{Dimension, Isa, LawInfo};
@@ -22,7 +22,9 @@ use tremolite_laws::{Dimension, Isa, LawInfo};
 /// Reads a case and builds what it asks for; warnings go to the terminal.
 pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
     let laws: Vec<Law> = laws();
-    let case = Case::read(path, &infos()).map_err(|r| Failure::case(&r))?;
+    let original = original_folder(path);
+    let directory = original.as_deref().or(path.parent()).unwrap_or(Path::new(""));
+    let case = Case::read_in(path, directory, &infos()).map_err(|r| Failure::case(&r))?;
     if !case.warnings.is_empty() {
         let report = case.report(case.warnings.clone()).as_warnings();
         crate::terminal::say(&report.render(crate::terminal::colour()));
@@ -31,6 +33,12 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
     if !setup.warnings.is_empty() {
         let report = case.report(setup.warnings.clone()).as_warnings();
         crate::terminal::say(&report.render(crate::terminal::colour()));
+    }
+    if let Some(original) = original {
+        crate::terminal::say(&format!("the files of this case are looked for from {}", original.display()));
+        for what in changed(path, &setup.inputs) {
+            crate::terminal::say(&format!("warning: {what}"));
+        }
     }
     Ok((case, setup))
 }

@@ -172,6 +172,7 @@ pub fn run(args: &Args) -> Outcome {
                 instruction_set: isa.name().into(),
                 resumed,
             },
+            inputs: setup.inputs.clone(),
             materials: setup.materials.clone(),
             defaulted,
             wall_seconds: begin.elapsed().as_secs_f64() + if earlier.is_finite() { earlier } else { 0.0 },

@@ -43,7 +43,9 @@ fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
         status: Status::Done,
         verdict: "The lining stays elastic.".into(),
         wall_seconds: 90.0,
-        trust: vec![TrustLine::at_most("energy error", 0.0015, 0.01, "").with_note("over the run")],
+        trust: vec![
+            TrustLine::at_most("energy_error", "energy error", 0.0015, 0.01, "").with_note("over the run"),
+        ],
         defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
         monitors: peaks_by_monitor(&Table::read(&folder.monitors()).unwrap()),
         ..Summary::default()
@@ -329,7 +331,7 @@ fn a_sound_run_and_a_cracked_lining_have_banners_of_their_own() {
     {
         let headline = "cracked <i>".to_owned();
         summary.findings =
-            vec![Finding { group: "hall.lining".into(), severity, headline, text: String::new() }];
+            vec![Finding { group: "hall.lining".into(), severity, headline, ..Finding::default() }];
         summary.write(&folder.summary()).unwrap();
         let page = page(&folder);
         assert!(
@@ -349,7 +351,7 @@ fn a_line_that_cannot_be_judged_counts_neither_way() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.trust.push(TrustLine::not_applicable("free field", "the rock yields"));
+    summary.trust.push(TrustLine::not_applicable("free_field", "free field", "the rock yields"));
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     for text in ["1 of 1 checks pass", "not applicable", "the rock yields", "<span class=\"pill\">–"] {

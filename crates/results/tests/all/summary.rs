@@ -15,8 +15,9 @@ fn summary() -> Summary {
         wall_seconds: 12.5,
         element_updates_per_second: 3.2e7,
         trust: vec![
-            TrustLine::at_most("energy error", 0.002, 0.01, "").with_note("largest over time"),
-            TrustLine::at_least("elements per shortest wavelength", 7.5, 10.0, ""),
+            TrustLine::at_most("energy_error", "energy error", 0.002, 0.01, "")
+                .with_note("largest over time"),
+            TrustLine::at_least("elements_per_wavelength", "elements per shortest wavelength", 7.5, 10.0, ""),
         ],
         defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
         ..Summary::default()
@@ -41,10 +42,12 @@ fn summary() -> Summary {
     let cracks = Some(Cracks { opening: 1e-4, widest, stacks: 8, through: 0, through_at: None });
     let lining = GroupDamage { volume: 10.0, measures: [("d_tension".to_owned(), tension)].into(), cracks };
     let finding = Finding {
+        id: "damage_hall_lining".into(),
         group: "hall.lining".into(),
         severity: Severity::Damaged,
         headline: "cracked".into(),
         text: String::new(),
+        numbers: [("share_cracked".to_owned(), 0.25)].into(),
     };
     summary.findings.push(finding);
     let young = MaterialValue {
@@ -132,16 +135,19 @@ fn summaries_of_other_versions_are_read_and_damaged_ones_refused_with_the_line()
 
 #[test]
 fn a_line_that_cannot_be_judged_is_no_warning_and_does_not_count() {
-    let line = TrustLine::not_applicable("free field", "the rock yields");
-    let summary = Summary { trust: vec![line, TrustLine::at_most("a", 2.0, 1.0, "")], ..Summary::default() };
+    let line = TrustLine::not_applicable("free_field", "free field", "the rock yields");
+    let summary =
+        Summary { trust: vec![line, TrustLine::at_most("a", "a", 2.0, 1.0, "")], ..Summary::default() };
     assert_eq!((summary.judged(), summary.warnings()), (1, 1));
 }
 
 #[test]
 fn a_number_that_is_not_one_never_passes_a_trust_limit() {
-    assert!(TrustLine::at_most("a", 1.0, 1.0, "").pass && TrustLine::at_least("a", 1.0, 1.0, "").pass);
-    assert!(!TrustLine::at_most("a", f64::NAN, 1.0, "").pass);
-    assert!(!TrustLine::at_least("a", f64::NAN, 1.0, "").pass);
+    assert!(
+        TrustLine::at_most("a", "a", 1.0, 1.0, "").pass && TrustLine::at_least("a", "a", 1.0, 1.0, "").pass
+    );
+    assert!(!TrustLine::at_most("a", "a", f64::NAN, 1.0, "").pass);
+    assert!(!TrustLine::at_least("a", "a", f64::NAN, 1.0, "").pass);
 }
 
 #[test]

@@ -6,9 +6,8 @@ use tremolite_engine::state::Memory;
 use tremolite_kernels::Line;
 use tremolite_results::{Column, TableWriter};
 
-/// Key of what this observer remembers: bytes written, then the largest values over all rows of |error|, of what laws
-/// dissipated and of what they created \[J\].
-pub const MEMORY: &str = "energy";
+/// Key of what this observer remembers: the bytes written.
+const MEMORY: &str = "energy";
 
 /// Writes a row of the energy balance.
 pub struct Energy {
@@ -43,12 +42,7 @@ impl Observer for Energy {
         let mut row = vec![view.snapshot.time];
         row.extend(balance.iter().map(|(_, value)| value));
         self.table.write(&row)?;
-        let memory = memory.entry(MEMORY.into()).or_insert_with(|| vec![0.0; 4]);
-        memory[0] = self.table.bytes_written() as f64;
-        let now = [balance[Line::Error].abs(), balance[Line::Dissipated], balance[Line::Created]];
-        for (most, now) in memory[1..].iter_mut().zip(now) {
-            *most = most.max(now);
-        }
+        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
         Ok(())
     }
 }

@@ -11,10 +11,10 @@ mod onsets;
 mod steps;
 
 pub use cracks::Cracks;
-pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
+pub use energy::Energy;
 pub use envelopes::Envelopes;
 pub use fields::Fields;
-pub use free_field::{FreeField, MEMORY as FREE_FIELD_MEMORY};
+pub use free_field::{FreeField, FreeFieldSeen};
 pub use growth::Growth;
 pub use histories::Histories;
 pub use onsets::{Onsets, memory_key as onset_memory};

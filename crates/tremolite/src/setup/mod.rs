@@ -1,11 +1,13 @@
 //! From a checked case to a problem and a plan: reads the mesh and the records, and says all that does not fit.
 
+mod inputs;
 mod materials;
 mod mesh;
 mod monitors;
 mod motion;
 mod regions;
 
+pub use inputs::{changed, original_folder};
 pub use motion::MotionFacts;
 
 use crate::plan::Plan;
@@ -13,11 +15,11 @@ use crate::quantities::Field;
 use indexmap::IndexMap;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
-use tremolite_engine::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep};
+use tremolite_engine::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep, column};
 use tremolite_kernels::Law;
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
-use tremolite_results::MaterialFacts;
+use tremolite_results::{Input, MaterialFacts};
 
 /// All a run needs, and what of the input is worth reporting.
 pub struct Setup {
@@ -28,6 +30,10 @@ pub struct Setup {
     pub materials: IndexMap<String, MaterialFacts>,
     /// Frequency at which moduli are meant with damping over a band \[Hz\].
     pub reference: Option<f64>,
+    /// The case and the files that it names.
+    pub inputs: Vec<Input>,
+    /// Why the base is not the one that is usual, where the case leaves it out.
+    pub base_without_springs: Option<String>,
     /// What is unusual though it can be run, at its place in the case.
     pub warnings: Vec<case::Problem>,
 }
@@ -74,11 +80,13 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let bodies = regions::build(case, &mesh, laws, band, &mut problems);
     let monitors = monitors::build(case, &mesh, &bodies, &mut problems);
+    let (base, base_without_springs) = springs_or_none(case, &mesh, &bodies, base, &mut problems);
     let (Some((motion, facts)), true) = (motion, problems.is_empty()) else {
         return Err(case.report(problems));
     };
 
     warnings.extend(self::warnings(case, &bodies, &fields));
+    warnings.extend(sides(case, &motion));
     let materials = materials::facts(case, &mesh, laws, &bodies, reference);
     let dynamic = &case.dynamic;
     let duration = dynamic.duration.as_ref().map_or(motion.duration(), |d| d.value);
@@ -110,7 +118,8 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
         monitors,
         relatives: case.relatives.iter().map(|r| r.between).collect(),
     };
-    Ok(Setup { problem, plan, motion: facts, materials, reference, warnings })
+    let inputs = inputs::inputs(case);
+    Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, base_without_springs, warnings })
 }
 
 /// The frequency \[Hz\] at which moduli are meant with damping over a band: the motion's central one unless the case
@@ -215,6 +224,64 @@ fn base(case: &Case, problems: &mut Vec<case::Problem>) -> Base {
             Base::Free
         }
     }
+}
+
+/// The base, and why it has no springs though they are usual: one column cannot be the free field where the ground differs
+/// between the model's corners. A base that asks for them is refused.
+fn springs_or_none(
+    case: &Case,
+    mesh: &tremolite_mesh::Mesh,
+    bodies: &[Body],
+    base: Base,
+    problems: &mut Vec<case::Problem>,
+) -> (Base, Option<String>) {
+    if !base.has_springs() || bodies.is_empty() {
+        return (base, None);
+    }
+    let mut body_of = vec![None; mesh.elements.len()];
+    for (b, body) in bodies.iter().enumerate() {
+        body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
+    }
+    let Err(reason) = column::ground(mesh, bodies, &body_of) else { return (base, None) };
+    if case.defaulted.iter().any(|d| d.key == "dynamic.base") {
+        return (Base::Viscous, Some(reason));
+    }
+    problems.push(case::Problem::at(
+        &case.dynamic.base,
+        format!("the springs of the base act on what differs from one column of ground, but {reason}"),
+        "write base = \"viscous\", or make the ground the same at all four corners of the model",
+    ));
+    (base, None)
+}
+
+/// A component of motion over the largest that counts as none.
+const STILL: f64 = 1e-3;
+
+/// Sides that do not let ground move as it would without them.
+fn sides(case: &Case, motion: &tremolite_motion::Motion) -> Vec<case::Problem> {
+    let peak = |i: usize| motion.velocity[i].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let largest = (0..3).map(peak).fold(0.0, f64::max);
+    let moves = |i: usize| peak(i) > STILL * largest;
+    let mut warnings = Vec::new();
+    for (axis, side) in case.dynamic.sides.iter().enumerate() {
+        let what = match side.value {
+            case::Side::Periodic => continue,
+            case::Side::Roller if !moves(axis) => continue,
+            case::Side::Roller => "hold motion along their normal, which the record has",
+            case::Side::Fixed => "do not move, while the ground beside them would",
+            case::Side::Viscous => "drain the wave as it rises",
+            case::Side::Free => "stand free, where ground would press",
+        };
+        let (name, word) = (["x", "y"][axis], side.value.word());
+        let message = format!(
+            "the {word} sides across {name} {what}: in homogeneous ground such sides took 80 to 130 % of the surface's motion"
+        );
+        let remedy = "use \"periodic\"; the check 'model's corners against free field' says what is left";
+        warnings.push(case::Problem::at(side, message, remedy));
+    }
+    // One word for both sides is one warning.
+    warnings.dedup_by(|a, b| a.span == b.span);
+    warnings
 }
 
 fn side(side: case::Side) -> Side {

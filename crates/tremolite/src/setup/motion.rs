@@ -88,6 +88,10 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         ));
         return None;
     };
+    if let Some(problem) = factor.and_then(|factor| beyond_any_earthquake(case, &made, factor)) {
+        problems.push(problem);
+        return None;
+    }
     let facts = MotionFacts {
         kind,
         factor: factor?,
@@ -98,6 +102,33 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         lowpass: tremolite_motion::lowest_lowpass(&steps),
     };
     Some((made, facts))
+}
+
+/// More than any ground has moved in an earthquake: peaks of the incident wave \[m/s²\], \[m/s\], \[m\].
+const LIMITS: [(f64, &str); 3] = [(5.0 * 9.80665, "m/s2"), (5.0, "m/s"), (5.0, "m")];
+
+/// The refusal of an incident wave that is a mistake of units or a drifting record.
+fn beyond_any_earthquake(case: &Case, motion: &Motion, factor: f64) -> Option<Problem> {
+    let series = [
+        ("acceleration", &motion.acceleration),
+        ("velocity", &motion.velocity),
+        ("displacement", &motion.displacement),
+    ];
+    for ((what, components), (limit, unit)) in series.into_iter().zip(LIMITS) {
+        let peak = factor * components.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+        if peak > limit {
+            return Some(Problem::new(
+                case.motion.span.clone(),
+                format!(
+                    "the incident wave reaches a {what} of {peak:.3} {unit}, more than any earthquake: the limit is \
+                     {limit:.3} {unit}"
+                ),
+                "look at the record's units and scale; velocity and displacement that grow are drift, which \"baseline\" as \
+                 the last step of motion.process takes out",
+            ));
+        }
+    }
+    None
 }
 
 /// The steps of processing; those that cannot be read are among the problems.

@@ -1,0 +1,133 @@
+//! Checks of the energy balance.
+
+use crate::evidence::Evidence;
+use tremolite_engine::Quadrature;
+use tremolite_kernels::Line;
+use tremolite_laws::Role;
+use tremolite_laws::parameter::position;
+use tremolite_results::{TrustLine, snake};
+
+/// Energy that may be lost or found, over the largest that motion and elements held. The scheme's own share, (ωΔt/2)² of what
+/// moves at ω, is about 0.01 % for the waves of an earthquake.
+const ERROR: f64 = 5e-4;
+/// Work on the elements of a body that is in none of its lines, over what it dissipated: damage that jumps within a step.
+const BODY_ERROR: f64 = 0.25;
+/// Energy that material laws may create, over what they dissipated.
+const CREATED: f64 = 0.05;
+/// Energy of the hourglass stabilisation over the strain energy at the same time.
+const HOURGLASS: f64 = 0.1;
+/// Strain energy over its largest value below which a model counts as still.
+const STILL: f64 = 0.01;
+
+pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
+    let mut lines = vec![error(evidence)];
+    lines.extend(bodies(evidence));
+    lines.extend([created(evidence), hourglass(evidence)]);
+    lines
+}
+
+/// A column of energy.csv \[J\].
+fn column<'e>(evidence: &Evidence<'e>, line: Line) -> &'e [f64] {
+    evidence.energy.column(line.name()).unwrap_or(&[])
+}
+
+fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(0.0, |most, x| if x.is_nan() { x } else { most.max(x) })
+}
+
+/// The largest |error| of all rows over the largest energy that was held in one.
+fn error(evidence: &Evidence) -> TrustLine {
+    const ID: &str = "energy_error";
+    const NAME: &str = "energy error over the largest energy held";
+    let bodies = evidence.model.user_bodies().iter();
+    let unbooked = bodies.filter(|body| {
+        let columns = body.material.info().history;
+        !columns.is_empty() && position(columns, Role::Dissipated).is_none()
+    });
+    let unbooked: Vec<String> =
+        unbooked.map(|body| format!("{} of {}", body.material.info().name, body.name)).collect();
+    if !evidence.phase.keeps_books {
+        let why = format!("a law books nothing of what it dissipates: {}", unbooked.join(", "));
+        return TrustLine::not_applicable(ID, NAME, why);
+    }
+    let held = [Line::Kinetic, Line::Strain, Line::Hourglass].map(|line| column(evidence, line));
+    let held = largest((0..held[0].len()).map(|row| held.iter().map(|column| column[row]).sum()));
+    let error = largest(column(evidence, Line::Error).iter().map(|x| x.abs()));
+    if held == 0.0 {
+        return TrustLine::not_applicable(ID, NAME, "nothing moves");
+    }
+    TrustLine::at_most(ID, NAME, error / held, ERROR, "")
+        .with("error", error)
+        .with("held", held)
+        .with_note(
+            "largest difference of all rows between the energy found and the energy put in, every line booked by itself",
+        )
+}
+
+/// For each body whose law dissipates: is its work in its lines?
+fn bodies(evidence: &Evidence) -> Vec<TrustLine> {
+    const NAME: &str = "work in no line over energy dissipated";
+    let mut lines = Vec::new();
+    for (body, books) in evidence.model.user_bodies().iter().zip(&evidence.outcome.bodies) {
+        if position(body.material.info().history, Role::Dissipated).is_none() {
+            continue;
+        }
+        let (id, name) =
+            (format!("body_energy_error_{}", snake(&body.name)), format!("{NAME}, {}", body.name));
+        let dissipated = books.held[Line::Dissipated];
+        if dissipated == 0.0 {
+            lines.push(TrustLine::not_applicable(id, &name, "nothing was damaged and nothing flowed"));
+            continue;
+        }
+        lines.push(
+            TrustLine::at_most(id, &name, books.error().abs() / dissipated, BODY_ERROR, "")
+                .with("work", books.work)
+                .with("error", books.error())
+                .with("dissipated", dissipated)
+                .with_note(
+                    "work on the body's elements less what they hold, have dissipated and created, at the end; damage that \
+                     jumps within a step leaves some, which shrinks with the step",
+                ),
+        );
+    }
+    if lines.is_empty() {
+        lines.push(TrustLine::not_applicable("body_energy_error", NAME, "no law dissipates"));
+    }
+    lines
+}
+
+fn created(evidence: &Evidence) -> TrustLine {
+    const ID: &str = "energy_created_by_laws";
+    const NAME: &str = "energy created by laws over energy dissipated";
+    let created = largest(column(evidence, Line::Created).iter().copied());
+    let dissipated = largest(column(evidence, Line::Dissipated).iter().copied());
+    if dissipated == 0.0 && created == 0.0 {
+        return TrustLine::not_applicable(ID, NAME, "nothing was damaged and nothing flowed");
+    }
+    TrustLine::at_most(ID, NAME, created / dissipated, CREATED, "")
+        .with("created", created)
+        .with("dissipated", dissipated)
+        .with_note("what closed strain loops of cracked concrete gave out; split = \"compliance\" cannot")
+}
+
+/// The largest ratio of hourglass to strain energy, row by row.
+fn hourglass(evidence: &Evidence) -> TrustLine {
+    const ID: &str = "hourglass_energy";
+    const NAME: &str = "hourglass energy over strain energy";
+    if evidence.model.user_bodies().iter().all(|body| body.quadrature == Quadrature::Full) {
+        return TrustLine::not_applicable(ID, NAME, "no one-point elements");
+    }
+    let [hourglass, strain] = [Line::Hourglass, Line::Strain].map(|line| column(evidence, line));
+    let most = largest(strain.iter().copied());
+    // Before the wave comes and when it has passed, both are noise.
+    let ratio = |row: usize| hourglass[row] / strain[row].max(STILL * most);
+    let worst = (0..strain.len()).max_by(|a, b| ratio(*a).total_cmp(&ratio(*b)));
+    let Some(row) = worst.filter(|_| most > 0.0) else {
+        return TrustLine::not_applicable(ID, NAME, "nothing is strained");
+    };
+    let time = evidence.energy.column("time").map_or(f64::NAN, |time| time[row]);
+    TrustLine::at_most(ID, NAME, ratio(row), HOURGLASS, "").with("time", time).with_note(format!(
+        "largest ratio of all rows, at {time:.2} s: energy of the one-point elements' stabilisation, bending that their one \
+         point misses"
+    ))
+}

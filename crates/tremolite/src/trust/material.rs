@@ -1,0 +1,146 @@
+//! Checks of what the material laws assume and did.
+
+use crate::evidence::Evidence;
+use tremolite_engine::Body;
+use tremolite_engine::extent::extents;
+use tremolite_engine::hexahedra::hex;
+use tremolite_engine::model::Model;
+use tremolite_laws::Role;
+use tremolite_laws::parameter::position;
+use tremolite_results::{Fact, TrustLine, snake};
+
+/// Fracture energy of a weak concrete \[N/m\]: `mc1990`, G_F0 (f_cm/10 MPa)^0.7 with 25 N/m for 8 mm of aggregate and
+/// f_cm = 28 MPa. Less means that elements crack for less than a crack takes.
+const CRACK_ENERGY: f64 = 50.0;
+
+/// Damage in tension above which a point carries nothing.
+const BROKEN: f64 = 0.99;
+
+pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
+    let mut lines = vec![unstressed(evidence.model), broken_monitors(evidence)];
+    lines.extend(crack_energies(evidence.model));
+    lines.push(warnings(evidence.model));
+    lines
+}
+
+/// Monitors in elements that tension has broken through: nothing holds such pieces, so their displacements mean little.
+fn broken_monitors(evidence: &Evidence) -> TrustLine {
+    const ID: &str = "monitors_on_broken_elements";
+    const NAME: &str = "monitors on broken elements";
+    let Evidence { assembly, phase, plan, outcome, .. } = evidence;
+    let history = outcome.history(assembly);
+    let mut judged = 0;
+    let mut broken: Vec<&str> = Vec::new();
+    for monitor in &plan.monitors {
+        let Some(slot) = &phase.element_slot[monitor.location.element as usize] else { continue };
+        let Some(column) = history.with_role(slot, Role::TensionDamage) else { continue };
+        judged += 1;
+        if history.values(slot, column).all(|d| d > BROKEN) {
+            broken.push(&monitor.name);
+        }
+    }
+    if judged == 0 {
+        return TrustLine::not_applicable(ID, NAME, "no monitor is in a material that cracks");
+    }
+    let note = if broken.is_empty() {
+        "elements whose every point is broken in tension are loose pieces".to_owned()
+    } else {
+        format!(
+            "{}: every point of the element is broken; its displacement is that of a loose piece",
+            broken.join(", ")
+        )
+    };
+    TrustLine::at_most(ID, NAME, broken.len() as f64, 0.0, "")
+        .with("judged", f64::from(judged))
+        .with_note(note)
+}
+
+/// Rock that yields by its pressure, without the pressure: no stage of a run gives it an initial stress yet.
+fn unstressed(model: &Model) -> TrustLine {
+    const ID: &str = "yielding_rock_without_initial_stress";
+    const NAME: &str = "yielding rock without initial stress";
+    let plastic = [Role::PlasticShear, Role::PlasticTension];
+    let bodies = model.user_bodies().iter().filter(|body| {
+        let info = body.material.info();
+        info.pressure_dependent && plastic.iter().any(|&role| position(info.history, role).is_some())
+    });
+    let names: Vec<&str> = bodies.map(|b| b.name.as_str()).collect();
+    if names.is_empty() {
+        return TrustLine::not_applicable(ID, NAME, "no rock yields by its pressure");
+    }
+    TrustLine::at_most(ID, NAME, names.len() as f64, 0.0, "").with_note(format!(
+        "{}: strength grows with pressure, and the weight of the ground is not in this run; it yields earlier and further \
+         than in place, most of all in tension",
+        names.join("; ")
+    ))
+}
+
+/// The least and the largest energy of cracks across a body's elements \[N/m\], if its law cracks.
+fn crack_energy(model: &Model, body: &Body) -> Option<[f64; 2]> {
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for &element in &body.elements {
+        let Ok(hex) = hex(&model.mesh, element as usize) else { continue };
+        for energy in extents(&hex).into_iter().filter_map(|h| body.material.crack_energy(h)) {
+            (least, most) = (least.min(energy), most.max(energy));
+        }
+    }
+    (least <= most).then_some([least, most])
+}
+
+/// Whether the law takes the energy of a crack from the case: then every size of element dissipates it.
+fn given_energy(body: &Body) -> bool {
+    body.material.size_limit().is_finite()
+}
+
+/// What cracks across the elements dissipate, a line for each body whose law softens by strain alone.
+fn crack_energies(model: &Model) -> Vec<TrustLine> {
+    const ID: &str = "implied_fracture_energy";
+    const NAME: &str = "implied fracture energy";
+    let mut lines = Vec::new();
+    for body in model.user_bodies().iter().filter(|body| !given_energy(body)) {
+        let Some([least, most]) = crack_energy(model, body) else { continue };
+        let (id, name) = (format!("{ID}_{}", snake(&body.name)), format!("{NAME}, {}", body.name));
+        lines.push(
+            TrustLine::at_least(id, &name, least, CRACK_ENERGY, "N/m")
+                .with("least", least)
+                .with("most", most)
+                .with_note(format!(
+                    "{least:.0} to {most:.0} N/m for cracks across the elements' shortest to longest extents: a law that \
+                     softens by strain alone dissipates more the larger the element; give fracture_energy"
+                )),
+        );
+    }
+    if lines.is_empty() {
+        lines.push(TrustLine::not_applicable(ID, NAME, "no law softens by strain alone"));
+    }
+    lines
+}
+
+/// Fracture energies that were given.
+pub(super) fn facts(model: &Model) -> Vec<Fact> {
+    let given = model.user_bodies().iter().filter(|body| given_energy(body));
+    given
+        .filter_map(|body| {
+            let [energy, _] = crack_energy(model, body)?;
+            let id = format!("fracture_energy_{}", snake(&body.name));
+            let name = format!("fracture energy, {}", body.name);
+            Some(Fact::new(
+                id,
+                &name,
+                energy,
+                "N/m",
+                "given; cracks dissipate it whatever the size of the element",
+            ))
+        })
+        .collect()
+}
+
+fn warnings(model: &Model) -> TrustLine {
+    let warnings: Vec<String> = model
+        .user_bodies()
+        .iter()
+        .flat_map(|b| b.material.warnings().into_iter().map(|w| format!("{}: {w}", b.name)))
+        .collect();
+    TrustLine::at_most("law_warnings", "warnings of material laws", warnings.len() as f64, 0.0, "")
+        .with_note(warnings.join("; "))
+}

@@ -1,0 +1,49 @@
+//! How far a run can be trusted: each line a number against a limit. A check that does not apply says so; what holds by
+//! construction is a fact and no check.
+
+mod energy;
+mod material;
+mod waves;
+
+use crate::evidence::Evidence;
+use crate::survey::limit_in_words;
+use tremolite_results::{Fact, TrustLine, tell_apart};
+
+/// Every check of a run.
+pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
+    let mut lines = vec![waves::per_wavelength(evidence), waves::drift(evidence)];
+    lines.extend(waves::free_field(evidence));
+    lines.extend(energy::lines(evidence));
+    lines.extend(material::lines(evidence));
+    tell_apart(lines.iter_mut().map(|line| &mut line.id));
+    lines
+}
+
+/// What is true of a run by construction.
+pub(crate) fn facts(evidence: &Evidence) -> Vec<Fact> {
+    let Evidence { model, assembly, outcome, .. } = evidence;
+    let stable = &outcome.stable;
+    let set_by = limit_in_words(model, assembly, stable);
+    let mut facts = vec![
+        Fact::new(
+            "time_step_over_stable_step",
+            "time step over stable step",
+            outcome.dt / stable.dt,
+            "",
+            format!(
+                "set by {set_by}; the estimate changed by {:.0e} in the last of {} iterations",
+                stable.change, stable.iterations
+            ),
+        ),
+        Fact::new(
+            "step_left_by_viscosity",
+            "stable step over that without artificial viscosity",
+            stable.dt / stable.undamped,
+            "",
+            "artificial viscosity damps the ringing of pieces between cracks and costs a share of the step",
+        ),
+    ];
+    facts.extend(material::facts(model));
+    tell_apart(facts.iter_mut().map(|fact| &mut fact.id));
+    facts
+}
