@@ -8,7 +8,7 @@ const FAR_TOO_LONG: f64 = 60.0;
 pub(crate) fn passes(name: &str) {
     for problem in select(&[name]).unwrap() {
         let verified = problem.verify(Effort::Test);
-        let said: Vec<String> = verified.checks.iter().map(|c| format!("{c} ({})", c.note)).collect();
+        let said: Vec<String> = verified.checks.iter().map(Check::to_string).collect();
         println!("{}\n{:.2} s", said.join("\n"), verified.seconds);
         assert!(!said.is_empty());
         assert_eq!(verified.missed(), 0, "{}", said.join("\n"));
