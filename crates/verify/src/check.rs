@@ -1,6 +1,7 @@
 //! One figure beside its reference.
 
 use crate::VerifyError;
+use crate::id::snake_case;
 use std::fmt;
 
 /// One compared figure.
@@ -67,6 +68,12 @@ impl Check {
     pub fn with_order(mut self, order: f64) -> Self {
         self.order = Some(order);
         self
+    }
+
+    /// The figure's name for programs, in snake case: the words of problem and quantity, and so unique over all problems
+    /// ([`crate::Problem::verify`]).
+    pub fn id(&self) -> String {
+        snake_case(&format!("{} {}", self.name, self.quantity))
     }
 
     /// What a reader is told of a figure that did not simply pass: how far one for information is from its reference, and

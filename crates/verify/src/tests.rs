@@ -32,3 +32,26 @@ fn an_unknown_name_selects_nothing_and_lists_the_known_ones() {
     assert_eq!(error.name, "lamp");
     assert!(error.to_string().contains("bar_step_wave"));
 }
+
+#[test]
+fn ids_are_snake_case_and_those_of_one_problem_cannot_be_those_of_another() {
+    for problem in PROBLEMS {
+        assert_eq!(problem.name, id::snake_case(problem.name));
+        let begin = format!("{}_", problem.name);
+        assert!(
+            PROBLEMS
+                .iter()
+                .all(|other| !format!("{}_", other.name).starts_with(&begin) || other.name == problem.name)
+        );
+    }
+}
+
+#[test]
+fn two_figures_of_one_id_are_a_miss_that_names_it() {
+    let run =
+        |_| Ok(["load, ψ = 0", "load ψ 0"].map(|q| Check::new("x", q, 1.0, 1.0, 0.1, "m", "")).to_vec());
+    let problem = Problem { name: "x", summary: "", source: "", from: Effort::Test, run };
+    let verified = problem.verify(Effort::Test);
+    assert_eq!(verified.missed(), 1);
+    assert!(verified.checks[2].to_string().contains("x_load_psi_0"), "{}", verified.checks[2]);
+}

@@ -78,6 +78,7 @@ fn conclusion(all: &[(&Problem, Verified)], missed: usize) -> String {
 /// of one for information.
 fn json(check: &Check, seconds: f64) -> serde_json::Value {
     serde_json::json!({
+        "id": check.id(),
         "name": check.name,
         "quantity": check.quantity,
         "value": check.value,
