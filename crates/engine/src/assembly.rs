@@ -12,6 +12,7 @@ use crate::parts::loads::Loads;
 use crate::state::{Ledger, State};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::ops::Range;
 use tremolite_kernels::Quadrature;
 use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
@@ -156,11 +157,18 @@ fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
         let mesh_nodes = hex_nodes(&model.mesh, e as usize);
         for k in 0..8 {
             let node = model.engine_node[mesh_nodes[k] as usize];
-            corner[k] = *local.entry(node).or_insert_with(|| {
-                nodes.push(node);
-                masses.push(0.0);
-                (nodes.len() - 1) as u16
-            });
+            corner[k] = match local.entry(node) {
+                Entry::Occupied(known) => *known.get(),
+                Entry::Vacant(new) => {
+                    let next = u16::try_from(nodes.len()).map_err(|_| ModelError::Patch {
+                        body: body.name.clone(),
+                        elements: patch.elements.len(),
+                    })?;
+                    nodes.push(node);
+                    masses.push(0.0);
+                    *new.insert(next)
+                }
+            };
             masses[corner[k] as usize] += body.density * hex.corner_volumes[k];
         }
         corners.push(corner);
@@ -200,4 +208,37 @@ fn slices(members: &[Member]) -> Vec<Slices> {
             last.clone()
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::Body;
+    use crate::problem::Problem;
+    use tremolite_kernels::{Quadrature, elastic};
+    use tremolite_laws::Moduli;
+    use tremolite_mesh::boxes::BoxSpec;
+
+    /// 64,000 elements in one patch have 68,921 nodes; the largest patch that the message allows has no more than 65,536.
+    #[test]
+    fn a_patch_with_more_nodes_than_its_elements_can_number_is_refused_with_the_way_out() {
+        let assembly = |patch_elements| {
+            let mesh = BoxSpec::uniform([0.0; 3], [1.0; 3], [40; 3]).mesh().unwrap();
+            let body = Body {
+                name: "rock".into(),
+                elements: (0..mesh.elements.len() as u32).collect(),
+                material: elastic(Moduli::from_young_poisson(1e10, 0.25)),
+                density: 2600.0,
+                quadrature: Quadrature::OnePoint,
+            };
+            let mut problem = Problem::new(mesh, vec![body]);
+            problem.patch_elements = Some(patch_elements);
+            Assembly::new(&Model::new(problem).unwrap()).map(|_| ())
+        };
+        let refused = assembly(64_000).unwrap_err().to_string();
+        for word in ["64000 elements of 'rock'", "65,536", "`patch_elements`", "8192"] {
+            assert!(refused.contains(word), "{refused}");
+        }
+        assert!(assembly(8192).is_ok());
+    }
 }

@@ -24,6 +24,11 @@ pub enum ModelError {
     Column(String),
     #[error("the part '{name}' cannot be used: {reason}")]
     Member { name: String, reason: String },
+    #[error(
+        "a patch of {elements} elements of '{body}' has more nodes than its elements can number, 65,536: let \
+         `patch_elements` be 8192 at most, or leave it out"
+    )]
+    Patch { body: String, elements: usize },
     #[error("'{body}' has density {density} kg/m³: it must be positive")]
     Density { body: String, density: f64 },
 }

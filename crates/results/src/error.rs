@@ -27,6 +27,16 @@ pub enum Error {
         /// The folder.
         path: PathBuf,
     },
+    /// Another run writes into the folder at this moment.
+    #[error(
+        "{}: another run is writing into this folder; wait until it ends or stop it, or choose another folder \
+         with --out",
+        path.display()
+    )]
+    Busy {
+        /// The folder.
+        path: PathBuf,
+    },
     /// There is nothing to resume or to report on.
     #[error("{}: no results here ({what})", path.display())]
     NoResults {

@@ -1,8 +1,10 @@
-//! The folder of one run: its name, its files, and the rule that no run overwrites another by accident.
+//! The folder of one run: its name, its files, and the rules that no run overwrites another by accident, and that no two
+//! write into one folder at a time.
 
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::Error;
 
@@ -12,9 +14,14 @@ const MARKS: [&str; 7] =
     ["log.txt", "summary.json", "monitors.csv", "energy.csv", "damage.csv", "fields.pvd", "checkpoint"];
 
 /// The folder that holds the results of one run.
-#[derive(Clone, Debug, PartialEq, Eq)]
+///
+/// One that was made or opened for a run keeps all other runs out until it and its clones are dropped, or the process
+/// ends, however it ends. Reading needs no leave.
+#[derive(Clone, Debug)]
 pub struct ResultFolder {
     root: PathBuf,
+    /// `run.lock`, locked.
+    _lock: Option<Arc<fs::File>>,
 }
 
 impl ResultFolder {
@@ -26,7 +33,8 @@ impl ResultFolder {
     /// earlier run wrote, and of nothing else.
     ///
     /// # Errors
-    /// [`Error::Held`] if `base` holds results and `overwrite` is false; [`Error::Io`].
+    /// [`Error::Busy`] if a run writes into it; [`Error::Held`] if `base` holds results and `overwrite` is false;
+    /// [`Error::Io`].
     pub fn create(base: Option<&Path>, case_name: &str, overwrite: bool) -> Result<Self, Error> {
         match base {
             Some(base) => Self::claim(base, overwrite)?.ok_or_else(|| Error::Held { path: base.to_owned() }),
@@ -37,14 +45,16 @@ impl ResultFolder {
     /// As [`ResultFolder::create`] without `base`, in another folder than `results`.
     ///
     /// # Errors
-    /// [`Error::Io`].
+    /// [`Error::Busy`] if a run writes into the folder that `overwrite` asks for; [`Error::Io`].
     pub fn create_numbered(parent: &Path, case_name: &str, overwrite: bool) -> Result<Self, Error> {
         let mut number = 1;
         loop {
-            if let Some(folder) = Self::claim(&numbered(parent, case_name, number), overwrite)? {
-                return Ok(folder);
+            match Self::claim(&numbered(parent, case_name, number), overwrite) {
+                Ok(None) => number += 1,
+                Err(Error::Busy { .. }) if !overwrite => number += 1,
+                Ok(Some(folder)) => return Ok(folder),
+                Err(error) => return Err(error),
             }
-            number += 1;
         }
     }
 
@@ -54,7 +64,7 @@ impl ResultFolder {
     /// [`Error::NoResults`] if the folder is missing or holds none.
     pub fn open_existing(root: &Path) -> Result<Self, Error> {
         if MARKS.iter().any(|mark| root.join(mark).exists()) {
-            return Ok(ResultFolder { root: root.to_owned() });
+            return Ok(ResultFolder { root: root.to_owned(), _lock: None });
         }
         let what =
             if root.is_dir() { format!("none of {}", MARKS.join(", ")) } else { "no such folder".into() };
@@ -65,10 +75,10 @@ impl ResultFolder {
     /// name>`, `-2`, `-3` … that holds a checkpoint.
     ///
     /// # Errors
-    /// [`Error::NoResults`] if there is no checkpoint.
+    /// [`Error::NoResults`] if there is no checkpoint; [`Error::Busy`] if a run writes into the folder.
     pub fn resume(base: Option<&Path>, case_name: &str) -> Result<Self, Error> {
         match base {
-            Some(base) => Self::with_checkpoint(base.to_owned()),
+            Some(base) => Self::with_checkpoint(base.to_owned())?.locked(true),
             None => Self::resume_numbered(Path::new("results"), case_name),
         }
     }
@@ -76,31 +86,51 @@ impl ResultFolder {
     /// As [`ResultFolder::resume`] without `base`, in another folder than `results`.
     ///
     /// # Errors
-    /// [`Error::NoResults`] if there is no checkpoint.
+    /// As [`ResultFolder::resume`].
     pub fn resume_numbered(parent: &Path, case_name: &str) -> Result<Self, Error> {
         let candidates = (1..).map(|n| numbered(parent, case_name, n)).take_while(|path| path.is_dir());
         candidates
             .filter_map(|path| Self::with_checkpoint(path).ok())
             .last()
-            .ok_or_else(|| no_checkpoint(&numbered(parent, case_name, 1)))
+            .ok_or_else(|| no_checkpoint(&numbered(parent, case_name, 1)))?
+            .locked(true)
     }
 
     fn with_checkpoint(root: PathBuf) -> Result<Self, Error> {
-        let folder = ResultFolder { root };
+        let folder = ResultFolder { root, _lock: None };
         match fs::read_dir(folder.checkpoint()).map(|mut entries| entries.next().is_some()) {
             Ok(true) => Ok(folder),
             _ => Err(no_checkpoint(&folder.root)),
         }
     }
 
+    /// Keeps other runs out, by a file that is made if it has to be and stays.
+    fn locked(mut self, make: bool) -> Result<Self, Error> {
+        let path = self.root.join("run.lock");
+        let file = match fs::OpenOptions::new().read(true).append(make).create(make).open(&path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound && !make => return Ok(self),
+            file => file.map_err(Error::io(&path, "open this file"))?,
+        };
+        match file.try_lock() {
+            Err(fs::TryLockError::WouldBlock) => return Err(Error::Busy { path: self.root }),
+            // A file system without locks keeps nobody out.
+            Err(fs::TryLockError::Error(_)) => {}
+            Ok(()) => self._lock = Some(Arc::new(file)),
+        }
+        Ok(self)
+    }
+
     /// Makes the folder and its `log.txt`; none if it holds results that must stay.
     fn claim(root: &Path, overwrite: bool) -> Result<Option<Self>, Error> {
         fs::create_dir_all(root).map_err(Error::io(root, "make this folder"))?;
-        let folder = ResultFolder { root: root.to_owned() };
+        let held = !overwrite && MARKS.iter().any(|mark| root.join(mark).exists());
+        // A folder that is refused is left as it is.
+        let folder = ResultFolder { root: root.to_owned(), _lock: None }.locked(!held)?;
+        if held {
+            return Ok(None);
+        }
         if overwrite {
             folder.clear()?;
-        } else if MARKS.iter().any(|mark| root.join(mark).exists()) {
-            return Ok(None);
         }
         match fs::File::create_new(folder.log()) {
             Ok(_) => {}

@@ -1,6 +1,7 @@
 //! One figure beside its reference.
 
 use crate::VerifyError;
+use crate::id::snake_case;
 use std::fmt;
 
 /// One compared figure.
@@ -69,6 +70,36 @@ impl Check {
         self
     }
 
+    /// The figure's name for programs, in snake case: the words of problem and quantity, and so unique over all problems
+    /// ([`crate::Problem::verify`]).
+    pub fn id(&self) -> String {
+        snake_case(&format!("{} {}", self.name, self.quantity))
+    }
+
+    /// What a reader is told of a figure that did not simply pass: how far one for information is from its reference, and
+    /// why another was missed.
+    pub fn remark(&self) -> Option<String> {
+        let Check { value, reference, note, .. } = self;
+        let (off, unit) = (value - reference, self.unit_behind());
+        match self.tolerance {
+            _ if !value.is_finite() => Some(format!("MISS: {value} is no figure; {note}")),
+            Some(_) if self.pass => None,
+            Some(tolerance) => Some(format!(
+                "MISS: {:.1e}{unit} from the reference, {:.3} times the tolerance; {note}",
+                off.abs(),
+                off.abs() / tolerance
+            )),
+            // Of nothing there are no percent.
+            None if *reference == 0.0 => Some(format!("for information: {off:+.1e}{unit}")),
+            None => Some(format!("for information: {:+.1} %", 100.0 * off / reference.abs())),
+        }
+    }
+
+    /// The unit as it stands behind a number.
+    fn unit_behind(&self) -> String {
+        if self.unit == "1" { String::new() } else { format!(" {}", self.unit) }
+    }
+
     /// The check of a problem that could not be run to its end.
     pub(crate) fn broken(name: &'static str, error: &VerifyError) -> Self {
         Check::new(name, "the problem runs", f64::NAN, 1.0, 0.0, "1", error.to_string())
@@ -77,19 +108,11 @@ impl Check {
 
 impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Check { name, quantity, value, reference, tolerance, unit, .. } = self;
-        let word = match (self.pass, tolerance) {
-            (true, Some(_)) => "pass",
-            (true, None) => "info",
-            (false, _) => "MISS",
-        };
-        let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
-        write!(f, "{word} {name}: {quantity} = {value:.6e}{unit}, reference {reference:.6e}")?;
-        match tolerance {
-            Some(tolerance) => write!(f, " ± {tolerance:.1e}")?,
-            None => write!(f, ", {:+.1} %", 100.0 * (value / reference - 1.0))?,
-        }
-        self.order.map_or(Ok(()), |order| write!(f, ", order {order:.2}"))
+        let Check { name, quantity, value, reference, .. } = self;
+        write!(f, "{name}: {quantity} = {value:.6e}{}, reference {reference:.6e}", self.unit_behind())?;
+        self.tolerance.map_or(Ok(()), |tolerance| write!(f, " ± {tolerance:.1e}"))?;
+        self.order.map_or(Ok(()), |order| write!(f, ", order {order:.2}"))?;
+        self.remark().map_or(Ok(()), |remark| write!(f, "  {remark}"))
     }
 }
 
@@ -106,14 +129,36 @@ mod tests {
 
     #[test]
     fn a_figure_for_information_passes_if_it_is_a_number_and_shows_its_distance() {
-        let check = |value| Check::beside("x", "q", value, 2.0, "m", "");
-        assert!(check(5.0).pass && !check(f64::NAN).pass);
-        assert_eq!(check(1.5).to_string(), "info x: q = 1.500000e0 m, reference 2.000000e0, -25.0 %");
+        let check = |value, reference| Check::beside("x", "q", value, reference, "m", "");
+        assert!(check(5.0, 2.0).pass && !check(f64::NAN, 2.0).pass);
+        assert_eq!(
+            check(1.5, 2.0).to_string(),
+            "x: q = 1.500000e0 m, reference 2.000000e0  for information: -25.0 %"
+        );
+        assert_eq!(check(-1.5, -2.0).remark().unwrap(), "for information: +25.0 %");
+    }
+
+    #[test]
+    fn beside_a_reference_of_zero_stands_the_difference_with_its_unit() {
+        let remark = |unit| Check::beside("x", "q", 0.031, 0.0, unit, "").remark().unwrap();
+        assert_eq!([remark("1"), remark("m")], ["for information: +3.1e-2", "for information: +3.1e-2 m"]);
+    }
+
+    #[test]
+    fn a_miss_says_how_far_it_is_beyond_which_tolerance_and_what_the_tolerance_is() {
+        let check = |value| Check::new("x", "q", value, 1.0, 0.125, "m", "an eighth: theory");
+        assert_eq!(check(1.1).remark(), None);
+        assert_eq!(
+            check(1.25).to_string(),
+            "x: q = 1.250000e0 m, reference 1.000000e0 ± 1.2e-1  MISS: 2.5e-1 m from the reference, 2.000 times the \
+             tolerance; an eighth: theory"
+        );
+        assert_eq!(check(f64::INFINITY).remark().unwrap(), "MISS: inf is no figure; an eighth: theory");
     }
 
     #[test]
     fn a_problem_that_breaks_is_a_miss_that_says_why() {
         let check = Check::broken("x", &VerifyError::Singular(7));
-        assert!(!check.pass && check.note.contains("row 7"));
+        assert!(!check.pass && check.to_string().contains("MISS") && check.to_string().contains("row 7"));
     }
 }

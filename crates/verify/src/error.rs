@@ -20,6 +20,8 @@ pub enum VerifyError {
         "the stiffness matrix is not positive definite at its row {0}: a rigid motion or a mode without energy"
     )]
     Singular(usize),
+    #[error("two figures have the id {0}: let their quantities differ in words or numbers")]
+    SameId(String),
     #[error("no node of the model lies at ({0} m, {1} m, {2} m)")]
     NoNode(f64, f64, f64),
 }

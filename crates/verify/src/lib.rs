@@ -22,6 +22,7 @@ mod convergence;
 mod dense;
 mod effort;
 mod error;
+mod id;
 mod models;
 mod problem;
 pub mod problems;

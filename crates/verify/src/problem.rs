@@ -1,6 +1,7 @@
 //! One verification problem and what comes of it.
 
 use crate::{Check, Effort, VerifyError};
+use std::collections::BTreeSet;
 use std::time::Instant;
 
 /// One verification problem.
@@ -35,10 +36,15 @@ impl Verified {
 }
 
 impl Problem {
-    /// Runs the problem; one that cannot be run to its end is a check that is missed.
+    /// Runs the problem; one that cannot be run to its end, or has two figures of one id, is a check that is missed.
     pub fn verify(&self, effort: Effort) -> Verified {
         let start = Instant::now();
-        let checks = (self.run)(effort).unwrap_or_else(|error| vec![Check::broken(self.name, &error)]);
-        Verified { checks, seconds: start.elapsed().as_secs_f64() }
+        let mut checks = (self.run)(effort).unwrap_or_else(|error| vec![Check::broken(self.name, &error)]);
+        let seconds = start.elapsed().as_secs_f64();
+        let mut ids = BTreeSet::new();
+        if let Some(twice) = checks.iter().map(Check::id).find(|id| !ids.insert(id.clone())) {
+            checks.push(Check::broken(self.name, &VerifyError::SameId(twice)));
+        }
+        Verified { checks, seconds }
     }
 }

@@ -55,15 +55,9 @@ fn row(check: &Check, seconds: Option<f64>) -> String {
     let order = check.order.map_or(String::new(), |o| format!("{o:.2}"));
     let seconds = seconds.map_or(String::new(), |s| format!("{s:.2}"));
     let tolerance = check.tolerance.map_or_else(|| "-".to_owned(), |t| format!("{t:.1e}"));
-    let mark = match (check.pass, check.tolerance) {
-        (true, Some(_)) => String::new(),
-        (true, None) => {
-            format!("  for information: {:+.1} %", 100.0 * (check.value / check.reference - 1.0))
-        }
-        (false, _) => "  MISS".to_owned(),
-    };
+    let remark = check.remark().map_or_else(String::new, |remark| format!("  {remark}"));
     let row = format!(
-        "{:22} {:44} {:>14.6e} {:>14.6e} {tolerance:>10} {order:>6} {seconds:>8}{mark}",
+        "{:22} {:44} {:>14.6e} {:>14.6e} {tolerance:>10} {order:>6} {seconds:>8}{remark}",
         check.name, check.quantity, check.value, check.reference
     );
     row.trim_end().to_owned()
@@ -84,6 +78,7 @@ fn conclusion(all: &[(&Problem, Verified)], missed: usize) -> String {
 /// of one for information.
 fn json(check: &Check, seconds: f64) -> serde_json::Value {
     serde_json::json!({
+        "id": check.id(),
         "name": check.name,
         "quantity": check.quantity,
         "value": check.value,

@@ -78,6 +78,34 @@ fn a_new_case_checks_runs_and_reports() {
 }
 
 #[test]
+fn a_second_run_into_one_folder_is_refused_while_the_first_goes_on() {
+    let (folder, case) = new_case();
+    change(&case, "duration = \"0.3 s\"", "duration = \"1000 s\"");
+    let results = folder.path().join("mine");
+    let mut first = Command::new(env!("CARGO_BIN_EXE_tremolite"))
+        .current_dir(folder.path())
+        .args(["run", "study/case.toml", "--out", "mine"])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    while !results.join("energy.csv").exists() {
+        assert!(first.try_wait().unwrap().is_none(), "the first run has ended");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let again = ["run", "study/case.toml", "--out", "mine", "--overwrite"];
+    let second = tremolite(folder.path(), &again);
+    assert!(first.try_wait().unwrap().is_none() && results.join("energy.csv").exists());
+    // Nobody has to clean up behind a run that was killed.
+    first.kill().unwrap();
+    first.wait().unwrap();
+    assert_eq!(code(&second), 2, "{}", errors(&second));
+    let said = errors(&second);
+    assert!(said.contains("mine: another run is writing into this folder"), "{said}");
+    change(&case, "duration = \"1000 s\"", "duration = \"0.3 s\"");
+    assert_eq!(code(&tremolite(folder.path(), &again)), 0);
+}
+
+#[test]
 fn bad_cases_are_refused_at_once_with_all_their_problems_and_nothing_computed() {
     let (folder, case) = new_case();
     change(&case, "poisson     = 0.25", "poisson     = 0.5");

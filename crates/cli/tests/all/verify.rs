@@ -1,6 +1,7 @@
 //! `tremolite verify` as its reader meets it.
 
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::process::{Command, Output};
 use tremolite_verify::{Effort, PROBLEMS};
 
@@ -29,11 +30,18 @@ fn the_seconds_of_each_problem_stand_in_its_first_row_and_their_sum_at_the_end()
 }
 
 #[test]
-fn the_list_for_programs_has_the_seconds_with_each_figure() {
-    let output = verify(&["--json", QUICK[0]]);
+fn the_list_for_programs_has_the_id_and_the_seconds_with_each_figure() {
+    let output = verify(&["--json", QUICK[0], QUICK[1]]);
     let figures: Vec<Value> = serde_json::from_slice(&output.stdout).unwrap();
-    assert!(!figures.is_empty());
-    assert!(figures.iter().all(|f| f["name"] == QUICK[0] && f["problem_seconds"].as_f64().unwrap() > 0.0));
+    let mut ids = BTreeSet::new();
+    for figure in &figures {
+        let (id, name) = (figure["id"].as_str().unwrap(), figure["name"].as_str().unwrap());
+        assert!(QUICK.contains(&name) && id.starts_with(&format!("{name}_")));
+        assert!(id.chars().all(|c| matches!(c, 'a'..='z' | '0'..='9' | '_')), "{id}");
+        assert!(ids.insert(id), "twice: {id}");
+        assert!(figure["problem_seconds"].as_f64().unwrap() > 0.0);
+    }
+    assert!(ids.contains("rock_strength_mohr_coulomb_psi_0_strength_in_compression_at_1_mpa"));
 }
 
 #[test]

@@ -35,16 +35,19 @@ fn an_empty_folder_and_one_with_only_the_case_are_free() {
 #[test]
 fn a_given_folder_with_results_is_refused_or_emptied_of_results_alone() {
     let temp = tempfile::tempdir().unwrap();
-    let folder = ResultFolder::create(Some(temp.path()), "x", false).unwrap();
+    drop(ResultFolder::create(Some(temp.path()), "x", false).unwrap());
+    let folder = ResultFolder::open_existing(temp.path()).unwrap();
     fs::write(folder.summary(), "{}").unwrap();
     fs::write(folder.fields().join("0001.vtu"), "old").unwrap();
     fs::write(folder.fields().join("notes.md"), "mine").unwrap();
     fs::write(temp.path().join("letter.txt"), "mine").unwrap();
+    let lock = temp.path().join("run.lock");
+    fs::remove_file(&lock).unwrap();
 
     let refused = ResultFolder::create(Some(temp.path()), "x", false).unwrap_err();
     assert!(matches!(refused, Error::Held { .. }));
     assert!(refused.to_string().contains("--resume") && refused.to_string().contains("--overwrite"));
-    assert!(folder.summary().exists());
+    assert!(folder.summary().exists() && !lock.exists());
 
     ResultFolder::create(Some(temp.path()), "x", true).unwrap();
     assert!(!folder.summary().exists() && !folder.fields().join("0001.vtu").exists());
@@ -90,4 +93,39 @@ fn a_replaced_file_is_whole_and_leaves_no_litter() {
     fs::create_dir(temp.path().join("b.json")).unwrap();
     assert!(replace_file(&temp.path().join("b.json"), b"x").is_err());
     assert_eq!(fs::read_dir(temp.path()).unwrap().count(), 2);
+}
+
+#[test]
+fn a_folder_that_a_run_writes_into_is_refused_to_others_until_the_run_ends() {
+    let temp = tempfile::tempdir().unwrap();
+    let first = temp.path().join("cavern");
+    let run = ResultFolder::create(Some(&first), "x", false).unwrap();
+    fs::create_dir(run.checkpoint()).unwrap();
+    fs::write(run.checkpoint().join("state"), "x").unwrap();
+    fs::write(run.summary(), "{}").unwrap();
+    let kept = run.clone();
+    drop(run);
+
+    let others = [
+        ResultFolder::create(Some(&first), "x", false),
+        ResultFolder::create(Some(&first), "x", true),
+        ResultFolder::create_numbered(temp.path(), "cavern", true),
+        ResultFolder::resume(Some(&first), "x"),
+        ResultFolder::resume_numbered(temp.path(), "cavern"),
+    ];
+    for other in others {
+        let refused = other.unwrap_err();
+        assert!(matches!(refused, Error::Busy { .. }), "{refused}");
+        assert!(refused.to_string().contains(first.to_str().unwrap()), "{refused}");
+    }
+    assert!(kept.summary().exists(), "nothing was removed");
+    // Readers are not kept out, and a run without a folder of its own gets the next.
+    assert!(ResultFolder::open_existing(&first).is_ok());
+    let next = ResultFolder::create_numbered(temp.path(), "cavern", false).unwrap();
+    assert_eq!(next.root(), temp.path().join("cavern-2"));
+
+    drop(kept);
+    drop(ResultFolder::resume(Some(&first), "x").unwrap());
+    ResultFolder::create(Some(&first), "x", true).unwrap();
+    assert!(!first.join("summary.json").exists());
 }

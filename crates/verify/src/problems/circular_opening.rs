@@ -17,11 +17,20 @@
 //! **2×2×2 points** have a bending strain that keeps the volume here
 //! ([`Stabilisation::flowing`](tremolite_laws::shapes::hex8::Stabilisation::flowing)): with the elastic one the wall wrinkled
 //! from node to node at ψ = 0 and 10°, moved 4.2 and 2.7 times as far and never came to rest.
+//!
+//! **Without dilation** the even motion is not the only one: shear that does not follow the yield surface lets unevenness
+//! grow out of round-off, the more so the finer the mesh. With n = 16, 24 and 32 the wall's motion varies around it
+//! by 9·10⁻⁴, 0.02 and 0.09 of itself (2×2×2 points), over lengths of several elements, and the rock yields further out; at
+//! ψ = 10° it is 10⁻⁶ and at 30° less. So at ψ = 0 the closed form is compared up to n = 16, and what comes of n = 32 is for
+//! information.
+
+mod exact;
 
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, material};
 use crate::simulation::Simulation;
 use crate::{Check, Effort, Problem, VerifyError};
+use exact::Exact;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 use tremolite::hexahedra::centroid;
@@ -57,65 +66,20 @@ const ROCK: Solid = Solid { young: 6.8e9, poisson: 0.35, density: 2600.0 };
 /// ψ \[°\]: without dilation, between, and associated.
 const DILATIONS: [f64; 3] = [0.0, 10.0, 30.0];
 
-/// The closed form for a dilation angle \[°\].
-struct Exact {
-    k: f64,
-    m: f64,
-    /// s \[Pa\]
-    shift: f64,
-    /// R \[m\]
-    plastic: f64,
-    /// σ_e \[Pa\]
-    edge: f64,
-}
-
-impl Exact {
-    fn new(dilation: f64) -> Self {
-        let slope = |x: f64| (1.0 + x.to_radians().sin()) / (1.0 - x.to_radians().sin());
-        let (k, m) = (slope(FRICTION), slope(dilation));
-        let q = 2.0 * COHESION * k.sqrt();
-        let shift = q / (k - 1.0);
-        let ratio = 2.0 / (k + 1.0) * (FAR + shift) / (INSIDE + shift);
-        Exact { k, m, shift, plastic: WALL * ratio.powf(1.0 / (k - 1.0)), edge: (2.0 * FAR - q) / (k + 1.0) }
-    }
-
-    /// σ_r and σ_θ \[Pa\], compression positive.
-    fn stress(&self, r: f64) -> [f64; 2] {
-        if r > self.plastic {
-            let change = (FAR - self.edge) * (self.plastic / r).powi(2);
-            return [FAR - change, FAR + change];
-        }
-        let radial = (INSIDE + self.shift) * (r / WALL).powf(self.k - 1.0) - self.shift;
-        [radial, self.k * (radial + self.shift) - self.shift]
-    }
-
-    /// Displacement inwards \[m\].
-    fn inwards(&self, r: f64) -> f64 {
-        let shear = 2.0 * ROCK.moduli().mu;
-        if r > self.plastic {
-            return (FAR - self.edge) * self.plastic * self.plastic / (r * shear);
-        }
-        let (k, m, nu) = (self.k, self.m, ROCK.poisson);
-        let left = INSIDE + self.shift;
-        let flow = (1.0 - nu) * (k * k - 1.0) / (k + m)
-            * left
-            * (self.plastic / WALL).powf(k - 1.0)
-            * (self.plastic / r).powf(m + 1.0);
-        let elastic = ((1.0 - nu) * (k * m + 1.0) / (k + m) - nu) * left * (r / WALL).powf(k - 1.0);
-        r * ((2.0 * nu - 1.0) * (FAR + self.shift) + flow + elastic) / shear
-    }
-}
+/// n of the mesh from which the order is found.
+const COARSE: u32 = 8;
+const UNEVEN: &str = "largest less smallest motion of the wall over the mean";
 
 fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
-    let n = if effort == Effort::Full { 32 } else { 16 };
     let mut checks = Vec::new();
     for (quadrature, word) in QUADRATURES {
         for dilation in DILATIONS {
             let exact = Exact::new(dilation);
+            let n = if effort == Effort::Full && dilation > 0.0 { 32 } else { 16 };
             let fine = open(quadrature, dilation, n)?;
             let wall = fine.wall / exact.inwards(WALL);
             let of = |what: &str| format!("{what}, ψ = {dilation}°, n = {n}, {word}");
-            let coarse = open(quadrature, dilation, n / 2)?;
+            let coarse = open(quadrature, dilation, COARSE)?;
             let ring = exact.plastic * FRAC_PI_2 / f64::from(around(n));
             let note = "an element there: an element yields or not";
             checks.push(Check::new(NAME, of("plastic radius"), fine.plastic, exact.plastic, ring, "m", note));
@@ -132,15 +96,24 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             ));
             let note = "6 %: as the stress, and flow adds up from the plastic radius to the wall";
             checks.push(Check::new(NAME, of("wall's motion over exact"), wall, 1.0, 0.06, "1", note));
-            let p = order((coarse.wall / exact.inwards(WALL) - 1.0).abs(), (wall - 1.0).abs(), 2.0);
-            let note = format!(
-                "order 2 within 0.4: the plastic radius falls anywhere within a ring; {:.4} of exact with n = {}",
-                coarse.wall / exact.inwards(WALL),
-                n / 2
-            );
+            let [before, after] = [coarse.wall / exact.inwards(WALL), wall].map(|w| (w - 1.0).abs());
+            let p = order(before, after, f64::from(n / COARSE));
+            let note = "order 2 within 0.4: where the plastic radius falls within a ring changes the error by a third";
             checks.push(
-                Check::new(NAME, of("order of the wall's motion"), p, 2.0, 0.4, "1", note).with_order(p),
+                Check::new(NAME, of(&format!("order of the wall's motion from n = {COARSE}")), p, 2.0, 0.4, "1", note).with_order(p),
             );
+            if dilation > 0.0 {
+                let note = "1e-3: round-off does not grow where the even motion is the only one";
+                checks.push(Check::new(NAME, of(UNEVEN), fine.uneven, 0.0, 1e-3, "1", note));
+            } else if effort == Effort::Full {
+                let branched = open(quadrature, dilation, 32)?;
+                let of = |what: &str| format!("{what}, ψ = {dilation}°, n = 32, {word}");
+                let note = "for information: without dilation the even motion is not the only one";
+                checks.push(Check::beside(NAME, of(UNEVEN), branched.uneven, 0.0, "1", note));
+                let wall = branched.wall / exact.inwards(WALL);
+                checks.push(Check::beside(NAME, of("wall's motion over exact"), wall, 1.0, "1", note));
+                checks.push(Check::beside(NAME, of("plastic radius"), branched.plastic, exact.plastic, "m", note));
+            }
             let note = "1e-8: at rest";
             checks.push(Check::new(
                 NAME,
@@ -170,6 +143,8 @@ fn around(n: u32) -> u32 {
 struct Opened {
     /// Mean motion of the wall inwards \[m\].
     wall: f64,
+    /// Difference of its largest and smallest over it.
+    uneven: f64,
     /// Mean over the volume within 2a of |σ − exact|/p₀, the larger of radial and hoop.
     stress: f64,
     /// Outer radius of the elements that yielded \[m\].
@@ -244,15 +219,21 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
     let snapshot = engine.observe(&mut state);
     let history = History { assembly: &simulation.assembly, octets: &state.history };
 
-    let inwards = wall.iter().map(|&node| {
-        let n = simulation.model.engine_node[node as usize] as usize;
-        let (u, first, x) = (state.u[n].xyz(), initial(n), simulation.position(n));
-        -((u[0] - first[0]) * x[0] + (u[1] - first[1]) * x[1]) / WALL
-    });
-    let inwards = inwards.sum::<f64>() / wall.len() as f64;
+    let inwards: Vec<f64> = wall
+        .iter()
+        .map(|&node| {
+            let n = simulation.model.engine_node[node as usize] as usize;
+            let (u, first, x) = (state.u[n].xyz(), initial(n), simulation.position(n));
+            -((u[0] - first[0]) * x[0] + (u[1] - first[1]) * x[1]) / WALL
+        })
+        .collect();
+    let mean_inwards = inwards.iter().sum::<f64>() / inwards.len() as f64;
+    let [least, most] =
+        [f64::min, f64::max].map(|of| inwards.iter().copied().fold(mean_inwards, of));
     let held = snapshot.balance[Line::Strain];
     let mut opened = Opened {
-        wall: inwards,
+        wall: mean_inwards,
+        uneven: (most - least) / mean_inwards,
         stress: 0.0,
         plastic: 0.0,
         hourglass: snapshot.balance[Line::Hourglass] / held,
@@ -284,37 +265,4 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
     }
     opened.stress /= volume;
     Ok(opened)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Equilibrium, yield, continuity at R, no stress beyond yield along the axis, and the flow rule
-    /// ε_r + M ε_θ = its elastic part, by differences.
-    #[test]
-    fn the_closed_form_solves_its_equations() {
-        for dilation in DILATIONS {
-            let exact = Exact::new(dilation);
-            let (mu, nu) = (ROCK.moduli().mu, ROCK.poisson);
-            for r in [1.01, 1.2, 1.4, 1.6, 1.62, 2.0, 4.0] {
-                let h = 1e-5;
-                let [radial, hoop] = exact.stress(r);
-                let slope = (exact.stress(r + h)[0] - exact.stress(r - h)[0]) / (2.0 * h);
-                assert!((slope - (hoop - radial) / r).abs() < 1e-8 * FAR);
-                if r < exact.plastic {
-                    let axial = FAR + nu * (radial + hoop - 2.0 * FAR);
-                    assert!(radial < axial && axial < hoop, "{r}: {radial} {axial} {hoop}");
-                    // Compression positive: shortening along the radius is the fall of what moves inwards.
-                    let radial_strain = (exact.inwards(r + h) - exact.inwards(r - h)) / (2.0 * h);
-                    let sum = -exact.m * exact.inwards(r) / r - radial_strain;
-                    let elastic = |a: f64, b: f64| ((1.0 - nu) * (a - FAR) - nu * (b - FAR)) / (2.0 * mu);
-                    let exactly = -(elastic(radial, hoop) + exact.m * elastic(hoop, radial));
-                    assert!((sum - exactly).abs() < 1e-6, "{dilation} {r}: {sum} {exactly}");
-                }
-            }
-            let [below, above] = [-1e-9, 1e-9].map(|d| exact.inwards(exact.plastic + d));
-            assert!((below / above - 1.0).abs() < 1e-7);
-        }
-    }
 }
