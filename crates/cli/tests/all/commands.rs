@@ -265,6 +265,14 @@ fn lists_name_what_a_case_may_say() {
         assert_eq!(code(&output), 0);
         assert!(String::from_utf8(output.stdout).unwrap().contains(word), "{what}");
     }
+    let quantities = String::from_utf8(tremolite(folder.path(), &["list", "quantities"]).stdout).unwrap();
+    for line in [
+        "d_tension              m3/m3  share of the group's volume in which d_tension is above 0.5\n",
+        "plastic_shear_strain   m3/m3  share of the group's volume in which plastic_shear_strain is above 1e-6\n",
+        "crack_opening          m      widest crack",
+    ] {
+        assert!(quantities.contains(line), "{line}:\n{quantities}");
+    }
     assert_eq!(code(&tremolite(folder.path(), &["list", "colours"])), 2);
     assert_eq!(code(&tremolite(folder.path(), &["run", "absent.toml"])), 2);
     assert_eq!(code(&tremolite(folder.path(), &["report", "."])), 2);

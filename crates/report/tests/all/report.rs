@@ -311,6 +311,7 @@ fn damage_is_tabled_by_group_and_measure_with_volumes_shares_beginnings_and_crac
         "7 of 96",
         "240\u{a0}µm",
         "7.50\u{a0}s",
+        "share of the group’s volume",
     ] {
         assert!(page.contains(text), "{text}");
     }
@@ -361,12 +362,16 @@ fn a_line_that_cannot_be_judged_counts_neither_way() {
 fn damage_over_time_is_drawn_group_by_group() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
-    let text = "time [s],a.lining.d_tension,a.lining.crack_opening [m],b.lining.d_tension,b.lining.d_shear\n\
-                0,0,0,0,0\n1,0.1,1e-4,0.2,0\n2,0.3,2e-4,0.2,0\n";
+    let text = "time [s],a.lining.d_tension [m3/m3],a.lining.crack_opening [m],b.lining.d_tension [m3/m3],\
+                b.lining.d_shear [m3/m3]\n0,0,0,0,0\n1,0.1,1e-4,0.2,0\n2,0.3,2e-4,0.2,0\n";
     fs::write(folder.damage(), text).unwrap();
     let page = page(&folder);
-    for text in ["Damage over time", "Cracked, D⁺ (%)", "widest crack (µm)", "highest: a.lining, 30.0\u{a0}%"]
-    {
+    for text in [
+        "Damage over time",
+        "Cracked, D⁺ (% of volume)",
+        "widest crack (µm)",
+        "highest: a.lining, 30.0\u{a0}% of volume",
+    ] {
         assert!(page.contains(text), "{text}");
     }
     assert!(!page.contains("Crushed or sheared"), "zero throughout");

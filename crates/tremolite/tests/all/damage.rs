@@ -159,6 +159,8 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     let table = tremolite_results::Table::read(&folder.path().join("damage.csv")).unwrap();
     for (column, last) in [("d_tension", 0.01 * share), ("crack_opening", cracks.opening)] {
         let values = table.column(&format!("hall.lining.{column}")).unwrap();
+        let unit = if column == "d_tension" { "m3/m3" } else { "m" };
+        assert_eq!(table.unit(&format!("hall.lining.{column}")), Some(unit));
         assert!(values[0] == 0.0 && values.is_sorted() && (values.last().unwrap() / last - 1.0).abs() < 1e-9);
     }
 
