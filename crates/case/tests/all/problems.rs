@@ -121,6 +121,8 @@ const BAD: &[Bad] = &[
     bad("near = \"120 cm\"", "near = 120 cm", "120 cm", "not in quotes", "\"120 cm\""),
     bad("near = \"120 cm\"", "near =", "\n", "a value is missing", "write a value"),
     bad("near = \"120 cm\"", "near = \"120 cm", "\n", "a quotation mark is missing", "close the text"),
+    bad("file = \"b.txt\"", "file = \"C:\\Users\\d\\b.txt\"", "\"C:", "a backslash in double quotes", "\"C:/Users/d/b.txt\", or in single quotes, 'C:\\Users\\d\\b.txt'"),
+    bad("file = \"b.txt\"", "file = \"records\\xb.txt\"", "\"records", "a backslash in double quotes", "\"records/xb.txt\""),
     bad("near = \"120 cm\"", "near = 1\nnear = 2", "near = 2", "given twice", "keep one"),
     bad("near = \"120 cm\"", "near \"120 cm\"", "\"120 cm\"", "a key without `=`", "key = value"),
 ];
