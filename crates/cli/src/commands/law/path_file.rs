@@ -216,7 +216,8 @@ fn column(header: &str) -> Result<Column, String> {
     let inside = unit.strip_prefix('[').and_then(|u| u.strip_suffix(']')).ok_or_else(|| {
         format!("'{}' behind {name} is no unit; write {name} or {name} [unit]", shown(unit))
     })?;
-    let factor = units::parse_unit(inside, dimension).map_err(|e| format!("{name}: {e}; {}", e.remedy()))?;
+    let factor =
+        units::parse_unit(inside, dimension).map_err(|e| format!("{name}: {e}; {}", e.remedy(name)))?;
     Ok(Column { place, factor })
 }
 
