@@ -431,3 +431,21 @@ fn materials_are_tabled_with_what_is_made_of_them_and_what_their_laws_derive() {
         assert!(page.contains(text), "{text}");
     }
 }
+
+/// That no table or figure is wider than a phone is seen in a browser; here, that each is provided for.
+#[test]
+fn on_a_narrow_screen_every_table_scrolls_in_itself_or_wraps() {
+    let (template, style) =
+        (include_str!("../../template/report.html"), include_str!("../../template/report.css"));
+    let (_, narrow) = style.split_once("@media screen and (max-width: 700px) {").unwrap();
+    let narrow = narrow.split_once("@media").unwrap().0;
+    assert!(narrow.contains("figure { overflow-x: auto; }"));
+    let mut classes: Vec<&str> = template.split("<table class=\"").skip(1).collect();
+    classes.iter_mut().for_each(|rest| *rest = rest.split_once('"').unwrap().0);
+    assert!(classes.len() >= 5 && classes.len() == template.matches("<table").count());
+    for class in classes {
+        let rules = narrow.lines().filter(|rule| rule.contains(&format!(".{class}")));
+        let held = |rule: &str| rule.contains("overflow-x: auto") || rule.contains("overflow-wrap: anywhere");
+        assert!(rules.into_iter().any(held), ".{class} may overflow");
+    }
+}
