@@ -185,6 +185,29 @@ fn what_was_left_out_is_listed_with_values_and_materials_with_what_their_laws_de
     );
 }
 
+#[test]
+fn a_new_case_runs_to_its_end_with_concrete_that_cracks() {
+    let weak = ("tensile_strength = \"1.2 MPa\"", "tensile_strength = \"0.12 MPa\"");
+    let strong = ("[\"detrend linear\"]", "[\"detrend linear\", \"scale 10\"]");
+    for (from, to) in [weak, strong] {
+        let (folder, case) = new_case();
+        change(&case, "duration = \"0.3 s\"", "duration = \"0.8 s\"");
+        change(&case, from, to);
+        change(&case, "\"elastic\"\nyoung       = \"25 GPa\"", "\"concrete-damage\"\nyoung = \"25 GPa\"");
+        for key in ["tensile_strength", "fracture_energy", "cohesion", "friction_angle", "split"] {
+            change(&case, &format!("# {key} "), &format!("{key} "));
+        }
+        let run = tremolite(folder.path(), &["run", "study/case.toml", "--out", "out"]);
+        assert_eq!(code(&run), 0, "{to}: {}", errors(&run));
+        let summary = Summary::read(&folder.path().join("out/summary.json")).unwrap();
+        assert_eq!(summary.status, Status::Done, "{to}");
+        assert!(summary.damage["hall.lining"].measures["d_tension"].largest > 0.9, "{to}");
+        for line in summary.trust.iter().filter(|line| line.name.contains("energy")) {
+            assert!(line.pass, "{to}: {line:?}");
+        }
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_signal_stops_with_a_checkpoint_and_resume_gives_the_same_histories() {
