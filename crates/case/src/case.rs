@@ -194,8 +194,13 @@ impl Case {
         let missing = self.files().into_iter().filter(|f| !self.resolve(&f.value).is_file());
         let problem = |f: &Spanned<PathBuf>| {
             let looked = self.resolve(&f.value);
-            let remedy = format!("paths start from the folder of the case; looked for {}", looked.display());
-            Problem::at(f, format!("there is no file {}", f.value.display()), remedy)
+            let written = self.source.get(f.span.clone()).unwrap_or("").trim_matches(['"', '\'']);
+            let remedy = syntax::forward_slashes(written).unwrap_or_else(|| {
+                format!("paths start from the folder of the case; looked for {}", looked.display())
+            });
+            // A path may hold escapes that were not meant, `\t` for one.
+            let name = f.value.display().to_string().escape_debug().to_string();
+            Problem::at(f, format!("there is no file {name}"), remedy)
         };
         missing.map(problem).collect()
     }

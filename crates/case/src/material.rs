@@ -9,7 +9,7 @@ use tremolite_laws::parameter::{self, Dimension, LawInfo, Parameter, Value, Valu
 use crate::check::{Checker, given};
 use crate::fields::{self, Item};
 use crate::keys::{Key, Kind, Limit, Table};
-use crate::{Problem, Spanned, law_key};
+use crate::{Problem, Spanned, law_key, suggest};
 
 /// The keys that every material has; those of its law come from the law.
 pub(crate) static MATERIAL: Table = Table {
@@ -31,6 +31,9 @@ pub(crate) static MATERIAL: Table = Table {
 /// A table of columns; which they may be, its entry in the law's parameters says.
 pub(crate) static COLUMNS: Table =
     Table { path: "", doc: "Columns of numbers, as many in each.", keys: &[], choice: &[] };
+
+/// Modulus (Pa) below which a bare number must be a slip: soft soil has as much, rock and concrete a thousand times more.
+const LEAST_MODULUS: f64 = 1e6;
 
 /// The word that stands for no material in a region.
 pub(crate) const VOID: &str = "void";
@@ -158,7 +161,10 @@ impl Checker<'_> {
         let keys: Option<Vec<Key>> =
             info.map(|i| i.parameters.iter().map(law_key::of).chain(more.iter().copied()).collect());
         let before = self.problems.len();
-        let fields = self.table(table, keys.as_deref(), written, span, path);
+        let mut fields = self.table(table, keys.as_deref(), written, span, path);
+        for key in keys.iter().flatten().filter(|key| suggest::is_modulus(key)) {
+            self.bare_modulus(key.name, written, &mut fields);
+        }
         let parameters = info.map(|i| i.parameters.iter().map(|p| p.name).collect());
         let material = fields::Material { name, fields, parameters };
         if let Some(info) = info
@@ -167,6 +173,18 @@ impl Checker<'_> {
             self.ask_law(info, &material);
         }
         material
+    }
+
+    /// Refuses a modulus that is a bare number, so in Pa, and far below that of any rock or concrete.
+    fn bare_modulus(&mut self, key: &'static str, written: &DeTable<'_>, fields: &mut fields::Fields) {
+        let bare = written.get(key).is_some_and(|v| !v.get_ref().is_str());
+        let value = fields.nodes.get(key).and_then(fields::Node::number);
+        let Some(value) = value.filter(|e| bare && e.value > 0.0 && e.value < LEAST_MODULUS) else { return };
+        // Nothing is stiffer than some hundred GPa.
+        let unit = if value.value < 1e3 { "GPa" } else { "MPa" };
+        let message = format!("`{key}` = {} has no unit, and a bare number is in Pa", value.value);
+        self.problem(value.span, message, format!("write the unit: \"{} {unit}\"?", value.value));
+        fields.nodes.remove(key);
     }
 
     /// Places what the law refuses at the offending key. Every key that is given has been read, so what the law misses is

@@ -57,7 +57,7 @@ fn object(
 }
 
 fn property(key: &Key, laws: &[LawInfo]) -> Value {
-    let mut schema = kind(&key.kind, laws);
+    let mut schema = kind(key.name, &key.kind, laws);
     let mut doc = capital(key.doc);
     if let Some(when) = key.when.words() {
         doc += &format!(". Only {when}");
@@ -82,23 +82,23 @@ fn property(key: &Key, laws: &[LawInfo]) -> Value {
     Value::Object(schema)
 }
 
-fn kind(kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
+fn kind(key: &str, kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
     let schema = match kind {
-        Kind::Number(dimension, limit) => return number(*dimension, *limit),
+        Kind::Number(dimension, limit) => return number(key, *dimension, *limit),
         Kind::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
         Kind::Text => json!({ "type": "string", "minLength": 1 }),
         Kind::Name => json!({ "type": "string", "pattern": r#"^[^\s.,\[\]*?"']+$"# }),
         Kind::Unit(dimension) => {
-            let like = units::example(*dimension);
+            let like = units::example(key, *dimension);
             let unit = like.split_once(' ').map_or("", |(_, unit)| unit);
             json!({ "type": "string", "minLength": 1, "examples": [unit] })
         }
         Kind::Word(words) => json!({ "type": "string", "enum": words }),
         Kind::List(each, least, most) => json!({
-            "type": "array", "items": self::kind(each, laws), "minItems": least, "maxItems": most,
+            "type": "array", "items": self::kind(key, each, laws), "minItems": least, "maxItems": most,
         }),
         Kind::Numbers(dimension) => json!({
-            "type": "array", "items": number(*dimension, Limit::Any), "minItems": 1,
+            "type": "array", "items": number(key, *dimension, Limit::Any), "minItems": 1,
         }),
         Kind::Columns(columns) => {
             return object(COLUMNS.doc, columns.iter().map(law_key::column), &[], laws);
@@ -106,7 +106,7 @@ fn kind(kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
         Kind::Table(t) => return table(t, laws),
         Kind::Tables(t) => json!({ "type": "array", "items": table(t, laws) }),
         Kind::Brief(t, keys) => {
-            let short = t.words_of(keys).map(|words| self::kind(&Kind::Word(words), laws));
+            let short = t.words_of(keys).map(|words| self::kind(key, &Kind::Word(words), laws));
             json!({ "anyOf": [short, table(t, laws)] })
         }
         Kind::Materials => {
@@ -114,7 +114,7 @@ fn kind(kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
             json!({ "type": "object", "minProperties": 1, "additionalProperties": { "oneOf": materials } })
         }
         Kind::Either(kinds) => {
-            let options: Vec<Value> = kinds.iter().map(|k| Value::Object(self::kind(k, laws))).collect();
+            let options: Vec<Value> = kinds.iter().map(|k| Value::Object(self::kind(key, k, laws))).collect();
             json!({ "anyOf": options })
         }
         Kind::Later(_) => Value::Bool(false),
@@ -125,7 +125,7 @@ fn kind(kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
     }
 }
 
-fn number(dimension: Dimension, limit: Limit) -> Map<String, Value> {
+fn number(key: &str, dimension: Dimension, limit: Limit) -> Map<String, Value> {
     let mut bare = Map::new();
     bare.insert("type".into(), "number".into());
     match limit {
@@ -140,7 +140,7 @@ fn number(dimension: Dimension, limit: Limit) -> Map<String, Value> {
     let text = json!({
         "type": "string",
         "pattern": r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$",
-        "examples": [units::example(dimension)],
+        "examples": [units::example(key, dimension)],
     });
     let mut schema = Map::new();
     if dimension == Dimension::ANGLE {

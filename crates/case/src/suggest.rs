@@ -64,9 +64,9 @@ pub(crate) fn word(text: &str, words: &[&'static str]) -> String {
 }
 
 /// What to write where a unit alone is expected.
-pub(crate) fn unit(error: &UnitError, dimension: Dimension) -> String {
+pub(crate) fn unit(key: &str, error: &UnitError, dimension: Dimension) -> String {
     match error {
-        UnitError::Unknown { meant: Some(_), .. } => error.remedy(),
+        UnitError::Unknown { meant: Some(_), .. } => error.remedy(key),
         _ => format!("write {}", sample("units", &Kind::Unit(dimension))),
     }
 }
@@ -75,25 +75,30 @@ pub(crate) fn unit(error: &UnitError, dimension: Dimension) -> String {
 pub(crate) fn missing(key: &Key) -> String {
     let sample = sample(key.name, &key.kind);
     // The example of its dimension is a modulus; strengths are told in MPa.
-    let strength = matches!(key.kind, Kind::Number(Dimension::PRESSURE, _)) && !key.doc.contains("modulus");
+    let strength = matches!(key.kind, Kind::Number(Dimension::PRESSURE, _)) && !is_modulus(key);
     let sample = if strength { sample.replace("GPa", "MPa") } else { sample };
     format!("add {sample} ({})", key.doc)
 }
 
-/// A kind in words, to be read after 'should be'.
-pub(crate) fn describe(kind: &Kind) -> String {
+/// Whether the value of a key is a modulus of elasticity.
+pub(crate) fn is_modulus(key: &Key) -> bool {
+    matches!(key.kind, Kind::Number(Dimension::PRESSURE, _)) && key.doc.contains("modulus")
+}
+
+/// What a key is in words, to be read after 'should be'.
+pub(crate) fn describe(key: &str, kind: &Kind) -> String {
     match kind {
-        Kind::Number(dimension, _) => units::name(*dimension),
+        Kind::Number(dimension, _) => units::name_for(key, *dimension),
         Kind::Count(most) => format!("a whole number from 1 to {most}"),
         Kind::Text => "a text".to_owned(),
         Kind::Name => "a name".to_owned(),
         Kind::Unit(_) => "a unit".to_owned(),
         Kind::Word(words) => format!("one of \"{}\"", words.join("\", \"")),
         Kind::List(kind, least, most) if least == most => {
-            format!("a list of {least}, each {}", describe(kind))
+            format!("a list of {least}, each {}", describe(key, kind))
         }
-        Kind::List(kind, ..) => format!("a list, each {}", describe(kind)),
-        Kind::Numbers(dimension) => format!("a list, each {}", units::name(*dimension)),
+        Kind::List(kind, ..) => format!("a list, each {}", describe(key, kind)),
+        Kind::Numbers(dimension) => format!("a list, each {}", units::name_for(key, *dimension)),
         Kind::Columns(_) => "a table of columns".to_owned(),
         Kind::Table(_) | Kind::Materials => "a table".to_owned(),
         Kind::Tables(_) => "a list of tables".to_owned(),
@@ -101,7 +106,7 @@ pub(crate) fn describe(kind: &Kind) -> String {
             || "a table".to_owned(),
             |words| format!("a table or one of \"{}\"", words.join("\", \"")),
         ),
-        Kind::Either(kinds) => kinds.iter().map(describe).collect::<Vec<_>>().join(" or "),
+        Kind::Either(kinds) => kinds.iter().map(|kind| describe(key, kind)).collect::<Vec<_>>().join(" or "),
         Kind::Later(_) => "left out".to_owned(),
     }
 }
@@ -112,26 +117,28 @@ pub(crate) fn sample(name: &str, kind: &Kind) -> String {
         Kind::Table(table) if !table.path.contains('.') => format!("[{}]", table.path),
         Kind::Tables(table) => format!("[[{}]]", table.path),
         Kind::Materials => "[material.rock]".to_owned(),
-        _ => format!("{name} = {}", sample_value(kind)),
+        _ => format!("{name} = {}", sample_value(name, kind)),
     }
 }
 
-fn sample_value(kind: &Kind) -> String {
+fn sample_value(name: &str, kind: &Kind) -> String {
     match kind {
         Kind::Number(Dimension::NONE, _) | Kind::Count(_) => "…".to_owned(),
         Kind::Number(dimension, _) => {
-            let like = units::example(*dimension);
+            let like = units::example(name, *dimension);
             format!("\"… {}\"", like.split_once(' ').map_or("", |(_, unit)| unit))
         }
         Kind::Text | Kind::Name => "\"…\"".to_owned(),
         Kind::Unit(dimension) => {
-            let like = units::example(*dimension);
+            let like = units::example(name, *dimension);
             format!("\"{}\"", like.split_once(' ').map_or(like.as_str(), |(_, unit)| unit))
         }
         Kind::Word(words) => format!("\"{}\"", words.join("\" | \"")),
-        Kind::List(kind, least, _) => format!("[{}]", vec![sample_value(kind); (*least).max(1)].join(", ")),
+        Kind::List(kind, least, _) => {
+            format!("[{}]", vec![sample_value(name, kind); (*least).max(1)].join(", "))
+        }
         Kind::Numbers(dimension) => {
-            format!("[{}, …]", sample_value(&Kind::Number(*dimension, Limit::Any)))
+            format!("[{}, …]", sample_value(name, &Kind::Number(*dimension, Limit::Any)))
         }
         Kind::Columns(columns) => {
             let inside: Vec<String> = columns
@@ -148,9 +155,9 @@ fn sample_value(kind: &Kind) -> String {
             if inside.is_empty() { "{ … }".to_owned() } else { format!("{{ {} }}", inside.join(", ")) }
         }
         Kind::Brief(table, _) => {
-            table.keys.first().map_or_else(|| "{ … }".to_owned(), |k| sample_value(&k.kind))
+            table.keys.first().map_or_else(|| "{ … }".to_owned(), |k| sample_value(k.name, &k.kind))
         }
-        Kind::Either(kinds) => kinds.first().map_or_else(String::new, sample_value),
+        Kind::Either(kinds) => kinds.first().map_or_else(String::new, |kind| sample_value(name, kind)),
         Kind::Tables(_) | Kind::Materials | Kind::Later(_) => "{ … }".to_owned(),
     }
 }

@@ -1,5 +1,6 @@
 //! TOML itself: text to a tree of values with their places.
 
+use std::ops::Range;
 use std::path::Path;
 
 use toml::Spanned;
@@ -51,6 +52,9 @@ fn problem(source: &str, error: &Error) -> Problem {
         m if m.starts_with("invalid basic string") => {
             ("a quotation mark is missing".into(), "close the text with \" on the same line".into())
         }
+        m if m.starts_with("missing escaped value") || m.contains("unicode hexadecimal value") => {
+            return escape(source, span);
+        }
         m if m.starts_with("unclosed") => (m.replace(", expected", "; expected"), "close the bracket".into()),
         m if m.contains("recurs") => {
             ("tables or lists are nested too deeply".into(), "a case needs no more than five levels".into())
@@ -58,4 +62,22 @@ fn problem(source: &str, error: &Error) -> Problem {
         m => (m.to_owned(), "see https://toml.io for how TOML is written".into()),
     };
     Problem::new(span, message, remedy)
+}
+
+/// A backslash in double quotes that begins no escape of TOML: nearly always one of a path of Windows. Marks the whole
+/// text, so that further backslashes in it are reported once.
+fn escape(source: &str, span: Range<usize>) -> Problem {
+    let start = source.get(..span.start).and_then(|before| before.rfind(['"', '\n'])).unwrap_or(0);
+    let inside = source[start..].trim_start_matches(['"', '\n']);
+    let inside = &inside[..inside.find(['"', '\n', '\r']).unwrap_or(inside.len())];
+    let remedy = forward_slashes(inside).unwrap_or_else(|| "write it twice: \\\\".to_owned());
+    Problem::new(start..start + inside.len() + 2, "a backslash in double quotes begins an escape", remedy)
+}
+
+/// How a path is written whose text in the file, without its quotes, has backslashes.
+pub(crate) fn forward_slashes(written: &str) -> Option<String> {
+    let single = written.replace("\\\\", "\\");
+    let forward = single.replace('\\', "/");
+    (forward != written)
+        .then(|| format!("write a path with forward slashes, \"{forward}\", or in single quotes, '{single}'"))
 }

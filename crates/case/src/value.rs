@@ -36,7 +36,10 @@ impl Checker<'_> {
             (Kind::Name, DeValue::String(text)) => self.name(text, &span, path)?,
             (Kind::Unit(dimension), DeValue::String(text)) => match units::parse_unit(text, *dimension) {
                 Ok(x) => Item::Number(x),
-                Err(e) => return self.refuse(&span, path, &e.to_string(), &suggest::unit(&e, *dimension)),
+                Err(e) => {
+                    let key = last(path);
+                    return self.refuse(&span, path, &e.message(key), &suggest::unit(key, &e, *dimension));
+                }
             },
             (Kind::Word(words), DeValue::String(text)) => self.word(words, text, &span, path)?,
             (Kind::List(kind, least, most), DeValue::Array(values))
@@ -141,7 +144,10 @@ impl Checker<'_> {
         let x = match value {
             DeValue::String(text) => match units::parse(text, dimension) {
                 Ok(x) => x,
-                Err(e) => return self.refuse(span, path, &e.to_string(), &e.remedy()),
+                Err(e) => {
+                    let key = last(path);
+                    return self.refuse(span, path, &e.message(key), &e.remedy(key));
+                }
             },
             DeValue::Integer(_) | DeValue::Float(_) if dimension == Dimension::ANGLE => {
                 return self.refuse(
@@ -248,7 +254,7 @@ impl Checker<'_> {
             (DeValue::Integer(n), Kind::Count(_)) => n.to_string(),
             _ => found.to_owned(),
         };
-        let message = format!("should be {}, not {found}", suggest::describe(kind));
+        let message = format!("should be {}, not {found}", suggest::describe(last(path), kind));
         self.refuse(span, path, &message, &format!("write {}", suggest::sample(last(path), kind)))
     }
 

@@ -15,7 +15,7 @@ use crate::{Element, Mesh, Shape};
 
 pub(crate) use facets::{Facet, Stray};
 pub(crate) use numbering::{Numbering, kept};
-pub(crate) use soundness::drop_unused_nodes;
+pub(crate) use soundness::{drop_unused_nodes, mirror};
 
 /// Group of the elements that a file puts into none.
 const UNGROUPED: &str = "ungrouped";

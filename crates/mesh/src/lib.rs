@@ -19,6 +19,7 @@ pub mod mesh;
 pub mod note;
 pub mod order;
 pub mod picture;
+pub mod placement;
 pub mod quality;
 pub mod read;
 #[cfg(test)]

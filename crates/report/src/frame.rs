@@ -90,7 +90,8 @@ impl Frame {
     pub fn new(window: Window, low: f64, high: f64) -> Self {
         let [width, height] = [0, 1].map(|i| (window.high[i] - window.low[i]).max(1e-9));
         let zoom = ((WIDTH - LEFT - BAR) / width).min(TALLEST / height);
-        let high = if high > low { high } else { low + low.abs().max(1e-300) };
+        // One value throughout has no extent to be coloured over: it gets its own size, or 1 where it is zero.
+        let high = if high > low { high } else { low + if low == 0.0 { 1.0 } else { low.abs() } };
         Frame {
             window,
             zoom,
@@ -183,4 +184,20 @@ fn colour(s: f64) -> String {
     let mix =
         |k: usize| (COLOURS[i][k] + (at - i as f64) * (COLOURS[i + 1][k] - COLOURS[i][k])).round() as u8;
     format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_value_throughout_has_a_colour_bar_that_reads() {
+        for (value, label) in [(0.0, ">0.5<"), (-3.0, ">−2.0<")] {
+            let outline = [[0.0, 0.0], [40.0, 0.0], [40.0, 30.0], [0.0, 30.0]];
+            let mut frame = Frame::new(Window::around(outline.into_iter()), value, value);
+            frame.cell(&outline, value);
+            let figure = frame.draw("damage");
+            assert!(figure.contains(label) && !figure.contains("0.000000000000"), "{value}: {figure}");
+        }
+    }
 }

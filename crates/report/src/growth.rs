@@ -47,7 +47,7 @@ fn panels(table: &Table) -> Vec<Panel<'_>> {
         let scale = if column.unit == "m" {
             Scale::suiting("m", most)
         } else {
-            Scale { factor: 100.0, unit: "%".into() }
+            Scale { factor: 100.0, unit: "% of volume".into() }
         };
         match panels.iter_mut().find(|(name, _)| *name == measure) {
             Some((_, panel)) => panel.lines.push(line),

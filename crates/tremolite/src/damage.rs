@@ -3,7 +3,7 @@
 use crate::groups::{Group, groups};
 use crate::history::History;
 use crate::observers::{Cracks as Watch, onset_memory};
-use crate::quantities::{MEASURES, Measure};
+use crate::quantities::{MEASURES, Measure, threshold};
 use crate::stacks::{Stack, stacks};
 use indexmap::IndexMap;
 use tremolite_engine::hexahedra::{centroid, hex};
@@ -68,11 +68,6 @@ fn nothing(measure: &Measure) -> Damaged {
         largest: 0.0,
         first: None,
     }
-}
-
-/// A threshold as one writes it: 0.5, 1e-6.
-fn threshold(x: f64) -> String {
-    if x.abs() < 1e-3 { format!("{x:e}") } else { x.to_string() }
 }
 
 /// Damage in tension beyond which a crack is open for good.

@@ -5,6 +5,7 @@
 
 pub mod checkpoint;
 pub mod damage;
+pub mod disk;
 pub mod error;
 pub mod evidence;
 mod groups;

@@ -160,6 +160,9 @@ pub fn of_element(column: &Column, values: impl ExactSizeIterator<Item = f64>) -
     }
 }
 
+/// Unit of the columns of damage.csv that say in which share of a group's volume a measure counts.
+pub const SHARE_OF_VOLUME: &str = "m3/m3";
+
 /// What columns of the laws' histories say of how far material is damaged, and the values that count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
@@ -172,6 +175,18 @@ pub struct Measure {
     pub onset: f64,
     /// Beyond this a point counts as damaged.
     pub counts: f64,
+}
+
+impl Measure {
+    /// What a column of damage.csv means whose law calls this measure `name`.
+    pub fn meaning(&self, name: &str) -> String {
+        format!("share of the group's volume in which {name} is above {}", threshold(self.counts))
+    }
+}
+
+/// A threshold as one writes it: 0.5, 1e-6.
+pub fn threshold(x: f64) -> String {
+    if x.abs() < 1e-3 { format!("{x:e}") } else { x.to_string() }
 }
 
 /// Plastic strain from which on a point counts as yielded. The stress that it relieves, 10 kPa at E = 10 GPa, is below

@@ -2,9 +2,10 @@
 
 use tremolite_laws::parameter::Dimension;
 
-use super::{example, name};
+use super::{example, name, name_for};
 
-/// Why a value with a unit was refused. `Display` says what is wrong, [`UnitError::remedy`] what to write.
+/// Why a value with a unit was refused: what is wrong, and what to write. Both take the key that the value stands for, as
+/// it tells a unit weight from a stiffness; an empty one says nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum UnitError {
     /// The text does not start with a number.
@@ -24,22 +25,45 @@ pub enum UnitError {
 }
 
 impl UnitError {
+    /// What is wrong with the value of this key, to be read after the key.
+    pub fn message(&self, key: &str) -> String {
+        match self {
+            UnitError::NoNumber { .. } => "does not start with a number".to_owned(),
+            UnitError::Comma => "has a comma in its number".to_owned(),
+            UnitError::NoUnit { wanted, .. } => {
+                format!("has no unit, {} is expected", name_for(key, *wanted))
+            }
+            UnitError::Unknown { unit, .. } => format!("has an unknown unit `{unit}`"),
+            UnitError::Malformed { unit, .. } => format!("has a unit that cannot be read, `{unit}`"),
+            UnitError::WrongDimension { unit, found, wanted } => {
+                format!("is {} (`{unit}`), {} is expected", name(*found), name_for(key, *wanted))
+            }
+            UnitError::NotFinite => "is too large a number".to_owned(),
+        }
+    }
+
     /// What to write instead, with an example.
-    pub fn remedy(&self) -> String {
+    pub fn remedy(&self, key: &str) -> String {
         match self {
             UnitError::Comma => "write the decimal point as a dot: \"0.5 m\"".to_owned(),
             UnitError::NotFinite => "give a finite value".to_owned(),
             UnitError::Unknown { meant: Some(meant), .. } => format!("did you mean `{meant}`?"),
             UnitError::NoUnit { number, wanted } => {
-                let like = example(*wanted);
+                let like = example(key, *wanted);
                 let unit = like.split_once(' ').map_or("", |(_, unit)| unit);
                 format!("write the unit: \"{number} {unit}\"")
+            }
+            UnitError::WrongDimension { found: Dimension::DENSITY, .. } if key == "unit_weight" => {
+                "give a mass per volume as `density`, in place of `unit_weight`".to_owned()
+            }
+            UnitError::WrongDimension { found: Dimension::UNIT_WEIGHT, .. } if key == "density" => {
+                "give a weight per volume as `unit_weight`, in place of `density`".to_owned()
             }
             UnitError::NoNumber { wanted }
             | UnitError::Unknown { wanted, .. }
             | UnitError::Malformed { wanted, .. }
             | UnitError::WrongDimension { wanted, .. } => {
-                format!("write {} such as \"{}\"", name(*wanted), example(*wanted))
+                format!("write {} such as \"{}\"", name_for(key, *wanted), example(key, *wanted))
             }
         }
     }
@@ -47,17 +71,7 @@ impl UnitError {
 
 impl std::fmt::Display for UnitError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            UnitError::NoNumber { .. } => write!(f, "does not start with a number"),
-            UnitError::Comma => write!(f, "has a comma in its number"),
-            UnitError::NoUnit { wanted, .. } => write!(f, "has no unit, {} is expected", name(*wanted)),
-            UnitError::Unknown { unit, .. } => write!(f, "has an unknown unit `{unit}`"),
-            UnitError::Malformed { unit, .. } => write!(f, "has a unit that cannot be read, `{unit}`"),
-            UnitError::WrongDimension { unit, found, wanted } => {
-                write!(f, "is {} (`{unit}`), {} is expected", name(*found), name(*wanted))
-            }
-            UnitError::NotFinite => write!(f, "is too large a number"),
-        }
+        f.write_str(&self.message(""))
     }
 }
 

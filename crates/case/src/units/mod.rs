@@ -50,7 +50,7 @@ pub fn parse_unit(text: &str, wanted: Dimension) -> Result<f64, UnitError> {
 
 /// A value in SI as an engineer would write it, to six digits: `format(2.5e10, PRESSURE)` is "25 GPa".
 pub fn format(value: f64, dimension: Dimension) -> String {
-    let (unit, scale) = match named(dimension) {
+    let (unit, scale) = match named("", dimension) {
         Some(n) => {
             let fits = |&&(_, scale, from): &&(&str, f64, f64)| {
                 if value == 0.0 { scale == 1.0 } else { value.abs() >= from }
@@ -66,16 +66,27 @@ pub fn format(value: f64, dimension: Dimension) -> String {
 
 /// What a dimension is called, with its article: "a length". Others than the usual ones by their SI unit.
 pub fn name(dimension: Dimension) -> String {
-    named(dimension).map_or_else(|| format!("a value in {}", si(dimension)), |n| n.name.to_owned())
+    let names: Vec<&str> = NAMED.iter().filter(|n| n.dimension == dimension).map(|n| n.name).collect();
+    if names.is_empty() { format!("a value in {}", si(dimension)) } else { names.join(" or ") }
 }
 
-/// A value of this dimension as one might write it.
-pub fn example(dimension: Dimension) -> String {
-    named(dimension).map_or_else(|| format!("1 {}", si(dimension)), |n| n.example.to_owned())
+/// What is wanted of a key, where its dimension alone has several names.
+pub fn name_for(key: &str, dimension: Dimension) -> String {
+    if key.is_empty() {
+        name(dimension)
+    } else {
+        named(key, dimension).map_or_else(|| name(dimension), |n| n.name.to_owned())
+    }
 }
 
-fn named(dimension: Dimension) -> Option<&'static Named> {
-    NAMED.iter().find(|n| n.dimension == dimension)
+/// A value of this dimension as one might write it for a key.
+pub fn example(key: &str, dimension: Dimension) -> String {
+    named(key, dimension).map_or_else(|| format!("1 {}", si(dimension)), |n| n.example.to_owned())
+}
+
+fn named(key: &str, dimension: Dimension) -> Option<&'static Named> {
+    let mut all = NAMED.iter().filter(|n| n.dimension == dimension);
+    if key.contains("stiffness") { all.next_back() } else { all.next() }
 }
 
 /// A dimension as a product of SI units, to be read back by [`parse_unit`].

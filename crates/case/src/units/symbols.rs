@@ -68,6 +68,9 @@ pub(super) struct Named {
     pub units: &'static [(&'static str, f64, f64)],
 }
 
+const WEIGHT_OR_STIFFNESS: &[(&str, f64, f64)] =
+    &[("N/m3", 1.0, 0.0), ("kN/m3", 1e3, 1e3), ("MPa/m", 1e6, 1e6), ("GPa/m", 1e9, 1e9)];
+
 pub(super) const NAMED: &[Named] = &[
     Named { dimension: Dimension::NONE, name: "a pure number", example: "0.25", units: &[("", 1.0, 0.0)] },
     Named {
@@ -107,12 +110,18 @@ pub(super) const NAMED: &[Named] = &[
         example: "2700 kg/m3",
         units: &[("kg/m3", 1.0, 0.0)],
     },
-    // Weight per volume and stiffness per area have one dimension: N/m³ is Pa/m.
+    // Weight per volume and stiffness per area have one dimension: N/m³ is Pa/m. Which is wanted, the key tells.
     Named {
         dimension: Dimension::UNIT_WEIGHT,
-        name: "a unit weight or stiffness per area",
+        name: "a unit weight",
         example: "27 kN/m3",
-        units: &[("N/m3", 1.0, 0.0), ("kN/m3", 1e3, 1e3), ("MPa/m", 1e6, 1e6), ("GPa/m", 1e9, 1e9)],
+        units: WEIGHT_OR_STIFFNESS,
+    },
+    Named {
+        dimension: Dimension::STIFFNESS,
+        name: "a stiffness per area",
+        example: "20 GPa/m",
+        units: WEIGHT_OR_STIFFNESS,
     },
     Named {
         dimension: Dimension::FORCE,

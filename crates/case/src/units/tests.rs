@@ -54,7 +54,7 @@ fn a_unit_alone_reads_as_its_si_value() {
 fn another_dimension_is_named_with_what_is_expected_and_an_example() {
     let error = parse("17 GPa", Dimension::LENGTH).unwrap_err();
     assert_eq!(error.to_string(), "is a stress or modulus (`GPa`), a length is expected");
-    assert_eq!(error.remedy(), "write a length such as \"0.5 m\"");
+    assert_eq!(error.remedy(""), "write a length such as \"0.5 m\"");
     assert!(matches!(parse("1 g", Dimension::LENGTH), Err(UnitError::WrongDimension { .. })));
     assert!(matches!(parse("42 deg", Dimension::NONE), Err(UnitError::WrongDimension { .. })));
 }
@@ -63,7 +63,7 @@ fn another_dimension_is_named_with_what_is_expected_and_an_example() {
 fn letters_in_the_wrong_case_are_recognised() {
     for (text, meant) in [("10 Gpa", "GPa"), ("10 mPa", "MPa"), ("10 KPA", "kPa"), ("10 mpa", "MPa")] {
         let error = parse(text, Dimension::PRESSURE).unwrap_err();
-        assert_eq!(error.remedy(), format!("did you mean `{meant}`?"), "{text}");
+        assert_eq!(error.remedy(""), format!("did you mean `{meant}`?"), "{text}");
     }
 }
 
@@ -186,4 +186,13 @@ fn every_example_reads_in_its_own_dimension() {
     for n in NAMED {
         assert!(parse(n.example, n.dimension).is_ok(), "{}", n.example);
     }
+}
+
+#[test]
+fn a_stiffness_is_no_unit_weight_where_the_key_says_so() {
+    let wrong = parse("20 MPa", Dimension::STIFFNESS).unwrap_err();
+    assert!(wrong.message("normal_stiffness").ends_with("a stiffness per area is expected"));
+    assert_eq!(wrong.remedy("normal_stiffness"), "write a stiffness per area such as \"20 GPa/m\"");
+    assert_eq!(wrong.remedy("unit_weight"), "write a unit weight such as \"27 kN/m3\"");
+    assert!(wrong.to_string().ends_with("a unit weight or a stiffness per area is expected"));
 }

@@ -49,6 +49,25 @@ fn files_are_looked_for_beside_the_case() {
 }
 
 #[test]
+fn paths_with_backslashes_are_pointed_at_forward_slashes() {
+    let folder = Folder::new("backslashes");
+    folder.file("a.txt", "");
+    folder.file("b.txt", "");
+    for (written, shown) in [
+        ("\"records\\new.txt\"", "records\\new.txt"),
+        ("\"records\\\\new.txt\"", "records\\\\new.txt"),
+        ("'records\\new.txt'", "records\\\\new.txt"),
+    ] {
+        let path = folder.file("case.toml", GOOD.replace("\"b.txt\"", written));
+        let report = Case::read(&path, MATERIALS).expect_err("no such file");
+        let [problem] = &report.problems[..] else { panic!("{report}") };
+        assert_eq!(&report.source[problem.span.clone()], written);
+        assert_eq!(problem.message, format!("there is no file {shown}"));
+        assert!(problem.remedy.contains("forward slashes, \"records/new.txt\""), "{report}");
+    }
+}
+
+#[test]
 fn a_case_that_cannot_be_read_is_reported_by_name() {
     let folder = Folder::new("unreadable");
     let report = Case::read(&folder.0.join("none.toml"), MATERIALS).expect_err("no such file");

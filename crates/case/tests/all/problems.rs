@@ -60,6 +60,12 @@ const BAD: &[Bad] = &[
     bad("young = \"10 GPa\"", "young = nan", "nan", "not a finite number", "finite"),
     bad("young = \"10 GPa\"", "young = -inf", "-inf", "not a finite number", "finite"),
     bad("young = \"10 GPa\"", "young = \"1e999 Pa\"", "\"1e999 Pa\"", "too large", "finite"),
+    bad("young = \"10 GPa\"", "young = 25", "25", "`young` = 25 has no unit, and a bare number is in Pa", "\"25 GPa\"?"),
+    bad("young = \"10 GPa\"", "young = 25e3", "25e3", "a bare number is in Pa", "\"25000 MPa\"?"),
+    bad("young = \"10 GPa\"", "young = \"10 GPa/m\"", "\"10 GPa/m\"", "is a unit weight or a stiffness per area (`GPa/m`), a stress or modulus", "such as \"10 GPa\""),
+    bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"2700 kg/m3\"", "\"2700", "is a density (`kg/m3`), a unit weight is expected", "as `density`"),
+    bad("unit_weight = \"27 kN/m3\"", "density = \"27 kN/m3\"", "\"27 kN", "a density is expected", "as `unit_weight`"),
+    bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"27\"", "\"27\"", "has no unit, a unit weight is expected", "\"27 kN/m3\""),
     bad("near = \"120 cm\"", "near = \"1,2 m\"", "\"1,2 m\"", "comma", "as a dot"),
     bad("near = \"120 cm\"", "near = \"1.2\"", "\"1.2\"", "has no unit", "\"1.2 m\""),
     bad("model_x_azimuth = \"30 deg\"", "model_x_azimuth = 30", "30", "has no unit", "deg"),
@@ -92,7 +98,7 @@ const BAD: &[Bad] = &[
     bad("title = \"every key\"", "title = \" \"", "\" \"", "an empty text", "title"),
     bad("material = \"rock\"", "material = \"rok\"", "\"rok\"", "no material `rok`", "did you mean \"rock\"?"),
     bad("material = \"rock\"", "material = \"marble\"", "\"marble\"", "no material `marble`", "add [material.marble]"),
-    bad("[material.concrete]", "[material.void]\nlaw = \"elastic\"\ndensity = 1\nyoung = 1\npoisson = 0\n[material.concrete]", "void", "cannot be called `void`", "another name"),
+    bad("[material.concrete]", "[material.void]\nlaw = \"elastic\"\ndensity = 1\nyoung = 1e10\npoisson = 0\n[material.concrete]", "void", "cannot be called `void`", "another name"),
     bad("between = [\"free\", \"A\"]", "between = [\"free\", \"B\"]", "\"B\"", "no monitor `B`", "known monitors: A, free"),
     bad("between = [\"free\", \"A\"]", "between = [\"A\", \"A\"]", "\"A\"]", "against itself", "another monitor"),
     bad("name = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "name = \"A\"\nat = [1, 2, 3]\n[[monitor]]\nname = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "\"A\"", "monitor `A` is named twice", "its own name"),
@@ -121,6 +127,8 @@ const BAD: &[Bad] = &[
     bad("near = \"120 cm\"", "near = 120 cm", "120 cm", "not in quotes", "\"120 cm\""),
     bad("near = \"120 cm\"", "near =", "\n", "a value is missing", "write a value"),
     bad("near = \"120 cm\"", "near = \"120 cm", "\n", "a quotation mark is missing", "close the text"),
+    bad("file = \"b.txt\"", "file = \"C:\\Users\\d\\b.txt\"", "\"C:", "a backslash in double quotes", "\"C:/Users/d/b.txt\", or in single quotes, 'C:\\Users\\d\\b.txt'"),
+    bad("file = \"b.txt\"", "file = \"records\\xb.txt\"", "\"records", "a backslash in double quotes", "\"records/xb.txt\""),
     bad("near = \"120 cm\"", "near = 1\nnear = 2", "near = 2", "given twice", "keep one"),
     bad("near = \"120 cm\"", "near \"120 cm\"", "\"120 cm\"", "a key without `=`", "key = value"),
 ];
@@ -223,7 +231,7 @@ fn problems_found_later_are_shown_in_the_same_way() {
 
 #[test]
 fn what_is_allowed_but_hardly_meant_is_a_warning() {
-    let unused = "[material.spare]\nlaw = \"elastic\"\nyoung = 1\npoisson = 0\ndensity = 1\n[initial]";
+    let unused = "[material.spare]\nlaw = \"elastic\"\nyoung = 1e10\npoisson = 0\ndensity = 1\n[initial]";
     let source = GOOD.replace("[initial]", unused);
     let case = Case::parse(Path::new("case.toml"), &source, MATERIALS).unwrap_or_else(|e| panic!("{e}"));
     let [warning] = &case.warnings[..] else { panic!("one warning") };

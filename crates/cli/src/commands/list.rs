@@ -2,7 +2,7 @@
 
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
-use tremolite::quantities::{CELLS, Field, MONITOR, RELATIVE};
+use tremolite::quantities::{CELLS, Field, MEASURES, MONITOR, Measure, RELATIVE, SHARE_OF_VOLUME};
 use tremolite_case::{BaseKind, SideKind};
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, Need, Parameter};
@@ -108,6 +108,13 @@ fn quantities() {
     for q in RELATIVE {
         print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
     }
+    print("damage.csv, GROUP.quantity, of groups that are no part of another and whose law keeps it");
+    for measure in &MEASURES {
+        for name in names(measure) {
+            print(&format!("    {name:22} {SHARE_OF_VOLUME:6} {}", measure.meaning(name)));
+        }
+    }
+    print(&format!("    {:22} {:6} widest crack of the group so far", "crack_opening", "m"));
     print("fields/*.vtu, always (ParaView: Find Data, element is 3404)");
     for q in CELLS {
         print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
@@ -117,6 +124,17 @@ fn quantities() {
         let (name, doc) = field.description();
         print(&format!("    {name:18} {doc}"));
     }
+}
+
+/// What the laws call a measure of damage, each name once.
+fn names(measure: &Measure) -> Vec<&'static str> {
+    let mut names: Vec<&str> = Vec::new();
+    for column in MATERIALS.iter().flat_map(|law| law.history).filter(|c| c.role == measure.role) {
+        if !names.contains(&column.name) {
+            names.push(column.name);
+        }
+    }
+    names
 }
 
 fn formats() {

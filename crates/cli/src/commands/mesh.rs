@@ -2,6 +2,7 @@
 
 mod info;
 mod made_of;
+mod placing;
 mod steps;
 
 use super::infos;
@@ -24,11 +25,13 @@ pub struct Args {
 enum Action {
     /// Counts, sizes, quality, stable step, boundary faces, separate parts
     Info(info::Args),
-    /// Write a mesh in another format, by the ending of the new name: vtu, msh or inp
+    /// Write a mesh in another format, by the ending of the new name: vtu, msh or inp; turned, scaled and moved if asked
     Convert {
         from: PathBuf,
         to: PathBuf,
-        /// Merge nodes that lie within this distance, in m
+        #[command(flatten)]
+        placing: placing::Args,
+        /// Last, merge nodes that lie within this distance, in m
         #[arg(long)]
         merge: Option<f64>,
     },
@@ -45,7 +48,7 @@ enum Action {
 pub fn run(args: &Args) -> Outcome {
     match &args.action {
         Action::Info(args) => info::run(args),
-        Action::Convert { from, to, merge } => convert(from, to, *merge),
+        Action::Convert { from, to, placing, merge } => convert(from, to, placing, *merge),
         Action::Cavern { what, out } => cavern(what, out),
     }
 }
@@ -73,8 +76,15 @@ fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
     Ok((mesh, None))
 }
 
-fn convert(from: &Path, to: &Path, merge: Option<f64>) -> Outcome {
+fn convert(from: &Path, to: &Path, placing: &placing::Args, merge: Option<f64>) -> Outcome {
+    let placement = placing.placement()?;
     let (mut mesh, _) = load(from)?;
+    if let Some(placement) = placement {
+        placement.apply(&mut mesh);
+        let (low, high) = mesh.bounds();
+        let span = |i: usize| format!("{} from {:.6} to {:.6} m", ["x", "y", "z"][i], low[i], high[i]);
+        say(&format!("placed: {}", [0, 1, 2].map(span).join(", ")));
+    }
     if let Some(tolerance) = merge {
         let merged = merge_nodes(&mut mesh, tolerance).map_err(Failure::input)?;
         say(&format!("{merged} nodes merged"));

@@ -43,24 +43,23 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
     Ok((case, setup))
 }
 
-/// Warns of a given time step above the stable one: the run will be stopped as soon as energy appears.
-pub fn check_step(case: &Case, stable: &StableStep) {
-    if let Some(given) = &case.dynamic.time_step
-        && given.value > stable.dt
-    {
-        let step = |t: f64| units::format(t, Dimension::TIME);
-        let problem = Problem::at(
-            given,
-            format!(
-                "{} is above the stable step of {}: the run will become unstable and be stopped",
-                step(given.value),
-                step(stable.dt)
-            ),
-            format!("give {} or less, or leave time_step out", step(0.9 * stable.dt)),
-        );
-        let report = case.report(vec![problem]).as_warnings();
-        crate::terminal::say(&report.render(crate::terminal::colour()));
-    }
+/// Warns of a given time step above the stable one: the run will be stopped as soon as energy appears. Returns what it
+/// said.
+pub fn check_step(case: &Case, stable: &StableStep) -> Option<Problem> {
+    let given = case.dynamic.time_step.as_ref().filter(|given| given.value > stable.dt)?;
+    let step = |t: f64| units::format(t, Dimension::TIME);
+    let problem = Problem::at(
+        given,
+        format!(
+            "{} is above the stable step of {}: the run will become unstable and be stopped",
+            step(given.value),
+            step(stable.dt)
+        ),
+        format!("give {} or less, or leave time_step out", step(0.9 * stable.dt)),
+    );
+    let report = case.report(vec![problem.clone()]).as_warnings();
+    crate::terminal::say(&report.render(crate::terminal::colour()));
+    Some(problem)
 }
 
 /// Descriptions of all laws a case may name.

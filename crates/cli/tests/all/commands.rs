@@ -213,6 +213,29 @@ fn what_was_left_out_is_listed_with_values_and_materials_with_what_their_laws_de
     );
 }
 
+#[test]
+fn a_new_case_runs_to_its_end_with_concrete_that_cracks() {
+    let weak = ("tensile_strength = \"1.2 MPa\"", "tensile_strength = \"0.12 MPa\"");
+    let strong = ("[\"detrend linear\"]", "[\"detrend linear\", \"scale 10\"]");
+    for (from, to) in [weak, strong] {
+        let (folder, case) = new_case();
+        change(&case, "duration = \"0.3 s\"", "duration = \"0.8 s\"");
+        change(&case, from, to);
+        change(&case, "\"elastic\"\nyoung       = \"25 GPa\"", "\"concrete-damage\"\nyoung = \"25 GPa\"");
+        for key in ["tensile_strength", "fracture_energy", "cohesion", "friction_angle", "split"] {
+            change(&case, &format!("# {key} "), &format!("{key} "));
+        }
+        let run = tremolite(folder.path(), &["run", "study/case.toml", "--out", "out"]);
+        assert_eq!(code(&run), 0, "{to}: {}", errors(&run));
+        let summary = Summary::read(&folder.path().join("out/summary.json")).unwrap();
+        assert_eq!(summary.status, Status::Done, "{to}");
+        assert!(summary.damage["hall.lining"].measures["d_tension"].largest > 0.9, "{to}");
+        for line in summary.trust.iter().filter(|line| line.name.contains("energy")) {
+            assert!(line.pass, "{to}: {line:?}");
+        }
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_signal_stops_with_a_checkpoint_and_resume_gives_the_same_histories() {
@@ -292,6 +315,14 @@ fn lists_name_what_a_case_may_say() {
         let output = tremolite(folder.path(), &["list", what]);
         assert_eq!(code(&output), 0);
         assert!(String::from_utf8(output.stdout).unwrap().contains(word), "{what}");
+    }
+    let quantities = String::from_utf8(tremolite(folder.path(), &["list", "quantities"]).stdout).unwrap();
+    for line in [
+        "d_tension              m3/m3  share of the group's volume in which d_tension is above 0.5\n",
+        "plastic_shear_strain   m3/m3  share of the group's volume in which plastic_shear_strain is above 1e-6\n",
+        "crack_opening          m      widest crack",
+    ] {
+        assert!(quantities.contains(line), "{line}:\n{quantities}");
     }
     assert_eq!(code(&tremolite(folder.path(), &["list", "colours"])), 2);
     assert_eq!(code(&tremolite(folder.path(), &["run", "absent.toml"])), 2);

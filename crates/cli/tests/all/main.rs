@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod check;
 mod circles;
 mod commands;
 mod every_law;

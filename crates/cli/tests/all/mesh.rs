@@ -112,3 +112,57 @@ fn a_case_brings_its_materials_and_lends_them_to_a_mesh_file() {
     let refused = tremolite(folder.path(), &["mesh", "info", "cavern.msh", "--materials", "study/case.toml"]);
     assert_eq!(refused.status.code(), Some(2));
 }
+
+#[test]
+fn convert_turns_scales_and_moves_in_that_order_and_says_where_the_mesh_lies() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("two.inp"), TWO).unwrap();
+    let info = |file: &str| -> Value {
+        serde_json::from_str(&out(&tremolite(folder.path(), &["mesh", "info", file, "--json"]))).unwrap()
+    };
+    // 1.1 × 1 × 1: upright 1.1 × 1 (mirrored) × 1, in mm, its long side along y.
+    let placed = tremolite(
+        folder.path(),
+        &[
+            "mesh",
+            "convert",
+            "two.inp",
+            "placed.inp",
+            "--up",
+            "y",
+            "--scale",
+            "1e-3,-1e-3,1e-3",
+            "--rotate",
+            "90 deg",
+            "--move",
+            "-5,0 m,-200",
+        ],
+    );
+    assert!(out(&placed).contains("placed.inp: 2 elements"));
+    let message = String::from_utf8(placed.stderr).unwrap();
+    assert!(message.contains("z from -200.000000 to -199.999000 m"), "{message}");
+    let (before, after) = (info("two.inp"), info("placed.inp"));
+    for key in ["elements", "groups", "named_faces", "parts"] {
+        assert_eq!(before[key], after[key], "{key}");
+    }
+    let number = |value: &Value| value.as_f64().unwrap();
+    assert!((number(&after["volume"]) / 1.1e-9 - 1.0).abs() < 1e-9, "{after:#}");
+    assert!(number(&after["min_scaled_jacobian"]) > 1.0 - 1e-9);
+    let exact = [[-5.001, 0.0, -200.0], [-5.0, 1.1e-3, -199.999]];
+    for (found, exact) in after["bounds"].as_array().unwrap().iter().zip(exact) {
+        assert!((0..3).all(|i| (number(&found[i]) - exact[i]).abs() < 1e-9), "{after:#}");
+    }
+    for (wrong, words) in [
+        (["--scale", "0"], "none of them 0"),
+        (["--scale", "1,2"], "one factor or three"),
+        (["--rotate", "30"], "write the unit: \"30 deg\""),
+        (["--move", "1,2"], "three lengths"),
+        (["--up", "w"], "x, y, z"),
+    ] {
+        let refused =
+            tremolite(folder.path(), &[&["mesh", "convert", "two.inp", "no.inp"][..], &wrong].concat());
+        assert_eq!(refused.status.code(), Some(2), "{wrong:?}");
+        assert!(String::from_utf8_lossy(&refused.stderr).contains(words), "{wrong:?}");
+    }
+    assert!(!folder.path().join("no.inp").exists());
+}

@@ -23,6 +23,25 @@ const fn mirrored(shape: Shape) -> &'static [usize] {
     }
 }
 
+/// An element with the node order of its mirror image.
+fn turned(element: &Element) -> Element {
+    let mut nodes = [0; 8];
+    for (place, &from) in nodes.iter_mut().zip(mirrored(element.shape)) {
+        *place = element.nodes[from];
+    }
+    Element::new(element.shape, &nodes[..element.shape.nodes()])
+}
+
+/// Renumbers all elements as their mirror images, for a mesh whose nodes were mirrored. Named faces keep their nodes.
+pub(crate) fn mirror(mesh: &mut Mesh) {
+    let mut changed = Changed::new();
+    for (index, element) in mesh.elements.iter_mut().enumerate() {
+        let other = turned(element);
+        changed.insert(index as u32, (std::mem::replace(element, other), None));
+    }
+    renumber_sides(mesh, &changed);
+}
+
 /// The elements as the file has them, where they were changed, and the second pyramid of a split one.
 pub(super) type Changed = BTreeMap<u32, (Element, Option<u32>)>;
 
@@ -75,7 +94,7 @@ pub(super) fn collapse_degenerate(mesh: &mut Mesh, notes: &mut Vec<Note>) -> Cha
 /// The elements, by number, whose Jacobian is zero or of both signs.
 pub(super) fn orient(mesh: &mut Mesh, notes: &mut Vec<Note>, changed: &mut Changed) -> Result<(), Fault> {
     let mut bad = Vec::new();
-    let mut turned = Vec::new();
+    let mut renumbered = Vec::new();
     for index in 0..mesh.elements.len() {
         let element = &mesh.elements[index];
         let shape = element.shape;
@@ -89,23 +108,19 @@ pub(super) fn orient(mesh: &mut Mesh, notes: &mut Vec<Note>, changed: &mut Chang
         if jacobian(element) > FLAT {
             continue;
         }
-        let mut other = [0; 8];
-        for (place, &from) in other.iter_mut().zip(mirrored(shape)) {
-            *place = element.nodes[from];
-        }
-        let other = Element::new(shape, &other[..shape.nodes()]);
+        let other = turned(element);
         if jacobian(&other) > FLAT {
             if !mesh.faces.is_empty() {
                 changed.entry(index as u32).or_insert((*element, None));
             }
             mesh.elements[index] = other;
-            turned.push(index);
+            renumbered.push(index);
         } else {
             bad.push(mesh.element_id(index));
         }
     }
-    if let Some(&first) = turned.first() {
-        notes.push(Note::Turned { count: turned.len(), first: mesh.element_id(first) });
+    if let Some(&first) = renumbered.first() {
+        notes.push(Note::Turned { count: renumbered.len(), first: mesh.element_id(first) });
     }
     match bad.as_slice() {
         [] => Ok(()),

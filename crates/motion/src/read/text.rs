@@ -1,6 +1,7 @@
 //! Columns of numbers.
 //!
-//! Numbers are separated by blanks, tabs, commas or semicolons. `#` begins a comment. Comments of the form
+//! Numbers are separated by blanks, tabs, commas or semicolons, so a decimal comma is refused. `#` begins a comment.
+//! There is no header; what the columns hold is declared. Comments of the form
 //! `# units = "cm/s2"` and `# dt = "0.005 s"` count as declarations, written as in a case file.
 
 use super::source::{Source, number};
@@ -18,6 +19,10 @@ struct Table {
     rows: Vec<usize>,
 }
 
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split([' ', '\t', ',', ';']).filter(|w| !w.is_empty())
+}
+
 /// Reads the numbers, the same count on every line.
 fn table(source: &Source, declared: Option<&[Column]>) -> Result<Table, Error> {
     let mut columns = Vec::new();
@@ -25,18 +30,22 @@ fn table(source: &Source, declared: Option<&[Column]>) -> Result<Table, Error> {
     let mut rows = Vec::new();
     for (line, text) in source.lines.iter().enumerate() {
         let text = text.split('#').next().unwrap_or("");
-        let words = || text.split([' ', '\t', ',', ';']).filter(|w| !w.is_empty());
+        let words = || words(text);
         let found = words().count();
         if found == 0 {
             continue;
         }
+        if let Some((word, true)) = decimal_comma(text) {
+            return Err(comma(source, line, word));
+        }
         if rows.is_empty() {
             // A line of words is the likelier fault than a wrong number of columns.
             if let Some(word) = words().find(|w| number(w).is_none()) {
-                return Err(not_a_number(source, line, word));
+                return Err(text_or_header(source, line, word));
             }
             columns = columns_of(found, declared).map_err(|problem| {
-                source.error(
+                fault(
+                    source,
                     line,
                     problem,
                     "declare every column, for example columns = [\"time\", \"east\", \"north\", \"up\"]",
@@ -44,7 +53,8 @@ fn table(source: &Source, declared: Option<&[Column]>) -> Result<Table, Error> {
             })?;
             data = vec![Vec::new(); found];
         } else if found != data.len() {
-            return Err(source.error(
+            return Err(fault(
+                source,
                 line,
                 format!("{found} number(s) on this line, {} on the first", data.len()),
                 "complete or remove the line",
@@ -144,6 +154,57 @@ fn not_a_number(source: &Source, line: usize, word: &str) -> Error {
     )
 }
 
+/// The first line that is no numbers: a header, if numbers follow.
+fn text_or_header(source: &Source, line: usize, word: &str) -> Error {
+    let numbers = |text: &&str| words(text).next().is_some() && words(text).all(|w| number(w).is_some());
+    if !source.lines[line + 1..].iter().any(numbers) {
+        return not_a_number(source, line, word);
+    }
+    source.error(
+        line,
+        format!("'{}' is text above the numbers, and a file of plain columns has no header", shown(word)),
+        "put # before each such line, and declare what the columns hold, for example columns = [\"time\", \
+         \"acceleration\"]; GeoNet V2A and PEER AT2 are read with the headers of their formats",
+    )
+}
+
+/// The first number of a line that looks like `0,012`, and whether that is certain: no one separates whole numbers with
+/// commas in one place and with blanks in another, or writes them as 012.
+fn decimal_comma(text: &str) -> Option<(&str, bool)> {
+    let words = || text.split([' ', '\t', ';']).filter(|w| !w.is_empty());
+    let is_decimal = |word: &&str| {
+        let digits = word.split_once(',').is_some_and(|(whole, fraction)| {
+            whole.ends_with(|c: char| c.is_ascii_digit())
+                && fraction.starts_with(|c: char| c.is_ascii_digit())
+        });
+        digits && number(&word.replacen(',', ".", 1)).is_some()
+    };
+    if text.contains('.') || words().any(|w| w.starts_with(',') || w.ends_with(',')) {
+        return None;
+    }
+    let word = words().find(is_decimal)?;
+    let (whole, fraction) = word.split_once(',')?;
+    let zeros = whole == "-0" || (fraction.starts_with('0') && fraction.len() > 1);
+    Some((word, zeros || words().nth(1).is_some()))
+}
+
+fn comma(source: &Source, line: usize, word: &str) -> Error {
+    source.error(
+        line,
+        format!("'{}' has a decimal comma, but commas separate numbers here", shown(word)),
+        "write decimal points in the whole file: 0.012",
+    )
+}
+
+/// An error of a line, or what explains it: a decimal comma.
+fn fault(source: &Source, line: usize, problem: String, remedy: &str) -> Error {
+    let text = source.lines.get(line).map_or("", |text| text.split('#').next().unwrap_or(""));
+    match decimal_comma(text) {
+        Some((word, _)) => comma(source, line, word),
+        None => source.error(line, problem, remedy),
+    }
+}
+
 /// Units and interval from the file's own comments and from the options, which must not contradict them.
 fn declarations(source: &Source, options: &TextOptions) -> Result<(Option<Units>, Option<f64>), Error> {
     let (mut units, mut dt) = (options.units, options.dt);
@@ -185,7 +246,8 @@ fn time_base(
     let allowed = if declared.is_some() { 0.6 } else { 0.1 };
     for (i, (&t, &line)) in times.iter().zip(rows).enumerate() {
         if !(dt > 0.0) || !((t - first - i as f64 * dt).abs() <= allowed * dt) {
-            return Err(source.error(
+            return Err(fault(
+                source,
                 line,
                 format!("the time {t} is out of step; the times are not equally spaced by {dt} s"),
                 "resample the record, or declare what the columns hold, for example columns = [\"skip\", \

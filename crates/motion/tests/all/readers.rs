@@ -119,6 +119,8 @@ fn peer_faults_are_named_with_their_line() {
 
 #[test]
 fn two_columns_are_time_and_acceleration() {
+    assert_eq!(one("0,12\n1,15\n2,-3\n", &gal()).acceleration, [0.12, 0.15, -0.03], "whole numbers");
+    assert_eq!(one("0, 12\n1, 15\n", &gal()).acceleration, [0.12, 0.15]);
     let channel = one("# a comment\n20.520 0\n20.525\t100 # peak\n\n20.530, -50\n20.535; 1D1\n", &gal());
     assert_eq!((channel.start, channel.dt, channel.name.as_str()), (20.52, 0.005, "small"));
     assert_eq!(channel.acceleration, [0.0, 1.0, -0.5, 0.1]);
@@ -161,7 +163,20 @@ fn text_faults_are_named_with_their_line() {
     for (text, parts) in [
         ("", ["line 1", "holds no numbers"]),
         ("# only words\n\n", ["line 1", "holds no numbers"]),
-        ("time,acc\n0 1\n", ["line 1: 'time' is not", "put # before"]),
+        ("time,acc\nx 1\n", ["line 1: 'time' is not a finite number", "put # before"]),
+        (
+            "\ntime,acc\n0 1\n0.1 2\n",
+            ["line 2: 'time' is text above the numbers", "columns = [\"time\", \"acc"],
+        ),
+        ("Zeit;a\n0,00;0,012\n", ["line 1: 'Zeit' is text above the numbers", "put # before"]),
+        (
+            "0,00;0,012\n0,01;0,013\n",
+            ["line 1: '0,00' has a decimal comma", "decimal points in the whole file"],
+        ),
+        ("0 0\n1 1,5\n", ["line 2: '1,5' has a decimal comma", "0.012"]),
+        ("1,3\n1,04\n", ["line 2: '1,04' has a decimal comma", "0.012"]),
+        ("1,3\n1,4\n", ["line 1: '1,3' has a decimal comma", "0.012"]),
+        ("-1,3e-2\n7\n", ["line 2: 1 number(s)", "complete or remove"]),
         ("0 1\n0.1 x\n", ["line 2: 'x' is not", "finite number"]),
         ("0 1\n0.1 inf\n", ["line 2: 'inf' is not", "finite number"]),
         ("0 1\n0.1\n", ["line 2: 1 number(s)", "complete or remove"]),

@@ -313,6 +313,7 @@ fn damage_is_tabled_by_group_and_measure_with_volumes_shares_beginnings_and_crac
         "7 of 96",
         "240\u{a0}µm",
         "7.50\u{a0}s",
+        "share of the group’s volume",
     ] {
         assert!(page.contains(text), "{text}");
     }
@@ -363,12 +364,16 @@ fn a_line_that_cannot_be_judged_counts_neither_way() {
 fn damage_over_time_is_drawn_group_by_group() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
-    let text = "time [s],a.lining.d_tension,a.lining.crack_opening [m],b.lining.d_tension,b.lining.d_shear\n\
-                0,0,0,0,0\n1,0.1,1e-4,0.2,0\n2,0.3,2e-4,0.2,0\n";
+    let text = "time [s],a.lining.d_tension [m3/m3],a.lining.crack_opening [m],b.lining.d_tension [m3/m3],\
+                b.lining.d_shear [m3/m3]\n0,0,0,0,0\n1,0.1,1e-4,0.2,0\n2,0.3,2e-4,0.2,0\n";
     fs::write(folder.damage(), text).unwrap();
     let page = page(&folder);
-    for text in ["Damage over time", "Cracked, D⁺ (%)", "widest crack (µm)", "highest: a.lining, 30.0\u{a0}%"]
-    {
+    for text in [
+        "Damage over time",
+        "Cracked, D⁺ (% of volume)",
+        "widest crack (µm)",
+        "highest: a.lining, 30.0\u{a0}% of volume",
+    ] {
         assert!(page.contains(text), "{text}");
     }
     assert!(!page.contains("Crushed or sheared"), "zero throughout");
@@ -426,5 +431,23 @@ fn materials_are_tabled_with_what_is_made_of_them_and_what_their_laws_derive() {
         "What the law makes of them",
     ] {
         assert!(page.contains(text), "{text}");
+    }
+}
+
+/// That no table or figure is wider than a phone is seen in a browser; here, that each is provided for.
+#[test]
+fn on_a_narrow_screen_every_table_scrolls_in_itself_or_wraps() {
+    let (template, style) =
+        (include_str!("../../template/report.html"), include_str!("../../template/report.css"));
+    let (_, narrow) = style.split_once("@media screen and (max-width: 700px) {").unwrap();
+    let narrow = narrow.split_once("@media").unwrap().0;
+    assert!(narrow.contains("figure { overflow-x: auto; }"));
+    let mut classes: Vec<&str> = template.split("<table class=\"").skip(1).collect();
+    classes.iter_mut().for_each(|rest| *rest = rest.split_once('"').unwrap().0);
+    assert!(classes.len() >= 5 && classes.len() == template.matches("<table").count());
+    for class in classes {
+        let rules = narrow.lines().filter(|rule| rule.contains(&format!(".{class}")));
+        let held = |rule: &str| rule.contains("overflow-x: auto") || rule.contains("overflow-wrap: anywhere");
+        assert!(rules.into_iter().any(held), ".{class} may overflow");
     }
 }

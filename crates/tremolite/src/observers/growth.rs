@@ -3,7 +3,7 @@
 use super::{Cracks, Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::groups::{Group, groups};
-use crate::quantities::{MEASURES, Measure};
+use crate::quantities::{MEASURES, Measure, SHARE_OF_VOLUME};
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
@@ -55,7 +55,8 @@ impl Growth {
                 .name
                 .replace(", ", "+")
                 .replace(|c: char| c.is_whitespace() || ",\"'[]".contains(c), "_");
-            columns.extend(part.measures.iter().map(|(c, _)| Column::new(format!("{name}.{}", c.name), "")));
+            let share = |c: &Kept| Column::new(format!("{name}.{}", c.name), SHARE_OF_VOLUME);
+            columns.extend(part.measures.iter().map(|(c, _)| share(c)));
             if part.cracks {
                 columns.push(Column::new(format!("{name}.crack_opening"), "m"));
             }

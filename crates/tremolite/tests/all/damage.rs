@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::damage::{damage, findings};
+use tremolite::disk::field_bytes;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, Ending, Outcome, run};
@@ -160,6 +161,8 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     let table = tremolite_results::Table::read(&folder.path().join("damage.csv")).unwrap();
     for (column, last) in [("d_tension", 0.01 * share), ("crack_opening", cracks.opening)] {
         let values = table.column(&format!("hall.lining.{column}")).unwrap();
+        let unit = if column == "d_tension" { "m3/m3" } else { "m" };
+        assert_eq!(table.unit(&format!("hall.lining.{column}")), Some(unit));
         assert!(values[0] == 0.0 && values.is_sorted() && (values.last().unwrap() / last - 1.0).abs() < 1e-9);
     }
 
@@ -182,6 +185,15 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
         assert!(values.iter().all(|d| (0.0..=1.0).contains(d)), "{name}");
         assert!(group.iter().zip(&values).all(|(g, d)| *g == 1.0 || *d == 0.0), "{name}: rock has none");
     }
+    // The bytes of a file before compression are those that are told beforehand.
+    let values: usize = grid.point_data.iter().map(|a| 4 * a.values.len()).sum();
+    let own = |name: &str| name == "element" || name == "body" || name.starts_with("group:");
+    let of_cells = grid.cell_data.iter().filter(|a| !own(&a.name));
+    let values = values + of_cells.map(|a| 4 * a.values.len()).sum::<usize>();
+    let marks = grid.cell_data.iter().filter(|a| a.name.starts_with("group:")).count();
+    let mesh =
+        24 * grid.points.len() + 8 * grid.connectivity.len() + (8 + 1 + 8 + 4 + marks) * grid.types.len();
+    assert_eq!(field_bytes(&ready.model, &ready.phase, &Field::ALL), (mesh as u64, values as u64));
     let sum: f64 = cells("d_tension").iter().sum();
     assert!(sum > 0.9 * beyond(lining, "0.9") && sum < lining.volume, "{sum}");
     let [now, most] = ["d_b", "d_b_max"].map(cells);

@@ -216,7 +216,8 @@ fn column(header: &str) -> Result<Column, String> {
     let inside = unit.strip_prefix('[').and_then(|u| u.strip_suffix(']')).ok_or_else(|| {
         format!("'{}' behind {name} is no unit; write {name} or {name} [unit]", shown(unit))
     })?;
-    let factor = units::parse_unit(inside, dimension).map_err(|e| format!("{name}: {e}; {}", e.remedy()))?;
+    let factor =
+        units::parse_unit(inside, dimension).map_err(|e| format!("{name}: {e}; {}", e.remedy(name)))?;
     Ok(Column { place, factor })
 }
 
@@ -241,15 +242,23 @@ fn row(line: &str, header: &Header) -> Result<(f64, [f64; 6]), String> {
     let fields = fields(line, *separator);
     let found = fields.clone().count();
     if found != columns.len() {
-        return Err(format!("{found} values under {} names; give one value a column", columns.len()));
+        // A comma in every number makes twice as many.
+        let commas = *separator == ',' && found > columns.len() && !line.contains('.');
+        let way_out = if commas {
+            "decimal commas cannot stand beside commas between columns, write 0.012"
+        } else {
+            "give one value a column"
+        };
+        return Err(format!("{found} values under {} names; {way_out}", columns.len()));
+    }
+    if fields.clone().all(|field| !field.contains(|c: char| c.is_ascii_digit())) {
+        let what = "no numbers on this line; a path has one line of names, with units in brackets: time [s], sxx [MPa]";
+        return Err(what.into());
     }
     let (mut time, mut values) = (0.0, [0.0; 6]);
     for (field, column) in fields.zip(columns).filter(|(_, c)| c.place != Place::Ignored) {
         let field = field.trim().trim_matches('"');
-        let value = field
-            .parse::<f64>()
-            .map_err(|_| format!("'{}' is not a number; write numbers such as -1.5e-4", shown(field)))?
-            * column.factor;
+        let value = field.parse::<f64>().map_err(|_| not_a_number(field))? * column.factor;
         if !value.is_finite() {
             return Err(format!("'{}' is not finite; give a finite number", shown(field)));
         }
@@ -260,6 +269,17 @@ fn row(line: &str, header: &Header) -> Result<(f64, [f64; 6]), String> {
         }
     }
     Ok((time, values))
+}
+
+fn not_a_number(field: &str) -> String {
+    let dotted = field.replacen(',', ".", 1);
+    if dotted != field && dotted.parse::<f64>().is_ok() {
+        return format!(
+            "'{}' has a decimal comma; write decimal points in the whole file: {dotted}",
+            shown(field)
+        );
+    }
+    format!("'{}' is not a number; write numbers such as -1.5e-4", shown(field))
 }
 
 /// A piece of a file, safe and short enough for a message.

@@ -98,8 +98,10 @@ fn read(text: &str) -> Result<(Moduli, f64, Quadrature), String> {
             return Err(format!("`{part}` is no KEY = VALUE"));
         };
         let (key, value) = (key.trim(), value.trim());
-        let number =
-            |dimension| units::parse(value, dimension).map_err(|e| format!("`{key}` {e} ({})", e.remedy()));
+        let number = |dimension| {
+            units::parse(value, dimension)
+                .map_err(|e| format!("`{key}` {} ({})", e.message(key), e.remedy(key)))
+        };
         let place = match key {
             "E" | "young" => (&mut young, number(Dimension::PRESSURE)?),
             "nu" | "poisson" => (&mut poisson, number(Dimension::NONE)?),

@@ -1,0 +1,73 @@
+//! What is said of a case, as one JSON object. Numbers are in SI.
+
+use super::Checked;
+use serde_json::{Map, Value, json};
+
+impl Checked<'_> {
+    pub(super) fn json(&self) -> Value {
+        let Checked { survey, motion, disk, .. } = self;
+        let groups: Map<String, Value> =
+            self.groups.iter().map(|(name, elements)| (name.clone(), json!(elements))).collect();
+        let regions = survey.bodies.iter().map(|body| {
+            json!({
+                "groups": body.name, "law": body.law, "elements": body.elements,
+                "could_run_at": body.element_step, "elements_per_wavelength": body.per_wavelength,
+            })
+        });
+        let peaks: Map<String, Value> = ["x", "y", "z"]
+            .into_iter()
+            .zip(&motion.intensity)
+            .map(|(axis, m)| (axis.to_owned(), json!({ "pga": m.pga, "pgv": m.pgv, "pgd": m.pgd })))
+            .collect();
+        json!({
+            "title": self.case.title.value,
+            "elements": survey.active_elements,
+            "excavated": survey.void_elements,
+            "nodes": survey.nodes,
+            "groups": groups,
+            "regions": regions.collect::<Vec<_>>(),
+            "materials": self.materials,
+            "motion": {
+                "source": motion.source,
+                "window": motion.window,
+                "kind": motion.kind.to_string(),
+                "incident_factor": motion.factor,
+                "peaks": peaks,
+                "highest_frequency": motion.highest_frequency,
+                "elements_per_wavelength": survey.coarsest().map(|body| body.per_wavelength),
+                "coarsest": self.coarsest,
+            },
+            "time_step": {
+                "stable": self.stable,
+                "set_by": self.set_by,
+                "used": self.dt,
+                "steps": self.steps.total,
+                "duration": self.duration,
+            },
+            "estimate": {
+                "seconds": self.seconds(),
+                "threads": self.threads,
+                "isa": self.isa.name(),
+                "element_updates_per_second": self.updates_per_second(),
+                "memory_bytes": survey.bytes,
+                "disk_bytes": disk.total(),
+                "field_files": disk.field_files,
+                "field_file_bytes": disk.field_file,
+                "histories_bytes": disk.histories,
+                "checkpoint_bytes": disk.checkpoint,
+            },
+            "defaulted": self.left_out,
+            "findings": self.findings(),
+        })
+    }
+
+    /// What is allowed but hardly meant, each at its line of the case.
+    fn findings(&self) -> Vec<Value> {
+        let report = self.case.report(self.warnings.clone());
+        let finding = |problem| {
+            let (line, column) = report.position(problem);
+            json!({ "line": line, "column": column, "message": problem.message, "remedy": problem.remedy })
+        };
+        report.problems.iter().map(finding).collect()
+    }
+}

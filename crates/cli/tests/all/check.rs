@@ -1,0 +1,77 @@
+//! `tremolite check --json`: the same as its text, for programs; and what it foretells comes true.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn tremolite(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
+}
+
+/// A new case whose text was changed, and what check says of it: the object and the messages.
+fn check(folder: &Path, changes: &[(&str, &str)]) -> (Value, String) {
+    assert!(tremolite(folder, &["new", "study"]).status.success());
+    let case = folder.join("study/case.toml");
+    let mut text = std::fs::read_to_string(&case).unwrap();
+    for (from, to) in changes {
+        assert!(text.contains(from), "the case has no '{from}'");
+        text = text.replacen(from, to, 1);
+    }
+    std::fs::write(&case, text).unwrap();
+    let output = tremolite(folder, &["check", "study/case.toml", "--json"]);
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{errors}");
+    (serde_json::from_slice(&output.stdout).unwrap(), errors)
+}
+
+#[test]
+fn one_object_holds_all_that_the_text_says_and_messages_stay_on_standard_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let slow = ("sides    = \"periodic\"", "sides    = \"periodic\"\ntime_step = \"1 ms\"");
+    let (found, errors) = check(folder.path(), &[slow]);
+    let text = String::from_utf8(tremolite(folder.path(), &["check", "study/case.toml"]).stdout).unwrap();
+    let number = |pointer: &str| found.pointer(pointer).and_then(Value::as_f64).expect(pointer);
+    let word = |pointer: &str| found.pointer(pointer).and_then(Value::as_str).expect(pointer);
+    for line in [
+        word("/title").to_owned(),
+        format!("{} elements ({} excavated)", number("/elements"), number("/excavated")),
+        format!("{} nodes", number("/nodes")),
+        format!("{:.4e} s stable, set by {}", number("/time_step/stable"), word("/time_step/set_by")),
+        format!("{:.4e} s used, {} steps", number("/time_step/used"), number("/time_step/steps")),
+        format!("could run at {:.3e} s", number("/regions/0/could_run_at")),
+        format!("the incident wave is {} times", number("/motion/incident_factor")),
+        format!("{:.1} elements a shear wave", number("/motion/elements_per_wavelength")),
+        format!("fewest in {}", word("/motion/coarsest")),
+        format!("{} field files of", number("/estimate/field_files")),
+        format!("{} = {}", word("/defaulted/0/key"), word("/defaulted/0/value")),
+    ] {
+        assert!(text.contains(&line), "'{line}' is missing:\n{text}");
+    }
+    assert_eq!(number("/materials/rock/density"), 27e3 / 9.81);
+    assert!(number("/groups/rock") > 100.0 && number("/estimate/memory_bytes") > 1e6);
+    assert!(number("/estimate/seconds") > 0.0 && number("/motion/peaks/x/pgv") > 0.1);
+    let findings = found["findings"].as_array().unwrap();
+    let step = findings.iter().find(|f| f["message"].as_str().unwrap().contains("above the stable step"));
+    let line = step.unwrap()["line"].as_u64().unwrap();
+    assert!(errors.contains(&format!("case.toml:{line}:")), "{errors}");
+}
+
+#[test]
+fn results_take_no_more_than_the_disk_that_was_foretold() {
+    let folder = tempfile::tempdir().unwrap();
+    let (found, _) = check(folder.path(), &[("duration = \"1.5 s\"", "duration = \"0.3 s\"")]);
+    let told = |key: &str| found["estimate"][key].as_u64().unwrap();
+    let run = tremolite(folder.path(), &["run", "study/case.toml", "--out", "out"]);
+    assert!(run.status.success());
+    let size = |name: &str| std::fs::metadata(folder.path().join("out").join(name)).unwrap().len();
+    let files = std::fs::read_dir(folder.path().join("out/fields")).unwrap().count() as u64;
+    assert_eq!(files, told("field_files"));
+    let last = size(&format!("fields/{:06}.vtu", files - 1));
+    // The case is the same along its axis, which compresses to less than half.
+    assert!(last <= told("field_file_bytes") && last > told("field_file_bytes") / 4, "{last}: {found:#}");
+    // Zeros before the wave arrives are short.
+    let tables = size("monitors.csv") + size("energy.csv");
+    assert!(tables <= told("histories_bytes") && tables > told("histories_bytes") / 2, "{tables}: {found:#}");
+    let total = told("field_files") * told("field_file_bytes");
+    assert_eq!(told("disk_bytes"), total + told("histories_bytes") + told("checkpoint_bytes"));
+}

@@ -1,0 +1,99 @@
+//! What the results of a run will take on disk.
+
+use crate::groups::groups;
+use crate::plan::{Plan, Steps};
+use crate::quantities::{Field, MEASURES, MONITOR, RELATIVE};
+use std::collections::BTreeSet;
+use tremolite_engine::assembly::Assembly;
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::Phase;
+use tremolite_kernels::Line;
+use tremolite_laws::Role;
+use tremolite_laws::parameter::position;
+
+/// Bytes of a number in a table with its comma, about: of 20.1 to 20.8 in monitors.csv of two cases.
+const NUMBER: u64 = 21;
+/// What compression leaves of a field file: of its mesh a quarter (0.15 to 0.2 in two generated ones), of values that
+/// have no pattern 0.93. Where a model is the same along an axis so are its values, and less than half of them is left.
+const MESH_LEFT: f64 = 0.25;
+const VALUES_LEFT: f64 = 0.93;
+
+/// Bytes of the results, at most about; the page and its figures, some hundred kilobytes, left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Disk {
+    /// Number of field files, and bytes of one.
+    pub field_files: u64,
+    pub field_file: u64,
+    /// Of monitors.csv, energy.csv and damage.csv.
+    pub histories: u64,
+    /// Of the checkpoint, which is there while the run goes on and after a stop.
+    pub checkpoint: u64,
+}
+
+impl Disk {
+    pub fn total(&self) -> u64 {
+        self.field_files * self.field_file + self.histories + self.checkpoint
+    }
+}
+
+/// Bytes that a run by this plan will write.
+pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, steps: Steps) -> Disk {
+    let (mesh, values) = field_bytes(model, phase, &plan.fields);
+    let rows = |every: u64| steps.total.div_ceil(every) + 1;
+    let totals = assembly.totals();
+    let nodes = model.mesh_node.len() as u64;
+    let laws: Vec<_> = model.user_bodies().iter().map(|body| body.material.info().history).collect();
+    let has = |role| laws.iter().any(|history| position(history, role).is_some());
+    // Envelopes, onsets and cracks.
+    let onsets = MEASURES.iter().filter(|m| has(m.role)).count() as u64;
+    let remembered = 2 + onsets + if has(Role::CrackExtent) { 2 } else { 0 };
+    let state = 8 * (totals.history.end + totals.overstress.end) + totals.numbers.end;
+    Disk {
+        field_files: steps.snapshots.map_or(0, rows),
+        field_file: (MESH_LEFT * mesh as f64 + VALUES_LEFT * values as f64) as u64,
+        histories: NUMBER * rows(steps.histories) * columns(model, plan),
+        checkpoint: 8 * (9 * nodes + state as u64 + remembered * totals.elements.end as u64),
+    }
+}
+
+/// Columns of all tables.
+fn columns(model: &Model, plan: &Plan) -> u64 {
+    let monitors = 1 + MONITOR.len() * plan.monitors.len() + RELATIVE.len() * plan.relatives.len();
+    let damage: usize = groups(model)
+        .iter()
+        .filter(|group| group.whole)
+        .map(|group| {
+            let history = group.body.material.info().history;
+            let roles = MEASURES.iter().map(|m| m.role).chain([Role::CrackExtent]);
+            roles.filter(|role| position(history, *role).is_some()).count()
+        })
+        .sum();
+    (monitors + 1 + Line::ALL.len() + 1 + damage) as u64
+}
+
+/// Bytes of a field file before compression: of the mesh with its groups, and of values.
+pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field]) -> (u64, u64) {
+    let active = |element: &u32| phase.element_slot[*element as usize].is_some();
+    let cells = phase.element_slot.iter().flatten().count() as u64;
+    let history = || model.user_bodies().iter().flat_map(|body| body.material.info().history);
+    let cracks = history().any(|column| column.role == Role::CrackExtent);
+    let (mut of_node, mut of_cell) = (0, 0);
+    for field in fields {
+        let (node, cell) = match field {
+            Field::Displacement | Field::Velocity | Field::Acceleration => (3, 0),
+            Field::Stress => (0, 6),
+            Field::Principal => (0, 2),
+            Field::Envelope => (1, 2),
+            Field::Damage => (0, u64::from(cracks)),
+            Field::Plastic | Field::History => (0, 0),
+        };
+        of_node += node;
+        of_cell += cell;
+    }
+    let kept = history().filter(|column| fields.iter().any(|field| field.holds(column)));
+    of_cell += kept.map(|column| column.name).collect::<BTreeSet<_>>().len() as u64;
+    // Coordinates; corners, where they end, type, element and body; a mark for each group.
+    let nodes = model.counted.len() as u64;
+    let groups = model.mesh.groups.values().filter(|elements| elements.iter().any(active)).count() as u64;
+    (24 * nodes + (8 * 8 + 8 + 1 + 8 + 4 + groups) * cells, 4 * (of_node * nodes + of_cell * cells))
+}
