@@ -230,6 +230,7 @@ mod tests {
                 material: elastic(Moduli::from_young_poisson(1e10, 0.25)),
                 density: 2600.0,
                 quadrature: Quadrature::OnePoint,
+                viscosity: 0.0,
             };
             let mut problem = Problem::new(mesh, vec![body]);
             problem.patch_elements = Some(patch_elements);

@@ -6,7 +6,9 @@ use std::path::Path;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, Fact, Finding, GroupDamage, MaterialFacts, Peaks, TrustLine, number, replace_file};
+use crate::{
+    Error, Fact, Finding, GroupDamage, GroupStress, MaterialFacts, Peaks, TrustLine, number, replace_file,
+};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -58,6 +60,8 @@ pub struct Summary {
     pub monitors: IndexMap<String, IndexMap<String, Peaks>>,
     /// Pair of monitors as `A-B` → quantity → peaks of the difference A − B.
     pub relative: IndexMap<String, IndexMap<String, Peaks>>,
+    /// Group of elements → its largest stresses; groups may overlap.
+    pub stress: IndexMap<String, GroupStress>,
     /// Group of elements → how far it is damaged or yielded; groups whose laws know neither are left out, and groups
     /// may overlap.
     pub damage: IndexMap<String, GroupDamage>,

@@ -1,4 +1,4 @@
-//! Groups of elements for which damage is reported.
+//! Groups of elements for which stress and damage are reported.
 
 use crate::quantities::MEASURES;
 use tremolite_engine::Body;
@@ -14,15 +14,19 @@ pub(crate) struct Group<'a> {
     pub whole: bool,
 }
 
-/// Groups of the mesh that lie in one body each, and bodies that such groups do not make up, where the law has a
-/// measure.
+/// The groups of [`all_groups`] whose law has a measure of damage.
 pub(crate) fn groups(model: &Model) -> Vec<Group<'_>> {
+    let measured = |group: &Group| {
+        let columns = group.body.material.info().history;
+        MEASURES.iter().any(|m| position(columns, m.role).is_some())
+    };
+    all_groups(model).into_iter().filter(measured).collect()
+}
+
+/// Groups of the mesh that lie in one body each, and bodies that such groups do not make up.
+pub(crate) fn all_groups(model: &Model) -> Vec<Group<'_>> {
     let mut all = Vec::new();
     for body in model.user_bodies() {
-        let columns = body.material.info().history;
-        if MEASURES.iter().all(|m| position(columns, m.role).is_none()) {
-            continue;
-        }
         let mut inside = vec![false; model.mesh.elements.len()];
         body.elements.iter().for_each(|&e| inside[e as usize] = true);
         let within = |elements: &[u32]| !elements.is_empty() && elements.iter().all(|&e| inside[e as usize]);

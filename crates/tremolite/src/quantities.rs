@@ -104,7 +104,8 @@ impl Field {
             }
             Field::Envelope => (
                 "envelope",
-                "displacement_max (m), s1_max, s3_min (Pa): extremes over time, sampled with the histories",
+                "displacement_max (m), s1_max, s3_min (Pa): extremes over time, sampled with the histories; stresses of \
+                 2×2×2 elements at the fibre (extrapolated to their corners) as long as they are intact, else at points",
             ),
             Field::Damage => (
                 "damage",
@@ -217,6 +218,16 @@ pub fn extremes(points: &[[f64; 6]]) -> [f64; 2] {
         let p = principal_values(stress);
         [most.max(p[0]), least.min(p[2])]
     })
+}
+
+/// The same at the fibre: of 2×2×2 points that are intact, at the element's corners, which lie where a bent lining is
+/// stressed most; of others over the points.
+pub fn fibre_extremes(points: &[[f64; 6]], damaged: bool) -> [f64; 2] {
+    if points.len() != 8 || damaged {
+        return extremes(points);
+    }
+    let corner = |k: usize| [0, 1, 2].map(|axis| if k >> axis & 1 == 1 { 1.0 } else { -1.0 });
+    extremes(&[0, 1, 2, 3, 4, 5, 6, 7].map(|k| stress_at(points, corner(k))))
 }
 
 /// Mean stress over an element's points.

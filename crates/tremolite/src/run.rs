@@ -2,6 +2,7 @@
 
 use crate::checkpoint;
 use crate::error::RunError;
+use crate::fingerprint::fingerprint;
 use crate::history::History;
 use crate::observers::{OBSERVERS, Observer, OwnObservers, Setting, Stepped, View};
 use crate::plan::{Plan, Steps};
@@ -86,34 +87,6 @@ pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Ste
     plan.steps(model.time_step.given.unwrap_or(model.time_step.safety * stable.dt))
 }
 
-/// What ties a checkpoint to its model and plan.
-fn fingerprint(model: &Model, plan: &Plan, dt: f64) -> u64 {
-    let mut hasher = crc32fast::Hasher::new();
-    let mut number = |x: f64| hasher.update(&x.to_bits().to_le_bytes());
-    model.mesh.nodes.iter().flatten().for_each(|&x| number(x));
-    for body in &model.bodies {
-        number(body.density);
-        number(body.material.moduli().lambda);
-        number(body.material.moduli().mu);
-        number(body.quadrature.points() as f64);
-    }
-    for x in [dt, plan.duration, plan.histories, model.rayleigh.mass, model.rayleigh.stiffness] {
-        number(x);
-    }
-    if let Some(incident) = &model.incident {
-        number(incident.factor);
-        incident.motion.acceleration.iter().flatten().for_each(|&x| number(x));
-    }
-    let mesh = hasher.clone().finalize();
-    for element in model.mesh.elements.iter() {
-        element.nodes.iter().for_each(|n| hasher.update(&n.to_le_bytes()));
-    }
-    for monitor in &plan.monitors {
-        hasher.update(monitor.name.as_bytes());
-    }
-    u64::from(mesh) << 32 | u64::from(hasher.finalize())
-}
-
 /// How often progress is told.
 const TELL: Duration = Duration::from_millis(200);
 
@@ -135,7 +108,7 @@ pub fn run(
 ) -> Result<Outcome, RunError> {
     let stable = stable_step(model, assembly, phase);
     let (dt, steps) = choose_step(model, plan, &stable);
-    let fingerprint = fingerprint(model, plan, dt);
+    let fingerprint = fingerprint(model, assembly, plan, dt);
     let mut state = assembly.rest();
     state.dt = dt;
     if resume {

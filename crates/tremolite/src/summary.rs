@@ -4,12 +4,14 @@ use crate::damage;
 use crate::evidence::Evidence;
 use crate::observers::Extremes;
 use crate::run::{Ending, Outcome};
+use crate::stress::stresses;
 use crate::survey::limit_in_words;
 use crate::trust::{facts, trust};
 use indexmap::IndexMap;
 use tremolite_engine::Halt;
 use tremolite_results::{
-    Finding, ModelFacts, MotionFacts as MotionSummary, Peaks, Status, Summary, TrustLine, peaks_by_monitor,
+    Finding, GroupStress, ModelFacts, MotionFacts as MotionSummary, Status, Summary, TrustLine,
+    peaks_by_monitor,
 };
 
 /// The summary of a run that ended.
@@ -31,7 +33,8 @@ pub fn summary(evidence: Evidence) -> Summary {
         all.into_iter().partition(|(n, _)| is_pair(n));
     let (trust, facts) = (trust(&evidence), facts(&evidence));
     let damage = damage::damage(model, phase, outcome.history(assembly), &outcome.state.observers);
-    let run = run_in_words(outcome, &trust, &monitors);
+    let stress = stresses(model, phase, &outcome.state.observers);
+    let run = run_in_words(outcome, &trust, &stress);
     let findings = damage::findings(model, &damage);
     let status = match outcome.ending {
         Ending::Done => Status::Done,
@@ -73,6 +76,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
         monitors,
         relative,
+        stress,
         damage,
         energy: outcome.balance.iter().map(|(line, value)| (line.name().to_owned(), value)).collect(),
         facts,
@@ -96,11 +100,7 @@ fn verdict(run: &str, findings: &[Finding]) -> String {
     text
 }
 
-fn run_in_words(
-    outcome: &Outcome,
-    trust: &[TrustLine],
-    monitors: &IndexMap<String, IndexMap<String, Peaks>>,
-) -> String {
+fn run_in_words(outcome: &Outcome, trust: &[TrustLine], stress: &IndexMap<String, GroupStress>) -> String {
     let judged = trust.iter().filter(|t| !t.not_applicable);
     let passed = judged.clone().filter(|t| t.pass).count();
     let time = outcome.taken as f64 * outcome.dt;
@@ -128,17 +128,16 @@ fn run_in_words(
     if matches!(outcome.ending, Ending::Failed { .. }) {
         return text;
     }
-    let most = monitors
+    let peaks: Vec<String> = stress
         .iter()
-        .filter_map(|(name, q)| Some((name, q.get("s1")?)))
-        .filter(|(_, p)| p.max.is_finite())
-        .max_by(|a, b| a.1.max.total_cmp(&b.1.max));
-    if let Some((name, peak)) = most {
+        .filter(|(_, of)| of.whole && of.s1.value.is_finite())
+        .map(|(name, of)| format!("{:.2} MPa in {name} at {:.2} s", of.s1.value / 1e6, of.s1.time))
+        .collect();
+    if !peaks.is_empty() {
         text += &format!(
-            " Largest principal stress at a monitor, in full elements extrapolated to it as long as they are intact: \
-             {:.2} MPa at {name}, {:.2} s (change by the earthquake alone).",
-            peak.max / 1e6,
-            peak.t_max
+            " Largest principal stress, in full elements at the fibre as long as they are intact: {} (change by the \
+             earthquake alone).",
+            peaks.join(", ")
         );
     }
     text

@@ -57,15 +57,18 @@ fn every_value_arrives_in_si() {
     assert_eq!(rock.parameters, Values::default().with("young", 10e9).with("poisson", 0.25));
     assert_eq!(concrete.parameters, Values::default().with("young", 25e9).with("poisson", 0.17));
 
-    let fills: Vec<Option<(usize, Element)>> = case
+    let fills: Vec<Option<(usize, Element, Option<f64>)>> = case
         .regions
         .iter()
         .map(|r| match &r.fill {
             Fill::Void => None,
-            Fill::Solid { material, element, .. } => Some((material.value, element.value)),
+            Fill::Solid { material, element, viscosity } => {
+                Some((material.value, element.value, viscosity.as_ref().map(|b| b.value)))
+            }
         })
         .collect();
-    assert_eq!(fills, [Some((0, Element::OnePoint)), Some((1, Element::Full)), None]);
+    let expected = [Some((0, Element::OnePoint, Some(0.02))), Some((1, Element::Full, Some(0.0))), None];
+    assert_eq!(fills, expected);
     assert!(case.regions[0].holds("transformer.bench3") && !case.regions[0].holds("powerhouse.bench3"));
 
     let dynamic = &case.dynamic;

@@ -4,7 +4,7 @@ mod json;
 mod text;
 
 use super::defaulted::{Known, defaulted};
-use super::{check_step, load, pool};
+use super::{check_step, check_waves, load, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::print;
@@ -33,6 +33,9 @@ pub struct Args {
     /// Print one JSON object, numbers in SI
     #[arg(long)]
     json: bool,
+    /// End with status 1 where there is a warning
+    #[arg(long)]
+    strict: bool,
 }
 
 /// All that is said of a case.
@@ -87,6 +90,8 @@ pub fn run(args: &Args) -> Outcome {
         let stable = stable_step(&model, &assembly, &phase);
         let mut warnings = [case.warnings.clone(), setup.warnings].concat();
         warnings.extend(check_step(&case, &stable));
+        warnings.extend(check_waves(&case, &model, &survey));
+        let failed = args.strict && !warnings.is_empty();
         let (dt, steps) = choose_step(&model, &plan, &stable);
         let left_out = defaulted(&Known {
             case: &case,
@@ -95,6 +100,7 @@ pub fn run(args: &Args) -> Outcome {
             motion: &motion,
             materials: &setup.materials,
             reference: setup.reference,
+            base_without_springs: setup.base_without_springs.as_deref(),
             dt,
         });
         let checked = Checked {
@@ -121,6 +127,6 @@ pub fn run(args: &Args) -> Outcome {
         } else {
             checked.print();
         }
-        Ok(Code::Done)
+        Ok(if failed { Code::Failed } else { Code::Done })
     })
 }

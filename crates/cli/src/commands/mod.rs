@@ -15,8 +15,9 @@ pub mod verify;
 use crate::exit::Failure;
 use std::path::Path;
 use tremolite::setup::{Setup, changed, original_folder, setup};
-use tremolite::{Law, StableStep, laws};
-use tremolite_case::{Case, Problem, units};
+use tremolite::survey::Survey;
+use tremolite::{Law, Model, StableStep, laws};
+use tremolite_case::{Case, Fill, Problem, units};
 use tremolite_laws::{Dimension, Isa, LawInfo};
 
 /// Reads a case and builds what it asks for; warnings go to the terminal.
@@ -60,6 +61,34 @@ pub fn check_step(case: &Case, stable: &StableStep) -> Option<Problem> {
     let report = case.report(vec![problem.clone()]).as_warnings();
     crate::terminal::say(&report.render(crate::terminal::colour()));
     Some(problem)
+}
+
+/// Elements a wavelength below which waves are not carried but distorted.
+const FEWEST: f64 = 5.0;
+
+/// Warns of regions too coarse for the motion's waves. Returns what it said.
+pub fn check_waves(case: &Case, model: &Model, survey: &Survey) -> Vec<Problem> {
+    let solid = case.regions.iter().filter(|region| matches!(region.fill, Fill::Solid { .. }));
+    let problems: Vec<Problem> = solid
+        .zip(&survey.bodies)
+        .filter(|(_, body)| body.per_wavelength < FEWEST)
+        .map(|(region, body)| {
+            Problem::new(
+                region.span.clone(),
+                format!(
+                    "a shear wave of the motion's highest frequency has {:.1} elements in {}: it will not arrive as it was",
+                    body.per_wavelength,
+                    model.element_name(body.coarsest as usize)
+                ),
+                "make elements smaller, or take the highest frequencies out with \"lowpass\"; 8 elements and more are good",
+            )
+        })
+        .collect();
+    if !problems.is_empty() {
+        let report = case.report(problems.clone()).as_warnings();
+        crate::terminal::say(&report.render(crate::terminal::colour()));
+    }
+    problems
 }
 
 /// Descriptions of all laws a case may name.

@@ -1,7 +1,7 @@
 //! `tremolite run`: the main job.
 
 use super::defaulted::{Known, defaulted};
-use super::{check_step, load, pool};
+use super::{check_step, check_waves, load, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{ProgressLine, bytes, duration, say};
@@ -36,6 +36,9 @@ pub struct Args {
     /// Force an instruction set: scalar, avx2 or avx512
     #[arg(long)]
     isa: Option<String>,
+    /// End with status 1 where a check of the run fails; results are kept
+    #[arg(long)]
+    strict: bool,
 }
 
 /// The name of a case: its folder's if the file is called case.toml, else the file's.
@@ -82,6 +85,7 @@ pub fn run(args: &Args) -> Outcome {
         let survey = survey(&model, &assembly, motion.highest_frequency).map_err(Failure::input)?;
         let stable = stable_step(&model, &assembly, &phase);
         check_step(&case, &stable);
+        check_waves(&case, &model, &survey);
         let (dt, steps) = choose_step(&model, &plan, &stable);
 
         let name = case_name(&args.case);
@@ -152,6 +156,7 @@ pub fn run(args: &Args) -> Outcome {
             motion: &motion,
             materials: &setup.materials,
             reference: setup.reference,
+            base_without_springs: setup.base_without_springs.as_deref(),
             dt,
         });
         let summary = summary(Evidence {
@@ -198,6 +203,7 @@ pub fn run(args: &Args) -> Outcome {
         log.say(&summary.verdict);
         log.say(&format!("Results are in {}; open {}", folder.root().display(), page.display()));
         Ok(match outcome.ending {
+            Ending::Done if args.strict && summary.warnings() > 0 => Code::Failed,
             Ending::Done => Code::Done,
             Ending::Failed { .. } => Code::Failed,
             Ending::Stopped => Code::Stopped,

@@ -2,11 +2,12 @@
 
 use super::{Observer, Schedule, View};
 use crate::error::RunError;
-use crate::quantities::{extremes, length};
+use crate::quantities::{fibre_extremes, length};
 use tremolite_engine::state::Memory;
 
-/// Keeps the largest displacement by engine node, and the largest s1 and smallest s3 by element (in the order of
-/// members), under [`Envelopes::DISPLACEMENT`], [`Envelopes::S1`] and [`Envelopes::S3`] in the state.
+/// Keeps the largest displacement by engine node, and the largest s1 and smallest s3 with their times by element (in the order
+/// of members), under the names below in the state. Stresses of 2×2×2 elements are those at the fibre as long as they are
+/// intact.
 pub struct Envelopes {
     pub schedule: Schedule,
 }
@@ -14,7 +15,9 @@ pub struct Envelopes {
 impl Envelopes {
     pub const DISPLACEMENT: &'static str = "displacement_max";
     pub const S1: &'static str = "s1_max";
+    pub const S1_TIME: &'static str = "s1_max_time";
     pub const S3: &'static str = "s3_min";
+    pub const S3_TIME: &'static str = "s3_min_time";
 }
 
 fn column<'m>(memory: &'m mut Memory, name: &str, length: usize, start: f64) -> &'m mut Vec<f64> {
@@ -32,15 +35,30 @@ impl Observer for Envelopes {
         most.iter_mut().zip(lengths).for_each(|(most, now)| *most = most.max(now));
 
         let elements = view.snapshot.energy.len();
-        let mut now = vec![[0.0; 2]; elements];
+        let mut now = vec![[f64::NEG_INFINITY, f64::INFINITY]; elements];
         for slot in view.phase.element_slot.iter().flatten() {
             let first = slot.point as usize;
-            now[slot.element as usize] = extremes(&view.snapshot.stress[first..first + slot.points as usize]);
+            let points = &view.snapshot.stress[first..first + slot.points as usize];
+            now[slot.element as usize] = fibre_extremes(points, view.history.is_damaged(slot));
         }
-        let s1 = column(memory, Self::S1, elements, f64::NEG_INFINITY);
-        s1.iter_mut().zip(&now).for_each(|(most, now)| *most = most.max(now[0]));
-        let s3 = column(memory, Self::S3, elements, f64::INFINITY);
-        s3.iter_mut().zip(&now).for_each(|(least, now)| *least = least.min(now[1]));
+        // Tension positive: s3 is the largest of −s3.
+        let kinds = [(Self::S1, Self::S1_TIME, 0, 1.0), (Self::S3, Self::S3_TIME, 1, -1.0)];
+        for (name, time, which, sign) in kinds {
+            let most = column(memory, name, elements, sign * f64::NEG_INFINITY);
+            let later: Vec<bool> =
+                most.iter().zip(&now).map(|(m, now)| sign * now[which] > sign * *m).collect();
+            for ((most, now), later) in most.iter_mut().zip(&now).zip(&later) {
+                if *later {
+                    *most = now[which];
+                }
+            }
+            let times = column(memory, time, elements, 0.0);
+            times
+                .iter_mut()
+                .zip(&later)
+                .filter(|(_, later)| **later)
+                .for_each(|(t, _)| *t = view.snapshot.time);
+        }
         Ok(())
     }
 }

@@ -12,11 +12,13 @@ pub use motion::MotionFacts;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
+use crate::stacks::stacks;
+use crate::trust::DRIFT;
 use indexmap::IndexMap;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
 use tremolite_engine::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep, column};
-use tremolite_kernels::Law;
+use tremolite_kernels::{Law, Quadrature};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
 use tremolite_results::{Input, MaterialFacts};
@@ -87,6 +89,8 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
 
     warnings.extend(self::warnings(case, &bodies, &fields));
     warnings.extend(sides(case, &motion));
+    warnings.extend(thin(case, &mesh, &bodies));
+    warnings.extend(of_motion(case, &motion, reference));
     let materials = materials::facts(case, &mesh, laws, &bodies, reference);
     let dynamic = &case.dynamic;
     let duration = dynamic.duration.as_ref().map_or(motion.duration(), |d| d.value);
@@ -252,6 +256,58 @@ fn springs_or_none(
         "write base = \"viscous\", or make the ground the same at all four corners of the model",
     ));
     (base, None)
+}
+
+/// Elements through a thickness up to which one-point elements miss most of its bending: their stresses are the mean's.
+const THIN: usize = 3;
+
+/// Linings and slabs of one-point elements.
+fn thin(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Problem> {
+    let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
+    let all: usize = bodies.iter().map(|body| body.elements.len()).sum();
+    regions
+        .zip(bodies)
+        // What most of the model is made of is no lining.
+        .filter(|(_, body)| body.quadrature == Quadrature::OnePoint && 4 * body.elements.len() < all)
+        .filter_map(|(region, body)| {
+            let fewest = stacks(mesh, &body.elements).iter().map(Vec::len).min().filter(|&n| n <= THIN)?;
+            Some(case::Problem::new(
+                region.span.clone(),
+                format!(
+                    "'{}' is {fewest} one-point elements thick: they see no bending through the thickness, and a ring of \
+                     them showed half of its largest stress",
+                    body.name
+                ),
+                "write element = \"full\" for it",
+            ))
+        })
+        .collect()
+}
+
+/// What the motion asks to be looked at.
+fn of_motion(case: &Case, motion: &tremolite_motion::Motion, reference: Option<f64>) -> Vec<case::Problem> {
+    let mut warnings = Vec::new();
+    let drift = motion.drift();
+    if drift > DRIFT {
+        warnings.push(case::Problem::new(
+            case.motion.span.clone(),
+            format!("the motion ends at {:.0} % of its largest displacement, which the model follows", 100.0 * drift),
+            "put \"baseline\" last in motion.process, behind filter and taper; a high-pass alone may make it worse",
+        ));
+    }
+    if let (Some(band), Some(reference)) = (&case.dynamic.band, reference)
+        && band.reference.is_none()
+    {
+        warnings.push(case::Problem::at(
+            &band.ratio,
+            format!(
+                "Young's moduli are taken to be meant at {reference:.2} Hz, the motion's central frequency, and are other \
+                 for another record"
+            ),
+            "give `reference`, the frequency at which they were measured",
+        ));
+    }
+    warnings
 }
 
 /// A component of motion over the largest that counts as none.

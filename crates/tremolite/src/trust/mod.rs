@@ -5,6 +5,8 @@ mod energy;
 mod material;
 mod waves;
 
+pub(crate) use waves::DRIFT;
+
 use crate::evidence::Evidence;
 use crate::survey::limit_in_words;
 use tremolite_results::{Fact, TrustLine, tell_apart};

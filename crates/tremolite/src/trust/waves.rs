@@ -12,7 +12,7 @@ const THEORY: f64 = 0.05;
 /// free field there.
 const CORNERS: f64 = 0.1;
 /// Displacement of the input at its end over its peak.
-const DRIFT: f64 = 0.1;
+pub(crate) const DRIFT: f64 = 0.1;
 
 pub(super) fn per_wavelength(evidence: &Evidence) -> TrustLine {
     const ID: &str = "elements_per_wavelength";

@@ -33,6 +33,7 @@ element = "full"
 [motion]
 kind = "outcrop"
 east = {{ file = "pulse.txt", units = "m/s2", dt = "0.01 s" }}
+process = ["baseline"]
 [dynamic]
 base = "viscous"
 sides = "periodic"

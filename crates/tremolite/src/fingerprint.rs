@@ -1,0 +1,68 @@
+//! What ties a checkpoint to its model and plan: whatever changes the run changes this number.
+
+use crate::plan::Plan;
+use std::fmt::Debug;
+use tremolite_engine::assembly::Assembly;
+use tremolite_engine::model::Model;
+
+/// Times at which the factor of a load is looked at: a function cannot be compared otherwise.
+const LOOKS: u32 = 64;
+
+struct Hasher(crc32fast::Hasher);
+
+impl Hasher {
+    fn number(&mut self, x: f64) {
+        self.0.update(&x.to_bits().to_le_bytes());
+    }
+
+    fn numbers<'x>(&mut self, all: impl IntoIterator<Item = &'x f64>) {
+        all.into_iter().for_each(|&x| self.number(x));
+    }
+
+    fn indices(&mut self, all: &[u32]) {
+        all.iter().for_each(|n| self.0.update(&n.to_le_bytes()));
+    }
+
+    /// A value by its debug form, which names its variants and prints numbers so that they can be told apart.
+    fn shown(&mut self, value: &impl Debug) {
+        self.0.update(format!("{value:?}").as_bytes());
+    }
+}
+
+/// Two sums over everything that defines a run: of space, and of what happens in it.
+pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f64) -> u64 {
+    let mut space = Hasher(crc32fast::Hasher::new());
+    space.numbers(model.mesh.nodes.iter().flatten());
+    for element in &model.mesh.elements {
+        space.indices(&element.nodes);
+    }
+    for body in &model.bodies {
+        space.shown(&(&body.name, body.quadrature, body.density, body.viscosity));
+        space.shown(&(body.material.info().name, body.material.values(), body.material.band()));
+        space.indices(&body.elements);
+    }
+    space.shown(&(model.base, model.sides, &model.held, &model.ties));
+    for (member, slices) in assembly.members.iter().zip(&assembly.slices) {
+        space.shown(&(&member.name, &member.life, member.counted, slices));
+        space.indices(member.part.nodes());
+        space.numbers(&member.masses);
+    }
+
+    let mut time = Hasher(crc32fast::Hasher::new());
+    time.shown(&(dt, plan.duration, plan.histories, plan.snapshots, model.rayleigh));
+    if let Some(incident) = &model.incident {
+        time.number(incident.factor);
+        time.numbers(incident.motion.acceleration.iter().flatten());
+    }
+    for load in &model.loads {
+        time.shown(&load.forces);
+        for k in 0..=LOOKS {
+            time.number((load.factor)(plan.duration * f64::from(k) / f64::from(LOOKS)));
+        }
+    }
+    for monitor in &plan.monitors {
+        time.shown(&(&monitor.name, monitor.point));
+    }
+    time.shown(&plan.relatives);
+    u64::from(space.0.finalize()) << 32 | u64::from(time.0.finalize())
+}
