@@ -61,18 +61,23 @@ fn follow_law<M: Material>(values: &Values, path: &Path, isa: Isa) -> Result<Res
 
 #[cfg(target_arch = "x86_64")]
 mod wide {
-    use tremolite_laws::lane::{Avx2, Avx512};
+    use tremolite_laws::lane::{Avx2, Avx512, Enabled};
     use tremolite_laws::path::{Path, Response};
     use tremolite_laws::{History, Lane, Material, Octet, Point};
 
+    #[derive(Clone, Copy)]
+    struct Here;
+    // SAFETY: named below alone, in functions that are called where the processor has the instruction set.
+    unsafe impl Enabled for Here {}
+
     #[target_feature(enable = "avx2,fma")]
     pub fn avx2<M: Material>(law: &M, path: &Path, response: Response) -> Response {
-        again::<Avx2, M>(law, path, response)
+        again::<Avx2<Here>, M>(law, path, response)
     }
 
     #[target_feature(enable = "avx512f,avx2,fma")]
     pub fn avx512<M: Material>(law: &M, path: &Path, response: Response) -> Response {
-        again::<Avx512, M>(law, path, response)
+        again::<Avx512<Here>, M>(law, path, response)
     }
 
     /// Replaces stress and history by what lanes of this width make of the strains.

@@ -117,6 +117,13 @@ impl Pass for Decomposition {
     }
 }
 
+#[cfg(target_arch = "x86_64")]
+#[derive(Clone, Copy)]
+struct Here;
+#[cfg(target_arch = "x86_64")]
+// SAFETY: named in `avx2` and `avx512` alone, which `dispatch` calls where the instruction set is there.
+unsafe impl tremolite_laws::lane::Enabled for Here {}
+
 /// The scalar reference fuses products and sums as the wide lanes do; without FMA that is a library call.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
@@ -127,13 +134,13 @@ fn scalar<P: Pass>(pass: &P, dt: f64, tensors: &Tensors, history: &mut [Octet], 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn avx2<P: Pass>(pass: &P, dt: f64, tensors: &Tensors, history: &mut [Octet], out: &mut [[Octet; 6]]) {
-    pass.run::<tremolite_laws::lane::Avx2>(dt, tensors, history, out);
+    pass.run::<tremolite_laws::lane::Avx2<Here>>(dt, tensors, history, out);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx2,fma")]
 fn avx512<P: Pass>(pass: &P, dt: f64, tensors: &Tensors, history: &mut [Octet], out: &mut [[Octet; 6]]) {
-    pass.run::<tremolite_laws::lane::Avx512>(dt, tensors, history, out);
+    pass.run::<tremolite_laws::lane::Avx512<Here>>(dt, tensors, history, out);
 }
 
 #[cfg(target_arch = "x86_64")]

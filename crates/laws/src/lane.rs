@@ -236,7 +236,7 @@ impl Isa {
 pub mod elementary;
 
 #[cfg(target_arch = "x86_64")]
-pub use x86::{Avx2, Avx512};
+pub use x86::{Avx2, Avx512, Enabled};
 
 #[cfg(target_arch = "x86_64")]
 mod x86;

@@ -177,18 +177,23 @@ fn keep<R: Rule>(probe: &Probe, octet: usize, to: &mut ProbeOut) {
 #[cfg(target_arch = "x86_64")]
 mod instances {
     use super::{Material, Pass, Rule, octets};
-    use tremolite_laws::lane::{Avx2, Avx512};
+    use tremolite_laws::lane::{Avx2, Avx512, Enabled};
+
+    #[derive(Clone, Copy)]
+    struct Here;
+    // SAFETY: named below alone, in functions that `dispatch` calls where the instruction set is there.
+    unsafe impl Enabled for Here {}
 
     #[target_feature(enable = "avx512f,avx2,fma")]
     pub(super) unsafe fn avx512<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
         // SAFETY: this function enables the instruction set; indices were checked.
-        unsafe { octets::<Avx512, R, M, PROBE>(pass) }
+        unsafe { octets::<Avx512<Here>, R, M, PROBE>(pass) }
     }
 
     #[target_feature(enable = "avx2,fma")]
     pub(super) unsafe fn avx2<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
         // SAFETY: as above.
-        unsafe { octets::<Avx2, R, M, PROBE>(pass) }
+        unsafe { octets::<Avx2<Here>, R, M, PROBE>(pass) }
     }
 
     /// The reference with hardware `mul_add`; without it each one is a library call.

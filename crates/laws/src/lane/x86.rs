@@ -1,55 +1,106 @@
 //! Lanes in AVX2 and AVX-512 registers.
 //!
-//! The operations may only be reached from functions that enable the instruction set; [`Isa::available`] guards
-//! every such call. Under `#[inline(always)]` they become single instructions there.
+//! The operations may only be reached from functions that enable the instruction set: whoever names the lanes promises so
+//! ([`Enabled`]), and [`Isa::available`] guards every call of such a function. Under `#[inline(always)]` they become single
+//! instructions there.
 //!
 //! [`Isa::available`]: super::Isa::available
 
 use super::bits::{EXPONENT_BIAS, FRACTION, TWO_52};
 use super::{Lane, Octet, Row};
 use core::arch::x86_64::*;
+use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A promise, by a type that stands for nothing else, about where its author uses wide lanes.
+///
+/// Operations of lanes are safe to call, and no processor without the instruction set may meet one; so there are no lanes
+/// without a type that has promised:
+///
+/// ```
+/// use tremolite_laws::lane::{Avx2, Enabled};
+/// use tremolite_laws::{Isa, Lane, Octet};
+///
+/// #[derive(Clone, Copy)]
+/// struct Here;
+/// // SAFETY: named in `double` alone.
+/// unsafe impl Enabled for Here {}
+///
+/// #[target_feature(enable = "avx2,fma")]
+/// fn double(x: &mut Octet) {
+///     for at in [0, 4] {
+///         let half = Avx2::<Here>::load(x, at);
+///         (half + half).store(x, at);
+///     }
+/// }
+///
+/// let mut x = Octet([1.0; 8]);
+/// if Isa::Avx2.available() {
+///     // SAFETY: the processor has it.
+///     unsafe { double(&mut x) };
+///     assert_eq!(x, Octet([2.0; 8]));
+/// }
+/// ```
+///
+/// ```compile_fail,E0277
+/// use tremolite_laws::lane::{Avx2, Lane};
+///
+/// #[derive(Clone, Copy)]
+/// struct Anywhere;
+/// let _ = Avx2::<Anywhere>::splat(1.0);
+/// ```
+///
+/// # Safety
+/// Lanes with this type are named only in functions that enable the lanes' instruction set and what is inlined into them,
+/// and these functions are called only where the processor has it.
+pub unsafe trait Enabled: Copy {}
 
 /// Four lanes in one 256-bit register.
 #[derive(Clone, Copy)]
 #[repr(transparent)]
-pub struct Avx2(__m256d);
+pub struct Avx2<P>(__m256d, PhantomData<P>);
 
 /// Eight lanes in one 512-bit register.
 #[derive(Clone, Copy)]
 #[repr(transparent)]
-pub struct Avx512(__m512d);
+pub struct Avx512<P>(__m512d, PhantomData<P>);
 
 macro_rules! operators {
-    ($lane:ident, $add:ident, $sub:ident, $mul:ident, $div:ident, $splat:ident) => {
+    ($lane:ident($register:ident), $add:ident, $sub:ident, $mul:ident, $div:ident, $splat:ident) => {
+        impl<P: Enabled> $lane<P> {
+            #[inline(always)]
+            fn of(register: $register) -> Self {
+                $lane(register, PhantomData)
+            }
+        }
         operators!(@ $lane, Add, add, $add);
         operators!(@ $lane, Sub, sub, $sub);
         operators!(@ $lane, Mul, mul, $mul);
         operators!(@ $lane, Div, div, $div);
-        impl Neg for $lane {
-            type Output = $lane;
+        impl<P: Enabled> Neg for $lane<P> {
+            type Output = Self;
             #[inline(always)]
-            fn neg(self) -> $lane {
+            fn neg(self) -> Self {
                 // SAFETY: reached only where the instruction set is enabled (module documentation).
                 // Subtraction from −0 flips the sign of every number, zeros included.
-                unsafe { $lane($sub($splat(-0.0), self.0)) }
+                unsafe { Self::of($sub($splat(-0.0), self.0)) }
             }
         }
     };
     (@ $lane:ident, $trait:ident, $function:ident, $intrinsic:ident) => {
-        impl $trait for $lane {
-            type Output = $lane;
+        impl<P: Enabled> $trait for $lane<P> {
+            type Output = Self;
             #[inline(always)]
-            fn $function(self, other: $lane) -> $lane {
+            fn $function(self, other: Self) -> Self {
                 // SAFETY: reached only where the instruction set is enabled (module documentation).
-                unsafe { $lane($intrinsic(self.0, other.0)) }
+                unsafe { Self::of($intrinsic(self.0, other.0)) }
             }
         }
     };
 }
 
-operators!(Avx2, _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd, _mm256_div_pd, _mm256_set1_pd);
-operators!(Avx512, _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd, _mm512_set1_pd);
+operators!(Avx2(__m256d), _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd, _mm256_div_pd, _mm256_set1_pd);
+operators!(Avx512(__m512d), _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd, _mm512_set1_pd);
 
 /// Rows a, b, c, d to columns x, y, z, w; its own inverse.
 #[inline(always)]
@@ -95,19 +146,19 @@ unsafe fn add_to_row(rows: &mut [Row], index: u16, vector: __m256d) {
     }
 }
 
-impl Lane for Avx2 {
+impl<P: Enabled> Lane for Avx2<P> {
     type Mask = __m256d;
     const WIDTH: usize = 4;
 
     #[inline(always)]
     fn splat(x: f64) -> Self {
         // SAFETY: reached only where AVX2 is enabled; so below.
-        unsafe { Avx2(_mm256_set1_pd(x)) }
+        unsafe { Self::of(_mm256_set1_pd(x)) }
     }
     #[inline(always)]
     fn load(from: &Octet, at: usize) -> Self {
         debug_assert!(at == 0 || at == 4);
-        unsafe { Avx2(_mm256_load_pd(from.0.as_ptr().add(at & 4))) }
+        unsafe { Self::of(_mm256_load_pd(from.0.as_ptr().add(at & 4))) }
     }
     #[inline(always)]
     fn store(self, to: &mut Octet, at: usize) {
@@ -116,19 +167,19 @@ impl Lane for Avx2 {
     }
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
-        unsafe { Avx2(_mm256_fmadd_pd(self.0, b.0, c.0)) }
+        unsafe { Self::of(_mm256_fmadd_pd(self.0, b.0, c.0)) }
     }
     #[inline(always)]
     fn neg_mul_add(self, b: Self, c: Self) -> Self {
-        unsafe { Avx2(_mm256_fnmadd_pd(self.0, b.0, c.0)) }
+        unsafe { Self::of(_mm256_fnmadd_pd(self.0, b.0, c.0)) }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        unsafe { Avx2(_mm256_sqrt_pd(self.0)) }
+        unsafe { Self::of(_mm256_sqrt_pd(self.0)) }
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        unsafe { Avx2(_mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0)) }
+        unsafe { Self::of(_mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0)) }
     }
     #[inline(always)]
     fn less(self, other: Self) -> __m256d {
@@ -136,7 +187,7 @@ impl Lane for Avx2 {
     }
     #[inline(always)]
     fn select(mask: __m256d, yes: Self, no: Self) -> Self {
-        unsafe { Avx2(_mm256_blendv_pd(no.0, yes.0, mask)) }
+        unsafe { Self::of(_mm256_blendv_pd(no.0, yes.0, mask)) }
     }
     #[inline(always)]
     fn any(mask: __m256d) -> bool {
@@ -159,21 +210,21 @@ impl Lane for Avx2 {
         unsafe {
             let shifted = _mm256_castsi256_pd(_mm256_srli_epi64::<52>(_mm256_castpd_si256(self.0)));
             let integer = _mm256_or_pd(shifted, _mm256_set1_pd(TWO_52));
-            Avx2(_mm256_sub_pd(integer, _mm256_set1_pd(EXPONENT_BIAS)))
+            Self::of(_mm256_sub_pd(integer, _mm256_set1_pd(EXPONENT_BIAS)))
         }
     }
     #[inline(always)]
     fn significand(self) -> Self {
         unsafe {
             let fraction = _mm256_and_pd(self.0, _mm256_castsi256_pd(_mm256_set1_epi64x(FRACTION as i64)));
-            Avx2(_mm256_or_pd(fraction, _mm256_set1_pd(1.0)))
+            Self::of(_mm256_or_pd(fraction, _mm256_set1_pd(1.0)))
         }
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
         unsafe {
             let biased = _mm256_castpd_si256(_mm256_add_pd(self.0, _mm256_set1_pd(EXPONENT_BIAS)));
-            Avx2(_mm256_castsi256_pd(_mm256_slli_epi64::<52>(biased)))
+            Self::of(_mm256_castsi256_pd(_mm256_slli_epi64::<52>(biased)))
         }
     }
     #[inline(always)]
@@ -185,7 +236,7 @@ impl Lane for Avx2 {
                 load_row(rows, index[at + 2]),
                 load_row(rows, index[at + 3]),
             ]);
-            [Avx2(x), Avx2(y), Avx2(z)]
+            [Self::of(x), Self::of(y), Self::of(z)]
         }
     }
     #[inline(always)]
@@ -205,18 +256,18 @@ impl Lane for Avx2 {
     }
 }
 
-impl Lane for Avx512 {
+impl<P: Enabled> Lane for Avx512<P> {
     type Mask = __mmask8;
     const WIDTH: usize = 8;
 
     #[inline(always)]
     fn splat(x: f64) -> Self {
         // SAFETY: reached only where AVX-512F is enabled; so below.
-        unsafe { Avx512(_mm512_set1_pd(x)) }
+        unsafe { Self::of(_mm512_set1_pd(x)) }
     }
     #[inline(always)]
     fn load(from: &Octet, _: usize) -> Self {
-        unsafe { Avx512(_mm512_load_pd(from.0.as_ptr())) }
+        unsafe { Self::of(_mm512_load_pd(from.0.as_ptr())) }
     }
     #[inline(always)]
     fn store(self, to: &mut Octet, _: usize) {
@@ -224,19 +275,19 @@ impl Lane for Avx512 {
     }
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
-        unsafe { Avx512(_mm512_fmadd_pd(self.0, b.0, c.0)) }
+        unsafe { Self::of(_mm512_fmadd_pd(self.0, b.0, c.0)) }
     }
     #[inline(always)]
     fn neg_mul_add(self, b: Self, c: Self) -> Self {
-        unsafe { Avx512(_mm512_fnmadd_pd(self.0, b.0, c.0)) }
+        unsafe { Self::of(_mm512_fnmadd_pd(self.0, b.0, c.0)) }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        unsafe { Avx512(_mm512_sqrt_pd(self.0)) }
+        unsafe { Self::of(_mm512_sqrt_pd(self.0)) }
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        unsafe { Avx512(_mm512_abs_pd(self.0)) }
+        unsafe { Self::of(_mm512_abs_pd(self.0)) }
     }
     #[inline(always)]
     fn less(self, other: Self) -> __mmask8 {
@@ -244,7 +295,7 @@ impl Lane for Avx512 {
     }
     #[inline(always)]
     fn select(mask: __mmask8, yes: Self, no: Self) -> Self {
-        unsafe { Avx512(_mm512_mask_blend_pd(mask, no.0, yes.0)) }
+        unsafe { Self::of(_mm512_mask_blend_pd(mask, no.0, yes.0)) }
     }
     #[inline(always)]
     fn any(mask: __mmask8) -> bool {
@@ -267,7 +318,7 @@ impl Lane for Avx512 {
         unsafe {
             let shifted = _mm512_srli_epi64::<52>(_mm512_castpd_si512(self.0));
             let integer = _mm512_or_si512(shifted, _mm512_castpd_si512(_mm512_set1_pd(TWO_52)));
-            Avx512(_mm512_sub_pd(_mm512_castsi512_pd(integer), _mm512_set1_pd(EXPONENT_BIAS)))
+            Self::of(_mm512_sub_pd(_mm512_castsi512_pd(integer), _mm512_set1_pd(EXPONENT_BIAS)))
         }
     }
     #[inline(always)]
@@ -275,14 +326,14 @@ impl Lane for Avx512 {
         unsafe {
             let fraction = _mm512_and_si512(_mm512_castpd_si512(self.0), _mm512_set1_epi64(FRACTION as i64));
             let one = _mm512_castpd_si512(_mm512_set1_pd(1.0));
-            Avx512(_mm512_castsi512_pd(_mm512_or_si512(fraction, one)))
+            Self::of(_mm512_castsi512_pd(_mm512_or_si512(fraction, one)))
         }
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
         unsafe {
             let biased = _mm512_castpd_si512(_mm512_add_pd(self.0, _mm512_set1_pd(EXPONENT_BIAS)));
-            Avx512(_mm512_castsi512_pd(_mm512_slli_epi64::<52>(biased)))
+            Self::of(_mm512_castsi512_pd(_mm512_slli_epi64::<52>(biased)))
         }
     }
     #[inline(always)]
@@ -299,9 +350,9 @@ impl Lane for Avx512 {
             let first = _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0);
             let second = _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2);
             [
-                Avx512(_mm512_permutex2var_pd(xz01, first, xz23)),
-                Avx512(_mm512_permutex2var_pd(y01, first, y23)),
-                Avx512(_mm512_permutex2var_pd(xz01, second, xz23)),
+                Self::of(_mm512_permutex2var_pd(xz01, first, xz23)),
+                Self::of(_mm512_permutex2var_pd(y01, first, y23)),
+                Self::of(_mm512_permutex2var_pd(xz01, second, xz23)),
             ]
         }
     }

@@ -185,15 +185,21 @@ fn octets<L: tremolite_laws::Lane>(t: &[tremolite_laws::Octet; 6]) -> [tremolite
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn every_width_gives_the_bits_of_the_scalar_reference() {
-    use tremolite_laws::lane::{Avx2, Avx512};
+    use tremolite_laws::lane::{Avx2, Avx512, Enabled};
     use tremolite_laws::{Isa, Octet};
+
+    #[derive(Clone, Copy)]
+    struct Here;
+    // SAFETY: named in `avx2` and `avx512` alone, which are called where the instruction set is there.
+    unsafe impl Enabled for Here {}
+
     #[target_feature(enable = "avx2,fma")]
     fn avx2(t: &[Octet; 6]) -> Vec<[u64; 8]> {
-        bits::<Avx2>(t)
+        bits::<Avx2<Here>>(t)
     }
     #[target_feature(enable = "avx512f,avx2,fma")]
     fn avx512(t: &[Octet; 6]) -> Vec<[u64; 8]> {
-        bits::<Avx512>(t)
+        bits::<Avx512<Here>>(t)
     }
     let mut random = Random::new(6);
     for round in 0..2_000 {

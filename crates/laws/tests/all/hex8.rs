@@ -395,15 +395,20 @@ fn a_regular_element_bends_without_shear_or_poisson_locking() {
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn lanes_equal_the_scalar_reference_bit_for_bit() {
-    use tremolite_laws::lane::{Avx2, Avx512};
+    use tremolite_laws::lane::{Avx2, Avx512, Enabled};
+
+    #[derive(Clone, Copy)]
+    struct Here;
+    // SAFETY: named in `avx2` and `avx512` alone, which are called where the instruction set is there.
+    unsafe impl Enabled for Here {}
 
     #[target_feature(enable = "avx512f,avx2,fma")]
     unsafe fn avx512(c: &Case, out: &mut [Row], probe: &mut Probe) {
-        unsafe { run::<Avx512>(c, out, probe) }
+        unsafe { run::<Avx512<Here>>(c, out, probe) }
     }
     #[target_feature(enable = "avx2,fma")]
     unsafe fn avx2(c: &Case, out: &mut [Row], probe: &mut Probe) {
-        unsafe { run::<Avx2>(c, out, probe) }
+        unsafe { run::<Avx2<Here>>(c, out, probe) }
     }
     struct Case {
         kind: Kind,

@@ -5,7 +5,7 @@ use crate::common::Random;
 use crate::common::concrete::all_variants;
 use crate::common::rock::random_strain;
 use crate::common::samples::samples;
-use tremolite_laws::lane::{Avx2, Avx512, Lane};
+use tremolite_laws::lane::{Avx2, Avx512, Enabled, Lane};
 use tremolite_laws::{History, Isa, Material, Octet, Point, for_each_material};
 
 /// Strain in, stress out, history in place.
@@ -43,14 +43,19 @@ fn step<L: Lane, M: Material>(law: &M, dt: f64, batch: &mut Batch) {
     }
 }
 
+#[derive(Clone, Copy)]
+struct Here;
+// SAFETY: named in `avx2` and `avx512` alone, which are called where the instruction set is there.
+unsafe impl Enabled for Here {}
+
 #[target_feature(enable = "avx2,fma")]
 fn avx2<M: Material>(law: &M, dt: f64, batch: &mut Batch) {
-    step::<Avx2, M>(law, dt, batch);
+    step::<Avx2<Here>, M>(law, dt, batch);
 }
 
 #[target_feature(enable = "avx512f,avx2,fma")]
 fn avx512<M: Material>(law: &M, dt: f64, batch: &mut Batch) {
-    step::<Avx512, M>(law, dt, batch);
+    step::<Avx512<Here>, M>(law, dt, batch);
 }
 
 /// `forgets`: a strain that is no number leaves no trace once it is one again.
