@@ -66,7 +66,12 @@ pub fn peak_flops() -> f64 {
     #[cfg(target_arch = "x86_64")]
     {
         use tremolite_laws::Lane;
-        use tremolite_laws::lane::{Avx2, Avx512};
+        use tremolite_laws::lane::{Avx2, Avx512, Enabled};
+
+        #[derive(Clone, Copy)]
+        struct Here;
+        // SAFETY: named below alone, in functions that are called where the processor has the instruction set.
+        unsafe impl Enabled for Here {}
 
         #[inline(always)]
         fn chains<L: Lane>(rounds: u64) -> [L; 12] {
@@ -81,11 +86,11 @@ pub fn peak_flops() -> f64 {
         }
         #[target_feature(enable = "avx512f,avx2,fma")]
         unsafe fn wide(rounds: u64) {
-            black_box(chains::<Avx512>(rounds));
+            black_box(chains::<Avx512<Here>>(rounds));
         }
         #[target_feature(enable = "avx2,fma")]
         unsafe fn middle(rounds: u64) {
-            black_box(chains::<Avx2>(rounds));
+            black_box(chains::<Avx2<Here>>(rounds));
         }
         const ROUNDS: u64 = 10_000_000;
         let begin = Instant::now();

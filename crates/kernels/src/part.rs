@@ -84,13 +84,13 @@ pub struct ProbeOut<'a> {
 /// Room a thread reuses from part to part.
 #[derive(Default)]
 pub struct Scratch {
+    /// Rows of a part's nodes, and others.
     pub rows: Vec<Row>,
-    /// Forces of a second pass.
+    pub others: Vec<Row>,
+    /// Forces of a second product.
     pub out: Vec<Row>,
-    /// A copy of a history.
+    /// A copy of a history, or what stands for one.
     pub history: Vec<Octet>,
-    /// What damage has left, point by point.
-    pub left: Vec<Octet>,
 }
 
 /// Something that pushes on nodes. No part reads another's memory.

@@ -7,12 +7,12 @@ pub use pass::{Full, OnePoint, Rule};
 
 use crate::line::{Line, Lines};
 use crate::part::{ElementEnergy, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
-use pass::{Left, Pass, dispatch, whole};
+use pass::{After, Pass, dispatch, whole};
 use std::marker::PhantomData;
 use std::sync::Arc;
 use tremolite_laws::band::{Band, BandStep, MEMORY};
 use tremolite_laws::materials::Elastic;
-use tremolite_laws::shapes::hex8::{Hex8, LEFT, Stabilisation};
+use tremolite_laws::shapes::hex8::{Hex8, Stabilisation};
 use tremolite_laws::{Column, Isa, Material, Moduli, Octet, Point, Row};
 use weakened::{Remembered, Weakened};
 
@@ -83,10 +83,10 @@ impl<M: Material, R: Rule> Solid<M, R> {
         }
     }
 
-    fn gather<'s>(&self, global: &[Row], scratch: &'s mut Scratch) -> &'s [Row] {
-        scratch.rows.clear();
-        scratch.rows.extend(self.nodes.iter().map(|&n| global[n as usize]));
-        &scratch.rows
+    fn gather<'s>(&self, global: &[Row], rows: &'s mut Vec<Row>) -> &'s [Row] {
+        rows.clear();
+        rows.extend(self.nodes.iter().map(|&n| global[n as usize]));
+        rows
     }
 
     fn pass<'a, N>(
@@ -114,7 +114,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
             rows,
             out,
             probe,
-            left: None,
+            after: None,
         }
     }
 
@@ -128,59 +128,44 @@ impl<M: Material, R: Rule> Solid<M, R> {
         probe: Option<ProbeOut>,
         scratch: &mut Scratch,
     ) -> Lines {
+        let Scratch { rows, others, out: second, .. } = scratch;
         let viscous = !self.viscosity.is_empty() && tick.dt > 0.0;
-        let mut left = std::mem::take(&mut scratch.left);
-        left.resize(self.index.len() * R::POINTS * LEFT, Octet::ZERO);
         let band = self.band.map(|b| b.step(tick.dt, self.law.moduli()));
-        let rows = self.gather(x.u, scratch);
+        let law = self.weakened();
+        let rows = self.gather(x.u, rows);
         let mut pass = self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, probe);
         if viscous {
-            pass.left = Some(Left { to: &mut left, factor: &self.viscosity });
+            second.clear();
+            second.resize(self.nodes.len(), Row::ZERO);
+            let rows = self.gather(x.du, others);
+            pass.after = Some(After { law: &law, rows, out: second, factor: &self.viscosity });
         }
         dispatch::<R, M, PROBE>(self.isa, pass);
         let mut lines = Lines::default();
         if viscous {
-            lines[Line::Viscosity] = self.resist(tick.dt, x.du, &mut left, own.numbers, out, scratch);
+            lines[Line::Viscosity] = resist(1.0 / tick.dt, others, second, own.numbers, out);
         }
-        scratch.left = left;
         lines
     }
 
-    /// Adds the forces of artificial viscosity at v⁻ to `out`; the work \[J\] that they did over the last increment, by the
-    /// mean of the forces at its ends. `numbers` remembers the forces.
-    fn resist(
-        &self,
-        dt: f64,
-        du: &[Row],
-        left: &mut [Octet],
-        numbers: &mut [f64],
-        out: &mut [Row],
-        scratch: &mut Scratch,
-    ) -> f64 {
-        let mut forces = std::mem::take(&mut scratch.out);
-        forces.resize(self.nodes.len(), Row::ZERO);
-        let velocities = &mut scratch.rows;
-        velocities.clear();
-        velocities.extend(self.nodes.iter().map(|&n| Row(du[n as usize].0.map(|d| d / dt))));
-        self.weakened(left, velocities, &mut forces);
-        let mut work = 0.0;
-        let ends = velocities.iter().zip(forces.iter().zip(out)).zip(numbers.chunks_exact_mut(3));
-        for ((velocity, (force, out)), last) in ends {
-            for i in 0..3 {
-                work += 0.5 * (last[i] + force.0[i]) * velocity.0[i] * dt;
-                out.0[i] += force.0[i];
-                last[i] = force.0[i];
-            }
-        }
-        scratch.out = forces;
-        work
+    fn weakened(&self) -> Weakened {
+        Weakened(self.elastic.moduli())
     }
+}
 
-    /// The product of the elastic stiffness that is left, with its factor, with `rows` of the patch's nodes.
-    fn weakened(&self, left: &mut [Octet], rows: &[Row], out: &mut [Row]) {
-        let law = Weakened(self.elastic.moduli());
-        dispatch::<R, Weakened, false>(self.isa, self.pass(&law, 0.0, left, None, &mut [], rows, out, None));
+/// Adds the forces of artificial viscosity at v⁻, which are `forces` times `rate` \[1/s\], to `out`; the work \[J\] that they
+/// did over the last increments `du`, by the mean of the forces at its ends. `numbers` remembers the forces.
+fn resist(rate: f64, du: &[Row], forces: &[Row], numbers: &mut [f64], out: &mut [Row]) -> f64 {
+    let mut work = 0.0;
+    for ((du, (force, out)), last) in du.iter().zip(forces.iter().zip(out)).zip(numbers.chunks_exact_mut(3)) {
+        for i in 0..3 {
+            let now = rate * force.0[i];
+            work += 0.5 * (last[i] + now) * du.0[i];
+            out.0[i] += now;
+            last[i] = now;
+        }
     }
+    work
 }
 
 impl<M: Material, R: Rule> Part for Solid<M, R> {
@@ -229,35 +214,35 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         if !M::DAMAGES {
             return self.stiffness_times(w, out, scratch);
         }
-        let mut left = std::mem::take(&mut scratch.left);
-        left.resize(self.index.len() * R::POINTS * LEFT, Octet::ZERO);
-        let mut own = std::mem::take(&mut scratch.history);
+        let Scratch { rows, others, out: unused, history: own } = scratch;
         own.clear();
         own.extend_from_slice(history);
-        let law = Remembered(self.law.clone());
-        let mut pass = self.pass(&law, 0.0, &mut own, None, &mut [], self.gather(u, scratch), out, None);
-        pass.left = Some(Left { to: &mut left, factor: &[] });
+        unused.resize(self.nodes.len(), Row::ZERO);
+        let (law, weakened) = (Remembered(self.law.clone()), self.weakened());
+        let u = self.gather(u, rows);
+        let mut pass = self.pass(&law, 0.0, own, None, &mut [], u, unused, None);
+        out.fill(Row::ZERO);
+        pass.after = Some(After { law: &weakened, rows: self.gather(w, others), out, factor: &[] });
         dispatch::<R, Remembered<M>, false>(self.isa, pass);
-        self.weakened(&mut left, self.gather(w, scratch), out);
-        (scratch.left, scratch.history) = (left, own);
     }
 
     fn viscosity_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) -> bool {
         if self.viscosity.is_empty() {
             return false;
         }
-        let mut left = std::mem::take(&mut scratch.left);
+        let Scratch { rows, history: left, .. } = scratch;
         left.clear();
         left.extend(
             self.viscosity.iter().flat_map(|&factor| (0..R::POINTS).flat_map(move |_| whole(factor))),
         );
-        self.weakened(&mut left, self.gather(w, scratch), out);
-        scratch.left = left;
+        let pass = self.weakened();
+        let pass = self.pass(&pass, 0.0, left, None, &mut [], self.gather(w, rows), out, None);
+        dispatch::<R, Weakened, false>(self.isa, pass);
         true
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
-        let rows = self.gather(w, scratch);
+        let rows = self.gather(w, &mut scratch.rows);
         dispatch::<R, Elastic, false>(
             self.isa,
             self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, out, None),
@@ -268,7 +253,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         let mut out = vec![Row::ZERO; self.nodes.len()];
         let mut stress = vec![[0.0; 6]; energy.len() * R::POINTS];
         let probe = ProbeOut { stress: &mut stress, energy };
-        let rows = self.gather(w, scratch);
+        let rows = self.gather(w, &mut scratch.rows);
         dispatch::<R, Elastic, true>(
             self.isa,
             self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, &mut out, Some(probe)),

@@ -1,6 +1,7 @@
 //! The tests of this crate, one binary.
 
 mod check;
+mod checks;
 mod circles;
 mod commands;
 mod every_law;

@@ -51,23 +51,57 @@ impl NodeSums {
         }
         self
     }
+}
 
-    /// Books the work of twice an increment, `twice`, against the forces of elements at a node.
+/// Books the work against the forces of elements node by node. Nodes of an account follow one another: its sum stays in a
+/// register until another's turn comes.
+struct Accounts<'a> {
+    phase: &'a Phase,
+    contributions: &'a [Row],
+    sums: Vec<f64>,
+    current: u16,
+    sum: f64,
+}
+
+impl<'a> Accounts<'a> {
+    fn new(phase: &'a Phase, contributions: &'a [Row], accounts: usize) -> Self {
+        Accounts { phase, contributions, sums: vec![0.0; accounts], current: NO_ACCOUNT, sum: 0.0 }
+    }
+
+    /// Books half the work of `twice`, two increments, against the parts' force at a node.
     #[inline(always)]
-    fn book_elements(&mut self, phase: &Phase, contributions: &[Row], node: usize, force: Row, twice: Row) {
-        match phase.account[node] {
-            NO_ACCOUNT => {}
-            SEVERAL => {
-                for at in phase.start[node] as usize..phase.start[node + 1] as usize {
-                    let account = phase.slot_account[at];
-                    if account != NO_ACCOUNT {
-                        let own = contributions[phase.slot[at] as usize];
-                        self.bodies[account as usize] += 0.5 * dot(own, twice);
-                    }
-                }
-            }
-            account => self.bodies[account as usize] += 0.5 * dot(force, twice),
+    fn book(&mut self, node: usize, force: Row, twice: Row) {
+        let account = self.phase.account[node];
+        if account != self.current {
+            self.turn(account);
         }
+        self.sum += 0.5 * dot(force, twice);
+        if account == SEVERAL {
+            self.book_several(node, twice);
+        }
+    }
+
+    #[cold]
+    fn turn(&mut self, account: u16) {
+        if let Some(sum) = self.sums.get_mut(self.current as usize) {
+            *sum += self.sum;
+        }
+        (self.current, self.sum) = (account, 0.0);
+    }
+
+    #[cold]
+    fn book_several(&mut self, node: usize, twice: Row) {
+        let Accounts { phase, contributions, sums, .. } = self;
+        for at in phase.start[node] as usize..phase.start[node + 1] as usize {
+            if let Some(sum) = sums.get_mut(phase.slot_account[at] as usize) {
+                *sum += 0.5 * dot(contributions[phase.slot[at] as usize], twice);
+            }
+        }
+    }
+
+    fn close(mut self) -> Vec<f64> {
+        self.turn(NO_ACCOUNT);
+        self.sums
     }
 }
 
@@ -310,7 +344,8 @@ impl Advance<'_> {
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let counted = phase.counted_nodes.end;
         let mut dashpots = Dashpots::from(phase, first);
-        let mut sums = NodeSums::new(self.accounts);
+        let mut sums = NodeSums::default();
+        let mut accounts = Accounts::new(phase, contributions, self.accounts);
         // Without dashpots and ξ the step is Δu ← keep Δu + push a, and v̂ = (fade Δu/Δt) + ½Δt a.
         let fade = 1.0 - 0.5 * omega * dt;
         let (keep, push) = (1.0 - omega * dt * fade, dt * dt * fade);
@@ -345,7 +380,7 @@ impl Advance<'_> {
             }
             if node < counted {
                 let twice = Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i]));
-                sums.book_elements(phase, contributions, node, force, twice);
+                accounts.book(node, force, twice);
             }
             sums.kinetic += 0.5 * own * dot(*du, *du);
             for i in 0..4 {
@@ -353,7 +388,7 @@ impl Advance<'_> {
             }
             *du = next;
         }
-        sums
+        NodeSums { bodies: accounts.close(), ..sums }
     }
 }
 
@@ -377,7 +412,8 @@ pub fn measure(
         .map(|(chunk, (velocity, acceleration))| {
             let first = chunk * CHUNK;
             let mut dashpots = Dashpots::from(phase, first);
-            let mut sums = NodeSums::new(accounts);
+            let mut sums = NodeSums::default();
+            let mut own = Accounts::new(phase, contributions, accounts);
             for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
                 let node = first + k;
                 let dashpot = dashpots.take(node);
@@ -391,12 +427,12 @@ pub fn measure(
                 if node < counted {
                     sums.kinetic += 0.5 * phase.mass[node] * dot(step.velocity, step.velocity);
                     sums.book(&step, du);
-                    sums.book_elements(phase, contributions, node, force, du);
+                    own.book(node, force, du);
                 }
                 *velocity = step.velocity;
                 *acceleration = step.acceleration;
             }
-            sums
+            NodeSums { bodies: own.close(), ..sums }
         })
         .collect();
     for &(node, master) in &phase.tied {

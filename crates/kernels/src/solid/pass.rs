@@ -1,5 +1,6 @@
 //! A pass of a kernel over the octets of a patch, in the instruction set of the machine.
 
+use super::weakened::Weakened;
 use crate::part::{ElementEnergy, ProbeOut};
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, LEFT, OnePointGeometry, Probe, Stabilisation};
@@ -91,32 +92,73 @@ pub(super) struct Pass<'a, R: Rule, M> {
     pub rows: &'a [Row],
     pub out: &'a mut [Row],
     pub probe: Option<ProbeOut<'a>>,
-    pub left: Option<Left<'a>>,
+    pub after: Option<After<'a>>,
 }
 
-/// Where a pass leaves what the law has left, for [`super::weakened::Weakened`].
-pub(super) struct Left<'a> {
-    /// [`LEFT`] octets a point.
-    pub to: &'a mut [Octet],
-    /// Its factor, an octet of elements each; 1 if empty.
+/// A second product of the same octet while its geometry is at hand: the elastic stiffness in what the law has left, times a
+/// factor of each element, with other rows.
+pub(super) struct After<'a> {
+    pub law: &'a Weakened,
+    pub rows: &'a [Row],
+    pub out: &'a mut [Row],
+    /// An octet of elements each; 1 if empty.
     pub factor: &'a [Octet],
 }
 
+/// [`Rule::kernel`] of [`Weakened`] in an instruction set, out of line: all laws share it.
+type Second<R> = unsafe fn(
+    &Weakened,
+    &Stabilisation,
+    &<R as Rule>::Geometry,
+    &[[u16; 8]; 8],
+    &mut [Octet],
+    &[Row],
+    &mut [Row],
+);
+
 #[inline(always)]
-unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
+unsafe fn second<L: Lane, R: Rule>(
+    law: &Weakened,
+    stabilisation: &Stabilisation,
+    geometry: &R::Geometry,
+    index: &[[u16; 8]; 8],
+    left: &mut [Octet],
+    rows: &[Row],
+    out: &mut [Row],
+) {
+    let mut probe = Probe::ZERO;
+    // SAFETY: passed on to the caller.
+    unsafe {
+        R::kernel::<L, Weakened, false>(
+            law,
+            stabilisation,
+            &Point::new(0.0),
+            geometry,
+            index,
+            left,
+            None,
+            &mut [],
+            &mut [],
+            rows,
+            out,
+            &mut probe,
+        );
+    }
+}
+
+#[inline(always)]
+unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>, second: Second<R>) {
     let per_octet = R::POINTS * M::HISTORY.len();
     let mut probe = Probe::ZERO;
-    let (mut wanted, mut left) = (pass.probe, pass.left);
+    let mut left = [Octet::ZERO; 8 * LEFT];
+    let (mut wanted, mut after) = (pass.probe, pass.after);
     for (i, (index, geometry)) in pass.index.iter().zip(pass.geometry).enumerate() {
         let history = &mut pass.history[i * per_octet..(i + 1) * per_octet];
         let overstress = match pass.band {
             Some(_) => &mut pass.overstress[i * R::POINTS * MEMORY..(i + 1) * R::POINTS * MEMORY],
             None => &mut [],
         };
-        let room = match left.as_mut() {
-            Some(left) => &mut left.to[i * R::POINTS * LEFT..(i + 1) * R::POINTS * LEFT],
-            None => &mut [],
-        };
+        let room: &mut [Octet] = if after.is_some() { &mut left[..R::POINTS * LEFT] } else { &mut [] };
         // SAFETY: `Solid::new` checked every index against the number of nodes, which both slices have.
         unsafe {
             R::kernel::<L, M, PROBE>(
@@ -137,15 +179,18 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
         if PROBE && let Some(to) = wanted.as_mut() {
             keep::<R>(&probe, i, to);
         }
-        if let Some(left) = left.as_mut() {
-            let factor = left.factor.get(i).copied().unwrap_or(ONE);
-            for point in left.to[i * R::POINTS * LEFT..(i + 1) * R::POINTS * LEFT].chunks_exact_mut(LEFT) {
+        if let Some(after) = after.as_mut() {
+            let factor = after.factor.get(i).copied().unwrap_or(ONE);
+            let left = &mut left[..R::POINTS * LEFT];
+            for point in left.chunks_exact_mut(LEFT) {
                 if M::DAMAGES {
                     point[LEFT - 1] = factor;
                 } else {
                     point.copy_from_slice(&whole(factor));
                 }
             }
+            // SAFETY: as above; `dispatch` chose the function for the same instruction set.
+            unsafe { second(after.law, pass.stabilisation, geometry, index, left, after.rows, after.out) };
         }
     }
 }
@@ -176,7 +221,7 @@ fn keep<R: Rule>(probe: &Probe, octet: usize, to: &mut ProbeOut) {
 
 #[cfg(target_arch = "x86_64")]
 mod instances {
-    use super::{Material, Pass, Rule, octets};
+    use super::{Material, Octet, Pass, Row, Rule, Stabilisation, Weakened, octets, second};
     use tremolite_laws::lane::{Avx2, Avx512, Enabled};
 
     #[derive(Clone, Copy)]
@@ -187,20 +232,45 @@ mod instances {
     #[target_feature(enable = "avx512f,avx2,fma")]
     pub(super) unsafe fn avx512<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
         // SAFETY: this function enables the instruction set; indices were checked.
-        unsafe { octets::<Avx512<Here>, R, M, PROBE>(pass) }
+        unsafe { octets::<Avx512<Here>, R, M, PROBE>(pass, second_avx512::<R>) }
     }
 
     #[target_feature(enable = "avx2,fma")]
     pub(super) unsafe fn avx2<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
         // SAFETY: as above.
-        unsafe { octets::<Avx2<Here>, R, M, PROBE>(pass) }
+        unsafe { octets::<Avx2<Here>, R, M, PROBE>(pass, second_avx2::<R>) }
     }
 
     /// The reference with hardware `mul_add`; without it each one is a library call.
     #[target_feature(enable = "fma")]
     pub(super) unsafe fn scalar_fma<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
         // SAFETY: indices were checked.
-        unsafe { octets::<f64, R, M, PROBE>(pass) }
+        unsafe { octets::<f64, R, M, PROBE>(pass, second_fma::<R>) }
+    }
+
+    macro_rules! seconds {
+        ($($name:ident, $lane:ty, $features:literal;)*) => {$(
+            #[target_feature(enable = $features)]
+            #[inline(never)]
+            unsafe fn $name<R: Rule>(
+                law: &Weakened,
+                stabilisation: &Stabilisation,
+                geometry: &R::Geometry,
+                index: &[[u16; 8]; 8],
+                left: &mut [Octet],
+                rows: &[Row],
+                out: &mut [Row],
+            ) {
+                // SAFETY: this function enables the instruction set; indices were checked.
+                unsafe { second::<$lane, R>(law, stabilisation, geometry, index, left, rows, out) }
+            }
+        )*};
+    }
+
+    seconds! {
+        second_avx512, Avx512<Here>, "avx512f,avx2,fma";
+        second_avx2, Avx2<Here>, "avx2,fma";
+        second_fma, f64, "fma";
     }
 }
 
@@ -217,6 +287,6 @@ pub(super) fn dispatch<R: Rule, M: Material, const PROBE: bool>(isa: Isa, pass: 
             Isa::Scalar => {}
         }
         let _ = isa;
-        octets::<f64, R, M, PROBE>(pass);
+        octets::<f64, R, M, PROBE>(pass, second::<f64, R>);
     }
 }

@@ -75,7 +75,10 @@ fn the_json_is_what_the_contract_says() {
     assert_eq!(json["wall_seconds"], 12.5);
     assert_eq!(json["element_updates_per_second"], 3.2e7);
     let peaks = serde_json::to_string(&summary().monitors["A"]["ux"]).unwrap();
-    assert_eq!(peaks, r#"{"max":0.05,"t_max":13.2,"min":-0.01,"t_min":9.0,"residual":0.007,"step_max":0.06}"#);
+    assert_eq!(
+        peaks,
+        r#"{"max":0.05,"t_max":13.2,"min":-0.01,"t_min":9.0,"residual":0.007,"step_max":0.06}"#
+    );
     let line = serde_json::to_string(&summary().trust[1]).unwrap();
     assert_eq!(
         line,
