@@ -3,7 +3,7 @@
 use crate::block::block;
 use crate::ready::Ready;
 use tremolite::phase::Drive;
-use tremolite::{Assembly, Engine, Life, Line, Model, Phase, Side, Stage, State, laws, stable_step};
+use tremolite::{Assembly, Base, Engine, Life, Line, Model, Phase, Side, Stage, State, laws, stable_step};
 use tremolite_laws::{Row, Values};
 
 const BEFORE: Stage = Stage::Before(0);
@@ -25,7 +25,10 @@ fn layout(state: &mut State) -> Vec<(String, usize)> {
 /// the same vectors.
 #[test]
 fn a_body_that_is_born_with_the_shaking_is_absent_before_and_no_column_moves() {
-    let model = Model::new(block([6, 5, 7])).unwrap();
+    // Of so many layers the distorted slab has not everywhere the same, so the ground differs between corners.
+    let mut problem = block([6, 5, 14]);
+    problem.base = Base::Viscous;
+    let model = Model::new(problem).unwrap();
     let mut assembly = Assembly::new(&model).unwrap();
     for (member, patch) in assembly.members.iter_mut().zip(&model.patches[..model.user_patches]) {
         if model.bodies[patch.body].name == "slab" {
