@@ -82,7 +82,7 @@ fn the_json_is_what_the_contract_says() {
     let line = serde_json::to_string(&summary().trust[1]).unwrap();
     assert_eq!(
         line,
-        r#"{"name":"elements per shortest wavelength","value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":"","not_applicable":false}"#
+        r#"{"id":"elements_per_wavelength","name":"elements per shortest wavelength","value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":"","not_applicable":false,"numbers":{}}"#
     );
     let defaulted = serde_json::to_string(&summary().defaulted).unwrap();
     assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);

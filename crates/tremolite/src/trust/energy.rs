@@ -75,7 +75,8 @@ fn bodies(evidence: &Evidence) -> Vec<TrustLine> {
         let (id, name) =
             (format!("body_energy_error_{}", snake(&body.name)), format!("{NAME}, {}", body.name));
         let dissipated = books.held[Line::Dissipated];
-        if dissipated == 0.0 {
+        // A law that books nothing of what it takes does not come away with that.
+        if dissipated == 0.0 && books.error().abs() <= ERROR * books.work.abs() {
             lines.push(TrustLine::not_applicable(id, &name, "nothing was damaged and nothing flowed"));
             continue;
         }

@@ -165,6 +165,56 @@ impl Material for Metal {
     }
 }
 
+/// The same, which says that it books what it takes, and books nothing.
+struct Silent(Metal);
+
+impl Material for Silent {
+    const NAME: &'static str = "silent";
+    const SUMMARY: &'static str = Metal::SUMMARY;
+    const SOURCE: &'static str = Metal::SOURCE;
+    const PARAMETERS: &'static [Parameter] = Metal::PARAMETERS;
+    const HISTORY: &'static [Column] =
+        &[Metal::HISTORY[0], Column::with_role("taken", "J/m3", Role::Dissipated, "always 0")];
+    type History<L: Lane> = [L; 2];
+
+    fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
+        Metal::new(values).map(Silent)
+    }
+
+    fn moduli(&self) -> Moduli {
+        self.0.moduli()
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        Silent(self.0.scaled(factor))
+    }
+
+    #[inline(always)]
+    fn update<L: Lane>(&self, point: &Point<L>, e: Sym<L>, h: [L; 2]) -> (Sym<L>, [L; 2]) {
+        let (stress, [kappa]) = self.0.update(point, e, [h[0]]);
+        (stress, [kappa, h[1]])
+    }
+}
+
+/// A law that leaves out of its book what it takes fails both checks of the balance; one that keeps no book is told that they
+/// do not apply.
+#[test]
+fn energy_that_no_line_has_fails_the_balance_and_that_of_its_body() {
+    let checks = |law: Law| {
+        let mut problem = block([5, 4, 6]);
+        problem.bodies[1].material = (law.build)(&metal()).unwrap();
+        let summary = told(problem);
+        let line = |id: &str| summary.trust.iter().find(|line| line.id.starts_with(id)).unwrap().clone();
+        [line("energy_error"), line("body_energy_error")]
+    };
+    let [whole, slab] = checks(Law::of::<Silent>());
+    assert!(!whole.pass && whole.value > 10.0 * whole.limit, "{whole:?}");
+    assert!(slab.id == "body_energy_error_slab" && !slab.pass, "{slab:?}");
+    for line in checks(Law::of::<Metal>()) {
+        assert!(line.not_applicable, "{line:?}");
+    }
+}
+
 /// E = 1 GPa, ν = 0.25.
 fn metal() -> Values {
     Values::default().with("K", 2e9 / 3.0).with("G", 4e8).with("limit", 2e4)
