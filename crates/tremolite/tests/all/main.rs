@@ -5,6 +5,7 @@ mod consistency;
 mod cracked_damping;
 mod damage;
 mod engine;
+mod ground;
 mod history;
 mod outside_law;
 mod outside_part;

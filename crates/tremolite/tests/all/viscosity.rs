@@ -1,10 +1,12 @@
 //! Artificial viscosity: it damps an element's highest mode by its share, bounds the step as it says, and books what it takes.
 
+use crate::block::block;
 use crate::ready::Ready;
 use tremolite::engine::viscous_share;
-use tremolite::{Body, Problem, Quadrature, elastic};
+use tremolite::parts::Scratch;
+use tremolite::{Body, Problem, Quadrature, elastic, laws};
 use tremolite_kernels::Line;
-use tremolite_laws::{Moduli, Row};
+use tremolite_laws::{Moduli, Octet, Row, Value, Values};
 use tremolite_mesh::boxes::{BoxSpec, Distortion};
 
 const QUADRATURES: [Quadrature; 2] = [Quadrature::OnePoint, Quadrature::Full];
@@ -98,5 +100,75 @@ fn the_highest_mode_of_an_element_is_damped_by_the_share() {
         assert!((ratio / 0.06 - 1.0).abs() < 0.02, "{quadrature:?}: {ratio}");
         let taken = balance[Line::Viscosity] / before;
         assert!((taken - (1.0 - total(&balance) / before)).abs() < 1e-4, "{quadrature:?}: {taken}");
+    }
+}
+
+/// ξK is elements' alone: with the springs of the base in it the free field was damped by 1.6 %.
+#[test]
+fn stiffness_proportional_damping_acts_on_elements_alone() {
+    let ready = Ready::new(block([4, 4, 5]));
+    let w: Vec<Row> = (0..ready.model.mesh_node.len()).map(random).collect();
+    let (mut of_elements, mut of_others) = (0, 0);
+    for member in &ready.assembly.members {
+        let mut out = vec![Row::new([1.0; 3]); member.part.nodes().len()];
+        let history = vec![Octet::ZERO; member.part.state_sizes().history];
+        member.part.damping_times(&w, &history, &w, &mut out, &mut Scratch::default());
+        let still = out.iter().all(|row| row.xyz() == [0.0; 3]);
+        if member.part.elements().0 > 0 {
+            of_elements += 1;
+            assert!(!still, "{}", member.name);
+        } else {
+            of_others += 1;
+            assert!(still, "{}", member.name);
+        }
+    }
+    assert!(of_elements > 0 && of_others > 0);
+}
+
+/// Concrete that is loaded fast is stronger: uncracked beyond its static strength it carries all of ξK. Asked with an update
+/// at Δt = 0, in which there is no rate, it read as cracked.
+#[test]
+fn uncracked_concrete_beyond_its_static_strength_is_damped_as_if_elastic() {
+    let mut values = Values::default()
+        .with("young", 25e9)
+        .with("poisson", 0.17)
+        .with("tensile_strength", 1.2e6)
+        .with("cohesion", 2e6)
+        .with("friction_angle", 0.8);
+    values.0.insert("rate".into(), Value::Word("ceb".into()));
+    let law = laws().into_iter().find(|law| law.info.name == "concrete-damage").unwrap();
+    let mesh = BoxSpec::uniform([0.0; 3], [1.0; 3], [1; 3]).mesh().unwrap();
+    let body = Body {
+        name: "concrete".into(),
+        elements: vec![0],
+        material: (law.build)(&values).unwrap(),
+        density: 2500.0,
+        quadrature: Quadrature::Full,
+        viscosity: 0.0,
+    };
+    let ready = Ready::new(Problem::new(mesh, vec![body]));
+    let mut state = ready.rest(0.5);
+    let height = |node: usize| ready.model.mesh.nodes[ready.model.mesh_node[node] as usize][2];
+    // Up to 1.05 of the static threshold within 5 ms: the rate factor is 1.10.
+    let steps = (5e-3 / state.dt) as usize;
+    let mut engine = ready.engine();
+    for step in 1..=steps {
+        let strain = 1.05 * 1.2e6 / 25e9 * step as f64 / steps as f64;
+        state.u = (0..8).map(|n| Row::new([0.0, 0.0, strain * height(n)])).collect();
+        engine = ready.engine();
+        engine.observe(&mut state);
+    }
+    drop(engine);
+    assert!(state.history.iter().step_by(14).all(|d| d.0[0] == 0.0), "nothing has cracked");
+    let w: Vec<Row> = (0..8).map(random).collect();
+    let part = &ready.assembly.members[0].part;
+    let [mut damped, mut elastic] = [vec![Row::ZERO; 8], vec![Row::ZERO; 8]];
+    let rows: Vec<Row> = state.u.clone();
+    part.damping_times(&rows, &state.history, &w, &mut damped, &mut Scratch::default());
+    part.stiffness_times(&w, &mut elastic, &mut Scratch::default());
+    for (damped, elastic) in damped.iter().zip(&elastic) {
+        for i in 0..3 {
+            assert!((damped.0[i] - elastic.0[i]).abs() < 1e-12 * 25e9, "{damped:?} {elastic:?}");
+        }
     }
 }
