@@ -135,7 +135,7 @@ impl<'a> Checker<'a> {
     fn default(&mut self, key: &Key, text: &'static str, span: Range<usize>, path: &str) -> Option<Node> {
         // Only constants of this crate come here; a test reads them all.
         let value = DeValue::parse(text).ok()?;
-        if !matches!(value.get_ref(), DeValue::Table(_)) && !matches!(key.kind, Kind::Brief(..)) {
+        if !matches!(value.get_ref(), DeValue::Table(_)) {
             let shown = value.get_ref().as_str().unwrap_or(text);
             self.defaulted.push(Defaulted { key: path.to_owned(), value: shown.to_owned() });
         }

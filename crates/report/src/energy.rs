@@ -11,11 +11,16 @@ const HEADING: &str = "Energy balance";
 /// The dark one; the other lines pass it over.
 const ERROR_COLOUR: usize = 3;
 
-/// The largest error of the balance, and its ratio to the largest line of it, both over all times.
+/// The largest error of the balance, and its ratio to the largest energy held by motion and elements, both over all times.
 pub fn worst_error(table: &Table) -> Option<(f64, f64)> {
-    let error = largest(table.column("error")?);
-    let most = lines(table).map(|(_, values)| largest(values)).fold(0.0, f64::max);
-    (most > 0.0).then_some((error, error / most))
+    let held: Vec<&[f64]> =
+        ["kinetic", "strain", "hourglass"].into_iter().filter_map(|c| table.column(c)).collect();
+    let error = table.column("error")?.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let most = (0..table.rows())
+        .map(|row| held.iter().map(|column| column[row]).sum::<f64>())
+        .filter(|x| x.is_finite())
+        .fold(0.0_f64, f64::max);
+    (most > 0.0).then(|| (error, error / most))
 }
 
 fn lines(table: &Table) -> impl Iterator<Item = (&str, &[f64])> {
@@ -62,7 +67,10 @@ pub fn section<'a>(source: &'a Source) -> Section {
                 mark: Mark::Largest,
             });
             let percent = figures(100.0 * ratio, 2);
-            format!("The error is at most {}, {percent}\u{a0}% of the largest line.", quantity("J", worst))
+            format!(
+                "The error is at most {}, {percent}\u{a0}% of the largest energy held.",
+                quantity("J", worst)
+            )
         }
         _ => "energy.csv has no column error.".into(),
     };

@@ -100,23 +100,20 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     if let Ok(table) = &source.monitors
         && let Some((monitor, time, size)) = longest(table, facts.monitors.keys())
     {
-        cards.push(card("Largest displacement", quantity("m", size), &format!("{monitor} at {}", at(time))));
+        cards.push(card(
+            "Largest displacement of a monitor",
+            quantity("m", size),
+            &format!("{monitor} at {}", at(time)),
+        ));
     }
     let component = |name: &str| ["ux", "uy", "uz"].contains(&name);
     let most = extreme(&facts.relative, component, |p| p.largest().1.abs());
     if let Some((pair, name, peaks)) = most {
         let (time, value) = peaks.largest();
         let note = format!("{pair}, {}, at {}", name.trim_start_matches('u'), at(time));
-        cards.push(card("Largest relative displacement", quantity("m", value.abs()), &note));
+        cards.push(card("Largest relative displacement, one component", quantity("m", value.abs()), &note));
     }
-    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s1", |p| p.max) {
-        let note = format!("{monitor} at {}", at(peaks.t_max));
-        cards.push(card("Largest principal stress s1", quantity("Pa", peaks.max), &note));
-    }
-    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s3", |p| -p.min) {
-        let note = format!("{monitor} at {}", at(peaks.t_min));
-        cards.push(card("Smallest principal stress s3", quantity("Pa", peaks.min), &note));
-    }
+    cards.extend(stress_cards(&facts, at));
     let cracks = facts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
     let cracks = cracks.filter_map(|(name, cracks)| Some((name, cracks, cracks.widest?)));
     // Of equal ones the first: the whole stands before its parts.
@@ -128,12 +125,41 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     if let Ok(table) = &source.energy
         && let Some((error, ratio)) = worst_error(table)
     {
-        let note = format!("{}, of the largest line", quantity("J", error));
+        let note = format!("{}, of the largest energy held", quantity("J", error));
         cards.push(card(
             "Largest error of the energy balance",
             format!("{}\u{a0}%", figures(100.0 * ratio, 2)),
             &note,
         ));
+    }
+    cards
+}
+
+/// The largest stresses of all groups; of the monitors in summaries that know of none.
+fn stress_cards(facts: &Summary, at: impl Fn(f64) -> String) -> Vec<Fact> {
+    let mut cards = Vec::new();
+    let groups = || facts.stress.iter().filter(|(_, stress)| stress.whole);
+    let most = groups().max_by(|a, b| a.1.s1.value.total_cmp(&b.1.s1.value)).map(|(name, s)| (name, &s.s1));
+    let least = groups().min_by(|a, b| a.1.s3.value.total_cmp(&b.1.s3.value)).map(|(name, s)| (name, &s.s3));
+    for (label, found) in [("Largest principal stress s1", most), ("Smallest principal stress s3", least)] {
+        if let Some((group, peak)) = found {
+            let note = format!(
+                "{group} at {}; at the fibre of intact 2×2×2 elements, else at points",
+                at(peak.time)
+            );
+            cards.push(card(label, quantity("Pa", peak.value), &note));
+        }
+    }
+    if !cards.is_empty() {
+        return cards;
+    }
+    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s1", |p| p.max) {
+        let note = format!("monitor {monitor} at {}", at(peaks.t_max));
+        cards.push(card("Largest principal stress s1", quantity("Pa", peaks.max), &note));
+    }
+    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s3", |p| -p.min) {
+        let note = format!("monitor {monitor} at {}", at(peaks.t_min));
+        cards.push(card("Smallest principal stress s3", quantity("Pa", peaks.min), &note));
     }
     cards
 }
@@ -220,10 +246,16 @@ pub fn model(summary: &Summary) -> Vec<Fact> {
     if let Some(source) = sources.first().filter(|_| shared) {
         facts.push(card("Record", (*source).clone(), ""));
     }
+    // Round-off of a component that the record does not have is no motion.
+    let largest = motion.peak_acceleration.values().fold(0.0_f64, |most, x| most.max(x.abs()));
     for (axis, &peak) in &motion.peak_acceleration {
+        let peak = if peak.abs() < 1e-9 * largest { 0.0 } else { peak };
         let source = motion.source.get(axis).filter(|_| !shared).map_or("", String::as_str);
         let value = format!("{} ({}\u{a0}g)", quantity("m/s2", peak), figures(peak / 9.806_65, 2));
         facts.push(card(&format!("Peak incident acceleration, {axis}"), value, source));
+    }
+    for fact in &summary.facts {
+        facts.push(card(&capital(&fact.name), trimmed(&quantity(&fact.unit, fact.value)), &fact.note));
     }
     if !summary.positions.is_empty() {
         let place = |p: &[f64; 3]| p.map(|c| trimmed(&format!("{c:.2}").replace('-', "−"))).join(",\u{a0}");
@@ -232,6 +264,11 @@ pub fn model(summary: &Summary) -> Vec<Fact> {
         facts.push(card("Monitors (x, y, z in m)", places.join("; "), ""));
     }
     facts
+}
+
+fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// How the run was made.
@@ -279,11 +316,48 @@ pub fn peaks(source: &Source) -> Vec<PeakTable> {
     let tables = [
         peak_table("Displacement", "m", &summary.monitors, &["ux", "uy", "uz"][..]),
         peak_table("Relative displacement", "m", &summary.relative, &["ux", "uy", "uz"][..]),
-        peak_table("Principal stress, tension positive", "Pa", &summary.monitors, &["s1", "s3"][..]),
+        group_stress(&summary, duration),
+        peak_table(
+            "Principal stress of monitors, tension positive",
+            "Pa",
+            &summary.monitors,
+            &["s1", "s3"][..],
+        ),
         peak_table("Velocity", "m/s", &summary.monitors, &["vx", "vy", "vz"][..]),
         peak_table("Acceleration", "m/s2", &summary.monitors, &["ax", "ay", "az"][..]),
     ];
     tables.into_iter().filter(|table| !table.rows.is_empty()).collect()
+}
+
+/// The largest stresses of each group.
+fn group_stress(summary: &Summary, duration: f64) -> PeakTable {
+    let all = || summary.stress.values().flat_map(|s| [s.s1.value.abs(), s.s3.value.abs()]);
+    let scale = Scale::suiting("Pa", all().filter(|x| x.is_finite()).fold(0.0, f64::max));
+    let rows = summary.stress.iter().flat_map(|(group, stress)| {
+        let row = |monitor: &str, quantity: &str| PeakRow {
+            monitor: monitor.to_owned(),
+            quantity: quantity.to_owned(),
+            max: String::new(),
+            t_max: String::new(),
+            min: String::new(),
+            t_min: String::new(),
+            residual: String::new(),
+        };
+        let s1 = PeakRow {
+            max: scale.number(stress.s1.value),
+            t_max: moment(stress.s1.time, duration),
+            ..row(group, "s1")
+        };
+        let s3 = PeakRow {
+            min: scale.number(stress.s3.value),
+            t_min: moment(stress.s3.time, duration),
+            ..row("", "s3")
+        };
+        [s1, s3]
+    });
+    let heading = "Principal stress of groups, tension positive; of 2×2×2 elements at the fibre while intact, else at points";
+    let rows: Vec<PeakRow> = rows.collect();
+    PeakTable { heading, unit: scale.unit, rows }
 }
 
 fn peak_table(heading: &'static str, unit: &str, all: &ByName, wanted: &[&str], duration: f64) -> PeakTable {

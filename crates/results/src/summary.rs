@@ -70,6 +70,8 @@ pub struct Summary {
     pub energy: IndexMap<String, f64>,
     /// Each a number against its limit; every check is here, those that do not apply with the reason.
     pub trust: Vec<TrustLine>,
+    /// What was unusual about the case before the run, a sentence each with what to do.
+    pub before: Vec<String>,
     /// What is true by construction, for people to know.
     pub facts: Vec<Fact>,
     /// What the run read: mesh, records, case.

@@ -25,6 +25,8 @@ pub struct Evidence<'a> {
     pub energy: &'a Table,
     pub materials: IndexMap<String, MaterialFacts>,
     pub inputs: Vec<Input>,
+    /// What was said of the case before the run.
+    pub before: Vec<String>,
     pub run: RunFacts,
     pub defaulted: Vec<Defaulted>,
     /// Wall time of the whole process so far \[s\].

@@ -82,6 +82,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         facts,
         trust,
         inputs: evidence.inputs,
+        before: evidence.before,
         version: env!("CARGO_PKG_VERSION").to_owned(),
         run: evidence.run,
         defaulted: evidence.defaulted,
@@ -135,7 +136,7 @@ fn run_in_words(outcome: &Outcome, trust: &[TrustLine], stress: &IndexMap<String
         .collect();
     if !peaks.is_empty() {
         text += &format!(
-            " Largest principal stress, in full elements at the fibre as long as they are intact: {} (change by the \
+            " Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {} (change by the \
              earthquake alone).",
             peaks.join(", ")
         );

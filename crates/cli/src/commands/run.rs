@@ -12,9 +12,11 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use tremolite::evidence::Evidence;
 use tremolite::run::{Control, Ending, Progress, choose_step};
+use tremolite::setup::changed;
 use tremolite::summary::summary;
 use tremolite::survey::{limit_in_words, survey};
 use tremolite::{Assembly, Model, Phase, Stage, stable_step};
+use tremolite_case::Problem;
 use tremolite_results::{ResultFolder, RunFacts, Summary, Table, replace_file};
 
 #[derive(clap::Args)]
@@ -36,7 +38,7 @@ pub struct Args {
     /// Force an instruction set: scalar, avx2 or avx512
     #[arg(long)]
     isa: Option<String>,
-    /// End with status 1 where a check of the run fails; results are kept
+    /// End with status 1 where a check of the run fails or the case is warned of; results are kept
     #[arg(long)]
     strict: bool,
 }
@@ -84,8 +86,13 @@ pub fn run(args: &Args) -> Outcome {
         let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(Failure::input)?;
         let survey = survey(&model, &assembly, motion.highest_frequency).map_err(Failure::input)?;
         let stable = stable_step(&model, &assembly, &phase);
-        check_step(&case, &stable);
-        check_waves(&case, &model, &survey);
+        let mut warnings = [case.warnings.clone(), setup.warnings.clone()].concat();
+        warnings.extend(check_step(&case, &stable));
+        warnings.extend(check_waves(&case, &model, &survey));
+        let sentence = |p: &Problem| format!("{}; {}", p.message, p.remedy);
+        let mut said: Vec<String> = warnings.iter().map(sentence).collect();
+        said.extend(changed(&args.case, &setup.inputs));
+        let warned = !said.is_empty();
         let (dt, steps) = choose_step(&model, &plan, &stable);
 
         let name = case_name(&args.case);
@@ -178,6 +185,7 @@ pub fn run(args: &Args) -> Outcome {
                 resumed,
             },
             inputs: setup.inputs.clone(),
+            before: said,
             materials: setup.materials.clone(),
             defaulted,
             wall_seconds: begin.elapsed().as_secs_f64() + if earlier.is_finite() { earlier } else { 0.0 },
@@ -203,7 +211,7 @@ pub fn run(args: &Args) -> Outcome {
         log.say(&summary.verdict);
         log.say(&format!("Results are in {}; open {}", folder.root().display(), page.display()));
         Ok(match outcome.ending {
-            Ending::Done if args.strict && summary.warnings() > 0 => Code::Failed,
+            Ending::Done if args.strict && (warned || summary.warnings() > 0) => Code::Failed,
             Ending::Done => Code::Done,
             Ending::Failed { .. } => Code::Failed,
             Ending::Stopped => Code::Stopped,

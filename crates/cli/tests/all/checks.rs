@@ -183,3 +183,51 @@ fn motion_beyond_any_earthquake_is_refused_with_the_way_out() {
         assert!(errors(&refused).contains("more than any earthquake"), "{}", errors(&refused));
     }
 }
+
+/// A block whose ground dips, so that its corners differ: one column is not its free field. Left out, the base has no springs
+/// and is listed so; asked for, they are refused. Viscous sides then cannot be judged, which is no pass.
+#[test]
+fn ground_that_differs_between_corners_takes_the_springs_from_a_base_that_was_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(tremolite(folder.path(), &["new", "study"]).status.success());
+    let folder = folder.path().join("study");
+    let case = folder.join("case.toml");
+    let text = std::fs::read_to_string(&case).unwrap();
+    let layers = r#"[[mesh.caverns.layer]]
+name = "soft"
+depth = 0
+[[mesh.caverns.layer]]
+name = "sound"
+depth = "30 m"
+dip = "20 deg"
+dip_direction = "90 deg"
+[material.soft]
+law = "elastic"
+young = "2 GPa"
+poisson = 0.25
+unit_weight = "25 kN/m3"
+
+[material.rock]"#;
+    let region =
+        "[[region]]\ngroups = [\"rock.soft\"]\nmaterial = \"soft\"\nelement = \"one-point\"\n\n[[region]]";
+    let text = text
+        .replacen("[material.rock]", layers, 1)
+        .replacen("[[region]]", region, 1)
+        .replacen("groups   = [\"rock\"]", "groups = [\"rock.sound\"]", 1)
+        .replace("duration = \"1.5 s\"", "duration = \"0.2 s\"");
+    std::fs::write(&case, &text).unwrap();
+    let refused = tremolite(&folder, &["check", "case.toml"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", errors(&refused));
+    assert!(errors(&refused).contains("differs from that at"), "{}", errors(&refused));
+
+    let base = text.lines().find(|line| line.starts_with("base ")).unwrap();
+    let text = text.replace(base, "").replace("sides    = \"periodic\"", "sides    = \"viscous\"");
+    std::fs::write(&case, &text).unwrap();
+    let summary = summary_of(&folder);
+    let listed: Vec<_> = summary.defaulted.iter().filter(|d| d.key.starts_with("dynamic.base")).collect();
+    assert_eq!(listed.len(), 1, "{listed:?}");
+    assert!(listed[0].value.starts_with("\"viscous\", without springs: the ground at"), "{listed:?}");
+    let model = line(&summary, "model_against_free_field");
+    assert!(!model.pass && model.note.starts_with("cannot be checked"), "{model:?}");
+    assert!(summary.before.iter().any(|said| said.contains("drain the wave")), "{:?}", summary.before);
+}

@@ -239,7 +239,8 @@ fn springs_or_none(
     base: Base,
     problems: &mut Vec<case::Problem>,
 ) -> (Base, Option<String>) {
-    if !base.has_springs() || bodies.is_empty() {
+    // What else is wrong comes first: elements without a material are no ground.
+    if !base.has_springs() || !problems.is_empty() {
         return (base, None);
     }
     let mut body_of = vec![None; mesh.elements.len()];

@@ -120,7 +120,7 @@ fn beyond_any_earthquake(case: &Case, motion: &Motion, factor: f64) -> Option<Pr
             return Some(Problem::new(
                 case.motion.span.clone(),
                 format!(
-                    "the incident wave reaches a {what} of {peak:.3} {unit}, more than any earthquake: the limit is \
+                    "the incident wave reaches {peak:.3} {unit} of {what}, more than any earthquake: the limit is \
                      {limit:.3} {unit}"
                 ),
                 "look at the record's units and scale; velocity and displacement that grow are drift, which \"baseline\" as \
@@ -274,7 +274,11 @@ fn record_channel(
     let channels = match read(&case.resolve(&record.file.value), &options) {
         Ok(channels) => channels,
         Err(e) => {
-            problems.push(Problem::at(&record.file, e.to_string(), "see the message"));
+            problems.push(Problem::at(
+                &record.file,
+                e.to_string(),
+                "mend the file, or say what it holds with units, columns and dt",
+            ));
             return None;
         }
     };

@@ -2,6 +2,7 @@
 
 use crate::evidence::Evidence;
 use crate::observers::FreeFieldSeen;
+use tremolite_engine::Side;
 use tremolite_results::TrustLine;
 
 /// Elements a wavelength below which a wave's amplitude and speed suffer (Kuhlemeyer & Lysmer 1973).
@@ -57,7 +58,15 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
         return both("no wave comes in");
     }
     if model.column.is_none() {
-        return both(&format!("there is no reference column: {}", model.no_column));
+        let why = format!("there is no reference column: {}", model.no_column);
+        let mut lines = both(&why);
+        // Periodic sides leave uniform motion alone. What others make of it cannot be told here, and that is no pass.
+        if model.sides.iter().any(|side| *side != Side::Periodic) {
+            lines[1] = TrustLine::at_most(MODEL_ID, MODEL_NAME, f64::NAN, CORNERS, "").with_note(format!(
+                "cannot be checked, since {why}; and such sides may spoil the free field altogether"
+            ));
+        }
+        return lines;
     }
     let Some(seen) = FreeFieldSeen::of(&outcome.state.observers) else {
         return both("no row was written");
@@ -86,7 +95,7 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
             .with("peak", seen.peak)
             .with_note(
                 "velocity of the model's own surface and base at its four corners against the reference column's, over that \
-                 one's peak: sides that hold or drain the free field, or caverns too near to them",
+                 one's peak: sides that hold or drain the free field, or caverns too near to them: make `sides` wider",
             )
     };
     vec![theory, model]

@@ -260,6 +260,7 @@ fn told(problem: Problem) -> Summary {
         energy: &Table::read(&results.energy()).unwrap(),
         materials: IndexMap::new(),
         inputs: Vec::new(),
+        before: Vec::new(),
         run: RunFacts::default(),
         defaulted: Vec::new(),
         wall_seconds: 0.0,
