@@ -142,6 +142,7 @@ fn along(
 pub fn build(mesh: &mut Mesh, bodies: &mut Vec<Body>, ground: Ground) -> Column {
     let (low, high) = mesh.bounds();
     let Ground { layers } = ground;
+    let users = bodies.len();
     // Beside the mesh, so that a picture with it shows two things.
     let x0 = low[0] - (high[0] - low[0]) - WIDTH;
     let y0 = low[1];
@@ -163,7 +164,9 @@ pub fn build(mesh: &mut Mesh, bodies: &mut Vec<Body>, ground: Ground) -> Column 
             &[below[0], below[1], below[2], below[3], above[0], above[1], above[2], above[3]],
         ));
         let name = format!("reference column ({})", bodies[body].name);
-        match bodies.iter_mut().find(|b| b.name == name) {
+        // Ground of one stuff is one body, whatever groups it lies in: theory goes by it.
+        let like = &bodies[body];
+        match bodies[users..].iter().position(|column| same(column, like)).map(|k| &mut bodies[users + k]) {
             Some(column) => column.elements.push(element),
             None => {
                 let like = &bodies[body];

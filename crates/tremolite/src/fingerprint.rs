@@ -52,6 +52,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     time.shown(&(dt, plan.duration, plan.histories, plan.snapshots, model.rayleigh));
     if let Some(incident) = &model.incident {
         time.number(incident.factor);
+        time.number(incident.motion.dt);
         time.numbers(incident.motion.acceleration.iter().flatten());
     }
     for load in &model.loads {

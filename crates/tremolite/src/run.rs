@@ -161,6 +161,9 @@ pub fn run(
             checkpoint::write(&folder.checkpoint(), &mut state, fingerprint)?;
             kept = now;
             if stop {
+                // A look at a copy, since the state's own parts must see each step once.
+                let snapshot = engine.observe(&mut state.clone());
+                (balance, bodies) = (snapshot.balance, snapshot.bodies);
                 break Ending::Stopped;
             }
         }

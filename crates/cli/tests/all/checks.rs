@@ -41,7 +41,6 @@ kind = "incident"
 east = {{ file = "pulse.txt", units = "m/s2", dt = "0.01 s" }}
 process = ["baseline"]
 [dynamic]
-safety = 0.6
 {dynamic}
 [[monitor]]
 name = "top"

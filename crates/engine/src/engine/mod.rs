@@ -53,7 +53,9 @@ pub struct Snapshot {
     pub energy: Vec<ElementEnergy>,
     /// The energy balance at this time.
     pub balance: Lines,
-    /// The same for each account ([`Assembly::accounts`]).
+    /// ⅛Δt²aᵀMa \[J\]: the part of the balance's error that belongs to the scheme and shrinks with Δt².
+    pub scheme: f64,
+    /// The balance of each account ([`Assembly::accounts`]).
     pub bodies: Vec<BodyBooks>,
 }
 
@@ -324,6 +326,7 @@ impl<'a> Engine<'a> {
             };
         }
         balance[Line::Error] = balance.sum();
+        snapshot.scheme = sums.scheme;
         snapshot.bodies = bodies
             .into_iter()
             .enumerate()

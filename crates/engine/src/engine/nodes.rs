@@ -25,6 +25,8 @@ pub struct NodeSums {
     pub side_dashpots: f64,
     /// Work against the forces of elements by account, likewise.
     pub bodies: Vec<f64>,
+    /// ⅛Δt²aᵀMa when measuring: by so much ½v̂ᵀMv̂ exceeds the kinetic energy that the scheme conserves.
+    pub scheme: f64,
 }
 
 impl NodeSums {
@@ -46,6 +48,7 @@ impl NodeSums {
         self.rayleigh += o.rayleigh;
         self.base_dashpots += o.base_dashpots;
         self.side_dashpots += o.side_dashpots;
+        self.scheme += o.scheme;
         for (own, more) in self.bodies.iter_mut().zip(o.bodies) {
             *own += more;
         }
@@ -425,7 +428,10 @@ pub fn measure(
                 let force = force(phase, contributions, node);
                 let step = node_step(&damping, phase, rates, dashpot, node, force, du);
                 if node < counted {
-                    sums.kinetic += 0.5 * phase.mass[node] * dot(step.velocity, step.velocity);
+                    let mass = phase.mass[node];
+                    sums.kinetic += 0.5 * mass * dot(step.velocity, step.velocity);
+                    sums.scheme +=
+                        0.125 * state.dt * state.dt * mass * dot(step.acceleration, step.acceleration);
                     sums.book(&step, du);
                     own.book(node, force, du);
                 }

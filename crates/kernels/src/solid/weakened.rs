@@ -49,11 +49,17 @@ impl Material for Weakened {
     #[inline(always)]
     fn update<L: Lane>(&self, _: &Point<L>, e: Sym<L>, left: [L; LEFT]) -> (Sym<L>, [L; LEFT]) {
         let v = [left[0], left[1], left[2], left[3], left[4], left[5]];
-        let mut stress = if L::any((v[0] + v[1] + v[2]).less(L::splat(3.0))) {
-            self.0.stress_left(&e, &v)
-        } else {
-            self.0.stress(&e)
-        };
+        let mut stress = self.0.stress(&e);
+        // A closed crack leaves V at I but for the round-off of its axes: it carries all, whatever is in other lanes.
+        let lessened = (v[0] + v[1] + v[2]).less(L::splat(3.0));
+        if L::any(lessened) {
+            let left = self.0.stress_left(&e, &v);
+            let mut k = 0;
+            while k < 6 {
+                stress[k] = L::select(lessened, left[k], stress[k]);
+                k += 1;
+            }
+        }
         let mut k = 0;
         while k < 6 {
             stress[k] = left[7] * stress[k];

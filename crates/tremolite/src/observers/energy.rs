@@ -6,8 +6,9 @@ use tremolite_engine::state::Memory;
 use tremolite_kernels::Line;
 use tremolite_results::{Column, TableWriter};
 
-/// Key of what this observer remembers: the bytes written.
-const MEMORY: &str = "energy";
+/// Key of what this observer remembers: the bytes written, and the largest error of all rows beyond the scheme's own part of
+/// it \[J\].
+pub const MEMORY: &str = "energy";
 
 /// Writes a row of the energy balance.
 pub struct Energy {
@@ -42,7 +43,10 @@ impl Observer for Energy {
         let mut row = vec![view.snapshot.time];
         row.extend(balance.iter().map(|(_, value)| value));
         self.table.write(&row)?;
-        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
+        let beyond = (balance[Line::Error] - view.snapshot.scheme).abs();
+        let most = memory.get(MEMORY).map_or(0.0, |kept| kept[1]);
+        let most = if beyond.is_nan() { beyond } else { most.max(beyond) };
+        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64, most]);
         Ok(())
     }
 }

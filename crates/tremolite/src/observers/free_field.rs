@@ -3,7 +3,7 @@
 
 mod theory;
 
-use super::{Observer, Schedule, Setting, View};
+use super::{Observer, Schedule, Setting, Stepped, View};
 use crate::error::RunError;
 use crate::quantities::MEASURES;
 use theory::{Layer, surface_velocity};
@@ -15,14 +15,14 @@ use tremolite_laws::parameter::position;
 /// Key of what this observer remembers: the numbers of [`FreeFieldSeen`].
 const MEMORY: &str = "free field";
 
-/// What was seen of the free field in the rows \[m/s\].
+/// What was seen of the free field \[m/s\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FreeFieldSeen {
     /// At the column's top, where there is theory for it.
     pub theory: Option<Theory>,
     /// Whether the column has yielded or cracked.
     pub damaged: bool,
-    /// Largest difference of the model's corners from the column, at the surface and at the base.
+    /// Largest difference of the model's corners from the column in any step, at the surface and at the base.
     pub corners: [f64; 2],
     /// Largest velocity of the column, at its top or bottom.
     pub peak: f64,
@@ -175,17 +175,23 @@ impl Observer for FreeField {
             }
             seen.theory = Some(theory);
         }
-        for ((&column, corners), difference) in self.column.iter().zip(&self.corners).zip(&mut seen.corners) {
+        seen.damaged |= is_damaged(view);
+        seen.keep(memory);
+        Ok(())
+    }
+
+    /// The corners in every step: rows may be too few to show the wave.
+    fn stepped(&mut self, step: &Stepped, memory: &mut Memory) {
+        let Some([.., surface, base, peak]) = memory.get_mut(MEMORY).map(Vec::as_mut_slice) else { return };
+        let velocity = |node: usize| step.du[node].xyz().map(|d| d / step.dt);
+        for ((&column, corners), difference) in self.column.iter().zip(&self.corners).zip([surface, base]) {
             let free = velocity(column);
             for i in 0..3 {
-                seen.peak = seen.peak.max(free[i].abs());
+                *peak = peak.max(free[i].abs());
                 for &corner in corners {
                     *difference = most(*difference, (velocity(corner)[i] - free[i]).abs());
                 }
             }
         }
-        seen.damaged |= is_damaged(view);
-        seen.keep(memory);
-        Ok(())
     }
 }

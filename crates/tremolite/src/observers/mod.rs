@@ -11,7 +11,7 @@ mod onsets;
 mod steps;
 
 pub use cracks::Cracks;
-pub use energy::Energy;
+pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
 pub use fields::Fields;
 pub use free_field::{FreeField, FreeFieldSeen};

@@ -17,6 +17,7 @@ use crate::trust::DRIFT;
 use indexmap::IndexMap;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
+use tremolite_engine::hexahedra::hex;
 use tremolite_engine::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep, column};
 use tremolite_kernels::{Law, Quadrature};
 use tremolite_laws::Isa;
@@ -259,6 +260,8 @@ fn springs_or_none(
     (base, None)
 }
 
+/// Thicker \[m\] is no lining but ground: an assumption.
+const THICK: f64 = 3.0;
 /// Elements through a thickness up to which one-point elements miss most of its bending: their stresses are the mean's.
 const THIN: usize = 3;
 
@@ -271,7 +274,9 @@ fn thin(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::
         // What most of the model is made of is no lining.
         .filter(|(_, body)| body.quadrature == Quadrature::OnePoint && 4 * body.elements.len() < all)
         .filter_map(|(region, body)| {
-            let fewest = stacks(mesh, &body.elements).iter().map(Vec::len).min().filter(|&n| n <= THIN)?;
+            let length = |&(e, axis): &(u32, usize)| hex(mesh, e as usize).map_or(0.0, |h| 2.0 * h.half_lengths[axis]);
+            let thin = stacks(mesh, &body.elements).into_iter().filter(|s| s.iter().map(length).sum::<f64>() < THICK);
+            let fewest = thin.map(|stack| stack.len()).min().filter(|&n| n <= THIN)?;
             Some(case::Problem::new(
                 region.span.clone(),
                 format!(

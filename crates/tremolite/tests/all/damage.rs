@@ -50,17 +50,17 @@ fn hall_of(strength: f64, split: &str) -> Problem {
     values.0.insert("split".into(), tremolite_laws::parameter::Value::Word(split.into()));
     let concrete = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
     let rock = elastic(Moduli::from_young_poisson(10e9, 0.25));
-    let body = |name: &str, group: &str, material: Arc<dyn AnyMaterial>, quadrature| Body {
+    let body = |name: &str, group: &str, material: Arc<dyn AnyMaterial>, quadrature, viscosity| Body {
         name: name.into(),
         elements: mesh.groups[group].clone(),
         material,
         density: 2700.0,
         quadrature,
-        viscosity: 0.0,
+        viscosity,
     };
     let bodies = vec![
-        body("rock", "rock", rock, Quadrature::OnePoint),
-        body("*.lining", "hall.lining", (concrete.build)(&values).unwrap(), Quadrature::Full),
+        body("rock", "rock", rock, Quadrature::OnePoint, 0.0),
+        body("*.lining", "hall.lining", (concrete.build)(&values).unwrap(), Quadrature::Full, 0.06),
     ];
     let mut problem = Problem::new(mesh, bodies);
     problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: None };

@@ -3,12 +3,15 @@
 use crate::block::block;
 use crate::ready::Ready;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::observers::Extremes;
+use tremolite::parts::loads::Load;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, Ending, Outcome, run};
-use tremolite::{Halt, Line, Problem};
+use tremolite::{Base, Halt, Line, Problem, Side, elastic};
+use tremolite_laws::Moduli;
 use tremolite_mesh::locate::Locator;
 use tremolite_results::{Pvd, ResultFolder, Table};
 
@@ -74,16 +77,31 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
         let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
         assert!(bytes(&whole) == bytes(&parts), "{file}");
     }
-    // The checkpoint of another model is refused.
-    let mut other = problem();
-    other.rayleigh.mass = 0.5;
-    let plan = plan(&other);
-    let Ready { model, assembly, phase } = Ready::new(other);
-    let stop = AtomicBool::new(false);
-    let mut control = Control { stop: &stop, progress: &mut |_| {}, observers: Vec::new() };
-    let results = ResultFolder::open_existing(&parts).unwrap();
-    let refused = run(&model, &assembly, &phase, &plan, &results, true, &mut control).unwrap_err();
-    assert!(refused.to_string().contains("another model or plan"), "{refused}");
+    // The checkpoint of another model is refused, whatever it differs in.
+    let changes: [(&str, fn(&mut Problem)); 8] = [
+        ("damping", |p| p.rayleigh.mass = 0.5),
+        ("a law's parameter", |p| p.bodies[1].material = elastic(Moduli::from_young_poisson(5e9, 0.18))),
+        ("viscosity", |p| p.bodies[1].viscosity = 0.01),
+        ("sides", |p| p.sides[1] = Side::Viscous),
+        ("springs", |p| p.base = Base::ViscousSpring { normal: 1.3, tangential: 0.67, distance: Some(20.0) }),
+        ("ties", |p| p.ties.push((0, 1))),
+        ("the record's step", |p| p.incident.as_mut().unwrap().motion.dt *= 1.3),
+        ("a load", |p| {
+            let factor = Arc::new(|t: f64| t);
+            p.loads.push(Load { forces: vec![(0, [1.0, 0.0, 0.0])], factor });
+        }),
+    ];
+    for (what, change) in changes {
+        let mut other = problem();
+        change(&mut other);
+        let plan = plan(&other);
+        let Ready { model, assembly, phase } = Ready::new(other);
+        let stop = AtomicBool::new(false);
+        let mut control = Control { stop: &stop, progress: &mut |_| {}, observers: Vec::new() };
+        let results = ResultFolder::open_existing(&parts).unwrap();
+        let refused = run(&model, &assembly, &phase, &plan, &results, true, &mut control);
+        assert!(refused.is_err_and(|e| e.to_string().contains("another model or plan")), "{what}");
+    }
 }
 
 #[test]

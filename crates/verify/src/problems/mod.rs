@@ -55,5 +55,5 @@ problems! {
     concrete_fracture_energy Test,
     rock_strength Test,
     circular_opening Verify,
-    strip_footing Test,
+    strip_footing Verify,
 }

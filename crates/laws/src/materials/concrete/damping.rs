@@ -34,13 +34,14 @@ impl Concrete {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let plus = (one - history[D_TENSION]).sqrt().sqrt();
         let minus = (one - history[D_SHEAR]).sqrt().sqrt();
-        let mut left = axes.recompose([
+        let along = [
             L::select(undamaged[0].less(zero), minus, plus),
             L::select(undamaged[1].less(zero), minus, plus),
             L::select(undamaged[2].less(zero), minus, plus),
-        ]);
-        // Axes are square to each other but for round-off; what is whole is whole.
-        let damaged = zero.less(history[D_TENSION] + history[D_SHEAR]);
+        ];
+        let mut left = axes.recompose(along);
+        // Axes are square to each other but for round-off; what is whole, as a closed crack is, is whole.
+        let damaged = along[0].smaller(along[1].smaller(along[2])).less(one);
         let whole = whole::<L>();
         let mut k = 0;
         while k < 6 {
