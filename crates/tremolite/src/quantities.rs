@@ -299,6 +299,19 @@ mod tests {
         assert_eq!(nearest_stress(&points[..1], face)[0], 1.0, "one point");
     }
 
+    /// A plate in bending: its stress is linear through the thickness, and at the points 1/√3 of that at the fibre.
+    #[test]
+    fn a_bent_lining_is_stressed_most_at_its_fibre_and_at_points_it_shows_less() {
+        let points: Vec<[f64; 6]> = (0..8)
+            .map(|p| [if p >> 2 & 1 == 1 { 1.0 } else { -1.0 } / 3f64.sqrt(), 0.0, 0.0, 0.0, 0.0, 0.0])
+            .collect();
+        let [s1, s3] = fibre_extremes(&points, false);
+        assert!((s1 - 1.0).abs() < 1e-12 && (s3 + 1.0).abs() < 1e-12, "{s1} {s3}");
+        assert_eq!(fibre_extremes(&points, true), extremes(&points));
+        assert!(extremes(&points)[0] < 0.58);
+        assert_eq!(fibre_extremes(&points[..1], false), extremes(&points[..1]));
+    }
+
     #[test]
     fn an_element_has_every_flag_of_its_points_and_the_mean_of_its_measures() {
         let column = |name, role| Column::with_role(name, "1", role, "");
