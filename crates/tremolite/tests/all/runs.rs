@@ -78,7 +78,8 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
         assert!(bytes(&whole) == bytes(&parts), "{file}");
     }
     // The checkpoint of another model is refused, whatever it differs in.
-    let changes: [(&str, fn(&mut Problem)); 8] = [
+    type Change = (&'static str, fn(&mut Problem));
+    let changes: [Change; 8] = [
         ("damping", |p| p.rayleigh.mass = 0.5),
         ("a law's parameter", |p| p.bodies[1].material = elastic(Moduli::from_young_poisson(5e9, 0.18))),
         ("viscosity", |p| p.bodies[1].viscosity = 0.01),
