@@ -20,6 +20,7 @@ pub mod loops;
 mod materials;
 mod page;
 mod pairs;
+mod peaks;
 mod scale;
 mod source;
 pub mod strips;

@@ -7,9 +7,10 @@ use serde::Serialize;
 use tremolite_results::Defaulted;
 
 use crate::damage::{self, CrackRow, DamageTable};
-use crate::facts::{self, Check, Fact, Outcome, PeakTable};
+use crate::facts::{self, Check, Fact, Outcome};
 use crate::figure::Section;
 use crate::materials::{self, MaterialTable};
+use crate::peaks::{self, PeakTable};
 use crate::source::Source;
 use crate::svg::escape;
 
@@ -75,8 +76,8 @@ pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::
         damage: damage::tables(&summary),
         cracks: damage::cracks(&summary),
         sections: sections.iter().map(part).collect(),
-        peaks: facts::peaks(source),
-        interval: facts::interval(source),
+        peaks: peaks::peaks(source),
+        interval: peaks::interval(source),
         defaulted: summary.defaulted.clone(),
         has_summary: source.summary.is_ok(),
         run: facts::run(&summary),

@@ -44,9 +44,9 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
     let nodes = model.mesh_node.len() as u64;
     let laws: Vec<_> = model.user_bodies().iter().map(|body| body.material.info().history).collect();
     let has = |role| laws.iter().any(|history| position(history, role).is_some());
-    // Envelopes, onsets and cracks.
+    // Envelopes with their times, onsets and cracks.
     let onsets = MEASURES.iter().filter(|m| has(m.role)).count() as u64;
-    let remembered = 2 + onsets + if has(Role::CrackExtent) { 2 } else { 0 };
+    let remembered = 4 + onsets + if has(Role::CrackExtent) { 2 } else { 0 };
     let state = 8 * (totals.history.end + totals.overstress.end) + totals.numbers.end;
     Disk {
         field_files: steps.snapshots.map_or(0, rows),

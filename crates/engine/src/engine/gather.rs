@@ -15,3 +15,9 @@ pub(super) fn force(phase: &Phase, contributions: &[Row], node: usize) -> Row {
     }
     sum
 }
+
+/// a·b of two rows.
+#[inline(always)]
+pub(super) fn dot(a: Row, b: Row) -> f64 {
+    a.0[0] * b.0[0] + a.0[1] * b.0[1] + a.0[2] * b.0[2]
+}

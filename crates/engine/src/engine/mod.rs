@@ -17,6 +17,7 @@
 //! of ½ v⁻ᵀM v⁻ equals the work of all forces. Contributions of parts are summed node by node in the order of parts,
 //! chunks of nodes in ascending order, so bits do not depend on threads.
 
+mod accounts;
 mod gather;
 mod nodes;
 mod power;

@@ -1,11 +1,12 @@
 //! The passes over nodes: contributions to forces, forces to motion.
 
-use super::gather::force;
+use super::accounts::Accounts;
+use super::gather::{dot, force};
 use super::product::{self, Product};
 use crate::assembly::Assembly;
 use crate::boundary::base::times;
 use crate::model::Model;
-use crate::phase::{Dashpot, NO_ACCOUNT, Phase, SEVERAL};
+use crate::phase::{Dashpot, Phase};
 use crate::state::State;
 use rayon::prelude::*;
 use tremolite_kernels::{Line, Lines};
@@ -53,58 +54,6 @@ impl NodeSums {
             *own += more;
         }
         self
-    }
-}
-
-/// Books the work against the forces of elements node by node. Nodes of an account follow one another: its sum stays in a
-/// register until another's turn comes.
-struct Accounts<'a> {
-    phase: &'a Phase,
-    contributions: &'a [Row],
-    sums: Vec<f64>,
-    current: u16,
-    sum: f64,
-}
-
-impl<'a> Accounts<'a> {
-    fn new(phase: &'a Phase, contributions: &'a [Row], accounts: usize) -> Self {
-        Accounts { phase, contributions, sums: vec![0.0; accounts], current: NO_ACCOUNT, sum: 0.0 }
-    }
-
-    /// Books half the work of `twice`, two increments, against the parts' force at a node.
-    #[inline(always)]
-    fn book(&mut self, node: usize, force: Row, twice: Row) {
-        let account = self.phase.account[node];
-        if account != self.current {
-            self.turn(account);
-        }
-        self.sum += 0.5 * dot(force, twice);
-        if account == SEVERAL {
-            self.book_several(node, twice);
-        }
-    }
-
-    #[cold]
-    fn turn(&mut self, account: u16) {
-        if let Some(sum) = self.sums.get_mut(self.current as usize) {
-            *sum += self.sum;
-        }
-        (self.current, self.sum) = (account, 0.0);
-    }
-
-    #[cold]
-    fn book_several(&mut self, node: usize, twice: Row) {
-        let Accounts { phase, contributions, sums, .. } = self;
-        for at in phase.start[node] as usize..phase.start[node + 1] as usize {
-            if let Some(sum) = sums.get_mut(phase.slot_account[at] as usize) {
-                *sum += 0.5 * dot(contributions[phase.slot[at] as usize], twice);
-            }
-        }
-    }
-
-    fn close(mut self) -> Vec<f64> {
-        self.turn(NO_ACCOUNT);
-        self.sums
     }
 }
 
@@ -236,11 +185,6 @@ fn mean_velocity(dashpot: Option<&Dashpot>, inverse: Row, dt: f64, minus: [f64; 
 
 fn dashpot_forces(dashpot: Option<&Dashpot>, v: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     dashpot.map_or(([0.0; 3], [0.0; 3]), |d| (times(&d.base, v), times(&d.sides, v)))
-}
-
-#[inline(always)]
-fn dot(a: Row, b: Row) -> f64 {
-    a.0[0] * b.0[0] + a.0[1] * b.0[1] + a.0[2] * b.0[2]
 }
 
 impl NodeSums {

@@ -6,20 +6,18 @@ mod mesh;
 mod monitors;
 mod motion;
 mod regions;
+mod warnings;
 
 pub use inputs::{changed, original_folder};
 pub use motion::MotionFacts;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
-use crate::stacks::stacks;
-use crate::trust::DRIFT;
 use indexmap::IndexMap;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
-use tremolite_engine::hexahedra::hex;
 use tremolite_engine::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep, column};
-use tremolite_kernels::{Law, Quadrature};
+use tremolite_kernels::Law;
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
 use tremolite_results::{Input, MaterialFacts};
@@ -88,10 +86,10 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
         return Err(case.report(problems));
     };
 
-    warnings.extend(self::warnings(case, &bodies, &fields));
-    warnings.extend(sides(case, &motion));
-    warnings.extend(thin(case, &mesh, &bodies));
-    warnings.extend(of_motion(case, &motion, reference));
+    warnings.extend(warnings::of_laws(case, &bodies, &fields));
+    warnings.extend(warnings::of_sides(case, &motion));
+    warnings.extend(warnings::of_thin_bodies(case, &mesh, &bodies));
+    warnings.extend(warnings::of_motion(case, &motion, reference));
     let materials = materials::facts(case, &mesh, laws, &bodies, reference);
     let dynamic = &case.dynamic;
     let duration = dynamic.duration.as_ref().map_or(motion.duration(), |d| d.value);
@@ -147,52 +145,6 @@ fn band(case: &Case, reference: f64, problems: &mut Vec<case::Problem>) -> Optio
             None
         }
     }
-}
-
-/// Speeds of P waves \[m/s\] that are nothing unusual: from loose soil to well beyond the stiffest rock.
-const WAVE_SPEEDS: std::ops::RangeInclusive<f64> = 100.0..=10_000.0;
-
-/// What laws find unusual, and fields that no law can fill.
-fn warnings(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Problem> {
-    let mut warnings = Vec::new();
-    let mut told: Vec<usize> = Vec::new();
-    let solid = case.regions.iter().filter_map(|r| match &r.fill {
-        case::Fill::Solid { material, .. } => Some(material.value),
-        _ => None,
-    });
-    // Bodies are made region by region.
-    for (material, body) in solid.zip(bodies) {
-        if told.contains(&material) {
-            continue;
-        }
-        told.push(material);
-        let span = &case.materials[material].span;
-        let remedy = "change the material's parameters if this is not meant";
-        warnings.extend(
-            body.material.warnings().into_iter().map(|w| case::Problem::new(span.clone(), w, remedy)),
-        );
-        let (pressure, _) = body.material.moduli().wave_speeds(body.density);
-        if !WAVE_SPEEDS.contains(&pressure) {
-            let message = format!(
-                "P waves would travel at {pressure:.0} m/s, where rock and concrete have 100 to 10000 m/s"
-            );
-            let remedy = "look at the units of young and density";
-            warnings.push(case::Problem::new(span.clone(), message, remedy));
-        }
-    }
-    let kept =
-        |field: &Field| bodies.iter().any(|b| b.material.info().history.iter().any(|c| field.holds(c)));
-    let words = [Field::Damage, Field::Plastic, Field::History];
-    for field in words.iter().filter(|f| fields.contains(f) && !kept(f)) {
-        let word = field.description().0;
-        let message = format!("no material of this case keeps anything for the field '{word}'");
-        warnings.push(case::Problem::new(
-            case.output.span.clone(),
-            message,
-            "leave the field out, or change the laws",
-        ));
-    }
-    warnings
 }
 
 fn fields(case: &Case, problems: &mut Vec<case::Problem>) -> Vec<Field> {
@@ -258,92 +210,6 @@ fn springs_or_none(
         "write base = \"viscous\", or make the ground the same at all four corners of the model",
     ));
     (base, None)
-}
-
-/// Thicker \[m\] is no lining but ground: an assumption.
-const THICK: f64 = 3.0;
-/// Elements through a thickness up to which one-point elements miss most of its bending: their stresses are the mean's.
-const THIN: usize = 3;
-
-/// Linings and slabs of one-point elements.
-fn thin(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Problem> {
-    let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
-    let all: usize = bodies.iter().map(|body| body.elements.len()).sum();
-    regions
-        .zip(bodies)
-        // What most of the model is made of is no lining.
-        .filter(|(_, body)| body.quadrature == Quadrature::OnePoint && 4 * body.elements.len() < all)
-        .filter_map(|(region, body)| {
-            let length = |&(e, axis): &(u32, usize)| hex(mesh, e as usize).map_or(0.0, |h| 2.0 * h.half_lengths[axis]);
-            let thin = stacks(mesh, &body.elements).into_iter().filter(|s| s.iter().map(length).sum::<f64>() < THICK);
-            let fewest = thin.map(|stack| stack.len()).min().filter(|&n| n <= THIN)?;
-            Some(case::Problem::new(
-                region.span.clone(),
-                format!(
-                    "'{}' is {fewest} one-point elements thick: they see no bending through the thickness, and a ring of \
-                     them showed half of its largest stress",
-                    body.name
-                ),
-                "write element = \"full\" for it",
-            ))
-        })
-        .collect()
-}
-
-/// What the motion asks to be looked at.
-fn of_motion(case: &Case, motion: &tremolite_motion::Motion, reference: Option<f64>) -> Vec<case::Problem> {
-    let mut warnings = Vec::new();
-    let drift = motion.drift();
-    if drift > DRIFT {
-        warnings.push(case::Problem::new(
-            case.motion.span.clone(),
-            format!("the motion ends at {:.0} % of its largest displacement, which the model follows", 100.0 * drift),
-            "put \"baseline\" last in motion.process, behind filter and taper; a high-pass alone may make it worse",
-        ));
-    }
-    if let (Some(band), Some(reference)) = (&case.dynamic.band, reference)
-        && band.reference.is_none()
-    {
-        warnings.push(case::Problem::at(
-            &band.ratio,
-            format!(
-                "Young's moduli are taken to be meant at {reference:.2} Hz, the motion's central frequency, and are other \
-                 for another record"
-            ),
-            "give `reference`, the frequency at which they were measured",
-        ));
-    }
-    warnings
-}
-
-/// A component of motion over the largest that counts as none.
-const STILL: f64 = 1e-3;
-
-/// Sides that do not let ground move as it would without them.
-fn sides(case: &Case, motion: &tremolite_motion::Motion) -> Vec<case::Problem> {
-    let peak = |i: usize| motion.velocity[i].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let largest = (0..3).map(peak).fold(0.0, f64::max);
-    let moves = |i: usize| peak(i) > STILL * largest;
-    let mut warnings = Vec::new();
-    for (axis, side) in case.dynamic.sides.iter().enumerate() {
-        let what = match side.value {
-            case::Side::Periodic => continue,
-            case::Side::Roller if !moves(axis) => continue,
-            case::Side::Roller => "hold motion along their normal, which the record has",
-            case::Side::Fixed => "do not move, while the ground beside them would",
-            case::Side::Viscous => "drain the wave as it rises",
-            case::Side::Free => "stand free, where ground would press",
-        };
-        let (name, word) = (["x", "y"][axis], side.value.word());
-        let message = format!(
-            "the {word} sides across {name} {what}: in homogeneous ground such sides took 80 to 130 % of the surface's motion"
-        );
-        let remedy = "use \"periodic\"; the check 'model's corners against free field' says what is left";
-        warnings.push(case::Problem::at(side, message, remedy));
-    }
-    // One word for both sides is one warning.
-    warnings.dedup_by(|a, b| a.span == b.span);
-    warnings
 }
 
 fn side(side: case::Side) -> Side {

@@ -1,0 +1,57 @@
+//! The work on the elements of each body, node by node.
+
+use super::gather::dot;
+use crate::phase::{NO_ACCOUNT, Phase, SEVERAL};
+use tremolite_laws::Row;
+
+/// Books the work against the forces of elements node by node. Nodes of an account follow one another: its sum stays in a
+/// register until another's turn comes.
+pub(super) struct Accounts<'a> {
+    phase: &'a Phase,
+    contributions: &'a [Row],
+    sums: Vec<f64>,
+    current: u16,
+    sum: f64,
+}
+
+impl<'a> Accounts<'a> {
+    pub fn new(phase: &'a Phase, contributions: &'a [Row], accounts: usize) -> Self {
+        Accounts { phase, contributions, sums: vec![0.0; accounts], current: NO_ACCOUNT, sum: 0.0 }
+    }
+
+    /// Books half the work of `twice`, two increments, against the parts' force at a node.
+    #[inline(always)]
+    pub fn book(&mut self, node: usize, force: Row, twice: Row) {
+        let account = self.phase.account[node];
+        if account != self.current {
+            self.turn(account);
+        }
+        self.sum += 0.5 * dot(force, twice);
+        if account == SEVERAL {
+            self.book_several(node, twice);
+        }
+    }
+
+    #[cold]
+    fn turn(&mut self, account: u16) {
+        if let Some(sum) = self.sums.get_mut(self.current as usize) {
+            *sum += self.sum;
+        }
+        (self.current, self.sum) = (account, 0.0);
+    }
+
+    #[cold]
+    fn book_several(&mut self, node: usize, twice: Row) {
+        let Accounts { phase, contributions, sums, .. } = self;
+        for at in phase.start[node] as usize..phase.start[node + 1] as usize {
+            if let Some(sum) = sums.get_mut(phase.slot_account[at] as usize) {
+                *sum += 0.5 * dot(contributions[phase.slot[at] as usize], twice);
+            }
+        }
+    }
+
+    pub fn close(mut self) -> Vec<f64> {
+        self.turn(NO_ACCOUNT);
+        self.sums
+    }
+}
