@@ -16,7 +16,7 @@ pub(crate) fn of(parameter: &Parameter) -> Key {
         parameter::Need::Required => Need::Required,
         parameter::Need::Number(x) => Need::Number(x),
         parameter::Need::Word(word) => Need::Word(word),
-        parameter::Need::Optional(text) => Need::Optional(text),
+        parameter::Need::Optional(text) | parameter::Need::Chosen(text) => Need::Optional(text),
     };
     Key { name: parameter.name, kind, need, when: When::Always, doc: parameter.doc }
 }

@@ -1,6 +1,8 @@
 //! Pointwise physics: material laws and element shapes over lanes. No allocation in hot paths, no threads, no I/O.
 
 pub mod band;
+pub mod interface;
+pub mod interfaces;
 pub mod lane;
 pub mod material;
 pub mod materials;
@@ -9,6 +11,7 @@ pub mod path;
 pub mod shapes;
 pub mod sym3;
 
+pub use interface::{Interface, PairState};
 pub use lane::{Isa, Lane, Octet, Row};
 pub use material::{History, Material, Moduli, Point, Sym, complementary_energy, virgin};
 pub use parameter::{BadParameter, Column, Dimension, Kind, LawInfo, Need, Parameter, Role, Value, Values};

@@ -327,6 +327,7 @@ impl LawInfo {
             pressure_dependent: M::PRESSURE_DEPENDENT,
             damages: M::DAMAGES,
             check: |values| M::new(values).map(|_| ()),
+            chosen: |values, _| values.clone(),
         }
     }
 }

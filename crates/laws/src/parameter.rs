@@ -57,6 +57,9 @@ pub enum Need {
     Word(&'static str),
     /// Nothing is used; the text says what the law does then.
     Optional(&'static str),
+    /// Required where a law is driven alone; in a model the program chooses it (see [`LawInfo::chosen`]), by what the text
+    /// says.
+    Chosen(&'static str),
 }
 
 /// One parameter of a law.
@@ -281,4 +284,7 @@ pub struct LawInfo {
     pub damages: bool,
     /// Whether the law accepts these values.
     pub check: fn(&Values) -> Result<(), Vec<BadParameter>>,
+    /// The values with what [`Need::Chosen`] leaves open filled in, for a normal stiffness \[Pa/m\] that no state may exceed
+    /// ([`crate::Interface::chosen`]); the same values for a material.
+    pub chosen: fn(&Values, f64) -> Values,
 }

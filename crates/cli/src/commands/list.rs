@@ -66,6 +66,7 @@ fn parameter(p: &Parameter, indent: &str) {
         (Need::Number(x), _) => format!("default {x}"),
         (Need::Word(w), _) => format!("default {w}"),
         (Need::Optional(what), _) => format!("left out: {what}"),
+        (Need::Chosen(what), _) => format!("left out in a case: {what}"),
     };
     entry(&format!("{indent}{}", p.name), unit, &format!("{doc} [{need}]"));
     if let Kind::Table(columns) = p.kind {

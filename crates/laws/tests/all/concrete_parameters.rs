@@ -153,7 +153,7 @@ fn declared_defaults_are_those_used() {
         match parameter.need {
             Need::Number(x) => filled = filled.with(parameter.name, x),
             Need::Word(word) => filled = with_words(filled, &[(parameter.name, word)]),
-            Need::Required | Need::Optional(_) => {}
+            Need::Required | Need::Optional(_) | Need::Chosen(_) => {}
         }
     }
     let [plain, filled] = [plain, filled].map(|v| format!("{:?}", Concrete::new(&v).unwrap()));

@@ -1,0 +1,127 @@
+//! A joint of constant stiffness with Coulomb friction, as other programs have it: p = −k_n g, t = −k_t (s − s_a).
+//!
+//! Cohesion and tensile strength vanish where the bond breaks. Bond, friction and books: [`super::joint`].
+//!
+//! **Not modelled.** Dilation, hardening, rates, water.
+
+use super::bandis::{COHESION, FRICTION, TENSILE_STRENGTH, bond, not_negative, positive};
+use super::joint::{self, Joint, Normal, Tangential, WIDTH};
+use crate::interface::Interface;
+use crate::lane::Lane;
+use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Values};
+
+/// p = −k_n g.
+#[derive(Clone, Copy, Debug)]
+pub struct Linear {
+    /// k_n \[Pa/m\]
+    stiffness: f64,
+}
+
+impl Normal for Linear {
+    #[inline(always)]
+    fn pressure<L: Lane>(&self, gap: L) -> L {
+        -(L::splat(self.stiffness) * gap)
+    }
+
+    #[inline(always)]
+    fn stiffness<L: Lane>(&self, _: L) -> L {
+        L::splat(self.stiffness)
+    }
+
+    #[inline(always)]
+    fn energy<L: Lane>(&self, gap: L) -> L {
+        L::splat(0.5 * self.stiffness) * gap * gap
+    }
+
+    fn gap(&self, pressure: f64) -> f64 {
+        -pressure / self.stiffness
+    }
+}
+
+/// The law for one interface; see the [module](self).
+#[derive(Clone, Copy, Debug)]
+pub struct Coulomb {
+    joint: Joint<Linear>,
+}
+
+/// k_t/k_n where the shear stiffness is left out: 1/(2(1 + ν)) with ν = 0.25.
+const SHARE: f64 = 0.4;
+
+impl Interface for Coulomb {
+    const NAME: &'static str = "coulomb";
+    const SUMMARY: &'static str = "joint of constant stiffness with bond and Coulomb friction";
+    const SOURCE: &'static str = "goodman1968; wang2018 (38), (39)";
+    const PARAMETERS: &'static [Parameter] = &[
+        Parameter {
+            name: "normal_stiffness",
+            kind: Kind::Number(Dimension::STIFFNESS),
+            need: Need::Chosen("as stiff as leaves the time step to the elements"),
+            doc: "normal stiffness per area k_n",
+        },
+        Parameter {
+            name: "shear_stiffness",
+            kind: Kind::Number(Dimension::STIFFNESS),
+            need: Need::Optional("0.4 of the normal stiffness"),
+            doc: "shear stiffness per area k_t",
+        },
+        COHESION,
+        TENSILE_STRENGTH,
+        FRICTION,
+    ];
+    const HISTORY: &'static [Column] = joint::COLUMNS;
+    const STATE: usize = joint::STATE;
+    const SLID: usize = joint::SLID;
+    const OPENED: usize = joint::OPENED;
+    const DISSIPATION: usize = joint::FRICTION;
+    const CREATION: usize = joint::CREATED;
+    type History<L: Lane> = [L; WIDTH];
+
+    fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
+        let mut bad = Vec::new();
+        let mut take = |read: Result<f64, BadParameter>| read.map_err(|e| bad.push(e)).ok();
+        let stiffness = take(positive(values, "normal_stiffness", "20 GPa/m is usual for rock and lining"));
+        let shear = match values.optional("shear_stiffness") {
+            Some(_) => take(positive(values, "shear_stiffness", "a half of the normal one is usual")),
+            None => stiffness.map(|k| SHARE * k),
+        };
+        let [cohesion, friction] =
+            [COHESION.name, FRICTION.name].map(|name| take(not_negative(values, name)));
+        let bond = take(bond(values, cohesion.unwrap_or(0.0)));
+        let (Some(stiffness), Some(shear), Some(cohesion), Some(friction), Some(bond)) =
+            (stiffness, shear, cohesion, friction, bond)
+        else {
+            return Err(bad);
+        };
+        let (normal, tangential) = (Linear { stiffness }, Tangential::Constant(shear));
+        Ok(Coulomb { joint: Joint { normal, tangential, friction, cohesion, bond } })
+    }
+
+    fn chosen(values: &Values, stiffness: f64) -> Values {
+        match values.optional("normal_stiffness") {
+            Some(_) => values.clone(),
+            None => values.clone().with("normal_stiffness", stiffness),
+        }
+    }
+
+    fn stiffness(&self, pressure: f64) -> [f64; 2] {
+        self.joint.stiffness(pressure)
+    }
+
+    fn stiffest(&self) -> [f64; 2] {
+        self.joint.stiffness(0.0)
+    }
+
+    fn start(&self, pressure: f64, shear: [f64; 2]) -> (f64, [f64; WIDTH]) {
+        self.joint.start(pressure, shear)
+    }
+
+    #[inline(always)]
+    fn update<L: Lane>(&self, gap: L, slip: [L; 2], history: [L; WIDTH]) -> (L, [L; 2], [L; WIDTH]) {
+        self.joint.update(gap, slip, history)
+    }
+
+    #[inline(always)]
+    fn stored_energy<L: Lane>(&self, gap: L, shear: [L; 2], history: &[L; WIDTH]) -> L {
+        self.joint.stored_energy(gap, shear, history)
+    }
+}
