@@ -121,8 +121,8 @@ fn a_law_from_outside_the_list_brings_its_own_keys() {
         history: &[],
         pressure_dependent: false,
         damages: false,
-        check: |values| match values.number("stickiness") {
         chosen: |values, _| values.clone(),
+        check: |values| match values.number("stickiness") {
             Ok(k) if k > 1e6 => Err(vec![BadParameter::new("stickiness", "is too sticky", "thin it")]),
             _ => Ok(()),
         },
