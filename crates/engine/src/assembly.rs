@@ -3,6 +3,7 @@
 use crate::body::Body;
 use crate::boundary;
 use crate::boundary::base::BaseNode;
+use crate::contact::{self, Contacts};
 use crate::error::ModelError;
 use crate::hexahedra::{hex, hex_nodes};
 use crate::member::Member;
@@ -14,7 +15,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::ops::Range;
-use tremolite_kernels::Quadrature;
+use tremolite_kernels::{Line, Quadrature};
 use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
 use tremolite_laws::{Octet, Row};
 
@@ -31,12 +32,15 @@ pub struct Slices {
 
 /// All parts of a model, whatever stage they live in. Slices do not change with the stage, so neither does a column of the
 /// state, nor a checkpoint.
+#[derive(Default)]
 pub struct Assembly {
     /// In the order in which a node sums what they hold for it: patches of the user's elements (as the model's patches),
-    /// those of the reference column, boundaries, loads, the program's own.
+    /// those of the reference column, boundaries, loads, interfaces, the program's own.
     pub members: Vec<Member>,
     /// Of each member.
     pub slices: Vec<Slices>,
+    /// Of the model's interfaces, in their order.
+    pub contacts: Vec<Contacts>,
     /// Bodies that the balance is also drawn up for, by name: those of the user, then parts of the program's own that have
     /// elements.
     pub accounts: Vec<String>,
@@ -68,14 +72,28 @@ impl Assembly {
             let part = Box::new(Loads::new(load.clone()));
             members.push(Member::new(format!("load {}", k + 1), part));
         }
+        let behind = members.len();
         for make in &model.parts {
             let member = make(&model.mesh, &model.engine_node);
             check(model, &member)?;
             members.push(member);
         }
-        let slices = slices(&members);
+        let nodes = model.mesh_node.len();
+        let mut assembly = Assembly { members, base, spring_distance, nodes, ..Assembly::default() };
+        assembly.settle(model);
+        if !model.seams.is_empty() {
+            contact::add(model, &mut assembly, behind)?;
+            assembly.settle(model);
+        }
+        Ok(assembly)
+    }
+
+    /// Lays out the slices and accounts of the members.
+    fn settle(&mut self, model: &Model) {
+        let Assembly { members, .. } = self;
+        self.slices = slices(members);
         let mut accounts: Vec<String> = model.user_bodies().iter().map(|body| body.name.clone()).collect();
-        let account = members
+        self.account = members
             .iter()
             .enumerate()
             .map(|(m, member)| match model.patches.get(m) {
@@ -87,8 +105,13 @@ impl Assembly {
                 None => None,
             })
             .collect();
-        let nodes = model.mesh_node.len();
-        Ok(Assembly { members, slices, accounts, account, base, spring_distance, nodes })
+        self.accounts = accounts;
+    }
+
+    /// The lines of the balance that this assembly can have.
+    pub fn lines(&self) -> impl Iterator<Item = Line> + use<> {
+        let interfaces = !self.contacts.is_empty();
+        Line::ALL.iter().copied().filter(move |line| interfaces || !line.of_interfaces())
     }
 
     /// A state at rest.

@@ -15,7 +15,8 @@ use crate::outer_faces::{OuterFaces, nodes_of};
 use crate::ties::Ties;
 use base::{BaseNode, BasePart, add};
 use std::collections::BTreeMap;
-use tremolite_mesh::topology::{match_faces, vector_areas};
+use tremolite_mesh::split::match_split;
+use tremolite_mesh::topology::vector_areas;
 use tremolite_mesh::{Face, Mesh};
 use tremolite_motion::Motion;
 
@@ -85,6 +86,8 @@ pub struct Surroundings<'a> {
     pub body_of: &'a [Option<usize>],
     pub engine_node: &'a [u32],
     pub faces: &'a OuterFaces,
+    /// Node of the mesh → one for all that interfaces part at its place.
+    pub places: &'a [u32],
     pub base: Base,
     pub sides: [Side; 2],
     pub held: &'a [(u32, [bool; 3])],
@@ -134,7 +137,7 @@ const NAMES: [[&str; 2]; 2] = [["xmin", "xmax"], ["ymin", "ymax"]];
 /// # Errors
 /// If the two sides' nodes do not match.
 pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelError> {
-    let Surroundings { mesh, faces, sides, .. } = around;
+    let Surroundings { mesh, faces, places, sides, .. } = around;
     let (low, high) = faces.bounds;
     let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
     for axis in 0..2 {
@@ -146,8 +149,11 @@ pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelEr
         if a.is_empty() || b.is_empty() {
             return Err(ModelError::NoFaces(if a.is_empty() { name_a } else { name_b }));
         }
-        let pairs = match_faces(mesh, &nodes_of(mesh, a), &nodes_of(mesh, b), axis, near)
-            .map_err(|reason| ModelError::Periodic { low: name_a, high: name_b, reason })?;
+        let pairs = match_split(mesh, places, a, b, axis, near).map_err(|reason| ModelError::Periodic {
+            low: name_a,
+            high: name_b,
+            reason,
+        })?;
         for (a, b) in pairs {
             ties.join(a, b);
         }

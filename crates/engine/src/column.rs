@@ -7,6 +7,7 @@
 use crate::body::Body;
 use crate::error::ModelError;
 use crate::hexahedra::hex_nodes;
+use crate::interface::Interface;
 use tremolite_kernels::Quadrature;
 use tremolite_mesh::{Element, Mesh, Shape};
 
@@ -43,6 +44,7 @@ struct Layer {
     bottom: f64,
     top: f64,
     body: usize,
+    element: u32,
 }
 
 /// The ground along the four vertical edges of the model, upwards, if it is the same at all of them: only then is one
@@ -50,14 +52,21 @@ struct Layer {
 ///
 /// # Errors
 /// Why there is no such ground, in words that may stand behind 'but'.
-pub fn ground(mesh: &Mesh, bodies: &[Body], body_of: &[Option<usize>]) -> Result<Ground, String> {
+pub fn ground(
+    mesh: &Mesh,
+    bodies: &[Body],
+    body_of: &[Option<usize>],
+    interfaces: &[Interface],
+) -> Result<Ground, String> {
     let near = near(mesh);
     let (low, high) = mesh.bounds();
     let corner =
         |k: usize| [if k & 1 == 0 { low[0] } else { high[0] }, if k & 2 == 0 { low[1] } else { high[1] }];
     let first = along(mesh, bodies, body_of, corner(0))?;
+    crossed(interfaces, &first, corner(0))?;
     for k in 1..4 {
         let other = along(mesh, bodies, body_of, corner(k))?;
+        crossed(interfaces, &other, corner(k))?;
         let alike = first.len() == other.len()
             && first.iter().zip(&other).all(|(a, b)| {
                 (a.bottom - b.bottom).abs() < near
@@ -117,7 +126,7 @@ fn along(
         levels.sort_by(f64::total_cmp);
         levels.dedup_by(|a, b| (*a - *b).abs() < near);
         if let [bottom, top] = levels[..] {
-            layers.push(Layer { bottom, top, body });
+            layers.push(Layer { bottom, top, body, element: e as u32 });
         }
     }
     layers.sort_by(|a, b| a.bottom.total_cmp(&b.bottom));
@@ -136,6 +145,23 @@ fn along(
         }
         _ => Ok(layers),
     }
+}
+
+/// Refuses an interface across the vertical edge at a corner: the column is of ground that hangs together.
+fn crossed(interfaces: &[Interface], layers: &[Layer], [x, y]: [f64; 2]) -> Result<(), String> {
+    let side = |interface: &Interface, layer: &Layer| {
+        interface.sides.iter().position(|elements| elements.contains(&layer.element))
+    };
+    for interface in interfaces {
+        let apart = |pair: &[Layer]| matches!([side(interface, &pair[0]), side(interface, &pair[1])], [Some(a), Some(b)] if a != b);
+        if layers.windows(2).any(apart) {
+            return Err(format!(
+                "the interface '{}' crosses the vertical edge at ({x:.1}, {y:.1}) m",
+                interface.name
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Adds the column beside the mesh: layers and materials of the ground.

@@ -1,7 +1,7 @@
 //! Why a problem cannot be run.
 
 use tremolite_laws::shapes::hex8::BadShape;
-use tremolite_mesh::topology::Unmatched;
+use tremolite_mesh::split::{SplitError, UnmatchedSplit};
 
 /// Why a problem cannot be run.
 #[derive(Debug, thiserror::Error)]
@@ -15,13 +15,17 @@ pub enum ModelError {
     #[error("element {element} of '{body}' cannot be used: {reason}")]
     BadElement { element: u64, body: String, reason: BadShape },
     #[error("the sides {low} and {high} cannot be periodic: {reason}")]
-    Periodic { low: &'static str, high: &'static str, reason: Unmatched },
+    Periodic { low: &'static str, high: &'static str, reason: UnmatchedSplit },
     #[error(
         "no element face lies on the plane of the {0}, so nothing can act there: the outer sides must be plane"
     )]
     NoFaces(&'static str),
     #[error("{0}")]
     Column(String),
+    #[error("the interface '{name}' cannot be made: {reason}")]
+    Interface { name: String, reason: String },
+    #[error("{0}")]
+    Split(#[from] SplitError),
     #[error("the part '{name}' cannot be used: {reason}")]
     Member { name: String, reason: String },
     #[error(

@@ -9,10 +9,12 @@ pub mod bench;
 pub mod body;
 pub mod boundary;
 pub mod column;
+pub mod contact;
 pub mod engine;
 pub mod error;
 pub mod extent;
 pub mod hexahedra;
+pub mod interface;
 pub mod life;
 pub mod member;
 pub mod model;
@@ -26,12 +28,16 @@ pub mod ties;
 pub use assembly::Assembly;
 pub use body::Body;
 pub use boundary::{Base, Incident, Side};
-pub use engine::{Engine, Halt, Limit, Snapshot, StableStep, stable_step};
+pub use engine::{ContactLimit, Engine, Halt, Limit, Snapshot, StableStep, stable_step};
 pub use error::ModelError;
+pub use interface::{Interface, Seam};
 pub use life::{Life, Stage};
 pub use member::Member;
 pub use model::Model;
 pub use phase::Phase;
 pub use problem::{Problem, Rayleigh, TimeStep};
 pub use state::State;
-pub use tremolite_kernels::{AnyMaterial, Booked, Law, Line, Lines, Quadrature, elastic, laws};
+pub use tremolite_kernels::{
+    AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Line, Lines, Quadrature, elastic, interface_laws,
+    laws,
+};

@@ -5,6 +5,7 @@ use crate::boundary::{Base, Incident, Side, Surroundings};
 use crate::column::{self, Column};
 use crate::error::ModelError;
 use crate::hexahedra::{centroid, hex};
+use crate::interface::{Interface, Seam, copies};
 use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
 use crate::problem::{MakePart, Problem, Rayleigh, TimeStep};
@@ -12,6 +13,8 @@ use std::ops::Range;
 use tremolite_laws::Isa;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::order::hilbert_order;
+use tremolite_mesh::pairs::pairs;
+use tremolite_mesh::split::{Cut, Split, split};
 
 /// Elements that one thread works on together.
 #[derive(Clone, Debug)]
@@ -42,6 +45,10 @@ pub struct Model {
     pub counted: Range<usize>,
     /// Faces of the user's elements on the outer planes.
     pub faces: OuterFaces,
+    /// Interfaces, split.
+    pub seams: Vec<Seam>,
+    /// Node of the mesh → one for all that interfaces part at its place; of the user's nodes.
+    pub places: Vec<u32>,
     pub base: Base,
     /// Sides normal to x and to y.
     pub sides: [Side; 2],
@@ -75,14 +82,21 @@ impl Model {
     /// The first thing that stands in the way of running it.
     pub fn new(problem: Problem) -> Result<Self, ModelError> {
         let Problem { mut mesh, mut bodies, .. } = problem;
-        let (user_nodes, user_elements) = (mesh.nodes.len(), mesh.elements.len());
         let body_of = check_bodies(&mesh, &bodies)?;
+        let ground = column::ground(&mesh, &bodies, &body_of, &problem.interfaces);
+        let Seams { seams, origin, places } = seams(&mut mesh, problem.interfaces, &body_of)?;
+        let (user_nodes, user_elements) = (mesh.nodes.len(), mesh.elements.len());
+        let copies = copies(&origin);
+        let held = problem.held.into_iter().flat_map(|(node, held)| {
+            copies.get(&node).cloned().unwrap_or_else(|| vec![node]).into_iter().map(move |n| (n, held))
+        });
+        let held = held.collect();
 
         let faces = OuterFaces::of(&mesh, &body_of);
         let user_bodies = bodies.len();
         let (column, no_column) = match problem.base {
             Base::Free | Base::Fixed => (None, "no wave enters through an absorbing base".to_owned()),
-            Base::Viscous | Base::ViscousSpring { .. } => match column::ground(&mesh, &bodies, &body_of) {
+            Base::Viscous | Base::ViscousSpring { .. } => match ground {
                 Ok(ground) => (Some(column::build(&mut mesh, &mut bodies, ground)), String::new()),
                 Err(reason) if problem.base.has_springs() => return Err(column::refusal(&reason)),
                 Err(reason) => (None, reason),
@@ -142,9 +156,11 @@ impl Model {
             engine_node,
             counted,
             faces,
+            seams,
+            places,
             base: problem.base,
             sides: problem.sides,
-            held: problem.held,
+            held,
             ties: problem.ties,
             column,
             no_column,
@@ -166,6 +182,7 @@ impl Model {
             body_of: &self.body_of,
             engine_node: &self.engine_node,
             faces: &self.faces,
+            places: &self.places,
             base: self.base,
             sides: self.sides,
             held: &self.held,
@@ -192,6 +209,48 @@ impl Model {
             None => format!("element {number}"),
         }
     }
+}
+
+/// What became of a problem's interfaces.
+struct Seams {
+    seams: Vec<Seam>,
+    /// The node that each node was before; empty without interfaces.
+    origin: Vec<u32>,
+    places: Vec<u32>,
+}
+
+/// Splits the nodes of interfaces and makes their pairs.
+fn seams(
+    mesh: &mut Mesh,
+    interfaces: Vec<Interface>,
+    body_of: &[Option<usize>],
+) -> Result<Seams, ModelError> {
+    if interfaces.is_empty() {
+        let places = (0..mesh.nodes.len() as u32).collect();
+        return Ok(Seams { seams: Vec::new(), origin: Vec::new(), places });
+    }
+    let there: Vec<bool> = body_of.iter().map(Option::is_some).collect();
+    let cuts: Vec<Cut> = interfaces
+        .iter()
+        .map(|interface| Cut { name: &interface.name, sides: interface.sides.each_ref().map(Vec::as_slice) })
+        .collect();
+    let Split { faces, origin, places, ends } = split(mesh, &cuts, &there)?;
+    let seams = interfaces
+        .into_iter()
+        .zip(faces)
+        .zip(ends)
+        .map(|((interface, faces), ends)| Seam {
+            pairs: pairs(mesh, &faces, interface.corner),
+            name: interface.name,
+            law: interface.law,
+            values: interface.values,
+            damping: interface.damping,
+            limit: interface.limit,
+            faces,
+            ends,
+        })
+        .collect();
+    Ok(Seams { seams, origin, places })
 }
 
 /// The body of each element, none for void ones; every element of a body can be integrated.

@@ -2,6 +2,7 @@
 
 use crate::body::Body;
 use crate::boundary::{Base, Incident, Side};
+use crate::interface::Interface;
 use crate::member::Member;
 use crate::parts::loads::Load;
 use std::sync::Arc;
@@ -47,11 +48,13 @@ pub struct Problem {
     pub sides: [Side; 2],
     pub incident: Option<Incident>,
     pub rayleigh: Rayleigh,
-    /// Forces on nodes of the mesh.
+    /// Groups of elements that touch without being joined.
+    pub interfaces: Vec<Interface>,
+    /// Forces on nodes of the mesh; where an interface splits one, on its second side.
     pub loads: Vec<Load>,
-    /// Components held at single nodes of the mesh.
+    /// Components held at single nodes of the mesh, on both sides of an interface.
     pub held: Vec<(u32, [bool; 3])>,
-    /// Nodes of the mesh that move as one.
+    /// Nodes of the mesh that move as one; where an interface splits one, its second side.
     pub ties: Vec<(u32, u32)>,
     /// Parts of the program's own.
     pub parts: Vec<MakePart>,
@@ -71,6 +74,7 @@ impl Problem {
             sides: [Side::Free; 2],
             incident: None,
             rayleigh: Rayleigh::default(),
+            interfaces: Vec::new(),
             loads: Vec::new(),
             held: Vec::new(),
             ties: Vec::new(),

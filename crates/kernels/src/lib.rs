@@ -4,13 +4,16 @@
 //! happens in this crate: a change to the time loop, an observer or the case reader compiles none of it again. So whoever
 //! wants a material asks [`laws`] or [`elastic`] for it; only a law of one's own is made with [`Law::of`].
 
+pub mod contact;
 pub mod follow;
+pub mod interface;
 pub mod line;
 pub mod material;
 pub mod part;
 pub mod quadrature;
 pub mod solid;
 
+pub use interface::{AnyInterface, InterfaceLaw, interface_laws};
 pub use line::{Booked, Line, Lines};
 pub use material::{AnyMaterial, Law, elastic, laws};
 pub use part::{ElementEnergy, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};

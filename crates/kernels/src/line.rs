@@ -51,6 +51,13 @@ macro_rules! lines {
     };
 }
 
+impl Line {
+    /// Whether it is a line of interfaces, which a model without any has not.
+    pub const fn of_interfaces(self) -> bool {
+        matches!(self, Line::Interface | Line::Friction | Line::CreatedByInterface | Line::ContactDamping)
+    }
+}
+
 lines! {
     /// ½vᵀMv at v̂.
     Kinetic = "kinetic", 1.0, Motion;
@@ -66,6 +73,14 @@ lines! {
     Band = "band_damping", 1.0, Spent;
     /// Taken by artificial viscosity.
     Viscosity = "artificial_viscosity", 1.0, Work;
+    /// What pairs of interfaces would give back.
+    Interface = "interface", 1.0, Stored;
+    /// Taken by friction and breaking bonds of interfaces, as their laws book it.
+    Friction = "friction", 1.0, Spent;
+    /// Given out by interface laws whose shear stiffness goes by the closure, as they book it; negative where they took it.
+    CreatedByInterface = "created_by_interface", -1.0, Spent;
+    /// Taken by the dashpots of closed pairs whose bond is broken.
+    ContactDamping = "contact_damping", 1.0, Work;
     /// Taken by Rayleigh damping.
     Rayleigh = "rayleigh_damping", 1.0, Damping;
     /// Taken by the dashpots of the base.

@@ -18,6 +18,7 @@ pub mod merge;
 pub mod mesh;
 pub mod note;
 pub mod order;
+pub mod pairs;
 pub mod picture;
 pub mod placement;
 pub mod quality;
@@ -25,6 +26,7 @@ pub mod read;
 #[cfg(test)]
 mod sample;
 mod shortest;
+pub mod split;
 pub mod topology;
 mod trouble;
 pub mod vtk;

@@ -206,6 +206,21 @@ impl ResultFolder {
         self.root.join("fields")
     }
 
+    /// `interfaces.csv`, what opens and slides over time; only of runs with interfaces.
+    pub fn interfaces(&self) -> PathBuf {
+        self.root.join("interfaces.csv")
+    }
+
+    /// `interfaces.pvd`, the times of the interfaces' files.
+    pub fn interfaces_pvd(&self) -> PathBuf {
+        self.root.join("interfaces.pvd")
+    }
+
+    /// `interfaces/`, the pairs of all interfaces at those times.
+    pub fn interface_fields(&self) -> PathBuf {
+        self.root.join("interfaces")
+    }
+
     /// `figures/`, the report's figures.
     pub fn figures(&self) -> PathBuf {
         self.root.join("figures")

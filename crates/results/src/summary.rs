@@ -7,7 +7,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Error, Fact, Finding, GroupDamage, GroupStress, MaterialFacts, Peaks, TrustLine, number, replace_file,
+    Error, Fact, Finding, GroupDamage, GroupStress, InterfaceSummary, MaterialFacts, Peaks, TrustLine,
+    number, replace_file,
 };
 
 /// How a run ended.
@@ -65,6 +66,8 @@ pub struct Summary {
     /// Group of elements → how far it is damaged or yielded; groups whose laws know neither are left out, and groups
     /// may overlap.
     pub damage: IndexMap<String, GroupDamage>,
+    /// Interface → what it did.
+    pub interfaces: IndexMap<String, InterfaceSummary>,
     /// Line of the energy balance → its value at the end (J).
     #[serde(deserialize_with = "number::deserialize_map")]
     pub energy: IndexMap<String, f64>,

@@ -2,7 +2,7 @@
 
 use crate::groups::groups;
 use crate::plan::{Plan, Steps};
-use crate::quantities::{Field, MEASURES, MONITOR, RELATIVE};
+use crate::quantities::{Field, INTERFACE, MEASURES, MONITOR, PAIR, RELATIVE};
 use std::collections::BTreeSet;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::model::Model;
@@ -24,7 +24,7 @@ pub struct Disk {
     /// Number of field files, and bytes of one.
     pub field_files: u64,
     pub field_file: u64,
-    /// Of monitors.csv, energy.csv and damage.csv.
+    /// Of monitors.csv, energy.csv, damage.csv and interfaces.csv.
     pub histories: u64,
     /// Of the checkpoint, which is there while the run goes on and after a stop.
     pub checkpoint: u64,
@@ -58,7 +58,11 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
 
 /// Columns of all tables.
 fn columns(model: &Model, plan: &Plan) -> u64 {
-    let monitors = 1 + MONITOR.len() * plan.monitors.len() + RELATIVE.len() * plan.relatives.len();
+    let monitors = 1
+        + MONITOR.len() * plan.monitors.len()
+        + RELATIVE.len() * plan.relatives.len()
+        + PAIR.len() * plan.pairs.len();
+    let interfaces = if model.seams.is_empty() { 0 } else { 1 + INTERFACE.len() * model.seams.len() };
     let damage: usize = groups(model)
         .iter()
         .filter(|group| group.whole)
@@ -68,7 +72,7 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
             roles.filter(|role| position(history, *role).is_some()).count()
         })
         .sum();
-    (monitors + 1 + Line::ALL.len() + 1 + damage) as u64
+    (monitors + interfaces + 1 + Line::ALL.len() + 1 + damage) as u64
 }
 
 /// Bytes of a field file before compression: of the mesh with its groups, and of values.
@@ -85,7 +89,7 @@ pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field]) -> (u64, u64)
             Field::Principal => (0, 2),
             Field::Envelope => (1, 2),
             Field::Damage => (0, u64::from(cracks)),
-            Field::Plastic | Field::History => (0, 0),
+            Field::Plastic | Field::History | Field::Interface => (0, 0),
         };
         of_node += node;
         of_cell += cell;

@@ -42,6 +42,19 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         space.indices(&body.elements);
     }
     space.shown(&(model.base, model.sides, &model.held, &model.ties));
+    for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
+        space.shown(&(
+            &seam.name,
+            contacts.law.info().name,
+            contacts.law.values(),
+            seam.damping,
+            contacts.frequency,
+        ));
+        for pair in &seam.pairs {
+            space.indices(&pair.nodes);
+            space.numbers(pair.normal.iter().chain([&pair.normal_area]));
+        }
+    }
     for (member, slices) in assembly.members.iter().zip(&assembly.slices) {
         space.shown(&(&member.name, &member.life, member.counted, slices));
         space.indices(member.part.nodes());
@@ -63,6 +76,9 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     }
     for monitor in &plan.monitors {
         time.shown(&(&monitor.name, monitor.point));
+    }
+    for pair in &plan.pairs {
+        time.shown(&(&pair.name, pair.point, pair.interface));
     }
     time.shown(&plan.relatives);
     u64::from(space.0.finalize()) << 32 | u64::from(time.0.finalize())

@@ -11,6 +11,7 @@ pub mod evidence;
 mod fingerprint;
 mod groups;
 pub mod history;
+pub mod interfaces;
 pub mod observers;
 pub mod plan;
 pub mod quantities;

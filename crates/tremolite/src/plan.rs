@@ -13,6 +13,16 @@ pub struct Monitor {
     pub location: Location,
 }
 
+/// A pair of an interface whose histories are kept: the nearest to a point.
+#[derive(Clone, Debug)]
+pub struct PairMonitor {
+    pub name: String,
+    /// Where it was asked for \[m\].
+    pub point: [f64; 3],
+    /// Index among the problem's interfaces.
+    pub interface: usize,
+}
+
 /// Times and outputs of a run.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -27,6 +37,8 @@ pub struct Plan {
     /// Wall-clock time between checkpoints \[s\].
     pub checkpoint: Option<f64>,
     pub monitors: Vec<Monitor>,
+    /// Behind them in monitors.csv.
+    pub pairs: Vec<PairMonitor>,
     /// Pairs of monitors whose relative displacement is kept.
     pub relatives: Vec<[usize; 2]>,
 }

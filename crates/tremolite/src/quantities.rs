@@ -48,6 +48,36 @@ pub const MONITOR: [Quantity; 18] = [
     q("s3", "Pa", "smallest principal stress"),
 ];
 
+/// Columns of a monitor on an interface, in this order.
+pub const PAIR: [Quantity; 7] = [
+    q("gap", "m", "opening of the pair nearest to the point, negative where it is closed under pressure"),
+    q(
+        "slip1",
+        "m",
+        "displacement of the second side against the first along e1, horizontal (x on a level interface)",
+    ),
+    q("slip2", "m", "the same along e2 = m × e1, m out of the first side"),
+    q("pressure", "Pa", "between the two sides, compression positive, without contact damping"),
+    q("shear1", "Pa", "shear along the slip that caused it, e1"),
+    q("shear2", "Pa", "the same along e2"),
+    q("state", "1", "0 bonded, 1 stuck (bond broken, closed), 2 sliding, 3 open"),
+];
+
+/// Columns of an interface in interfaces.csv, in this order.
+pub const INTERFACE: [Quantity; 7] = [
+    q("sliding", "m2", "area that slides"),
+    q("open", "m2", "area that is open"),
+    q("ever_slid", "m2", "area that has slid in any step so far"),
+    q("ever_opened", "m2", "area that has opened in any step so far"),
+    q("max_gap", "m", "largest gap of any pair and step so far"),
+    q("max_slip", "m", "largest slip of any pair and step so far, what the joint gives elastically included"),
+    q(
+        "impact_gain",
+        "J",
+        "energy that the time step found (lost, if negative) at impacts so far; in the balance's error",
+    ),
+];
+
 /// Columns of a pair of monitors.
 pub const RELATIVE: [Quantity; 4] = [
     q("ux", "m", "displacement of the first monitor less that of the second, along x"),
@@ -75,10 +105,11 @@ pub enum Field {
     Damage,
     Plastic,
     History,
+    Interface,
 }
 
 impl Field {
-    pub const ALL: [Field; 9] = [
+    pub const ALL: [Field; 10] = [
         Field::Displacement,
         Field::Velocity,
         Field::Acceleration,
@@ -88,6 +119,7 @@ impl Field {
         Field::Damage,
         Field::Plastic,
         Field::History,
+        Field::Interface,
     ];
 
     /// The word in `output.fields`, and the arrays it writes.
@@ -120,6 +152,11 @@ impl Field {
             Field::History => (
                 "history",
                 "all that the laws keep, by the names of 'list materials' (state as plastic_state), as above",
+            ),
+            Field::Interface => (
+                "interface",
+                "in files of their own, interfaces.pvd: gap, slip (m), pressure, shear (Pa), state, slid, opened, gap_max, \
+                 slip_max (m) at the pairs of all interfaces",
             ),
         }
     }

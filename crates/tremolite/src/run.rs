@@ -84,7 +84,7 @@ pub struct Control<'a> {
 
 /// The step a model runs with and the plan in steps.
 pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Steps) {
-    plan.steps(model.time_step.given.unwrap_or(model.time_step.safety * stable.dt))
+    plan.steps(model.time_step.given.unwrap_or_else(|| stable.to_run(model.time_step.safety)))
 }
 
 /// How often progress is told.

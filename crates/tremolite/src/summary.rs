@@ -2,13 +2,16 @@
 
 use crate::damage;
 use crate::evidence::Evidence;
+use crate::interfaces::{self, interfaces};
 use crate::observers::Extremes;
+use crate::plan::{PairMonitor, Plan};
 use crate::run::{Ending, Outcome};
 use crate::stress::stresses;
 use crate::survey::limit_in_words;
 use crate::trust::{facts, trust};
 use indexmap::IndexMap;
 use tremolite_engine::Halt;
+use tremolite_engine::model::Model;
 use tremolite_results::{
     Finding, GroupStress, ModelFacts, MotionFacts as MotionSummary, Status, Summary, TrustLine,
     peaks_by_monitor,
@@ -35,7 +38,9 @@ pub fn summary(evidence: Evidence) -> Summary {
     let damage = damage::damage(model, phase, outcome.history(assembly), &outcome.state.observers);
     let stress = stresses(model, phase, &outcome.state.observers);
     let run = run_in_words(outcome, &trust, &stress);
-    let findings = damage::findings(model, &damage);
+    let interfaces = interfaces(model, assembly, &outcome.state.history);
+    let mut findings = damage::findings(model, &damage);
+    findings.extend(interfaces::findings(&interfaces));
     let status = match outcome.ending {
         Ending::Done => Status::Done,
         Ending::Stopped => Status::Stopped,
@@ -73,12 +78,13 @@ pub fn summary(evidence: Evidence) -> Summary {
             peak_acceleration: (0..3).map(peak).collect(),
             source: (0..3).map(source).collect(),
         },
-        positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
+        positions: positions(model, plan),
         monitors,
         relative,
         stress,
         damage,
-        energy: outcome.balance.iter().map(|(line, value)| (line.name().to_owned(), value)).collect(),
+        interfaces,
+        energy: assembly.lines().map(|line| (line.name().to_owned(), outcome.balance[line])).collect(),
         facts,
         trust,
         inputs: evidence.inputs,
@@ -87,6 +93,16 @@ pub fn summary(evidence: Evidence) -> Summary {
         run: evidence.run,
         defaulted: evidence.defaulted,
     }
+}
+
+/// Where monitors are: those of an interface at their pair.
+fn positions(model: &Model, plan: &Plan) -> IndexMap<String, [f64; 3]> {
+    let of_pair = |pair: &PairMonitor| {
+        let seam = &model.seams[pair.interface];
+        (pair.name.clone(), seam.place(&model.mesh, seam.nearest(&model.mesh, pair.point)))
+    };
+    let monitors = plan.monitors.iter().map(|m| (m.name.clone(), m.point));
+    monitors.chain(plan.pairs.iter().map(of_pair)).collect()
 }
 
 /// The run's outcome and that of each structure, in one text.

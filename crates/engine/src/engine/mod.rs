@@ -23,7 +23,7 @@ mod nodes;
 mod power;
 mod product;
 
-pub use power::{Limit, StableStep, stable_step, viscous_share};
+pub use power::{ContactLimit, Limit, StableStep, stable_step, viscous_share};
 
 use crate::assembly::{Assembly, Slices};
 use crate::member::Member;

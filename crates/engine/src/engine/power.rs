@@ -9,6 +9,7 @@
 use super::nodes::CHUNK;
 use super::product::{self, Product};
 use crate::assembly::Assembly;
+use crate::contact;
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Scratch};
 use crate::phase::Phase;
@@ -26,6 +27,24 @@ pub enum Limit {
     Damping,
 }
 
+/// What interfaces allow: impacts may gain energy beyond, though the step is stable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactLimit {
+    /// The longest step \[s\], without a safety factor.
+    pub dt: f64,
+    /// The interface ([`Model::seams`]) and its pair that set it.
+    pub interface: usize,
+    pub pair: usize,
+}
+
+impl StableStep {
+    /// The step to run with \[s\]: a share of the stable one, and what interfaces allow.
+    pub fn to_run(&self, safety: f64) -> f64 {
+        let stable = safety * self.dt;
+        self.contact.map_or(stable, |contact| stable.min(contact.dt))
+    }
+}
+
 /// The largest stable step and what it comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StableStep {
@@ -38,6 +57,8 @@ pub struct StableStep {
     /// λmax(M⁻¹C) = ω + ξ λmax(M⁻¹K) of Rayleigh's damping \[1/s\].
     pub damping_rate: f64,
     pub limit: Limit,
+    /// Of the model's interfaces, where it has any.
+    pub contact: Option<ContactLimit>,
     /// Iterations made, and the relative change of λ in the last one: the estimate comes from below.
     pub iterations: u32,
     pub change: f64,
@@ -83,7 +104,8 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
     let undamped = 2.0 / lambda.sqrt();
     let share = model.user_bodies().iter().map(|body| body.viscosity).fold(0.0, f64::max);
     let mut dt_stiffness = undamped;
-    if share > 0.0 {
+    let dashpots = model.seams.iter().any(|seam| seam.damping > 0.0);
+    if share > 0.0 || dashpots {
         let mut mode = w.clone();
         dt_stiffness = undamped * viscous_share(share);
         for _ in 0..VISCOUS_ROUNDS {
@@ -102,6 +124,7 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
         frequency: lambda.sqrt(),
         damping_rate,
         limit,
+        contact: contact::step_limit(model, assembly),
         iterations,
         change,
     }

@@ -23,7 +23,7 @@ impl Energy {
     /// If the file cannot be written, or is shorter than the state remembers.
     pub fn new(setting: &Setting) -> Result<Self, RunError> {
         let mut columns = vec![Column::new("time", "s")];
-        columns.extend(Line::ALL.iter().map(|line| Column::new(line.name(), "J")));
+        columns.extend(setting.assembly.lines().map(|line| Column::new(line.name(), "J")));
         let path = setting.folder.energy();
         let table = match setting.memory.get(MEMORY) {
             Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
@@ -41,7 +41,7 @@ impl Observer for Energy {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let balance = &view.snapshot.balance;
         let mut row = vec![view.snapshot.time];
-        row.extend(balance.iter().map(|(_, value)| value));
+        row.extend(view.assembly.lines().map(|line| balance[line]));
         self.table.write(&row)?;
         let beyond = (balance[Line::Error] - view.snapshot.scheme).abs();
         let most = memory.get(MEMORY).map_or(0.0, |kept| kept[1]);

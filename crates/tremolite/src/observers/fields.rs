@@ -105,7 +105,7 @@ impl Fields {
                     grid.cell_data.push(self.cells(Cracks::OPENING, "m", |s| widest[s.element as usize]));
                 }
             }
-            Field::Plastic | Field::History => {}
+            Field::Plastic | Field::History | Field::Interface => {}
         }
     }
 

@@ -5,8 +5,8 @@
 
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
-use crate::plan::{Monitor, Plan};
-use crate::quantities::{MONITOR, RELATIVE, nearest_stress, stress_at};
+use crate::plan::{Monitor, PairMonitor, Plan};
+use crate::quantities::{MONITOR, PAIR, RELATIVE, nearest_stress, stress_at};
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
@@ -22,6 +22,8 @@ const MEMORY: &str = "histories";
 pub struct Histories {
     schedule: Schedule,
     table: TableWriter,
+    /// Interface and pair of each of the plan's.
+    pairs: Vec<(usize, usize)>,
 }
 
 /// The columns of monitors.csv.
@@ -33,6 +35,9 @@ pub fn columns(plan: &Plan) -> Vec<Column> {
     for [a, b] in &plan.relatives {
         let pair = format!("{}-{}", plan.monitors[*a].name, plan.monitors[*b].name);
         columns.extend(RELATIVE.iter().map(|q| Column::new(format!("{pair}.{}", q.name), q.unit)));
+    }
+    for pair in &plan.pairs {
+        columns.extend(PAIR.iter().map(|q| Column::new(format!("{}.{}", pair.name, q.name), q.unit)));
     }
     columns
 }
@@ -48,7 +53,11 @@ impl Histories {
             Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
             None => TableWriter::create(&path, &columns)?,
         };
-        Ok(Histories { schedule: setting.rows(), table })
+        let nearest = |pair: &PairMonitor| {
+            (pair.interface, setting.model.seams[pair.interface].nearest(&setting.model.mesh, pair.point))
+        };
+        let pairs = setting.plan.pairs.iter().map(nearest).collect();
+        Ok(Histories { schedule: setting.rows(), table, pairs })
     }
 }
 
@@ -87,7 +96,7 @@ impl Observer for Histories {
     }
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let View { model, plan, snapshot, .. } = *view;
+        let View { model, assembly, plan, snapshot, history, .. } = *view;
         let last = memory.get(MEMORY).cloned();
         let mut kept = vec![0.0, snapshot.time];
         let mut row = vec![snapshot.time];
@@ -111,6 +120,13 @@ impl Observer for Histories {
             let d = [0, 1, 2].map(|i| displacements[*a][i] - displacements[*b][i]);
             row.extend(d);
             row.push((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt());
+        }
+        for (pair, &(seam, nearest)) in plan.pairs.iter().zip(&self.pairs) {
+            debug_assert_eq!(pair.interface, seam);
+            let seen = assembly.contacts[seam].seen(assembly, history.octets, nearest);
+            let [slip1, slip2] = seen.slip;
+            let [shear1, shear2] = seen.shear.map(|t| -t);
+            row.extend([seen.gap, slip1, slip2, seen.pressure, shear1, shear2, f64::from(seen.state)]);
         }
         self.table.write(&row)?;
         kept[0] = self.table.bytes_written() as f64;

@@ -7,6 +7,7 @@ mod fields;
 mod free_field;
 mod growth;
 mod histories;
+mod interfaces;
 mod onsets;
 mod steps;
 
@@ -17,6 +18,7 @@ pub use fields::Fields;
 pub use free_field::{FreeField, FreeFieldSeen};
 pub use growth::Growth;
 pub use histories::Histories;
+pub use interfaces::{InterfaceFields, Interfaces};
 pub use onsets::{Onsets, memory_key as onset_memory};
 pub use steps::{Extremes, StepPeaks};
 
@@ -137,6 +139,8 @@ pub const OBSERVERS: &[Make] = &[
     // Behind the cracks, whose widths it writes.
     |s| Ok(Growth::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Fields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(Interfaces::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(InterfaceFields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
 ];
 
 /// Observers of a program's own, which look behind those of [`OBSERVERS`].

@@ -119,6 +119,7 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
         fields,
         checkpoint: output.checkpoint.as_ref().map(|c| c.value),
         monitors,
+        pairs: Vec::new(),
         relatives: case.relatives.iter().map(|r| r.between).collect(),
     };
     let inputs = inputs::inputs(case);
@@ -200,7 +201,7 @@ fn springs_or_none(
     for (b, body) in bodies.iter().enumerate() {
         body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
     }
-    let Err(reason) = column::ground(mesh, bodies, &body_of) else { return (base, None) };
+    let Err(reason) = column::ground(mesh, bodies, &body_of, &[]) else { return (base, None) };
     if case.defaulted.iter().any(|d| d.key == "dynamic.base") {
         return (Base::Viscous, Some(reason));
     }

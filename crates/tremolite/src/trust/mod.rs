@@ -2,6 +2,7 @@
 //! construction is a fact and no check.
 
 mod energy;
+mod interface;
 mod material;
 mod waves;
 
@@ -16,6 +17,7 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
     let mut lines = vec![waves::per_wavelength(evidence), waves::drift(evidence)];
     lines.extend(waves::free_field(evidence));
     lines.extend(energy::lines(evidence));
+    lines.extend(interface::lines(evidence));
     lines.extend(material::lines(evidence));
     tell_apart(lines.iter_mut().map(|line| &mut line.id));
     lines

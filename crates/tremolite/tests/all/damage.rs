@@ -94,6 +94,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
             fields: Field::ALL.to_vec(),
             checkpoint: None,
             monitors,
+            pairs: Vec::new(),
             relatives: Vec::new(),
         };
         let ready = Ready::new(problem);

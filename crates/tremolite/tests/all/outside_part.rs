@@ -168,6 +168,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
         fields: Vec::new(),
         checkpoint: None,
         monitors: Vec::new(),
+        pairs: Vec::new(),
         relatives: Vec::new(),
     };
     let results = ResultFolder::create(Some(folder.path()), "springs", true).unwrap();

@@ -30,6 +30,7 @@ fn plan(problem: &Problem) -> Plan {
         fields: Field::ALL.to_vec(),
         checkpoint: None,
         monitors: vec![monitor("top", [6.3, 5.1, 14.0]), monitor("slab", [6.0, 5.0, 7.0])],
+        pairs: Vec::new(),
         relatives: vec![[0, 1]],
     }
 }

@@ -1,0 +1,104 @@
+//! Interfaces: groups of elements that touch without being joined.
+
+use std::collections::HashMap;
+use tremolite_kernels::InterfaceLaw;
+use tremolite_laws::Values;
+use tremolite_mesh::pairs::PairShape;
+use tremolite_mesh::{Face, Mesh};
+
+/// An interface as a problem states it.
+#[derive(Clone)]
+pub struct Interface {
+    /// For messages and reports.
+    pub name: String,
+    /// Elements of the two sides; normals point out of the first into the second, which keeps the mesh's nodes.
+    pub sides: [Vec<u32>; 2],
+    pub law: InterfaceLaw,
+    /// Of the law, in SI. What it may leave to be chosen ([`tremolite_laws::Need::Chosen`]) may be missing.
+    pub values: Values,
+    /// Faces that meet at less than this share pairs \[rad\].
+    pub corner: f64,
+    /// Dashpots of closed pairs whose bond is broken, as a share of critical at the stiffest state.
+    pub damping: f64,
+    /// ω_c Δt at most.
+    pub limit: f64,
+}
+
+impl Interface {
+    /// 45°, as `method` of corners: a 90° foot of a wall has pairs for each side, facets of a curve share theirs.
+    pub const CORNER: f64 = std::f64::consts::FRAC_PI_4;
+    /// Enough that impacts lose energy on the whole at [`Interface::LIMIT`].
+    pub const DAMPING: f64 = 0.01;
+    /// Beyond, impacts may gain energy.
+    pub const LIMIT: f64 = 0.8;
+
+    /// An interface with the usual corner, damping and limit.
+    pub fn new(name: impl Into<String>, sides: [Vec<u32>; 2], law: InterfaceLaw, values: Values) -> Self {
+        let Self { corner, damping, limit, .. } = Interface {
+            name: String::new(),
+            sides: [Vec::new(), Vec::new()],
+            law,
+            values: Values::default(),
+            corner: Self::CORNER,
+            damping: Self::DAMPING,
+            limit: Self::LIMIT,
+        };
+        Interface { name: name.into(), sides, law, values, corner, damping, limit }
+    }
+}
+
+/// An interface of a model: split, with its pairs.
+#[derive(Clone)]
+pub struct Seam {
+    pub name: String,
+    pub law: InterfaceLaw,
+    /// As given.
+    pub values: Values,
+    pub damping: f64,
+    pub limit: f64,
+    /// Faces of the first side with those of the second.
+    pub faces: Vec<[Face; 2]>,
+    /// Pairs, on nodes of the mesh.
+    pub pairs: Vec<PairShape>,
+    /// Nodes at which it ends inside the model, closed.
+    pub ends: Vec<u32>,
+}
+
+impl Seam {
+    /// Its area \[m²\].
+    pub fn area(&self) -> f64 {
+        self.pairs.iter().map(|pair| pair.area).sum()
+    }
+
+    /// Where a pair is \[m\].
+    pub fn place(&self, mesh: &Mesh, pair: usize) -> [f64; 3] {
+        mesh.nodes[self.pairs[pair].nodes[1] as usize]
+    }
+
+    /// The pair nearest to a point.
+    pub fn nearest(&self, mesh: &Mesh, point: [f64; 3]) -> usize {
+        let square = |k: usize| {
+            let x = self.place(mesh, k);
+            (0..3).map(|i| (x[i] - point[i]).powi(2)).sum::<f64>()
+        };
+        (0..self.pairs.len()).min_by(|&a, &b| square(a).total_cmp(&square(b))).unwrap_or(0)
+    }
+
+    /// A pair for messages: its interface, the number of its node, and where that is.
+    pub fn pair_name(&self, mesh: &Mesh, pair: usize) -> String {
+        let [x, y, z] = self.place(mesh, pair);
+        let node = mesh.node_id(self.pairs[pair].nodes[1] as usize);
+        format!("interface '{}' at node {node} at ({x:.1}, {y:.1}, {z:.1}) m", self.name)
+    }
+}
+
+/// All nodes that were one, by that one, of those that were split.
+pub fn copies(origin: &[u32]) -> HashMap<u32, Vec<u32>> {
+    let mut copies: HashMap<u32, Vec<u32>> = HashMap::new();
+    for (node, &of) in (0u32..).zip(origin) {
+        if node != of {
+            copies.entry(of).or_insert_with(|| vec![of]).push(node);
+        }
+    }
+    copies
+}

@@ -1,0 +1,182 @@
+//! interfaces.csv, and interfaces/*.vtu with interfaces.pvd: what opens and slides.
+
+use super::{Observer, Schedule, Setting, View};
+use crate::error::RunError;
+use crate::quantities::{Field, INTERFACE};
+use tremolite_engine::model::Model;
+use tremolite_engine::state::Memory;
+use tremolite_kernels::contact::PairSeen;
+use tremolite_mesh::pairs::tangents;
+use tremolite_mesh::vtu::{Array, Grid, Values};
+use tremolite_results::{Column, Pvd, TableWriter};
+
+/// Key of what this observer remembers: the bytes written.
+const MEMORY: &str = "interfaces";
+
+/// Writes a row for all interfaces.
+pub struct Interfaces {
+    schedule: Schedule,
+    table: TableWriter,
+}
+
+/// The columns of interfaces.csv.
+pub fn columns(model: &Model) -> Vec<Column> {
+    let mut columns = vec![Column::new("time", "s")];
+    for seam in &model.seams {
+        columns.extend(INTERFACE.iter().map(|q| Column::new(format!("{}.{}", seam.name, q.name), q.unit)));
+    }
+    columns
+}
+
+impl Interfaces {
+    /// Starts the table, or goes on with it where the state left it; nothing without interfaces.
+    ///
+    /// # Errors
+    /// If the file cannot be written, or is shorter than the state remembers.
+    pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
+        if setting.model.seams.is_empty() {
+            return Ok(None);
+        }
+        let (path, columns) = (setting.folder.interfaces(), columns(setting.model));
+        let table = match setting.memory.get(MEMORY) {
+            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
+            None => TableWriter::create(&path, &columns)?,
+        };
+        Ok(Some(Interfaces { schedule: setting.rows(), table }))
+    }
+}
+
+impl Observer for Interfaces {
+    fn schedule(&self) -> Schedule {
+        self.schedule
+    }
+
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
+        let View { model, assembly, snapshot, history, .. } = *view;
+        let mut row = vec![snapshot.time];
+        for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
+            let totals = contacts.totals(assembly, seam, history.octets);
+            row.extend([totals.sliding, totals.open, totals.ever_slid, totals.ever_opened]);
+            row.extend([totals.largest_gap, totals.largest_slip, totals.impact_gain]);
+        }
+        self.table.write(&row)?;
+        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
+        Ok(())
+    }
+}
+
+/// Writes the pairs of all interfaces at some times.
+pub struct InterfaceFields {
+    schedule: Schedule,
+    folder: std::path::PathBuf,
+    list: Pvd,
+    /// A point for each pair, interface by interface, a cell for each face.
+    grid: Grid,
+}
+
+impl InterfaceFields {
+    /// Starts the list of files, or goes on with it at the state's time; nothing if the plan wants none.
+    ///
+    /// # Errors
+    /// If the list cannot be written or read.
+    pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
+        let Setting { folder, model, plan, steps, .. } = *setting;
+        let wanted = plan.fields.contains(&Field::Interface) && !model.seams.is_empty();
+        let Some(every) = steps.snapshots.filter(|_| wanted) else { return Ok(None) };
+        let list = if setting.step == 0 {
+            Pvd::create(&folder.interfaces_pvd())?
+        } else {
+            // Files of the state's own time are written again.
+            Pvd::resume(&folder.interfaces_pvd(), setting.time - 0.5 * setting.dt)?
+        };
+        let files = folder.interface_fields();
+        std::fs::create_dir_all(&files).map_err(|source| RunError::Io { path: files.clone(), source })?;
+        let schedule = Schedule { every, last: Some(steps.total) };
+        Ok(Some(InterfaceFields { schedule, folder: files, list, grid: grid(model) }))
+    }
+}
+
+/// Faces as polygons of their pairs. A face of which a corner has no pair, at an end of an interface, has fewer corners.
+fn grid(model: &Model) -> Grid {
+    let mut grid = Grid::default();
+    let (mut interface, mut element, mut other) = (Vec::new(), Vec::new(), Vec::new());
+    let mut normals: Vec<f32> = Vec::new();
+    for (s, seam) in model.seams.iter().enumerate() {
+        let first = grid.points.len() as u32;
+        let mut corners: Vec<Vec<(u8, u32)>> = vec![Vec::new(); seam.faces.len()];
+        for (k, pair) in (0u32..).zip(&seam.pairs) {
+            grid.points.push(seam.place(&model.mesh, k as usize));
+            normals.extend(pair.normal.map(|x| x as f32));
+            for &(face, corner) in &pair.corners {
+                corners[face as usize].push((corner, first + k));
+            }
+        }
+        for ([a, b], corners) in seam.faces.iter().zip(&mut corners) {
+            corners.sort_unstable();
+            if corners.len() < 3 {
+                continue;
+            }
+            grid.connectivity.extend(corners.iter().map(|(_, point)| point));
+            grid.offsets.push(grid.connectivity.len() as u32);
+            // VTK's numbers of a triangle and a quadrilateral.
+            grid.types.push(if corners.len() == 3 { 5 } else { 9 });
+            interface.push(s as i32);
+            element.push(model.mesh.element_id(a.element as usize) as i64);
+            other.push(model.mesh.element_id(b.element as usize) as i64);
+        }
+    }
+    grid.point_data = vec![Array::new("normal", "", 3, Values::Float32(normals))];
+    grid.cell_data = vec![
+        Array::new("interface", "", 1, Values::Int32(interface)),
+        Array::new("element", "", 1, Values::Int64(element)),
+        Array::new("other_element", "", 1, Values::Int64(other)),
+    ];
+    grid
+}
+
+impl Observer for InterfaceFields {
+    fn schedule(&self) -> Schedule {
+        self.schedule
+    }
+
+    fn see(&mut self, view: &View, _: &mut Memory) -> Result<(), RunError> {
+        let View { model, assembly, snapshot, history, .. } = *view;
+        let mut seen: Vec<PairSeen> = Vec::new();
+        let mut axes: Vec<[[f64; 3]; 2]> = Vec::new();
+        for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
+            seen.extend((0..seam.pairs.len()).map(|k| contacts.seen(assembly, history.octets, k)));
+            axes.extend(seam.pairs.iter().map(|pair| tangents(pair.normal)));
+        }
+        let scalar = |name: &str, unit: &str, value: &dyn Fn(&PairSeen) -> f64| {
+            Array::new(name, unit, 1, Values::Float32(seen.iter().map(|s| value(s) as f32).collect()))
+        };
+        let flags = |name: &str, value: &dyn Fn(&PairSeen) -> u8| {
+            Array::new(name, "", 1, Values::UInt8(seen.iter().map(value).collect()))
+        };
+        let vector = |name: &str, unit: &str, value: &dyn Fn(&PairSeen) -> [f64; 2]| {
+            let along = |(s, [e1, e2]): (&PairSeen, &[[f64; 3]; 2])| {
+                let [a, b] = value(s);
+                [0, 1, 2].map(|i| (a * e1[i] + b * e2[i]) as f32)
+            };
+            Array::new(name, unit, 3, Values::Float32(seen.iter().zip(&axes).flat_map(along).collect()))
+        };
+        let mut grid = self.grid.clone();
+        grid.time = Some(snapshot.time);
+        grid.point_data.extend([
+            scalar("gap", "m", &|s| s.gap),
+            vector("slip", "m", &|s| s.slip),
+            scalar("pressure", "Pa", &|s| s.pressure),
+            vector("shear", "Pa", &|s| s.shear.map(|t| -t)),
+            flags("state", &|s| s.state),
+            flags("slid", &|s| u8::from(s.has_slid)),
+            flags("opened", &|s| u8::from(s.has_opened)),
+            scalar("gap_max", "m", &|s| s.largest_gap),
+            scalar("slip_max", "m", &|s| s.largest_slip),
+            scalar("pressure_max", "Pa", &|s| s.largest_pressure),
+        ]);
+        let name = format!("{:06}.vtu", snapshot.step.div_ceil(self.schedule.every));
+        grid.write(&self.folder.join(&name))?;
+        self.list.add(snapshot.time, &format!("interfaces/{name}"))?;
+        Ok(())
+    }
+}

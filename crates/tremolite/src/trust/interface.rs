@@ -1,0 +1,154 @@
+//! Checks of interfaces: whether pairs stay where their law and the step are good.
+
+use crate::evidence::Evidence;
+use tremolite_engine::Seam;
+use tremolite_engine::contact::Contacts;
+use tremolite_mesh::Mesh;
+use tremolite_results::{TrustLine, snake};
+
+/// Closure over the largest: beyond, k_n is sixteen times k_n0, and what the joint still closes says more of the law's end
+/// than of the joint.
+const CLOSURE: f64 = 0.75;
+/// Slip over the shortest edge of the faces at a pair: normals do not turn, and pairs do not change partners.
+const SLIP: f64 = 0.1;
+/// Energy found or lost at impacts over all that was supplied.
+const IMPACTS: f64 = 0.01;
+/// Round-off of a step that is to be a share of another.
+const ROUND_OFF: f64 = 1e-9;
+
+pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
+    let Evidence { model, assembly, .. } = evidence;
+    if model.seams.is_empty() {
+        const LINES: [(&str, &str); 5] = [
+            ("interface_closure", "largest closure of the interface over its limit"),
+            ("interface_slip", "largest slip over element size"),
+            ("interface_straight", "pairs beyond the pressure from which the law is straight"),
+            ("interface_impacts", "energy found at impacts over energy supplied"),
+            ("interface_step", "time step times frequency of the stiffest pair"),
+        ];
+        let line = |(id, name)| TrustLine::not_applicable(id, name, "no interface");
+        return LINES.map(line).into();
+    }
+    model
+        .seams
+        .iter()
+        .zip(&assembly.contacts)
+        .flat_map(|(seam, contacts)| of(evidence, seam, contacts))
+        .collect()
+}
+
+fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<TrustLine> {
+    let Evidence { model, assembly, outcome, .. } = evidence;
+    let history = &outcome.state.history;
+    let totals = contacts.totals(assembly, seam, history);
+    let id = |what: &str| format!("{what}_{}", snake(&seam.name));
+    let name = |what: &str| format!("{what}, {}", seam.name);
+
+    let closure = match contacts.law.closure_limit() {
+        None => TrustLine::not_applicable(
+            id("interface_closure"),
+            &name("largest closure over its limit"),
+            format!("the law '{}' has no largest closure", contacts.law.info().name),
+        ),
+        Some(limit) => {
+            let most = contacts.law.closure(totals.largest_pressure.max(0.0));
+            let line = TrustLine::at_most(
+                id("interface_closure"),
+                &name("largest closure over its limit"),
+                most / limit,
+                CLOSURE,
+                "",
+            );
+            line.with("closure", most).with("limit", limit).with_note(
+                "of all pairs and steps, as the law closes at the largest pressure, over `max_closure`: the joint is nearly shut \
+                 and as stiff as it can be; give a larger one, or a stiffer joint",
+            )
+        }
+    };
+
+    let mut worst = (0.0, 0);
+    let edges = shortest_edges(&model.mesh, seam);
+    for (k, edge) in edges.iter().enumerate() {
+        let share = contacts.seen(assembly, history, k).largest_slip / edge;
+        // Not `<=`: one that is not a number is the worst.
+        if !(share <= worst.0) {
+            worst = (share, k);
+        }
+    }
+    let slip = TrustLine::at_most(id("interface_slip"), &name("largest slip over element size"), worst.0, SLIP, "")
+        .with("slip", totals.largest_slip)
+        .with_note(format!(
+            "shortest edge of the faces at {}; normals and partners of pairs do not change, so slip must stay small",
+            seam.pair_name(&model.mesh, worst.1)
+        ));
+
+    let straight = match contacts.law.straight_from() {
+        None => TrustLine::not_applicable(
+            id("interface_straight"),
+            &name("pairs beyond the pressure from which the law is straight"),
+            "the law is straight throughout",
+        ),
+        Some(limit) => TrustLine::at_most(
+            id("interface_straight"),
+            &name("pairs beyond the pressure from which the law is straight"),
+            totals.beyond as f64,
+            0.0,
+            "",
+        )
+        .with("pressure", totals.largest_pressure)
+        .with("limit", limit)
+        .with_note(format!(
+            "of {} pairs; the largest pressure was {:.3} MPa, and from {:.3} MPa on the joint is held at a constant stiffness \
+             so that it does not shorten the step: a larger `pressure_for_step` moves that up",
+            seam.pairs.len(),
+            totals.largest_pressure / 1e6,
+            limit / 1e6
+        )),
+    };
+
+    let supplied = outcome.state.ledger.supplied;
+    let impacts = TrustLine::at_most(
+        id("interface_impacts"),
+        &name("energy found at impacts over energy supplied"),
+        totals.impact_gain.abs() / supplied,
+        IMPACTS,
+        "",
+    )
+    .with("impact_gain", totals.impact_gain)
+    .with("supplied", supplied)
+    .with_note(
+        "what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller `contact_limit` or a \
+         larger `contact_damping` lessens it",
+    );
+
+    let product = outcome.dt * contacts.frequency;
+    let step = TrustLine::at_most(
+        id("interface_step"),
+        &name("time step times frequency of the stiffest pair"),
+        product,
+        seam.limit * (1.0 + ROUND_OFF),
+        "",
+    )
+    .with("frequency", contacts.frequency)
+    .with_note(format!(
+        "ω_c of {} with its stiffest state; beyond 0.8 impacts may gain energy though the step is stable",
+        seam.pair_name(&model.mesh, contacts.stiffest_pair)
+    ));
+    vec![closure, slip, straight, impacts, step]
+}
+
+/// By pair, the shortest edge \[m\] of the faces around it.
+fn shortest_edges(mesh: &Mesh, seam: &Seam) -> Vec<f64> {
+    let edge = |face: u32| {
+        let nodes: Vec<u32> = mesh.face_nodes(seam.faces[face as usize][0]).collect();
+        let length = |(a, b): (u32, u32)| {
+            let [a, b] = [a, b].map(|n| mesh.nodes[n as usize]);
+            (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+        };
+        let next = nodes.iter().copied().cycle().skip(1);
+        nodes.iter().copied().zip(next).map(length).fold(f64::INFINITY, f64::min)
+    };
+    let shortest =
+        |corners: &[(u32, u8)]| corners.iter().map(|&(face, _)| edge(face)).fold(f64::INFINITY, f64::min);
+    seam.pairs.iter().map(|pair| shortest(&pair.corners)).collect()
+}
