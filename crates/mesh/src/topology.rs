@@ -122,7 +122,7 @@ pub fn components(mesh: &Mesh, elements: Option<&[u32]>) -> Vec<Vec<u32>> {
 }
 
 /// The root of a node's tree, halving the path on the way.
-fn root(parent: &mut [u32], mut node: u32) -> u32 {
+pub(crate) fn root(parent: &mut [u32], mut node: u32) -> u32 {
     while parent[node as usize] != node {
         parent[node as usize] = parent[parent[node as usize] as usize];
         node = parent[node as usize];
@@ -140,16 +140,9 @@ fn root(parent: &mut [u32], mut node: u32) -> u32 {
 pub fn vector_areas(mesh: &Mesh, faces: &[Face]) -> BTreeMap<u32, [f64; 3]> {
     let mut areas: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
     for &face in faces {
-        let mut nodes = [0; 4];
-        let mut count = 0;
-        for node in mesh.face_nodes(face) {
-            nodes[count] = node;
-            count += 1;
-        }
-        let x = nodes.map(|n| mesh.nodes[n as usize]);
-        let shares = if count == 4 { quadrilateral_areas(&x) } else { triangle_areas(&x) };
-        for (node, share) in nodes[..count].iter().zip(shares) {
-            let area = areas.entry(*node).or_default();
+        let (corners, shares) = corner_areas(mesh, face);
+        for (&node, (share, _)) in corners.nodes().iter().zip(shares) {
+            let area = areas.entry(node).or_default();
             for i in 0..3 {
                 area[i] += share[i];
             }
@@ -158,15 +151,47 @@ pub fn vector_areas(mesh: &Mesh, faces: &[Face]) -> BTreeMap<u32, [f64; 3]> {
     areas
 }
 
-fn triangle_areas(x: &[[f64; 3]; 4]) -> [[f64; 3]; 4] {
-    let normal = cross(minus(x[1], x[0]), minus(x[2], x[0]));
-    [normal.map(|n| n / 6.0); 4]
+/// The nodes of a face, in its order.
+pub(crate) struct FaceCorners {
+    nodes: [u32; 4],
+    count: usize,
 }
 
-fn quadrilateral_areas(x: &[[f64; 3]; 4]) -> [[f64; 3]; 4] {
+impl FaceCorners {
+    pub(crate) fn new(mesh: &Mesh, face: Face) -> Self {
+        let mut corners = FaceCorners { nodes: [0; 4], count: 0 };
+        for node in mesh.face_nodes(face) {
+            corners.nodes[corners.count] = node;
+            corners.count += 1;
+        }
+        corners
+    }
+
+    pub(crate) fn nodes(&self) -> &[u32] {
+        &self.nodes[..self.count]
+    }
+}
+
+/// A corner's share of a face, \[m²\]: ∫ N_i n dA, outward, and ∫ N_i dA.
+pub(crate) type CornerArea = ([f64; 3], f64);
+
+/// The shares of a face's corners, as in [`vector_areas`]; of a triangle the first three count.
+pub(crate) fn corner_areas(mesh: &Mesh, face: Face) -> (FaceCorners, [CornerArea; 4]) {
+    let corners = FaceCorners::new(mesh, face);
+    let x = corners.nodes.map(|n| mesh.nodes[n as usize]);
+    let shares = if corners.count == 4 { quadrilateral_areas(&x) } else { triangle_areas(&x) };
+    (corners, shares)
+}
+
+fn triangle_areas(x: &[[f64; 3]; 4]) -> [CornerArea; 4] {
+    let normal = cross(minus(x[1], x[0]), minus(x[2], x[0]));
+    [(normal.map(|n| n / 6.0), norm(normal) / 6.0); 4]
+}
+
+fn quadrilateral_areas(x: &[[f64; 3]; 4]) -> [CornerArea; 4] {
     const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let g = 1.0 / 3.0_f64.sqrt();
-    let mut areas = [[0.0; 3]; 4];
+    let mut areas = [([0.0; 3], 0.0); 4];
     for [r, s] in SIGNS.map(|[a, b]| [a * g, b * g]) {
         let (mut along_r, mut along_s) = ([0.0; 3], [0.0; 3]);
         for (node, [a, b]) in x.iter().zip(SIGNS) {
@@ -176,21 +201,31 @@ fn quadrilateral_areas(x: &[[f64; 3]; 4]) -> [[f64; 3]; 4] {
             }
         }
         let normal = cross(along_r, along_s);
-        for (area, [a, b]) in areas.iter_mut().zip(SIGNS) {
+        let size = norm(normal);
+        for ((vector, area), [a, b]) in areas.iter_mut().zip(SIGNS) {
             let weight = 0.25 * (1.0 + a * r) * (1.0 + b * s);
             for i in 0..3 {
-                area[i] += weight * normal[i];
+                vector[i] += weight * normal[i];
             }
+            *area += weight * size;
         }
     }
     areas
 }
 
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(crate) fn norm(a: [f64; 3]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+pub(crate) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

@@ -2,10 +2,6 @@ use super::*;
 use crate::sample::{distorted_box, one_of_each};
 use crate::{Element, Shape};
 
-fn norm(a: [f64; 3]) -> f64 {
-    (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt()
-}
-
 fn sum<'a>(areas: impl IntoIterator<Item = &'a [f64; 3]>) -> [f64; 3] {
     areas.into_iter().fold([0.0; 3], |s, a| [s[0] + a[0], s[1] + a[1], s[2] + a[2]])
 }
