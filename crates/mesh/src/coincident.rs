@@ -111,7 +111,7 @@ fn near(mesh: &Mesh, a: u32, b: u32, tolerance: f64) -> bool {
     squared_distance(&mesh.nodes[a as usize], &mesh.nodes[b as usize]) <= tolerance * tolerance
 }
 
-fn squared_distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+pub(crate) fn squared_distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     (0..3).map(|i| (a[i] - b[i]).powi(2)).sum()
 }
 

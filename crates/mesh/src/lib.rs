@@ -25,6 +25,7 @@ pub mod read;
 #[cfg(test)]
 mod sample;
 mod shortest;
+pub mod split;
 pub mod topology;
 mod trouble;
 pub mod vtk;
