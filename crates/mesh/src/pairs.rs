@@ -4,7 +4,7 @@ mod surface;
 
 use std::collections::BTreeMap;
 
-use crate::topology::{dot, norm};
+use crate::topology::{cross, norm};
 use crate::{Face, Mesh};
 use surface::{Corner, parts};
 
@@ -35,8 +35,8 @@ pub struct PairShape {
 /// sharpest edge, at all of them if several are equally sharp, and so on.
 ///
 /// Areas are those of the first side's faces: quadrilaterals by 2 × 2 Gauss points, which is exact for `normal_area`
-/// and, if they are flat, for `area`. Corners whose two nodes are one (an interface's end) make no pair, nor do those of
-/// a face without area.
+/// and, if they are flat, for `area`. Corners whose two nodes are one (an interface's end) make no pair, nor do those
+/// of a face without area.
 ///
 /// # Panics
 /// If a face is not in the mesh.
@@ -69,7 +69,8 @@ pub fn pairs(mesh: &Mesh, faces: &[[Face; 2]], corner: f64) -> Vec<PairShape> {
 
 /// Two unit vectors that with the unit `normal` m make a right-handed frame (e1, e2, m).
 ///
-/// e1 is horizontal, z × m normalised; where m is vertical (|m_h| < 1e-6) it is along x. e2 = m × e1 points up the dip.
+/// e1 is horizontal, z × m normalised; where m is vertical (|m_h| < 1e-6) it is along x. e2 = m × e1 points up the
+/// dip.
 pub fn tangents(normal: [f64; 3]) -> [[f64; 3]; 2] {
     let m = normal;
     let horizontal = m[0].hypot(m[1]);
@@ -80,8 +81,7 @@ pub fn tangents(normal: [f64; 3]) -> [[f64; 3]; 2] {
     } else {
         [-m[1] / horizontal, m[0] / horizontal, 0.0]
     };
-    debug_assert!(dot(e1, m).abs() < 1e-12);
-    [e1, crate::topology::cross(m, e1)]
+    [e1, cross(m, e1)]
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Small meshes for the tests.
 
+use crate::boxes::BoxSpec;
 use crate::{Element, Mesh, Shape};
 
 /// Numbers in [0, 1), by Park and Miller's generator.
@@ -86,4 +87,44 @@ pub(crate) fn one_of_each() -> Mesh {
         Element::new(Shape::Tet4, &[11, 12, 13, 14]),
     ];
     Mesh { nodes, elements, ..Mesh::default() }
+}
+
+/// A box of unit cubes from the origin, x fastest.
+pub(crate) fn grid(cells: [u32; 3]) -> Mesh {
+    let mesh = BoxSpec::uniform([0.0; 3], cells.map(f64::from), cells).mesh().expect("a legal box");
+    Mesh { nodes: mesh.nodes, elements: mesh.elements, ..Mesh::default() }
+}
+
+/// Rings of hexahedra around the y axis, `facets` each, between the given radii, in layers of 1 m.
+pub(crate) fn tube(facets: u32, radii: &[f64], layers: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    let rings = radii.len() as u32;
+    for l in 0..=layers {
+        for radius in radii {
+            for i in 0..facets {
+                let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(facets)).sin_cos();
+                mesh.nodes.push([radius * cos, f64::from(l), radius * sin]);
+            }
+        }
+    }
+    let node = |i, j, l| i % facets + facets * (j + rings * l);
+    for l in 0..layers {
+        for j in 0..rings - 1 {
+            for i in 0..facets {
+                let ring = |l| [node(i, j, l), node(i, j + 1, l), node(i + 1, j + 1, l), node(i + 1, j, l)];
+                mesh.elements.push(Element::new(Shape::Hex8, &[ring(l + 1), ring(l)].concat()));
+            }
+        }
+    }
+    mesh
+}
+
+/// Elements with their centre where `inside` says.
+pub(crate) fn elements_where(mesh: &Mesh, inside: impl Fn([f64; 3]) -> bool) -> Vec<u32> {
+    let centre = |e: &Element| {
+        let nodes = e.nodes();
+        let sum = |i: usize| nodes.iter().map(|&n| mesh.nodes[n as usize][i]).sum::<f64>();
+        [0, 1, 2].map(|i| sum(i) / nodes.len() as f64)
+    };
+    (0..).zip(&mesh.elements).filter(|(_, e)| inside(centre(e))).map(|(k, _)| k).collect()
 }

@@ -9,7 +9,7 @@ use std::collections::HashSet;
 pub use error::{SplitError, UnmatchedSplit};
 pub use periodic::match_split;
 
-use crate::topology::{face_key, root};
+use crate::topology::{all_faces, face_key, root};
 use crate::{Face, Mesh};
 
 /// An interface asked for: its name and the elements of its two sides (indices into [`Mesh::elements`]).
@@ -45,8 +45,9 @@ pub struct Split {
 /// Each other one has a copy of its own, with the number of the original, behind all nodes of the file. Bodies that
 /// touch along no more than an edge part there too, if an interface comes by.
 ///
-/// Faces keep their elements and sides, so named sets of faces stay as they are; what is exterior changes. Elements that
-/// are not there stay with the file's nodes, so their faces may lose the neighbour. The mesh is unchanged on an error.
+/// Faces keep their elements and sides, so named sets of faces stay as they are; what is exterior changes. Elements
+/// that are not there stay with the file's nodes, so their faces may lose the neighbour. The mesh is unchanged on an
+/// error.
 ///
 /// # Errors
 /// If a side is empty, an element in both sides, or a face in two cuts; if two sides do not touch; or if more than two
@@ -130,10 +131,8 @@ impl Around {
         }
         let interface: HashSet<Face> = found.faces.iter().flatten().flatten().copied().collect();
         let near = |face: &Face| mesh.face_nodes(*face).any(|n| open[n as usize]);
-        let mut keyed: Vec<([u32; 4], Face)> = crate::topology::all_faces(mesh, Some(&elements))
-            .filter(near)
-            .map(|face| (face_key(mesh, face), face))
-            .collect();
+        let mut keyed: Vec<([u32; 4], Face)> =
+            all_faces(mesh, Some(&elements)).filter(near).map(|face| (face_key(mesh, face), face)).collect();
         keyed.sort_unstable();
         for same in keyed.windows(2).filter(|w| w[0].0 == w[1].0 && !interface.contains(&w[0].1)) {
             for node in mesh.face_nodes(same[0].1).filter(|&n| open[n as usize]) {

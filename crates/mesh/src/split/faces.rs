@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::{Cut, SplitError};
 use crate::coincident::{coincident_nodes, shortest_edge, squared_distance};
-use crate::topology::{corner_areas, dot, exterior_faces, face_key};
+use crate::topology::{all_faces, corner_areas, dot, exterior_faces, face_key};
 use crate::{Face, Mesh};
 
 /// Nodes nearer than this times the shortest edge are at the same place.
@@ -97,7 +97,7 @@ fn shared(mesh: &Mesh, cut: &Cut, sides: &[Vec<u32>; 2]) -> Result<Vec<[Face; 2]
     }
     let mut keyed = Vec::new();
     for (side, mark) in sides.iter().zip([1_u8, 2]) {
-        for face in crate::topology::all_faces(mesh, Some(side)) {
+        for face in all_faces(mesh, Some(side)) {
             if mesh.face_nodes(face).all(|n| reached[n as usize] == 3) {
                 keyed.push((face_key(mesh, face), mark, face));
             }
@@ -128,10 +128,8 @@ fn touching_faces(mesh: &Mesh, there: &[bool], earlier: &BTreeMap<u32, u32>) -> 
         twin[first as usize] = true;
     }
     let near = |face: &Face| there[face.element as usize] && mesh.face_nodes(*face).any(|n| twin[n as usize]);
-    let mut keyed: Vec<([u32; 4], Face)> = crate::topology::all_faces(mesh, None)
-        .filter(near)
-        .map(|face| (face_key(mesh, face), face))
-        .collect();
+    let mut keyed: Vec<([u32; 4], Face)> =
+        all_faces(mesh, None).filter(near).map(|face| (face_key(mesh, face), face)).collect();
     keyed.sort_unstable();
     let alone = keyed.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 1);
     let mut placed: Vec<([u32; 4], Face)> = alone

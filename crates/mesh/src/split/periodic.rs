@@ -10,11 +10,11 @@ use crate::{Face, Mesh};
 ///
 /// Origins (`split_origin`: [`Split::origin`](super::Split::origin), or
 /// [`Split::places`](super::Split::places) for a mesh that came split) are paired by
-/// [`match_faces`]. Where they have copies on these faces, a face tells which belongs to which: its corners have those of
-/// the face whose origins are the partners of its own. Without copies the pairs are those of [`match_faces`].
+/// [`match_faces`]. Where they have copies on these faces, a face tells which belongs to which: its corners have those
+/// of the face whose origins are the partners of its own. Without copies the pairs are those of [`match_faces`].
 ///
-/// Faces should be those of elements that are there, since others keep the nodes of the file. A copy that reaches a side
-/// with no face of its elements is no node of that side and stays without a partner.
+/// Faces should be those of elements that are there, since others keep the nodes of the file. A copy that reaches a
+/// side with no face of its elements is no node of that side and stays without a partner.
 ///
 /// # Errors
 /// If the origins do not match, or if a copy does not have just one partner.

@@ -2,6 +2,7 @@
 
 mod block;
 mod consistency;
+mod contact;
 mod cracked_damping;
 mod damage;
 mod engine;
