@@ -4,14 +4,16 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
-use tremolite_laws::parameter::{Dimension, LawInfo, Values};
+use tremolite_laws::parameter::{Dimension, Values};
 
 use crate::case::CASE;
 use crate::check::Checker;
 use crate::defaulted::Defaulted;
 use crate::keys::{Key, Kind, Limit, Table};
-use crate::material::{self, MATERIAL};
-use crate::{Problem, Report, Spanned, syntax};
+use crate::law_table::LawTable;
+use crate::laws::Laws;
+use crate::material::MATERIAL;
+use crate::{Problem, Report, Spanned, law_key, syntax};
 
 const SIZE: Key = Key::optional(
     "size",
@@ -59,7 +61,7 @@ impl LawFile {
     ///
     /// # Errors
     /// All problems of the file at once.
-    pub fn read(path: &Path, laws: &[LawInfo]) -> Result<LawFile, Report> {
+    pub fn read<'a>(path: &Path, laws: impl Into<Laws<'a>>) -> Result<LawFile, Report> {
         LawFile::parse(path, &syntax::read(path, "law file")?, laws)
     }
 
@@ -67,10 +69,10 @@ impl LawFile {
     ///
     /// # Errors
     /// All problems of the text at once: of its syntax, or else of its content.
-    pub fn parse(path: &Path, source: &str, laws: &[LawInfo]) -> Result<LawFile, Report> {
+    pub fn parse<'a>(path: &Path, source: &str, laws: impl Into<Laws<'a>>) -> Result<LawFile, Report> {
         let report = |problems| Report::new(path, source, problems);
         let document = syntax::parse(source).map_err(report)?;
-        let mut checker = Checker::new(&CASE, laws);
+        let mut checker = Checker::new(&CASE, laws.into());
         let file = checker.law_file(document.get_ref(), document.span());
         let Checker { problems, defaulted, .. } = checker;
         match file {
@@ -112,19 +114,20 @@ impl Checker<'_> {
         }
         let weightless = !(table.contains_key("density") || table.contains_key("unit_weight"));
         let keys = if weightless { &WEIGHTLESS } else { &MATERIAL };
-        let name = Spanned::new("material".to_owned(), at.clone());
-        let material = self.law(keys, &[SIZE], name, table, at, "material");
-        let inside = material.fields.nodes.get(SIZE.name).and_then(|n| n.number());
+        let laws = self.laws.materials;
+        let form = LawTable { table: keys, laws, instead: &[], key: law_key::of, more: &[SIZE] };
+        let fields = self.law(&form, table, at, "material");
+        let inside = fields.nodes.get(SIZE.name).and_then(|n| n.number());
         if let (Some(_), Some(inside)) = (&outside, &inside) {
             self.problem(inside.span.clone(), "`size` is given twice", "keep one of the two");
         }
         Some(LawFile {
             path: PathBuf::new(),
             source: String::new(),
-            law: material.fields.text("law")?,
-            parameters: material::values(&material)?,
+            law: fields.text("law")?,
+            parameters: fields.values()?,
             size: outside.or(inside),
-            span: material.fields.span.clone(),
+            span: fields.span.clone(),
             defaulted: Vec::new(),
         })
     }

@@ -2,9 +2,13 @@
 
 use tremolite_laws::parameter::{self, Parameter};
 
-use crate::keys::{Key, Kind, Limit, Need, When};
+use crate::keys::{Key, Kind, Limit, Need, Table, When};
 
-/// A law's parameter as a key of the material's table.
+/// A table of columns; which they may be, its entry in the law's parameters says.
+pub(crate) static COLUMNS: Table =
+    Table { path: "", doc: "Columns of numbers, as many in each.", keys: &[], choice: &[] };
+
+/// A law's parameter as a key of the table that names the law in a case.
 pub(crate) fn of(parameter: &Parameter) -> Key {
     let kind = match parameter.kind {
         // Limits are the law's own to check.
