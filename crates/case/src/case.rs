@@ -132,12 +132,17 @@ impl Case {
         let document = syntax::parse(source).map_err(report)?;
         let mut checker = Checker::new(&CASE, laws.into());
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
-        let Checker { mut problems, defaulted, .. } = checker;
+        let Checker { mut problems, mut defaulted, .. } = checker;
         let (found, warnings) = consistency::check(&written);
         problems.extend(found);
         let case = Case::assemble(path, source, &written);
         match case {
-            Some(case) if problems.is_empty() => Ok(Case { warnings, defaulted, ..case }),
+            Some(mut case) if problems.is_empty() => {
+                if case.interfaces.iter().any(|i| i.contact.is_some()) {
+                    case.output.show_interfaces(&mut defaulted);
+                }
+                Ok(Case { warnings, defaulted, ..case })
+            }
             None if problems.is_empty() => {
                 // Every part that cannot be read has been reported, so this is not reached; but a run must not start.
                 let remedy = "compare it with the example cases";

@@ -92,6 +92,29 @@ fn what_an_interface_leaves_out_is_listed_and_what_is_chosen_has_no_value() {
     assert_eq!(listed.map(|d| d.value.as_str()), Some("bodies that touch are tied"));
 }
 
+#[test]
+fn fields_that_are_left_out_hold_those_of_interfaces_where_there_are_any() {
+    let (before, rest) = FIRST_SHAKE.split_once("[output]").expect("the output");
+    let fields = |source: &str| {
+        let case = read(source);
+        let said = case.defaulted.iter().find(|d| d.key == "output.fields").map(|d| d.value.clone());
+        (case.output.fields.iter().map(|f| f.value.clone()).collect::<Vec<_>>(), said)
+    };
+    let usual = ["displacement", "velocity", "stress"];
+    let said = |fields: &str| Some(format!("[{fields}]"));
+    let words = r#""displacement", "velocity", "stress""#;
+    assert_eq!(fields(before), (usual.map(String::from).to_vec(), said(words)));
+    let with = ["displacement", "velocity", "stress", "interface"].map(String::from).to_vec();
+    let expected = (with, said(&format!("{words}, \"interface\"")));
+    assert_eq!(fields(&format!("{before}{SKETCH}")), expected);
+    assert_eq!(fields(&format!("{before}[output]\nhistories = 0.02\n{SKETCH}")), expected);
+    let tied = "[[interface]]\nname = \"a\"\nbetween = [\"a\", \"b\"]\nlaw = \"tied\"\n";
+    assert_eq!(fields(&format!("{before}{tied}")).0, usual);
+    let given = format!("{before}[output]\nfields = [\"stress\"]\n{SKETCH}");
+    assert_eq!(fields(&given), (vec!["stress".to_owned()], None));
+    assert!(!rest.is_empty());
+}
+
 #[rustfmt::skip]
 const BAD: &[Bad] = &[
     // Keys
