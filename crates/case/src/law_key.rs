@@ -25,6 +25,14 @@ pub(crate) fn of(parameter: &Parameter) -> Key {
     Key { name: parameter.name, kind, need, when: When::Always, doc: parameter.doc }
 }
 
+/// The same where the law stands alone, and no model is there to choose by.
+pub(crate) fn alone(parameter: &Parameter) -> Key {
+    match parameter.need {
+        parameter::Need::Chosen(_) => Key { need: Need::Required, ..of(parameter) },
+        _ => of(parameter),
+    }
+}
+
 /// A column of a law's table as a key of that table.
 pub(crate) fn column(parameter: &Parameter) -> Key {
     let key = of(parameter);

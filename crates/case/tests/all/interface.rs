@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tremolite_case::{Case, Contact, Interface, Laws};
+use tremolite_case::{Case, Contact, Interface, LawFile, LawKind, Laws};
 use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::parameter::{BadParameter, Dimension, Kind, LawInfo, Need, Parameter};
@@ -229,4 +229,7 @@ fn a_law_from_outside_the_list_may_stand_at_an_interface() {
     assert_eq!(report.problems[0].message, "`stickiness` is too sticky");
     let schema = tremolite_case::schema(laws).to_string();
     assert!(schema.contains("\"const\":\"glue\"") && schema.contains("stickiness"));
+
+    let alone = "[interface]\nlaw = \"glue\"\nstickiness = \"7 kPa\"\nspring = \"1 GPa/m\"\n";
+    assert!(LawFile::parse(Path::new("law.toml"), alone, laws).is_ok_and(|f| f.kind == LawKind::Interface));
 }
