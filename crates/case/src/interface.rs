@@ -34,21 +34,21 @@ pub(crate) static INTERFACE: Table = Table {
             "corner",
             Kind::Number(Dimension::ANGLE, Limit::UpTo(60.0 * PI / 180.0)),
             r#""45 deg""#,
-            "Angle between two faces from which on a node of both has a pair for each",
+            "Angle below which faces that meet at a node share its pair and normal; across a sharper edge it has a second pair",
         )
         .when(OF_A_LAW),
         Key::default(
             "contact_damping",
             Kind::Number(Dimension::NONE, Limit::Within(0.2)),
             "0.01",
-            "Damping of what closed pairs do against each other: share of the critical one",
+            "Dashpot against bouncing, normal to closed pairs whose bond is broken: share of critical damping",
         )
         .when(OF_A_LAW),
         Key::default(
             "contact_limit",
             Kind::Number(Dimension::NONE, Limit::UpTo(1.0)),
             "0.8",
-            "The largest ω Δt of a pair between its two masses: the step is cut to it",
+            "Largest ω_c Δt of contact, ω_c of the stiffest pairs between their masses: the step keeps it, lest impacts make energy",
         )
         .when(OF_A_LAW),
     ],
@@ -60,7 +60,8 @@ pub(crate) static INTERFACE: Table = Table {
 pub struct Interface {
     /// Unique; without blanks, dots, commas and brackets.
     pub name: Spanned<String>,
-    /// Group names of the first side and of the second, in which `*` stands for any text (see [`pattern::matches`]).
+    /// Group names of the first side and of the second, in which `*` stands for any text (see [`pattern::matches`]); none
+    /// stands twice.
     pub between: [Vec<Spanned<String>>; 2],
     /// What happens there; nothing: the bodies share their nodes.
     pub contact: Option<Contact>,
@@ -76,11 +77,11 @@ pub struct Contact {
     /// The law's parameters, defaults filled in. What [`Need::Chosen`](tremolite_laws::Need::Chosen) leaves open may be
     /// missing: the law has accepted the others beside a value of its own choice.
     pub parameters: Values,
-    /// Angle between two faces from which on a node of both has a pair for each, in (0, π/3].
+    /// Angle below which faces that meet at a node share a pair, in (0, π/3].
     pub corner: Spanned<f64>,
-    /// Share of critical damping of closed pairs, in [0, 0.2].
+    /// Share of critical damping, normal to closed pairs whose bond is broken, in \[0, 0.2\].
     pub damping: Spanned<f64>,
-    /// The largest ω Δt of a pair, in (0, 1].
+    /// Largest ω_c Δt, in (0, 1].
     pub limit: Spanned<f64>,
 }
 
