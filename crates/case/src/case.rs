@@ -2,15 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
-use tremolite_laws::parameter::{Dimension, LawInfo};
+use tremolite_laws::parameter::Dimension;
 
 use crate::check::Checker;
 use crate::consistency;
 use crate::defaulted::Defaulted;
 use crate::dynamic::{DYNAMIC, Dynamic};
 use crate::fields::Fields;
+use crate::interface::{INTERFACE, Interface};
 use crate::keys::{Key, Kind, Limit, Table};
-use crate::material::Material;
+use crate::laws::Laws;
+use crate::material::{MATERIAL, Material};
 use crate::mesh::{MESH, Mesh};
 use crate::monitor::{MONITOR, Monitor, RELATIVE, Relative};
 use crate::motion::{MOTION, Motion};
@@ -24,15 +26,20 @@ pub(crate) static CASE: Table = Table {
     keys: &[
         Key::required("title", Kind::Text, "what the study is about"),
         Key::required("mesh", Kind::Table(&MESH), "with [mesh.caverns], [mesh.box] or [mesh.file]"),
-        Key::required("material", Kind::Materials, "the materials, each with a name"),
+        Key::required("material", Kind::Materials(&MATERIAL), "the materials, each with a name"),
         Key::required("region", Kind::Tables(&REGION), "which groups of the mesh are made of what"),
+        Key::optional(
+            "interface",
+            Kind::Interfaces(&INTERFACE),
+            "bodies that touch are tied",
+            "Where bodies meet: surfaces that may slide and open",
+        ),
         Key::default("initial", Kind::Table(&INITIAL), "{}", "What is there before the earthquake"),
         Key::required("motion", Kind::Table(&MOTION), "the earthquake"),
         Key::required("dynamic", Kind::Table(&DYNAMIC), "the dynamic run"),
         Key::optional("monitor", Kind::Tables(&MONITOR), "no monitors", "Points whose histories are kept"),
         Key::optional("relative", Kind::Tables(&RELATIVE), "", "Pairs of monitors whose difference is kept"),
         Key::default("output", Kind::Table(&OUTPUT), "{}", "What is written, and when"),
-        Key::later("interface", "remove the table: the lining is tied to the rock"),
         Key::later("stage", "remove the table: make what is excavated a region with material = \"void\""),
         Key::later("report", "remove the table: the report is in English"),
     ],
@@ -73,6 +80,8 @@ pub struct Case {
     pub materials: Vec<Material>,
     /// Which groups are made of what.
     pub regions: Vec<Region>,
+    /// Where bodies meet; names unique.
+    pub interfaces: Vec<Interface>,
     /// Acceleration of gravity, m/s².
     pub gravity: Spanned<f64>,
     /// The earthquake.
@@ -92,12 +101,12 @@ pub struct Case {
 }
 
 impl Case {
-    /// Reads and checks a case file. `laws` are the material laws it may name, usually
-    /// [`MATERIALS`](tremolite_laws::materials::MATERIALS).
+    /// Reads and checks a case file. `laws` are those that it may name, usually
+    /// [`MATERIALS`](tremolite_laws::materials::MATERIALS), which brings the interface laws along; see [`Laws`].
     ///
     /// # Errors
     /// All problems of the file at once, files that it names and that are not there included.
-    pub fn read(path: &Path, laws: &[LawInfo]) -> Result<Case, Report> {
+    pub fn read<'a>(path: &Path, laws: impl Into<Laws<'a>>) -> Result<Case, Report> {
         Case::read_in(path, path.parent().unwrap_or(Path::new("")), laws)
     }
 
@@ -106,7 +115,7 @@ impl Case {
     ///
     /// # Errors
     /// As [`Case::read`].
-    pub fn read_in(path: &Path, directory: &Path, laws: &[LawInfo]) -> Result<Case, Report> {
+    pub fn read_in<'a>(path: &Path, directory: &Path, laws: impl Into<Laws<'a>>) -> Result<Case, Report> {
         let source = syntax::read(path, "case file")?;
         let case = Case { directory: directory.to_owned(), ..Case::parse(path, &source, laws)? };
         let missing = case.missing_files();
@@ -118,17 +127,22 @@ impl Case {
     ///
     /// # Errors
     /// All problems of the text at once: of its syntax, or else of its content.
-    pub fn parse(path: &Path, source: &str, laws: &[LawInfo]) -> Result<Case, Report> {
+    pub fn parse<'a>(path: &Path, source: &str, laws: impl Into<Laws<'a>>) -> Result<Case, Report> {
         let report = |problems| Report::new(path, source, problems);
         let document = syntax::parse(source).map_err(report)?;
-        let mut checker = Checker::new(&CASE, laws);
+        let mut checker = Checker::new(&CASE, laws.into());
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
-        let Checker { mut problems, defaulted, .. } = checker;
+        let Checker { mut problems, mut defaulted, .. } = checker;
         let (found, warnings) = consistency::check(&written);
         problems.extend(found);
         let case = Case::assemble(path, source, &written);
         match case {
-            Some(case) if problems.is_empty() => Ok(Case { warnings, defaulted, ..case }),
+            Some(mut case) if problems.is_empty() => {
+                if case.interfaces.iter().any(|i| i.contact.is_some()) {
+                    case.output.show_interfaces(&mut defaulted);
+                }
+                Ok(Case { warnings, defaulted, ..case })
+            }
             None if problems.is_empty() => {
                 // Every part that cannot be read has been reported, so this is not reached; but a run must not start.
                 let remedy = "compare it with the example cases";
@@ -144,7 +158,11 @@ impl Case {
         let written = consistency::materials(case);
         let names: Vec<&str> = written.iter().map(|m| m.name.value.as_str()).collect();
         let regions = case.tables("region").map(|r| Region::read(r, &names)).collect::<Option<_>>()?;
-        let monitors: Vec<Monitor> = case.tables("monitor").map(Monitor::read).collect::<Option<_>>()?;
+        let interfaces: Vec<Interface> =
+            case.tables("interface").map(Interface::read).collect::<Option<_>>()?;
+        let names: Vec<&str> = interfaces.iter().map(|i| i.name.value.as_str()).collect();
+        let monitors: Vec<Monitor> =
+            case.tables("monitor").map(|m| Monitor::read(m, &names)).collect::<Option<_>>()?;
         let names: Vec<&str> = monitors.iter().map(|m| m.name.value.as_str()).collect();
         let relatives = case.tables("relative").map(|r| Relative::read(r, &names)).collect::<Option<_>>()?;
         Some(Case {
@@ -155,6 +173,7 @@ impl Case {
             mesh: case.table("mesh").and_then(Mesh::read)?,
             materials: written.iter().map(|m| Material::read(m, gravity.value)).collect::<Option<_>>()?,
             regions,
+            interfaces,
             gravity,
             motion: case.table("motion").and_then(Motion::read)?,
             dynamic: case.table("dynamic").and_then(Dynamic::read)?,

@@ -5,11 +5,11 @@ use std::ops::Range;
 
 use toml::Spanned as Located;
 use toml::de::{DeTable, DeValue};
-use tremolite_laws::parameter::LawInfo;
 
 use crate::defaulted::Defaulted;
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Need, Table, When};
+use crate::laws::Laws;
 use crate::{Problem, suggest, units};
 
 /// The keys of one table as they are written, with the place of the key and the value.
@@ -19,7 +19,7 @@ pub(crate) type Given<'a> = BTreeMap<&'a str, (Range<usize>, &'a Located<DeValue
 pub(crate) struct Checker<'a> {
     /// The table of all tables of a case, where a misplaced key may belong.
     case: &'static Table,
-    pub laws: &'a [LawInfo],
+    pub laws: Laws<'a>,
     pub problems: Vec<Problem>,
     pub defaulted: Vec<Defaulted>,
     /// The table in whose place defaults are read: their text is not part of the file.
@@ -27,7 +27,7 @@ pub(crate) struct Checker<'a> {
 }
 
 impl<'a> Checker<'a> {
-    pub fn new(case: &'static Table, laws: &'a [LawInfo]) -> Self {
+    pub fn new(case: &'static Table, laws: Laws<'a>) -> Self {
         Checker { case, laws, problems: Vec::new(), defaulted: Vec::new(), stand_in: None }
     }
 
@@ -48,7 +48,8 @@ impl<'a> Checker<'a> {
         let keys = || table.keys.iter().chain(more.unwrap_or_default());
         if more.is_some() {
             for (name, (at, _)) in given.iter().filter(|(name, _)| !keys().any(|k| k.name == **name)) {
-                let remedy = suggest::key(self.case, name, keys().filter(|k| !k.is_later()).map(|k| k.name));
+                let here = keys().filter(|k| !k.is_later() && !ruled_out(k.when, &given));
+                let remedy = suggest::key(self.case, name, here.map(|k| k.name));
                 self.problem(at.clone(), format!("`{name}` is no key of {}", place(path)), remedy);
             }
         }
@@ -59,7 +60,7 @@ impl<'a> Checker<'a> {
                 nodes.insert(key.name, node);
             }
         }
-        Fields { table, span, nodes }
+        Fields { table, span, nodes, parameters: None }
     }
 
     fn choice(&mut self, table: &Table, given: &Given<'_>, span: &Range<usize>, path: &str) {
@@ -168,5 +169,11 @@ fn applies(when: When, given: &Given<'_>) -> bool {
         When::Is(key, word) => is(key, word),
         When::IsNot(key, word) => !is(key, word),
         When::Beside(key) => given.contains_key(key),
+        When::Without(key) => !given.contains_key(key),
     }
+}
+
+/// Whether a key has no meaning whatever is added: what it is to stand beside may be misspelt.
+fn ruled_out(when: When, given: &Given<'_>) -> bool {
+    !matches!(when, When::Beside(_)) && !applies(when, given)
 }

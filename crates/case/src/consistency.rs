@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::fields::{Fields, Item, Material};
+use crate::interface::{self, TIED};
 use crate::material::VOID;
 use crate::mesh::Mesh;
 use crate::motion::Motion;
@@ -28,6 +29,7 @@ pub(crate) fn check(case: &Fields) -> (Vec<Problem>, Vec<Problem>) {
         Motion::check(motion, &mut problems);
     }
     regions(case, &mut problems, &mut warnings);
+    interfaces(case, &mut problems);
     monitors(case, &mut problems);
     if let Some(output) = case.table("output") {
         unique(output.texts("fields"), "field", "name each field once", &mut problems);
@@ -72,21 +74,58 @@ fn regions(case: &Fields, problems: &mut Vec<Problem>, warnings: &mut Vec<Proble
     unique(groups, "group", "name each group in one region only", problems);
 }
 
+fn interfaces(case: &Fields, problems: &mut Vec<Problem>) {
+    let mut before: Vec<([BTreeSet<String>; 2], String)> = Vec::new();
+    for (k, f) in case.tables("interface").enumerate() {
+        let Some([first, second]) = interface::sides(f) else { continue };
+        for pattern in &second {
+            if first.iter().any(|p| p.value == pattern.value) {
+                problems.push(Problem::at(
+                    pattern,
+                    format!("group `{}` is on both sides", pattern.value),
+                    "give what lies on each side, such as between = [\"*.lining\", \"rock\"]",
+                ));
+            }
+        }
+        let mut sides = [&first, &second].map(|side| side.iter().map(|p| p.value.clone()).collect());
+        for side in [first, second] {
+            unique(side, "group", "name each group once", problems);
+        }
+        // Which side is the first makes no other place of it.
+        sides.sort();
+        let name = f.text("name").map_or_else(|| (k + 1).to_string(), |n| n.value);
+        match before.iter().find(|(other, _)| *other == sides) {
+            Some((_, other)) => problems.push(Problem::new(
+                f.get("between").map_or_else(|| f.span.clone(), |n| n.span.clone()),
+                format!("interface `{name}` is between the groups of interface `{other}`"),
+                "keep one of the two",
+            )),
+            None => before.push((sides, name)),
+        }
+    }
+    let names = case.tables("interface").filter_map(|i| i.text("name")).collect();
+    unique(names, "interface", "give each interface its own name", problems);
+}
+
 fn monitors(case: &Fields, problems: &mut Vec<Problem>) {
-    let names: Vec<Spanned<String>> = case.tables("monitor").filter_map(|m| m.text("name")).collect();
-    // A name that was refused may be the one that is looked for: its own problem is enough.
-    let all_known = names.len() == case.tables("monitor").count();
+    let (names, all_known) = names(case, "monitor");
+    let at_interface: BTreeSet<String> = case
+        .tables("monitor")
+        .filter(|m| m.text("interface").is_some())
+        .filter_map(|m| Some(m.text("name")?.value))
+        .collect();
+    looked_at(case, problems);
     for relative in case.tables("relative") {
         let between = relative.texts("between");
         for name in &between {
-            if all_known && !names.iter().any(|n| n.value == name.value) {
-                let known = || names.iter().map(|n| n.value.as_str());
-                let remedy = match suggest::nearest(name, known()) {
-                    Some(meant) => format!("did you mean \"{meant}\"?"),
-                    None if names.is_empty() => "add a [[monitor]]".to_owned(),
-                    None => format!("known monitors: {}", known().collect::<Vec<_>>().join(", ")),
-                };
-                problems.push(Problem::at(name, format!("there is no monitor `{}`", name.value), remedy));
+            if at_interface.contains(&name.value) {
+                problems.push(Problem::at(
+                    name,
+                    format!("monitor `{}` keeps gap and slip of an interface, no displacement", name.value),
+                    "name two monitors without `interface`",
+                ));
+            } else if all_known && !names.iter().any(|n| n.value == name.value) {
+                problems.push(unknown("monitor", name, &names));
             }
         }
         if let [a, b] = &between[..]
@@ -96,6 +135,44 @@ fn monitors(case: &Fields, problems: &mut Vec<Problem>) {
         }
     }
     unique(names, "monitor", "give each monitor its own name", problems);
+}
+
+/// Checks the interfaces that monitors name.
+fn looked_at(case: &Fields, problems: &mut Vec<Problem>) {
+    let (names, all_known) = names(case, "interface");
+    for name in case.tables("monitor").filter_map(|m| m.text("interface")) {
+        let named = |i: &&Fields| i.text("name").is_some_and(|n| n.value == name.value);
+        match case.tables("interface").find(named) {
+            Some(interface) if interface.text("law").is_some_and(|law| *law == TIED) => {
+                problems.push(Problem::at(
+                    &name,
+                    format!("interface `{}` is tied: it has no gap and no slip", name.value),
+                    "name an interface with a law, or leave `interface` out",
+                ));
+            }
+            None if all_known => problems.push(unknown("interface", &name, &names)),
+            _ => {}
+        }
+    }
+}
+
+/// The names of the entries of a list of tables, and whether all have one. One that was refused may be the one that is
+/// looked for: its own problem is enough.
+fn names(case: &Fields, list: &'static str) -> (Vec<Spanned<String>>, bool) {
+    let names: Vec<Spanned<String>> = case.tables(list).filter_map(|t| t.text("name")).collect();
+    let all = names.len() == case.tables(list).count();
+    (names, all)
+}
+
+/// The problem of a name that no entry of a list of tables has.
+fn unknown(list: &str, name: &Spanned<String>, names: &[Spanned<String>]) -> Problem {
+    let known = || names.iter().map(|n| n.value.as_str());
+    let remedy = match suggest::nearest(name, known()) {
+        Some(meant) => format!("did you mean \"{meant}\"?"),
+        None if names.is_empty() => format!("add a [[{list}]] of that name"),
+        None => format!("known {list}s: {}", known().collect::<Vec<_>>().join(", ")),
+    };
+    Problem::at(name, format!("there is no {list} `{}`", name.value), remedy)
 }
 
 /// Reports every text that has stood before.

@@ -33,7 +33,7 @@ pub(crate) static DYNAMIC: Table = Table {
         ),
         Key::default(
             "safety",
-            Kind::Number(Dimension::NONE, Limit::Share),
+            Kind::Number(Dimension::NONE, Limit::UpTo(1.0)),
             "0.9",
             "Time step over the largest stable one",
         ),

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use tremolite_laws::parameter::{Value, Values};
+
 use crate::Spanned;
 use crate::keys::Table;
 
@@ -25,13 +27,11 @@ pub(crate) enum Item {
     Materials(Vec<Material>),
 }
 
-/// A checked material: its table, and its law where that is known.
+/// A checked material.
 #[derive(Clone, Debug)]
 pub(crate) struct Material {
     pub name: Spanned<String>,
     pub fields: Fields,
-    /// Names of the law's parameters; nothing if the law is unknown.
-    pub parameters: Option<Vec<&'static str>>,
 }
 
 /// A checked table: its values by key. A key is missing if it was left out without a default, or if it was refused,
@@ -42,6 +42,8 @@ pub(crate) struct Fields {
     /// Its header.
     pub span: Range<usize>,
     pub nodes: BTreeMap<&'static str, Node>,
+    /// Which keys are parameters of the law that the table names; nothing if it names none that is known.
+    pub parameters: Option<Vec<&'static str>>,
 }
 
 impl Fields {
@@ -80,15 +82,12 @@ impl Fields {
 
     /// The values of a list; none if it is missing.
     pub fn list(&self, key: &'static str) -> &[Node] {
-        match self.get(key) {
-            Some(Node { item: Item::List(nodes), .. }) => nodes,
-            _ => &[],
-        }
+        self.get(key).map_or(&[], Node::list)
     }
 
     /// A list of texts.
     pub fn texts(&self, key: &'static str) -> Vec<Spanned<String>> {
-        self.list(key).iter().filter_map(Node::text).collect()
+        self.get(key).map_or_else(Vec::new, Node::texts)
     }
 
     /// An array of tables.
@@ -99,6 +98,33 @@ impl Fields {
     /// A list of exactly N numbers.
     pub fn numbers<const N: usize>(&self, key: &'static str) -> Option<Spanned<[f64; N]>> {
         self.get(key)?.numbers()
+    }
+
+    /// The parameters of the law that the table names; nothing if it names none that is known.
+    pub fn values(&self) -> Option<Values> {
+        let mut values = Values::default();
+        for name in self.parameters.as_ref()? {
+            let value = match self.nodes.get(name).map(|n| &n.item) {
+                Some(Item::Number(x)) => Value::Number(*x),
+                Some(Item::Text(word)) => Value::Word(word.clone()),
+                Some(Item::Table(table)) => Value::Table(table.columns()),
+                _ => continue,
+            };
+            values.0.insert((*name).to_owned(), value);
+        }
+        Some(values)
+    }
+
+    /// The columns of a checked table of them.
+    fn columns(&self) -> BTreeMap<String, Vec<f64>> {
+        let column = |(name, node): (&&'static str, &Node)| match &node.item {
+            Item::List(numbers) => {
+                let numbers = numbers.iter().filter_map(|n| Some(n.number()?.value));
+                Some(((*name).to_owned(), numbers.collect()))
+            }
+            _ => None,
+        };
+        self.nodes.iter().filter_map(column).collect()
     }
 }
 
@@ -115,6 +141,19 @@ impl Node {
             Item::Text(text) => Some(Spanned::new(text.clone(), self.span.clone())),
             _ => None,
         }
+    }
+
+    /// The values of a list; none if it is no list.
+    fn list(&self) -> &[Node] {
+        match &self.item {
+            Item::List(nodes) => nodes,
+            _ => &[],
+        }
+    }
+
+    /// The texts of a list.
+    pub fn texts(&self) -> Vec<Spanned<String>> {
+        self.list().iter().filter_map(Node::text).collect()
     }
 
     pub fn table(&self) -> Option<&Fields> {

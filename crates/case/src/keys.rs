@@ -5,6 +5,8 @@
 
 use tremolite_laws::parameter::{Dimension, Parameter};
 
+use crate::units;
+
 /// One table of the case file.
 #[derive(Debug)]
 pub struct Table {
@@ -63,8 +65,10 @@ pub enum Kind {
     Tables(&'static Table),
     /// A table, or one value that stands for a table with this value at each of these keys.
     Brief(&'static Table, &'static [&'static str]),
-    /// Tables of materials by name, each with the parameters of its law.
-    Materials,
+    /// Tables of materials by name, each with these keys and the parameters of its law.
+    Materials(&'static Table),
+    /// An array of tables of interfaces, each with these keys and the parameters of its law.
+    Interfaces(&'static Table),
     /// One of several kinds that differ in their TOML type; a word goes before a number.
     Either(&'static [Kind]),
     /// Not available yet; the text says what to do without it.
@@ -77,8 +81,10 @@ pub enum Limit {
     Any,
     Positive,
     NotNegative,
-    /// Above 0, at most 1.
-    Share,
+    /// Above 0, at most this.
+    UpTo(f64),
+    /// From 0 to this.
+    Within(f64),
 }
 
 impl Limit {
@@ -87,17 +93,19 @@ impl Limit {
             Limit::Any => true,
             Limit::Positive => x > 0.0,
             Limit::NotNegative => x >= 0.0,
-            Limit::Share => x > 0.0 && x <= 1.0,
+            Limit::UpTo(most) => x > 0.0 && x <= most,
+            Limit::Within(most) => (0.0..=most).contains(&x),
         }
     }
 
     /// The condition in words, to be read after 'must be'.
-    pub fn words(self) -> &'static str {
+    pub fn words(self, dimension: Dimension) -> String {
         match self {
-            Limit::Any => "finite",
-            Limit::Positive => "above 0",
-            Limit::NotNegative => "0 or more",
-            Limit::Share => "above 0 and at most 1",
+            Limit::Any => "finite".to_owned(),
+            Limit::Positive => "above 0".to_owned(),
+            Limit::NotNegative => "0 or more".to_owned(),
+            Limit::UpTo(most) => format!("above 0 and at most {}", units::format(most, dimension)),
+            Limit::Within(most) => format!("from 0 to {}", units::format(most, dimension)),
         }
     }
 }
@@ -126,6 +134,8 @@ pub enum When {
     IsNot(&'static str, &'static str),
     /// Only where this key of the same table is given.
     Beside(&'static str),
+    /// Only where this key of the same table is not given.
+    Without(&'static str),
 }
 
 impl When {
@@ -136,6 +146,7 @@ impl When {
             When::Is(key, word) => Some(format!("with `{key} = \"{word}\"`")),
             When::IsNot(key, word) => Some(format!("where `{key}` is not \"{word}\"")),
             When::Beside(key) => Some(format!("beside `{key}`")),
+            When::Without(key) => Some(format!("without `{key}`")),
         }
     }
 }

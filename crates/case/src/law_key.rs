@@ -2,9 +2,13 @@
 
 use tremolite_laws::parameter::{self, Parameter};
 
-use crate::keys::{Key, Kind, Limit, Need, When};
+use crate::keys::{Key, Kind, Limit, Need, Table, When};
 
-/// A law's parameter as a key of the material's table.
+/// A table of columns; which they may be, its entry in the law's parameters says.
+pub(crate) static COLUMNS: Table =
+    Table { path: "", doc: "Columns of numbers, as many in each.", keys: &[], choice: &[] };
+
+/// A law's parameter as a key of the table that names the law in a case.
 pub(crate) fn of(parameter: &Parameter) -> Key {
     let kind = match parameter.kind {
         // Limits are the law's own to check.
@@ -19,6 +23,14 @@ pub(crate) fn of(parameter: &Parameter) -> Key {
         parameter::Need::Optional(text) | parameter::Need::Chosen(text) => Need::Optional(text),
     };
     Key { name: parameter.name, kind, need, when: When::Always, doc: parameter.doc }
+}
+
+/// The same where the law stands alone, and no model is there to choose by.
+pub(crate) fn alone(parameter: &Parameter) -> Key {
+    match parameter.need {
+        parameter::Need::Chosen(_) => Key { need: Need::Required, ..of(parameter) },
+        _ => of(parameter),
+    }
 }
 
 /// A column of a law's table as a key of that table.

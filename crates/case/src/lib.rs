@@ -7,7 +7,7 @@
 //! The crate knows no meshes and no records: whether a group or a point exists, or a step of processing can be
 //! read, is found by the builder of the model, which reports it at the same place through [`Case::report`].
 //!
-//! A material can also stand in a file of its own ([`LawFile`]), and so can a mesh ([`MeshAlone`]), under the same keys.
+//! A law can also stand in a file of its own ([`LawFile`]), and so can a mesh ([`MeshAlone`]), under the same keys.
 
 pub mod pattern;
 pub mod units;
@@ -18,9 +18,12 @@ mod consistency;
 mod defaulted;
 mod dynamic;
 mod fields;
+mod interface;
 mod keys;
 mod law_file;
 mod law_key;
+mod law_table;
+mod laws;
 mod material;
 mod mesh;
 mod mesh_alone;
@@ -38,7 +41,9 @@ mod value;
 pub use case::Case;
 pub use defaulted::Defaulted;
 pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, SideKind};
-pub use law_file::LawFile;
+pub use interface::{Contact, Interface};
+pub use law_file::{LawFile, LawKind};
+pub use laws::Laws;
 pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,

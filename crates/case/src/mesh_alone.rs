@@ -7,6 +7,7 @@ use toml::de::DeTable;
 use crate::case::CASE;
 use crate::check::Checker;
 use crate::keys::{Key, Kind, Table};
+use crate::laws::Laws;
 use crate::mesh::{MESH, Mesh};
 use crate::{Problem, Report, syntax};
 
@@ -49,7 +50,7 @@ impl MeshAlone {
         if is_case(document.get_ref()) {
             return Ok(None);
         }
-        let mut checker = Checker::new(&CASE, &[]);
+        let mut checker = Checker::new(&CASE, Laws { materials: &[], interfaces: &[] });
         let written = checker.table(&MESH_ALONE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { mut problems, .. } = checker;
         let mesh = written.table("mesh");

@@ -6,7 +6,7 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::Spanned;
 use crate::fields::Fields;
-use crate::keys::{Key, Kind, Limit, Table};
+use crate::keys::{Key, Kind, Limit, Table, When};
 use crate::pattern;
 
 const COORDINATE: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
@@ -26,6 +26,13 @@ pub(crate) static MONITOR: Table = Table {
             Kind::Text,
             "any body at that place",
             "The body it lies in: \"lining\" is every group called lining, or with .lining in its name",
+        )
+        .when(When::Without("interface")),
+        Key::optional(
+            "interface",
+            Kind::Text,
+            "",
+            "The interface at whose nearest pair it is: gap, slip, pressure and shear are kept, no motion",
         ),
     ],
     choice: &[],
@@ -47,6 +54,8 @@ pub struct Monitor {
     pub at: Spanned<Place>,
     /// The body it lies in, see [`Monitor::lies_in`]; nothing: any.
     pub body: Option<Spanned<String>>,
+    /// Index into [`Case::interfaces`](crate::Case::interfaces) of the one it looks at, not tied; then there is no body.
+    pub interface: Option<Spanned<usize>>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -63,7 +72,7 @@ pub enum Place {
 /// Two monitors whose difference of displacement is kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relative {
-    /// Indices into [`Case::monitors`](crate::Case::monitors), not equal.
+    /// Indices into [`Case::monitors`](crate::Case::monitors), not equal; neither looks at an interface.
     pub between: [usize; 2],
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
@@ -79,8 +88,13 @@ impl Monitor {
         })
     }
 
-    pub(crate) fn read(f: &Fields) -> Option<Self> {
+    /// `names` are those of all interfaces, in order.
+    pub(crate) fn read(f: &Fields, names: &[&str]) -> Option<Self> {
         let body = f.text("body");
+        let interface = match f.text("interface") {
+            Some(name) => Some(Spanned::new(names.iter().position(|n| *n == *name)?, name.span)),
+            None => None,
+        };
         let at = f.get("at")?;
         let place = match at.text() {
             Some(name) => Place::Named(name.value),
@@ -90,6 +104,7 @@ impl Monitor {
             name: f.text("name")?,
             at: Spanned::new(place, at.span.clone()),
             body,
+            interface,
             span: f.span.clone(),
         })
     }

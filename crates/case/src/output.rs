@@ -5,11 +5,15 @@ use std::ops::Range;
 use tremolite_laws::parameter::Dimension;
 
 use crate::Spanned;
+use crate::defaulted::Defaulted;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
 
 const INTERVAL: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
 const INTERVAL_OR_NONE: Kind = Kind::Either(&[Kind::Word(&["none"]), INTERVAL]);
+
+/// The field that is for cases with interfaces alone.
+const OF_INTERFACES: &str = "interface";
 
 pub(crate) static OUTPUT: Table = Table {
     path: "output",
@@ -26,7 +30,7 @@ pub(crate) static OUTPUT: Table = Table {
             "fields",
             Kind::List(&Kind::Name, 0, 100),
             r#"["displacement", "velocity", "stress"]"#,
-            "Quantities in the field files",
+            "Quantities in the field files; left out, also \"interface\" where one is not tied",
         ),
         Key::default(
             "checkpoint",
@@ -65,5 +69,13 @@ impl Output {
             checkpoint,
             span: f.span.clone(),
         })
+    }
+
+    /// Adds what belongs to interfaces to fields that were left out, and to what is said of them.
+    pub(crate) fn show_interfaces(&mut self, defaulted: &mut [Defaulted]) {
+        let Some(said) = defaulted.iter_mut().find(|d| d.key == "output.fields") else { return };
+        self.fields.push(Spanned::new(OF_INTERFACES.to_owned(), self.span.clone()));
+        let words: Vec<String> = self.fields.iter().map(|f| format!("\"{}\"", f.value)).collect();
+        said.value = format!("[{}]", words.join(", "));
     }
 }

@@ -5,22 +5,24 @@ use toml::de::DeValue;
 use tremolite_laws::parameter::{Dimension, LawInfo};
 
 use crate::case::CASE;
+use crate::interface::TIED;
 use crate::keys::{Key, Kind, Limit, Need, Table, When};
-use crate::material::{COLUMNS, MATERIAL};
-use crate::{law_key, units};
+use crate::law_key::{self, COLUMNS};
+use crate::laws::Laws;
+use crate::units;
 
 /// The schema of a case that may name these laws (JSON Schema, draft 2020-12).
 ///
 /// It says all that the tables of keys say, but for units: a value with a unit is any text that starts with a
 /// number. What lies between keys (names that must be known, order of a window) only [`Case`](crate::Case) checks.
-pub fn schema(laws: &[LawInfo]) -> Value {
-    let mut schema = table(&CASE, laws);
+pub fn schema<'a>(laws: impl Into<Laws<'a>>) -> Value {
+    let mut schema = table(&CASE, laws.into());
     schema.insert("$schema".into(), "https://json-schema.org/draft/2020-12/schema".into());
     schema.insert("title".into(), "Tremolite case".into());
     Value::Object(schema)
 }
 
-fn table(table: &Table, laws: &[LawInfo]) -> Map<String, Value> {
+fn table(table: &Table, laws: Laws<'_>) -> Map<String, Value> {
     object(table.doc, table.keys.iter().copied(), table.choice, laws)
 }
 
@@ -28,7 +30,7 @@ fn object(
     doc: &str,
     keys: impl Iterator<Item = Key>,
     choice: &[&[&str]],
-    laws: &[LawInfo],
+    laws: Laws<'_>,
 ) -> Map<String, Value> {
     let mut properties = Map::new();
     let mut required: Vec<&str> = Vec::new();
@@ -56,7 +58,7 @@ fn object(
     schema
 }
 
-fn property(key: &Key, laws: &[LawInfo]) -> Value {
+fn property(key: &Key, laws: Laws<'_>) -> Value {
     let mut schema = kind(key.name, &key.kind, laws);
     let mut doc = capital(key.doc);
     if let Some(when) = key.when.words() {
@@ -82,7 +84,7 @@ fn property(key: &Key, laws: &[LawInfo]) -> Value {
     Value::Object(schema)
 }
 
-fn kind(key: &str, kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
+fn kind(key: &str, kind: &Kind, laws: Laws<'_>) -> Map<String, Value> {
     let schema = match kind {
         Kind::Number(dimension, limit) => return number(key, *dimension, *limit),
         Kind::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
@@ -109,9 +111,14 @@ fn kind(key: &str, kind: &Kind, laws: &[LawInfo]) -> Map<String, Value> {
             let short = t.words_of(keys).map(|words| self::kind(key, &Kind::Word(words), laws));
             json!({ "anyOf": [short, table(t, laws)] })
         }
-        Kind::Materials => {
-            let materials: Vec<Value> = laws.iter().map(|law| material(law, laws)).collect();
+        Kind::Materials(t) => {
+            let materials: Vec<Value> = laws.materials.iter().map(|law| of_law(t, law, laws)).collect();
             json!({ "type": "object", "minProperties": 1, "additionalProperties": { "oneOf": materials } })
+        }
+        Kind::Interfaces(t) => {
+            let with_law = laws.interfaces.iter().map(|law| of_law(t, law, laws));
+            let interfaces: Vec<Value> = with_law.chain([tied(t, laws)]).collect();
+            json!({ "type": "array", "items": { "oneOf": interfaces } })
         }
         Kind::Either(kinds) => {
             let options: Vec<Value> = kinds.iter().map(|k| Value::Object(self::kind(key, k, laws))).collect();
@@ -132,9 +139,13 @@ fn number(key: &str, dimension: Dimension, limit: Limit) -> Map<String, Value> {
         Limit::Any => {}
         Limit::Positive => drop(bare.insert("exclusiveMinimum".into(), json!(0))),
         Limit::NotNegative => drop(bare.insert("minimum".into(), json!(0))),
-        Limit::Share => {
+        Limit::UpTo(most) => {
             bare.insert("exclusiveMinimum".into(), json!(0));
-            bare.insert("maximum".into(), json!(1));
+            bare.insert("maximum".into(), json!(most));
+        }
+        Limit::Within(most) => {
+            bare.insert("minimum".into(), json!(0));
+            bare.insert("maximum".into(), json!(most));
         }
     }
     let text = json!({
@@ -151,15 +162,25 @@ fn number(key: &str, dimension: Dimension, limit: Limit) -> Map<String, Value> {
     schema
 }
 
-fn material(law: &LawInfo, laws: &[LawInfo]) -> Value {
-    let parameters = law.parameters.iter().map(law_key::of);
-    let mut schema =
-        object(MATERIAL.doc, MATERIAL.keys.iter().copied().chain(parameters), MATERIAL.choice, laws);
+/// A table that names this law.
+fn of_law(table: &Table, law: &LawInfo, laws: Laws<'_>) -> Value {
+    let keys = table.keys.iter().copied().chain(law.parameters.iter().map(law_key::of));
+    named(object(table.doc, keys, table.choice, laws), law.name, law.summary)
+}
+
+/// An interface without a law, and without what has a meaning only with one.
+fn tied(table: &Table, laws: Laws<'_>) -> Value {
+    let keys = table.keys.iter().filter(|key| matches!(key.when, When::Always)).copied();
+    named(object(table.doc, keys, table.choice, laws), TIED, "nothing slides or opens")
+}
+
+/// A table whose `law` is this word.
+fn named(mut schema: Map<String, Value>, law: &str, doc: &str) -> Value {
     if let Some(Value::Object(properties)) = schema.get_mut("properties") {
-        let word = json!({ "type": "string", "const": law.name, "description": law.summary });
+        let word = json!({ "type": "string", "const": law, "description": doc });
         properties.insert("law".into(), word);
     }
-    schema.insert("title".into(), law.name.into());
+    schema.insert("title".into(), law.into());
     Value::Object(schema)
 }
 

@@ -50,6 +50,7 @@ fn owner(table: &'static Table, name: &str) -> Option<&'static Table> {
 pub(crate) fn tables(kind: &'static Kind) -> Vec<&'static Table> {
     match kind {
         Kind::Table(t) | Kind::Tables(t) | Kind::Brief(t, _) => vec![t],
+        Kind::Materials(t) | Kind::Interfaces(t) => vec![t],
         Kind::Either(kinds) => kinds.iter().flat_map(tables).collect(),
         _ => Vec::new(),
     }
@@ -75,14 +76,19 @@ pub(crate) fn unit(key: &str, error: &UnitError, dimension: Dimension) -> String
 pub(crate) fn missing(key: &Key) -> String {
     let sample = sample(key.name, &key.kind);
     // The example of its dimension is a modulus; strengths are told in MPa.
-    let strength = matches!(key.kind, Kind::Number(Dimension::PRESSURE, _)) && !is_modulus(key);
+    let strength =
+        matches!(key.kind, Kind::Number(Dimension::PRESSURE, _)) && unit_of_stiffness(key).is_none();
     let sample = if strength { sample.replace("GPa", "MPa") } else { sample };
     format!("add {sample} ({})", key.doc)
 }
 
-/// Whether the value of a key is a modulus of elasticity.
-pub(crate) fn is_modulus(key: &Key) -> bool {
-    matches!(key.kind, Kind::Number(Dimension::PRESSURE, _)) && key.doc.contains("modulus")
+/// The SI unit of a key that is a modulus of elasticity, or a stiffness per area; nothing of any other.
+pub(crate) fn unit_of_stiffness(key: &Key) -> Option<&'static str> {
+    match key.kind {
+        Kind::Number(Dimension::PRESSURE, _) if key.doc.contains("modulus") => Some("Pa"),
+        Kind::Number(Dimension::STIFFNESS, _) if key.name.contains("stiffness") => Some("Pa/m"),
+        _ => None,
+    }
 }
 
 /// What a key is in words, to be read after 'should be'.
@@ -100,8 +106,8 @@ pub(crate) fn describe(key: &str, kind: &Kind) -> String {
         Kind::List(kind, ..) => format!("a list, each {}", describe(key, kind)),
         Kind::Numbers(dimension) => format!("a list, each {}", units::name_for(key, *dimension)),
         Kind::Columns(_) => "a table of columns".to_owned(),
-        Kind::Table(_) | Kind::Materials => "a table".to_owned(),
-        Kind::Tables(_) => "a list of tables".to_owned(),
+        Kind::Table(_) | Kind::Materials(_) => "a table".to_owned(),
+        Kind::Tables(_) | Kind::Interfaces(_) => "a list of tables".to_owned(),
         Kind::Brief(table, keys) => table.words_of(keys).map_or_else(
             || "a table".to_owned(),
             |words| format!("a table or one of \"{}\"", words.join("\", \"")),
@@ -115,8 +121,8 @@ pub(crate) fn describe(key: &str, kind: &Kind) -> String {
 pub(crate) fn sample(name: &str, kind: &Kind) -> String {
     match kind {
         Kind::Table(table) if !table.path.contains('.') => format!("[{}]", table.path),
-        Kind::Tables(table) => format!("[[{}]]", table.path),
-        Kind::Materials => "[material.rock]".to_owned(),
+        Kind::Tables(table) | Kind::Interfaces(table) => format!("[[{}]]", table.path),
+        Kind::Materials(_) => "[material.rock]".to_owned(),
         _ => format!("{name} = {}", sample_value(name, kind)),
     }
 }
@@ -158,6 +164,6 @@ fn sample_value(name: &str, kind: &Kind) -> String {
             table.keys.first().map_or_else(|| "{ … }".to_owned(), |k| sample_value(k.name, &k.kind))
         }
         Kind::Either(kinds) => kinds.first().map_or_else(String::new, |kind| sample_value(name, kind)),
-        Kind::Tables(_) | Kind::Materials | Kind::Later(_) => "{ … }".to_owned(),
+        Kind::Tables(_) | Kind::Materials(_) | Kind::Interfaces(_) | Kind::Later(_) => "{ … }".to_owned(),
     }
 }

@@ -9,9 +9,9 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::check::Checker;
 use crate::fields::{Fields, Item, Node};
-use crate::keys::{Key, Kind, LATER_WORDS, Limit, Table};
-use crate::material::COLUMNS;
-use crate::{law_key, suggest, units};
+use crate::keys::{Key, Kind, LATER_WORDS, Limit};
+use crate::law_key::{self, COLUMNS};
+use crate::{suggest, units};
 
 impl Checker<'_> {
     /// Checks a value; nothing if it is refused, and then the problem is kept.
@@ -72,12 +72,18 @@ impl Checker<'_> {
             (Kind::Table(table), DeValue::Table(t)) => {
                 Item::Table(self.table(table, Some(&[]), t, span.clone(), path))
             }
-            (Kind::Tables(table), DeValue::Array(a))
+            (Kind::Tables(table) | Kind::Interfaces(table), DeValue::Array(a))
                 if !a.is_empty() && a.iter().all(|v| v.get_ref().is_table()) =>
             {
                 let tables = a.iter().enumerate().filter_map(|(i, v)| {
                     let t = v.get_ref().as_table()?;
-                    Some(self.entry(table, t, v.span(), &format!("{path}[{}]", label(t, i))))
+                    let path = format!("{path}[{}]", label(t, i));
+                    let span = self.placed(v.span());
+                    let fields = match kind {
+                        Kind::Interfaces(_) => self.interface(table, t, span.clone(), &path),
+                        _ => self.table(table, Some(&[]), t, span.clone(), &path),
+                    };
+                    Some(Node { item: Item::Table(fields), span })
                 });
                 Item::List(tables.collect())
             }
@@ -98,7 +104,9 @@ impl Checker<'_> {
                 }
                 Item::Table(self.table(table, Some(&[]), &long, span.clone(), path))
             }
-            (Kind::Materials, DeValue::Table(t)) if !t.is_empty() => Item::Materials(self.materials(t)),
+            (Kind::Materials(table), DeValue::Table(t)) if !t.is_empty() => {
+                Item::Materials(self.materials(table, t))
+            }
             (Kind::Either(kinds), _) => return self.either(kind, kinds, value, &span, path),
             _ => return self.wrong(kind, value, &span, path),
         };
@@ -119,17 +127,6 @@ impl Checker<'_> {
             let message = format!("`{name}` has {found} numbers, but `{first}` has {rows}");
             self.problem(node.span.clone(), message, "give each column one number a row");
         }
-    }
-
-    fn entry(
-        &mut self,
-        table: &'static Table,
-        written: &DeTable<'_>,
-        span: Range<usize>,
-        path: &str,
-    ) -> Node {
-        let span = self.placed(span);
-        Node { item: Item::Table(self.table(table, Some(&[]), written, span.clone(), path)), span }
     }
 
     fn number(
@@ -169,8 +166,8 @@ impl Checker<'_> {
             return self.refuse(span, path, "is not a finite number", "give a finite value");
         }
         if !limit.holds(x) {
-            let remedy = format!("give a value {}", limit.words());
-            return self.refuse(span, path, &format!("must be {}", limit.words()), &remedy);
+            let words = limit.words(dimension);
+            return self.refuse(span, path, &format!("must be {words}"), &format!("give a value {words}"));
         }
         Some(Item::Number(x))
     }
@@ -248,7 +245,10 @@ impl Checker<'_> {
             DeValue::Table(_) => "a table",
         };
         let found = match (value, kind) {
-            (DeValue::Array(a), Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_)) => {
+            (
+                DeValue::Array(a),
+                Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) | Kind::Interfaces(_),
+            ) => {
                 format!("a list of {}", a.len())
             }
             (DeValue::Integer(n), Kind::Count(_)) => n.to_string(),
@@ -270,8 +270,8 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
         Kind::Number(..) => matches!(value, DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)),
         Kind::Count(_) => value.is_integer(),
         Kind::Text | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
-        Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) => value.is_array(),
-        Kind::Table(_) | Kind::Columns(_) | Kind::Materials => value.is_table(),
+        Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) | Kind::Interfaces(_) => value.is_array(),
+        Kind::Table(_) | Kind::Columns(_) | Kind::Materials(_) => value.is_table(),
         Kind::Brief(..) => value.is_table() || value.is_str(),
         Kind::Either(kinds) => kinds.iter().any(|k| fits(k, value)),
         Kind::Later(_) => true,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tremolite_case::{Case, units};
+use tremolite_case::{Case, LawFile, units};
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::parameter::Dimension;
 
@@ -70,6 +70,9 @@ const SCRAPS: &[&str] = &[
     "at = ",
     "[motion]\n",
     "[[monitor]]\n",
+    "[[interface]]\n",
+    "law = \"tied\"\n",
+    "interface = ",
     "material.",
     "\u{202e}",
     "[material.rock]\n",
@@ -121,6 +124,30 @@ fn every_key_survives_a_value_of_every_kind() {
         let end = GOOD[start..].find('\n').map_or(GOOD.len(), |i| start + i);
         for value in values {
             survive(&format!("{}{value}{}", &GOOD[..start], &GOOD[end..]));
+        }
+    }
+}
+
+/// A law file, by turns with each table.
+const LAW: &str = "size = 1\n[material]\nlaw = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25\n\
+                   [interface]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction = 0.7\n";
+
+#[test]
+fn every_beginning_and_end_of_a_law_file_is_read_or_refused() {
+    let survive = |source: &str| {
+        if let Err(report) = LawFile::parse(Path::new("law.toml"), source, MATERIALS) {
+            assert!(!report.problems.is_empty(), "a refusal says why");
+            assert!(report.problems.iter().all(|p| !p.message.is_empty() && !p.remedy.is_empty()));
+            report.render(false);
+        }
+    };
+    for cut in 0..=LAW.len() {
+        survive(&LAW[..cut]);
+        survive(&LAW[cut..]);
+    }
+    for value in ["1", "nan", "\"\"", "[]", "[{}]", "{}", "{ a = {} }", "true", "07:32:00"] {
+        for key in ["material", "interface", "interface.law", "interface.name", "material.size", "size"] {
+            survive(&format!("{key} = {value}\n"));
         }
     }
 }

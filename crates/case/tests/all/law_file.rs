@@ -1,8 +1,8 @@
-//! A material in a file of its own: the same keys, checks and defaults as in a case.
+//! A law in a file of its own: the same keys, checks and defaults as in a case.
 
 use std::path::Path;
 
-use tremolite_case::{LawFile, Report};
+use tremolite_case::{LawFile, LawKind, Report};
 use tremolite_laws::materials::MATERIALS;
 
 const CONCRETE: &str = r#"
@@ -23,7 +23,7 @@ fn parse(source: &str) -> Result<LawFile, Report> {
 #[test]
 fn a_law_file_is_read_in_si_with_defaults_listed() {
     let file = parse(CONCRETE).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(file.law.value, "concrete-damage");
+    assert_eq!((file.kind, file.law.value.as_str()), (LawKind::Material, "concrete-damage"));
     assert_eq!(file.parameters.number("young"), Ok(25e9));
     assert_eq!(file.parameters.optional("friction_angle"), Some(46f64.to_radians()));
     assert_eq!(file.parameters.word("split"), Some("effective"));
@@ -63,9 +63,9 @@ fn each_mistake_is_reported_at_its_line_with_a_way_out() {
         (format!("size = -1{CONCRETE}"), 1, "must be above 0", "above 0"),
         (format!("size = 1{CONCRETE}size = 1"), 10, "given twice", "keep one"),
         (format!("title = 1{CONCRETE}"), 1, "`title` is no key of `law file`", "keys here: size"),
-        ("[interface]\nlaw = \"bandis\"\n".to_owned(), 1, "`interface` is not available yet", "[material]"),
+        (format!("{CONCRETE}[interface]\nlaw = \"bandis\"\n"), 10, "one law", "keep [material] or [interface]"),
         ("material = 3\n".to_owned(), 1, "should be a table", "[material]"),
-        (String::new(), 1, "no material", "[material]"),
+        (String::new(), 1, "no material and no interface", "[material] or [interface]"),
         ("[material]\n".to_owned(), 1, "`law` is missing", "law = "),
         ("[material\n".to_owned(), 1, "", "bracket"),
     ];
@@ -183,4 +183,55 @@ evolution = "residual"
         .replace("ultimate_strain_ratio = 10.0", "fracture_energy = \"130 N/m\"")
         .replace("\"residual\"", "\"exponential\"");
     assert!(parse(&exponential).is_ok());
+}
+
+const JOINT: &str = r#"
+[interface]
+law = "bandis"
+normal_stiffness = "20 GPa/m"
+max_closure = "2 mm"
+friction = 0.7
+"#;
+
+#[test]
+fn an_interface_law_is_read_in_si_with_defaults_listed() {
+    let file = parse(JOINT).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((file.kind, file.law.value.as_str()), (LawKind::Interface, "bandis"));
+    assert_eq!(file.parameters.number("normal_stiffness"), Ok(20e9));
+    assert_eq!(file.parameters.number("cohesion"), Ok(0.0));
+    assert_eq!((file.size, &JOINT[file.span.clone()]), (None, "[interface]"));
+    let said: Vec<(&str, &str)> = file.defaulted.iter().map(|d| (d.key.as_str(), d.value.as_str())).collect();
+    assert!(said.contains(&("interface.tensile_strength", "the cohesion")), "{said:?}");
+}
+
+#[test]
+fn each_mistake_in_an_interface_law_is_reported_at_its_line() {
+    let change = |from: &str, to: &str| JOINT.replace(from, to);
+    let no_meaning = "has no meaning for an interface law alone";
+    #[rustfmt::skip]
+    let bad = [
+        (change("normal_stiffness = \"20 GPa/m\"\n", ""), 2, "`normal_stiffness` is missing", "GPa/m"),
+        (change("friction = 0.7\n", ""), 2, "`friction` is missing", "friction = …"),
+        (change("friction = 0.7", "frction = 0.7\nfriction = 0.7"), 6, "`frction` is no key of `interface`", "did you mean `friction`?"),
+        (change("0.7", "-0.7"), 6, "must not be negative", "zero or more"),
+        (change("\"2 mm\"", "\"2 MPa\""), 5, "is a stress", "such as"),
+        (change("\"bandis\"\n", "\"bandi\"\n"), 3, "cannot be \"bandi\"", "did you mean \"bandis\"?"),
+        (change("law = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\nfriction = 0.7\n", "law = \"tied\""), 3, "cannot be \"tied\"", "\"bandis\", \"coulomb\""),
+        (format!("size = 1{JOINT}"), 1, &format!("`size` {no_meaning}"), "leave it out"),
+        (format!("{JOINT}size = \"1 m\""), 7, &format!("`size` {no_meaning}"), "leave it out"),
+        (format!("{JOINT}name = \"a\""), 7, &format!("`name` {no_meaning}"), "leave it out"),
+        (format!("{JOINT}between = [\"a\", \"b\"]"), 7, &format!("`between` {no_meaning}"), "leave it out"),
+        (format!("{JOINT}contact_limit = 1"), 7, &format!("`contact_limit` {no_meaning}"), "leave it out"),
+        (change("[interface]", "[interface.joint]"), 2, "one interface, without a name", "instead of [interface.joint]"),
+        (change("[interface]", "[[interface]]"), 2, "one interface, not a list", "[interface] instead of [[interface]]"),
+        (format!("{JOINT}[material]\nlaw = \"elastic\""), 7, "one law", "keep [material] or [interface]"),
+        ("interface = 3".to_owned(), 1, "`interface` should be a table", "write [interface]"),
+        ("[interface]\n".to_owned(), 1, "`law` is missing", "law = "),
+    ];
+    for (source, line, says, remedy) in bad {
+        let report = parse(&source).expect_err(&source);
+        let [problem] = &report.problems[..] else { panic!("{source}\n{report}") };
+        assert_eq!(report.position(problem).0, line, "{source}\n{report}");
+        assert!(problem.message.contains(says) && problem.remedy.contains(remedy), "{report}");
+    }
 }

@@ -3,6 +3,7 @@
 mod files;
 mod good_case;
 mod hostile_input;
+mod interface;
 mod law_file;
 mod problems;
 mod schema;

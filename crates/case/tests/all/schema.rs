@@ -5,6 +5,7 @@ use std::path::Path;
 use serde_json::{Map, Value};
 use toml::de::{DeTable, DeValue};
 use tremolite_case::{Case, schema};
+use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 
 const EVERY_KEY: &str = include_str!("../cases/every-key.toml");
@@ -127,6 +128,14 @@ fn what_the_reader_refuses_for_its_form_does_not_fit() {
         ("at = [\"0 m\", \"1 m\", \"-210 m\"]", "at = [0, 1]"),
         ("[material.rock]", "[mesh.file]\npath = \"a\"\n[material.rock]"),
         ("y = \"roller\"", "y = \"free-field\""),
+        ("law = \"bandis\"", "law = \"bandi\""),
+        ("law = \"bandis\"", "law = \"tied\""),
+        ("law = \"tied\"", "law = \"coulomb\""),
+        ("max_closure = \"2 mm\"\n", ""),
+        ("friction = 0.7", "friktion = 0.7"),
+        ("between = [\"transformer.bench*\", \"rock\"]", "between = [\"rock\"]"),
+        ("contact_damping = 0.02", "contact_damping = 0.3"),
+        ("contact_limit = 0.9", "contact_limit = 0"),
         ("[initial]", "[[stage]]\nname = \"a\"\n[initial]"),
     ] {
         let source = EVERY_KEY.replacen(from, to, 1);
@@ -159,10 +168,12 @@ fn editors_find_a_description_for_every_key_and_the_parameters_of_every_law() {
     assert_eq!(schema["properties"]["output"]["properties"]["histories"]["default"], "0.01 s");
     let materials =
         schema["properties"]["material"]["additionalProperties"]["oneOf"].as_array().expect("laws");
-    for (law, material) in MATERIALS.iter().zip(materials) {
-        assert_eq!(material["properties"]["law"]["const"], law.name);
+    let interfaces = schema["properties"]["interface"]["items"]["oneOf"].as_array().expect("laws");
+    assert_eq!(interfaces.last().map(|i| &i["properties"]["law"]["const"]), Some(&Value::from("tied")));
+    for (law, table) in MATERIALS.iter().zip(materials).chain(INTERFACES.iter().zip(interfaces)) {
+        assert_eq!(table["properties"]["law"]["const"], law.name);
         for parameter in law.parameters {
-            assert!(material["properties"][parameter.name].is_object(), "{}.{}", law.name, parameter.name);
+            assert!(table["properties"][parameter.name].is_object(), "{}.{}", law.name, parameter.name);
         }
     }
 }

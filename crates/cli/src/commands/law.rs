@@ -10,7 +10,7 @@ use crate::terminal::{colour, print, say};
 use path_file::PathFile;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use tremolite_case::{LawFile, Problem};
+use tremolite_case::{LawFile, LawKind, Problem};
 use tremolite_kernels::follow;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::path::{PathError, Response};
@@ -62,6 +62,12 @@ pub struct Args {
 pub fn run(args: &Args) -> Outcome {
     let isa = machine::isa(args.isa.as_deref())?;
     let law = LawFile::read(&args.law, MATERIALS).map_err(|r| Failure::case(&r))?;
+    if law.kind == LawKind::Interface {
+        // The seam for interfaces, which is planned: a pair driven along gap and slip.
+        let message = format!("the interface law `{}` cannot be driven alone yet", law.law.value);
+        let problem = Problem::new(law.span.clone(), message, "give a [material] table");
+        return Err(Failure::case(&law.report(vec![problem])));
+    }
     args.check_files().map_err(Failure::input)?;
     let mut file = PathFile::read(&args.path).map_err(Failure::input)?;
     if !file.ignored.is_empty() {
