@@ -2,9 +2,7 @@
 
 use crate::block::block;
 use crate::ready::Ready;
-use tremolite::{
-    Base, Body, Interface, Line, Problem, Quadrature, Side, State, elastic, interface_laws,
-};
+use tremolite::{Base, Body, Interface, Line, Problem, Quadrature, Side, State, elastic, interface_laws};
 use tremolite_laws::{Isa, Moduli, Row, Values};
 use tremolite_mesh::boxes::{BoxSpec, Distortion};
 
@@ -39,7 +37,7 @@ const POISSON: f64 = 0.25;
 
 /// Two distorted blocks on one another, turned and sheared so that the joint is oblique.
 fn two_blocks(turned: bool) -> Problem {
-    let mut spec = BoxSpec::uniform([0.0, 0.0, -2.0], [3.0, 2.0, 4.0], [3, 2, 4]);
+    let mut spec = BoxSpec::uniform([0.0, 0.0, -2.0], [3.0, 2.0, 2.0], [3, 2, 4]);
     spec.distortion = Some(Distortion { fraction: 0.15, seed: 5, periodic: [false; 2] });
     let mut mesh = spec.mesh().unwrap();
     let level = |z: f64| if z.abs() < 0.4 { 0.0 } else { z };
@@ -92,7 +90,8 @@ fn a_joint_square_or_oblique_passes_the_patch_test() {
         assert_eq!(pairs.len(), 4 * 3);
         let (k, t) = (20e9, 2e-3);
         let m = pairs[0].normal;
-        assert!(pairs.iter().all(|pair| (0..3).all(|i| (pair.normal[i] - m[i]).abs() < 1e-12)));
+        let normals: Vec<_> = pairs.iter().map(|pair| pair.normal).collect();
+        assert!(normals.iter().all(|n| (0..3).all(|i| (n[i] - m[i]).abs() < 1e-12)), "{normals:?}");
         // Traction on the upper side is p m + t, and equals −σ m there.
         let traction = apply(&stress, m).map(|x| -x);
         let p = (0..3).map(|i| traction[i] * m[i]).sum::<f64>();
@@ -142,7 +141,8 @@ fn jointed(isa: Isa) -> Problem {
     let mut problem = block([8, 7, 10]);
     problem.base = Base::Viscous;
     problem.isa = isa;
-    let weak: Vec<_> = BANDIS.iter().map(|&(key, x)| (key, if key == "cohesion" { 5e3 } else { x })).collect();
+    let weak: Vec<_> =
+        BANDIS.iter().map(|&(key, x)| (key, if key == "cohesion" { 5e3 } else { x })).collect();
     problem.interfaces = vec![between(&problem, [1, 0], "bandis", &weak)];
     problem
 }
@@ -163,17 +163,16 @@ fn shaken(problem: Problem, steps: u64) -> (Ready, State) {
 
 #[test]
 fn bits_of_joints_do_not_depend_on_threads_or_the_instruction_set() {
-    let (ready, scalar) = shaken(jointed(Isa::Scalar), 300);
-    let totals =
-        ready.assembly.contacts[0].totals(&ready.assembly, &ready.model.seams[0], &scalar.history);
+    let (ready, scalar) = shaken(jointed(Isa::Scalar), 400);
+    let totals = ready.assembly.contacts[0].totals(&ready.assembly, &ready.model.seams[0], &scalar.history);
     assert!(totals.ever_slid > 0.0 && totals.ever_opened > 0.0, "{totals:?}");
     for isa in Isa::ALL.into_iter().filter(|isa| isa.available()) {
-        let (_, other) = shaken(jointed(isa), 300);
+        let (_, other) = shaken(jointed(isa), 400);
         assert!(scalar == other, "{}", isa.name());
     }
     for threads in [1, 3] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        let (_, other) = pool.install(|| shaken(jointed(Isa::best()), 300));
+        let (_, other) = pool.install(|| shaken(jointed(Isa::best()), 400));
         assert!(scalar == other, "{threads} threads");
     }
 }
@@ -182,8 +181,13 @@ fn bits_of_joints_do_not_depend_on_threads_or_the_instruction_set() {
 #[test]
 fn the_two_sides_of_a_pair_are_pushed_by_opposite_bits() {
     let ready = Ready::new(two_blocks(true));
-    let (member, slices) =
-        ready.assembly.members.iter().zip(&ready.assembly.slices).find(|(m, _)| m.name.contains("joint")).unwrap();
+    let (member, slices) = ready
+        .assembly
+        .members
+        .iter()
+        .zip(&ready.assembly.slices)
+        .find(|(m, _)| m.name.contains("joint"))
+        .unwrap();
     let nodes = member.part.nodes();
     let mut u = vec![Row::ZERO; ready.model.mesh_node.len()];
     for (n, u) in u.iter_mut().enumerate() {
@@ -211,7 +215,7 @@ fn a_joint_that_sides_hold_apart_keeps_its_books() {
     let snapshot = ready.engine().observe(&mut state);
     let balance = &snapshot.balance;
     let input = balance[Line::Input];
-    assert!(balance[Line::Friction] > 0.0 && balance[Line::Interface] > 0.0);
+    assert!(balance[Line::Friction] > 0.01 * input && balance[Line::Interface] >= 0.0, "{balance:?}");
     let error = (balance[Line::Error] - snapshot.scheme).abs();
     assert!(error < 0.02 * input, "{error} of {input}");
     assert_eq!(ready.model.sides, [Side::Periodic; 2]);
