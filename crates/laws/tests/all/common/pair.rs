@@ -111,11 +111,12 @@ pub fn wandering<I: Interface>(law: &I, random: &mut Random, steps: usize) -> Ve
 }
 
 /// Runs a check of one law on every law: `on_every_interface!($ check)`, since a macro cannot write a `$` of its own.
+#[rustfmt::skip]
 macro_rules! on_every_interface {
     ($d:tt $check:ident) => {{
         macro_rules! each {
-                ($d($d law:ty,)*) => { $d($check::<$d law>();)* };
-            }
+            ($d($d law:ty,)*) => { $d($check::<$d law>();)* };
+        }
         tremolite_laws::for_each_interface!(each);
     }};
 }
