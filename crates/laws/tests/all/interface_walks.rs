@@ -27,7 +27,7 @@ fn books_close<I: Interface>() {
                 let breaks = old.state() == PairState::Bonded && pair.state() != PairState::Bonded;
                 broke |= breaks;
                 let left = if breaks {
-                    (is - was) - (work.across + work.along - friction)
+                    (is - was) - (work.across + work.along - friction + created)
                 } else {
                     (is_along - was_along) - (work.along - friction + created)
                 };
