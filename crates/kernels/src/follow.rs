@@ -1,7 +1,8 @@
 //! A law by its name, along a path, with the registers of an instruction set.
 
+use tremolite_laws::interface_path::{InterfacePath, InterfaceResponse, drive_interface_named};
 use tremolite_laws::path::{Path, PathError, Response, drive_named};
-use tremolite_laws::{Isa, Material, Values};
+use tremolite_laws::{Interface, Isa, Material, Values};
 
 /// What is done with a law that is known by its type.
 struct Entry {
@@ -59,11 +60,77 @@ fn follow_law<M: Material>(values: &Values, path: &Path, isa: Isa) -> Result<Res
     Ok(response)
 }
 
+/// What is done with an interface law that is known by its type.
+struct InterfaceEntry {
+    name: &'static str,
+    follow: fn(&Values, &InterfacePath, Isa) -> Result<InterfaceResponse, PathError>,
+    warnings: fn(&Values) -> Vec<String>,
+}
+
+macro_rules! interface_entries {
+    ($($law:ty,)*) => {
+        &[$(InterfaceEntry {
+            name: <$law>::NAME,
+            follow: follow_joint::<$law>,
+            warnings: |values| <$law>::new(values).map(|law| law.warnings()).unwrap_or_default(),
+        }),*]
+    };
+}
+
+const INTERFACES: &[InterfaceEntry] = tremolite_laws::for_each_interface!(interface_entries);
+
+/// The response of a registered interface law. Gaps under prescribed pressure are sought in scalars; the response to them is
+/// then that of the instruction set.
+///
+/// # Errors
+/// See [`PathError`].
+#[inline(never)]
+pub fn follow_interface(
+    name: &str,
+    values: &Values,
+    path: &InterfacePath,
+    isa: Isa,
+) -> Result<InterfaceResponse, PathError> {
+    match INTERFACES.iter().find(|e| e.name == name) {
+        Some(entry) => (entry.follow)(values, path, isa),
+        None => drive_interface_named(name, values, path),
+    }
+}
+
+/// What is unusual about an interface's parameters though the law accepts them.
+#[inline(never)]
+pub fn interface_warnings(name: &str, values: &Values) -> Vec<String> {
+    INTERFACES.iter().find(|e| e.name == name).map_or_else(Vec::new, |entry| (entry.warnings)(values))
+}
+
+fn follow_joint<I: Interface>(
+    values: &Values,
+    path: &InterfacePath,
+    isa: Isa,
+) -> Result<InterfaceResponse, PathError> {
+    let law = I::new(values).map_err(PathError::Parameters)?;
+    let response = drive_interface_named(I::NAME, values, path)?;
+    #[cfg(target_arch = "x86_64")]
+    if isa.available() {
+        match isa {
+            Isa::Scalar => {}
+            // SAFETY: the processor has it.
+            Isa::Avx2 => return Ok(unsafe { wide::joint_avx2(&law, response) }),
+            // SAFETY: the processor has it.
+            Isa::Avx512 => return Ok(unsafe { wide::joint_avx512(&law, response) }),
+        }
+    }
+    // Without wide registers there is the scalar set alone.
+    let _ = (law, isa);
+    Ok(response)
+}
+
 #[cfg(target_arch = "x86_64")]
 mod wide {
+    use tremolite_laws::interface_path::InterfaceResponse;
     use tremolite_laws::lane::{Avx2, Avx512, Enabled};
     use tremolite_laws::path::{Path, Response};
-    use tremolite_laws::{History, Lane, Material, Octet, Point};
+    use tremolite_laws::{History, Interface, Lane, Material, Octet, Point};
 
     #[derive(Clone, Copy)]
     struct Here;
@@ -126,5 +193,40 @@ mod wide {
             *lanes = L::splat(*value);
         }
         lanes
+    }
+
+    #[target_feature(enable = "avx2,fma")]
+    pub fn joint_avx2<I: Interface>(law: &I, response: InterfaceResponse) -> InterfaceResponse {
+        joint_again::<Avx2<Here>, I>(law, response)
+    }
+
+    #[target_feature(enable = "avx512f,avx2,fma")]
+    pub fn joint_avx512<I: Interface>(law: &I, response: InterfaceResponse) -> InterfaceResponse {
+        joint_again::<Avx512<Here>, I>(law, response)
+    }
+
+    /// Replaces traction and history by what lanes of this width make of gap and slip.
+    #[inline(always)]
+    fn joint_again<L: Lane, I: Interface>(law: &I, mut response: InterfaceResponse) -> InterfaceResponse {
+        let mut history = <I::History<L> as History<L>>::zero();
+        for row in 0..response.gap.len() {
+            let [s1, s2] = response.slip[row];
+            let slip = [L::splat(s1), L::splat(s2)];
+            let (pressure, shear, new) = law.update(L::splat(response.gap[row]), slip, history);
+            history = new;
+            response.pressure[row] = first(pressure);
+            response.shear[row] = [-first(shear[0]), -first(shear[1])];
+            for (column, value) in response.history.iter_mut().zip(history.as_ref()) {
+                column[row] = first(*value);
+            }
+        }
+        response
+    }
+
+    #[inline(always)]
+    fn first<L: Lane>(lanes: L) -> f64 {
+        let mut octet = Octet::ZERO;
+        lanes.store(&mut octet, 0);
+        octet.0[0]
     }
 }

@@ -76,7 +76,7 @@ pub trait Interface: Send + Sync + Sized + 'static {
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>>;
 
     /// The values with what [`crate::parameter::Need::Chosen`] leaves open filled in so that no state is stiffer along the
-    /// normal than `stiffness` \[Pa/m\]; given values stay as they are.
+    /// normal than `stiffness` \[Pa/m\]. Nothing changes where the stiffness is given.
     fn chosen(values: &Values, stiffness: f64) -> Values;
 
     /// Normal and tangential stiffness \[Pa/m\] at a pressure \[Pa\].
@@ -101,7 +101,7 @@ pub trait Interface: Send + Sync + Sized + 'static {
     }
 
     /// The gap \[m\] and history of a pair that begins with a pressure and shear t \[Pa\]: updated at this gap and no slip it
-    /// answers with just these, as long as they are within its strength.
+    /// answers with just these, as long as they are within its strength. A tension beyond it is gone: the pair begins open.
     fn start(&self, pressure: f64, shear: [f64; 2]) -> (f64, Self::History<f64>);
 
     /// Pressure, shear t \[Pa\] and new history for a gap and slip \[m\].

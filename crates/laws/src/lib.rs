@@ -2,6 +2,7 @@
 
 pub mod band;
 pub mod interface;
+pub mod interface_path;
 pub mod interfaces;
 pub mod lane;
 pub mod material;

@@ -2,6 +2,10 @@
 
 use std::collections::BTreeMap;
 
+mod reading;
+
+pub(crate) use reading::Reading;
+
 /// Physical dimension as exponents of metre, kilogram, second and plane angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Dimension {
@@ -115,7 +119,7 @@ impl Values {
         match self.optional(name) {
             Some(x) if x.is_finite() => Ok(x),
             Some(_) => Err(BadParameter::new(name, "is not a finite number", "give a finite value")),
-            None => Err(BadParameter::new(name, "is missing", "give it in the material's table")),
+            None => Err(BadParameter::new(name, "is missing", "give it in the law's table")),
         }
     }
 

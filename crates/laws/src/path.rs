@@ -116,7 +116,7 @@ pub enum PathError {
         size: f64,
         limit: f64,
     },
-    /// No strain was found that gives the prescribed stresses; `miss` is what is left \[Pa\].
+    /// No strain or gap was found that gives what is prescribed; `miss` is what is left \[Pa\].
     NotConverged {
         row: usize,
         miss: f64,
@@ -127,7 +127,7 @@ impl std::fmt::Display for PathError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             PathError::UnknownLaw { name, known } => {
-                write!(f, "there is no material law '{name}'; known are {}", known.join(", "))
+                write!(f, "there is no law '{name}'; known are {}", known.join(", "))
             }
             PathError::Parameters(faults) => {
                 for (k, fault) in faults.iter().enumerate() {
@@ -157,8 +157,8 @@ impl std::fmt::Display for PathError {
             ),
             PathError::NotConverged { row, miss } => write!(
                 f,
-                "no strain gives the stress prescribed at row {row} ({miss:.3e} Pa are missing), in small steps \
-                 either: the material may not carry it; prescribe the strain there"
+                "nothing gives the stress prescribed at row {row} ({miss:.3e} Pa are missing), in small steps \
+                 either: the law may not carry it; prescribe the strain or gap there"
             ),
         }
     }
@@ -173,17 +173,7 @@ impl Path {
     }
 
     fn check(&self, limit: f64) -> Result<[f64; 6], PathError> {
-        if self.time.len() != self.values.len() {
-            return Err(PathError::Lengths { time: self.time.len(), values: self.values.len() });
-        }
-        for (row, (t, values)) in self.time.iter().zip(&self.values).enumerate() {
-            if !(t.is_finite() && values.iter().all(|x| x.is_finite())) {
-                return Err(PathError::NotFinite { row });
-            }
-            if row > 0 && *t < self.time[row - 1] {
-                return Err(PathError::Time { row });
-            }
-        }
+        check_rows(&self.time, &self.values)?;
         match self.size {
             None if limit.is_finite() => Err(PathError::SizeMissing),
             None => Ok([0.0; 6]),
@@ -191,6 +181,22 @@ impl Path {
             Some(size) => Err(PathError::Size { size, limit }),
         }
     }
+}
+
+/// As many times as rows, all finite, time not falling.
+pub(crate) fn check_rows<const N: usize>(time: &[f64], values: &[[f64; N]]) -> Result<(), PathError> {
+    if time.len() != values.len() {
+        return Err(PathError::Lengths { time: time.len(), values: values.len() });
+    }
+    for (row, (t, values)) in time.iter().zip(values).enumerate() {
+        if !(t.is_finite() && values.iter().all(|x| x.is_finite())) {
+            return Err(PathError::NotFinite { row });
+        }
+        if row > 0 && *t < time[row - 1] {
+            return Err(PathError::Time { row });
+        }
+    }
+    Ok(())
 }
 
 /// Follows a path with a law, from virgin material. The first row takes no time.

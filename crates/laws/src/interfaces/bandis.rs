@@ -14,88 +14,12 @@
 //!
 //! **Not modelled.** Dilation, asperities that wear, hysteresis of closure, rates, water.
 
-use super::joint::{self, Joint, Normal, Tangential, WIDTH};
+use super::hyperbola::Hyperbola;
+use super::joint::{self, Joint, Tangential, WIDTH};
+use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given};
 use crate::interface::Interface;
 use crate::lane::Lane;
-use crate::lane::elementary::ln;
-use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Value, Values};
-
-/// Bandis' hyperbola with a straight end.
-#[derive(Clone, Copy, Debug)]
-pub struct Hyperbola {
-    /// k_n0 \[Pa/m\]
-    stiffness: f64,
-    /// T \[m\]
-    closure: f64,
-    /// φ
-    floor: f64,
-}
-
-impl Hyperbola {
-    /// Pressure \[Pa\] from which on it is straight.
-    fn straight_from(&self) -> f64 {
-        self.stiffness * self.closure * (1.0 / self.floor - 1.0)
-    }
-}
-
-impl Normal for Hyperbola {
-    #[inline(always)]
-    fn pressure<L: Lane>(&self, gap: L) -> L {
-        let Hyperbola { stiffness, closure, floor } = *self;
-        let most = L::splat((floor - 1.0) * closure);
-        let curved = most.larger(gap);
-        let one = L::splat(1.0);
-        let p = -(L::splat(stiffness) * curved) / curved.mul_add(L::splat(1.0 / closure), one);
-        let beyond = (most - gap).larger(L::splat(0.0));
-        L::splat(stiffness / (floor * floor)).mul_add(beyond, p)
-    }
-
-    #[inline(always)]
-    fn stiffness<L: Lane>(&self, gap: L) -> L {
-        let Hyperbola { stiffness, closure, floor } = *self;
-        let open = gap.mul_add(L::splat(1.0 / closure), L::splat(1.0)).larger(L::splat(floor));
-        L::splat(stiffness) / (open * open)
-    }
-
-    #[inline(always)]
-    fn energy<L: Lane>(&self, gap: L) -> L {
-        let Hyperbola { stiffness, closure, floor } = *self;
-        let zero = L::splat(0.0);
-        let most = L::splat((floor - 1.0) * closure);
-        let x = most.larger(gap) * L::splat(1.0 / closure);
-        let beyond = (most - gap).larger(zero);
-        let straight =
-            L::splat(0.5 * stiffness / (floor * floor)).mul_add(beyond, L::splat(self.straight_from()));
-        straight.mul_add(beyond, L::splat(stiffness * closure * closure) * less_logarithm(x))
-    }
-
-    fn gap(&self, pressure: f64) -> f64 {
-        let Hyperbola { stiffness, closure, floor } = *self;
-        let beyond = pressure - self.straight_from();
-        if beyond > 0.0 {
-            (floor - 1.0) * closure - beyond * floor * floor / stiffness
-        } else {
-            -pressure / (stiffness + pressure / closure)
-        }
-    }
-}
-
-/// x − ln(1 + x), without the loss of digits near 0.
-#[inline(always)]
-fn less_logarithm<L: Lane>(x: L) -> L {
-    let direct = x - ln(x + L::splat(1.0));
-    // ln(1 + x) = 2 artanh y with y = x/(2 + x), and x − 2y = xy; |y| < 0.06 leaves 1e-17 after y¹³.
-    let y = x / (x + L::splat(2.0));
-    let s = y * y;
-    let mut sum = L::splat(2.0 / 13.0);
-    let mut k = 5;
-    while k > 0 {
-        sum = sum.mul_add(s, L::splat(2.0 / (2 * k + 1) as f64));
-        k -= 1;
-    }
-    let series = (y * s).neg_mul_add(sum, x * y);
-    L::select(x.abs().less(L::splat(0.1)), series, direct)
-}
+use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Reading, Values};
 
 /// The law for one interface; see the [module](self).
 #[derive(Clone, Copy, Debug)]
@@ -105,6 +29,8 @@ pub struct Bandis {
 
 /// Smallest part of the closure at which the curve goes straight, by default: p = 3 k_n0 T there.
 const FLOOR: f64 = 0.25;
+/// The least that may be asked for, p = 999 k_n0 T: an assumption, so that no digits are lost.
+const LEAST_FLOOR: f64 = 0.001;
 
 impl Interface for Bandis {
     const NAME: &'static str = "bandis";
@@ -160,58 +86,51 @@ impl Interface for Bandis {
     type History<L: Lane> = [L; WIDTH];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
-        let mut bad = Vec::new();
-        let mut take = |read: Result<f64, BadParameter>| read.map_err(|e| bad.push(e)).ok();
-        let stiffness = take(positive(values, "normal_stiffness", "20 GPa/m is usual for rock and lining"));
-        let closure = take(positive(values, "max_closure", "joints close by 0.1 mm to a few mm"));
-        let poisson = take(values.number_where(
-            "poisson",
-            |x| x > -1.0 && x <= 0.5,
-            "must lie between -1 and 0.5",
-            "0.25 is usual",
-        ));
-        let strengths = [COHESION.name, FRICTION.name].map(|name| take(not_negative(values, name)));
-        let floor = take(values.number_where(
+        let mut reading = Reading::new(values, Self::PARAMETERS);
+        let stiffness = positive(&mut reading, "normal_stiffness", "20 GPa/m is usual for rock and lining");
+        let closure = positive(&mut reading, "max_closure", "joints close by 0.1 mm to a few mm");
+        let poisson =
+            reading.number("poisson", |x| x > -1.0 && x <= 0.5, "between -1 and 0.5", "0.25 is usual");
+        let floor = reading.number(
             "closure_floor",
-            |x| x > 0.0 && x <= 1.0,
-            "must be above 0 and at most 1",
-            "0.25 is usual; 1 makes the joint linear",
-        ));
-        let bond = take(bond(values, strengths[0].unwrap_or(0.0)));
-        let limit = match values.optional("pressure_for_step") {
-            Some(_) => take(positive(values, "pressure_for_step", "the strength of the lining is usual")),
-            None => Some(f64::INFINITY),
+            |x| (LEAST_FLOOR..=1.0).contains(&x),
+            "from 0.001 to 1",
+            "0.25 is usual; 1 makes the closure linear",
+        );
+        let limit =
+            positive_if_given(&mut reading, "pressure_for_step", "the strength of the lining is usual");
+        let tangential = reading.word("tangential");
+        let strength = Strength::read(&mut reading);
+        let (Some(stiffness), Some(closure), Some(strength)) = (stiffness, closure, strength) else {
+            return Err(reading.faults);
         };
-        let (Some(stiffness), Some(closure), Some(poisson), Some(floor), Some(bond), Some(limit)) =
-            (stiffness, closure, poisson, floor, bond, limit)
-        else {
-            return Err(bad);
-        };
-        let [Some(cohesion), Some(friction)] = strengths else { return Err(bad) };
-        if bond >= stiffness * closure {
-            let name = if values.optional(TENSILE_STRENGTH.name).is_some() {
-                "tensile_strength"
-            } else {
-                "cohesion"
-            };
-            return Err(vec![BadParameter::new(
-                name,
+        if strength.bond >= stiffness * closure {
+            let given = values.optional(TENSILE_STRENGTH.name).is_some();
+            reading.fault(
+                if given { TENSILE_STRENGTH.name } else { COHESION.name },
                 format!(
-                    "gives a bond of {bond:.4e} Pa that the joint can never reach: its tension stays below \
+                    "gives a bond of {:.4e} Pa that the joint can never reach: its tension stays below \
                      normal_stiffness × max_closure, {:.4e} Pa",
+                    strength.bond,
                     stiffness * closure
                 ),
                 "give a smaller tensile_strength, or a larger normal_stiffness or max_closure",
-            )]);
+            );
         }
-        let share = 0.5 / (1.0 + poisson);
-        let tangential = match values.word("tangential") {
-            Some("constant") => Tangential::Constant(share * stiffness),
-            _ => Tangential::Following(share),
+        let (Some(poisson), Some(floor), Some(limit), Some(tangential), true) =
+            (poisson, floor, limit, tangential, reading.faults.is_empty())
+        else {
+            return Err(reading.faults);
         };
-        let floor = floor.max(1.0 / (1.0 + limit / (stiffness * closure)));
+        let share = 0.5 / (1.0 + poisson);
+        let tangential = if tangential == "constant" {
+            Tangential::Constant(share * stiffness)
+        } else {
+            Tangential::Following(share)
+        };
+        let floor = floor.max(limit.map_or(0.0, |limit| 1.0 / (1.0 + limit / (stiffness * closure))));
         let normal = Hyperbola { stiffness, closure, floor };
-        Ok(Bandis { joint: Joint { normal, tangential, friction, cohesion, bond } })
+        Ok(Bandis { joint: Joint { normal, tangential, strength } })
     }
 
     /// With p* the larger root k_n0 of k_n0 (1 + p*/(k_n0 T))² = `stiffness`; that has its least value 4p*/T at p*/T, so where
@@ -256,6 +175,10 @@ impl Interface for Bandis {
         Some(self.joint.normal.closure)
     }
 
+    fn warnings(&self) -> Vec<String> {
+        self.joint.strength.warnings()
+    }
+
     fn start(&self, pressure: f64, shear: [f64; 2]) -> (f64, [f64; WIDTH]) {
         self.joint.start(pressure, shear)
     }
@@ -268,40 +191,5 @@ impl Interface for Bandis {
     #[inline(always)]
     fn stored_energy<L: Lane>(&self, gap: L, shear: [L; 2], history: &[L; WIDTH]) -> L {
         self.joint.stored_energy(gap, shear, history)
-    }
-}
-
-pub(super) const COHESION: Parameter = Parameter {
-    name: "cohesion",
-    kind: Kind::Number(Dimension::PRESSURE),
-    need: Need::Number(0.0),
-    doc: "cohesion c of the bond; gone once it breaks",
-};
-pub(super) const TENSILE_STRENGTH: Parameter = Parameter {
-    name: "tensile_strength",
-    kind: Kind::Number(Dimension::PRESSURE),
-    need: Need::Optional("the cohesion"),
-    doc: "tension f_bond at which the bond breaks",
-};
-pub(super) const FRICTION: Parameter = Parameter {
-    name: "friction",
-    kind: Kind::Number(Dimension::NONE),
-    need: Need::Required,
-    doc: "coefficient of friction μ",
-};
-
-pub(super) fn positive(values: &Values, name: &'static str, usual: &str) -> Result<f64, BadParameter> {
-    values.number_where(name, |x| x > 0.0, "must be positive", usual)
-}
-
-pub(super) fn not_negative(values: &Values, name: &'static str) -> Result<f64, BadParameter> {
-    values.number_where(name, |x| x >= 0.0, "must not be negative", "give zero or more")
-}
-
-/// f_bond \[Pa\]: the tensile strength, by default the cohesion.
-pub(super) fn bond(values: &Values, cohesion: f64) -> Result<f64, BadParameter> {
-    match values.0.get(TENSILE_STRENGTH.name) {
-        Some(Value::Number(_)) => not_negative(values, TENSILE_STRENGTH.name),
-        _ => Ok(cohesion),
     }
 }

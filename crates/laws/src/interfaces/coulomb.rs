@@ -4,11 +4,11 @@
 //!
 //! **Not modelled.** Dilation, hardening, rates, water.
 
-use super::bandis::{COHESION, FRICTION, TENSILE_STRENGTH, bond, not_negative, positive};
 use super::joint::{self, Joint, Normal, Tangential, WIDTH};
+use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given};
 use crate::interface::Interface;
 use crate::lane::Lane;
-use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Reading, Values};
 
 /// p = −k_n g.
 #[derive(Clone, Copy, Debug)]
@@ -77,23 +77,16 @@ impl Interface for Coulomb {
     type History<L: Lane> = [L; WIDTH];
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
-        let mut bad = Vec::new();
-        let mut take = |read: Result<f64, BadParameter>| read.map_err(|e| bad.push(e)).ok();
-        let stiffness = take(positive(values, "normal_stiffness", "20 GPa/m is usual for rock and lining"));
-        let shear = match values.optional("shear_stiffness") {
-            Some(_) => take(positive(values, "shear_stiffness", "a half of the normal one is usual")),
-            None => stiffness.map(|k| SHARE * k),
+        let mut reading = Reading::new(values, Self::PARAMETERS);
+        let stiffness = positive(&mut reading, "normal_stiffness", "20 GPa/m is usual for rock and lining");
+        let shear = positive_if_given(&mut reading, "shear_stiffness", "a half of the normal one is usual");
+        let strength = Strength::read(&mut reading);
+        let (Some(stiffness), Some(shear), Some(strength)) = (stiffness, shear, strength) else {
+            return Err(reading.faults);
         };
-        let [cohesion, friction] =
-            [COHESION.name, FRICTION.name].map(|name| take(not_negative(values, name)));
-        let bond = take(bond(values, cohesion.unwrap_or(0.0)));
-        let (Some(stiffness), Some(shear), Some(cohesion), Some(friction), Some(bond)) =
-            (stiffness, shear, cohesion, friction, bond)
-        else {
-            return Err(bad);
-        };
+        let shear = shear.unwrap_or(SHARE * stiffness);
         let (normal, tangential) = (Linear { stiffness }, Tangential::Constant(shear));
-        Ok(Coulomb { joint: Joint { normal, tangential, friction, cohesion, bond } })
+        Ok(Coulomb { joint: Joint { normal, tangential, strength } })
     }
 
     fn chosen(values: &Values, stiffness: f64) -> Values {
@@ -109,6 +102,10 @@ impl Interface for Coulomb {
 
     fn stiffest(&self) -> [f64; 2] {
         self.joint.stiffness(0.0)
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.joint.strength.warnings()
     }
 
     fn start(&self, pressure: f64, shear: [f64; 2]) -> (f64, [f64; WIDTH]) {

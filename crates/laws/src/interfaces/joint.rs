@@ -5,13 +5,14 @@
 //! - otherwise, where |t| > μp_c + c, it slides: |t| = μp_c along t. A bond that breaks so at g > 0 leaves an open pair.
 //!
 //! From a break on c = f_bond = 0. An open pair carries nothing until g ≤ 0 again; then p is the normal law's and t begins
-//! anew.
+//! anew, with that step's −k_t Δs where k_t goes by the gap.
 //!
 //! **Books** per area, by the trapezoidal rule of the equations of motion: friction −½(t_old + t)·Δs_p with
 //! Δs_p = Δs + (t − t_old)/k_t; where a bond breaks, the step's work less the change of what is stored; where k_t goes by the
 //! gap, ½|t_old|²(1/k_t − 1/k_t,old) as created, negative where the spring stiffens. So along the tangents stored energy is
 //! work less friction plus created, exactly; along the normal the rule's own error is left.
 
+use super::strength::Strength;
 use crate::lane::Lane;
 use crate::parameter::Column;
 
@@ -23,7 +24,7 @@ pub trait Normal: Copy {
     fn stiffness<L: Lane>(&self, gap: L) -> L;
     /// ∫ −p dg from 0 \[J/m²\].
     fn energy<L: Lane>(&self, gap: L) -> L;
-    /// The gap at a pressure.
+    /// The gap at a pressure; infinite for a tension that is never reached.
     fn gap(&self, pressure: f64) -> f64;
 }
 
@@ -41,12 +42,7 @@ pub enum Tangential {
 pub struct Joint<N> {
     pub normal: N,
     pub tangential: Tangential,
-    /// μ
-    pub friction: f64,
-    /// c \[Pa\]
-    pub cohesion: f64,
-    /// f_bond \[Pa\]
-    pub bond: f64,
+    pub strength: Strength,
 }
 
 pub const STATE: usize = 0;
@@ -98,9 +94,14 @@ impl<N: Normal> Joint<N> {
 
     /// See [`crate::Interface::start`].
     pub fn start(&self, pressure: f64, shear: [f64; 2]) -> (f64, [f64; WIDTH]) {
-        let gap = self.normal.gap(pressure);
         let mut history = [0.0; WIDTH];
+        let gap = self.normal.gap(pressure.max(-self.strength.bond));
         history[GAP] = gap;
+        if -pressure > self.strength.bond {
+            // A hyperbola has no gap for every tension, and one of many closures for others.
+            (history[STATE], history[OPENED]) = (3.0, 1.0);
+            return (gap, history);
+        }
         for i in 0..2 {
             history[SHEAR + i] = shear[i];
             if let Tangential::Constant(stiffness) = self.tangential {
@@ -114,7 +115,7 @@ impl<N: Normal> Joint<N> {
     #[inline(always)]
     pub fn update<L: Lane>(&self, gap: L, slip: [L; 2], old: [L; WIDTH]) -> (L, [L; 2], [L; WIDTH]) {
         let (zero, half, one) = (L::splat(0.0), L::splat(0.5), L::splat(1.0));
-        let has_bond = zero.less(L::splat(self.cohesion.max(self.bond)));
+        let has_bond = zero.less(L::splat(self.strength.cohesion.max(self.strength.bond)));
         let bonded = L::both(old[STATE].less(half), has_bond);
         let was_open = L::splat(2.5).less(old[STATE]);
         let apart = zero.less(gap);
@@ -138,9 +139,9 @@ impl<N: Normal> Joint<N> {
         }
         let size = trial[0].mul_add(trial[0], trial[1] * trial[1]).sqrt();
 
-        let torn = L::both(bonded, L::both(apart, L::splat(self.bond).less(-p)));
-        let hold = L::splat(self.friction) * p.larger(zero);
-        let strength = hold + L::select(bonded, L::splat(self.cohesion), zero);
+        let torn = L::both(bonded, L::both(apart, L::splat(self.strength.bond).less(-p)));
+        let hold = L::splat(self.strength.friction) * p.larger(zero);
+        let strength = hold + L::select(bonded, L::splat(self.strength.cohesion), zero);
         let slides = L::both(L::not(torn), strength.less(size));
         let broken = L::either(L::not(bonded), L::either(torn, slides));
         let open = L::both(broken, apart);
@@ -158,6 +159,8 @@ impl<N: Normal> Joint<N> {
             let plastic = moved[i] + (shear[i] - before[i]) / stiffness;
             friction = (L::splat(-0.5) * (before[i] + shear[i])).mul_add(plastic, friction);
         }
+        // Where it holds there is nothing but round-off.
+        friction = L::select(L::either(slides, open), friction, zero);
         let square = before[0].mul_add(before[0], before[1] * before[1]);
         let created = match self.tangential {
             Tangential::Following(_) => half * square * (one / stiffness - one / old_stiffness),

@@ -3,7 +3,9 @@
 
 pub mod bandis;
 pub mod coulomb;
+pub mod hyperbola;
 pub mod joint;
+pub mod strength;
 
 pub use bandis::Bandis;
 pub use coulomb::Coulomb;

@@ -22,11 +22,11 @@
 //! (`tensile_strength` limits the mean), rate, pore pressure.
 
 use super::elastic::{POISSON, YOUNG};
-use super::plastic::parameters::{DILATION_ANGLE, Reading, number};
+use super::plastic::parameters::{DILATION_ANGLE, number};
 use super::plastic::{COLUMNS, Elasticity, SHEAR, STATE, TENSION, mean_and_radius, state, unyielding};
 use crate::lane::Lane;
 use crate::material::{Material, Moduli, Point, Sym, complementary_energy};
-use crate::parameter::{BadParameter, Column, Derived, Dimension, Kind, Need, Parameter, Values};
+use crate::parameter::{BadParameter, Column, Derived, Dimension, Kind, Need, Parameter, Reading, Values};
 
 /// The law for one rock; see the [module](self).
 #[derive(Clone, Copy, Debug)]

@@ -4,8 +4,8 @@ use super::HoekBrown;
 use super::envelope::Envelope;
 use crate::materials::elastic::{POISSON, YOUNG};
 use crate::materials::plastic::Elasticity;
-use crate::materials::plastic::parameters::{ANGLES, Reading, is_angle, number, slope};
-use crate::parameter::{BadParameter, Dimension, Need, Parameter, Values};
+use crate::materials::plastic::parameters::{ANGLES, is_angle, number, slope};
+use crate::parameter::{BadParameter, Dimension, Need, Parameter, Reading, Values};
 
 pub(super) const PARAMETERS: &[Parameter] = &[
     YOUNG,

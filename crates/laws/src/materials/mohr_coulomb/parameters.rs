@@ -5,9 +5,9 @@ use super::{MohrCoulomb, Strength};
 use crate::materials::elastic::{POISSON, YOUNG};
 use crate::materials::plastic::Elasticity;
 use crate::materials::plastic::parameters::{
-    COHESION, DILATION_ANGLE, FRICTION_ANGLE, LARGEST_ANGLE, Reading, number, slope,
+    COHESION, DILATION_ANGLE, FRICTION_ANGLE, LARGEST_ANGLE, number, slope,
 };
-use crate::parameter::{BadParameter, Dimension, Kind, Need, Parameter, Values};
+use crate::parameter::{BadParameter, Dimension, Kind, Need, Parameter, Reading, Values};
 
 const SOFTENING: &str = "softening";
 

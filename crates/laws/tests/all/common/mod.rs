@@ -35,5 +35,6 @@ impl Random {
 }
 
 pub mod concrete;
+pub mod pair;
 pub mod rock;
 pub mod samples;

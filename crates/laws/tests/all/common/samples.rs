@@ -74,6 +74,20 @@ macro_rules! concrete {
 const CONE: &[(&str, f64)] =
     rock!(cohesion 2.18e6, friction_angle deg(42.0), dilation_angle deg(42.0), tensile_strength 1e6);
 
+/// Numbers on top of the closure of a joint of rock and lining.
+macro_rules! joint {
+    ($($key:ident $value:expr),* $(,)?) => {
+        &[("normal_stiffness", 20e9), ("max_closure", 0.5e-3), ("friction", 0.7), $((stringify!($key), $value)),*]
+    };
+}
+
+/// Numbers on top of the stiffness of a joint without a closure.
+macro_rules! linear_joint {
+    ($($key:ident $value:expr),* $(,)?) => {
+        &[("normal_stiffness", 20e9), ("friction", 0.7), $((stringify!($key), $value)),*]
+    };
+}
+
 const SAMPLES: &[Sample] = &[
     sample("elastic", "", rock!(), &[]),
     sample("concrete-damage", "effective", concrete!(), &[("split", "effective"), ("rate", "none")]),
@@ -132,4 +146,23 @@ const SAMPLES: &[Sample] = &[
         &[],
     ),
     sample("hoek-brown", "poor, dilates", rock!(ucs 60e6, gsi 12.0, m_i 12.0, dilation_angle 0.6), &[]),
+    sample("bandis", "following, bonded", joint!(cohesion 1e6), &[]),
+    sample("bandis", "following, without bond", joint!(), &[]),
+    sample(
+        "bandis",
+        "following, straight early, weak in tension",
+        joint!(cohesion 1.5e6, tensile_strength 0.4e6, pressure_for_step 4e6, poisson 0.1),
+        &[],
+    ),
+    sample(
+        "bandis",
+        "constant, bonded",
+        joint!(cohesion 1e6, tensile_strength 2e6),
+        &[("tangential", "constant")],
+    ),
+    sample("bandis", "constant, without bond", joint!(closure_floor 0.5), &[("tangential", "constant")]),
+    sample("bandis", "straight", joint!(cohesion 0.5e6, closure_floor 1.0), &[]),
+    sample("coulomb", "bonded", linear_joint!(cohesion 1e6), &[]),
+    sample("coulomb", "without bond", linear_joint!(shear_stiffness 15e9), &[]),
+    sample("coulomb", "tension alone", linear_joint!(tensile_strength 1e6), &[]),
 ];

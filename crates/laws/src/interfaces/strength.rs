@@ -1,0 +1,80 @@
+//! The strength of a joint: its parameters, and what is unusual about them.
+
+use crate::parameter::{Dimension, Kind, Need, Parameter, Reading};
+
+pub(super) const COHESION: Parameter = Parameter {
+    name: "cohesion",
+    kind: Kind::Number(Dimension::PRESSURE),
+    need: Need::Number(0.0),
+    doc: "cohesion c of the bond; gone once it breaks",
+};
+pub(super) const TENSILE_STRENGTH: Parameter = Parameter {
+    name: "tensile_strength",
+    kind: Kind::Number(Dimension::PRESSURE),
+    need: Need::Optional("the cohesion"),
+    doc: "tension f_bond at which the bond breaks",
+};
+pub(super) const FRICTION: Parameter = Parameter {
+    name: "friction",
+    kind: Kind::Number(Dimension::NONE),
+    need: Need::Required,
+    doc: "coefficient of friction μ",
+};
+
+/// A number above zero.
+pub(super) fn positive(reading: &mut Reading, name: &'static str, usual: &str) -> Option<f64> {
+    reading.number(name, |x| x > 0.0, "positive", usual)
+}
+
+/// A number above zero that may be left out; see [`Reading::optional`].
+pub(super) fn positive_if_given(
+    reading: &mut Reading,
+    name: &'static str,
+    usual: &str,
+) -> Option<Option<f64>> {
+    reading.optional(name, |x| x > 0.0, "positive", usual)
+}
+
+/// What a joint carries before it breaks or slides.
+#[derive(Clone, Copy, Debug)]
+pub struct Strength {
+    /// μ
+    pub friction: f64,
+    /// c \[Pa\]
+    pub cohesion: f64,
+    /// f_bond \[Pa\]
+    pub bond: f64,
+}
+
+/// Coefficient of friction from which on one is warned, 63°: an assumption. Most who exceed it gave an angle.
+const STEEP: f64 = 2.0;
+
+impl Strength {
+    /// From a law's parameters, [`COHESION`], [`TENSILE_STRENGTH`] and [`FRICTION`] among them.
+    pub(super) fn read(reading: &mut Reading) -> Option<Self> {
+        let mut take = |name| reading.number(name, |x| x >= 0.0, "zero or positive", "give zero or more");
+        let (cohesion, friction) = (take(COHESION.name), take(FRICTION.name));
+        let bond =
+            reading.optional(TENSILE_STRENGTH.name, |x| x >= 0.0, "zero or positive", "give zero or more");
+        let (cohesion, bond) = (cohesion?, bond?);
+        Some(Strength { friction: friction?, cohesion, bond: bond.unwrap_or(cohesion) })
+    }
+
+    /// See [`crate::Interface::warnings`].
+    pub(super) fn warnings(&self) -> Vec<String> {
+        let mut found = Vec::new();
+        let Strength { friction, cohesion, bond } = *self;
+        if friction > STEEP {
+            let angle = friction.atan().to_degrees();
+            found.push(format!(
+                "friction = {friction} is an angle of {angle:.0}°; it is the coefficient tan φ"
+            ));
+        }
+        if bond > 0.0 && cohesion == 0.0 {
+            found.push(format!(
+                "the bond holds a tension of {bond:.3e} Pa but no shear beyond friction: the first slip breaks it"
+            ));
+        }
+        found
+    }
+}
