@@ -191,6 +191,11 @@ fn faces_hang_together_through_others_up_to_60_degrees() {
     // A corner proper.
     assert_eq!(at_middle(50.0, 30.0, 45.0), [vec![0], vec![1, 2]]);
 
+    // 39° apart, but without the face between them they meet at a node only.
+    let (mesh, faces) = fan(30.0, 25.0);
+    let outer = pairs(&mesh, &[faces[0], faces[2]], CORNER);
+    assert_eq!(outer.iter().filter(|p| p.nodes == [0, 5]).count(), 2);
+
     let (mesh, faces) = fan(45.0, 30.0);
     let pairs = pairs(&mesh, &faces, 1.0);
     let thirds: f64 = pairs.iter().map(|p| p.area).sum();

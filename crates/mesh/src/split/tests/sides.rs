@@ -1,6 +1,7 @@
 //! Periodic partners on a split mesh.
 
 use super::*;
+use crate::cavern::CavernSpec;
 use crate::topology::{Unmatched, match_faces, plane_faces};
 
 fn nodes_of(mesh: &Mesh, faces: &[Face]) -> Vec<u32> {
@@ -95,4 +96,34 @@ fn an_interface_that_reaches_one_side_only_is_refused() {
     let planes = plane_faces(&mesh, 1e-9);
     let error = match_split(&mesh, &split.origin, &planes["ymin"], &[], 1, 1e-6).expect_err("no other side");
     assert!(matches!(error, UnmatchedSplit::Sides(Unmatched::Apart { .. })), "{error}");
+}
+
+/// Walls without a floor end at the opening, whose elements are not there.
+#[test]
+fn generated_linings_are_parted_at_their_extrados_and_tied() {
+    let before = CavernSpec::yingxiuwan().mesh().expect("a preset");
+    let excavated = ["powerhouse.excavation", "transformer.excavation"].map(|name| &before.groups[name]);
+    let linings =
+        ["powerhouse.lining", "transformer.lining"].map(|name| before.groups[name].clone()).concat();
+    let mut there = all(&before);
+    for &e in excavated.into_iter().flatten() {
+        there[e as usize] = false;
+    }
+    let (mesh, split) = checked(&before, &[cut("lining", &linings, &before.groups["rock"])], &there);
+    let own: Vec<Face> = split.faces[0].iter().map(|pair| pair[0]).collect();
+    let mut extrados =
+        ["powerhouse.extrados", "transformer.extrados"].map(|n| before.faces[n].clone()).concat();
+    extrados.sort_unstable();
+    assert_eq!((own, &split.ends), (extrados, &vec![vec![]]));
+
+    let solid = |name: &str| -> Vec<Face> {
+        before.faces[name].iter().copied().filter(|f| there[f.element as usize]).collect()
+    };
+    let (low, high) = (solid("ymin"), solid("ymax"));
+    let ties = match_split(&mesh, &split.origin, &low, &high, 1, 1e-6).expect("they match");
+    assert_eq!(ties.len(), nodes_of(&mesh, &low).len());
+    // Copies are tied to copies: the lining is the first side, the rock keeps the nodes of the file.
+    assert!(
+        ties.iter().all(|&(a, b)| (a as usize >= before.nodes.len()) == (b as usize >= before.nodes.len()))
+    );
 }
