@@ -25,6 +25,8 @@ pub trait AnyMaterial: Send + Sync {
     fn crack_energy(&self, extent: f64) -> Option<f64>;
     /// See [`Material::derived`]; of a law with damping over a band also its relaxed modulus.
     fn derived(&self, extents: [f64; 2]) -> Vec<Derived>;
+    /// See [`Material::compressive_strength`].
+    fn compressive_strength(&self) -> Option<f64>;
     /// The Maxwell bodies beside the law, if there are any.
     fn band(&self) -> Option<Band>;
     /// See [`Material::warnings`].
@@ -83,6 +85,10 @@ impl<M: Material> AnyMaterial for Instance<M> {
         let mut all: Vec<Derived> = self.band.iter().map(|_| relaxed()).collect();
         all.extend(self.law.derived(extents));
         all
+    }
+
+    fn compressive_strength(&self) -> Option<f64> {
+        self.law.compressive_strength()
     }
 
     fn band(&self) -> Option<Band> {

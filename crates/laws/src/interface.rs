@@ -38,6 +38,10 @@ impl PairState {
     }
 }
 
+/// Key of the pressure \[Pa\] from which on a law goes straight so that no state is stiffer than the step counts. A model knows
+/// a better default for it than a law.
+pub const PRESSURE_FOR_STEP: &str = "pressure_for_step";
+
 /// An interface law, per area of the interface.
 ///
 /// The relative displacement d of the second side against the first has the gap g = d·m \[m\] (positive when open; m points

@@ -232,6 +232,11 @@ pub trait Material: Send + Sync + Sized + 'static {
         None
     }
 
+    /// Uniaxial compressive strength \[Pa\] at static rates, of a law that has one.
+    fn compressive_strength(&self) -> Option<f64> {
+        None
+    }
+
     /// The constants that the law works with beside its parameters, for people to check; `extents` \[m\] are the
     /// shortest and the longest of the elements.
     fn derived(&self, _extents: [f64; 2]) -> Vec<Derived> {

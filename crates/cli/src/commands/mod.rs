@@ -14,15 +14,15 @@ pub mod verify;
 
 use crate::exit::Failure;
 use std::path::Path;
-use tremolite::setup::{Setup, changed, original_folder, setup};
+use tremolite::setup::{Laws, Setup, changed, original_folder, setup};
 use tremolite::survey::Survey;
-use tremolite::{Law, Model, StableStep, laws};
+use tremolite::{Model, StableStep, laws};
 use tremolite_case::{Case, Fill, Problem, units};
 use tremolite_laws::{Dimension, Isa, LawInfo};
 
 /// Reads a case and builds what it asks for; warnings go to the terminal.
 pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
-    let laws: Vec<Law> = laws();
+    let laws = Laws::default();
     let original = original_folder(path);
     let directory = original.as_deref().or(path.parent()).unwrap_or(Path::new(""));
     let case = Case::read_in(path, directory, &infos()).map_err(|r| Failure::case(&r))?;

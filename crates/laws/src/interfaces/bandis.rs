@@ -17,7 +17,7 @@
 use super::hyperbola::Hyperbola;
 use super::joint::{self, Joint, Tangential, WIDTH};
 use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given};
-use crate::interface::Interface;
+use crate::interface::{Interface, PRESSURE_FOR_STEP};
 use crate::lane::Lane;
 use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Reading, Values};
 
@@ -71,7 +71,7 @@ impl Interface for Bandis {
             doc: "share 1 + g/T of the closure that is left where the curve goes straight, at p = k_n0 T (1/φ − 1)",
         },
         Parameter {
-            name: "pressure_for_step",
+            name: PRESSURE_FOR_STEP,
             kind: Kind::Number(Dimension::PRESSURE),
             need: Need::Optional("the closure's floor alone makes it straight"),
             doc: "pressure p* from which on the curve goes straight, so that no state is stiffer than the time step counts",
@@ -97,8 +97,7 @@ impl Interface for Bandis {
             "from 0.001 to 1",
             "0.25 is usual; 1 makes the closure linear",
         );
-        let limit =
-            positive_if_given(&mut reading, "pressure_for_step", "the strength of the lining is usual");
+        let limit = positive_if_given(&mut reading, PRESSURE_FOR_STEP, "the strength of the lining is usual");
         let tangential = reading.word("tangential");
         let strength = Strength::read(&mut reading);
         let (Some(stiffness), Some(closure), Some(strength)) = (stiffness, closure, strength) else {
@@ -142,12 +141,12 @@ impl Interface for Bandis {
         let closure = values.optional("max_closure").unwrap_or(f64::NAN);
         let floor = values.optional("closure_floor").unwrap_or(FLOOR);
         let by_floor = stiffness * floor * floor;
-        let Some(limit) = values.optional("pressure_for_step") else {
+        let Some(limit) = values.optional(PRESSURE_FOR_STEP) else {
             return values.clone().with("normal_stiffness", by_floor);
         };
         let least = limit / closure;
         if stiffness < 4.0 * least {
-            let values = values.clone().with("pressure_for_step", 0.25 * stiffness * closure);
+            let values = values.clone().with(PRESSURE_FOR_STEP, 0.25 * stiffness * closure);
             return values.with("normal_stiffness", by_floor.max(0.25 * stiffness));
         }
         let root = 0.5 * ((stiffness - 2.0 * least) + (stiffness * (stiffness - 4.0 * least)).sqrt());

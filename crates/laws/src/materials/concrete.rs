@@ -230,6 +230,10 @@ impl Material for Concrete {
         }
     }
 
+    fn compressive_strength(&self) -> Option<f64> {
+        Some(self.fc)
+    }
+
     fn crack_energy(&self, extent: f64) -> Option<f64> {
         Some(self.fracture_energy(extent))
     }

@@ -1,6 +1,7 @@
 //! From a checked case to a problem and a plan: reads the mesh and the records, and says all that does not fit.
 
 mod inputs;
+mod interfaces;
 mod materials;
 mod mesh;
 mod monitors;
@@ -16,8 +17,8 @@ use crate::quantities::Field;
 use indexmap::IndexMap;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
-use tremolite_engine::{Base, Body, Incident, Problem, Rayleigh, Side, TimeStep, column};
-use tremolite_kernels::Law;
+use tremolite_engine::{Base, Body, Incident, Interface, Problem, Rayleigh, Side, TimeStep, column};
+use tremolite_kernels::{InterfaceLaw, Law, interface_laws, laws};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
 use tremolite_results::{Input, MaterialFacts};
@@ -66,11 +67,24 @@ pub fn bodies_of(case: &Case, mesh: &tremolite_mesh::Mesh, laws: &[Law]) -> Resu
     if problems.is_empty() { Ok(bodies) } else { Err(case.report(problems)) }
 }
 
-/// Builds the problem and the plan of a case, and lists its materials. `laws` are those the case may name.
+/// The laws that a case may name: by default those of the house.
+#[derive(Clone)]
+pub struct Laws {
+    pub materials: Vec<Law>,
+    pub interfaces: Vec<InterfaceLaw>,
+}
+
+impl Default for Laws {
+    fn default() -> Self {
+        Laws { materials: laws(), interfaces: interface_laws() }
+    }
+}
+
+/// Builds the problem and the plan of a case, and lists its materials.
 ///
 /// # Errors
 /// All problems found in the mesh, the records and what refers to them, at their places in the case.
-pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
+pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problems = Vec::new();
     let motion = motion::build(case, &mut problems);
     let mesh = mesh::build(&case.mesh, case.directory(), &mut problems);
@@ -79,9 +93,12 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
     let Some((mesh, mut warnings)) = mesh else { return Err(case.report(problems)) };
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
-    let bodies = regions::build(case, &mesh, laws, band, &mut problems);
+    let bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
     let monitors = monitors::build(case, &mesh, &bodies, &mut problems);
-    let (base, base_without_springs) = springs_or_none(case, &mesh, &bodies, base, &mut problems);
+    let interfaces = interfaces::build(case, &mesh, &bodies, &laws.interfaces, &mut problems);
+    let pairs = interfaces::monitors(case, &mesh, &mut problems);
+    let (base, base_without_springs) =
+        springs_or_none(case, &mesh, &bodies, &interfaces, base, &mut problems);
     let (Some((motion, facts)), true) = (motion, problems.is_empty()) else {
         return Err(case.report(problems));
     };
@@ -90,7 +107,7 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
     warnings.extend(warnings::of_sides(case, &motion));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &bodies));
     warnings.extend(warnings::of_motion(case, &motion, reference));
-    let materials = materials::facts(case, &mesh, laws, &bodies, reference);
+    let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
     let duration = dynamic.duration.as_ref().map_or(motion.duration(), |d| d.value);
     let histories = &case.output.histories;
@@ -102,6 +119,7 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
         )]));
     }
     let mut problem = Problem::new(mesh, bodies);
+    problem.interfaces = interfaces;
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| side(s.value));
     problem.incident = Some(Incident { motion, factor: facts.factor });
@@ -119,7 +137,7 @@ pub fn setup(case: &Case, laws: &[Law], isa: Isa) -> Result<Setup, Report> {
         fields,
         checkpoint: output.checkpoint.as_ref().map(|c| c.value),
         monitors,
-        pairs: Vec::new(),
+        pairs,
         relatives: case.relatives.iter().map(|r| r.between).collect(),
     };
     let inputs = inputs::inputs(case);
@@ -190,6 +208,7 @@ fn springs_or_none(
     case: &Case,
     mesh: &tremolite_mesh::Mesh,
     bodies: &[Body],
+    interfaces: &[Interface],
     base: Base,
     problems: &mut Vec<case::Problem>,
 ) -> (Base, Option<String>) {
@@ -201,7 +220,7 @@ fn springs_or_none(
     for (b, body) in bodies.iter().enumerate() {
         body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
     }
-    let Err(reason) = column::ground(mesh, bodies, &body_of, &[]) else { return (base, None) };
+    let Err(reason) = column::ground(mesh, bodies, &body_of, interfaces) else { return (base, None) };
     if case.defaulted.iter().any(|d| d.key == "dynamic.base") {
         return (Base::Viscous, Some(reason));
     }

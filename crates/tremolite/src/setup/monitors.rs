@@ -15,30 +15,39 @@ fn short(x: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// All monitors that could be placed; the others are among the problems.
+/// A point that the mesh has a name for.
+pub fn named(
+    mesh: &Mesh,
+    name: &str,
+    span: &std::ops::Range<usize>,
+    problems: &mut Vec<Problem>,
+) -> Option<[f64; 3]> {
+    if let Some(point) = mesh.points.get(name) {
+        return Some(*point);
+    }
+    let known: Vec<&str> = mesh.points.keys().map(String::as_str).collect();
+    let remedy = if known.is_empty() {
+        "the mesh has no named points: give coordinates, at = [\"x\", \"y\", \"z\"]".to_owned()
+    } else {
+        format!("the mesh has the points {}", known.join(", "))
+    };
+    problems.push(Problem::new(span.clone(), format!("there is no point '{name}' in the mesh"), remedy));
+    None
+}
+
+/// All monitors in elements that could be placed; the others are among the problems.
 pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Problem>) -> Vec<Monitor> {
     let mut solid: Vec<u32> = bodies.iter().flat_map(|b| b.elements.iter().copied()).collect();
     solid.sort_unstable();
     let mut monitors = Vec::new();
     // Monitors mostly share their bodies: one locator for each set of groups.
     let mut locators: Vec<(Vec<&str>, Locator)> = Vec::new();
-    for monitor in &case.monitors {
+    for monitor in case.monitors.iter().filter(|monitor| monitor.interface.is_none()) {
         let point = match &monitor.at.value {
             Place::Point(point) => *point,
-            Place::Named(name) => match mesh.points.get(name) {
-                Some(point) => *point,
-                None => {
-                    let known: Vec<&str> = mesh.points.keys().map(String::as_str).collect();
-                    let remedy = if known.is_empty() {
-                        "the mesh has no named points: give coordinates, at = [\"x\", \"y\", \"z\"]"
-                            .to_owned()
-                    } else {
-                        format!("the mesh has the points {}", known.join(", "))
-                    };
-                    let message = format!("there is no point '{name}' in the mesh");
-                    problems.push(Problem::at(&monitor.at, message, remedy));
-                    continue;
-                }
+            Place::Named(name) => match named(mesh, name, &monitor.at.span, problems) {
+                Some(point) => point,
+                None => continue,
             },
         };
         let groups: Vec<&str> =

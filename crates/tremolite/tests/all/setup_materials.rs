@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use tremolite::laws;
-use tremolite::setup::setup;
+use tremolite::setup::{Laws, setup};
 use tremolite_case::Case;
 use tremolite_laws::{Isa, LawInfo};
 
@@ -50,14 +50,14 @@ fn elements_too_large_for_the_fracture_energy_are_refused_by_number_group_extent
     let folder = tempfile::tempdir().unwrap();
     // 2 G_f E/f_t² = 4.51 m.
     let case = case(folder.path(), "130 N/m", "1.2 MPa", "damage");
-    let refused = setup(&case, &laws(), Isa::best()).err().unwrap().to_string();
+    let refused = setup(&case, &Laws::default(), Isa::best()).err().unwrap().to_string();
     for words in ["of 'rock'", "extends over 6.00 m", "2 others", "below 4.51 m", "raise the fracture energy"]
     {
         assert!(refused.contains(words), "{words}: {refused}");
     }
     // 6.94 m.
     let case = self::case(folder.path(), "200 N/m", "1.2 MPa", "damage");
-    let made = setup(&case, &laws(), Isa::best()).unwrap_or_else(|e| panic!("{e}"));
+    let made = setup(&case, &Laws::default(), Isa::best()).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(made.warnings, []);
 }
 
@@ -65,7 +65,7 @@ fn elements_too_large_for_the_fracture_energy_are_refused_by_number_group_extent
 fn what_a_law_finds_unusual_and_a_field_that_none_can_fill_are_warned_of_once() {
     let folder = tempfile::tempdir().unwrap();
     let case = case(folder.path(), "9000 N/m", "2 MPa", "plastic");
-    let made = setup(&case, &laws(), Isa::best()).unwrap_or_else(|e| panic!("{e}"));
+    let made = setup(&case, &Laws::default(), Isa::best()).unwrap_or_else(|e| panic!("{e}"));
     let warnings = case.report(made.warnings.clone()).to_string();
     assert_eq!(made.warnings.len(), 2, "{warnings}");
     assert!(warnings.contains("counts as shear failure"), "{warnings}");
