@@ -76,12 +76,15 @@ impl<I: Interface> AnyInterface for Instance<I> {
     }
 }
 
+/// A checked interface law, or every value that it refuses.
+pub type BuiltInterface = Result<Arc<dyn AnyInterface>, Vec<BadParameter>>;
+
 /// One entry of the registry of interface laws.
 #[derive(Clone, Copy)]
 pub struct InterfaceLaw {
     pub info: LawInfo,
     /// A checked instance from values in SI.
-    pub build: fn(&Values) -> Result<Arc<dyn AnyInterface>, Vec<BadParameter>>,
+    pub build: fn(&Values) -> BuiltInterface,
 }
 
 impl InterfaceLaw {

@@ -130,6 +130,12 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
 
 /// What sets the step, in words.
 pub fn limit_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> String {
+    let safety = model.time_step.safety;
+    if let Some(contact) = stable.contact.filter(|contact| contact.dt < safety * stable.dt) {
+        let seam = &model.seams[contact.interface];
+        let name = seam.pair_name(&model.mesh, contact.pair);
+        return format!("{name}, whose impacts may gain energy beyond ω_c Δt = {}", seam.limit);
+    }
     match &stable.limit {
         Limit::Element(e) if (*e as usize) < model.user_elements => {
             let [x, y, z] = centroid(&model.mesh, *e);

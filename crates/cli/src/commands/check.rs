@@ -11,6 +11,7 @@ use crate::terminal::print;
 use indexmap::IndexMap;
 use std::path::PathBuf;
 use tremolite::disk::{Disk, disk};
+use tremolite::interfaces::interfaces;
 use tremolite::plan::Steps;
 use tremolite::run::{choose_step, time_step_cost};
 use tremolite::setup::MotionFacts;
@@ -18,7 +19,7 @@ use tremolite::survey::{Survey, limit_in_words, survey};
 use tremolite::{Assembly, Model, Phase, Stage, stable_step};
 use tremolite_case::{Case, Problem};
 use tremolite_laws::Isa;
-use tremolite_results::{Defaulted, MaterialFacts};
+use tremolite_results::{Defaulted, InterfaceSummary, MaterialFacts};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -48,6 +49,7 @@ struct Checked<'a> {
     motion: &'a MotionFacts,
     /// The element with fewest elements a wavelength around it.
     coarsest: String,
+    interfaces: IndexMap<String, InterfaceSummary>,
     /// Stable step \[s\], what sets it, and the step used \[s\].
     stable: f64,
     set_by: String,
@@ -95,6 +97,7 @@ pub fn run(args: &Args) -> Outcome {
         let (dt, steps) = choose_step(&model, &plan, &stable);
         let left_out = defaulted(&Known {
             case: &case,
+            model: &model,
             assembly: &assembly,
             plan: &plan,
             motion: &motion,
@@ -110,6 +113,7 @@ pub fn run(args: &Args) -> Outcome {
             motion: &motion,
             coarsest: survey.coarsest().map_or(String::new(), |b| model.element_name(b.coarsest as usize)),
             survey,
+            interfaces: interfaces(&model, &assembly, &assembly.rest().history),
             stable: stable.dt,
             set_by: limit_in_words(&model, &assembly, &stable),
             dt,

@@ -1,16 +1,17 @@
 //! What a case left out, with the values that the run used in its place.
 
 use indexmap::IndexMap;
-use tremolite::Assembly;
 use tremolite::plan::Plan;
 use tremolite::setup::MotionFacts;
+use tremolite::{Assembly, Model};
 use tremolite_case::{Case, Mesh, units};
-use tremolite_laws::Dimension;
+use tremolite_laws::{Dimension, Kind};
 use tremolite_results::{Defaulted, MaterialFacts, MaterialValue};
 
 /// What the values of left-out keys follow from.
 pub struct Known<'a> {
     pub case: &'a Case,
+    pub model: &'a Model,
     pub assembly: &'a Assembly,
     pub plan: &'a Plan,
     pub motion: &'a MotionFacts,
@@ -58,6 +59,15 @@ fn used(known: &Known, key: &str) -> Option<String> {
             Mesh::Caverns(caverns) => Some(units::format(caverns.near.value, Dimension::LENGTH)),
             _ => None,
         },
+        _ if key.starts_with("interface[") => {
+            let (name, parameter) = key.strip_prefix("interface[")?.split_once("].")?;
+            let at = known.model.seams.iter().position(|seam| seam.name == name)?;
+            let law = &known.assembly.contacts[at].law;
+            let x = law.values().optional(parameter)?;
+            let dimension = law.info().parameters.iter().find(|p| p.name == parameter).map(|p| p.kind);
+            let Some(Kind::Number(dimension)) = dimension else { return None };
+            Some(units::format(format!("{x:.3e}").parse().unwrap_or(x), dimension))
+        }
         _ => {
             let (name, parameter) = key.strip_prefix("material.")?.rsplit_once('.')?;
             let values = &known.materials.get(name)?.values;

@@ -158,6 +158,7 @@ pub fn run(args: &Args) -> Outcome {
         let (earlier, resumed) = before.map_or((0.0, 0), |s| (s.wall_seconds, s.run.resumed + 1));
         let defaulted = defaulted(&Known {
             case: &case,
+            model: &model,
             assembly: &assembly,
             plan: &plan,
             motion: &motion,

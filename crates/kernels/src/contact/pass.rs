@@ -95,10 +95,9 @@ unsafe fn pairs<L: Lane, I: Interface>(pass: Pass<I>) -> f64 {
             }
             work.store(&mut extra[WORK], at);
             let slip = now[1].mul_add(now[1], now[2] * now[2]).sqrt();
-            let mut k = 0;
-            for value in [now[0], slip, pressure] {
-                value.larger(L::load(&extra[LARGEST + k], at)).store(&mut extra[LARGEST + k], at);
-                k += 1;
+            let largest = &mut extra[LARGEST..];
+            for (value, most) in [now[0], slip, pressure].iter().zip(largest) {
+                value.larger(L::load(most, at)).store(most, at);
             }
 
             let total = pressure + pushed;

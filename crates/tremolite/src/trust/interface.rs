@@ -70,8 +70,7 @@ fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<TrustLine> {
     let edges = shortest_edges(&model.mesh, seam);
     for (k, edge) in edges.iter().enumerate() {
         let share = contacts.seen(assembly, history, k).largest_slip / edge;
-        // Not `<=`: one that is not a number is the worst.
-        if !(share <= worst.0) {
+        if share > worst.0 || share.is_nan() {
             worst = (share, k);
         }
     }

@@ -27,6 +27,7 @@ impl Checked<'_> {
             "groups": groups,
             "regions": regions.collect::<Vec<_>>(),
             "materials": self.materials,
+            "interfaces": self.interfaces,
             "motion": {
                 "source": motion.source,
                 "window": motion.window,

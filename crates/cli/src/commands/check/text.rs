@@ -3,7 +3,14 @@
 use super::Checked;
 use crate::commands::defaulted::text;
 use crate::terminal::{bytes, duration, print};
+use tremolite_case::units;
+use tremolite_laws::Dimension;
 use tremolite_results::Origin;
+
+/// Four digits: more would say more than is known.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
+}
 
 impl Checked<'_> {
     pub(super) fn print(&self) {
@@ -17,6 +24,7 @@ impl Checked<'_> {
             print(&format!("           {name:28} {elements:>8}"));
         }
         self.print_materials();
+        self.print_interfaces();
         print("\nMotion");
         print(&format!("           {}", motion.source));
         let [from, to] = motion.window;
@@ -68,6 +76,36 @@ impl Checked<'_> {
             bytes(disk.histories),
             bytes(disk.checkpoint)
         ));
+    }
+
+    fn print_interfaces(&self) {
+        if self.interfaces.is_empty() {
+            return;
+        }
+        print("\nInterfaces");
+        let stiffness = |k: f64| units::format(rounded(k), Dimension::STIFFNESS);
+        let pressure = |p: f64| units::format(rounded(p), Dimension::PRESSURE);
+        for (name, interface) in &self.interfaces {
+            let ends = match interface.ends {
+                0 => "no ends inside the model".to_owned(),
+                n => format!("ends inside the model at {n} nodes, closed there"),
+            };
+            print(&format!(
+                "           {name}: {}, {} pairs over {:.1} m2, {ends}",
+                interface.law, interface.pairs, interface.area
+            ));
+            let chosen = if interface.chosen { ", chosen so that the elements set the step" } else { "" };
+            let straight = if interface.straight_from.is_nan() {
+                String::new()
+            } else {
+                format!(", straight from {}", pressure(interface.straight_from))
+            };
+            print(&format!(
+                "             normal stiffness {}{chosen}; closes by {:.3} mm at 1 MPa{straight}",
+                stiffness(interface.normal_stiffness),
+                1e3 * interface.closure_at_1_mpa
+            ));
+        }
     }
 
     fn print_materials(&self) {
