@@ -7,7 +7,7 @@ use crate::observers::Extremes;
 use crate::plan::{PairMonitor, Plan};
 use crate::run::{Ending, Outcome};
 use crate::stress::stresses;
-use crate::survey::limit_in_words;
+use crate::survey::step_in_words;
 use crate::trust::{facts, trust};
 use indexmap::IndexMap;
 use tremolite_engine::Halt;
@@ -68,7 +68,7 @@ pub fn summary(evidence: Evidence) -> Summary {
             nodes: survey.nodes as u64,
             steps: outcome.taken,
             time_step: outcome.dt,
-            step_set_by: limit_in_words(model, assembly, &outcome.stable),
+            step_set_by: step_in_words(model, assembly, &outcome.stable),
             duration: outcome.taken as f64 * outcome.dt,
         },
         materials: evidence.materials,

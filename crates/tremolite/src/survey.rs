@@ -128,14 +128,8 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     })
 }
 
-/// What sets the step, in words.
+/// What sets the stable step, in words.
 pub fn limit_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> String {
-    let safety = model.time_step.safety;
-    if let Some(contact) = stable.contact.filter(|contact| contact.dt < safety * stable.dt) {
-        let seam = &model.seams[contact.interface];
-        let name = seam.pair_name(&model.mesh, contact.pair);
-        return format!("{name}, whose impacts may gain energy beyond ω_c Δt = {}", seam.limit);
-    }
     match &stable.limit {
         Limit::Element(e) if (*e as usize) < model.user_elements => {
             let [x, y, z] = centroid(&model.mesh, *e);
@@ -152,4 +146,19 @@ pub fn limit_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -
         }
         Limit::Damping => "Rayleigh damping, mostly its stiffness-proportional part".into(),
     }
+}
+
+/// What impacts at interfaces allow, in words, where there are any.
+pub fn impacts_in_words(model: &Model, stable: &StableStep) -> Option<String> {
+    let contact = stable.contact?;
+    let seam = &model.seams[contact.interface];
+    let pair = seam.pair_name(&model.mesh, contact.pair);
+    Some(format!("impacts allow {:.3e} s, ω_c Δt = {} at {pair}", contact.dt, seam.limit))
+}
+
+/// What sets the step that is used, in words.
+pub fn step_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> String {
+    let shorter = stable.contact.is_some_and(|contact| contact.dt < model.time_step.safety * stable.dt);
+    let impacts = impacts_in_words(model, stable).filter(|_| shorter);
+    impacts.unwrap_or_else(|| limit_in_words(model, assembly, stable))
 }

@@ -15,7 +15,7 @@ use tremolite::interfaces::interfaces;
 use tremolite::plan::Steps;
 use tremolite::run::{choose_step, time_step_cost};
 use tremolite::setup::MotionFacts;
-use tremolite::survey::{Survey, limit_in_words, survey};
+use tremolite::survey::{Survey, impacts_in_words, limit_in_words, survey};
 use tremolite::{Assembly, Model, Phase, Stage, stable_step};
 use tremolite_case::{Case, Problem};
 use tremolite_laws::Isa;
@@ -53,6 +53,8 @@ struct Checked<'a> {
     /// Stable step \[s\], what sets it, and the step used \[s\].
     stable: f64,
     set_by: String,
+    /// What impacts at interfaces allow.
+    impacts: Option<String>,
     dt: f64,
     steps: Steps,
     /// Simulated time \[s\].
@@ -116,6 +118,7 @@ pub fn run(args: &Args) -> Outcome {
             interfaces: interfaces(&model, &assembly, &assembly.rest().history),
             stable: stable.dt,
             set_by: limit_in_words(&model, &assembly, &stable),
+            impacts: impacts_in_words(&model, &stable),
             dt,
             steps,
             duration: plan.duration,

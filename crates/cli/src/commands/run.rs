@@ -14,7 +14,7 @@ use tremolite::evidence::Evidence;
 use tremolite::run::{Control, Ending, Progress, choose_step};
 use tremolite::setup::changed;
 use tremolite::summary::summary;
-use tremolite::survey::{limit_in_words, survey};
+use tremolite::survey::{impacts_in_words, limit_in_words, survey};
 use tremolite::{Assembly, Model, Phase, Stage, stable_step};
 use tremolite_case::Problem;
 use tremolite_results::{ResultFolder, RunFacts, Summary, Table, replace_file};
@@ -131,6 +131,9 @@ pub fn run(args: &Args) -> Outcome {
             stable.dt,
             limit_in_words(&model, &assembly, &stable)
         ));
+        if let Some(impacts) = impacts_in_words(&model, &stable) {
+            log.say(&format!("  {impacts}"));
+        }
         log.say(&format!(
             "  motion: kind = {}, so the incident wave is {} times the given motion",
             motion.kind, motion.factor

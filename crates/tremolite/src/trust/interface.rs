@@ -120,12 +120,14 @@ fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<TrustLine> {
          larger `contact_damping` lessens it",
     );
 
+    // A step that is just as long as the limit lets it may differ by round-off.
     let product = outcome.dt * contacts.frequency;
+    let product = if product > seam.limit { product * (1.0 - ROUND_OFF) } else { product };
     let step = TrustLine::at_most(
         id("interface_step"),
         &name("time step times frequency of the stiffest pair"),
         product,
-        seam.limit * (1.0 + ROUND_OFF),
+        seam.limit,
         "",
     )
     .with("frequency", contacts.frequency)

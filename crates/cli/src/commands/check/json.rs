@@ -41,6 +41,7 @@ impl Checked<'_> {
             "time_step": {
                 "stable": self.stable,
                 "set_by": self.set_by,
+                "impacts": self.impacts,
                 "used": self.dt,
                 "steps": self.steps.total,
                 "duration": self.duration,

@@ -45,6 +45,9 @@ impl Checked<'_> {
         }
         print("\nTime step");
         print(&format!("           {:.4e} s stable, set by {}", self.stable, self.set_by));
+        if let Some(impacts) = &self.impacts {
+            print(&format!("           {impacts}"));
+        }
         print(&format!(
             "           {:.4e} s used, {} steps for {:.2} s",
             self.dt, self.steps.total, self.duration
