@@ -36,3 +36,14 @@ pub enum ModelError {
     #[error("'{body}' has density {density} kg/m³: it must be positive")]
     Density { body: String, density: f64 },
 }
+
+impl ModelError {
+    /// The interface that it is about.
+    pub fn interface(&self) -> Option<&str> {
+        match self {
+            ModelError::Interface { name, .. } => Some(name),
+            ModelError::Split(error) => Some(error.interface()),
+            _ => None,
+        }
+    }
+}

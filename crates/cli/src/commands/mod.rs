@@ -16,7 +16,7 @@ use crate::exit::Failure;
 use std::path::Path;
 use tremolite::setup::{Laws, Setup, changed, original_folder, setup};
 use tremolite::survey::Survey;
-use tremolite::{Model, StableStep, laws};
+use tremolite::{Model, ModelError, StableStep, laws};
 use tremolite_case::{Case, Fill, Problem, units};
 use tremolite_laws::{Dimension, Isa, LawInfo};
 
@@ -44,9 +44,36 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
     Ok((case, setup))
 }
 
+/// Why a case is no model, at its interface where it is about one.
+pub fn refused(case: &Case, error: &ModelError) -> Failure {
+    let named = |name: &str| case.interfaces.iter().find(|interface| interface.name.value == name);
+    let Some(interface) = error.interface().and_then(named) else { return Failure::input(error) };
+    let text = error.to_string();
+    let (message, remedy) = text.split_once("; ").unwrap_or((&text, "see `tremolite list interfaces`"));
+    Failure::case(&case.report(vec![Problem::new(interface.span.clone(), message, remedy)]))
+}
+
 /// Warns of a given time step above the stable one: the run will be stopped as soon as energy appears. Returns what it
 /// said.
 pub fn check_step(case: &Case, stable: &StableStep) -> Option<Problem> {
+    let impacts = stable.contact.map_or(f64::INFINITY, |contact| contact.dt);
+    if let Some(given) = &case.dynamic.time_step
+        && given.value <= stable.dt
+        && given.value > impacts
+    {
+        return warn(
+            case,
+            Problem::at(
+                given,
+                format!(
+                    "{} is longer than impacts at interfaces allow, {}: they may gain energy",
+                    units::format(given.value, Dimension::TIME),
+                    units::format(impacts, Dimension::TIME)
+                ),
+                "give a shorter one, a softer `normal_stiffness`, or a larger `contact_limit` if that is meant",
+            ),
+        );
+    }
     let given = case.dynamic.time_step.as_ref().filter(|given| given.value > stable.dt)?;
     let step = |t: f64| units::format(t, Dimension::TIME);
     let problem = Problem::at(
@@ -58,6 +85,11 @@ pub fn check_step(case: &Case, stable: &StableStep) -> Option<Problem> {
         ),
         format!("give {} or less, or leave time_step out", step(0.9 * stable.dt)),
     );
+    warn(case, problem)
+}
+
+/// Says a warning, and returns it.
+fn warn(case: &Case, problem: Problem) -> Option<Problem> {
     let report = case.report(vec![problem.clone()]).as_warnings();
     crate::terminal::say(&report.render(crate::terminal::colour()));
     Some(problem)

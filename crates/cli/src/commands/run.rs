@@ -1,7 +1,7 @@
 //! `tremolite run`: the main job.
 
 use super::defaulted::{Known, defaulted};
-use super::{check_step, check_waves, load, pool};
+use super::{check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{ProgressLine, bytes, duration, say};
@@ -81,8 +81,8 @@ pub fn run(args: &Args) -> Outcome {
     let (case, setup) = load(&args.case, isa)?;
     pool.install(|| {
         let (motion, plan) = (setup.motion, setup.plan);
-        let model = Model::new(setup.problem).map_err(Failure::input)?;
-        let assembly = Assembly::new(&model).map_err(Failure::input)?;
+        let model = Model::new(setup.problem).map_err(|e| refused(&case, &e))?;
+        let assembly = Assembly::new(&model).map_err(|e| refused(&case, &e))?;
         let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(Failure::input)?;
         let survey = survey(&model, &assembly, motion.highest_frequency).map_err(Failure::input)?;
         let stable = stable_step(&model, &assembly, &phase);

@@ -34,6 +34,19 @@ pub enum SplitError {
     Crowded { name: String, first: u64, second: u64 },
 }
 
+impl SplitError {
+    /// Name of the interface, of the second where there are two.
+    pub fn interface(&self) -> &str {
+        match self {
+            SplitError::Empty { name, .. }
+            | SplitError::BothSides { name, .. }
+            | SplitError::Apart { name, .. }
+            | SplitError::Claimed { second: name, .. }
+            | SplitError::Crowded { name, .. } => name,
+        }
+    }
+}
+
 /// Why the nodes of two opposite sides of a split mesh could not be paired.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum UnmatchedSplit {
