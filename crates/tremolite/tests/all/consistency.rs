@@ -1,6 +1,7 @@
 //! Parts agree with themselves: K w with their forces, the work that they book with what they hold.
 
 use crate::block::block;
+use crate::contact::between;
 use crate::outside_part::on_springs;
 use crate::ready::Ready;
 use tremolite::parts::{Kept, Motion, Own, Scratch, StateSizes, Tick};
@@ -81,6 +82,19 @@ fn agrees(problem: Problem) {
             assert!((work[line] - change).abs() <= 1e-9 * most, "{}: {line:?}", member.name);
             springs += usize::from(change != 0.0);
         }
+        // A bonded joint of constant stiffness is a spring as well; what it holds is a line that is looked at.
+        let work: f64 = (0..before.len())
+            .map(|k| {
+                let node = member.part.nodes()[k] as usize;
+                (0..3).map(|i| 0.5 * (before[k].0[i] + after[k].0[i]) * w[node].0[i]).sum::<f64>()
+            })
+            .sum();
+        if member.name.contains("joint") {
+            let change = gained[Line::Interface] - held[Line::Interface];
+            let most = gained[Line::Interface].max(held[Line::Interface]);
+            assert!((work - change).abs() <= 1e-9 * most, "{}: {work} J, {change} J", member.name);
+            springs += usize::from(change != 0.0);
+        }
     }
     assert!(springs > 0, "a part with springs was looked at");
 }
@@ -94,4 +108,9 @@ fn parts_push_as_their_stiffness_says_and_book_what_they_then_hold() {
         agrees(problem);
     }
     agrees(on_springs(1e7));
+    let mut problem = block([5, 4, 6]);
+    problem.base = Base::Viscous;
+    let strong = [("normal_stiffness", 3e9), ("friction", 0.5), ("cohesion", 1e12)];
+    problem.interfaces = vec![between(&problem, [1, 0], "coulomb", &strong)];
+    agrees(problem);
 }

@@ -137,7 +137,7 @@ fn a_joint_square_or_oblique_passes_the_patch_test() {
 }
 
 /// The shaken block with a joint on both faces of its slab, through periodic sides.
-fn jointed(isa: Isa) -> Problem {
+pub fn jointed(isa: Isa) -> Problem {
     let mut problem = block([8, 7, 10]);
     problem.base = Base::Viscous;
     problem.isa = isa;

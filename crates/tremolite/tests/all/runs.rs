@@ -1,17 +1,18 @@
 //! Runs as a whole: files, resuming, stopping.
 
 use crate::block::block;
+use crate::contact::jointed;
 use crate::ready::Ready;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::observers::Extremes;
 use tremolite::parts::loads::Load;
-use tremolite::plan::{Monitor, Plan};
+use tremolite::plan::{Monitor, PairMonitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, Ending, Outcome, run};
 use tremolite::{Base, Halt, Line, Problem, Side, elastic};
-use tremolite_laws::Moduli;
+use tremolite_laws::{Isa, Moduli};
 use tremolite_mesh::locate::Locator;
 use tremolite_results::{Pvd, ResultFolder, Table};
 
@@ -30,7 +31,9 @@ fn plan(problem: &Problem) -> Plan {
         fields: Field::ALL.to_vec(),
         checkpoint: None,
         monitors: vec![monitor("top", [6.3, 5.1, 14.0]), monitor("slab", [6.0, 5.0, 7.0])],
-        pairs: Vec::new(),
+        pairs: (0..problem.interfaces.len())
+            .map(|interface| PairMonitor { name: "pair".into(), point: [6.0, 5.0, 6.0], interface })
+            .collect(),
         relatives: vec![[0, 1]],
     }
 }
@@ -104,6 +107,36 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
         let refused = run(&model, &assembly, &phase, &plan, &results, true, &mut control);
         assert!(refused.is_err_and(|e| e.to_string().contains("another model or plan")), "{what}");
     }
+}
+
+/// Joints that open and slide: what pairs remember goes with the checkpoint.
+#[test]
+fn a_run_with_joints_resumes_to_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
+    let problem = || {
+        let mut problem = jointed(Isa::best());
+        problem.time_step.given = Some(4e-6);
+        problem
+    };
+    let outcome = go(problem(), &whole, 1, false, None);
+    assert_eq!(outcome.ending, Ending::Done);
+    let outcome = go(problem(), &parts, 2, false, Some(1));
+    assert_eq!(outcome.ending, Ending::Stopped);
+    assert!(outcome.taken > 0 && outcome.taken < outcome.steps.total, "stopped at {}", outcome.taken);
+    assert_eq!(go(problem(), &parts, 2, true, None).ending, Ending::Done);
+    let files = ["monitors.csv", "energy.csv", "interfaces.csv", "interfaces.pvd", "interfaces/000006.vtu"];
+    for file in files {
+        let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
+        assert!(bytes(&whole) == bytes(&parts), "{file}");
+    }
+    let table = Table::read(&whole.join("interfaces.csv")).unwrap();
+    for quantity in ["joint.ever_slid", "joint.ever_opened", "joint.max_slip", "joint.max_gap"] {
+        let last = *table.column(quantity).unwrap().last().unwrap();
+        assert!(last > 0.0, "{quantity} {last}");
+    }
+    let monitors = Table::read(&whole.join("monitors.csv")).unwrap();
+    assert!(monitors.column("pair.state").unwrap().contains(&3.0));
 }
 
 #[test]
