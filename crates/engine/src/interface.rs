@@ -25,8 +25,8 @@ pub struct Interface {
 }
 
 impl Interface {
-    /// 45°, as `method` of corners: a 90° foot of a wall has pairs for each side, facets of a curve share theirs.
-    pub const CORNER: f64 = std::f64::consts::FRAC_PI_4;
+    /// The foot of a wall, 90°, has pairs for each side; facets of a curve share theirs.
+    pub const CORNER: f64 = tremolite_mesh::pairs::CORNER;
     /// Enough that impacts lose energy on the whole at [`Interface::LIMIT`].
     pub const DAMPING: f64 = 0.01;
     /// Beyond, impacts may gain energy.
@@ -34,16 +34,15 @@ impl Interface {
 
     /// An interface with the usual corner, damping and limit.
     pub fn new(name: impl Into<String>, sides: [Vec<u32>; 2], law: InterfaceLaw, values: Values) -> Self {
-        let Self { corner, damping, limit, .. } = Interface {
-            name: String::new(),
-            sides: [Vec::new(), Vec::new()],
+        Interface {
+            name: name.into(),
+            sides,
             law,
-            values: Values::default(),
+            values,
             corner: Self::CORNER,
             damping: Self::DAMPING,
             limit: Self::LIMIT,
-        };
-        Interface { name: name.into(), sides, law, values, corner, damping, limit }
+        }
     }
 }
 
