@@ -5,6 +5,7 @@ mod checks;
 mod circles;
 mod commands;
 mod every_law;
+mod interfaces;
 mod law;
 mod law_figures;
 mod layout;

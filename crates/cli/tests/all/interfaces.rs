@@ -1,0 +1,214 @@
+//! Interfaces of a case: what is said of them, and the checks of a run that can fail, each with the model that fails it.
+
+use std::path::Path;
+use std::process::{Command, Output};
+use tremolite_mesh::boxes::BoxSpec;
+use tremolite_results::{Summary, Table, TrustLine};
+
+fn tremolite(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
+}
+
+fn errors(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// Rock of 8 × 8 × 20 m with a slab of 4 m on top, the joint between them by these keys, under a wave of 4 Hz and this peak
+/// acceleration \[m/s²\] along x and z.
+fn slab(folder: &Path, joint: &str, dynamic: &str, peaks: [f64; 2]) {
+    model(folder, [8.0, 8.0, 24.0], |x| x[2] > 20.0, joint, dynamic, peaks);
+}
+
+/// A block of 8 m inside a rock of 12 m, which can only rattle there.
+fn rattle(folder: &Path, joint: &str, dynamic: &str, peaks: [f64; 2]) {
+    model(folder, [12.0; 3], |x| x.iter().all(|x| (x - 6.0).abs() < 4.0), joint, dynamic, peaks);
+}
+
+/// A box of cubes of 2 m, with those of the slab apart.
+fn model(
+    folder: &Path,
+    size: [f64; 3],
+    inside: impl Fn([f64; 3]) -> bool,
+    joint: &str,
+    dynamic: &str,
+    [x, z]: [f64; 2],
+) {
+    let mut mesh = BoxSpec::uniform([0.0; 3], size, size.map(|l| (l / 2.0) as u32)).mesh().unwrap();
+    let centre = |e: u32| {
+        let nodes = mesh.elements[e as usize].nodes();
+        [0, 1, 2].map(|i| nodes.iter().map(|&n| mesh.nodes[n as usize][i]).sum::<f64>() / nodes.len() as f64)
+    };
+    let (slab, rock): (Vec<u32>, Vec<u32>) =
+        (0..mesh.elements.len() as u32).partition(|&e| inside(centre(e)));
+    mesh.groups = [("rock".to_owned(), rock), ("slab".to_owned(), slab)].into();
+    tremolite_mesh::write(folder.join("slab.msh"), &mesh).unwrap();
+    for (axis, peak) in [("x", x), ("z", z)] {
+        let pulse: String = (0..100)
+            .map(|k| {
+                let t = (std::f64::consts::PI * 4.0 * (0.01 * f64::from(k) - 0.4)).powi(2);
+                format!("{:.6}\n", peak * (1.0 - 2.0 * t) * (-t).exp())
+            })
+            .collect();
+        std::fs::write(folder.join(format!("{axis}.txt")), pulse).unwrap();
+    }
+    let case = format!(
+        r#"title = "slab"
+[mesh.file]
+path = "slab.msh"
+[material.rock]
+law = "elastic"
+young = "2 GPa"
+poisson = 0.25
+density = "2500 kg/m3"
+[[region]]
+groups = ["rock", "slab"]
+material = "rock"
+element = "one-point"
+[[interface]]
+name = "joint"
+between = ["rock", "slab"]
+{joint}
+[motion]
+kind = "incident"
+east = {{ file = "x.txt", units = "m/s2", dt = "0.01 s" }}
+up = {{ file = "z.txt", units = "m/s2", dt = "0.01 s" }}
+process = ["baseline"]
+[dynamic]
+sides = "periodic"
+{dynamic}
+[[monitor]]
+name = "pair"
+at = ["4 m", "4 m", "20 m"]
+interface = "joint"
+[output]
+histories = "0.01 s"
+snapshots = "0.5 s"
+"#
+    );
+    std::fs::write(folder.join("case.toml"), case).unwrap();
+}
+
+fn summary_of(folder: &Path) -> Summary {
+    let run = tremolite(folder, &["run", "case.toml", "--out", "results", "--overwrite"]);
+    assert!(run.status.success(), "{}", errors(&run));
+    Summary::read(&folder.join("results/summary.json")).unwrap()
+}
+
+fn line<'s>(summary: &'s Summary, id: &str) -> &'s TrustLine {
+    summary.trust.iter().find(|line| line.id == id).unwrap_or_else(|| panic!("{id}: {:?}", summary.trust))
+}
+
+const GOOD: &str = "law = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\ncohesion = \"10 kPa\"\nfriction = 0.6\n";
+
+const LINES: [&str; 6] = [
+    "interface_closure_joint",
+    "interface_slip_joint",
+    "interface_straight_joint",
+    "interface_impacts_joint",
+    "interface_step_joint",
+    "interface_chosen_joint",
+];
+
+#[test]
+fn each_check_of_an_interface_has_a_model_that_fails_it() {
+    let folder = tempfile::tempdir().unwrap();
+    slab(folder.path(), GOOD, "", [2.0, 2.0]);
+    let good = summary_of(folder.path());
+    for id in LINES {
+        assert!(line(&good, id).pass, "{:?}", line(&good, id));
+    }
+    let bad = [
+        (
+            "interface_closure_joint",
+            GOOD.replace("\"2 mm\"", "\"0.001 mm\"\nclosure_floor = 0.05"),
+            "",
+            [2.0, 2.0],
+        ),
+        ("interface_slip_joint", GOOD.replace("0.6", "0").replace("\"10 kPa\"", "\"0 Pa\""), "", [40.0, 0.0]),
+        ("interface_straight_joint", format!("{GOOD}pressure_for_step = \"1 kPa\""), "", [2.0, 2.0]),
+        (
+            "interface_impacts_joint",
+            GOOD.replace("20 GPa/m", "400 GPa/m").replace("10 kPa", "0 Pa") + "contact_damping = 0.0",
+            "time_step = \"0.108 ms\"",
+            [2.0, 20.0],
+        ),
+        ("interface_step_joint", format!("{GOOD}contact_limit = 0.05"), "time_step = \"0.1 ms\"", [2.0, 2.0]),
+        ("interface_chosen_joint", GOOD.replace("normal_stiffness = \"20 GPa/m\"\n", ""), "", [2.0, 2.0]),
+    ];
+    for (id, joint, dynamic, peaks) in bad {
+        let model = if id == "interface_impacts_joint" { rattle } else { slab };
+        model(folder.path(), &joint, dynamic, peaks);
+        let summary = summary_of(folder.path());
+        let found = line(&summary, id);
+        eprintln!("{id}: {} {}", found.value, found.limit);
+        assert!(!found.pass && !found.not_applicable, "{found:?}");
+    }
+}
+
+#[test]
+fn results_of_an_interface_are_where_scripts_expect_them() {
+    let folder = tempfile::tempdir().unwrap();
+    slab(folder.path(), GOOD, "", [2.0, 2.0]);
+    let summary = summary_of(folder.path());
+    let results = folder.path().join("results");
+    let header = std::fs::read_to_string(results.join("interfaces.csv")).unwrap();
+    assert_eq!(
+        header.lines().next().unwrap(),
+        "time [s],joint.sliding [m2],joint.open [m2],joint.ever_slid [m2],joint.ever_opened [m2],joint.max_gap [m],\
+         joint.max_slip [m],joint.impact_gain [J]"
+    );
+    let monitors = Table::read(&results.join("monitors.csv")).unwrap();
+    for name in ["gap", "slip1", "slip2", "pressure", "shear1", "shear2", "state"] {
+        assert!(monitors.column(&format!("pair.{name}")).is_some(), "{name}");
+    }
+    let energy = Table::read(&results.join("energy.csv")).unwrap();
+    for name in ["interface", "friction", "created_by_interface", "contact_damping"] {
+        assert!(energy.column(name).is_some() && summary.energy.contains_key(name), "{name}");
+    }
+    assert!(results.join("interfaces.pvd").is_file() && results.join("interfaces/000002.vtu").is_file());
+    let joint = &summary.interfaces["joint"];
+    assert!((joint.area - 64.0).abs() < 1e-9 && joint.pairs == 25 && joint.ends == 0, "{joint:?}");
+    assert!(joint.ever_slid > 0.0 && joint.max_slip.value > 0.0, "{joint:?}");
+    assert!(summary.findings.iter().any(|finding| finding.id == "interface_joint"));
+    let last = Table::read(&results.join("interfaces.csv")).unwrap();
+    assert_eq!(*last.column("joint.ever_slid").unwrap().last().unwrap(), joint.ever_slid);
+}
+
+#[test]
+fn what_is_wrong_with_an_interface_is_said_at_its_place_before_any_computing() {
+    let folder = tempfile::tempdir().unwrap();
+    slab(folder.path(), &GOOD.replace("normal_stiffness = \"20 GPa/m\"\n", ""), "", [2.0, 2.0]);
+    let check = tremolite(folder.path(), &["check", "case.toml"]);
+    let said = String::from_utf8_lossy(&check.stdout).into_owned();
+    assert!(check.status.success(), "{}", errors(&check));
+    for words in [
+        "joint: bandis, 25 pairs over 64.0 m2, no ends inside the model",
+        "chosen so that the elements set the step; closes by",
+        "impacts allow",
+        "without springs: the interface 'joint' crosses the vertical edge",
+        "interface[joint].normal_stiffness = ",
+        "interface[joint].pressure_for_step = ",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    for (joint, dynamic, words) in [
+        (GOOD.replace("10 kPa", "50 MPa"), "", &["case.toml:19", "cohesion", "larger"][..]),
+        (GOOD.to_owned(), "base = \"viscous-spring\"", &["crosses the vertical edge", "viscous"]),
+        (GOOD.to_owned(), "time_step = \"0.5 s\"", &["above the stable step"]),
+    ] {
+        slab(folder.path(), &joint, dynamic, [2.0, 2.0]);
+        let check = tremolite(folder.path(), &["check", "case.toml"]);
+        for word in words {
+            assert!(errors(&check).contains(word), "{word}: {}", errors(&check));
+        }
+    }
+    slab(folder.path(), GOOD, "", [2.0, 2.0]);
+    let case = std::fs::read_to_string(folder.path().join("case.toml")).unwrap();
+    let apart = case.replace("between = [\"rock\", \"slab\"]", "between = [\"rock\", \"sla\"]");
+    std::fs::write(folder.path().join("case.toml"), apart).unwrap();
+    let refused = tremolite(folder.path(), &["run", "case.toml", "--out", "none"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", errors(&refused));
+    assert!(
+        errors(&refused).contains("no group of the mesh fits 'sla'") && !folder.path().join("none").exists()
+    );
+}
