@@ -3,7 +3,6 @@
 use std::path::Path;
 use std::process::{Command, Output};
 use tempfile::TempDir;
-use tremolite_laws::materials::MATERIALS;
 use tremolite_results::Table;
 
 const CONCRETE: &str = r#"
@@ -346,37 +345,4 @@ fn the_figure_shows_loops_the_tension_side_and_the_damage() {
         assert!(svg.contains(word), "'{word}' is missing");
     }
     assert!(!svg.contains("NaN") && !svg.contains("factor"));
-}
-
-#[test]
-fn list_names_every_parameter_with_its_unit_and_what_stands_for_it() {
-    let folder = tempfile::tempdir().unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_tremolite"))
-        .current_dir(folder.path())
-        .args(["list", "materials"])
-        .output()
-        .unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    for law in MATERIALS {
-        let (_, part) = text.split_once(&format!("{}: ", law.name)).unwrap();
-        let part = part.split("\n\n").next().unwrap();
-        // A history may have the name of a table's column.
-        let (parameters, history) = part.split_once("  history").unwrap_or((part, ""));
-        let line = |lines: &str, name: &str| {
-            lines
-                .lines()
-                .map(str::to_owned)
-                .find(|l| l.split_whitespace().next() == Some(name))
-                .unwrap_or_else(|| panic!("{name}"))
-        };
-        for p in law.parameters {
-            let line = line(parameters, p.name);
-            assert!(line.contains(p.doc) && line.ends_with(']'), "{line}");
-            assert_ne!(line.split_whitespace().nth(1), Some("SI"), "{line}");
-        }
-        for column in law.history {
-            assert!(line(history, column.name).contains(column.doc));
-        }
-    }
-    assert!(text.contains("[default 5 ms]"), "defaults have their units");
 }

@@ -8,6 +8,7 @@ mod every_law;
 mod law;
 mod law_figures;
 mod layout;
+mod list;
 mod mesh;
 mod references;
 mod verify;
