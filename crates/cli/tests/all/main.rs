@@ -7,6 +7,7 @@ mod commands;
 mod every_law;
 mod law;
 mod law_figures;
+mod law_interface;
 mod layout;
 mod list;
 mod mesh;
