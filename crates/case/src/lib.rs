@@ -24,6 +24,7 @@ mod law_file;
 mod law_key;
 mod law_table;
 mod laws;
+mod listing;
 mod material;
 mod mesh;
 mod mesh_alone;
@@ -44,6 +45,7 @@ pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, SideKind
 pub use interface::{Contact, Interface};
 pub use law_file::{LawFile, LawKind};
 pub use laws::Laws;
+pub use listing::{Listed, ListedValue, interface_keys};
 pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,

@@ -2,6 +2,9 @@
 //!
 //! All curves are driven through the laws themselves; [`figures`] has them, and a test compares them with the files.
 
+#[path = "law_figures/interfaces.rs"]
+mod interfaces;
+
 use std::borrow::Cow;
 use std::path::Path as File;
 use tremolite_laws::materials::{Concrete, DruckerPrager, HoekBrown, MohrCoulomb};
@@ -25,6 +28,7 @@ pub fn figures() -> Vec<(&'static str, String)> {
         ("concrete-rates.svg", concrete_rates()),
         ("rock-envelopes.svg", rock_envelopes()),
         ("rock-triaxial.svg", rock_triaxial()),
+        ("interfaces.svg", interfaces::figure()),
     ]
 }
 

@@ -25,7 +25,7 @@ enum Command {
     Report(commands::report::Args),
     /// Run the verification problems and print each figure beside the exact one
     Verify(commands::verify::Args),
-    /// Drive one material along a path of strain and stress
+    /// Drive one law along a path: a material along strain and stress, an interface along gap and slip
     Law(commands::law::Args),
     /// Look at earthquake records and process them
     Motion(commands::motion::Args),
@@ -33,7 +33,7 @@ enum Command {
     Mesh(commands::mesh::Args),
     /// Time the engine on a box of hexahedra
     Bench(commands::bench::Args),
-    /// List what there is: materials, boundaries, quantities, formats
+    /// List what there is: materials, interfaces, boundaries, quantities, formats
     List(commands::list::Args),
     /// Print the JSON schema of case files, for completion in editors
     Schema,

@@ -3,7 +3,7 @@
 use crate::body::Body;
 use crate::boundary;
 use crate::boundary::base::BaseNode;
-use crate::contact::{self, Contacts};
+use crate::contacts::Contacts;
 use crate::error::ModelError;
 use crate::hexahedra::{hex, hex_nodes};
 use crate::member::Member;
@@ -55,11 +55,11 @@ pub struct Assembly {
 }
 
 impl Assembly {
-    /// The parts of a model.
+    /// The parts of a model but those of its interfaces.
     ///
     /// # Errors
     /// If no face lies on the plane of a base that should do something, or a part of the program's own does not fit.
-    pub fn new(model: &Model) -> Result<Self, ModelError> {
+    pub(crate) fn without_interfaces(model: &Model) -> Result<Self, ModelError> {
         let mut members: Vec<Member> =
             model.patches.par_iter().map(|patch| solid(model, patch)).collect::<Result<_, _>>()?;
         for member in &mut members[model.user_patches..] {
@@ -72,7 +72,6 @@ impl Assembly {
             let part = Box::new(Loads::new(load.clone()));
             members.push(Member::new(format!("load {}", k + 1), part));
         }
-        let behind = members.len();
         for make in &model.parts {
             let member = make(&model.mesh, &model.engine_node);
             check(model, &member)?;
@@ -81,15 +80,11 @@ impl Assembly {
         let nodes = model.mesh_node.len();
         let mut assembly = Assembly { members, base, spring_distance, nodes, ..Assembly::default() };
         assembly.settle(model);
-        if !model.seams.is_empty() {
-            contact::add(model, &mut assembly, behind)?;
-            assembly.settle(model);
-        }
         Ok(assembly)
     }
 
     /// Lays out the slices and accounts of the members.
-    fn settle(&mut self, model: &Model) {
+    pub(crate) fn settle(&mut self, model: &Model) {
         let Assembly { members, .. } = self;
         self.slices = slices(members);
         let mut accounts: Vec<String> = model.user_bodies().iter().map(|body| body.name.clone()).collect();

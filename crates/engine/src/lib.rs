@@ -4,12 +4,13 @@
 //! active in a stage) + [`State`] (all that evolves) → [`Engine`] (the step). It knows nothing of case files, of results
 //! and of who observes.
 
+mod assemble;
 pub mod assembly;
 pub mod bench;
 pub mod body;
 pub mod boundary;
 pub mod column;
-pub mod contact;
+pub mod contacts;
 pub mod engine;
 pub mod error;
 pub mod extent;

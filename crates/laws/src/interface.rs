@@ -32,6 +32,16 @@ impl PairState {
         }
     }
 
+    /// What it says of the pair.
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            PairState::Bonded => "the bond holds",
+            PairState::Stuck => "the bond is broken, the pair closed, and friction holds",
+            PairState::Sliding => "it slides",
+            PairState::Open => "it is open and carries nothing",
+        }
+    }
+
     /// As the law's column and result files have it.
     pub const fn number(self) -> f64 {
         self as u8 as f64

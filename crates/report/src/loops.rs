@@ -240,7 +240,8 @@ impl Track<'_> {
     }
 }
 
-/// A bold title, and behind it the names of the lines in their colours; of points where the third value says so.
+/// A bold title, and behind it the names of the lines in their colours, but for one that the title already names; of
+/// points where the third value says so.
 fn heading<'a>(
     svg: &mut Svg,
     at: (f64, f64),
@@ -249,7 +250,9 @@ fn heading<'a>(
 ) {
     svg.text(at, Anchor::Start, 13.0, Style::Bold, title);
     let mut x = at.0 + text_width(title, 13.0) + 24.0;
-    for (name, colour, points) in names.filter(|(name, ..)| *name != title) {
+    let named =
+        |name: &str| title.strip_prefix(name).is_some_and(|unit| unit.is_empty() || unit.starts_with(" ("));
+    for (name, colour, points) in names.filter(|(name, ..)| !named(name)) {
         if points {
             svg.ring((x + 9.0, at.1 - 4.5), colour);
         } else {

@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 use tremolite_engine::Seam;
 use tremolite_engine::assembly::Assembly;
-use tremolite_engine::contact::Contacts;
+use tremolite_engine::contacts::Contacts;
 use tremolite_engine::model::Model;
 use tremolite_kernels::contact::PairSeen;
 use tremolite_laws::Octet;
@@ -19,11 +19,11 @@ pub fn interfaces(
     history: &[Octet],
 ) -> IndexMap<String, InterfaceSummary> {
     let of = |(seam, contacts): (&Seam, &Contacts)| {
-        let totals = contacts.totals(assembly, seam, history);
+        let totals = contacts.totals(seam, history);
         let peak = |value: fn(&PairSeen) -> f64| {
             let (mut most, mut pair) = (0.0, None);
             for k in 0..seam.pairs.len() {
-                let now = value(&contacts.seen(assembly, history, k));
+                let now = value(&contacts.seen(history, k));
                 if now > most {
                     (most, pair) = (now, Some(k));
                 }

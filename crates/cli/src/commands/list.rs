@@ -2,20 +2,24 @@
 
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
-use tremolite::quantities::{CELLS, Field, MEASURES, MONITOR, Measure, RELATIVE, SHARE_OF_VOLUME};
-use tremolite_case::{BaseKind, SideKind};
+use tremolite::quantities::{
+    CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE, SHARE_OF_VOLUME,
+};
+use tremolite_case::{BaseKind, ListedValue, SideKind, interface_keys};
+use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
-use tremolite_laws::{Dimension, Kind, Need, Parameter};
+use tremolite_laws::{Dimension, Kind, LawInfo, Need, PairState, Parameter};
 
 #[derive(clap::Args)]
 pub struct Args {
-    #[arg(value_parser = ["materials", "boundaries", "quantities", "formats"])]
+    #[arg(value_parser = ["materials", "interfaces", "boundaries", "quantities", "formats"])]
     what: String,
 }
 
 pub fn run(args: &Args) -> Outcome {
     match args.what.as_str() {
         "materials" => materials(),
+        "interfaces" => interfaces(),
         "boundaries" => boundaries(),
         "quantities" => quantities(),
         _ => formats(),
@@ -75,17 +79,45 @@ fn parameter(p: &Parameter, indent: &str) {
 }
 
 fn materials() {
-    for (k, law) in MATERIALS.iter().enumerate() {
-        let gap = if k > 0 { "\n" } else { "" };
-        print(&format!("{gap}{}: {} ({})\n  parameters", law.name, law.summary, law.source));
-        entry("density", "kg/m3", "mass per volume [required, or unit_weight]");
-        entry("unit_weight", "N/m3", "weight per volume [required, or density]");
-        law.parameters.iter().for_each(|p| parameter(p, ""));
-        if !law.history.is_empty() {
-            print("  history");
+    for (k, material) in MATERIALS.iter().enumerate() {
+        if k > 0 {
+            print("");
         }
-        law.history.iter().for_each(|column| entry(column.name, column.unit, column.doc));
+        law(material, || {
+            entry("density", "kg/m3", "mass per volume [required, or unit_weight]");
+            entry("unit_weight", "N/m3", "weight per volume [required, or density]");
+        });
     }
+}
+
+fn interfaces() {
+    print("every [[interface]] of a case, whatever its law\n  keys");
+    for key in interface_keys() {
+        let unit = match key.value {
+            ListedValue::Number(dimension) => unit(dimension),
+            ListedValue::Other(word) => word,
+        };
+        entry(key.name, unit, &format!("{} [{}]", key.doc, key.need));
+    }
+    for interface in INTERFACES {
+        print("");
+        law(interface, || {});
+    }
+    print("\nstates of a pair, in the column state of every law");
+    for state in PairState::ALL {
+        print(&format!("    {} {:8} {}", state.number(), state.word(), state.meaning()));
+    }
+}
+
+/// What a law is, its parameters behind those that all of its kind have, and its history.
+fn law(law: &LawInfo, first: impl Fn()) {
+    print(&format!("{}: {} ({})\n  parameters", law.name, law.summary, law.source));
+    first();
+    law.parameters.iter().for_each(|p| parameter(p, ""));
+    if !law.history.is_empty() {
+        print("  history");
+    }
+    law.history.iter().for_each(|column| entry(column.name, column.unit, column.doc));
 }
 
 fn boundaries() {
@@ -101,14 +133,16 @@ fn boundaries() {
 }
 
 fn quantities() {
-    print("monitors.csv, NAME.quantity");
-    for q in MONITOR {
-        print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
-    }
-    print("monitors.csv, pairs FIRST-SECOND.quantity");
-    for q in RELATIVE {
-        print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
-    }
+    let table = |heading: &str, quantities: &[Quantity]| {
+        print(heading);
+        for q in quantities {
+            print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
+        }
+    };
+    table("monitors.csv, NAME.quantity", &MONITOR);
+    table("monitors.csv, NAME.quantity of monitors with `interface`", &PAIR);
+    table("monitors.csv, pairs FIRST-SECOND.quantity", &RELATIVE);
+    table("interfaces.csv, NAME.quantity of interfaces that are not tied", &INTERFACE);
     print("damage.csv, GROUP.quantity, of groups that are no part of another and whose law keeps it");
     for measure in &MEASURES {
         for name in names(measure) {
@@ -116,10 +150,7 @@ fn quantities() {
         }
     }
     print(&format!("    {:22} {:6} widest crack of the group so far", "crack_opening", "m"));
-    print("fields/*.vtu, always (ParaView: Find Data, element is 3404)");
-    for q in CELLS {
-        print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
-    }
+    table("fields/*.vtu, always (ParaView: Find Data, element is 3404)", &CELLS);
     print("fields/*.vtu, by the word in output.fields");
     for field in Field::ALL {
         let (name, doc) = field.description();

@@ -309,9 +309,13 @@ fn data_commands_print_json_with_the_promised_keys() {
 #[test]
 fn lists_name_what_a_case_may_say() {
     let folder = tempfile::tempdir().unwrap();
-    for (what, word) in
-        [("materials", "young"), ("boundaries", "viscous-spring"), ("quantities", "s1"), ("formats", "Gmsh")]
-    {
+    for (what, word) in [
+        ("materials", "young"),
+        ("interfaces", "max_closure"),
+        ("boundaries", "viscous-spring"),
+        ("quantities", "s1"),
+        ("formats", "Gmsh"),
+    ] {
         let output = tremolite(folder.path(), &["list", what]);
         assert_eq!(code(&output), 0);
         assert!(String::from_utf8(output.stdout).unwrap().contains(word), "{what}");

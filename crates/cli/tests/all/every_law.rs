@@ -1,4 +1,4 @@
-//! Every law of the program from a file, along a path of strains.
+//! Every law of the program from a file, along a path of strains, or of gaps and slips.
 
 #[path = "../../../laws/tests/all/common/samples.rs"]
 #[allow(dead_code)]
@@ -6,7 +6,8 @@ mod samples;
 
 use crate::law::answer;
 use samples::{Columns, Sample, samples};
-use tremolite_case::units;
+use tremolite_case::{LawKind, units};
+use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Kind, LawInfo, Parameter};
 
@@ -29,8 +30,8 @@ fn table(parameters: &[Parameter], key: &str, columns: Columns) -> String {
     format!("[material.{key}]\n{}", columns.collect::<String>())
 }
 
-fn file(law: &LawInfo, sample: &Sample) -> String {
-    let mut text = format!("size = \"0.25 m\"\n[material]\nlaw = \"{}\"\n", law.name);
+fn file(kind: LawKind, law: &LawInfo, sample: &Sample) -> String {
+    let mut text = format!("[{}]\nlaw = \"{}\"\n", kind.word(), law.name);
     for (key, x) in sample.numbers {
         text += &format!("{key} = {}\n", number(law.parameters, key, *x));
     }
@@ -43,18 +44,34 @@ fn file(law: &LawInfo, sample: &Sample) -> String {
     text
 }
 
-#[test]
-fn every_law_follows_a_path_of_strains() {
-    let path = "time,exx,eyy,ezz,gxy,gyz,gzx\n0,0,0,0,0,0,0\n1,1e-3,-2e-3,1e-3,2e-3,0,1e-3\n";
-    for law in MATERIALS {
+/// Drives all samples of all laws along a path of so many rows.
+fn follows(kind: LawKind, laws: &[LawInfo], before: &str, path: &str, rows: usize) {
+    for law in laws {
         for sample in samples(law.name) {
             let which = format!("{}, {}", law.name, sample.variant);
-            let (table, code) = answer(&file(law, sample), path, &["--divide", "20"]);
-            assert_eq!((code, table.rows()), (0, 21), "{which}");
+            let text = before.to_owned() + &file(kind, law, sample);
+            let (table, code) = answer(&text, path, &["--divide", "20"]);
+            assert_eq!((code, table.rows()), (0, rows), "{which}");
             for column in law.history {
                 assert!(table.column(column.name).is_some(), "{which}: {}", column.name);
             }
             assert!(table.values.iter().flatten().all(|x| x.is_finite()), "{which}");
         }
     }
+}
+
+#[test]
+fn every_material_follows_a_path_of_strains() {
+    let path = "time,exx,eyy,ezz,gxy,gyz,gzx\n0,0,0,0,0,0,0\n1,1e-3,-2e-3,1e-3,2e-3,0,1e-3\n";
+    follows(LawKind::Material, MATERIALS, "size = \"0.25 m\"\n", path, 21);
+}
+
+#[test]
+fn every_interface_follows_a_path_of_gaps_and_one_of_pressures() {
+    let gaps =
+        "time,gap [mm],slip1 [mm],slip2 [mm]\n0,0,0,0\n1,-0.4,0.5,0.1\n2,0.3,-0.5,0.1\n3,-0.2,1,-0.2\n";
+    follows(LawKind::Interface, INTERFACES, "", gaps, 61);
+    let pressures =
+        "time,pressure [MPa],slip1 [mm],slip2 [mm]\n0,0,0,0\n1,3,0.5,0.1\n2,0,-0.5,0.1\n3,30,1,-0.2\n";
+    follows(LawKind::Interface, INTERFACES, "", pressures, 61);
 }

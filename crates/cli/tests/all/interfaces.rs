@@ -129,7 +129,7 @@ fn each_check_of_an_interface_has_a_model_that_fails_it() {
         (
             "interface_impacts_joint",
             GOOD.replace("20 GPa/m", "400 GPa/m").replace("10 kPa", "0 Pa") + "contact_damping = 0.0",
-            "time_step = \"0.108 ms\"",
+            "time_step = \"0.07 ms\"",
             [2.0, 20.0],
         ),
         ("interface_step_joint", format!("{GOOD}contact_limit = 0.05"), "time_step = \"0.1 ms\"", [2.0, 2.0]),

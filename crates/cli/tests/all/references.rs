@@ -6,6 +6,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 
 fn root() -> PathBuf {
@@ -111,7 +112,7 @@ fn every_entry_of_the_bibliography_is_used() {
 #[test]
 fn every_law_names_its_source_by_key() {
     let known = bibliography();
-    for law in MATERIALS {
+    for law in MATERIALS.iter().chain(INTERFACES) {
         assert!(
             keys_in(law.source).any(|key| known.contains(key)),
             "{}: no key in '{}'",

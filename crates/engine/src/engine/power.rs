@@ -9,7 +9,6 @@
 use super::nodes::CHUNK;
 use super::product::{self, Product};
 use crate::assembly::Assembly;
-use crate::contact;
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Scratch};
 use crate::phase::Phase;
@@ -124,7 +123,7 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
         frequency: lambda.sqrt(),
         damping_rate,
         limit,
-        contact: contact::step_limit(model, assembly),
+        contact: contact_limit(model, assembly),
         iterations,
         change,
     }
@@ -218,4 +217,13 @@ fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row]) -> Limi
         }
     }
     best.1
+}
+
+/// The longest step with which no pair exceeds the limit of its interface.
+fn contact_limit(model: &Model, assembly: &Assembly) -> Option<ContactLimit> {
+    let bounds =
+        model.seams.iter().zip(&assembly.contacts).enumerate().map(|(interface, (seam, contacts))| {
+            ContactLimit { dt: seam.limit / contacts.frequency, interface, pair: contacts.stiffest_pair }
+        });
+    bounds.min_by(|a, b| a.dt.total_cmp(&b.dt))
 }

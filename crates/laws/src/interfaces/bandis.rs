@@ -73,7 +73,9 @@ impl Interface for Bandis {
         Parameter {
             name: PRESSURE_FOR_STEP,
             kind: Kind::Number(Dimension::PRESSURE),
-            need: Need::Optional("in a case the strength of what cracks beside it, else 10 MPa; alone the closure's floor decides"),
+            need: Need::Optional(
+                "in a case the strength of what cracks beside it, else 10 MPa; alone the closure's floor decides",
+            ),
             doc: "pressure p* from which on the curve goes straight, so that no state is stiffer than the time step counts",
         },
     ];

@@ -123,7 +123,7 @@ impl Observer for Histories {
         }
         for (pair, &(seam, nearest)) in plan.pairs.iter().zip(&self.pairs) {
             debug_assert_eq!(pair.interface, seam);
-            let seen = assembly.contacts[seam].seen(assembly, history.octets, nearest);
+            let seen = assembly.contacts[seam].seen(history.octets, nearest);
             let [slip1, slip2] = seen.slip;
             let [shear1, shear2] = seen.shear.map(|t| -t);
             row.extend([seen.gap, slip1, slip2, seen.pressure, shear1, shear2, f64::from(seen.state)]);

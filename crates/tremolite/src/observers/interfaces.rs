@@ -55,7 +55,7 @@ impl Observer for Interfaces {
         let View { model, assembly, snapshot, history, .. } = *view;
         let mut row = vec![snapshot.time];
         for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
-            let totals = contacts.totals(assembly, seam, history.octets);
+            let totals = contacts.totals(seam, history.octets);
             row.extend([totals.sliding, totals.open, totals.ever_slid, totals.ever_opened]);
             row.extend([totals.largest_gap, totals.largest_slip, totals.impact_gain]);
         }
@@ -144,7 +144,7 @@ impl Observer for InterfaceFields {
         let mut seen: Vec<PairSeen> = Vec::new();
         let mut axes: Vec<[[f64; 3]; 2]> = Vec::new();
         for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
-            seen.extend((0..seam.pairs.len()).map(|k| contacts.seen(assembly, history.octets, k)));
+            seen.extend((0..seam.pairs.len()).map(|k| contacts.seen(history.octets, k)));
             axes.extend(seam.pairs.iter().map(|pair| tangents(pair.normal)));
         }
         let scalar = |name: &str, unit: &str, value: &dyn Fn(&PairSeen) -> f64| {

@@ -2,7 +2,7 @@
 
 use crate::evidence::Evidence;
 use tremolite_engine::Seam;
-use tremolite_engine::contact::Contacts;
+use tremolite_engine::contacts::Contacts;
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
 use tremolite_mesh::Mesh;
@@ -45,9 +45,9 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
 }
 
 fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<TrustLine> {
-    let Evidence { model, assembly, outcome, .. } = evidence;
+    let Evidence { model, outcome, .. } = evidence;
     let history = &outcome.state.history;
-    let totals = contacts.totals(assembly, seam, history);
+    let totals = contacts.totals(seam, history);
     let id = |what: &str| format!("{what}_{}", snake(&seam.name));
     let name = |what: &str| format!("{what}, {}", seam.name);
 
@@ -76,7 +76,7 @@ fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<TrustLine> {
     let mut worst = (0.0, 0);
     let edges = shortest_edges(&model.mesh, seam);
     for (k, edge) in edges.iter().enumerate() {
-        let share = contacts.seen(assembly, history, k).largest_slip / edge;
+        let share = contacts.seen(history, k).largest_slip / edge;
         if share > worst.0 || share.is_nan() {
             worst = (share, k);
         }

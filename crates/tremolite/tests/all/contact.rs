@@ -131,7 +131,7 @@ fn a_joint_square_or_oblique_passes_the_patch_test() {
         }
         assert!(inner > 3, "{inner} inner nodes, those of the joint among them");
         let history = &state.history;
-        let seen = ready.assembly.contacts[0].seen(&ready.assembly, history, 0);
+        let seen = ready.assembly.contacts[0].seen(history, 0);
         assert!((seen.pressure - p).abs() < 1e-9 * p && seen.state == 0);
     }
 }
@@ -164,7 +164,7 @@ fn shaken(problem: Problem, steps: u64) -> (Ready, State) {
 #[test]
 fn bits_of_joints_do_not_depend_on_threads_or_the_instruction_set() {
     let (ready, scalar) = shaken(jointed(Isa::Scalar), 400);
-    let totals = ready.assembly.contacts[0].totals(&ready.assembly, &ready.model.seams[0], &scalar.history);
+    let totals = ready.assembly.contacts[0].totals(&ready.model.seams[0], &scalar.history);
     assert!(totals.ever_slid > 0.0 && totals.ever_opened > 0.0, "{totals:?}");
     for isa in Isa::ALL.into_iter().filter(|isa| isa.available()) {
         let (_, other) = shaken(jointed(isa), 400);

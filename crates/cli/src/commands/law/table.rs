@@ -1,26 +1,26 @@
-//! The answer as a table: time, strain, stress, and the law's history by its names.
+//! The answer as a table: time, motion, stress, and the law's history by its names.
 
-use super::path_file::{STRAIN, STRESS};
-use tremolite_laws::path::Response;
 use tremolite_results::Column;
 use tremolite_results::number::push;
 
+/// The header of a column of a law's history.
+pub fn of_history(column: &tremolite_laws::Column) -> Column {
+    Column::new(column.name, if column.unit == "1" { "" } else { column.unit })
+}
+
 /// Comma-separated, under headers `name [unit]`.
-pub fn text(time: &[f64], response: &Response) -> String {
-    let history =
-        response.columns.iter().map(|c| Column::new(c.name, if c.unit == "1" { "" } else { c.unit }));
-    let columns = std::iter::once(Column::new("time", "s"))
-        .chain(STRAIN.map(|name| Column::new(name, "")))
-        .chain(STRESS.map(|name| Column::new(name, "Pa")))
-        .chain(history);
+pub fn text(
+    columns: impl Iterator<Item = Column>,
+    rows: impl Iterator<Item = impl Iterator<Item = f64>>,
+) -> String {
     let mut text = columns.map(|c| c.header()).collect::<Vec<_>>().join(",");
     text.push('\n');
-    for (row, t) in time.iter().enumerate() {
-        push(&mut text, plain(*t));
-        let values = response.strain[row].iter().chain(&response.stress[row]);
-        for value in values.chain(response.history.iter().map(|column| &column[row])) {
-            text.push(',');
-            push(&mut text, plain(*value));
+    for row in rows {
+        for (k, value) in row.enumerate() {
+            if k > 0 {
+                text.push(',');
+            }
+            push(&mut text, plain(value));
         }
         text.push('\n');
     }

@@ -1,4 +1,4 @@
-//! The parts of interfaces: how stiff a pair may be for the step, and its parts.
+//! An assembly with the parts of its interfaces: how stiff a pair may be for the step.
 //!
 //! **ω_c.** A pair of nodes with masses m₁, m₂ and the stiffness per area k has ω_c² = Σ kA/m₁ + Σ kA/m₂, each sum over all
 //! pairs of that node's tied set, with k at its stiffest: at unlike masses a node with two partners is stiffer than any pair
@@ -9,7 +9,8 @@
 //! set the step.
 
 use crate::assembly::Assembly;
-use crate::engine::{ContactLimit, stable_step};
+use crate::contacts::Contacts;
+use crate::engine::stable_step;
 use crate::error::ModelError;
 use crate::interface::Seam;
 use crate::life::Stage;
@@ -19,85 +20,42 @@ use crate::phase::Phase;
 use crate::problem::TimeStep;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::sync::Arc;
-use tremolite_kernels::AnyInterface;
-use tremolite_kernels::contact::{Pair, PairSeen};
-use tremolite_laws::{Octet, PairState, Values};
+use tremolite_kernels::contact::Pair;
+use tremolite_laws::Values;
 use tremolite_mesh::order::hilbert_order;
 use tremolite_mesh::pairs::tangents;
 
 /// Pairs that one thread works on together.
 const CHUNK: usize = 256;
 
-/// An interface with its law, ready to be looked at.
-#[derive(Clone)]
-pub struct Contacts {
-    pub law: Arc<dyn AnyInterface>,
-    /// Whether the law's stiffness was chosen.
-    pub chosen: bool,
-    /// Member and place in it of each pair of [`Seam::pairs`].
-    places: Vec<(u32, u32)>,
-    /// Largest ω_c of its pairs \[rad/s\], and that pair.
-    pub frequency: f64,
-    pub stiffest_pair: usize,
-}
-
-impl Contacts {
-    /// A pair as it was when it was evaluated last, from the histories of all members.
-    pub fn seen(&self, assembly: &Assembly, history: &[Octet], pair: usize) -> PairSeen {
-        let (member, at) = self.places[pair];
-        let own = &history[assembly.slices[member as usize].history.clone()];
-        self.law.seen(own, at as usize)
-    }
-
-    /// Area-weighted sums over the pairs.
-    pub fn totals(&self, assembly: &Assembly, seam: &Seam, history: &[Octet]) -> ContactTotals {
-        let mut totals = ContactTotals::default();
-        for (k, pair) in seam.pairs.iter().enumerate() {
-            let seen = self.seen(assembly, history, k);
-            let add = |to: &mut f64, counts: bool| *to += if counts { pair.area } else { 0.0 };
-            add(&mut totals.sliding, seen.state == PairState::Sliding as u8);
-            add(&mut totals.open, seen.state == PairState::Open as u8);
-            add(&mut totals.ever_slid, seen.has_slid);
-            add(&mut totals.ever_opened, seen.has_opened);
-            totals.largest_gap = totals.largest_gap.max(seen.largest_gap);
-            totals.largest_slip = totals.largest_slip.max(seen.largest_slip);
-            totals.largest_pressure = totals.largest_pressure.max(seen.largest_pressure);
-            totals.impact_gain += pair.normal_area * seen.impact_gain;
-            let straight = self.law.straight_from().unwrap_or(f64::INFINITY);
-            totals.beyond += usize::from(seen.largest_pressure > straight);
+impl Assembly {
+    /// The parts of a model.
+    ///
+    /// # Errors
+    /// If no face lies on the plane of a base that should do something, a part of the program's own does not fit, an interface's
+    /// law refuses what was chosen for it, or a pair's nodes move as one.
+    pub fn new(model: &Model) -> Result<Self, ModelError> {
+        let mut assembly = Assembly::without_interfaces(model)?;
+        if !model.seams.is_empty() {
+            // Behind everything of the house.
+            let at = assembly.members.len() - model.parts.len();
+            add(model, &mut assembly, at)?;
+            assembly.settle(model);
+            let Assembly { contacts, slices, .. } = &mut assembly;
+            let mut next = at;
+            for contacts in contacts {
+                for range in &mut contacts.histories {
+                    *range = slices[next].history.clone();
+                    next += 1;
+                }
+            }
         }
-        totals
+        Ok(assembly)
     }
-}
-
-/// What an interface does as a whole.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ContactTotals {
-    /// Areas \[m²\] that slide and are open now.
-    pub sliding: f64,
-    pub open: f64,
-    /// Areas \[m²\] that ever slid, that ever opened.
-    pub ever_slid: f64,
-    pub ever_opened: f64,
-    /// Over all pairs and steps: gap, slip \[m\] and pressure \[Pa\].
-    pub largest_gap: f64,
-    pub largest_slip: f64,
-    pub largest_pressure: f64,
-    /// Pairs whose pressure went beyond that from which on the law is straight.
-    pub beyond: usize,
-    /// Energy \[J\] that the trapezoidal rule found or lost at impacts.
-    pub impact_gain: f64,
 }
 
 /// Builds the parts of all interfaces into an assembly of everything else, behind the member `at`.
-///
-/// # Errors
-/// If a law refuses what was chosen for it, or a pair's nodes move as one.
-pub(crate) fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelError> {
-    if model.seams.is_empty() {
-        return Ok(());
-    }
+fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelError> {
     let phase = Phase::of(model, assembly, Stage::Shaking)?;
     for seam in &model.seams {
         let engine = |n: u32| phase.master[model.engine_node[n as usize] as usize];
@@ -130,17 +88,18 @@ pub(crate) fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(
         let mut places = vec![(0, 0); seam.pairs.len()];
         let centres: Vec<[f64; 3]> = (0..seam.pairs.len()).map(|k| seam.place(&model.mesh, k)).collect();
         let order = hilbert_order(&centres);
+        let mut histories = Vec::new();
         for chunk in order.chunks(CHUNK) {
-            let member = (at + members.len()) as u32;
             for (place, &pair) in chunk.iter().enumerate() {
-                places[pair as usize] = (member, place as u32);
+                places[pair as usize] = (histories.len() as u32, place as u32);
             }
+            histories.push(0..0);
             let (nodes, pairs) = part(model, seam, chunk);
             let part = law.contact(nodes, &pairs, damping, model.isa);
             members.push(Member::new(format!("interface '{}'", seam.name), part));
         }
         let chosen = seam.values != *law.values();
-        assembly.contacts.push(Contacts { law, chosen, places, frequency, stiffest_pair });
+        assembly.contacts.push(Contacts { law, chosen, places, histories, frequency, stiffest_pair });
     }
     assembly.members.splice(at..at, members);
     Ok(())
@@ -245,13 +204,4 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, loads: &Loads) -> V
         (seam.law.info.chosen)(&seam.values, stiffness)
     };
     model.seams.iter().enumerate().map(choose).collect()
-}
-
-/// The longest step with which no pair exceeds the limit of its interface.
-pub(crate) fn step_limit(model: &Model, assembly: &Assembly) -> Option<ContactLimit> {
-    let bounds =
-        model.seams.iter().zip(&assembly.contacts).enumerate().map(|(interface, (seam, contacts))| {
-            ContactLimit { dt: seam.limit / contacts.frequency, interface, pair: contacts.stiffest_pair }
-        });
-    bounds.min_by(|a, b| a.dt.total_cmp(&b.dt))
 }

@@ -1,0 +1,58 @@
+//! Keys of the case as they are listed for people.
+
+use tremolite_laws::parameter::Dimension;
+
+use crate::interface::INTERFACE;
+use crate::keys::{Key, Kind, Need};
+use crate::units;
+
+/// One key.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Listed {
+    pub name: &'static str,
+    pub value: ListedValue,
+    /// `required`, or what stands for it where it is left out, and when it has a meaning.
+    pub need: String,
+    pub doc: &'static str,
+}
+
+/// What a key's value looks like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ListedValue {
+    Number(Dimension),
+    /// In a word: `list`, `word`.
+    Other(&'static str),
+}
+
+/// The keys that every `[[interface]]` has, whatever its law.
+pub fn interface_keys() -> Vec<Listed> {
+    INTERFACE.keys.iter().filter(|key| !key.is_later()).map(listed).collect()
+}
+
+fn listed(key: &Key) -> Listed {
+    let need = match (key.need, key.kind) {
+        (Need::Required, _) => "required".to_owned(),
+        (Need::Default(value), _) => format!("default {}", value.trim_matches('"')),
+        (Need::Number(x), Kind::Number(d, _)) => format!("default {}", units::format(x, d)),
+        (Need::Number(x), _) => format!("default {x}"),
+        (Need::Word(word), _) => format!("default {word}"),
+        (Need::Optional(""), _) => "may be left out".to_owned(),
+        (Need::Optional(what), _) => format!("left out: {what}"),
+    };
+    let when = key.when.words().map_or_else(String::new, |words| format!("; only {words}"));
+    Listed { name: key.name, value: value(&key.kind), need: need + &when, doc: key.doc }
+}
+
+fn value(kind: &Kind) -> ListedValue {
+    ListedValue::Other(match kind {
+        Kind::Number(dimension, _) => return ListedValue::Number(*dimension),
+        Kind::Count(_) => "count",
+        Kind::Text | Kind::Word(_) | Kind::Unit(_) => "word",
+        Kind::Name => "name",
+        Kind::List(..) | Kind::Numbers(_) => "list",
+        Kind::Either(kinds) => return kinds.first().map_or(ListedValue::Other("value"), value),
+        Kind::Brief(..) | Kind::Table(_) | Kind::Columns(_) | Kind::Materials(_) => "table",
+        Kind::Tables(_) | Kind::Interfaces(_) => "tables",
+        Kind::Later(_) => "",
+    })
+}

@@ -1,0 +1,70 @@
+//! The interfaces of an assembly: their laws, and what their pairs remember.
+
+use crate::interface::Seam;
+use std::ops::Range;
+use std::sync::Arc;
+use tremolite_kernels::AnyInterface;
+use tremolite_kernels::contact::PairSeen;
+use tremolite_laws::{Octet, PairState};
+
+/// An interface with its law, ready to be looked at.
+#[derive(Clone)]
+pub struct Contacts {
+    pub law: Arc<dyn AnyInterface>,
+    /// Whether the law's stiffness was chosen.
+    pub chosen: bool,
+    /// Of each pair of [`Seam::pairs`], which of the interface's members it is in, and its place there.
+    pub(crate) places: Vec<(u32, u32)>,
+    /// Where the histories of these members lie.
+    pub(crate) histories: Vec<Range<usize>>,
+    /// Largest ω_c of its pairs \[rad/s\], and that pair.
+    pub frequency: f64,
+    pub stiffest_pair: usize,
+}
+
+impl Contacts {
+    /// A pair as it was when it was evaluated last, from the histories of all members.
+    pub fn seen(&self, history: &[Octet], pair: usize) -> PairSeen {
+        let (chunk, at) = self.places[pair];
+        self.law.seen(&history[self.histories[chunk as usize].clone()], at as usize)
+    }
+
+    /// Area-weighted sums over the pairs.
+    pub fn totals(&self, seam: &Seam, history: &[Octet]) -> ContactTotals {
+        let mut totals = ContactTotals::default();
+        for (k, pair) in seam.pairs.iter().enumerate() {
+            let seen = self.seen(history, k);
+            let add = |to: &mut f64, counts: bool| *to += if counts { pair.area } else { 0.0 };
+            add(&mut totals.sliding, seen.state == PairState::Sliding as u8);
+            add(&mut totals.open, seen.state == PairState::Open as u8);
+            add(&mut totals.ever_slid, seen.has_slid);
+            add(&mut totals.ever_opened, seen.has_opened);
+            totals.largest_gap = totals.largest_gap.max(seen.largest_gap);
+            totals.largest_slip = totals.largest_slip.max(seen.largest_slip);
+            totals.largest_pressure = totals.largest_pressure.max(seen.largest_pressure);
+            totals.impact_gain += pair.normal_area * seen.impact_gain;
+            let straight = self.law.straight_from().unwrap_or(f64::INFINITY);
+            totals.beyond += usize::from(seen.largest_pressure > straight);
+        }
+        totals
+    }
+}
+
+/// What an interface does as a whole.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ContactTotals {
+    /// Areas \[m²\] that slide and are open now.
+    pub sliding: f64,
+    pub open: f64,
+    /// Areas \[m²\] that ever slid, that ever opened.
+    pub ever_slid: f64,
+    pub ever_opened: f64,
+    /// Over all pairs and steps: gap, slip \[m\] and pressure \[Pa\].
+    pub largest_gap: f64,
+    pub largest_slip: f64,
+    pub largest_pressure: f64,
+    /// Pairs whose pressure went beyond that from which on the law is straight.
+    pub beyond: usize,
+    /// Energy \[J\] that the trapezoidal rule found or lost at impacts.
+    pub impact_gain: f64,
+}
