@@ -27,6 +27,7 @@ pub mod strips;
 mod svg;
 mod thin;
 mod ticks;
+mod unfold;
 
 use std::fs;
 use std::io;
