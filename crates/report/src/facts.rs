@@ -6,6 +6,7 @@ use tremolite_results::{Bound, Finding, Peaks, Severity, Status, Summary, Table,
 
 use crate::damage::opening;
 use crate::energy::worst_error;
+use crate::interfaces;
 use crate::scale::{count, figures, moment, quantity, span, trimmed};
 use crate::source::Source;
 
@@ -101,6 +102,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         let note = format!("{group} at {}", at(widest.time));
         cards.push(card("Widest crack", opening(cracks), &note));
     }
+    cards.extend(interfaces::cards(&facts));
     // As the check has it; summaries of other versions leave it to the table.
     let checked = facts.trust.iter().find(|line| line.id == "energy_error");
     let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));
@@ -283,6 +285,6 @@ pub fn run(summary: &Summary) -> Vec<Fact> {
     facts
 }
 
-fn card(label: &str, value: String, note: &str) -> Fact {
+pub(crate) fn card(label: &str, value: String, note: &str) -> Fact {
     Fact { label: label.into(), value, note: note.into() }
 }

@@ -71,7 +71,14 @@ pub fn sheet(folds: &Folds, own: &[usize]) -> Sheet {
     let wraps = own.iter().any(|&f| !end(f) && dot(folds.facets[f].normal, mean) < 0.5);
     let flat = |(f, (piece, corners)): (usize, (usize, Corners))| {
         let facet = &folds.facets[f];
-        Flat { face: facet.face, points: facet.points.clone(), corners, normal: facet.normal, end: end(f), piece }
+        Flat {
+            face: facet.face,
+            points: facet.points.clone(),
+            corners,
+            normal: facet.normal,
+            end: end(f),
+            piece,
+        }
     };
     let faces = placed.into_iter().map(flat).collect();
     Sheet { axis, wraps, faces, outline, creases, pieces: pieces.len() }
@@ -125,8 +132,9 @@ impl Growth<'_> {
 
         let normal = facets[root].normal;
         let lean = dot(normal, self.axis);
-        let right = unit([0, 1, 2].map(|i| self.axis[i] - lean * normal[i]))
-            .unwrap_or_else(|| unit(less(self.folds.edge(root, 0)[1], self.folds.edge(root, 0)[0])).unwrap_or(self.axis));
+        let right = unit([0, 1, 2].map(|i| self.axis[i] - lean * normal[i])).unwrap_or_else(|| {
+            unit(less(self.folds.edge(root, 0)[1], self.folds.edge(root, 0)[0])).unwrap_or(self.axis)
+        });
         let up = cross(normal, right);
         let [a, b] = self.folds.edge(root, 0);
         let start = [dot(a, self.axis), dot(less(a, middle), up)];

@@ -27,8 +27,12 @@ impl Laid {
     }
 
     pub fn is_under(&self, outline: &[[f64; 2]]) -> bool {
-        let mut near: Vec<usize> =
-            self.squares_of(outline).filter_map(|square| self.squares.get(&square)).flatten().copied().collect();
+        let mut near: Vec<usize> = self
+            .squares_of(outline)
+            .filter_map(|square| self.squares.get(&square))
+            .flatten()
+            .copied()
+            .collect();
         near.sort_unstable();
         near.dedup();
         near.iter().any(|&k| overlap(outline, &self.outlines[k]))

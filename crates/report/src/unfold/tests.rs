@@ -10,7 +10,11 @@ fn pulled(section: &[[f64; 2]], rows: u32) -> Shape {
         for row in 0..rows {
             let [y, next] = [f64::from(row), f64::from(row + 1)].map(|r| 1.5 * r);
             let [[x0, z0], [x1, z1]] = [pair[0], pair[1]];
-            quad(&mut shape, [[x0, y, z0], [x1, y, z1], [x1, next, z1], [x0, next, z0]], [z1 - z0, 0.0, x0 - x1]);
+            quad(
+                &mut shape,
+                [[x0, y, z0], [x1, y, z1], [x1, next, z1], [x0, next, z0]],
+                [z1 - z0, 0.0, x0 - x1],
+            );
         }
     }
     shape
@@ -36,7 +40,8 @@ fn tube() -> Vec<[f64; 2]> {
     for pair in corners.windows(2) {
         let [a, b] = [pair[0], pair[1]];
         let steps: f64 = (b[0] - a[0]).abs().max((b[1] - a[1]).abs());
-        section.extend((1..=steps as u32).map(|k| [0, 1].map(|i| a[i] + f64::from(k) / steps * (b[i] - a[i]))));
+        section
+            .extend((1..=steps as u32).map(|k| [0, 1].map(|i| a[i] + f64::from(k) / steps * (b[i] - a[i]))));
     }
     section
 }
@@ -85,14 +90,15 @@ fn a_square_tube_opens_along_the_middle_of_its_floor() {
         let [x, _, z] = face.normal;
         match v(face).abs() {
             far if far < 2.0 => assert!(z > 0.9, "the crown lies in the middle"),
-            far if far < 8.0 => assert!(x * -v(face).signum() > 0.9, "the right wall on the side of negative v"),
+            far if far < 8.0 => {
+                assert!(x * -v(face).signum() > 0.9, "the right wall on the side of negative v")
+            }
             _ => assert!(z < -0.9, "the floor outside"),
         }
     }
     // Two creases beside the crown, two above the floor; two ends and two sides of the cut.
-    let total = |lines: &[[[f64; 2]; 2]]| {
-        lines.iter().map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1])).sum::<f64>()
-    };
+    let total =
+        |lines: &[[[f64; 2]; 2]]| lines.iter().map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1])).sum::<f64>();
     assert!(close(total(&sheet.creases), 4.0 * 7.5), "{}", total(&sheet.creases));
     assert!(close(total(&sheet.outline), 2.0 * 20.0 + 2.0 * 7.5), "{}", total(&sheet.outline));
 }
@@ -118,7 +124,11 @@ fn an_end_wall_hangs_on_the_crown_as_the_flap_of_a_box() {
     for i in 0..4 {
         for j in 0..6 {
             let ([x, z], y) = ([f64::from(i), f64::from(j)], 7.5);
-            quad(&mut shape, [[x, y, z], [x + 1.0, y, z], [x + 1.0, y, z + 1.0], [x, y, z + 1.0]], [0.0, 1.0, 0.0]);
+            quad(
+                &mut shape,
+                [[x, y, z], [x + 1.0, y, z], [x + 1.0, y, z + 1.0], [x, y, z + 1.0]],
+                [0.0, 1.0, 0.0],
+            );
         }
     }
     let sheets = develop(&shape);
@@ -127,7 +137,11 @@ fn an_end_wall_hangs_on_the_crown_as_the_flap_of_a_box() {
     let [along, around] = extent(sheet);
     assert!(close(along, 7.5 + 6.0) && close(around, 20.0), "{along} {around}");
     for face in sheet.faces.iter().filter(|face| face.end) {
-        assert!(face.corners.iter().all(|c| c[0] > 7.5 - 1e-9 && c[1].abs() < 2.0 + 1e-9), "{:?}", face.corners);
+        assert!(
+            face.corners.iter().all(|c| c[0] > 7.5 - 1e-9 && c[1].abs() < 2.0 + 1e-9),
+            "{:?}",
+            face.corners
+        );
     }
 }
 
@@ -154,8 +168,11 @@ fn a_fault_lies_as_it_is_with_its_dip_upwards() {
     let mut shape: Shape = Default::default();
     for i in 0..6 {
         for j in 0..4 {
-            let at = |a: u32, b: u32| [0, 1, 2].map(|k| 5.0 * (f64::from(a) * strike[k] + f64::from(b) * down[k]));
-            for corners in [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]] {
+            let at =
+                |a: u32, b: u32| [0, 1, 2].map(|k| 5.0 * (f64::from(a) * strike[k] + f64::from(b) * down[k]));
+            for corners in
+                [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]]
+            {
                 let first = shape.0.len() as u32;
                 shape.0.extend(corners);
                 shape.1.extend([normal; 3]);
