@@ -73,7 +73,7 @@ fn layers(surface: &PairSurface) -> Vec<Layer<'_>> {
     let slip = Layer {
         title: "largest slip over the run",
         never: "never slid",
-        now: "slides at the end",
+        now: "sliding at the end",
         values: &surface.slip_max,
         shown: &surface.slid,
         state: 2,
@@ -127,7 +127,7 @@ fn labels(sheets: &[Sheet], surface: &PairSurface, groups: &ElementGroups) -> Ve
     let label = |(k, name): (usize, &Option<String>)| match name {
         Some(name) if names.iter().filter(|other| *other == &Some(name.clone())).count() == 1 => name.clone(),
         Some(name) => format!("{name}, {}", k + 1),
-        None if sheets.len() > 1 => (k + 1).to_string(),
+        None if sheets.len() > 1 => format!("part {}", k + 1),
         None => String::new(),
     };
     names.iter().enumerate().map(label).collect()

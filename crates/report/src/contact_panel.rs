@@ -3,7 +3,7 @@
 use tremolite_results::PairSurface;
 
 use crate::colours::{self, LEVELS, colour, level};
-use crate::plan::{BAR, LEFT, Plan, marks};
+use crate::plan::{BAR, LEFT, Plan, end_walls, marks};
 use crate::scale::{Scale, trimmed};
 use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::ticks::Ticks;
@@ -202,6 +202,12 @@ pub fn frame(svg: &mut Svg, at: (f64, f64), plan: &Plan, sheets: &[Sheet], label
                     svg.text((x, bottom + 22.0), Anchor::Middle, 12.0, Style::Muted, text);
                 }
             }
+        }
+    }
+    for (k, sheet) in sheets.iter().enumerate() {
+        for middle in end_walls(sheet) {
+            let (x, y) = plan.place(k, middle);
+            svg.note((at.0 + x, at.1 + y), "end wall");
         }
     }
     let (along, around) = axis_words(sheets);

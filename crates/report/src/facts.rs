@@ -102,7 +102,8 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         let note = format!("{group} at {}", at(widest.time));
         cards.push(card("Widest crack", opening(cracks), &note));
     }
-    cards.extend(interfaces::cards(&facts));
+    let extremes = interfaces::extremes(&facts).into_iter();
+    cards.extend(extremes.map(|(label, value, note)| card(label, value, &note)));
     // As the check has it; summaries of other versions leave it to the table.
     let checked = facts.trust.iter().find(|line| line.id == "energy_error");
     let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));
@@ -285,6 +286,6 @@ pub fn run(summary: &Summary) -> Vec<Fact> {
     facts
 }
 
-pub(crate) fn card(label: &str, value: String, note: &str) -> Fact {
+fn card(label: &str, value: String, note: &str) -> Fact {
     Fact { label: label.into(), value, note: note.into() }
 }

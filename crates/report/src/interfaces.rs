@@ -3,7 +3,6 @@
 use serde::Serialize;
 use tremolite_results::{InterfaceSummary, PairPeak, Summary};
 
-use crate::facts::{Fact, card};
 use crate::scale::{count, figures, quantity, trimmed};
 
 /// All interfaces side by side.
@@ -72,8 +71,8 @@ pub fn table(summary: &Summary) -> Option<InterfaceTable> {
     (!names.is_empty()).then(|| InterfaceTable { names, rows: ROWS.iter().map(row).collect() })
 }
 
-/// The largest slip and gap of all interfaces that slid or opened.
-pub fn cards(facts: &Summary) -> Vec<Fact> {
+/// The largest slip and gap of all interfaces that slid or opened: what it is, the value, and of which interface where.
+pub fn extremes(facts: &Summary) -> Vec<(&'static str, String, String)> {
     type Wanted = (&'static str, fn(&InterfaceSummary) -> Option<&PairPeak>);
     let wanted: [Wanted; 2] = [
         ("Largest slip of an interface", |own| (own.ever_slid > 0.0).then_some(&own.max_slip)),
@@ -83,11 +82,7 @@ pub fn cards(facts: &Summary) -> Vec<Fact> {
         let all = facts.interfaces.iter().filter_map(|(name, own)| Some((name, of(own)?)));
         let (name, peak) = all.max_by(|a, b| a.1.value.total_cmp(&b.1.value))?;
         let place = peak.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−"))).join(",\u{a0}");
-        Some(card(
-            label,
-            quantity("m", peak.value),
-            &format!("{name} at ({place}) m, of all pairs and steps"),
-        ))
+        Some((label, quantity("m", peak.value), format!("{name} at ({place}) m, of all pairs and steps")))
     };
     wanted.into_iter().filter_map(most).collect()
 }
@@ -125,6 +120,6 @@ fn peak(peak: &PairPeak) -> Entry {
     let coordinate = |x: f64| trimmed(&format!("{x:.2}").replace('-', "−"));
     let known = peak.value > 0.0 && peak.at.iter().all(|x| x.is_finite());
     let [x, y, z] = peak.at.map(coordinate);
-    let note = if known { format!("at ({x},\u{a0}{y},\u{a0}{z})") } else { String::new() };
+    let note = if known { format!("at\u{a0}({x},\u{a0}{y},\u{a0}{z})") } else { String::new() };
     entry(length(peak.value), note)
 }

@@ -1,10 +1,10 @@
 //! How developed sheets are laid out on a figure.
 
-use crate::unfold::Sheet;
+use crate::unfold::{Flat, Sheet};
 
 /// Room left of a panel's sheets for numbers, and right of them for the colour bar with its key.
 pub const LEFT: f64 = 52.0;
-pub const BAR: f64 = 124.0;
+pub const BAR: f64 = 142.0;
 /// Right of sheets whose axis lies across: what their parts are.
 const SIDES: f64 = 74.0;
 const WIDTH: f64 = 940.0;
@@ -45,7 +45,8 @@ impl Plan {
         let gaps = BETWEEN * (sheets.len().saturating_sub(1)) as f64;
         let mut best: Option<Plan> = None;
         for (upright, beside) in [(false, false), (true, false), (false, true), (true, true)] {
-            if beside && panels < 2 {
+            // A dip is drawn upwards.
+            if (beside && panels < 2) || (upright && !sheets.iter().all(|sheet| sheet.wraps)) {
                 continue;
             }
             let (columns, rows) = if beside { (panels as f64, 1.0) } else { (1.0, panels as f64) };
@@ -106,7 +107,7 @@ fn extent(sheet: &Sheet) -> Spot {
 
 /// What a run of faces of a lining is, and the middle of where it lies to the right of the crown (m).
 pub fn marks(sheet: &Sheet) -> Vec<(&'static str, f64)> {
-    const STEEP: f64 = 0.707_107;
+    const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
     if !sheet.wraps || sheet.axis[2].abs() > 0.5 {
         return Vec::new();
     }
@@ -134,4 +135,23 @@ pub fn marks(sheet: &Sheet) -> Vec<(&'static str, f64)> {
     let name =
         |name: &'static str, width: f64| if name == "floor" && width < 0.05 * around { "foot" } else { name };
     ends.into_iter().map(|(own, _, [low, high])| (name(own, high - low), 0.5 * (low + high))).collect()
+}
+
+/// The middles (u, v) of the end walls of a lining.
+pub fn end_walls(sheet: &Sheet) -> Vec<[f64; 2]> {
+    let middle = |faces: &mut dyn Iterator<Item = &Flat>| {
+        let mut sum = [0.0; 3];
+        for corner in faces.flat_map(|face| &face.corners) {
+            sum = [sum[0] + corner[0], sum[1] + corner[1], sum[2] + 1.0];
+        }
+        (sum[2] > 0.0).then(|| [sum[0] / sum[2], sum[1] / sum[2]])
+    };
+    let Some([along, _]) = middle(&mut sheet.faces.iter().filter(|face| !face.end)) else {
+        return Vec::new();
+    };
+    let ends = |far: bool| {
+        let beyond = move |face: &&Flat| face.end && (face.corners[0][0] > along) == far;
+        middle(&mut sheet.faces.iter().filter(beyond))
+    };
+    if sheet.wraps { [ends(false), ends(true)].into_iter().flatten().collect() } else { Vec::new() }
 }

@@ -169,6 +169,17 @@ impl Svg {
         ));
     }
 
+    /// A word in the middle of a map, legible on any colour.
+    pub fn note(&mut self, (x, y): (f64, f64), text: &str) {
+        self.put(format_args!(
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"11.5\" fill=\"#1f2933\" stroke=\"#fff\" \
+             stroke-width=\"3\" paint-order=\"stroke\">{}</text>",
+            Short(x),
+            Short(y + 4.0),
+            escape(text)
+        ));
+    }
+
     /// Starts a map: a part with its own origin and ground, cut off at its edges. Ends with [`Svg::end_map`].
     pub fn begin_map(&mut self, x: f64, y: f64, width: f64, height: f64) {
         let (x, y, w, h) = (Short(x), Short(y), Short(width), Short(height));

@@ -5,6 +5,7 @@
 //! what cannot be developed tears. Faces across the axis, end walls, hang on their highest edge. What would come to lie
 //! on something else is moved apart.
 
+mod edges;
 mod folds;
 mod grow;
 mod overlap;
@@ -53,6 +54,9 @@ pub fn unfold(points: &[[f64; 3]], normals: &[[f64; 3]], faces: &[Vec<u32>]) -> 
     let folds = Folds::of(points, normals, faces);
     folds.components().iter().map(|own| grow::sheet(&folds, own)).collect()
 }
+
+/// Where the corners of a face lie.
+type Corners = Vec<[f64; 2]>;
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

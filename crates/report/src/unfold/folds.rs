@@ -4,6 +4,9 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::{cross, dot, length, less, unit};
 
+/// A face and one of its edges, that from its corner k to k + 1.
+pub type Side = (usize, usize);
+
 /// A face with its neighbours.
 pub struct Facet {
     /// Which of the faces given, and its points, against the clock when its normal points at the reader.
@@ -14,7 +17,7 @@ pub struct Facet {
     pub normal: [f64; 3],
     pub centre: [f64; 3],
     /// For each edge, from corner k to k + 1: the face beside it and which of its edges that is.
-    pub beside: Vec<Option<(usize, usize)>>,
+    pub beside: Vec<Option<Side>>,
 }
 
 /// The faces of a surface.
@@ -36,7 +39,8 @@ impl Folds {
     /// Joins faces that run along an edge in opposite senses; of more than two at an edge first those that go on
     /// straightest.
     fn join(&mut self) {
-        let mut at: BTreeMap<(usize, usize), [Vec<(usize, usize)>; 2]> = BTreeMap::new();
+        // By ends of the edge: faces with their edges that run along it there and back.
+        let mut at: BTreeMap<(usize, usize), [Vec<Side>; 2]> = BTreeMap::new();
         for (f, facet) in self.facets.iter().enumerate() {
             let n = facet.nodes.len();
             for k in 0..n {

@@ -3,18 +3,15 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
+use super::edges::edges;
 use super::folds::Folds;
 use super::overlap::Laid;
-use super::{Flat, Sheet, cross, dot, length, less, unit};
+use super::{Corners, Flat, Sheet, cross, dot, length, less, unit};
 
 /// Weight of a way along the axis beside one around the section: enough to go by where the section says nothing.
 const ALONG: f64 = 1e-3;
-/// Faces that lean towards the axis by more than this cosine, of 45°, are ends.
-const END: f64 = 0.707_107;
-/// Fold \[rad\] from which on an edge is drawn.
-const CREASE: f64 = 25.0 * std::f64::consts::PI / 180.0;
-
-type Corners = Vec<[f64; 2]>;
+/// Faces that lean towards the axis by more than this cosine, of 45° with its round-off, are ends.
+const END: f64 = std::f64::consts::FRAC_1_SQRT_2 + 1e-6;
 
 /// What lies already: faces with their piece and corners, and the outlines of each piece.
 struct Lying {
@@ -275,33 +272,4 @@ fn apart(placed: &mut BTreeMap<usize, (usize, Corners)>, pieces: usize) {
         }
         lowest = lowest.min(low + by);
     }
-}
-
-type Lines = Vec<[[f64; 2]; 2]>;
-
-/// Edges with nothing beside them, and creases.
-fn edges(folds: &Folds, own: &[usize], placed: &BTreeMap<usize, (usize, Corners)>) -> (Lines, Lines) {
-    let (mut outline, mut creases) = (Vec::new(), Vec::new());
-    for &f in own {
-        let Some((_, corners)) = placed.get(&f) else { continue };
-        for (k, beside) in folds.facets[f].beside.iter().enumerate() {
-            let [a, b] = [corners[k], corners[(k + 1) % corners.len()]];
-            let across = beside.and_then(|(g, j)| {
-                let (_, theirs) = placed.get(&g)?;
-                Some((g, [theirs[(j + 1) % theirs.len()], theirs[j]]))
-            });
-            let near = |p: [f64; 2], q: [f64; 2]| {
-                (p[0] - q[0]).hypot(p[1] - q[1]) < 0.01 * (b[0] - a[0]).hypot(b[1] - a[1])
-            };
-            match across {
-                Some((g, [c, d])) if near(a, c) && near(b, d) => {
-                    if f < g && folds.angle(f, g) > CREASE {
-                        creases.push([a, b]);
-                    }
-                }
-                _ => outline.push([a, b]),
-            }
-        }
-    }
-    (outline, creases)
 }
