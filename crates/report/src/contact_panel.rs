@@ -212,7 +212,9 @@ pub fn frame(svg: &mut Svg, at: (f64, f64), plan: &Plan, sheets: &[Sheet], label
     }
     let (along, around) = axis_words(sheets);
     let (below, beside) = if plan.upright { (around, along) } else { (along, around) };
-    let words = format!("→ {below} (m)   ↑ {beside} (m)");
+    // Of a lining whose axis lies across, right is below.
+    let arrow = if plan.upright || sheets.iter().all(|sheet| !sheet.wraps) { '↑' } else { '↓' };
+    let words = format!("→ {below} (m)   {arrow} {beside} (m)");
     let left = if plan.upright { at.0 - LEFT + 8.0 } else { at.0 };
     let room = plan.size.0 + BAR;
     let size = if text_width(&words, 12.0) > room { 11.0 } else { 12.0 };

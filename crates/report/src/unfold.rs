@@ -22,7 +22,8 @@ pub struct Sheet {
     /// Whether it goes round more than a corner, as a lining does; v is then 0 at the crown.
     pub wraps: bool,
     pub faces: Vec<Flat>,
-    /// Edges with nothing beside them: those of the surface, and where it was opened.
+    /// Edges with nothing beside them: those of the surface, and where it was opened; tears that double curvature leaves are
+    /// not among them.
     pub outline: Vec<[[f64; 2]; 2]>,
     /// Edges at which it was folded by more than 25°.
     pub creases: Vec<[[f64; 2]; 2]>,
