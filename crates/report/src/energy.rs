@@ -11,6 +11,14 @@ const HEADING: &str = "Energy balance";
 /// The dark one; the other lines pass it over.
 const ERROR_COLOUR: usize = 3;
 
+/// Lines of interfaces, with what they are called on the page.
+const OF_INTERFACES: [(&str, &str); 4] = [
+    ("interface", "held by interfaces"),
+    ("friction", "friction and broken bonds of interfaces"),
+    ("created_by_interface", "created by interface laws"),
+    ("contact_damping", "contact damping"),
+];
+
 /// The largest error of the balance, and its ratio to the largest energy held by motion and elements, both over all times.
 pub fn worst_error(table: &Table) -> Option<(f64, f64)> {
     let held: Vec<&[f64]> =
@@ -34,6 +42,31 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
+/// What a line is called on the page; its own name where that says it.
+fn words(line: &str) -> String {
+    let known = OF_INTERFACES.iter().find(|(name, _)| *name == line);
+    known.map_or_else(|| line.replace('_', " "), |(_, words)| (*words).to_owned())
+}
+
+/// What interfaces hold and have taken at the end of the table; empty without them.
+fn of_interfaces(table: &Table) -> String {
+    let last = |line: &str| table.column(line).and_then(|values| values.last()).copied();
+    let (Some(held), Some(friction)) = (last("interface"), last("friction")) else { return String::new() };
+    let mut text = format!(
+        " At the end interfaces hold {}; friction and broken bonds have taken {}",
+        quantity("J", held),
+        quantity("J", friction)
+    );
+    if let Some(damping) = last("contact_damping") {
+        text.push_str(&format!(", contact damping {}", quantity("J", damping)));
+    }
+    if let Some(created) = last("created_by_interface") {
+        text.push_str(&format!("; their laws have given out {} that nobody put in", quantity("J", created)));
+    }
+    text.push('.');
+    text
+}
+
 /// The section of the page.
 pub fn section<'a>(source: &'a Source) -> Section {
     let table = match &source.energy {
@@ -45,18 +78,28 @@ pub fn section<'a>(source: &'a Source) -> Section {
         return Section::left_out(HEADING, "energy.csv holds no line that is not zero.");
     }
     let (drawn, idle): (Vec<_>, Vec<_>) = lines(table).partition(|(_, values)| largest(values) > 0.0);
-    let scale = Scale::suiting("J", most);
-    let line = |(k, (name, values)): (usize, (&'a str, &'a [f64]))| Line {
-        name: name.replace('_', " "),
-        values: values.into(),
-        colour: if k < ERROR_COLOUR { k } else { k + 1 },
-    };
-    let mut panels = vec![Panel {
-        title: "energy".into(),
-        scale,
-        lines: drawn.into_iter().enumerate().map(line).collect(),
-        mark: Mark::Largest,
-    }];
+    // Those of interfaces are small beside what goes through the model, and want a scale of their own.
+    let (contact, drawn): (Vec<_>, Vec<_>) =
+        drawn.into_iter().partition(|(name, _)| OF_INTERFACES.iter().any(|(line, _)| line == name));
+    let mut colours = (0..).filter(|k| *k != ERROR_COLOUR);
+    let mut panels = Vec::new();
+    for (title, lines) in [("energy", drawn), ("energy of interfaces", contact)] {
+        let most = lines.iter().map(|(_, values)| largest(values)).fold(0.0, f64::max);
+        let line = |((name, values), colour): ((&'a str, &'a [f64]), usize)| Line {
+            name: words(name),
+            values: values.into(),
+            colour,
+        };
+        let lines: Vec<Line> = lines.into_iter().zip(colours.by_ref()).map(line).collect();
+        if !lines.is_empty() {
+            panels.push(Panel {
+                title: title.into(),
+                scale: Scale::suiting("J", most),
+                lines,
+                mark: Mark::Largest,
+            });
+        }
+    }
     let mut caption = match (table.column("error"), worst_error(table)) {
         (Some(error), Some((worst, ratio))) => {
             let line = Line { name: "error".into(), values: error.into(), colour: ERROR_COLOUR };
@@ -74,8 +117,9 @@ pub fn section<'a>(source: &'a Source) -> Section {
         }
         _ => "energy.csv has no column error.".into(),
     };
+    caption.push_str(&of_interfaces(table));
     if !idle.is_empty() {
-        let names = idle.iter().map(|(name, _)| name.replace('_', " ")).collect::<Vec<_>>().join(", ");
+        let names = idle.iter().map(|(name, _)| words(name)).collect::<Vec<_>>().join(", ");
         caption.push_str(&format!(" Zero throughout: {names}."));
     }
     let time = table.column("time").unwrap_or(&[]);

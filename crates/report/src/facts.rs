@@ -6,6 +6,7 @@ use tremolite_results::{Bound, Finding, Peaks, Severity, Status, Summary, Table,
 
 use crate::damage::opening;
 use crate::energy::worst_error;
+use crate::interfaces;
 use crate::scale::{count, figures, moment, quantity, span, trimmed};
 use crate::source::Source;
 
@@ -101,6 +102,8 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         let note = format!("{group} at {}", at(widest.time));
         cards.push(card("Widest crack", opening(cracks), &note));
     }
+    let extremes = interfaces::extremes(&facts).into_iter();
+    cards.extend(extremes.map(|(label, value, note)| card(label, value, &note)));
     // As the check has it; summaries of other versions leave it to the table.
     let checked = facts.trust.iter().find(|line| line.id == "energy_error");
     let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));

@@ -1,5 +1,6 @@
 //! A map in the plane (x, z) to scale, with axes and a colour bar.
 
+use crate::colours::{self, LEVELS, colour};
 use crate::svg::{Anchor, Style, Svg};
 use crate::ticks::Ticks;
 
@@ -9,22 +10,6 @@ const LEFT: f64 = 56.0;
 const BAR: f64 = 110.0;
 const TOP: f64 = 30.0;
 const TALLEST: f64 = 560.0;
-const LEVELS: usize = 24;
-
-/// The colour map magma (N. Smith and S. van der Walt, matplotlib, CC0), from light to dark and without its black
-/// end: evenly graded for the eye, also in grey and for the colour-blind.
-const COLOURS: [[f64; 3]; 9] = [
-    [252.0, 253.0, 191.0],
-    [254.0, 207.0, 146.0],
-    [254.0, 159.0, 109.0],
-    [247.0, 112.0, 92.0],
-    [222.0, 73.0, 104.0],
-    [183.0, 55.0, 121.0],
-    [140.0, 41.0, 129.0],
-    [100.0, 26.0, 128.0],
-    [59.0, 15.0, 112.0],
-];
-
 /// A rectangle in (x, z), in m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Window {
@@ -110,9 +95,9 @@ impl Frame {
 
     /// An area of one value.
     pub fn cell(&mut self, outline: &[[f64; 2]], value: f64) {
-        let level = (value - self.low) / (self.high - self.low) * LEVELS as f64;
+        let level = colours::level(value, (self.low, self.high));
         let outline = outline.iter().map(|&p| self.place(p)).collect();
-        self.levels[(level.max(0.0) as usize).min(LEVELS - 1)].push(outline);
+        self.levels[level].push(outline);
     }
 
     /// Thin dark lines.
@@ -136,7 +121,7 @@ impl Frame {
         svg.text((LEFT, TOP - 12.0), Anchor::Start, 13.0, Style::Bold, title);
         svg.begin_map(LEFT, TOP, width, height);
         for (level, outlines) in self.levels.iter().enumerate().filter(|(_, outlines)| !outlines.is_empty()) {
-            svg.areas(&colour((level as f64 + 0.5) / LEVELS as f64), outlines);
+            svg.areas(&colour(level), outlines);
         }
         svg.borders(&self.borders);
         for (name, at) in &self.points {
@@ -156,34 +141,9 @@ impl Frame {
             svg.text((LEFT - 9.0, y + 4.0), Anchor::End, 12.0, Style::Muted, label);
         }
         svg.text((LEFT + width, bottom + 36.0), Anchor::End, 12.0, Style::Muted, "x (m), z (m)");
-        self.bar(&mut svg, LEFT + width + 24.0, height);
+        colours::bar(&mut svg, (LEFT + width + 24.0, TOP), height, (self.low, self.high));
         svg.finish(bottom + 44.0, title, "a section coloured by element")
     }
-
-    fn bar(&self, svg: &mut Svg, left: f64, height: f64) {
-        let step = height / LEVELS as f64;
-        for level in 0..LEVELS {
-            let top = TOP + height - (level + 1) as f64 * step;
-            let corners =
-                vec![(left, top), (left + 16.0, top), (left + 16.0, top + step), (left, top + step)];
-            svg.areas(&colour((level as f64 + 0.5) / LEVELS as f64), &[corners]);
-        }
-        let ticks = Ticks::within(self.low, self.high, (height / 50.0) as usize);
-        for (value, label) in &ticks.marks {
-            let y = TOP + height * (1.0 - ticks.fraction(*value));
-            svg.rule((left + 16.0, y), (left + 21.0, y), true);
-            svg.text((left + 25.0, y + 4.0), Anchor::Start, 12.0, Style::Muted, label);
-        }
-    }
-}
-
-/// The colour at `s`, 0 to 1, as `#rrggbb`.
-fn colour(s: f64) -> String {
-    let at = s.clamp(0.0, 1.0) * (COLOURS.len() - 1) as f64;
-    let i = (at as usize).min(COLOURS.len() - 2);
-    let mix =
-        |k: usize| (COLOURS[i][k] + (at - i as f64) * (COLOURS[i + 1][k] - COLOURS[i][k])).round() as u8;
-    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
 }
 
 #[cfg(test)]

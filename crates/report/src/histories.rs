@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use tremolite_results::Table;
 
 use crate::chart::{Chart, Line, Mark, Panel};
+use crate::contact_monitors::is_on_interface;
 use crate::figure::{Figure, Section};
 use crate::pairs::{difference, is_pair, names};
 use crate::scale::{Scale, quantity};
@@ -66,6 +67,8 @@ pub fn sections(source: &Source) -> Vec<Section> {
     let names = names(table);
     let (pairs, monitors): (Vec<String>, Vec<String>) =
         names.iter().cloned().partition(|name| is_pair(name, &names));
+    // Those on interfaces have figures of their own.
+    let monitors: Vec<String> = monitors.into_iter().filter(|name| !is_on_interface(table, name)).collect();
     let mut all_pairs: Vec<String> = source.facts().relative.keys().cloned().collect();
     all_pairs.extend(pairs.into_iter().filter(|pair| !source.facts().relative.contains_key(pair)));
 

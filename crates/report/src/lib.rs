@@ -8,6 +8,12 @@
 
 mod axes;
 mod chart;
+mod colours;
+mod contact_history;
+mod contact_map;
+mod contact_monitors;
+mod contact_panel;
+mod contact_path;
 mod cut_figure;
 mod damage;
 mod energy;
@@ -16,17 +22,20 @@ mod figure;
 mod frame;
 mod growth;
 mod histories;
+mod interfaces;
 pub mod loops;
 mod materials;
 mod page;
 mod pairs;
 mod peaks;
+mod plan;
 mod scale;
 mod source;
 pub mod strips;
 mod svg;
 mod thin;
 mod ticks;
+mod unfold;
 
 use std::fs;
 use std::io;
@@ -65,9 +74,13 @@ pub enum Error {
 /// If `dir` holds no results or cannot be written to.
 pub fn write(dir: &Path) -> Result<PathBuf, Error> {
     let source = Source::read(dir)?;
-    let mut sections: Vec<Section> = growth::section(&source).into_iter().collect();
+    let mut sections: Vec<Section> = Vec::new();
+    sections.extend(contact_map::section(&source));
+    sections.extend(contact_history::section(&source));
+    sections.extend(growth::section(&source));
     sections.push(cut_figure::section(&source));
     sections.extend(histories::sections(&source));
+    sections.extend(contact_monitors::section(&source));
     sections.push(energy::section(&source));
     let folder = source.folder.figures();
     fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;

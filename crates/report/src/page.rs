@@ -9,6 +9,7 @@ use tremolite_results::Defaulted;
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
 use crate::figure::Section;
+use crate::interfaces::{self, InterfaceTable};
 use crate::materials::{self, MaterialTable};
 use crate::peaks::{self, PeakTable};
 use crate::source::Source;
@@ -30,6 +31,7 @@ struct Page {
     materials: Vec<MaterialTable>,
     damage: Vec<DamageTable>,
     cracks: Vec<CrackRow>,
+    interfaces: Option<InterfaceTable>,
     sections: Vec<Part>,
     peaks: Vec<PeakTable>,
     interval: Option<String>,
@@ -75,6 +77,7 @@ pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::
         materials: materials::tables(&summary),
         damage: damage::tables(&summary),
         cracks: damage::cracks(&summary),
+        interfaces: interfaces::table(&summary),
         sections: sections.iter().map(part).collect(),
         peaks: peaks::peaks(source),
         interval: peaks::interval(source),

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use tremolite_results::Summary;
 
+use crate::contact_monitors::QUANTITIES;
 use crate::facts::{ByName, duration};
 use crate::scale::{Scale, moment, quantity, trimmed};
 use crate::source::Source;
@@ -48,6 +49,13 @@ pub fn peaks(source: &Source) -> Vec<PeakTable> {
             "Pa",
             &summary.monitors,
             &["s1", "s3"][..],
+        ),
+        peak_table("Gap and slip of monitors on interfaces", "m", &summary.monitors, &QUANTITIES[..3]),
+        peak_table(
+            "Pressure, compression positive, and shear of monitors on interfaces",
+            "Pa",
+            &summary.monitors,
+            &QUANTITIES[3..6],
         ),
         peak_table("Velocity", "m/s", &summary.monitors, &["vx", "vy", "vz"][..]),
         peak_table("Acceleration", "m/s2", &summary.monitors, &["ax", "ay", "az"][..]),

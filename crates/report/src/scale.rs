@@ -11,11 +11,12 @@ pub struct Scale {
 /// Display units of an SI unit, largest first: the size (in SI) from which on it serves, its factor, its name.
 type Ladder = &'static [(f64, f64, &'static str)];
 
-const LADDERS: [(&str, Ladder); 8] = [
+const LADDERS: [(&str, Ladder); 9] = [
     ("m", &[(1.0, 1.0, "m"), (1e-3, 1e3, "mm"), (1e-6, 1e6, "µm"), (1e-9, 1e9, "nm")]),
     ("m/s", &[(0.1, 1.0, "m/s"), (1e-4, 1e3, "mm/s"), (1e-7, 1e6, "µm/s")]),
     ("m/s2", &[(1e-2, 1.0, "m/s²"), (1e-5, 1e3, "mm/s²"), (1e-8, 1e6, "µm/s²")]),
     ("Pa", &[(1e9, 1e-9, "GPa"), (1e5, 1e-6, "MPa"), (1e2, 1e-3, "kPa"), (0.1, 1.0, "Pa")]),
+    ("Pa/m", &[(1e12, 1e-12, "TPa/m"), (1e8, 1e-9, "GPa/m"), (1e5, 1e-6, "MPa/m"), (1e2, 1e-3, "kPa/m")]),
     ("N", &[(1e6, 1e-6, "MN"), (1e3, 1e-3, "kN"), (0.1, 1.0, "N")]),
     ("J", &[(1e9, 1e-9, "GJ"), (1e6, 1e-6, "MJ"), (1e3, 1e-3, "kJ"), (1e-1, 1.0, "J"), (1e-4, 1e3, "mJ")]),
     ("s", &[(0.1, 1.0, "s"), (1e-3, 1e3, "ms"), (1e-6, 1e6, "µs")]),

@@ -15,6 +15,8 @@ pub struct Source {
     pub energy: Result<Table, String>,
     /// Nothing where the folder has no such file: nothing could be damaged, or an older version ran.
     pub damage: Option<Result<Table, String>>,
+    /// Nothing where the folder has no such file: the run has no interface, or an older version ran.
+    pub interfaces: Option<Result<Table, String>>,
 }
 
 impl Source {
@@ -35,7 +37,8 @@ impl Source {
             complete(summary, monitors);
         }
         let damage = folder.damage().exists().then(|| table(&folder.damage()));
-        Ok(Source { folder, summary, monitors, energy, damage })
+        let interfaces = folder.interfaces().exists().then(|| table(&folder.interfaces()));
+        Ok(Source { folder, summary, monitors, energy, damage, interfaces })
     }
 
     /// The summary, or an empty one.

@@ -112,6 +112,19 @@ impl Svg {
         ));
     }
 
+    /// Small dots in the colour of a line.
+    pub fn dots(&mut self, colour: usize, points: &[(f64, f64)]) {
+        let k = colour % LINES.len();
+        self.put(format_args!(
+            "<path class=\"s{k}\" fill=\"none\" stroke=\"{}\" stroke-width=\"3.4\" stroke-linecap=\"round\" d=\"",
+            LINES[k]
+        ));
+        for (x, y) in points {
+            self.put(format_args!("M{} {}h.01", Short(*x), Short(*y)));
+        }
+        self.put("\"/>");
+    }
+
     /// Closed areas of one colour.
     pub fn areas(&mut self, colour: &str, outlines: &[Vec<(f64, f64)>]) {
         // The thin outline hides the seams that antialiasing leaves between neighbours.
@@ -131,6 +144,17 @@ impl Svg {
         self.put("\"/>");
     }
 
+    /// Hatching on a map, dark with a light edge so that it is seen on any colour.
+    pub fn hatching(&mut self, lines: &[Vec<(f64, f64)>]) {
+        for (colour, width) in [("#fff", "2.2"), ("#1f2933", "0.9")] {
+            self.put(format_args!("<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" d=\""));
+            for line in lines {
+                self.trace(line, false);
+            }
+            self.put("\"/>");
+        }
+    }
+
     /// A named dot on a map, legible on any colour.
     pub fn label(&mut self, at: (f64, f64), name: &str) {
         self.put(format_args!(
@@ -142,6 +166,17 @@ impl Svg {
             Short(at.0 + 7.0),
             Short(at.1 - 6.0),
             escape(name)
+        ));
+    }
+
+    /// A word in the middle of a map, legible on any colour.
+    pub fn note(&mut self, (x, y): (f64, f64), text: &str) {
+        self.put(format_args!(
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" font-size=\"11.5\" fill=\"#1f2933\" stroke=\"#fff\" \
+             stroke-width=\"3\" paint-order=\"stroke\">{}</text>",
+            Short(x),
+            Short(y + 4.0),
+            escape(text)
         ));
     }
 

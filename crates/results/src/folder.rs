@@ -152,12 +152,16 @@ impl ResultFolder {
             self.energy(),
             self.damage(),
             self.pvd(),
+            self.interfaces(),
+            self.interfaces_pvd(),
             self.report(),
         ] {
             remove(&file, |path| fs::remove_file(path))?;
         }
         remove(&self.checkpoint(), |path| fs::remove_dir_all(path))?;
-        for (folder, extension) in [(self.fields(), "vtu"), (self.figures(), "svg")] {
+        for (folder, extension) in
+            [(self.fields(), "vtu"), (self.interface_fields(), "vtu"), (self.figures(), "svg")]
+        {
             let Ok(entries) = fs::read_dir(&folder) else { continue };
             for entry in entries.flatten().filter(|e| e.path().extension().is_some_and(|x| x == extension)) {
                 remove(&entry.path(), |path| fs::remove_file(path))?;

@@ -7,8 +7,10 @@
 //! |---|---|---|
 //! | `summary.json` | [`summary`] | verdict, facts of the model, peaks, trust lines |
 //! | `monitors.csv`, `energy.csv`, `damage.csv` | [`table`] | histories; headers are `name [unit]` |
-//! | `fields.pvd` | [`pvd`] | the times of the field files in `fields/` |
+//! | `interfaces.csv` | [`table`] | the same of interfaces |
+//! | `fields.pvd`, `interfaces.pvd` | [`pvd`] | the times of the files in `fields/` and `interfaces/` |
 //! | `fields/*.vtu` | [`cut`] | cuts through them; `tremolite_mesh::vtu` reads and writes the files themselves |
+//! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
 //!
 //! Histories grow while the run goes on and can be read at any moment. Small files are replaced
 //! whole, so a reader sees the old one or the new one, never half of one.
@@ -24,6 +26,7 @@ pub mod peaks;
 pub mod pvd;
 pub mod stress;
 pub mod summary;
+pub mod surface;
 pub mod table;
 pub mod table_writer;
 pub mod trust;
@@ -38,6 +41,7 @@ pub use peaks::{Peaks, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{Defaulted, Input, ModelFacts, MotionFacts, RunFacts, Status, Summary};
+pub use surface::{ElementGroups, PairSurface};
 pub use table::{Column, Table};
 pub use table_writer::TableWriter;
 pub use trust::{Bound, Fact, TrustLine, snake, tell_apart};

@@ -39,6 +39,10 @@ fn a_given_folder_with_results_is_refused_or_emptied_of_results_alone() {
     let folder = ResultFolder::open_existing(temp.path()).unwrap();
     fs::write(folder.summary(), "{}").unwrap();
     fs::write(folder.fields().join("0001.vtu"), "old").unwrap();
+    fs::create_dir(folder.interface_fields()).unwrap();
+    let of_interfaces =
+        [folder.interfaces(), folder.interfaces_pvd(), folder.interface_fields().join("0001.vtu")];
+    of_interfaces.iter().for_each(|path| fs::write(path, "old").unwrap());
     fs::write(folder.fields().join("notes.md"), "mine").unwrap();
     fs::write(temp.path().join("letter.txt"), "mine").unwrap();
     let lock = temp.path().join("run.lock");
@@ -51,6 +55,7 @@ fn a_given_folder_with_results_is_refused_or_emptied_of_results_alone() {
 
     ResultFolder::create(Some(temp.path()), "x", true).unwrap();
     assert!(!folder.summary().exists() && !folder.fields().join("0001.vtu").exists());
+    assert!(of_interfaces.iter().all(|path| !path.exists()), "a later run may have no interface");
     assert!(folder.fields().join("notes.md").exists() && temp.path().join("letter.txt").exists());
 }
 
