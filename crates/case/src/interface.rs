@@ -34,21 +34,21 @@ pub(crate) static INTERFACE: Table = Table {
             "corner",
             Kind::Number(Dimension::ANGLE, Limit::UpTo(60.0 * PI / 180.0)),
             r#""45 deg""#,
-            "Angle below which faces that meet at a node share its pair and normal; across a sharper edge it has a second pair",
+            "angle below which faces that meet at a node share its pair and normal; across a sharper edge it has a second pair",
         )
         .when(OF_A_LAW),
         Key::default(
             "contact_damping",
             Kind::Number(Dimension::NONE, Limit::Within(0.2)),
             "0.01",
-            "Dashpot against bouncing, normal to closed pairs whose bond is broken: share of critical damping",
+            "dashpot against bouncing, normal to closed pairs whose bond is broken: share of critical damping",
         )
         .when(OF_A_LAW),
         Key::default(
             "contact_limit",
             Kind::Number(Dimension::NONE, Limit::UpTo(1.0)),
             "0.8",
-            "Largest ω_c Δt of contact, ω_c of the stiffest pairs between their masses: the step keeps it, lest impacts make energy",
+            "largest ω_c Δt of contact, ω_c of the stiffest pairs between their masses: the step keeps it, lest impacts make energy",
         )
         .when(OF_A_LAW),
     ],

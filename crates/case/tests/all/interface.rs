@@ -146,8 +146,8 @@ const BAD: &[Bad] = &[
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = 20", "20", "`normal_stiffness` = 20 has no unit, and a bare number is in Pa/m", "\"20 GPa/m\"?"),
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = 5e3", "5e3", "a bare number is in Pa/m", "\"5000 MPa/m\"?"),
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = \"-20 GPa/m\"", "\"-20 GPa/m\"", "must be positive", "20 GPa/m is usual"),
-    bad("friction = 0.7", "friction = -0.7", "-0.7", "must not be negative", "zero or more"),
-    bad("normal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\npoisson = 0.2", "max_closure = \"2 mm\"\npoisson = 0.7", "0.7", "must lie between -1 and 0.5", "0.25"),
+    bad("friction = 0.7", "friction = -0.7", "-0.7", "must be zero or positive", "zero or"),
+    bad("normal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\npoisson = 0.2", "max_closure = \"2 mm\"\npoisson = 0.7", "0.7", "must be between -1 and 0.5", "0.25"),
     bad("tangential = \"constant\"", "tangential = \"folowing\"", "\"folowing\"", "`tangential` cannot be", "did you mean \"following\"?"),
     bad("tensile_strength = \"0.4 MPa\"", "tensile_strength = \"50 MPa\"", "\"50 MPa\"", "the joint can never reach", "smaller tensile_strength"),
     // Sides

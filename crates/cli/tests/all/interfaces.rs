@@ -129,7 +129,7 @@ fn each_check_of_an_interface_has_a_model_that_fails_it() {
         (
             "interface_impacts_joint",
             GOOD.replace("20 GPa/m", "400 GPa/m").replace("10 kPa", "0 Pa") + "contact_damping = 0.0",
-            "time_step = \"0.07 ms\"",
+            "time_step = \"0.1 ms\"",
             [2.0, 20.0],
         ),
         ("interface_step_joint", format!("{GOOD}contact_limit = 0.05"), "time_step = \"0.1 ms\"", [2.0, 2.0]),
@@ -138,9 +138,10 @@ fn each_check_of_an_interface_has_a_model_that_fails_it() {
     for (id, joint, dynamic, peaks) in bad {
         let model = if id == "interface_impacts_joint" { rattle } else { slab };
         model(folder.path(), &joint, dynamic, peaks);
-        let summary = summary_of(folder.path());
+        // What impacts give out may stop the run.
+        let _ = tremolite(folder.path(), &["run", "case.toml", "--out", "results", "--overwrite"]);
+        let summary = Summary::read(&folder.path().join("results/summary.json")).unwrap();
         let found = line(&summary, id);
-        eprintln!("{id}: {} {}", found.value, found.limit);
         assert!(!found.pass && !found.not_applicable, "{found:?}");
     }
 }
