@@ -1,7 +1,7 @@
 //! What interfaces did, as a table.
 
 use serde::Serialize;
-use tremolite_results::{InterfaceSummary, PairPeak, Summary};
+use tremolite_results::{InterfaceSummary, MaterialValue, PairPeak, Summary};
 
 use crate::scale::{count, figures, quantity, trimmed};
 
@@ -31,8 +31,9 @@ pub struct Entry {
 /// A row before it is filled in.
 type Wanted = (&'static str, &'static str, fn(&InterfaceSummary) -> Entry);
 
-const ROWS: [Wanted; 12] = [
+const ROWS: [Wanted; 13] = [
     ("Law", "", |own| entry(own.law.clone(), String::new())),
+    ("Parameters", "of the law", |own| entry(parameters(own), String::new())),
     ("Area", "and the pairs of nodes that share it", |own| entry(area(own.area), pairs(own))),
     ("Normal stiffness k_n0", "closed and unloaded", |own| {
         let chosen = if own.chosen { "chosen by the program" } else { "given" };
@@ -89,6 +90,16 @@ pub fn extremes(facts: &Summary) -> Vec<(&'static str, String, String)> {
 
 fn entry(value: String, note: String) -> Entry {
     Entry { value, note }
+}
+
+/// But for the stiffness, which has a row of its own.
+fn parameters(own: &InterfaceSummary) -> String {
+    let own = own.values.iter().filter(|value| value.name != "normal_stiffness");
+    let value = |v: &MaterialValue| match v.word.is_empty() {
+        true => trimmed(&quantity(&v.unit, v.value)),
+        false => v.word.clone(),
+    };
+    own.map(|v| format!("{}\u{a0}{}", v.name, value(v))).collect::<Vec<_>>().join(", ")
 }
 
 fn area(value: f64) -> String {

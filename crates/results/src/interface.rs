@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::number;
+use crate::{MaterialValue, number};
 
 /// One interface over the run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -10,6 +10,8 @@ use crate::number;
 pub struct InterfaceSummary {
     /// Its law, the number of its pairs, and of nodes at which it ends inside the model, closed.
     pub law: String,
+    /// The law's parameters; of what was left to be chosen the origin is derived.
+    pub values: Vec<MaterialValue>,
     pub pairs: u64,
     pub ends: u64,
     /// Area (m²).
@@ -55,4 +57,17 @@ pub struct PairPeak {
     /// Number of the pair's node, and its place (m).
     pub node: u64,
     pub at: [f64; 3],
+}
+
+/// A monitor on an interface: the pair nearest to its point.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct PairPlace {
+    pub interface: String,
+    /// Number of the pair's node, and its place (m).
+    pub node: u64,
+    pub at: [f64; 3],
+    /// m, out of the first side into the second, and the tangents along which slip and shear are counted.
+    pub normal: [f64; 3],
+    pub tangents: [[f64; 3]; 2],
 }

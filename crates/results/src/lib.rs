@@ -35,7 +35,7 @@ pub use cut::{Cut, CutCell};
 pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;
 pub use folder::{ResultFolder, replace_file};
-pub use interface::{InterfaceSummary, PairPeak};
+pub use interface::{InterfaceSummary, PairPeak, PairPlace};
 pub use materials::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
 pub use peaks::{Peaks, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};

@@ -7,8 +7,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Error, Fact, Finding, GroupDamage, GroupStress, InterfaceSummary, MaterialFacts, Peaks, TrustLine,
-    number, replace_file,
+    Error, Fact, Finding, GroupDamage, GroupStress, InterfaceSummary, MaterialFacts, PairPlace, Peaks,
+    TrustLine, number, replace_file,
 };
 
 /// How a run ended.
@@ -68,6 +68,8 @@ pub struct Summary {
     pub damage: IndexMap<String, GroupDamage>,
     /// Interface → what it did.
     pub interfaces: IndexMap<String, InterfaceSummary>,
+    /// Monitor on an interface → its pair.
+    pub pairs: IndexMap<String, PairPlace>,
     /// Line of the energy balance → its value at the end (J).
     #[serde(deserialize_with = "number::deserialize_map")]
     pub energy: IndexMap<String, f64>,

@@ -1,13 +1,18 @@
 //! What interfaces did, for people.
 
+use crate::plan::{PairMonitor, Plan};
+use crate::units::unit;
 use indexmap::IndexMap;
 use tremolite_engine::Seam;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::contacts::Contacts;
 use tremolite_engine::model::Model;
 use tremolite_kernels::contact::PairSeen;
-use tremolite_laws::Octet;
-use tremolite_results::{Finding, InterfaceSummary, PairPeak, Severity, snake};
+use tremolite_laws::{Octet, Parameter, Value};
+use tremolite_mesh::pairs::tangents;
+use tremolite_results::{
+    Finding, InterfaceSummary, MaterialValue, Origin, PairPeak, PairPlace, Severity, snake,
+};
 
 /// Pressure \[Pa\] at which the closure of an interface is told.
 pub const TOLD_AT: f64 = 1e6;
@@ -34,6 +39,7 @@ pub fn interfaces(
         };
         let summary = InterfaceSummary {
             law: contacts.law.info().name.into(),
+            values: values(seam, contacts),
             pairs: seam.pairs.len() as u64,
             ends: seam.ends.len() as u64,
             area: seam.area(),
@@ -53,6 +59,46 @@ pub fn interfaces(
         (seam.name.clone(), summary)
     };
     model.seams.iter().zip(&assembly.contacts).map(of).collect()
+}
+
+/// The law's parameters, with what was chosen for them.
+fn values(seam: &Seam, contacts: &Contacts) -> Vec<MaterialValue> {
+    let value = |parameter: &Parameter| {
+        let (value, word) = match contacts.law.values().0.get(parameter.name)? {
+            Value::Number(x) => (*x, String::new()),
+            Value::Word(word) => (f64::NAN, word.clone()),
+            Value::Table(_) => return None,
+        };
+        let given = seam.values.0.get(parameter.name) == contacts.law.values().0.get(parameter.name);
+        Some(MaterialValue {
+            name: parameter.name.into(),
+            value,
+            most: value,
+            word,
+            unit: unit(parameter.kind).into(),
+            meaning: parameter.doc.into(),
+            origin: if given { Origin::Given } else { Origin::Derived },
+        })
+    };
+    contacts.law.info().parameters.iter().filter_map(value).collect()
+}
+
+/// The pairs of monitors on interfaces.
+pub fn monitors(model: &Model, plan: &Plan) -> IndexMap<String, PairPlace> {
+    let of = |monitor: &PairMonitor| {
+        let seam = &model.seams[monitor.interface];
+        let pair = seam.nearest(&model.mesh, monitor.point);
+        let normal = seam.pairs[pair].normal;
+        let place = PairPlace {
+            interface: seam.name.clone(),
+            node: model.mesh.node_id(seam.pairs[pair].nodes[1] as usize),
+            at: seam.place(&model.mesh, pair),
+            normal,
+            tangents: tangents(normal),
+        };
+        (monitor.name.clone(), place)
+    };
+    plan.pairs.iter().map(of).collect()
 }
 
 /// A finding for each interface.

@@ -22,6 +22,7 @@ pub mod stress;
 pub mod summary;
 pub mod survey;
 mod trust;
+mod units;
 
 pub use error::RunError;
 pub use tremolite_engine::*;

@@ -4,14 +4,12 @@ use crate::damage;
 use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
 use crate::observers::Extremes;
-use crate::plan::{PairMonitor, Plan};
 use crate::run::{Ending, Outcome};
 use crate::stress::stresses;
 use crate::survey::step_in_words;
 use crate::trust::{facts, trust};
 use indexmap::IndexMap;
 use tremolite_engine::Halt;
-use tremolite_engine::model::Model;
 use tremolite_results::{
     Finding, GroupStress, ModelFacts, MotionFacts as MotionSummary, Status, Summary, TrustLine,
     peaks_by_monitor,
@@ -78,12 +76,13 @@ pub fn summary(evidence: Evidence) -> Summary {
             peak_acceleration: (0..3).map(peak).collect(),
             source: (0..3).map(source).collect(),
         },
-        positions: positions(model, plan),
+        positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
         monitors,
         relative,
         stress,
         damage,
         interfaces,
+        pairs: interfaces::monitors(model, plan),
         energy: assembly.lines().map(|line| (line.name().to_owned(), outcome.balance[line])).collect(),
         facts,
         trust,
@@ -93,16 +92,6 @@ pub fn summary(evidence: Evidence) -> Summary {
         run: evidence.run,
         defaulted: evidence.defaulted,
     }
-}
-
-/// Where monitors are: those of an interface at their pair.
-fn positions(model: &Model, plan: &Plan) -> IndexMap<String, [f64; 3]> {
-    let of_pair = |pair: &PairMonitor| {
-        let seam = &model.seams[pair.interface];
-        (pair.name.clone(), seam.place(&model.mesh, seam.nearest(&model.mesh, pair.point)))
-    };
-    let monitors = plan.monitors.iter().map(|m| (m.name.clone(), m.point));
-    monitors.chain(plan.pairs.iter().map(of_pair)).collect()
 }
 
 /// The run's outcome and that of each structure, in one text.

@@ -3,6 +3,7 @@
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::quantities::{Field, INTERFACE};
+use std::collections::BTreeMap;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
@@ -70,8 +71,10 @@ pub struct InterfaceFields {
     schedule: Schedule,
     folder: std::path::PathBuf,
     list: Pvd,
-    /// A point for each pair, interface by interface, a cell for each face.
+    /// A point for each pair, interface by interface, and for each closed end; a cell for each face.
     grid: Grid,
+    /// Number of closed ends.
+    ends: usize,
 }
 
 impl InterfaceFields {
@@ -92,30 +95,38 @@ impl InterfaceFields {
         let files = folder.interface_fields();
         std::fs::create_dir_all(&files).map_err(|source| RunError::Io { path: files.clone(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
-        Ok(Some(InterfaceFields { schedule, folder: files, list, grid: grid(model) }))
+        let (grid, ends) = grid(model);
+        Ok(Some(InterfaceFields { schedule, folder: files, list, grid, ends }))
     }
 }
 
-/// Faces as polygons of their pairs. A face of which a corner has no pair, at an end of an interface, has fewer corners.
-fn grid(model: &Model) -> Grid {
+/// Faces as polygons of their pairs. Where an interface ends, closed, a corner has none: there its node stands for one that
+/// never moves, behind all pairs; the second value is how many such points there are.
+fn grid(model: &Model) -> (Grid, usize) {
     let mut grid = Grid::default();
     let (mut interface, mut element, mut other) = (Vec::new(), Vec::new(), Vec::new());
-    let mut normals: Vec<f32> = Vec::new();
+    let (mut normals, mut areas) = (Vec::<f32>::new(), Vec::<f32>::new());
+    let mut ends: BTreeMap<(usize, u32), u32> = BTreeMap::new();
+    let pairs: usize = model.seams.iter().map(|seam| seam.pairs.len()).sum();
     for (s, seam) in model.seams.iter().enumerate() {
         let first = grid.points.len() as u32;
         let mut corners: Vec<Vec<(u8, u32)>> = vec![Vec::new(); seam.faces.len()];
         for (k, pair) in (0u32..).zip(&seam.pairs) {
             grid.points.push(seam.place(&model.mesh, k as usize));
             normals.extend(pair.normal.map(|x| x as f32));
+            areas.push(pair.area as f32);
             for &(face, corner) in &pair.corners {
                 corners[face as usize].push((corner, first + k));
             }
         }
         for ([a, b], corners) in seam.faces.iter().zip(&mut corners) {
-            corners.sort_unstable();
-            if corners.len() < 3 {
-                continue;
+            for (corner, node) in (0u8..).zip(model.mesh.face_nodes(*a)) {
+                if corners.iter().all(|(known, _)| *known != corner) {
+                    let next = (pairs + ends.len()) as u32;
+                    corners.push((corner, *ends.entry((s, node)).or_insert(next)));
+                }
             }
+            corners.sort_unstable();
             grid.connectivity.extend(corners.iter().map(|(_, point)| point));
             grid.offsets.push(grid.connectivity.len() as u32);
             // VTK's numbers of a triangle and a quadrilateral.
@@ -125,13 +136,27 @@ fn grid(model: &Model) -> Grid {
             other.push(model.mesh.element_id(b.element as usize) as i64);
         }
     }
-    grid.point_data = vec![Array::new("normal", "", 3, Values::Float32(normals))];
+    let mut closed: Vec<(u32, u32)> = ends.into_iter().map(|((_, node), point)| (point, node)).collect();
+    closed.sort_unstable();
+    grid.points.extend(closed.iter().map(|&(_, node)| model.mesh.nodes[node as usize]));
+    normals.resize(3 * grid.points.len(), 0.0);
+    areas.resize(grid.points.len(), 0.0);
+    grid.point_data = vec![
+        Array::new("normal", "", 3, Values::Float32(normals)),
+        Array::new("area", "m2", 1, Values::Float32(areas)),
+    ];
+    let names = (0i32..).zip(&model.seams).map(|(s, seam)| {
+        let marks = interface.iter().map(|&of| u8::from(of == s)).collect();
+        Array::new(format!("interface:{}", seam.name), "", 1, Values::UInt8(marks))
+    });
+    let names: Vec<Array> = names.collect();
     grid.cell_data = vec![
         Array::new("interface", "", 1, Values::Int32(interface)),
         Array::new("element", "", 1, Values::Int64(element)),
         Array::new("other_element", "", 1, Values::Int64(other)),
     ];
-    grid
+    grid.cell_data.extend(names);
+    (grid, closed.len())
 }
 
 impl Observer for InterfaceFields {
@@ -147,6 +172,8 @@ impl Observer for InterfaceFields {
             seen.extend((0..seam.pairs.len()).map(|k| contacts.seen(history.octets, k)));
             axes.extend(seam.pairs.iter().map(|pair| tangents(pair.normal)));
         }
+        seen.resize(seen.len() + self.ends, PairSeen::default());
+        axes.resize(seen.len(), [[0.0; 3]; 2]);
         let scalar = |name: &str, unit: &str, value: &dyn Fn(&PairSeen) -> f64| {
             Array::new(name, unit, 1, Values::Float32(seen.iter().map(|s| value(s) as f32).collect()))
         };

@@ -1,12 +1,13 @@
 //! What reports say of the materials: what was given, what was filled in, what the laws made of it.
 
+use crate::units::unit;
 use indexmap::IndexMap;
 use tremolite_case::{Case, Element, Fill, Material};
 use tremolite_engine::Body;
 use tremolite_engine::extent::extents;
 use tremolite_engine::hexahedra::hex;
 use tremolite_kernels::{AnyMaterial, Law};
-use tremolite_laws::{Dimension, Kind, Parameter, Value};
+use tremolite_laws::{Parameter, Value};
 use tremolite_mesh::Mesh;
 use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
 
@@ -111,19 +112,6 @@ fn values(
         });
     }
     all
-}
-
-/// The SI unit of a parameter, as results write it.
-fn unit(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Number(Dimension::PRESSURE) => "Pa",
-        Kind::Number(Dimension::LENGTH) => "m",
-        Kind::Number(Dimension::TIME) => "s",
-        Kind::Number(Dimension::RATE) => "1/s",
-        Kind::Number(Dimension::FRACTURE_ENERGY) => "N/m",
-        Kind::Number(Dimension::ANGLE) => "rad",
-        _ => "",
-    }
 }
 
 /// The damping that all materials have, in words.

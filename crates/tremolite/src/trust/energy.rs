@@ -51,8 +51,10 @@ fn error(evidence: &Evidence) -> TrustLine {
         let why = format!("a law books nothing of what it dissipates: {}", unbooked.join(", "));
         return TrustLine::not_applicable(ID, NAME, why);
     }
-    let held = [Line::Kinetic, Line::Strain, Line::Hourglass].map(|line| column(evidence, line));
-    let held = largest((0..held[0].len()).map(|row| held.iter().map(|column| column[row]).sum()));
+    let held =
+        [Line::Kinetic, Line::Strain, Line::Hourglass, Line::Interface].map(|line| column(evidence, line));
+    let at = |row: usize| held.iter().filter_map(|column| column.get(row)).sum();
+    let held = largest((0..held[0].len()).map(at));
     let error = evidence.outcome.state.observers.get(ENERGY_MEMORY).map_or(f64::NAN, |kept| kept[1]);
     if held == 0.0 {
         return TrustLine::not_applicable(ID, NAME, "nothing moves");
