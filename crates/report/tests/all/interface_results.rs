@@ -156,6 +156,7 @@ pub fn results(root: &Path) -> ResultFolder {
     }
     let lining = InterfaceSummary {
         law: "bandis".into(),
+        values: Vec::new(),
         pairs: 456,
         ends: 12,
         area: 400.0,
