@@ -23,6 +23,7 @@ mod dense;
 mod effort;
 mod error;
 mod id;
+mod joints;
 mod models;
 mod problem;
 pub mod problems;

@@ -56,4 +56,5 @@ problems! {
     rock_strength Test,
     circular_opening Verify,
     strip_footing Verify,
+    interface_waves Test,
 }
