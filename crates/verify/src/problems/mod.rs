@@ -57,4 +57,5 @@ problems! {
     circular_opening Verify,
     strip_footing Verify,
     interface_waves Test,
+    bars_collide Test,
 }
