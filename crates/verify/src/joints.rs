@@ -3,6 +3,7 @@
 use crate::VerifyError;
 use tremolite::{Interface, interface_laws};
 use tremolite_laws::{Need, Value, Values};
+use tremolite_mesh::{Element, Mesh};
 
 /// An interface of a law of the list between two sets of elements, normals out of the first into the second; what is not
 /// given has the law's default.
@@ -32,4 +33,18 @@ pub fn joint(
     }
     (law.build)(&values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))?;
     Ok(Interface::new("joint", sides, law, values))
+}
+
+/// Two meshes as one, the second's nodes and elements behind the first's; nodes at one place stay two.
+pub fn together(first: &Mesh, second: &Mesh) -> Mesh {
+    let shift = first.nodes.len() as u32;
+    let moved = second
+        .elements
+        .iter()
+        .map(|&Element { shape, nodes }| Element { shape, nodes: nodes.map(|n| n + shift) });
+    Mesh {
+        nodes: first.nodes.iter().chain(&second.nodes).copied().collect(),
+        elements: first.elements.iter().copied().chain(moved).collect(),
+        ..Mesh::default()
+    }
 }

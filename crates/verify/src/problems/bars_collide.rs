@@ -2,7 +2,7 @@
 //!
 //! Bars of length L without Poisson's effect meet with the relative velocity v. Steps of pressure ½ρcv run into both, come back
 //! from their free ends as tension and part the bars after 2L/c, when each has just the other's velocity and no stress
-//! (Graff 1975, section 2.4). The joint has no bond; its stiffness E/h, h the element, is that of one element more, so it goes
+//! (Graff 1975, chapter 2). The joint has no bond; its stiffness E/h, h the element, is that of one element more, so it goes
 //! with the mesh. Contact damping is the default.
 //!
 //! **Errors.** The joint delays a front by h/c, and the row spreads it over (h²L)^{1/3} ([`super::bar_step_wave`]): the contact's
@@ -22,7 +22,7 @@ const NAME: &str = "bars_collide";
 pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "two equal bars meet: in contact for 2L/c under ½ρcv, velocities exchanged",
-    source: "d'Alembert's solution (Graff 1975, section 2.4)",
+    source: "d'Alembert's solution (Graff 1975, chapter 2)",
     from: Effort::Test,
     run,
 };

@@ -58,4 +58,5 @@ problems! {
     strip_footing Verify,
     interface_waves Test,
     bars_collide Test,
+    sliding_block Test,
 }
