@@ -59,4 +59,5 @@ problems! {
     interface_waves Test,
     bars_collide Test,
     sliding_block Test,
+    contact_cycles Test,
 }
