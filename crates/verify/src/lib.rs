@@ -24,6 +24,7 @@ mod effort;
 mod error;
 mod id;
 mod joints;
+mod lined;
 mod models;
 mod problem;
 pub mod problems;

@@ -60,4 +60,6 @@ problems! {
     bars_collide Test,
     sliding_block Test,
     contact_cycles Test,
+    interface_bonded Test,
+    interface_fault Test,
 }
