@@ -60,6 +60,7 @@ problems! {
     bars_collide Test,
     sliding_block Test,
     contact_cycles Test,
+    interface_ring Test,
     interface_bonded Test,
     interface_fault Test,
 }
