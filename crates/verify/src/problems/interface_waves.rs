@@ -12,9 +12,9 @@
 //! and passes by the same equation; one that only pulls opens it, and comes back as from a free surface, g = f.
 //!
 //! **Errors.** A row of lumped masses with half a mass at its end has the impedance Z cos(½κh) at the wave number κ, and an
-//! increment over Δt is short of the velocity by (ωΔt)²/24. A path s delays
-//! a wave by δu = s h²(1 − C²)/(24c³) |u‴| ([`super::incident_pulse`]). The joint passes or returns all of a wave at most: so
-//! twice the terms of impedance and delay bound the error of the pulse's velocities.
+//! increment over Δt is short of the velocity by (ωΔt)²/24. A path s delays a wave by δu = s h²(1 − C²)/(24c³) |u‴|
+//! ([`super::incident_pulse`]). The joint passes or returns all of a wave at most: so twice the terms of impedance and delay
+//! bound the error of the pulse's velocities.
 
 use crate::convergence::order;
 use crate::joints::joint;
@@ -94,8 +94,7 @@ impl Pulse {
     }
 }
 
-/// ∫ exp(−x²) dx from −∞, by its series below 3 and the whole beyond, where less than 4·10⁻⁵ is left: the series is used
-/// to 5.
+/// ∫ exp(−x²) dx from −∞, by its series; beyond 5 less than 10⁻¹¹ is left.
 fn integral_of_bell(x: f64) -> f64 {
     if x.abs() > 5.0 {
         return if x > 0.0 { PI.sqrt() } else { 0.0 };
