@@ -23,6 +23,8 @@ mod dense;
 mod effort;
 mod error;
 mod id;
+mod joints;
+mod lined;
 mod models;
 mod problem;
 pub mod problems;

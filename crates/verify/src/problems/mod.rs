@@ -6,7 +6,7 @@ macro_rules! problems {
     ($($name:ident $effort:ident,)*) => {
         $(pub mod $name;)*
 
-        /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws.
+        /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws, interfaces.
         pub const PROBLEMS: &[Problem] = &[$($name::PROBLEM),*];
 
         #[cfg(test)]
@@ -56,4 +56,11 @@ problems! {
     rock_strength Test,
     circular_opening Verify,
     strip_footing Verify,
+    interface_waves Test,
+    bars_collide Test,
+    sliding_block Test,
+    contact_cycles Verify,
+    interface_ring Test,
+    interface_bonded Test,
+    interface_fault Test,
 }
