@@ -59,7 +59,7 @@ pub struct ContactTotals {
     /// Areas \[m²\] that ever slid, that ever opened.
     pub ever_slid: f64,
     pub ever_opened: f64,
-    /// Over all pairs and steps: gap, slip \[m\] and pressure \[Pa\].
+    /// Over all steps: gap and slip \[m\] of pairs whose bond is broken, pressure \[Pa\] of all.
     pub largest_gap: f64,
     pub largest_slip: f64,
     pub largest_pressure: f64,

@@ -37,7 +37,8 @@ pub struct InterfaceSummary {
     pub sliding: f64,
     #[serde(with = "number", default = "number::absent")]
     pub open: f64,
-    /// Extremes over all pairs and steps (m, m, Pa), with the places of the first two (m).
+    /// Extremes over all pairs whose bond is broken, and of pressure over all, and over all steps (m, m, Pa), with the places
+    /// of the first two (m).
     pub max_gap: PairPeak,
     pub max_slip: PairPeak,
     #[serde(with = "number", default = "number::absent")]

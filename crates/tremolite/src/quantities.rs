@@ -69,8 +69,8 @@ pub const INTERFACE: [Quantity; 7] = [
     q("open", "m2", "area that is open"),
     q("ever_slid", "m2", "area that has slid in any step so far"),
     q("ever_opened", "m2", "area that has opened in any step so far"),
-    q("max_gap", "m", "largest gap of any pair and step so far"),
-    q("max_slip", "m", "largest slip of any pair and step so far, what the joint gives elastically included"),
+    q("max_gap", "m", "largest gap of any pair whose bond is broken, of all steps so far"),
+    q("max_slip", "m", "largest slip of any pair whose bond is broken, of all steps so far"),
     q(
         "impact_gain",
         "J",

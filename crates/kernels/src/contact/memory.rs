@@ -13,7 +13,7 @@ pub(super) const TRACTION: usize = 6;
 pub(super) const DAMPING: usize = 9;
 /// Work of the law's tractions on the pair so far \[J/m²\], by the trapezoidal rule.
 pub(super) const WORK: usize = 10;
-/// Largest gap, slip \[m\] and pressure \[Pa\] so far, three columns.
+/// Largest gap and slip \[m\] since the bond broke, and pressure \[Pa\] so far, three columns.
 pub(super) const LARGEST: usize = 11;
 /// Columns of a pair behind those of its law.
 pub const EXTRA: usize = 14;
@@ -33,7 +33,7 @@ pub struct PairSeen {
     pub state: u8,
     pub has_slid: bool,
     pub has_opened: bool,
-    /// Over all steps: largest gap \[m\] (0 if never open), length of the slip \[m\] and pressure \[Pa\].
+    /// Over all steps: largest gap \[m\] and length of the slip \[m\] since the bond broke, 0 until then, and pressure \[Pa\].
     pub largest_gap: f64,
     pub largest_slip: f64,
     pub largest_pressure: f64,

@@ -76,7 +76,8 @@ unsafe fn pairs<L: Lane, I: Interface>(pass: Pass<I>) -> f64 {
 
             // A dashpot on closed pairs whose bond is broken; it never pulls, and friction does not know of it.
             let state = new.as_ref()[I::STATE];
-            let loose = L::both(half.less(state), state.less(L::splat(2.5)));
+            let broken = half.less(state);
+            let loose = L::both(broken, state.less(L::splat(2.5)));
             let closing = dot(&step, &axes[0]);
             let pushed = (L::splat(-damping) * closing).larger(-pressure);
             let pushed = L::select(loose, pushed, zero);
@@ -95,8 +96,11 @@ unsafe fn pairs<L: Lane, I: Interface>(pass: Pass<I>) -> f64 {
             }
             work.store(&mut extra[WORK], at);
             let slip = now[1].mul_add(now[1], now[2] * now[2]).sqrt();
+            // What a bonded joint gives elastically is no gap and no slip.
+            let apart = L::select(broken, now[0], zero);
+            let slid = L::select(broken, slip, zero);
             let largest = &mut extra[LARGEST..];
-            for (value, most) in [now[0], slip, pressure].iter().zip(largest) {
+            for (value, most) in [apart, slid, pressure].iter().zip(largest) {
                 value.larger(L::load(most, at)).store(most, at);
             }
 

@@ -165,7 +165,7 @@ fn press(around: u32, turn: f64) -> Result<Pressed, VerifyError> {
     let (seam, contacts) = (&model.seams[0], &simulation.assembly.contacts[0]);
     let (mut force, mut slip) = (0.0, f64::INFINITY);
     let seen: Vec<_> =
-        (0..seam.pairs.len()).map(|k| contacts.seen(&simulation.assembly, &state.history, k)).collect();
+        (0..seam.pairs.len()).map(|k| contacts.seen(&state.history, k)).collect();
     for (pair, seen) in seam.pairs.iter().zip(&seen) {
         force += pair.normal_area * seen.pressure;
         slip = f64::min(slip, seen.slip[0].hypot(seen.slip[1]) / (largest * RADII[1]));

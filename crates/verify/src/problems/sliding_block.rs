@@ -158,7 +158,7 @@ fn slide(shaking: Shaking, friction: f64, shear: f64, end: f64, rest: f64) -> Re
         if motion.slip == 0.0 {
             let (seam, contacts) = (&simulation.model.seams[0], &simulation.assembly.contacts[0]);
             let force = |k: usize| {
-                let seen = contacts.seen(&simulation.assembly, &state.history, k);
+                let seen = contacts.seen(&state.history, k);
                 seam.pairs[k].normal_area * seen.shear[0]
             };
             let share = (0..seam.pairs.len()).map(force).sum::<f64>().abs() / (friction * weight * LENGTH * width);
