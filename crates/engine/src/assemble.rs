@@ -95,8 +95,13 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
             }
             histories.push(0..0);
             let (nodes, pairs) = part(model, seam, chunk);
+            let springs = pairs.iter().flat_map(|pair| {
+                let stiffness = pair.area * stiffest[s];
+                pair.nodes.map(|n| (nodes[n as usize], stiffness))
+            });
+            let springs = springs.collect();
             let part = law.contact(nodes, &pairs, damping, model.isa);
-            members.push(Member::new(format!("interface '{}'", seam.name), part));
+            members.push(Member { springs, ..Member::new(format!("interface '{}'", seam.name), part) });
         }
         let chosen = seam.values != *law.values();
         assembly.contacts.push(Contacts { law, chosen, places, histories, frequency, stiffest_pair });

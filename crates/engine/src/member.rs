@@ -10,6 +10,9 @@ pub struct Member {
     pub part: Box<dyn Part>,
     /// Mass \[kg\] that it gives each of its nodes, in the order of its nodes; empty for a part without mass.
     pub masses: Vec<f64>,
+    /// Engine nodes with the stiffness \[N/m\] of springs at them, of a part without elements: relaxation takes its masses from
+    /// these. A node may be there several times.
+    pub springs: Vec<(u32, f64)>,
     /// Stages in which it is there.
     pub life: Life,
     /// Whether its energy is part of the balance (not the reference column's).
@@ -19,6 +22,13 @@ pub struct Member {
 impl Member {
     /// A part without mass that is always there and enters the balance.
     pub fn new(name: impl Into<String>, part: Box<dyn Part>) -> Self {
-        Member { name: name.into(), part, masses: Vec::new(), life: Life::ALWAYS, counted: true }
+        Member {
+            name: name.into(),
+            part,
+            masses: Vec::new(),
+            springs: Vec::new(),
+            life: Life::ALWAYS,
+            counted: true,
+        }
     }
 }

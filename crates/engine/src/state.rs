@@ -27,6 +27,17 @@ impl Ledger {
 /// What observers remember: envelopes, steps seen, bytes written, by observer and column.
 pub type Memory = BTreeMap<String, Vec<f64>>;
 
+/// What a relaxation remembers from one cycle to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Relaxing {
+    /// Number of the next cycle; 0 before the first.
+    pub cycle: u64,
+    /// c of [`crate::Engine::relax`].
+    pub damping: f64,
+    /// Δuⁿ⁺¹·fⁿ \[J\].
+    pub work: f64,
+}
+
 /// All that evolves in a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
@@ -46,6 +57,11 @@ pub struct State {
     pub overstress: Vec<Octet>,
     /// What other parts remember.
     pub numbers: Vec<f64>,
+    /// What is held at each engine node \[N\]: left of what was out of balance when a relaxation began.
+    pub held: Vec<Row>,
+    /// Displacement \[m\] at which it began.
+    pub start: Vec<Row>,
+    pub relaxing: Relaxing,
     pub ledger: Ledger,
     pub observers: Memory,
 }
@@ -80,6 +96,7 @@ impl State {
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
         let Ledger { lines, supplied, bodies } = &mut self.ledger;
+        let Relaxing { cycle, damping, work } = &mut self.relaxing;
         let ledger = lines.values_mut().chain([supplied]).collect();
         let mut columns = vec![
             ("step".to_owned(), "1", Column::Count(&mut self.step)),
@@ -90,6 +107,10 @@ impl State {
             ("history".to_owned(), "law", Column::Octets(&mut self.history)),
             ("overstress".to_owned(), "1", Column::Octets(&mut self.overstress)),
             ("numbers".to_owned(), "part", Column::Numbers(&mut self.numbers)),
+            ("held".to_owned(), "N", Column::Rows(&mut self.held)),
+            ("start".to_owned(), "m", Column::Rows(&mut self.start)),
+            ("cycle".to_owned(), "1", Column::Count(cycle)),
+            ("relaxation".to_owned(), "1, J", Column::Scalars(vec![damping, work])),
             ("ledger".to_owned(), "J", Column::Scalars(ledger)),
             ("bodies".to_owned(), "J", Column::Numbers(bodies)),
         ];

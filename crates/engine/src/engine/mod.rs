@@ -22,8 +22,10 @@ mod gather;
 mod nodes;
 mod power;
 mod product;
+mod relax;
 
 pub use power::{ContactLimit, Limit, StableStep, stable_step, viscous_share};
+pub use relax::{Release, Rest};
 
 use crate::assembly::{Assembly, Slices};
 use crate::member::Member;

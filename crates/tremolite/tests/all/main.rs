@@ -11,6 +11,7 @@ mod history;
 mod outside_law;
 mod outside_part;
 mod ready;
+mod relax;
 mod runs;
 mod setup_materials;
 mod shapes;

@@ -1,0 +1,247 @@
+//! Adaptive dynamic relaxation: to rest without a system of equations (`underwood1983`).
+//!
+//! With Δτ = 1 and masses scaled so that each element alone has ω_e Δτ = 1.8,
+//!
+//! Δu⁺ = \[(1 − c/2) Δu + M⁻¹R\]/(1 + c/2),  R = −f + s H,
+//!
+//! where f is the force of all parts and H what f was at the start: held, so that nothing moves, and let go over the first
+//! cycles down to the share that stays, s from 1 to 1 − λ. So a load, a weight, a part that is gone and one that is new are all
+//! the same thing: what they leave out of balance.
+//!
+//! The damping is critical for what moves: c = 2 √(Δu·(fⁿ − fⁿ⁻¹)/(Δu·MΔu)), the secant along the motion; where that is
+//! negative the last value stays. It is followed by a tenth a cycle, as sums of one cycle serve the next.
+//!
+//! **At rest** when what is out of balance is a small share of all contributions, and the motion that is left, max |Δu|/(c/2), is
+//! a small share of the largest so far; never before all is let go that shall be.
+
+use super::Engine;
+use super::gather::{dot, force};
+use super::nodes::CHUNK;
+use crate::assembly::Assembly;
+use crate::hexahedra::hex;
+use crate::model::Model;
+use crate::phase::Phase;
+use crate::state::{Relaxing, State};
+use rayon::prelude::*;
+use tremolite_kernels::Quadrature;
+use tremolite_laws::Row;
+use tremolite_laws::shapes::hex8::element_frequencies;
+
+/// How a state is brought to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Release {
+    /// Share λ of what is held that goes.
+    pub share: f64,
+    /// Cycles over which it goes.
+    pub cycles: u64,
+    /// Σ|R| over Σ|contributions|, and motion left over the largest, at rest.
+    pub tolerance: [f64; 2],
+    /// Cycles after which it is given up.
+    pub most: u64,
+}
+
+impl Default for Release {
+    fn default() -> Self {
+        Release { share: 1.0, cycles: 200, tolerance: [1e-5, 1e-3], most: 20_000 }
+    }
+}
+
+/// How near to rest a state is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rest {
+    pub cycles: u64,
+    /// Σ|R| over Σ|contributions|.
+    pub ratio: f64,
+    /// Estimate of the motion that is left \[m\].
+    pub left: f64,
+    /// Largest motion since the start of the relaxation \[m\].
+    pub motion: f64,
+    /// The engine node that moves fastest.
+    pub fastest: u32,
+}
+
+/// ω_e Δτ of each element alone: 2 would be its limit.
+const COURANT: f64 = 1.8;
+/// c² below this share is no estimate of what is left.
+const LEAST_DAMPING: f64 = 1e-3;
+/// Beyond this, motion would turn back in every cycle.
+const MOST_DAMPING: f64 = 1.9;
+/// How far c follows its estimate in a cycle.
+const FOLLOW: f64 = 0.1;
+/// Motion \[m\] that is none.
+const STILL: f64 = 1e-9;
+
+/// Sums of a node pass.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    unbalanced: f64,
+    contributions: f64,
+    /// Δuⁿ·fⁿ, Δuⁿ·MΔuⁿ, and Δuⁿ⁺¹·fⁿ.
+    work: f64,
+    inertia: f64,
+    next_work: f64,
+    /// max |Δuⁿ| with its node, and max |uⁿ − u⁰|.
+    step: f64,
+    fastest: u32,
+    motion: f64,
+}
+
+impl Sums {
+    fn plus(self, o: Sums) -> Sums {
+        let (step, fastest) =
+            if o.step > self.step { (o.step, o.fastest) } else { (self.step, self.fastest) };
+        Sums {
+            unbalanced: self.unbalanced + o.unbalanced,
+            contributions: self.contributions + o.contributions,
+            work: self.work + o.work,
+            inertia: self.inertia + o.inertia,
+            next_work: self.next_work + o.next_work,
+            step,
+            fastest,
+            motion: self.motion.max(o.motion),
+        }
+    }
+}
+
+fn length(row: Row) -> f64 {
+    dot(row, row).sqrt()
+}
+
+/// Masses by engine node, tied ones with their master, such that every element alone has the same ω_e.
+pub fn masses(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<f64> {
+    let mut masses = vec![0.0; phase.master.len()];
+    let mut add = |node: u32, mass: f64| masses[phase.master[node as usize] as usize] += mass;
+    for &m in &phase.active {
+        let member = &assembly.members[m as usize];
+        for &(node, stiffness) in &member.springs {
+            add(node, 2.0 * stiffness / (COURANT * COURANT));
+        }
+        let Some(patch) = model.patches.get(m as usize) else { continue };
+        let body = &model.bodies[patch.body];
+        // `Assembly::new` has checked every element.
+        let own = || patch.elements.iter().filter_map(|&e| Some((e, hex(&model.mesh, e as usize).ok()?)));
+        let shapes: Vec<_> = own().map(|(_, hex)| hex).collect();
+        let full = body.quadrature == Quadrature::Full;
+        let omegas = element_frequencies(&shapes, body.material.stiffest(), body.density, full);
+        for ((element, hex), omega) in own().zip(omegas) {
+            let density = body.density * (omega / COURANT).powi(2);
+            let nodes = crate::hexahedra::hex_nodes(&model.mesh, element as usize);
+            for (node, volume) in nodes.into_iter().zip(hex.corner_volumes) {
+                add(model.engine_node[node as usize], density * volume);
+            }
+        }
+    }
+    masses
+}
+
+impl Engine<'_> {
+    /// Brings a state to rest under all active parts of a phase before the shaking. What is out of balance at first is held,
+    /// and `release` says how much of it goes; the rest stays in [`State::held`]. A state whose relaxation was begun goes on.
+    ///
+    /// # Errors
+    /// How far it is from rest after the most cycles; the state is then that of the last one.
+    pub fn relax(&mut self, state: &mut State, release: &Release) -> Result<Rest, Rest> {
+        let masses = masses(self.model, self.assembly, self.phase);
+        self.evaluated = None;
+        if state.relaxing.cycle == 0 {
+            self.evaluate(state, None);
+            let now = |n: usize| force(self.phase, &self.contributions, n);
+            state.held = (0..state.u.len()).map(now).collect();
+            state.start = state.u.clone();
+            state.du.fill(Row::ZERO);
+            state.relaxing = Relaxing { cycle: 1, ..Relaxing::default() };
+        }
+        loop {
+            self.evaluate(state, None);
+            let let_go = (state.relaxing.cycle as f64 / release.cycles.max(1) as f64).min(1.0);
+            let share = 1.0 - release.share * let_go;
+            let sums = self.relaxation_step(state, &masses, share);
+            let Relaxing { cycle, damping, work } = &mut state.relaxing;
+            let squared = (sums.work - *work) / sums.inertia;
+            if squared > 0.0 {
+                let wanted = 2.0 * squared.sqrt();
+                *damping = (*damping + FOLLOW * (wanted - *damping)).min(MOST_DAMPING);
+            }
+            *work = sums.next_work;
+            let rest = Rest {
+                cycles: *cycle,
+                ratio: if sums.contributions > 0.0 { sums.unbalanced / sums.contributions } else { 0.0 },
+                left: sums.step / (0.5 * *damping).max(LEAST_DAMPING),
+                motion: sums.motion,
+                fastest: sums.fastest,
+            };
+            let still = rest.left <= STILL.max(release.tolerance[1] * rest.motion);
+            if *cycle > release.cycles && rest.ratio <= release.tolerance[0] && still {
+                state.du.fill(Row::ZERO);
+                for held in &mut state.held {
+                    *held = Row(held.0.map(|h| share * h));
+                }
+                state.relaxing = Relaxing::default();
+                return Ok(rest);
+            }
+            // A ratio that is not a number is no rest either.
+            if *cycle >= release.most || !rest.ratio.is_finite() {
+                return Err(rest);
+            }
+            *cycle += 1;
+        }
+    }
+
+    /// uⁿ to uⁿ⁺¹ with the forces just evaluated and this share of what is held.
+    fn relaxation_step(&self, state: &mut State, masses: &[f64], share: f64) -> Sums {
+        let Engine { phase, contributions, .. } = self;
+        let c = state.relaxing.damping;
+        let (keep, push) = ((1.0 - 0.5 * c) / (1.0 + 0.5 * c), 1.0 / (1.0 + 0.5 * c));
+        let (held, start) = (&state.held, &state.start);
+        let sums: Vec<Sums> = state
+            .u
+            .par_chunks_mut(CHUNK)
+            .zip(state.du.par_chunks_mut(CHUNK))
+            .enumerate()
+            .map(|(chunk, (u, du))| {
+                let mut sums = Sums::default();
+                for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
+                    let node = chunk * CHUNK + k;
+                    let slots = phase.start[node] as usize..phase.start[node + 1] as usize;
+                    if slots.is_empty() {
+                        continue;
+                    }
+                    let force = force(phase, contributions, node);
+                    let free = phase.inverse_mass[node].0.map(|w| f64::from(u8::from(w > 0.0)));
+                    let mut out = Row::ZERO;
+                    let mut next = Row::ZERO;
+                    for i in 0..3 {
+                        out.0[i] = free[i] * (share * held[node].0[i] - force.0[i]);
+                        next.0[i] = free[i] * (keep * du.0[i] + push * out.0[i] / masses[node]);
+                    }
+                    sums.unbalanced += length(out);
+                    for &slot in &phase.slot[slots] {
+                        sums.contributions += length(contributions[slot as usize]);
+                    }
+                    sums.work += dot(*du, force);
+                    sums.inertia += masses[node] * dot(*du, *du);
+                    sums.next_work += dot(next, force);
+                    let step = length(*du);
+                    if step > sums.step {
+                        (sums.step, sums.fastest) = (step, node as u32);
+                    }
+                    let moved = Row([0, 1, 2, 3].map(|i| u.0[i] - start[node].0[i]));
+                    sums.motion = sums.motion.max(length(moved));
+                    for i in 0..3 {
+                        u.0[i] += next.0[i];
+                    }
+                    *du = next;
+                }
+                sums
+            })
+            .collect();
+        for &(node, master) in &phase.tied {
+            let next = state.du[master as usize];
+            for i in 0..3 {
+                state.u[node as usize].0[i] += next.0[i];
+            }
+            state.du[node as usize] = next;
+        }
+        sums.into_iter().fold(Sums::default(), Sums::plus)
+    }
+}
