@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use toml::de::DeTable;
+use tremolite_laws::Choice;
 use tremolite_laws::parameter::{self, LawInfo, Parameter, Values};
 
 use crate::check::Checker;
@@ -14,8 +15,8 @@ use crate::{Problem, suggest};
 /// thousand times more.
 const LEAST_STIFFNESS: f64 = 1e6;
 
-/// A stiffness \[Pa/m\] by which a law is asked about values that leave its own to be chosen.
-const CHOSEN_STIFFNESS: f64 = 1e15;
+/// A stiffness \[Pa/m\] and pressure \[Pa\] with which a law is asked about values that leave its own to be chosen.
+const CHOICE: Choice = Choice { stiffness: 1e15, pressure: 10e6 };
 
 /// What may stand in a table that names a law.
 pub(crate) struct LawTable<'a> {
@@ -102,7 +103,7 @@ impl Checker<'_> {
 /// The values with something in the place of what a model is to choose, so that the law can judge the others.
 fn chosen(info: &LawInfo, values: Values) -> Values {
     let open = |p: &Parameter| matches!(p.need, parameter::Need::Chosen(_)) && !values.0.contains_key(p.name);
-    if info.parameters.iter().any(open) { (info.chosen)(&values, CHOSEN_STIFFNESS) } else { values }
+    if info.parameters.iter().any(open) { (info.chosen)(&values, &CHOICE) } else { values }
 }
 
 /// Whether all that is wrong with a table is what it leaves out; a refused column of a table would not be seen here.

@@ -21,7 +21,7 @@ use crate::problem::TimeStep;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use tremolite_kernels::contact::Pair;
-use tremolite_laws::Values;
+use tremolite_laws::{Choice, Need, Values};
 use tremolite_mesh::order::hilbert_order;
 use tremolite_mesh::pairs::tangents;
 
@@ -71,7 +71,10 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
     for (seam, values) in model.seams.iter().zip(&values) {
         let law = (seam.law.build)(values).map_err(|bad| {
             let bad: Vec<String> = bad.iter().map(ToString::to_string).collect();
-            ModelError::Interface { name: seam.name.clone(), reason: bad.join("; ") }
+            let given = (seam.law.build)(&(seam.law.info.chosen)(&seam.values, &beyond(seam))).is_err();
+            let whose =
+                if given { "" } else { "with the stiffness that was chosen for it, as none is given, " };
+            ModelError::Interface { name: seam.name.clone(), reason: format!("{whose}{}", bad.join("; ")) }
         })?;
         laws.push(law);
     }
@@ -103,11 +106,18 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
             let part = law.contact(nodes, &pairs, damping, model.isa);
             members.push(Member { springs, ..Member::new(format!("interface '{}'", seam.name), part) });
         }
-        let chosen = seam.values != *law.values();
+        let chosen = seam.law.info.parameters.iter().any(|parameter| {
+            matches!(parameter.need, Need::Chosen(_)) && !seam.values.0.contains_key(parameter.name)
+        });
         assembly.contacts.push(Contacts { law, chosen, places, histories, frequency, stiffest_pair });
     }
     assembly.members.splice(at..at, members);
     Ok(())
+}
+
+/// A choice with which no law refuses what it would not refuse by itself.
+fn beyond(seam: &Seam) -> Choice {
+    Choice { stiffness: 1e15, pressure: seam.pressure }
 }
 
 /// A chunk's nodes and its pairs on them.
@@ -188,17 +198,28 @@ const LEAST_SHARE: f64 = 0.1;
 
 /// The values of all interfaces, with what they leave to be chosen.
 fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, loads: &Loads) -> Vec<Values> {
-    let complete = |seam: &Seam| (seam.law.build)(&seam.values).ok();
-    let given: Vec<Option<f64>> =
-        model.seams.iter().map(|seam| complete(seam).map(|law| law.stiffest()[0])).collect();
-    let left_out = |seam: &Seam| (seam.law.info.chosen)(&seam.values, 1.0) != seam.values;
-    if !model.seams.iter().any(left_out) {
-        return model.seams.iter().map(|seam| seam.values.clone()).collect();
-    }
+    let fill = |seam: &Seam, stiffness: f64| {
+        (seam.law.info.chosen)(&seam.values, &Choice { stiffness, pressure: seam.pressure })
+    };
+    // Whose stiffness is given, which the choice then leaves alone.
+    let given: Vec<Option<f64>> = model
+        .seams
+        .iter()
+        .map(|seam| {
+            let known = fill(seam, 1.0) == fill(seam, 2.0);
+            known.then(|| (seam.law.build)(&fill(seam, 1.0)).ok().map(|law| law.stiffest()[0])).flatten()
+        })
+        .collect();
+    let open = |(seam, given): (&Seam, &Option<f64>)| given.is_none().then_some(seam.limit);
+    let limits = model.seams.iter().zip(&given).filter_map(open);
+    let Some(limit) = limits.reduce(f64::min) else {
+        return model.seams.iter().map(|seam| fill(seam, 1.0)).collect();
+    };
     let TimeStep { given: step, safety } = model.time_step;
     let dt = step.unwrap_or_else(|| safety * stable_step(model, assembly, phase).dt);
+    // The least of their limits, since they may meet at a node.
+    let most = (limit / dt).powi(2);
     let choose = |(s, seam): (usize, &Seam)| {
-        let most = (seam.limit / dt).powi(2);
         let fixed = loads.squares(s, |other: usize| given[other].unwrap_or(0.0));
         let own = loads.squares(s, |other: usize| f64::from(u8::from(given[other].is_none())));
         let stiffness = fixed
@@ -206,7 +227,7 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, loads: &Loads) -> V
             .zip(&own)
             .map(|(fixed, own)| (most - fixed).max(LEAST_SHARE * most) / own)
             .fold(f64::INFINITY, f64::min);
-        (seam.law.info.chosen)(&seam.values, stiffness)
+        fill(seam, stiffness)
     };
     model.seams.iter().enumerate().map(choose).collect()
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use tremolite_kernels::AnyInterface;
 use tremolite_kernels::contact::PairSeen;
-use tremolite_laws::{Octet, PairState};
+use tremolite_laws::Octet;
 
 /// An interface with its law, ready to be looked at.
 #[derive(Clone)]
@@ -35,8 +35,8 @@ impl Contacts {
         for (k, pair) in seam.pairs.iter().enumerate() {
             let seen = self.seen(history, k);
             let add = |to: &mut f64, counts: bool| *to += if counts { pair.area } else { 0.0 };
-            add(&mut totals.sliding, seen.state == PairState::Sliding as u8);
-            add(&mut totals.open, seen.state == PairState::Open as u8);
+            add(&mut totals.sliding, seen.slides);
+            add(&mut totals.open, seen.is_open);
             add(&mut totals.ever_slid, seen.has_slid);
             add(&mut totals.ever_opened, seen.has_opened);
             totals.largest_gap = totals.largest_gap.max(seen.largest_gap);
@@ -59,7 +59,7 @@ pub struct ContactTotals {
     /// Areas \[m²\] that ever slid, that ever opened.
     pub ever_slid: f64,
     pub ever_opened: f64,
-    /// Over all steps: gap and slip \[m\] of pairs whose bond is broken, pressure \[Pa\] of all.
+    /// Over all steps: gap \[m\], slip \[m\] of closed pairs whose bond is broken, pressure \[Pa\].
     pub largest_gap: f64,
     pub largest_slip: f64,
     pub largest_pressure: f64,

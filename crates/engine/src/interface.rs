@@ -16,6 +16,8 @@ pub struct Interface {
     pub law: InterfaceLaw,
     /// Of the law, in SI. What it may leave to be chosen ([`tremolite_laws::Need::Chosen`]) may be missing.
     pub values: Values,
+    /// Pressure \[Pa\] that is not expected to be exceeded, where the law leaves open from which on it goes straight.
+    pub pressure: f64,
     /// Faces that meet at less than this share pairs \[rad\].
     pub corner: f64,
     /// Dashpots of closed pairs whose bond is broken, as a share of critical at the stiffest state.
@@ -25,6 +27,8 @@ pub struct Interface {
 }
 
 impl Interface {
+    /// Of what has no compressive strength \[Pa\].
+    pub const PRESSURE: f64 = 10e6;
     /// The foot of a wall, 90°, has pairs for each side; facets of a curve share theirs.
     pub const CORNER: f64 = tremolite_mesh::pairs::CORNER;
     /// Enough that impacts lose energy on the whole at [`Interface::LIMIT`].
@@ -39,6 +43,7 @@ impl Interface {
             sides,
             law,
             values,
+            pressure: Self::PRESSURE,
             corner: Self::CORNER,
             damping: Self::DAMPING,
             limit: Self::LIMIT,
@@ -53,6 +58,7 @@ pub struct Seam {
     pub law: InterfaceLaw,
     /// As given.
     pub values: Values,
+    pub pressure: f64,
     pub damping: f64,
     pub limit: f64,
     /// Faces of the first side with those of the second.

@@ -244,6 +244,7 @@ fn seams(
             name: interface.name,
             law: interface.law,
             values: interface.values,
+            pressure: interface.pressure,
             damping: interface.damping,
             limit: interface.limit,
             faces,

@@ -2,7 +2,7 @@
 
 use crate::lane::Lane;
 use crate::material::History;
-use crate::parameter::{BadParameter, Column, LawInfo, Parameter, Values};
+use crate::parameter::{BadParameter, Choice, Column, LawInfo, Parameter, Values};
 
 /// What a pair does, as its law's state column says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,10 +48,6 @@ impl PairState {
     }
 }
 
-/// Key of the pressure \[Pa\] from which on a law goes straight so that no state is stiffer than the step counts. A model knows
-/// a better default for it than a law.
-pub const PRESSURE_FOR_STEP: &str = "pressure_for_step";
-
 /// An interface law, per area of the interface.
 ///
 /// The relative displacement d of the second side against the first has the gap g = d·m \[m\] (positive when open; m points
@@ -89,9 +85,10 @@ pub trait Interface: Send + Sync + Sized + 'static {
     /// Every value the law refuses.
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>>;
 
-    /// The values with what [`crate::parameter::Need::Chosen`] leaves open filled in so that no state is stiffer along the
-    /// normal than `stiffness` \[Pa/m\]. Nothing changes where the stiffness is given.
-    fn chosen(values: &Values, stiffness: f64) -> Values;
+    /// The values with what a model knows better than the law filled in: what [`crate::parameter::Need::Chosen`] leaves open, so
+    /// that no state is stiffer than the choice, and the pressure from which on the law goes straight. Given values stay as they
+    /// are, and may leave a state that is stiffer.
+    fn chosen(values: &Values, choice: &Choice) -> Values;
 
     /// Normal and tangential stiffness \[Pa/m\] at a pressure \[Pa\].
     fn stiffness(&self, pressure: f64) -> [f64; 2];

@@ -271,6 +271,15 @@ pub const fn position(columns: &[Column], role: Role) -> Option<usize> {
     None
 }
 
+/// What a model knows when it chooses parameters of an interface law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// Normal stiffness \[Pa/m\] that no state should exceed.
+    pub stiffness: f64,
+    /// Pressure \[Pa\] that is not expected to be exceeded: from there on a law may go straight.
+    pub pressure: f64,
+}
+
 /// What is known of a law without an instance of it.
 #[derive(Clone, Copy)]
 pub struct LawInfo {
@@ -288,7 +297,7 @@ pub struct LawInfo {
     pub damages: bool,
     /// Whether the law accepts these values.
     pub check: fn(&Values) -> Result<(), Vec<BadParameter>>,
-    /// The values with what [`Need::Chosen`] leaves open filled in, for a normal stiffness \[Pa/m\] that no state may exceed
-    /// ([`crate::Interface::chosen`]); the same values for a material.
-    pub chosen: fn(&Values, f64) -> Values,
+    /// The values with what [`Need::Chosen`] leaves open filled in ([`crate::Interface::chosen`]); the same values for a
+    /// material.
+    pub chosen: fn(&Values, &Choice) -> Values,
 }

@@ -44,7 +44,7 @@ const ROWS: [Wanted; 13] = [
     ("Area that ever opened", "in any step", |own| part(own, own.ever_opened)),
     ("Area sliding at the end", "", |own| part(own, own.sliding)),
     ("Area open at the end", "", |own| part(own, own.open)),
-    ("Largest slip", "of all pairs whose bond is broken and all steps", |own| peak(&own.max_slip)),
+    ("Largest slip", "of closed pairs whose bond is broken, of all steps", |own| peak(&own.max_slip)),
     ("Largest gap", "of all pairs whose bond is broken and all steps", |own| peak(&own.max_gap)),
     ("Largest pressure", "of all pairs and steps", |own| {
         let from = own.straight_from;

@@ -8,7 +8,7 @@ use tremolite_engine::assembly::Assembly;
 use tremolite_engine::contacts::Contacts;
 use tremolite_engine::model::Model;
 use tremolite_kernels::contact::PairSeen;
-use tremolite_laws::{Octet, Parameter, Value};
+use tremolite_laws::{Need, Octet, Parameter, Value};
 use tremolite_mesh::pairs::tangents;
 use tremolite_results::{
     Finding, InterfaceSummary, MaterialValue, Origin, PairPeak, PairPlace, Severity, snake,
@@ -74,10 +74,16 @@ fn values(seam: &Seam, contacts: &Contacts) -> Vec<MaterialValue> {
             name: parameter.name.into(),
             value,
             most: value,
-            word,
+            word: word.clone(),
             unit: unit(parameter.kind).into(),
             meaning: parameter.doc.into(),
-            origin: if given { Origin::Given } else { Origin::Derived },
+            origin: match parameter.need {
+                _ if !given => Origin::Derived,
+                // A default that is written out is one as well.
+                Need::Number(x) if x == value => Origin::Default,
+                Need::Word(default) if default == word => Origin::Default,
+                _ => Origin::Given,
+            },
         })
     };
     contacts.law.info().parameters.iter().filter_map(value).collect()
@@ -110,7 +116,7 @@ fn finding(name: &str, interface: &InterfaceSummary) -> Finding {
     let InterfaceSummary { area, ever_slid, ever_opened, max_gap, max_slip, .. } = interface;
     let share = |part: f64| 100.0 * part / area;
     let headline = match (*ever_slid > 0.0, *ever_opened > 0.0) {
-        (false, false) => format!("the interface's bond holds over all of its {area:.0} m²"),
+        (false, false) => format!("the interface neither slid nor opened on its {area:.0} m²"),
         (true, false) => format!("the interface slid over {:.1} % of its {area:.0} m²", share(*ever_slid)),
         (false, true) => {
             format!("the interface opened over {:.1} % of its {area:.0} m²", share(*ever_opened))
@@ -123,13 +129,16 @@ fn finding(name: &str, interface: &InterfaceSummary) -> Finding {
     };
     let place = |peak: &PairPeak| {
         let [x, y, z] = peak.at;
-        format!("{:.2} mm at ({x:.1}, {y:.1}, {z:.1}) m", 1e3 * peak.value)
+        let value = peak.value;
+        let value =
+            if value < 1e-5 { format!("{:.2} µm", 1e6 * value) } else { format!("{:.2} mm", 1e3 * value) };
+        format!("{value} at ({x:.1}, {y:.1}, {z:.1}) m")
     };
     let mut parts = Vec::new();
-    if max_slip.value > 0.0 {
+    if *ever_slid > 0.0 {
         parts.push(format!("largest slip {}", place(max_slip)));
     }
-    if max_gap.value > 0.0 {
+    if *ever_opened > 0.0 {
         parts.push(format!("largest gap {}", place(max_gap)));
     }
     let mut text = parts.join(", ");

@@ -65,12 +65,12 @@ pub const PAIR: [Quantity; 7] = [
 
 /// Columns of an interface in interfaces.csv, in this order.
 pub const INTERFACE: [Quantity; 7] = [
-    q("sliding", "m2", "area that slides"),
+    q("sliding", "m2", "area that slides, by more than 1 nm (as all areas here)"),
     q("open", "m2", "area that is open"),
     q("ever_slid", "m2", "area that has slid in any step so far"),
     q("ever_opened", "m2", "area that has opened in any step so far"),
     q("max_gap", "m", "largest gap of any pair whose bond is broken, of all steps so far"),
-    q("max_slip", "m", "largest slip of any pair whose bond is broken, of all steps so far"),
+    q("max_slip", "m", "largest slip of any closed pair whose bond is broken, of all steps so far"),
     q(
         "impact_gain",
         "J",

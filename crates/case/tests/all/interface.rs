@@ -209,7 +209,7 @@ const GLUE: LawInfo = LawInfo {
         (_, Ok(x)) if x > 1e6 => Err(vec![BadParameter::new("stickiness", "is too sticky", "thin it")]),
         _ => Ok(()),
     },
-    chosen: |values, stiffness| values.clone().with("spring", stiffness),
+    chosen: |values, choice| values.clone().with("spring", choice.stiffness),
 };
 
 #[test]

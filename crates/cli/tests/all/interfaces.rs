@@ -100,7 +100,9 @@ fn line<'s>(summary: &'s Summary, id: &str) -> &'s TrustLine {
 
 const GOOD: &str = "law = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\ncohesion = \"10 kPa\"\nfriction = 0.6\n";
 
-const LINES: [&str; 6] = [
+const LINES: [&str; 8] = [
+    "interface_gap_joint",
+    "energy_created_by_interfaces",
     "interface_closure_joint",
     "interface_slip_joint",
     "interface_straight_joint",
@@ -184,7 +186,7 @@ fn what_is_wrong_with_an_interface_is_said_at_its_place_before_any_computing() {
     assert!(check.status.success(), "{}", errors(&check));
     for words in [
         "joint: bandis, 25 pairs over 64.0 m2, no ends inside the model",
-        "chosen so that the elements set the step; closes by",
+        "chosen so that impacts do not set the step; closes by",
         "impacts allow",
         "without springs: the interface 'joint' crosses the vertical edge",
         "interface[joint].normal_stiffness = ",

@@ -1,7 +1,7 @@
 //! What a part of pairs remembers of each, behind the columns of its law, and how it is read.
 
 use tremolite_laws::material::History;
-use tremolite_laws::{Interface, Octet};
+use tremolite_laws::{Interface, Octet, PairState};
 
 /// d at activation \[m\], three columns.
 pub(super) const OFFSET: usize = 0;
@@ -13,10 +13,14 @@ pub(super) const TRACTION: usize = 6;
 pub(super) const DAMPING: usize = 9;
 /// Work of the law's tractions on the pair so far \[J/m²\], by the trapezoidal rule.
 pub(super) const WORK: usize = 10;
-/// Largest gap and slip \[m\] since the bond broke, and pressure \[Pa\] so far, three columns.
+/// Largest gap \[m\], slip \[m\] while closed with its bond broken, and pressure \[Pa\] so far, three columns.
 pub(super) const LARGEST: usize = 11;
 /// Columns of a pair behind those of its law.
 pub const EXTRA: usize = 14;
+
+/// Gap and slip \[m\] up to which a pair has not moved: the drift that a state at rest may have. Without initial stress pairs
+/// without a bond open and slide by round-off.
+const MOVED: f64 = 1e-9;
 
 /// What is known of a pair after an evaluation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,9 +35,13 @@ pub struct PairSeen {
     pub shear: [f64; 2],
     /// A [`tremolite_laws::PairState`] as a number.
     pub state: u8,
+    /// Whether it slides or is open, by more than a nanometre.
+    pub slides: bool,
+    pub is_open: bool,
+    /// Whether it ever slid or opened, likewise.
     pub has_slid: bool,
     pub has_opened: bool,
-    /// Over all steps: largest gap \[m\] and length of the slip \[m\] since the bond broke, 0 until then, and pressure \[Pa\].
+    /// Over all steps: largest gap \[m\], largest slip \[m\] while it was closed and its bond broken, and pressure \[Pa\].
     pub largest_gap: f64,
     pub largest_slip: f64,
     pub largest_pressure: f64,
@@ -71,8 +79,10 @@ pub(crate) fn seen<I: Interface>(law: &I, octets: &[Octet], pair: usize) -> Pair
         pressure,
         shear: [t1, t2],
         state: column(I::STATE) as u8,
-        has_slid: column(I::SLID) > 0.5,
-        has_opened: column(I::OPENED) > 0.5,
+        slides: column(I::STATE) == PairState::Sliding.number() && slip1.hypot(slip2) > MOVED,
+        is_open: column(I::STATE) == PairState::Open.number() && gap > MOVED,
+        has_slid: column(I::SLID) > 0.5 && extra[LARGEST + 1] > MOVED,
+        has_opened: column(I::OPENED) > 0.5 && extra[LARGEST] > MOVED,
         largest_gap: extra[LARGEST],
         largest_slip: extra[LARGEST + 1],
         largest_pressure: extra[LARGEST + 2],

@@ -98,7 +98,8 @@ unsafe fn pairs<L: Lane, I: Interface>(pass: Pass<I>) -> f64 {
             let slip = now[1].mul_add(now[1], now[2] * now[2]).sqrt();
             // What a bonded joint gives elastically is no gap and no slip.
             let apart = L::select(broken, now[0], zero);
-            let slid = L::select(broken, slip, zero);
+            // At a sharp edge the slip of one pair is the gap of the other: it counts while the pair is closed.
+            let slid = L::select(loose, slip, zero);
             let largest = &mut extra[LARGEST..];
             for (value, most) in [apart, slid, pressure].iter().zip(largest) {
                 value.larger(L::load(most, at)).store(most, at);

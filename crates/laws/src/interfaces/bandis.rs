@@ -16,10 +16,10 @@
 
 use super::hyperbola::Hyperbola;
 use super::joint::{self, Joint, Tangential, WIDTH};
-use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given};
-use crate::interface::{Interface, PRESSURE_FOR_STEP};
+use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given, unusual};
+use crate::interface::Interface;
 use crate::lane::Lane;
-use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Reading, Values};
+use crate::parameter::{BadParameter, Choice, Column, Dimension, Kind, Need, Parameter, Reading, Values};
 
 /// The law for one interface; see the [module](self).
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +27,8 @@ pub struct Bandis {
     joint: Joint<Hyperbola>,
 }
 
+const STIFFNESS: &str = "normal_stiffness";
+const PRESSURE_FOR_STEP: &str = "pressure_for_step";
 /// Smallest part of the closure at which the curve goes straight, by default: p = 3 k_n0 T there.
 const FLOOR: f64 = 0.25;
 /// The least that may be asked for, p = 999 k_n0 T: an assumption, so that no digits are lost.
@@ -38,7 +40,7 @@ impl Interface for Bandis {
     const SOURCE: &'static str = "wang2018 (28)–(39) with corrections; bandis1983";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter {
-            name: "normal_stiffness",
+            name: STIFFNESS,
             kind: Kind::Number(Dimension::STIFFNESS),
             need: Need::Chosen("as stiff as leaves the time step to the elements"),
             doc: "normal stiffness per area k_n0 of the closed, unloaded joint",
@@ -134,25 +136,28 @@ impl Interface for Bandis {
         Ok(Bandis { joint: Joint { normal, tangential, strength } })
     }
 
-    /// With p* the larger root k_n0 of k_n0 (1 + p*/(k_n0 T))² = `stiffness`; that has its least value 4p*/T at p*/T, so where
-    /// `stiffness` is below it k_n0 = ¼ `stiffness` and p* = ¼ `stiffness` T. The closure's floor bounds it as well.
-    fn chosen(values: &Values, stiffness: f64) -> Values {
-        if values.optional("normal_stiffness").is_some() {
-            return values.clone();
+    /// With p* the larger root k_n0 of k_n0 (1 + p*/(k_n0 T))² = L, the stiffness of the choice; that has its least value 4p*/T
+    /// at p*/T. Where L is below it, k_n0 = ¼L and p* = ¼LT, but for a p* that is given: then k_n0 = p*/T, and the stiffest state
+    /// is stiffer than the choice. The closure's floor bounds it as well.
+    fn chosen(values: &Values, choice: &Choice) -> Values {
+        let given = values.optional(PRESSURE_FOR_STEP);
+        let limit = given.unwrap_or(choice.pressure);
+        let with_limit = |limit: f64| values.clone().with(PRESSURE_FOR_STEP, limit);
+        if values.optional(STIFFNESS).is_some() {
+            return with_limit(limit);
         }
         let closure = values.optional("max_closure").unwrap_or(f64::NAN);
         let floor = values.optional("closure_floor").unwrap_or(FLOOR);
-        let by_floor = stiffness * floor * floor;
-        let Some(limit) = values.optional(PRESSURE_FOR_STEP) else {
-            return values.clone().with("normal_stiffness", by_floor);
-        };
-        let least = limit / closure;
-        if stiffness < 4.0 * least {
-            let values = values.clone().with(PRESSURE_FOR_STEP, 0.25 * stiffness * closure);
-            return values.with("normal_stiffness", by_floor.max(0.25 * stiffness));
+        let (most, least) = (choice.stiffness, limit / closure);
+        let by_floor = most * floor * floor;
+        if most >= 4.0 * least {
+            let root = 0.5 * ((most - 2.0 * least) + (most * (most - 4.0 * least)).sqrt());
+            return with_limit(limit).with(STIFFNESS, by_floor.max(root));
         }
-        let root = 0.5 * ((stiffness - 2.0 * least) + (stiffness * (stiffness - 4.0 * least)).sqrt());
-        values.clone().with("normal_stiffness", by_floor.max(root))
+        match given {
+            Some(_) => with_limit(limit).with(STIFFNESS, by_floor.max(least)),
+            None => with_limit(0.25 * most * closure).with(STIFFNESS, by_floor.max(0.25 * most)),
+        }
     }
 
     fn stiffness(&self, pressure: f64) -> [f64; 2] {
@@ -177,7 +182,8 @@ impl Interface for Bandis {
     }
 
     fn warnings(&self) -> Vec<String> {
-        self.joint.strength.warnings()
+        let own = &self.joint.normal;
+        [self.joint.strength.warnings(), unusual(own.stiffness, Some(own.closure))].concat()
     }
 
     fn start(&self, pressure: f64, shear: [f64; 2]) -> (f64, [f64; WIDTH]) {

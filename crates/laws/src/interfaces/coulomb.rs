@@ -5,10 +5,10 @@
 //! **Not modelled.** Dilation, hardening, rates, water.
 
 use super::joint::{self, Joint, Normal, Tangential, WIDTH};
-use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given};
+use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given, unusual};
 use crate::interface::Interface;
 use crate::lane::Lane;
-use crate::parameter::{BadParameter, Column, Dimension, Kind, Need, Parameter, Reading, Values};
+use crate::parameter::{BadParameter, Choice, Column, Dimension, Kind, Need, Parameter, Reading, Values};
 
 /// p = −k_n g.
 #[derive(Clone, Copy, Debug)]
@@ -89,11 +89,10 @@ impl Interface for Coulomb {
         Ok(Coulomb { joint: Joint { normal, tangential, strength } })
     }
 
-    fn chosen(values: &Values, stiffness: f64) -> Values {
-        match values.optional("normal_stiffness") {
-            Some(_) => values.clone(),
-            None => values.clone().with("normal_stiffness", stiffness),
-        }
+    fn chosen(values: &Values, choice: &Choice) -> Values {
+        let stiffness = values.optional("normal_stiffness").unwrap_or(choice.stiffness);
+        let shear = values.optional("shear_stiffness").unwrap_or(SHARE * stiffness);
+        values.clone().with("normal_stiffness", stiffness).with("shear_stiffness", shear)
     }
 
     fn stiffness(&self, pressure: f64) -> [f64; 2] {
@@ -105,7 +104,7 @@ impl Interface for Coulomb {
     }
 
     fn warnings(&self) -> Vec<String> {
-        self.joint.strength.warnings()
+        [self.joint.strength.warnings(), unusual(self.joint.normal.stiffness, None)].concat()
     }
 
     fn start(&self, pressure: f64, shear: [f64; 2]) -> (f64, [f64; WIDTH]) {

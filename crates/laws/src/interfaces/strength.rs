@@ -49,6 +49,29 @@ pub struct Strength {
 /// Coefficient of friction from which on one is warned, 63°: an assumption. Most who exceed it gave an angle.
 const STEEP: f64 = 2.0;
 
+/// Closure \[m\] at 1 MPa beyond which a joint is softer than soil: an assumption, as the next.
+const SOFT: f64 = 0.01;
+/// Largest closure \[m\] of joints.
+const WIDE: f64 = 0.01;
+
+/// What is unusual about a stiffness \[Pa/m\] and a largest closure \[m\].
+pub(super) fn unusual(stiffness: f64, closure: Option<f64>) -> Vec<String> {
+    let mut found = Vec::new();
+    if 1e6 / stiffness > SOFT {
+        found.push(format!(
+            "normal_stiffness = {stiffness:.3e} Pa/m closes by {:.0} mm at 1 MPa, where joints close by less than a millimetre",
+            1e9 / stiffness
+        ));
+    }
+    if let Some(closure) = closure.filter(|closure| *closure > WIDE) {
+        found.push(format!(
+            "max_closure = {:.0} mm is more than joints close, 0.1 mm to a few mm",
+            1e3 * closure
+        ));
+    }
+    found
+}
+
 impl Strength {
     /// From a law's parameters, [`COHESION`], [`TENSILE_STRENGTH`] and [`FRICTION`] among them.
     pub(super) fn read(reading: &mut Reading) -> Option<Self> {

@@ -3,7 +3,7 @@
 use crate::common::Random;
 use crate::common::pair::Pair;
 use tremolite_laws::interfaces::{Bandis, Coulomb};
-use tremolite_laws::{Interface, PairState, Value, Values};
+use tremolite_laws::{Choice, Interface, PairState, Value, Values};
 
 const K: f64 = 20e9;
 const T: f64 = 0.5e-3;
@@ -211,10 +211,8 @@ fn the_chosen_stiffness_is_the_largest_that_no_state_exceeds() {
         if random.unit() < 0.5 {
             given = given.with("closure_floor", 0.05 + 0.95 * random.unit());
         }
-        if random.unit() < 0.8 {
-            given = given.with("pressure_for_step", 10f64.powf(5.5 + 2.5 * random.unit()));
-        }
-        let chosen = Bandis::chosen(&given, stiffness);
+        let choice = Choice { stiffness, pressure: 10f64.powf(5.5 + 2.5 * random.unit()) };
+        let chosen = Bandis::chosen(&given, &choice);
         let law = Bandis::new(&chosen).unwrap();
         let found = law.stiffest()[0] / stiffness;
         assert!((found - 1.0).abs() < 1e-12, "{found}: {given:?}");
@@ -222,15 +220,15 @@ fn the_chosen_stiffness_is_the_largest_that_no_state_exceeds() {
         let own = chosen.optional("normal_stiffness").unwrap();
         let more = Bandis::new(&chosen.clone().with("normal_stiffness", 1.001 * own)).unwrap();
         assert!(more.stiffest()[0] > stiffness * (1.0 - 1e-12), "{given:?}");
-        assert_eq!(Bandis::chosen(&chosen, 1.0), chosen);
-        let linear = Coulomb::new(&Coulomb::chosen(&given, stiffness)).unwrap();
+        assert_eq!(Bandis::chosen(&chosen, &Choice { stiffness: 1.0, ..choice }), chosen);
+        let linear = Coulomb::new(&Coulomb::chosen(&given, &choice)).unwrap();
         assert_eq!(linear.stiffest()[0], stiffness);
     }
     // Continuous where the root vanishes, at 4p*/T.
     let at = |share: f64| {
-        let given = values(&[("pressure_for_step", 5e6)]);
-        let given = Values(given.0.into_iter().filter(|(k, _)| k != "normal_stiffness").collect());
-        let chosen = Bandis::chosen(&given, share * 4.0 * 5e6 / T);
+        let open = |k: &str| k != "normal_stiffness" && k != "pressure_for_step";
+        let given = Values(values(&[]).0.into_iter().filter(|(k, _)| open(k)).collect());
+        let chosen = Bandis::chosen(&given, &Choice { stiffness: share * 4.0 * 5e6 / T, pressure: 5e6 });
         ["normal_stiffness", "pressure_for_step"].map(|k| chosen.optional(k).unwrap())
     };
     for (below, above) in at(1.0 - 1e-12).into_iter().zip(at(1.0 + 1e-12)) {
@@ -239,6 +237,14 @@ fn the_chosen_stiffness_is_the_largest_that_no_state_exceeds() {
     }
     let [root, _] = at(1.0);
     assert!((root / (5e6 / T) - 1.0).abs() < 1e-7);
+    // A pressure that is given stays, though the stiffest state is then stiffer than asked for.
+    let open = |k: &str| k != "normal_stiffness";
+    let given = values(&[("pressure_for_step", 5e6)]);
+    let given = Values(given.0.into_iter().filter(|(k, _)| open(k)).collect());
+    let chosen = Bandis::chosen(&given, &Choice { stiffness: 5e6 / T, pressure: 1e6 });
+    assert_eq!(chosen.optional("pressure_for_step"), Some(5e6));
+    let stiffest = Bandis::new(&chosen).unwrap().stiffest()[0];
+    assert!((stiffest / (4.0 * 5e6 / T) - 1.0).abs() < 1e-12, "the least that this pressure allows");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::quantities::{Field, INTERFACE};
 use std::collections::BTreeMap;
+use tremolite_engine::Seam;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
@@ -11,7 +12,7 @@ use tremolite_mesh::pairs::tangents;
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_results::{Column, Pvd, TableWriter};
 
-/// Key of what this observer remembers: the bytes written.
+/// Key of what this observer remembers: the bytes written, and for each interface the largest size of its impact gain \[J\].
 const MEMORY: &str = "interfaces";
 
 /// Writes a row for all interfaces.
@@ -45,6 +46,12 @@ impl Interfaces {
         };
         Ok(Some(Interfaces { schedule: setting.rows(), table }))
     }
+
+    /// The largest size \[J\] of what impacts of an interface found or lost, over all rows.
+    pub fn largest_gain(memory: &Memory, seams: &[Seam], seam: &Seam) -> f64 {
+        let at = seams.iter().position(|other| other.name == seam.name);
+        memory.get(MEMORY).zip(at).and_then(|(kept, at)| kept.get(1 + at)).copied().unwrap_or(f64::NAN)
+    }
 }
 
 impl Observer for Interfaces {
@@ -54,14 +61,20 @@ impl Observer for Interfaces {
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, assembly, snapshot, history, .. } = *view;
-        let mut row = vec![snapshot.time];
+        let (mut row, mut gains) = (vec![snapshot.time], Vec::new());
         for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
             let totals = contacts.totals(seam, history.octets);
             row.extend([totals.sliding, totals.open, totals.ever_slid, totals.ever_opened]);
             row.extend([totals.largest_gap, totals.largest_slip, totals.impact_gain]);
+            gains.push(totals.impact_gain.abs());
         }
         self.table.write(&row)?;
-        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
+        let mut kept = memory.remove(MEMORY).unwrap_or_else(|| vec![0.0; 1 + model.seams.len()]);
+        kept[0] = self.table.bytes_written() as f64;
+        for (most, now) in kept[1..].iter_mut().zip(gains) {
+            *most = if now.is_nan() { now } else { most.max(now) };
+        }
+        memory.insert(MEMORY.into(), kept);
         Ok(())
     }
 }

@@ -1,16 +1,18 @@
 //! Which elements meet at interfaces, and by what law.
 
 use crate::plan::PairMonitor;
-use std::collections::BTreeSet;
-use tremolite_case::{Case, Contact, Interface as Written, Place, Problem, pattern};
+use std::collections::{BTreeMap, BTreeSet};
+use tremolite_case::{Case, Interface as Written, Place, Problem, pattern};
 use tremolite_engine::{Body, Interface};
 use tremolite_kernels::InterfaceLaw;
-use tremolite_laws::Values;
-use tremolite_laws::interface::PRESSURE_FOR_STEP;
+use tremolite_laws::Choice;
 use tremolite_mesh::Mesh;
+use tremolite_mesh::merge::{coincident_nodes, shortest_edge};
 
-/// Pressure \[Pa\] from which on an interface between materials without a compressive strength goes straight.
-const PRESSURE: f64 = 10e6;
+/// Normal stiffness \[Pa/m\] beyond any.
+const STIFF: f64 = 1e15;
+/// Share of the shortest edge within which nodes are at one place, generously.
+const DOUBLED: f64 = 1e-3;
 
 /// The interfaces of a case that are not tied, in its order.
 pub fn build(
@@ -31,23 +33,31 @@ pub fn build(
         let [inside, other]: [BTreeSet<u32>; 2] =
             [&first, &second].map(|side| side.iter().copied().collect());
         if let Some(&both) = inside.intersection(&other).next() {
-            problems.push(Problem::new(
-                written.span.clone(),
+            let group = |side: usize| {
+                let holds = |(name, elements): &(&String, &Vec<u32>)| {
+                    written.sides_of(name)[side] && elements.binary_search(&both).is_ok()
+                };
+                mesh.groups.iter().find(holds).map_or("?", |(name, _)| name.as_str())
+            };
+            problems.push(Problem::at(
+                &written.between[1][0],
                 format!(
-                    "element {} is on both sides of '{}'",
+                    "element {} is on both sides of '{}': it is in '{}' and in '{}'",
                     mesh.element_id(both as usize),
-                    written.name.value
+                    written.name.value,
+                    group(0),
+                    group(1)
                 ),
                 "name groups that share no element",
             ));
             continue;
         }
-        let values = values(contact, law, bodies, [&inside, &other]);
         interfaces.push(Interface {
             name: written.name.value.clone(),
             sides: [first, second],
             law: *law,
-            values,
+            values: contact.parameters.clone(),
+            pressure: pressure(bodies, [&inside, &other]),
             corner: contact.corner.value,
             damping: contact.damping.value,
             limit: contact.limit.value,
@@ -101,21 +111,79 @@ fn elements(
     Some(all.into_iter().collect())
 }
 
-/// The law's values, with the pressure from which on it goes straight: the compressive strength of the material that damages,
-/// since a lining cannot press on rock with more.
-fn values(contact: &Contact, law: &InterfaceLaw, bodies: &[Body], sides: [&BTreeSet<u32>; 2]) -> Values {
-    let values = contact.parameters.clone();
-    let takes = law.info.parameters.iter().any(|parameter| parameter.name == PRESSURE_FOR_STEP);
-    if !takes || values.optional(PRESSURE_FOR_STEP).is_some() {
-        return values;
-    }
+/// The compressive strength \[Pa\] of what cracks beside an interface: it cannot press with more.
+fn pressure(bodies: &[Body], sides: [&BTreeSet<u32>; 2]) -> f64 {
     let touches = |body: &&Body| body.elements.iter().any(|e| sides.iter().any(|side| side.contains(e)));
     let strengths = bodies
         .iter()
         .filter(|body| body.material.info().damages)
         .filter(touches)
         .filter_map(|body| body.material.compressive_strength());
-    values.with(PRESSURE_FOR_STEP, strengths.reduce(f64::max).unwrap_or(PRESSURE))
+    strengths.reduce(f64::max).unwrap_or(Interface::PRESSURE)
+}
+
+/// Joins what a mesh brings parted where a case ties it: nodes of the two sides at one place become one.
+pub fn tie(case: &Case, mesh: &mut Mesh, problems: &mut Vec<Problem>) {
+    for written in case.interfaces.iter().filter(|interface| interface.contact.is_none()) {
+        let nodes = [0, 1].map(|side| {
+            let groups = mesh.groups.iter().filter(|(name, _)| written.sides_of(name)[side]);
+            let elements = groups.flat_map(|(_, elements)| elements);
+            elements.flat_map(|&e| mesh.elements[e as usize].nodes().to_vec()).collect::<BTreeSet<u32>>()
+        });
+        let doubled = coincident_nodes(mesh, DOUBLED * shortest_edge(mesh));
+        let mut into: BTreeMap<u32, u32> = BTreeMap::new();
+        for (a, b) in doubled {
+            let across = |a, b| nodes[0].contains(a) && nodes[1].contains(b);
+            if across(&a, &b) || across(&b, &a) {
+                into.insert(a, b);
+            }
+        }
+        if into.is_empty() && nodes[0].is_disjoint(&nodes[1]) {
+            problems.push(Problem::new(
+                written.span.clone(),
+                format!("the two sides of '{}' have no node in common or at one place", written.name.value),
+                "name groups that touch, or leave the interface out",
+            ));
+        }
+        for element in &mut mesh.elements {
+            for node in &mut element.nodes {
+                *node = into.get(node).copied().unwrap_or(*node);
+            }
+        }
+    }
+}
+
+/// Whether all nodes at one place lie across an interface, so that the mesh comes parted there.
+pub fn explain_doubled(mesh: &Mesh, interfaces: &[Interface]) -> bool {
+    let nodes = |&e: &u32| mesh.elements[e as usize].nodes().to_vec();
+    let used: BTreeSet<u32> = (0..mesh.elements.len() as u32).flat_map(|e| nodes(&e)).collect();
+    let sides: Vec<[BTreeSet<u32>; 2]> = interfaces
+        .iter()
+        .map(|interface| interface.sides.each_ref().map(|side| side.iter().flat_map(nodes).collect()))
+        .collect();
+    let across = |(a, b): &(u32, u32)| {
+        let parts = |[first, second]: &[BTreeSet<u32>; 2]| {
+            (first.contains(a) && second.contains(b)) || (first.contains(b) && second.contains(a))
+        };
+        // Nodes that a tied interface has joined are in no element.
+        !used.contains(a) || !used.contains(b) || sides.iter().any(parts)
+    };
+    coincident_nodes(mesh, DOUBLED * shortest_edge(mesh)).iter().all(across)
+}
+
+/// What is unusual about the laws of interfaces though they accept it.
+pub fn warnings(case: &Case, laws: &[InterfaceLaw]) -> Vec<Problem> {
+    let mut warnings = Vec::new();
+    for written in &case.interfaces {
+        let Some(contact) = &written.contact else { continue };
+        let Some(law) = laws.iter().find(|law| law.info.name == contact.law.value) else { continue };
+        // Stiff enough for any bond, where the stiffness is left out.
+        let choice = Choice { stiffness: STIFF, pressure: Interface::PRESSURE };
+        let Ok(built) = (law.build)(&(law.info.chosen)(&contact.parameters, &choice)) else { continue };
+        let remedy = "change the interface's parameters if this is not meant";
+        warnings.extend(built.warnings().into_iter().map(|w| Problem::new(written.span.clone(), w, remedy)));
+    }
+    warnings
 }
 
 /// Monitors on interfaces that are not tied; the others are among the problems.

@@ -8,13 +8,17 @@ use tremolite_mesh::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, L
 use tremolite_mesh::note::Note;
 use tremolite_mesh::{Mesh, read_with_notes};
 
+/// A mesh in metres, and what its user should know of it.
+pub struct Built {
+    pub mesh: Mesh,
+    pub warnings: Vec<Problem>,
+    /// Of nodes at one place that are not joined, which may be meant.
+    pub doubled: Option<Problem>,
+}
+
 /// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems. Paths
 /// of mesh files start from `directory`.
-pub fn build(
-    mesh: &case::Mesh,
-    directory: &Path,
-    problems: &mut Vec<Problem>,
-) -> Option<(Mesh, Vec<Problem>)> {
+pub fn build(mesh: &case::Mesh, directory: &Path, problems: &mut Vec<Problem>) -> Option<Built> {
     let (made, span, remedy) = match mesh {
         case::Mesh::Caverns(caverns) => {
             let made = spec(caverns).mesh_with_notes();
@@ -34,8 +38,11 @@ pub fn build(
     };
     match made {
         Ok((mesh, notes)) => {
-            let warning = |note: Note| Problem::new(span.clone(), note.to_string(), remedy);
-            Some((mesh, notes.into_iter().map(warning).collect()))
+            let warning = |note: &Note| Problem::new(span.clone(), note.to_string(), remedy);
+            let (doubled, notes): (Vec<Note>, Vec<Note>) =
+                notes.into_iter().partition(|note| matches!(note, Note::Coincident { .. }));
+            let doubled = doubled.first().map(warning);
+            Some(Built { mesh, warnings: notes.iter().map(warning).collect(), doubled })
         }
         Err((span, message)) => {
             // Errors of the mesh crate end with the way out.

@@ -50,7 +50,12 @@ pub fn mesh_of(
     directory: &Path,
 ) -> Result<(tremolite_mesh::Mesh, Vec<case::Problem>), Vec<case::Problem>> {
     let mut problems = Vec::new();
-    mesh::build(mesh, directory, &mut problems).ok_or(problems)
+    let Some(mesh::Built { mesh, mut warnings, doubled }) = mesh::build(mesh, directory, &mut problems)
+    else {
+        return Err(problems);
+    };
+    warnings.extend(doubled);
+    Ok((mesh, warnings))
 }
 
 /// What a case makes of a mesh, which need not be its own: a body for each region that is not void.
@@ -90,7 +95,10 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mesh = mesh::build(&case.mesh, case.directory(), &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
-    let Some((mesh, mut warnings)) = mesh else { return Err(case.report(problems)) };
+    let Some(mesh::Built { mut mesh, mut warnings, doubled }) = mesh else {
+        return Err(case.report(problems));
+    };
+    interfaces::tie(case, &mut mesh, &mut problems);
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
@@ -103,6 +111,9 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         return Err(case.report(problems));
     };
 
+    // Where an interface lies, nodes are doubled on purpose.
+    warnings.extend(doubled.filter(|_| !interfaces::explain_doubled(&mesh, &interfaces)));
+    warnings.extend(interfaces::warnings(case, &laws.interfaces));
     warnings.extend(warnings::of_laws(case, &bodies, &fields));
     warnings.extend(warnings::of_sides(case, &motion));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &bodies));
@@ -138,10 +149,15 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         checkpoint: output.checkpoint.as_ref().map(|c| c.value),
         monitors,
         pairs,
-        relatives: case.relatives.iter().map(|r| r.between).collect(),
+        relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
     let inputs = inputs::inputs(case);
     Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, base_without_springs, warnings })
+}
+
+/// The place of one of the case's monitors among those in elements.
+fn in_elements(case: &Case, monitor: usize) -> usize {
+    case.monitors[..monitor].iter().filter(|m| m.interface.is_none()).count()
 }
 
 /// The frequency \[Hz\] at which moduli are meant with damping over a band: the motion's central one unless the case

@@ -1,33 +1,25 @@
-//! Checks of interfaces: whether pairs stay where their law and the step are good.
+//! Checks of interfaces.
 
+use super::seam;
 use crate::evidence::Evidence;
-use tremolite_engine::Seam;
-use tremolite_engine::contacts::Contacts;
-use tremolite_engine::hexahedra::hex;
-use tremolite_engine::model::Model;
-use tremolite_mesh::Mesh;
-use tremolite_mesh::topology::vector_areas;
-use tremolite_results::{TrustLine, snake};
+use tremolite_kernels::Line;
+use tremolite_results::TrustLine;
 
-/// Closure over the largest: beyond, k_n is sixteen times k_n0, and what the joint still closes says more of the law's end
-/// than of the joint.
-const CLOSURE: f64 = 0.75;
-/// Slip over the shortest edge of the faces at a pair: normals do not turn, and pairs do not change partners.
-const SLIP: f64 = 0.1;
-/// Energy found or lost at impacts over all that was supplied.
-const IMPACTS: f64 = 0.01;
-/// Closure of an interface whose stiffness was chosen over what the elements beside it give at the same pressure: in the first
-/// case cracked volumes settle below this, and are a third smaller at 0.8.
-const CHOSEN: f64 = 0.1;
-/// Round-off of a step that is to be a share of another.
-const ROUND_OFF: f64 = 1e-9;
+/// Energy that interface laws may create, over what friction took.
+const CREATED: f64 = 0.05;
+
+const UNSTRESSED: &str = "interfaces without initial stress";
+const CREATED_BY: &str = "energy created by interface laws over that of friction";
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let Evidence { model, assembly, .. } = evidence;
     if model.seams.is_empty() {
-        const LINES: [(&str, &str); 6] = [
+        const LINES: [(&str, &str); 9] = [
+            ("interface_without_initial_stress", UNSTRESSED),
+            ("energy_created_by_interfaces", CREATED_BY),
             ("interface_closure", "largest closure of the interface over its limit"),
             ("interface_slip", "largest slip over element size"),
+            ("interface_gap", "largest gap over element size"),
             ("interface_straight", "pairs beyond the pressure from which the law is straight"),
             ("interface_impacts", "energy found at impacts over energy supplied"),
             ("interface_step", "time step times frequency of the stiffest pair"),
@@ -36,165 +28,42 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         let line = |(id, name)| TrustLine::not_applicable(id, name, "no interface");
         return LINES.map(line).into();
     }
-    model
-        .seams
-        .iter()
-        .zip(&assembly.contacts)
-        .flat_map(|(seam, contacts)| of(evidence, seam, contacts))
-        .collect()
+    let mut lines = vec![unstressed(evidence), created(evidence)];
+    for (own, contacts) in model.seams.iter().zip(&assembly.contacts) {
+        lines.extend(seam::of(evidence, own, contacts));
+    }
+    lines
 }
 
-fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<TrustLine> {
-    let Evidence { model, outcome, .. } = evidence;
-    let history = &outcome.state.history;
-    let totals = contacts.totals(seam, history);
-    let id = |what: &str| format!("{what}_{}", snake(&seam.name));
-    let name = |what: &str| format!("{what}, {}", seam.name);
+/// Friction, and whether a joint is closed at all, go by the pressure that is there before.
+fn unstressed(evidence: &Evidence) -> TrustLine {
+    let names: Vec<&str> = evidence.model.seams.iter().map(|seam| seam.name.as_str()).collect();
+    let line =
+        TrustLine::at_most("interface_without_initial_stress", UNSTRESSED, names.len() as f64, 0.0, "");
+    line.with_note(format!(
+        "{}: nothing presses the sides together before the earthquake, and no weight closes them again, so they part and slide \
+         earlier and further than in place; one without a bond is open from the first motion on",
+        names.join("; ")
+    ))
+}
 
-    let closure = match contacts.law.closure_limit() {
-        None => TrustLine::not_applicable(
-            id("interface_closure"),
-            &name("largest closure over its limit"),
-            format!("the law '{}' has no largest closure", contacts.law.info().name),
-        ),
-        Some(limit) => {
-            let most = contacts.law.closure(totals.largest_pressure.max(0.0));
-            let line = TrustLine::at_most(
-                id("interface_closure"),
-                &name("largest closure over its limit"),
-                most / limit,
-                CLOSURE,
-                "",
-            );
-            line.with("closure", most).with("limit", limit).with_note(
-                "of all pairs and steps, as the law closes at the largest pressure, over `max_closure`: the joint is nearly shut \
-                 and as stiff as it can be; give a larger one, or a stiffer joint",
-            )
-        }
-    };
-
-    let mut worst = (0.0, 0);
-    let edges = shortest_edges(&model.mesh, seam);
-    for (k, edge) in edges.iter().enumerate() {
-        let share = contacts.seen(history, k).largest_slip / edge;
-        if share > worst.0 || share.is_nan() {
-            worst = (share, k);
-        }
+fn created(evidence: &Evidence) -> TrustLine {
+    let column = |line: Line| evidence.energy.column(line.name()).unwrap_or(&[]);
+    let mut least = 0.0_f64;
+    // Its largest rise: what was taken before does not pay for what is given out later.
+    let created = column(Line::CreatedByInterface).iter().fold(0.0_f64, |most, &now| {
+        least = least.min(now);
+        most.max(now - least)
+    });
+    let friction = column(Line::Friction).iter().copied().fold(0.0, f64::max);
+    const ID: &str = "energy_created_by_interfaces";
+    if created == 0.0 && friction == 0.0 {
+        return TrustLine::not_applicable(ID, CREATED_BY, "nothing slid or opened");
     }
-    let slip = TrustLine::at_most(id("interface_slip"), &name("largest slip over element size"), worst.0, SLIP, "")
-        .with("slip", totals.largest_slip)
-        .with_note(format!(
-            "shortest edge of the faces at {}; normals and partners of pairs do not change, so slip must stay small",
-            seam.pair_name(&model.mesh, worst.1)
-        ));
-
-    let straight = match contacts.law.straight_from() {
-        None => TrustLine::not_applicable(
-            id("interface_straight"),
-            &name("pairs beyond the pressure from which the law is straight"),
-            "the law is straight throughout",
-        ),
-        Some(limit) => TrustLine::at_most(
-            id("interface_straight"),
-            &name("pairs beyond the pressure from which the law is straight"),
-            totals.beyond as f64,
-            0.0,
-            "",
-        )
-        .with("pressure", totals.largest_pressure)
-        .with("limit", limit)
-        .with_note(format!(
-            "of {} pairs; the largest pressure was {:.3} MPa, and from {:.3} MPa on the joint is held at a constant stiffness \
-             so that it does not shorten the step: a larger `pressure_for_step` moves that up",
-            seam.pairs.len(),
-            totals.largest_pressure / 1e6,
-            limit / 1e6
-        )),
-    };
-
-    let supplied = outcome.state.ledger.supplied;
-    let impacts = TrustLine::at_most(
-        id("interface_impacts"),
-        &name("energy found at impacts over energy supplied"),
-        totals.impact_gain.abs() / supplied,
-        IMPACTS,
-        "",
-    )
-    .with("impact_gain", totals.impact_gain)
-    .with("supplied", supplied)
-    .with_note(
-        "what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller `contact_limit` or a \
-         larger `contact_damping` lessens it",
-    );
-
-    // A step that is just as long as the limit lets it may differ by round-off.
-    let product = outcome.dt * contacts.frequency;
-    let product = if product > seam.limit { product * (1.0 - ROUND_OFF) } else { product };
-    let step = TrustLine::at_most(
-        id("interface_step"),
-        &name("time step times frequency of the stiffest pair"),
-        product,
-        seam.limit,
-        "",
-    )
-    .with("frequency", contacts.frequency)
-    .with_note(format!(
-        "ω_c of {} with its stiffest state; beyond 0.8 impacts may gain energy though the step is stable",
-        seam.pair_name(&model.mesh, contacts.stiffest_pair)
-    ));
-
-    const NAME: &str = "closure of the interface over that of the elements beside it";
-    let chosen = if contacts.chosen {
-        let stiffness = contacts.law.stiffness(0.0)[0];
-        TrustLine::at_most(
-            id("interface_chosen"),
-            &name(NAME),
-            1.0 / (stiffness * give_of_elements(evidence.model, seam)),
-            CHOSEN,
-            "",
-        )
-        .with("normal_stiffness", stiffness)
+    TrustLine::at_most(ID, CREATED_BY, created / friction, CREATED, "")
+        .with("created", created)
+        .with("friction", friction)
         .with_note(
-            "at equal pressure, unloaded; the program chose the stiffness so that the interface does not set the time step, and it \
-             is so soft that results hang on it: give `normal_stiffness` of a test, or a shorter `time_step`",
+            "largest rise of what pairs gave out whose shear stiffness goes by the closure; tangential = \"constant\" cannot",
         )
-    } else {
-        TrustLine::not_applicable(id("interface_chosen"), &name(NAME), "its stiffness was given")
-    };
-    vec![closure, slip, straight, impacts, step, chosen]
-}
-
-/// Σ h/(λ + 2μ) \[m/Pa\] of the elements on both sides, h their extent from the face, mean over the area.
-fn give_of_elements(model: &Model, seam: &Seam) -> f64 {
-    let (mut sum, mut whole) = (0.0, 0.0);
-    for faces in &seam.faces {
-        let vector = vector_areas(&model.mesh, &faces[..1]).into_values();
-        let vector = vector.fold([0.0; 3], |sum, a| [0, 1, 2].map(|i| sum[i] + a[i]));
-        let area = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
-        for face in faces {
-            let element = face.element as usize;
-            let (Some(body), Ok(hex)) = (model.body_of[element], hex(&model.mesh, element)) else { continue };
-            let moduli = model.bodies[body].material.moduli();
-            // The volume is the area times h.
-            sum += hex.volume / (moduli.lambda + 2.0 * moduli.mu);
-        }
-        whole += area;
-    }
-    sum / whole
-}
-
-/// By pair, the shortest edge \[m\] of the faces around it.
-fn shortest_edges(mesh: &Mesh, seam: &Seam) -> Vec<f64> {
-    let edge = |face: u32| {
-        let nodes: Vec<u32> = mesh.face_nodes(seam.faces[face as usize][0]).collect();
-        let length = |(a, b): (u32, u32)| {
-            let [a, b] = [a, b].map(|n| mesh.nodes[n as usize]);
-            (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
-        };
-        let next = nodes.iter().copied().cycle().skip(1);
-        nodes.iter().copied().zip(next).map(length).fold(f64::INFINITY, f64::min)
-    };
-    let shortest =
-        |corners: &[(u32, u8)]| corners.iter().map(|&(face, _)| edge(face)).fold(f64::INFINITY, f64::min);
-    seam.pairs.iter().map(|pair| shortest(&pair.corners)).collect()
 }

@@ -4,6 +4,7 @@
 mod energy;
 mod interface;
 mod material;
+mod seam;
 mod waves;
 
 pub(crate) use waves::DRIFT;

@@ -97,7 +97,7 @@ impl Checked<'_> {
                 "           {name}: {}, {} pairs over {:.1} m2, {ends}",
                 interface.law, interface.pairs, interface.area
             ));
-            let chosen = if interface.chosen { ", chosen so that the elements set the step" } else { "" };
+            let chosen = if interface.chosen { ", chosen so that impacts do not set the step" } else { "" };
             let straight = if interface.straight_from.is_nan() {
                 String::new()
             } else {

@@ -1,0 +1,197 @@
+//! Checks of one interface: whether its pairs stay where their law and the step are good.
+
+use crate::evidence::Evidence;
+use crate::observers::Interfaces;
+use tremolite_engine::Seam;
+use tremolite_engine::contacts::Contacts;
+use tremolite_engine::hexahedra::hex;
+use tremolite_engine::model::Model;
+use tremolite_mesh::Mesh;
+use tremolite_mesh::topology::vector_areas;
+use tremolite_results::{TrustLine, snake};
+
+/// Closure over the largest: beyond, k_n is sixteen times k_n0, and what the joint still closes says more of the law's end
+/// than of the joint.
+const CLOSURE: f64 = 0.75;
+/// Slip over the shortest edge of the faces at a pair: normals do not turn, and pairs do not change partners.
+const SLIP: f64 = 0.1;
+/// Gap over the shortest edge: a pair far apart closes on faces that are no longer its own.
+const GAP: f64 = 0.1;
+/// Energy found or lost at impacts over all that was supplied.
+const IMPACTS: f64 = 0.01;
+/// Closure of an interface whose stiffness was chosen over what the elements beside it give at the same pressure: in the first
+/// case cracked volumes settle below this, and are a third smaller at 0.8.
+const CHOSEN: f64 = 0.1;
+/// Round-off of a step that is to be a share of another.
+const ROUND_OFF: f64 = 1e-9;
+
+/// The checks of an interface.
+pub(super) fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<TrustLine> {
+    let Evidence { model, outcome, .. } = evidence;
+    let history = &outcome.state.history;
+    let totals = contacts.totals(seam, history);
+    let id = |what: &str| format!("{what}_{}", snake(&seam.name));
+    let name = |what: &str| format!("{what}, {}", seam.name);
+
+    let closure = match contacts.law.closure_limit() {
+        None => TrustLine::not_applicable(
+            id("interface_closure"),
+            &name("largest closure over its limit"),
+            format!("the law '{}' has no largest closure", contacts.law.info().name),
+        ),
+        Some(limit) => {
+            let most = contacts.law.closure(totals.largest_pressure.max(0.0));
+            let line = TrustLine::at_most(
+                id("interface_closure"),
+                &name("largest closure over its limit"),
+                most / limit,
+                CLOSURE,
+                "",
+            );
+            line.with("closure", most).with("limit", limit).with_note(
+                "of all pairs and steps, as the law closes at the largest pressure, over `max_closure`: the joint is nearly shut \
+                 and as stiff as it can be; give a larger one, or a stiffer joint",
+            )
+        }
+    };
+
+    let mut worst = (0.0, 0);
+    let edges = shortest_edges(&model.mesh, seam);
+    for (k, edge) in edges.iter().enumerate() {
+        let share = contacts.seen(history, k).largest_slip / edge;
+        if share > worst.0 || share.is_nan() {
+            worst = (share, k);
+        }
+    }
+    let slip = TrustLine::at_most(id("interface_slip"), &name("largest slip over element size"), worst.0, SLIP, "")
+        .with("slip", totals.largest_slip)
+        .with_note(format!(
+            "shortest edge of the faces at {}; normals and partners of pairs do not change, so slip must stay small",
+            seam.pair_name(&model.mesh, worst.1)
+        ));
+
+    let mut widest = (0.0, 0);
+    for (k, edge) in edges.iter().enumerate() {
+        let share = contacts.seen(history, k).largest_gap / edge;
+        if share > widest.0 || share.is_nan() {
+            widest = (share, k);
+        }
+    }
+    let gap = TrustLine::at_most(id("interface_gap"), &name("largest gap over element size"), widest.0, GAP, "")
+        .with("gap", totals.largest_gap)
+        .with_note(format!(
+            "shortest edge of the faces at {}; what is so far apart has come loose, and closes on faces that are not its own",
+            seam.pair_name(&model.mesh, widest.1)
+        ));
+
+    let straight = match contacts.law.straight_from() {
+        None => TrustLine::not_applicable(
+            id("interface_straight"),
+            &name("pairs beyond the pressure from which the law is straight"),
+            "the law is straight throughout",
+        ),
+        Some(limit) => TrustLine::at_most(
+            id("interface_straight"),
+            &name("pairs beyond the pressure from which the law is straight"),
+            totals.beyond as f64,
+            0.0,
+            "",
+        )
+        .with("pressure", totals.largest_pressure)
+        .with("limit", limit)
+        .with_note(format!(
+            "of {} pairs; the largest pressure was {:.3} MPa, and from {:.3} MPa on the joint is held at a constant stiffness, \
+             so that it does not shorten the step; give a larger `pressure_for_step`, at the price of a shorter one",
+            seam.pairs.len(),
+            totals.largest_pressure / 1e6,
+            limit / 1e6
+        )),
+    };
+
+    let supplied = outcome.state.ledger.supplied;
+    let gained = Interfaces::largest_gain(&outcome.state.observers, &model.seams, seam);
+    let impacts = TrustLine::at_most(
+        id("interface_impacts"),
+        &name("energy found at impacts over energy supplied"),
+        gained / supplied,
+        IMPACTS,
+        "",
+    )
+    .with("impact_gain", gained)
+    .with("supplied", supplied)
+    .with_note(
+        "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller `contact_limit` or a \
+         larger `contact_damping` lessens it",
+    );
+
+    // A step that is just as long as the limit lets it may differ by round-off.
+    let product = outcome.dt * contacts.frequency;
+    let product = if product > seam.limit { product * (1.0 - ROUND_OFF) } else { product };
+    let step = TrustLine::at_most(
+        id("interface_step"),
+        &name("time step times frequency of the stiffest pair"),
+        product,
+        seam.limit,
+        "",
+    )
+    .with("frequency", contacts.frequency)
+    .with_note(format!(
+        "ω_c of {} with its stiffest state; beyond 0.8 impacts may gain energy though the step is stable",
+        seam.pair_name(&model.mesh, contacts.stiffest_pair)
+    ));
+
+    const NAME: &str = "closure of the interface over that of the elements beside it";
+    let chosen = if contacts.chosen {
+        let stiffness = contacts.law.stiffness(0.0)[0];
+        TrustLine::at_most(
+            id("interface_chosen"),
+            &name(NAME),
+            1.0 / (stiffness * give_of_elements(evidence.model, seam)),
+            CHOSEN,
+            "",
+        )
+        .with("normal_stiffness", stiffness)
+        .with_note(
+            "at equal pressure, unloaded; the program chose the stiffness so that the interface does not set the time step, and it \
+             is so soft that results hang on it: give `normal_stiffness` of a test, or a shorter `time_step`",
+        )
+    } else {
+        TrustLine::not_applicable(id("interface_chosen"), &name(NAME), "its stiffness was given")
+    };
+    vec![closure, slip, gap, straight, impacts, step, chosen]
+}
+
+/// Σ h/(λ + 2μ) \[m/Pa\] of the elements on both sides, h their extent from the face, mean over the area.
+fn give_of_elements(model: &Model, seam: &Seam) -> f64 {
+    let (mut sum, mut whole) = (0.0, 0.0);
+    for faces in &seam.faces {
+        let vector = vector_areas(&model.mesh, &faces[..1]).into_values();
+        let vector = vector.fold([0.0; 3], |sum, a| [0, 1, 2].map(|i| sum[i] + a[i]));
+        let area = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+        for face in faces {
+            let element = face.element as usize;
+            let (Some(body), Ok(hex)) = (model.body_of[element], hex(&model.mesh, element)) else { continue };
+            let moduli = model.bodies[body].material.moduli();
+            // The volume is the area times h.
+            sum += hex.volume / (moduli.lambda + 2.0 * moduli.mu);
+        }
+        whole += area;
+    }
+    sum / whole
+}
+
+/// By pair, the shortest edge \[m\] of the faces around it.
+fn shortest_edges(mesh: &Mesh, seam: &Seam) -> Vec<f64> {
+    let edge = |face: u32| {
+        let nodes: Vec<u32> = mesh.face_nodes(seam.faces[face as usize][0]).collect();
+        let length = |(a, b): (u32, u32)| {
+            let [a, b] = [a, b].map(|n| mesh.nodes[n as usize]);
+            (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+        };
+        let next = nodes.iter().copied().cycle().skip(1);
+        nodes.iter().copied().zip(next).map(length).fold(f64::INFINITY, f64::min)
+    };
+    let shortest =
+        |corners: &[(u32, u8)]| corners.iter().map(|&(face, _)| edge(face)).fold(f64::INFINITY, f64::min);
+    seam.pairs.iter().map(|pair| shortest(&pair.corners)).collect()
+}
