@@ -87,8 +87,8 @@ fn path(table: &Table, monitor: &str, file: String) -> Figure {
         states: &STATES.map(|(_, name, colour)| (name, colour)),
     };
     let caption = format!(
-        "Monitor {monitor}: size of the shear over the pressure, a dot a row of monitors.csv. Pairs that slide lie on the line \
-         of friction through the origin; above it only the bond holds."
+        "Monitor {monitor}: size of the shear over the pressure, a dot a row of monitors.csv. Pairs that slide lie on a \
+         line through the origin whose slope is the friction μ; above it only the bond holds."
     );
     Figure { heading: HEADING.into(), file, svg: drawing.draw(), caption }
 }

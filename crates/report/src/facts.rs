@@ -247,6 +247,17 @@ pub fn model(summary: &Summary) -> Vec<Fact> {
             summary.positions.iter().map(|(name, p)| format!("{name}\u{a0}({})", place(p))).collect();
         facts.push(card("Monitors (x, y, z in m)", places.join("; "), ""));
     }
+    if !summary.pairs.is_empty() {
+        let place = |p: &[f64; 3]| p.map(|c| trimmed(&format!("{c:.2}").replace('-', "−"))).join(",\u{a0}");
+        let pairs = summary.pairs.iter();
+        let places = pairs.map(|(name, p)| {
+            format!("{name} on {}\u{a0}({}), m\u{a0}({})", p.interface, place(&p.at), place(&p.normal))
+        });
+        let places: Vec<_> = places.collect();
+        let note =
+            "at the pair nearest to what was asked for; m points out of the first side into the second";
+        facts.push(card("Monitors on interfaces (x, y, z in m)", places.join("; "), note));
+    }
     facts
 }
 

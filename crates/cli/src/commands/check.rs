@@ -4,14 +4,14 @@ mod json;
 mod text;
 
 use super::defaulted::{Known, defaulted};
-use super::{check_step, check_waves, load, pool, refused};
+use super::{check_length, check_pairs, check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::print;
 use indexmap::IndexMap;
 use std::path::PathBuf;
 use tremolite::disk::{Disk, disk};
-use tremolite::interfaces::interfaces;
+use tremolite::interfaces::{interfaces, monitors};
 use tremolite::plan::Steps;
 use tremolite::run::{choose_step, time_step_cost};
 use tremolite::setup::MotionFacts;
@@ -19,7 +19,7 @@ use tremolite::survey::{Survey, impacts_in_words, limit_in_words, survey};
 use tremolite::{Assembly, Model, Phase, Stage, stable_step};
 use tremolite_case::{Case, Problem};
 use tremolite_laws::Isa;
-use tremolite_results::{Defaulted, InterfaceSummary, MaterialFacts};
+use tremolite_results::{Defaulted, InterfaceSummary, MaterialFacts, PairPlace};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -50,6 +50,8 @@ struct Checked<'a> {
     /// The element with fewest elements a wavelength around it.
     coarsest: String,
     interfaces: IndexMap<String, InterfaceSummary>,
+    /// Monitors on interfaces.
+    pairs: IndexMap<String, PairPlace>,
     /// Stable step \[s\], what sets it, and the step used \[s\].
     stable: f64,
     set_by: String,
@@ -95,8 +97,10 @@ pub fn run(args: &Args) -> Outcome {
         let mut warnings = [case.warnings.clone(), setup.warnings].concat();
         warnings.extend(check_step(&case, &stable));
         warnings.extend(check_waves(&case, &model, &survey));
+        warnings.extend(check_pairs(&case, &model, &plan));
         let failed = args.strict && !warnings.is_empty();
         let (dt, steps) = choose_step(&model, &plan, &stable);
+        check_length(&model, &assembly, &stable, steps)?;
         let left_out = defaulted(&Known {
             case: &case,
             model: &model,
@@ -116,6 +120,7 @@ pub fn run(args: &Args) -> Outcome {
             coarsest: survey.coarsest().map_or(String::new(), |b| model.element_name(b.coarsest as usize)),
             survey,
             interfaces: interfaces(&model, &assembly, &assembly.rest().history),
+            pairs: monitors(&model, &plan),
             stable: stable.dt,
             set_by: limit_in_words(&model, &assembly, &stable),
             impacts: impacts_in_words(&model, &stable),

@@ -66,7 +66,10 @@ fn used(known: &Known, key: &str) -> Option<String> {
             let x = law.values().optional(parameter)?;
             let dimension = law.info().parameters.iter().find(|p| p.name == parameter).map(|p| p.kind);
             let Some(Kind::Number(dimension)) = dimension else { return None };
-            Some(units::format(format!("{x:.3e}").parse().unwrap_or(x), dimension))
+            let lowered = x < known.model.seams[at].pressure && parameter == "pressure_for_step";
+            let why = if lowered { ", lowered as the chosen stiffness wants it" } else { "" };
+            let value = units::format(format!("{x:.3e}").parse().unwrap_or(x), dimension);
+            Some(value + why)
         }
         _ => {
             let (name, parameter) = key.strip_prefix("material.")?.rsplit_once('.')?;

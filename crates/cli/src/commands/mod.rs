@@ -14,9 +14,10 @@ pub mod verify;
 
 use crate::exit::Failure;
 use std::path::Path;
+use tremolite::plan::{Plan, Steps};
 use tremolite::setup::{Laws, Setup, changed, original_folder, setup};
-use tremolite::survey::Survey;
-use tremolite::{Model, ModelError, StableStep, laws};
+use tremolite::survey::{Survey, step_in_words};
+use tremolite::{Assembly, Model, ModelError, StableStep, laws};
 use tremolite_case::{Case, Fill, Problem, units};
 use tremolite_laws::{Dimension, Isa, LawInfo};
 
@@ -46,12 +47,70 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
 
 /// Why a case is no model, at its interface where it is about one.
 pub fn refused(case: &Case, error: &ModelError) -> Failure {
+    if let ModelError::Periodic { low, .. } = error {
+        let side = &case.dynamic.sides[usize::from(low.starts_with('y'))];
+        let text = error.to_string();
+        let (message, remedy) = text.split_once("; ").unwrap_or((&text, "choose another kind of sides"));
+        return Failure::case(&case.report(vec![Problem::at(side, message, remedy)]));
+    }
     let named = |name: &str| case.interfaces.iter().find(|interface| interface.name.value == name);
     let Some(interface) = error.interface().and_then(named) else { return Failure::input(error) };
     let text = error.to_string();
     let (message, remedy) = text.split_once("; ").unwrap_or((&text, "see `tremolite list interfaces`"));
     Failure::case(&case.report(vec![Problem::new(interface.span.clone(), message, remedy)]))
 }
+
+/// Steps beyond which a run is a slip of units: a year on a fast machine.
+const MOST_STEPS: u64 = 100_000_000_000;
+
+/// Refuses a run that would never end.
+pub fn check_length(
+    model: &Model,
+    assembly: &Assembly,
+    stable: &StableStep,
+    steps: Steps,
+) -> Result<(), Failure> {
+    if steps.total < MOST_STEPS {
+        return Ok(());
+    }
+    Err(Failure::input(format!(
+        "the run would take {:.1e} steps: the stable step is {:.1e} s, set by {}; look at the units of stiffness, density and size \
+         there",
+        steps.total as f64,
+        stable.dt,
+        step_in_words(model, assembly, stable)
+    )))
+}
+
+/// Warns of monitors on interfaces that lie far from them. Returns what it said.
+pub fn check_pairs(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
+    let written = case.monitors.iter().filter(|monitor| monitor.interface.is_some());
+    let problems: Vec<Problem> = written
+        .zip(&plan.pairs)
+        .filter_map(|(written, monitor)| {
+            let seam = &model.seams[monitor.interface];
+            let at = seam.place(&model.mesh, seam.nearest(&model.mesh, monitor.point));
+            let away = (0..3).map(|i| (at[i] - monitor.point[i]).powi(2)).sum::<f64>().sqrt();
+            let [x, y, z] = at;
+            (away > FAR).then(|| {
+                let name = &monitor.name;
+                Problem::at(
+                    &written.at,
+                    format!("monitor {name} is {away:.1} m from '{}': it takes the pair at ({x:.1}, {y:.1}, {z:.1}) m", seam.name),
+                    "give a point on the interface, if another is meant",
+                )
+            })
+        })
+        .collect();
+    if !problems.is_empty() {
+        let report = case.report(problems.clone()).as_warnings();
+        crate::terminal::say(&report.render(crate::terminal::colour()));
+    }
+    problems
+}
+
+/// Distance \[m\] of a monitor from its pair that goes without saying: less than a lining's thickness or an element.
+const FAR: f64 = 1.0;
 
 /// Warns of a given time step above the stable one: the run will be stopped as soon as energy appears. Returns what it
 /// said.

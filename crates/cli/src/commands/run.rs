@@ -1,7 +1,7 @@
 //! `tremolite run`: the main job.
 
 use super::defaulted::{Known, defaulted};
-use super::{check_step, check_waves, load, pool, refused};
+use super::{check_length, check_pairs, check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{ProgressLine, bytes, duration, say};
@@ -89,11 +89,13 @@ pub fn run(args: &Args) -> Outcome {
         let mut warnings = [case.warnings.clone(), setup.warnings.clone()].concat();
         warnings.extend(check_step(&case, &stable));
         warnings.extend(check_waves(&case, &model, &survey));
+        warnings.extend(check_pairs(&case, &model, &plan));
         let sentence = |p: &Problem| format!("{}; {}", p.message, p.remedy);
         let mut said: Vec<String> = warnings.iter().map(sentence).collect();
         said.extend(changed(&args.case, &setup.inputs));
         let warned = !said.is_empty();
         let (dt, steps) = choose_step(&model, &plan, &stable);
+        check_length(&model, &assembly, &stable, steps)?;
 
         let name = case_name(&args.case);
         let folder = if args.resume {

@@ -15,9 +15,9 @@ pub enum SplitError {
     BothSides { name: String, element: u64 },
     /// The sides have no face in common.
     #[error(
-        "interface '{name}': its two sides have no face in common; their faces' nodes are {distance} m apart at the \
-         nearest; name groups that touch, give both the same mesh where they do, or merge their nodes if a gap \
-         parts them"
+        "interface '{name}': its two sides have no face in common; {}; name groups that touch, give both the same mesh where they \
+         do, or merge their nodes if a gap parts them",
+        apart(*distance)
     )]
     Apart { name: String, distance: f64 },
     /// A face is on two interfaces.
@@ -44,6 +44,14 @@ impl SplitError {
             | SplitError::Claimed { second: name, .. }
             | SplitError::Crowded { name, .. } => name,
         }
+    }
+}
+
+fn apart(distance: f64) -> String {
+    if distance == 0.0 {
+        "they touch along edges or at nodes alone".into()
+    } else {
+        format!("their faces' nodes are {distance} m apart at the nearest")
     }
 }
 

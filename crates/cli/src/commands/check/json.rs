@@ -28,6 +28,7 @@ impl Checked<'_> {
             "regions": regions.collect::<Vec<_>>(),
             "materials": self.materials,
             "interfaces": self.interfaces,
+            "pairs": self.pairs,
             "motion": {
                 "source": motion.source,
                 "window": motion.window,

@@ -25,6 +25,7 @@ impl Checked<'_> {
         }
         self.print_materials();
         self.print_interfaces();
+        self.print_pairs();
         print("\nMotion");
         print(&format!("           {}", motion.source));
         let [from, to] = motion.window;
@@ -86,7 +87,10 @@ impl Checked<'_> {
             return;
         }
         print("\nInterfaces");
-        let stiffness = |k: f64| units::format(rounded(k), Dimension::STIFFNESS);
+        let stiffness = |k: f64| match k {
+            k if k >= 1e8 => format!("{} GPa/m", rounded(k / 1e9)),
+            k => format!("{} MPa/m", rounded(k / 1e6)),
+        };
         let pressure = |p: f64| units::format(rounded(p), Dimension::PRESSURE);
         for (name, interface) in &self.interfaces {
             let ends = match interface.ends {
@@ -104,9 +108,20 @@ impl Checked<'_> {
                 format!(", straight from {}", pressure(interface.straight_from))
             };
             print(&format!(
-                "             normal stiffness {}{chosen}; closes by {:.3} mm at 1 MPa{straight}",
+                "             normal stiffness {}{chosen}; closes by {} mm at 1 MPa{straight}",
                 stiffness(interface.normal_stiffness),
-                1e3 * interface.closure_at_1_mpa
+                rounded(1e3 * interface.closure_at_1_mpa)
+            ));
+        }
+    }
+
+    fn print_pairs(&self) {
+        for (name, pair) in &self.pairs {
+            let [x, y, z] = pair.at;
+            let [mx, my, mz] = pair.normal;
+            print(&format!(
+                "           monitor {name}: the pair at node {} at ({x:.2}, {y:.2}, {z:.2}) m of {}, m = ({mx:.3}, {my:.3}, {mz:.3})",
+                pair.node, pair.interface
             ));
         }
     }
