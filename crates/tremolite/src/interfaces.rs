@@ -34,7 +34,7 @@ pub fn interfaces(
                 }
             }
             let node = |k: usize| model.mesh.node_id(seam.pairs[k].nodes[1] as usize);
-            let at = pair.map_or([f64::NAN; 3], |k| seam.place(&model.mesh, k));
+            let at = pair.map_or([0.0; 3], |k| seam.place(&model.mesh, k));
             PairPeak { value: most, node: pair.map_or(0, node), at }
         };
         let summary = InterfaceSummary {

@@ -69,7 +69,7 @@ fn what_an_interface_leaves_out_is_listed_and_what_is_chosen_has_no_value() {
         ("poisson", "0.25"),
         ("tangential", "following"),
         ("tensile_strength", "the cohesion"),
-        ("normal_stiffness", "as stiff as leaves the time step to the elements"),
+        ("normal_stiffness", "as stiff as impacts leave the time step alone"),
         ("corner", "45 deg"),
         ("contact_damping", "0.01"),
         ("contact_limit", "0.8"),

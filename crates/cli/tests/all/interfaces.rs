@@ -80,6 +80,14 @@ sides = "periodic"
 name = "pair"
 at = ["4 m", "4 m", "20 m"]
 interface = "joint"
+[[monitor]]
+name = "low"
+at = ["4 m", "4 m", "2 m"]
+[[monitor]]
+name = "high"
+at = ["4 m", "4 m", "11 m"]
+[[relative]]
+between = ["low", "high"]
 [output]
 histories = "0.01 s"
 snapshots = "0.5 s"
@@ -134,6 +142,14 @@ fn each_check_of_an_interface_has_a_model_that_fails_it() {
             "time_step = \"0.1 ms\"",
             [2.0, 20.0],
         ),
+        ("interface_gap_joint", GOOD.replace("\"10 kPa\"", "\"0 Pa\""), "", [0.0, 40.0]),
+        (
+            "energy_created_by_interfaces",
+            GOOD.replace("0.6", "0.1").replace("2 mm", "0.02 mm"),
+            "",
+            [2.0, 2.0],
+        ),
+        ("interface_without_initial_stress", GOOD.to_owned(), "", [2.0, 2.0]),
         ("interface_step_joint", format!("{GOOD}contact_limit = 0.05"), "time_step = \"0.1 ms\"", [2.0, 2.0]),
         ("interface_chosen_joint", GOOD.replace("normal_stiffness = \"20 GPa/m\"\n", ""), "", [2.0, 2.0]),
     ];
@@ -173,6 +189,11 @@ fn results_of_an_interface_are_where_scripts_expect_them() {
     assert!((joint.area - 64.0).abs() < 1e-9 && joint.pairs == 25 && joint.ends == 0, "{joint:?}");
     assert!(joint.ever_slid > 0.0 && joint.max_slip.value > 0.0, "{joint:?}");
     assert!(summary.findings.iter().any(|finding| finding.id == "interface_joint"));
+    // The monitor on the interface stands before those that the difference is of.
+    let difference = monitors.column("low-high.ux").unwrap();
+    let [low, high] = ["low.ux", "high.ux"].map(|name| monitors.column(name).unwrap());
+    assert!(difference.iter().zip(low.iter().zip(high)).all(|(d, (a, b))| *d == a - b));
+    assert!(summary.relative.contains_key("low-high") && summary.pairs["pair"].at == [4.0, 4.0, 20.0]);
     let last = Table::read(&results.join("interfaces.csv")).unwrap();
     assert_eq!(*last.column("joint.ever_slid").unwrap().last().unwrap(), joint.ever_slid);
 }
@@ -213,5 +234,92 @@ fn what_is_wrong_with_an_interface_is_said_at_its_place_before_any_computing() {
     assert_eq!(refused.status.code(), Some(2), "{}", errors(&refused));
     assert!(
         errors(&refused).contains("no group of the mesh fits 'sla'") && !folder.path().join("none").exists()
+    );
+}
+
+/// Takes the slab's nodes on the joint apart, as meshes of other programs have them.
+fn part(folder: &Path) {
+    let path = folder.join("slab.msh");
+    let mut mesh = tremolite_mesh::read(&path).unwrap();
+    let mut copies = std::collections::BTreeMap::new();
+    for e in mesh.groups["slab"].clone() {
+        for k in 0..8 {
+            let node = mesh.elements[e as usize].nodes[k];
+            if mesh.nodes[node as usize][2] == 20.0 {
+                let copy = *copies.entry(node).or_insert_with(|| {
+                    mesh.nodes.push(mesh.nodes[node as usize]);
+                    mesh.nodes.len() as u32 - 1
+                });
+                mesh.elements[e as usize].nodes[k] = copy;
+            }
+        }
+    }
+    (mesh.node_ids, mesh.element_ids) = (Vec::new(), Vec::new());
+    assert_eq!(copies.len(), 25);
+    tremolite_mesh::write(&path, &mesh).unwrap();
+}
+
+/// The largest difference of two runs in a column, over its largest size.
+fn difference(folder: &Path, column: &str) -> f64 {
+    let [a, b] = ["a", "b"].map(|name| Table::read(&folder.join(name).join("monitors.csv")).unwrap());
+    let [a, b] = [&a, &b].map(|table| table.column(column).unwrap());
+    let most = a.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / most
+}
+
+#[test]
+fn a_mesh_that_comes_parted_is_tied_or_jointed_as_one_that_shares_its_nodes() {
+    let folder = tempfile::tempdir().unwrap();
+    for (joint, column) in [("law = \"tied\"", "high.ux"), (GOOD, "high.ux"), (GOOD, "pair.slip1")] {
+        for out in ["a", "b"] {
+            slab(folder.path(), joint, "", [2.0, 2.0]);
+            if joint != GOOD {
+                let case = std::fs::read_to_string(folder.path().join("case.toml")).unwrap();
+                let monitor = "[[monitor]]\nname = \"pair\"\nat = [\"4 m\", \"4 m\", \"20 m\"]\ninterface = \"joint\"\n";
+                assert!(case.contains(monitor));
+                std::fs::write(folder.path().join("case.toml"), case.replace(monitor, "")).unwrap();
+            }
+            if out == "b" {
+                part(folder.path());
+            }
+            let run = tremolite(folder.path(), &["run", "case.toml", "--out", out, "--overwrite"]);
+            assert!(run.status.success(), "{}", errors(&run));
+            assert!(!errors(&run).contains("lie within"), "doubled nodes are meant here: {}", errors(&run));
+        }
+        let apart = difference(folder.path(), column);
+        assert!(apart < 1e-9, "{joint}, {column}: {apart}");
+    }
+}
+
+/// Without initial stress and bond a pair opens and slides by round-off: that is no area.
+#[test]
+fn before_the_wave_comes_nothing_has_opened_or_slid() {
+    let folder = tempfile::tempdir().unwrap();
+    slab(folder.path(), &GOOD.replace("10 kPa", "0 Pa"), "duration = \"0.02 s\"", [2.0, 2.0]);
+    let joint = summary_of(folder.path()).interfaces["joint"].clone();
+    assert_eq!([joint.ever_slid, joint.ever_opened, joint.sliding, joint.open], [0.0; 4], "{joint:?}");
+}
+
+/// Interfaces whose stiffness is chosen may meet: the stricter limit counts for both, and neither sets the step. What is given
+/// is left as it is.
+#[test]
+fn chosen_stiffnesses_leave_the_step_alone_and_given_pressures_as_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let check = |joint: &str| -> serde_json::Value {
+        rattle(folder.path(), joint, "", [2.0, 2.0]);
+        let check = tremolite(folder.path(), &["check", "case.toml", "--json"]);
+        assert!(check.status.success(), "{}", errors(&check));
+        serde_json::from_slice(&check.stdout).unwrap()
+    };
+    let open = GOOD.replace("normal_stiffness = \"20 GPa/m\"\n", "");
+    let step = |checked: &serde_json::Value| checked["time_step"]["used"].as_f64().unwrap();
+    let [soft, chosen] = [GOOD.replace("20 GPa/m", "1 MPa/m").replace("10 kPa", "1 kPa"), open.clone()]
+        .map(|joint| check(&joint));
+    assert!(step(&chosen) > 0.9 * step(&soft), "{} {}", step(&chosen), step(&soft));
+    assert!(chosen["interfaces"]["joint"]["chosen"].as_bool().unwrap());
+    let given = check(&format!("{open}pressure_for_step = \"7 MPa\""));
+    assert!(
+        (given["interfaces"]["joint"]["straight_from"].as_f64().unwrap() / 7e6 - 1.0).abs() < 1e-9,
+        "{given}"
     );
 }

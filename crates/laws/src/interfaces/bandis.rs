@@ -42,7 +42,7 @@ impl Interface for Bandis {
         Parameter {
             name: STIFFNESS,
             kind: Kind::Number(Dimension::STIFFNESS),
-            need: Need::Chosen("as stiff as leaves the time step to the elements"),
+            need: Need::Chosen("as stiff as impacts leave the time step alone"),
             doc: "normal stiffness per area k_n0 of the closed, unloaded joint",
         },
         Parameter {

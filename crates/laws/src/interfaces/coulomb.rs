@@ -55,7 +55,7 @@ impl Interface for Coulomb {
         Parameter {
             name: "normal_stiffness",
             kind: Kind::Number(Dimension::STIFFNESS),
-            need: Need::Chosen("as stiff as leaves the time step to the elements"),
+            need: Need::Chosen("as stiff as impacts leave the time step alone"),
             doc: "normal stiffness per area k_n",
         },
         Parameter {
