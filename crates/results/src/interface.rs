@@ -55,7 +55,7 @@ pub struct PairPeak {
     /// The value (m).
     #[serde(with = "number", default = "number::absent")]
     pub value: f64,
-    /// Number of the pair's node, and its place (m).
+    /// Number of the pair's node, and its place (m); zeros where nothing slid or opened.
     pub node: u64,
     pub at: [f64; 3],
 }
@@ -65,7 +65,7 @@ pub struct PairPeak {
 #[serde(default)]
 pub struct PairPlace {
     pub interface: String,
-    /// Number of the pair's node, and its place (m).
+    /// Number of the pair's node, and its place (m); zeros where nothing slid or opened.
     pub node: u64,
     pub at: [f64; 3],
     /// m, out of the first side into the second, and the tangents along which slip and shear are counted.
