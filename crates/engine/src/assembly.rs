@@ -115,8 +115,6 @@ impl Assembly {
         State {
             u: vec![Row::ZERO; self.nodes],
             du: vec![Row::ZERO; self.nodes],
-            held: vec![Row::ZERO; self.nodes],
-            start: vec![Row::ZERO; self.nodes],
             history: vec![Octet::ZERO; totals.history.end],
             overstress: vec![Octet::ZERO; totals.overstress.end],
             numbers: vec![0.0; totals.numbers.end],

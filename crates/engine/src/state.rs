@@ -57,7 +57,7 @@ pub struct State {
     pub overstress: Vec<Octet>,
     /// What other parts remember.
     pub numbers: Vec<f64>,
-    /// What is held at each engine node \[N\]: left of what was out of balance when a relaxation began.
+    /// What is held at each engine node \[N\]: left of what was out of balance when a relaxation began; empty before the first.
     pub held: Vec<Row>,
     /// Displacement \[m\] at which it began.
     pub start: Vec<Row>,
