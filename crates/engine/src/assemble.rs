@@ -5,8 +5,8 @@
 //! alone says. Explicit contact gains or loses energy at each impact; with a dashpot of 1 % of critical it loses on the whole
 //! up to ω_cΔt = 0.8, which bounds the step ([`Interface::limit`](crate::interface::Interface)).
 //!
-//! **Stiffness left out.** It is what keeps that limit at the step that the elements alone allow: the interface then does not
-//! set the step.
+//! **Stiffness left out.** It is what keeps that limit at the step that the elements alone allow: impacts then do not set the
+//! step. In K its pairs still take a few per cent of it, and a shear stiffness that is given may take more.
 
 use crate::assembly::Assembly;
 use crate::contacts::Contacts;
@@ -65,8 +65,8 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
             return Err(ModelError::Interface { name: seam.name.clone(), reason });
         }
     }
-    let loads = Loads::of(model, &phase);
-    let values = chosen(model, assembly, &phase, &loads);
+    let masses = PairMasses::of(model, &phase);
+    let values = chosen(model, assembly, &phase, &masses);
     let mut laws = Vec::new();
     for (seam, values) in model.seams.iter().zip(&values) {
         let law = (seam.law.build)(values).map_err(|bad| {
@@ -81,7 +81,7 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
     let stiffest: Vec<f64> = laws.iter().map(|law| law.stiffest()[0]).collect();
     let mut members = Vec::new();
     for (s, (seam, law)) in model.seams.iter().zip(laws).enumerate() {
-        let squares = loads.squares(s, |other| stiffest[other]);
+        let squares = masses.squares(s, |other| stiffest[other]);
         let (stiffest_pair, square) = squares
             .into_iter()
             .enumerate()
@@ -148,7 +148,7 @@ fn part(model: &Model, seam: &Seam, chunk: &[u32]) -> (Vec<u32>, Vec<Pair>) {
 }
 
 /// Pairs by the masses that they move.
-struct Loads {
+struct PairMasses {
     /// By interface and pair: 1/m of both nodes along the normal, with their tied sets \[1/kg\].
     inverse: Vec<Vec<[f64; 2]>>,
     /// And the masters of both.
@@ -157,9 +157,9 @@ struct Loads {
     areas: Vec<BTreeMap<u32, f64>>,
 }
 
-impl Loads {
+impl PairMasses {
     fn of(model: &Model, phase: &Phase) -> Self {
-        let mut loads = Loads { inverse: Vec::new(), masters: Vec::new(), areas: Vec::new() };
+        let mut all = PairMasses { inverse: Vec::new(), masters: Vec::new(), areas: Vec::new() };
         for seam in &model.seams {
             let mut areas: BTreeMap<u32, f64> = BTreeMap::new();
             let (mut inverse, mut masters) = (Vec::new(), Vec::new());
@@ -172,11 +172,11 @@ impl Loads {
                 }));
                 masters.push(both);
             }
-            loads.inverse.push(inverse);
-            loads.masters.push(masters);
-            loads.areas.push(areas);
+            all.inverse.push(inverse);
+            all.masters.push(masters);
+            all.areas.push(areas);
         }
-        loads
+        all
     }
 
     /// ω² of each pair of an interface, with the stiffness of each interface.
@@ -197,7 +197,7 @@ impl Loads {
 const LEAST_SHARE: f64 = 0.1;
 
 /// The values of all interfaces, with what they leave to be chosen.
-fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, loads: &Loads) -> Vec<Values> {
+fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses) -> Vec<Values> {
     let fill = |seam: &Seam, stiffness: f64| {
         (seam.law.info.chosen)(&seam.values, &Choice { stiffness, pressure: seam.pressure })
     };
@@ -220,8 +220,8 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, loads: &Loads) -> V
     // The least of their limits, since they may meet at a node.
     let most = (limit / dt).powi(2);
     let choose = |(s, seam): (usize, &Seam)| {
-        let fixed = loads.squares(s, |other: usize| given[other].unwrap_or(0.0));
-        let own = loads.squares(s, |other: usize| f64::from(u8::from(given[other].is_none())));
+        let fixed = masses.squares(s, |other: usize| given[other].unwrap_or(0.0));
+        let own = masses.squares(s, |other: usize| f64::from(u8::from(given[other].is_none())));
         let stiffness = fixed
             .iter()
             .zip(&own)

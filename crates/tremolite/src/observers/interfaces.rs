@@ -4,7 +4,6 @@ use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::quantities::{Field, INTERFACE};
 use std::collections::BTreeMap;
-use tremolite_engine::Seam;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
@@ -48,9 +47,8 @@ impl Interfaces {
     }
 
     /// The largest size \[J\] of what impacts of an interface found or lost, over all rows.
-    pub fn largest_gain(memory: &Memory, seams: &[Seam], seam: &Seam) -> f64 {
-        let at = seams.iter().position(|other| other.name == seam.name);
-        memory.get(MEMORY).zip(at).and_then(|(kept, at)| kept.get(1 + at)).copied().unwrap_or(f64::NAN)
+    pub fn largest_gain(memory: &Memory, interface: usize) -> f64 {
+        memory.get(MEMORY).and_then(|kept| kept.get(1 + interface)).copied().unwrap_or(f64::NAN)
     }
 }
 

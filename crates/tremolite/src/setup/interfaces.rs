@@ -13,6 +13,8 @@ use tremolite_mesh::merge::{coincident_nodes, shortest_edge};
 const STIFF: f64 = 1e15;
 /// Share of the shortest edge within which nodes are at one place, generously.
 const DOUBLED: f64 = 1e-3;
+/// And within which they are paired ([`tremolite_mesh::split::split`]).
+const PAIRED: f64 = 1e-6;
 
 /// The interfaces of a case that are not tied, in its order.
 pub fn build(
@@ -130,12 +132,17 @@ pub fn tie(case: &Case, mesh: &mut Mesh, problems: &mut Vec<Problem>) {
             let elements = groups.flat_map(|(_, elements)| elements);
             elements.flat_map(|&e| mesh.elements[e as usize].nodes().to_vec()).collect::<BTreeSet<u32>>()
         });
-        let doubled = coincident_nodes(mesh, DOUBLED * shortest_edge(mesh));
+        let mut places: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        for (node, first) in coincident_nodes(mesh, DOUBLED * shortest_edge(mesh)) {
+            places.entry(first).or_insert_with(|| vec![first]).push(node);
+        }
+        // Others at the same place, of bodies that are not tied here, stay apart.
         let mut into: BTreeMap<u32, u32> = BTreeMap::new();
-        for (a, b) in doubled {
-            let across = |a, b| nodes[0].contains(a) && nodes[1].contains(b);
-            if across(&a, &b) || across(&b, &a) {
-                into.insert(a, b);
+        for place in places.into_values() {
+            let own: Vec<u32> =
+                place.into_iter().filter(|n| nodes.iter().any(|side| side.contains(n))).collect();
+            if nodes.iter().all(|side| own.iter().any(|n| side.contains(n))) {
+                into.extend(own[1..].iter().map(|&n| (n, own[0])));
             }
         }
         if into.is_empty() && nodes[0].is_disjoint(&nodes[1]) {
@@ -168,7 +175,10 @@ pub fn explain_doubled(mesh: &Mesh, interfaces: &[Interface]) -> bool {
         // Nodes that a tied interface has joined are in no element.
         !used.contains(a) || !used.contains(b) || sides.iter().any(parts)
     };
-    coincident_nodes(mesh, DOUBLED * shortest_edge(mesh)).iter().all(across)
+    let shortest = shortest_edge(mesh);
+    let near = coincident_nodes(mesh, DOUBLED * shortest);
+    // Those beyond what pairs are made of would be left alone.
+    near.len() == coincident_nodes(mesh, PAIRED * shortest).len() && near.iter().all(across)
 }
 
 /// What is unusual about the laws of interfaces though they accept it.

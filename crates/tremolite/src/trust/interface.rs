@@ -12,7 +12,7 @@ const UNSTRESSED: &str = "interfaces without initial stress";
 const CREATED_BY: &str = "energy created by interface laws over that of friction";
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
-    let Evidence { model, assembly, .. } = evidence;
+    let Evidence { model, .. } = evidence;
     if model.seams.is_empty() {
         const LINES: [(&str, &str); 9] = [
             ("interface_without_initial_stress", UNSTRESSED),
@@ -29,9 +29,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         return LINES.map(line).into();
     }
     let mut lines = vec![unstressed(evidence), created(evidence)];
-    for (own, contacts) in model.seams.iter().zip(&assembly.contacts) {
-        lines.extend(seam::of(evidence, own, contacts));
-    }
+    lines.extend((0..model.seams.len()).flat_map(|number| seam::of(evidence, number)));
     lines
 }
 

@@ -3,9 +3,9 @@
 use crate::evidence::Evidence;
 use crate::observers::Interfaces;
 use tremolite_engine::Seam;
-use tremolite_engine::contacts::Contacts;
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
+use tremolite_kernels::contact::PairSeen;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::topology::vector_areas;
 use tremolite_results::{TrustLine, snake};
@@ -26,8 +26,9 @@ const CHOSEN: f64 = 0.1;
 const ROUND_OFF: f64 = 1e-9;
 
 /// The checks of an interface.
-pub(super) fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<TrustLine> {
-    let Evidence { model, outcome, .. } = evidence;
+pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
+    let Evidence { model, assembly, outcome, .. } = evidence;
+    let (seam, contacts) = (&model.seams[number], &assembly.contacts[number]);
     let history = &outcome.state.history;
     let totals = contacts.totals(seam, history);
     let id = |what: &str| format!("{what}_{}", snake(&seam.name));
@@ -55,33 +56,29 @@ pub(super) fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<T
         }
     };
 
-    let mut worst = (0.0, 0);
     let edges = shortest_edges(&model.mesh, seam);
-    for (k, edge) in edges.iter().enumerate() {
-        let share = contacts.seen(history, k).largest_slip / edge;
-        if share > worst.0 || share.is_nan() {
-            worst = (share, k);
+    // The largest value over the edges at its pair, and that pair.
+    let worst = |value: fn(&PairSeen) -> f64| {
+        let mut worst = (0.0, 0);
+        for (k, edge) in edges.iter().enumerate() {
+            let share = value(&contacts.seen(history, k)) / edge;
+            if share > worst.0 || share.is_nan() {
+                worst = (share, k);
+            }
         }
-    }
-    let slip = TrustLine::at_most(id("interface_slip"), &name("largest slip over element size"), worst.0, SLIP, "")
+        (worst.0, seam.pair_name(&model.mesh, worst.1))
+    };
+    let (share, at) = worst(|seen| seen.largest_slip);
+    let slip = TrustLine::at_most(id("interface_slip"), &name("largest slip over element size"), share, SLIP, "")
         .with("slip", totals.largest_slip)
         .with_note(format!(
-            "shortest edge of the faces at {}; normals and partners of pairs do not change, so slip must stay small",
-            seam.pair_name(&model.mesh, worst.1)
+            "shortest edge of the faces at {at}; normals and partners of pairs do not change, so slip must stay small"
         ));
-
-    let mut widest = (0.0, 0);
-    for (k, edge) in edges.iter().enumerate() {
-        let share = contacts.seen(history, k).largest_gap / edge;
-        if share > widest.0 || share.is_nan() {
-            widest = (share, k);
-        }
-    }
-    let gap = TrustLine::at_most(id("interface_gap"), &name("largest gap over element size"), widest.0, GAP, "")
+    let (share, at) = worst(|seen| seen.largest_gap);
+    let gap = TrustLine::at_most(id("interface_gap"), &name("largest gap over element size"), share, GAP, "")
         .with("gap", totals.largest_gap)
         .with_note(format!(
-            "shortest edge of the faces at {}; what is so far apart has come loose, and closes on faces that are not its own",
-            seam.pair_name(&model.mesh, widest.1)
+            "shortest edge of the faces at {at}; what is so far apart has come loose, and closes on faces that are not its own"
         ));
 
     let straight = match contacts.law.straight_from() {
@@ -109,7 +106,7 @@ pub(super) fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<T
     };
 
     let supplied = outcome.state.ledger.supplied;
-    let gained = Interfaces::largest_gain(&outcome.state.observers, &model.seams, seam);
+    let gained = Interfaces::largest_gain(&outcome.state.observers, number);
     let impacts = TrustLine::at_most(
         id("interface_impacts"),
         &name("energy found at impacts over energy supplied"),
@@ -120,8 +117,8 @@ pub(super) fn of(evidence: &Evidence, seam: &Seam, contacts: &Contacts) -> Vec<T
     .with("impact_gain", gained)
     .with("supplied", supplied)
     .with_note(
-        "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller `contact_limit` or a \
-         larger `contact_damping` lessens it",
+        "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller \
+         `contact_limit` or a larger `contact_damping` lessens it",
     );
 
     // A step that is just as long as the limit lets it may differ by round-off.
