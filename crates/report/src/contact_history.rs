@@ -88,7 +88,7 @@ fn figure(table: &Table, name: &str, area: f64) -> Option<Figure> {
     let whole = if area > 0.0 { format!(", {}", quantity("m2", area)) } else { String::new() };
     let caption = format!(
         "Interface {name}{whole}: its area that slides and is open in each row of interfaces.csv, and that did in any step \
-         so far; below, the largest of all pairs and steps so far, of slip with what the joint gives elastically."
+         so far; below, the largest slip and gap so far of pairs whose bond is broken, slip while they are closed."
     );
     let time = table.column("time").unwrap_or(&[]);
     let svg = Chart { title: format!("{HEADING}: {name}"), time, panels }.draw();

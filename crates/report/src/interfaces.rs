@@ -81,7 +81,11 @@ pub fn extremes(facts: &Summary) -> Vec<(&'static str, String, String)> {
         let all = facts.interfaces.iter().filter_map(|(name, own)| Some((name, of(own)?)));
         let (name, peak) = all.max_by(|a, b| a.1.value.total_cmp(&b.1.value))?;
         let place = peak.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−"))).join(",\u{a0}");
-        Some((label, quantity("m", peak.value), format!("{name} at ({place}) m, of all pairs and steps")))
+        Some((
+            label,
+            quantity("m", peak.value),
+            format!("{name} at ({place}) m, of pairs whose bond is broken, of all steps"),
+        ))
     };
     wanted.into_iter().filter_map(most).collect()
 }
