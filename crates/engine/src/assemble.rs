@@ -9,17 +9,18 @@
 //! step. In K its pairs still take a few per cent of it, and a shear stiffness that is given may take more.
 
 use crate::assembly::Assembly;
-use crate::contacts::Contacts;
+use crate::contacts::{Contacts, LoadedPair};
 use crate::engine::stable_step;
 use crate::error::ModelError;
 use crate::interface::Seam;
-use crate::life::Stage;
+use crate::life::{Life, Stage};
 use crate::member::Member;
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::problem::TimeStep;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use tremolite_kernels::Line;
 use tremolite_kernels::contact::Pair;
 use tremolite_laws::{Choice, Need, Values};
 use tremolite_mesh::order::hilbert_order;
@@ -92,7 +93,9 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
         let centres: Vec<[f64; 3]> = (0..seam.pairs.len()).map(|k| seam.place(&model.mesh, k)).collect();
         let order = hilbert_order(&centres);
         let mut histories = Vec::new();
-        for chunk in order.chunks(CHUNK) {
+        let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
+        order.into_iter().for_each(|pair| of_life.entry(seam.lives[pair as usize]).or_default().push(pair));
+        for (life, chunk) in of_life.iter().flat_map(|(life, own)| own.chunks(CHUNK).map(move |c| (*life, c))) {
             for (place, &pair) in chunk.iter().enumerate() {
                 places[pair as usize] = (histories.len() as u32, place as u32);
             }
@@ -104,12 +107,22 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
             });
             let springs = springs.collect();
             let part = law.contact(nodes, &pairs, damping, model.isa);
-            members.push(Member { springs, ..Member::new(format!("interface '{}'", seam.name), part) });
+            members.push(Member {
+                springs,
+                life,
+                line: Some(Line::Interface),
+                ..Member::new(format!("interface '{}'", seam.name), part)
+            });
         }
         let chosen = seam.law.info.parameters.iter().any(|parameter| {
             matches!(parameter.need, Need::Chosen(_)) && !seam.values.0.contains_key(parameter.name)
         });
-        assembly.contacts.push(Contacts { law, chosen, places, histories, frequency, stiffest_pair });
+        let loaded = seam.tractions.iter().zip(&seam.lives).zip(0u32..).zip(&seam.pairs);
+        let loaded = loaded.filter(|(((_, life), _), _)| !life.is_later()).map(
+            |(((&traction, _), pair), shape)| LoadedPair { pair, normal: shape.normal, traction },
+        );
+        let loaded = loaded.collect();
+        assembly.contacts.push(Contacts { law, chosen, places, histories, loaded, frequency, stiffest_pair });
     }
     assembly.members.splice(at..at, members);
     Ok(())

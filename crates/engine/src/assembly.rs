@@ -6,10 +6,14 @@ use crate::boundary::base::BaseNode;
 use crate::contacts::Contacts;
 use crate::error::ModelError;
 use crate::hexahedra::{hex, hex_nodes};
+use crate::interface::traction;
+use crate::life::{Life, Stage};
 use crate::member::Member;
 use crate::model::{Model, Patch};
-use crate::parts::StateSizes;
+use crate::parts::constant::Constant;
 use crate::parts::loads::Loads;
+use crate::parts::{Kept, Part, StateSizes};
+use crate::problem::Traction;
 use crate::state::{Ledger, State};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -18,6 +22,7 @@ use std::ops::Range;
 use tremolite_kernels::{Line, Quadrature};
 use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
 use tremolite_laws::{Octet, Row};
+use tremolite_mesh::topology::vector_areas;
 
 /// Where a part's slices begin and end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,8 +31,23 @@ pub struct Slices {
     pub history: Range<usize>,
     pub overstress: Range<usize>,
     pub numbers: Range<usize>,
+    pub reference: Range<usize>,
+    pub initial: Range<usize>,
     pub points: Range<usize>,
     pub elements: Range<usize>,
+}
+
+impl Slices {
+    /// What a part alone keeps of a state.
+    pub fn kept<'s>(&self, state: &'s State) -> Kept<'s> {
+        Kept {
+            history: &state.history[self.history.clone()],
+            overstress: &state.overstress[self.overstress.clone()],
+            numbers: &state.numbers[self.numbers.clone()],
+            reference: &state.reference[self.reference.clone()],
+            initial: &state.initial[self.initial.clone()],
+        }
+    }
 }
 
 /// All parts of a model, whatever stage they live in. Slices do not change with the stage, so neither does a column of the
@@ -35,7 +55,7 @@ pub struct Slices {
 #[derive(Default)]
 pub struct Assembly {
     /// In the order in which a node sums what they hold for it: patches of the user's elements (as the model's patches),
-    /// those of the reference column, boundaries, loads, interfaces, the program's own.
+    /// those of the reference column, boundaries, loads, weight and tractions, interfaces, the program's own.
     pub members: Vec<Member>,
     /// Of each member.
     pub slices: Vec<Slices>,
@@ -50,6 +70,8 @@ pub struct Assembly {
     pub base: Vec<BaseNode>,
     /// Distance R used for the springs of the base \[m\].
     pub spring_distance: Option<f64>,
+    /// Strain that elements begin with, part by part.
+    initial: Vec<Octet>,
     /// Number of nodes.
     nodes: usize,
 }
@@ -66,12 +88,15 @@ impl Assembly {
             member.counted = false;
         }
         let boundary::Members { members: of_boundaries, base, spring_distance } =
-            boundary::members(model.surroundings())?;
+            boundary::members(model.surroundings(&model.faces))?;
         members.extend(of_boundaries);
         for (k, load) in model.loads.iter().enumerate() {
             let part = Box::new(Loads::new(load.clone()));
-            members.push(Member::new(format!("load {}", k + 1), part));
+            let line = Some(Line::Input);
+            members.push(Member { line, ..Member::new(format!("load {}", k + 1), part) });
         }
+        members.extend(weights(model, &members[..model.patches.len()]));
+        members.extend(model.tractions.iter().filter_map(|traction| of_traction(model, traction)));
         for make in &model.parts {
             let member = make(&model.mesh, &model.engine_node);
             check(model, &member)?;
@@ -87,6 +112,7 @@ impl Assembly {
     pub(crate) fn settle(&mut self, model: &Model) {
         let Assembly { members, .. } = self;
         self.slices = slices(members);
+        self.initial = initial_strains(model, &self.slices);
         let mut accounts: Vec<String> = model.user_bodies().iter().map(|body| body.name.clone()).collect();
         self.account = members
             .iter()
@@ -109,18 +135,22 @@ impl Assembly {
         Line::ALL.iter().copied().filter(move |line| interfaces || !line.of_interfaces())
     }
 
-    /// A state at rest.
+    /// A state at rest: no displacement, and the stress that the model begins with.
     pub fn rest(&self) -> State {
         let totals = self.totals();
-        State {
+        let mut state = State {
             u: vec![Row::ZERO; self.nodes],
             du: vec![Row::ZERO; self.nodes],
             history: vec![Octet::ZERO; totals.history.end],
             overstress: vec![Octet::ZERO; totals.overstress.end],
             numbers: vec![0.0; totals.numbers.end],
+            reference: vec![Row::ZERO; totals.reference.end],
+            initial: self.initial.clone(),
             ledger: Ledger::new(self.accounts.len()),
             ..State::default()
-        }
+        };
+        self.contacts.iter().for_each(|contacts| contacts.begin(&mut state.history));
+        state
     }
 
     /// Where all slices end: the lengths of the columns.
@@ -194,7 +224,67 @@ fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
     }
     let viscosity = viscosity(body, &geometry);
     let part = body.material.patch(body.quadrature, nodes, &corners, &geometry, &viscosity, model.isa);
-    Ok(Member { masses, ..Member::new(body.name.clone(), part) })
+    let initial = !model.initial.is_empty() && !patch.life.is_later();
+    Ok(Member { masses, initial, life: patch.life, ..Member::new(body.name.clone(), part) })
+}
+
+/// What weighs down before the shaking: the mass of each lot, and of the reference column.
+fn weights(model: &Model, solids: &[Member]) -> Vec<Member> {
+    if model.gravity == 0.0 {
+        return Vec::new();
+    }
+    let mut lots: BTreeMap<(bool, Life), BTreeMap<u32, f64>> = BTreeMap::new();
+    for member in solids {
+        let lot = lots.entry((!member.counted, member.life)).or_default();
+        for (&node, mass) in member.part.nodes().iter().zip(&member.masses) {
+            *lot.entry(node).or_default() += mass;
+        }
+    }
+    lots.into_iter()
+        .filter(|((_, life), _)| life.born < Stage::Shaking)
+        .map(|((column, life), masses)| {
+            let forces = masses.into_iter().map(|(node, mass)| (node, [0.0, 0.0, -mass * model.gravity]));
+            let part = Box::new(Constant::new(forces));
+            Member { life: life.and(&Life::BEFORE), counted: !column, ..Member::new("weight", part) }
+        })
+        .collect()
+}
+
+/// A traction as nodal forces; nothing where none of its faces has nodes that move.
+fn of_traction(model: &Model, of: &Traction) -> Option<Member> {
+    let mut forces: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
+    for (face, stress) in &of.faces {
+        for (node, area) in vector_areas(&model.mesh, &[*face]) {
+            let force = traction(stress, area);
+            let node = model.engine_node[node as usize];
+            if node != u32::MAX {
+                let sum = forces.entry(node).or_default();
+                (0..3).for_each(|i| sum[i] += force[i]);
+            }
+        }
+    }
+    let life = of.life.and(&Life::BEFORE);
+    let part = Box::new(Constant::new(forces));
+    (!part.nodes().is_empty()).then(|| Member { life, ..Member::new(of.name.clone(), part) })
+}
+
+/// C⁻¹σ₀ of every element that begins with stress, with the elastic constants that its law has by itself.
+fn initial_strains(model: &Model, slices: &[Slices]) -> Vec<Octet> {
+    let mut all = vec![Octet::ZERO; slices.last().map_or(0, |s| s.initial.end)];
+    for (patch, slices) in model.patches.iter().zip(slices) {
+        let own = &mut all[slices.initial.clone()];
+        if own.is_empty() {
+            continue;
+        }
+        let moduli = model.bodies[patch.body].material.relaxed();
+        for (i, &e) in patch.elements.iter().enumerate() {
+            let strain = moduli.strain(&model.initial[e as usize]);
+            for (octet, value) in own[6 * (i / 8)..].iter_mut().zip(strain) {
+                octet.0[i % 8] = value;
+            }
+        }
+    }
+    all
 }
 
 /// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without.
@@ -220,6 +310,11 @@ fn slices(members: &[Member]) -> Vec<Slices> {
                 history: after(&last.history, history),
                 overstress: after(&last.overstress, overstress),
                 numbers: after(&last.numbers, numbers),
+                reference: after(
+                    &last.reference,
+                    if elements > 0 && member.life.is_later() { member.part.nodes().len() } else { 0 },
+                ),
+                initial: after(&last.initial, if member.initial { 6 * elements.div_ceil(8) } else { 0 }),
                 points: after(&last.points, elements * points),
                 elements: after(&last.elements, elements),
             };

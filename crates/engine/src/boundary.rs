@@ -15,6 +15,7 @@ use crate::outer_faces::{OuterFaces, nodes_of};
 use crate::ties::Ties;
 use base::{BaseNode, BasePart, add};
 use std::collections::BTreeMap;
+use tremolite_kernels::Line;
 use tremolite_mesh::split::match_split;
 use tremolite_mesh::topology::vector_areas;
 use tremolite_mesh::{Face, Mesh};
@@ -84,7 +85,10 @@ pub struct Surroundings<'a> {
     pub bodies: &'a [Body],
     /// The body of each element of the user's, none for void ones.
     pub body_of: &'a [Option<usize>],
+    pub lives: &'a [Life],
+    pub stand_ins: &'a [(u32, u32)],
     pub engine_node: &'a [u32],
+    /// Of a stage.
     pub faces: &'a OuterFaces,
     /// Node of the mesh → one for all that interfaces part at its place.
     pub places: &'a [u32],
@@ -96,6 +100,11 @@ pub struct Surroundings<'a> {
 }
 
 impl Surroundings<'_> {
+    /// Whether an element is there in the shaking.
+    fn stands(&self, element: usize) -> bool {
+        self.body_of[element].is_some() && self.lives[element].holds(Stage::Shaking)
+    }
+
     fn engine(&self, node: u32) -> u32 {
         self.engine_node[node as usize]
     }
@@ -261,7 +270,8 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
     if !out.base.is_empty() {
         let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
         let part = Box::new(BasePart::new(out.base.clone(), incident));
-        out.members.push(Member { life: Life::SHAKING, ..Member::new("springs of the base", part) });
+        let line = Some(Line::Springs);
+        out.members.push(Member { life: Life::SHAKING, line, ..Member::new("springs of the base", part) });
     }
     Ok(out)
 }
@@ -322,8 +332,10 @@ fn hold(held: &mut BTreeMap<u32, [bool; 3]>, node: u32, more: [bool; 3]) {
 
 /// From the centre of the excavated elements (of all, if none is) down to the base \[m\].
 fn scatter_distance(around: Surroundings) -> f64 {
-    let void: Vec<usize> = (0..around.user_elements).filter(|&e| around.body_of[e].is_none()).collect();
-    let all: Vec<usize> = (0..around.user_elements).collect();
+    let mut own = vec![true; around.user_elements];
+    around.stand_ins.iter().for_each(|(stand_in, _)| own[*stand_in as usize] = false);
+    let all: Vec<usize> = (0..around.user_elements).filter(|&e| own[e]).collect();
+    let void: Vec<usize> = all.iter().copied().filter(|&e| !around.stands(e)).collect();
     let chosen = if void.is_empty() { &all } else { &void };
     let sum: f64 = chosen.iter().map(|&e| centroid(around.mesh, e as u32)[2]).sum();
     (sum / chosen.len() as f64 - around.faces.bounds.0[2]).max(1.0)

@@ -164,10 +164,11 @@ fn crossed(interfaces: &[Interface], layers: &[Layer], [x, y]: [f64; 2]) -> Resu
     Ok(())
 }
 
-/// Adds the column beside the mesh: layers and materials of the ground.
-pub fn build(mesh: &mut Mesh, bodies: &mut Vec<Body>, ground: Ground) -> Column {
+/// Adds the column beside the mesh: layers and materials of the ground. Returns the element beside each of its own as well.
+pub fn build(mesh: &mut Mesh, bodies: &mut Vec<Body>, ground: Ground) -> (Column, Vec<u32>) {
     let (low, high) = mesh.bounds();
     let Ground { layers } = ground;
+    let like = layers.iter().map(|layer| layer.element).collect();
     let users = bodies.len();
     // Beside the mesh, so that a picture with it shows two things.
     let x0 = low[0] - (high[0] - low[0]) - WIDTH;
@@ -210,5 +211,5 @@ pub fn build(mesh: &mut Mesh, bodies: &mut Vec<Body>, ground: Ground) -> Column 
         below = above;
         rings.push(above);
     }
-    Column { rings, bottom_body }
+    (Column { rings, bottom_body }, like)
 }

@@ -17,12 +17,32 @@ pub struct Contacts {
     pub(crate) places: Vec<(u32, u32)>,
     /// Where the histories of these members lie.
     pub(crate) histories: Vec<Range<usize>>,
+    /// Pairs that begin under load: pair, m, pressure and shear t \[Pa\].
+    pub(crate) loaded: Vec<LoadedPair>,
     /// Largest ω_c of its pairs \[rad/s\], and that pair.
     pub frequency: f64,
     pub stiffest_pair: usize,
 }
 
+/// A pair that begins under load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LoadedPair {
+    pub pair: u32,
+    pub normal: [f64; 3],
+    /// Pressure, and shear t on the second side along the tangents \[Pa\].
+    pub traction: [f64; 3],
+}
+
 impl Contacts {
+    /// Gives pairs that begin under load their first memory.
+    pub(crate) fn begin(&self, history: &mut [Octet]) {
+        for &LoadedPair { pair, normal, traction: [pressure, t1, t2] } in &self.loaded {
+            let (chunk, at) = self.places[pair as usize];
+            let own = &mut history[self.histories[chunk as usize].clone()];
+            self.law.load(own, at as usize, normal, pressure, [t1, t2]);
+        }
+    }
+
     /// A pair as it was when it was evaluated last, from the histories of all members.
     pub fn seen(&self, history: &[Octet], pair: usize) -> PairSeen {
         let (chunk, at) = self.places[pair];

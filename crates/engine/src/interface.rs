@@ -1,9 +1,10 @@
 //! Interfaces: groups of elements that touch without being joined.
 
+use crate::life::Life;
 use std::collections::HashMap;
 use tremolite_kernels::InterfaceLaw;
 use tremolite_laws::Values;
-use tremolite_mesh::pairs::PairShape;
+use tremolite_mesh::pairs::{PairShape, tangents};
 use tremolite_mesh::{Face, Mesh};
 
 /// An interface as a problem states it.
@@ -65,11 +66,48 @@ pub struct Seam {
     pub faces: Vec<[Face; 2]>,
     /// Pairs, on nodes of the mesh.
     pub pairs: Vec<PairShape>,
+    /// When each pair is there.
+    pub lives: Vec<Life>,
+    /// Of pairs that are there from the start under initial stress: pressure, and shear t on the second side along the tangents
+    /// \[Pa\]; empty without initial stress.
+    pub tractions: Vec<[f64; 3]>,
     /// Nodes at which it ends inside the model, closed.
     pub ends: Vec<u32>,
 }
 
+/// How much more than the pressure that a pair begins with may come before a law goes straight by itself.
+const AMPLE: f64 = 1.5;
+
 impl Seam {
+    /// Gives pairs that are there from the start the traction of the initial stress beside them, and the law room for it.
+    pub(crate) fn load(&mut self, initial: &[[f64; 6]]) {
+        if initial.is_empty() {
+            return;
+        }
+        let of_pair = |pair: &PairShape| {
+            let mut mean = [0.0; 6];
+            let sides = pair.corners.iter().flat_map(|(f, _)| self.faces[*f as usize]);
+            let share = 0.5 / pair.corners.len() as f64;
+            for face in sides {
+                let stress = &initial[face.element as usize];
+                (0..6).for_each(|c| mean[c] += share * stress[c]);
+            }
+            let [e1, e2] = tangents(pair.normal);
+            let on = traction(&mean, pair.normal);
+            let along = |e: [f64; 3]| on[0] * e[0] + on[1] * e[1] + on[2] * e[2];
+            // The second side lies along m, so what it feels is −σm.
+            [-along(pair.normal), -along(e1), -along(e2)]
+        };
+        self.tractions = self.pairs.iter().map(of_pair).collect();
+        let largest = self
+            .tractions
+            .iter()
+            .zip(&self.lives)
+            .filter(|(_, life)| !life.is_later())
+            .fold(0.0, |most: f64, ([p, ..], _)| most.max(*p));
+        self.pressure = self.pressure.max(AMPLE * largest);
+    }
+
     /// Its area \[m²\].
     pub fn area(&self) -> f64 {
         self.pairs.iter().map(|pair| pair.area).sum()
@@ -95,6 +133,16 @@ impl Seam {
         let node = mesh.node_id(self.pairs[pair].nodes[1] as usize);
         format!("interface '{}' at node {node} at ({x:.1}, {y:.1}, {z:.1}) m", self.name)
     }
+}
+
+/// σ·n \[Pa\].
+pub fn traction(stress: &[f64; 6], n: [f64; 3]) -> [f64; 3] {
+    let [xx, yy, zz, xy, yz, zx] = *stress;
+    [
+        xx * n[0] + xy * n[1] + zx * n[2],
+        xy * n[0] + yy * n[1] + yz * n[2],
+        zx * n[0] + yz * n[1] + zz * n[2],
+    ]
 }
 
 /// All nodes that were one, by that one, of those that were split.

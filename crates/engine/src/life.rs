@@ -23,6 +23,23 @@ impl Life {
     /// In the earthquake alone.
     pub const SHAKING: Life = Life { born: Stage::Shaking, gone: None };
 
+    /// Before the earthquake alone.
+    pub const BEFORE: Life = Life { born: Stage::Before(0), gone: Some(Stage::Shaking) };
+
+    /// The time in which both are there.
+    pub fn and(&self, other: &Life) -> Life {
+        let gone = match (self.gone, other.gone) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (a, b) => a.or(b),
+        };
+        Life { born: self.born.max(other.born), gone }
+    }
+
+    /// Whether it begins after the model does.
+    pub fn is_later(&self) -> bool {
+        self.born > Stage::Before(0)
+    }
+
     /// Whether it is there in a stage.
     pub fn holds(&self, stage: Stage) -> bool {
         self.born <= stage && self.gone.is_none_or(|gone| stage < gone)

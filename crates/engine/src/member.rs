@@ -2,6 +2,7 @@
 
 use crate::life::Life;
 use crate::parts::Part;
+use tremolite_kernels::Line;
 
 /// One of a model's parts.
 pub struct Member {
@@ -15,6 +16,10 @@ pub struct Member {
     pub springs: Vec<(u32, f64)>,
     /// Stages in which it is there.
     pub life: Life,
+    /// Whether its elements begin with strain.
+    pub initial: bool,
+    /// The line from which the work of what it carried at the hand-over is taken, where it is not of elements.
+    pub line: Option<Line>,
     /// Whether its energy is part of the balance (not the reference column's).
     pub counted: bool,
 }
@@ -28,6 +33,8 @@ impl Member {
             masses: Vec::new(),
             springs: Vec::new(),
             life: Life::ALWAYS,
+            initial: false,
+            line: None,
             counted: true,
         }
     }

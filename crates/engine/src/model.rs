@@ -6,20 +6,23 @@ use crate::column::{self, Column};
 use crate::error::ModelError;
 use crate::hexahedra::{centroid, hex};
 use crate::interface::{Interface, Seam, copies};
+use crate::life::{Life, Stage};
 use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
-use crate::problem::{MakePart, Problem, Rayleigh, TimeStep};
+use crate::problem::{MakePart, Problem, Rayleigh, TimeStep, Traction};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use tremolite_laws::Isa;
-use tremolite_mesh::Mesh;
 use tremolite_mesh::order::hilbert_order;
-use tremolite_mesh::pairs::pairs;
+use tremolite_mesh::pairs::{PairShape, pairs};
 use tremolite_mesh::split::{Cut, Split, split};
+use tremolite_mesh::{Face, Mesh};
 
 /// Elements that one thread works on together.
 #[derive(Clone, Debug)]
 pub struct Patch {
     pub body: usize,
+    pub life: Life,
     /// Indices into the model's elements, in the order of lanes.
     pub elements: Vec<u32>,
 }
@@ -34,6 +37,15 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// The body of each element of the user's, none for void ones.
     pub body_of: Vec<Option<usize>>,
+    /// Of each element, the reference column's included.
+    pub lives: Vec<Life>,
+    /// Elements that stand in the place of others before these do: (stand-in, the other).
+    pub stand_ins: Vec<(u32, u32)>,
+    /// Stress \[Pa\] of each element before anything moves; empty for none.
+    pub initial: Vec<[f64; 6]>,
+    /// m/s²
+    pub gravity: f64,
+    pub tractions: Vec<Traction>,
     /// Patches of the user's elements, then those of the reference column.
     pub patches: Vec<Patch>,
     pub user_patches: usize,
@@ -43,7 +55,7 @@ pub struct Model {
     pub engine_node: Vec<u32>,
     /// Engine nodes of the user's model; those of the column follow.
     pub counted: Range<usize>,
-    /// Faces of the user's elements on the outer planes.
+    /// Faces on the outer planes of the user's elements that are there in the shaking.
     pub faces: OuterFaces,
     /// Interfaces, split.
     pub seams: Vec<Seam>,
@@ -83,8 +95,15 @@ impl Model {
     pub fn new(problem: Problem) -> Result<Self, ModelError> {
         let Problem { mut mesh, mut bodies, .. } = problem;
         let body_of = check_bodies(&mesh, &bodies)?;
-        let ground = column::ground(&mesh, &bodies, &body_of, &problem.interfaces);
-        let Seams { seams, origin, places } = seams(&mut mesh, problem.interfaces, &body_of)?;
+        let mut lives = match problem.lives {
+            lives if lives.len() == mesh.elements.len() => lives,
+            _ => vec![Life::ALWAYS; mesh.elements.len()],
+        };
+        let shaken = shaken(&body_of, &lives);
+        let ground = column::ground(&mesh, &bodies, &shaken, &problem.interfaces);
+        let mut initial = problem.initial;
+        let Seams { seams, origin, places } =
+            seams(&mut mesh, problem.interfaces, &shaken, &lives, &initial)?;
         let (user_nodes, user_elements) = (mesh.nodes.len(), mesh.elements.len());
         let copies = copies(&origin);
         let held = problem.held.into_iter().flat_map(|(node, held)| {
@@ -92,12 +111,20 @@ impl Model {
         });
         let held = held.collect();
 
-        let faces = OuterFaces::of(&mesh, &body_of);
+        let standing: Vec<u32> = (0u32..).zip(&shaken).filter(|(_, b)| b.is_some()).map(|(e, _)| e).collect();
+        let faces = OuterFaces::of(&mesh, mesh.bounds(), &standing);
         let user_bodies = bodies.len();
         let (column, no_column) = match problem.base {
             Base::Free | Base::Fixed => (None, "no wave enters through an absorbing base".to_owned()),
             Base::Viscous | Base::ViscousSpring { .. } => match ground {
-                Ok(ground) => (Some(column::build(&mut mesh, &mut bodies, ground)), String::new()),
+                Ok(ground) => {
+                    let (column, like) = column::build(&mut mesh, &mut bodies, ground);
+                    lives.resize(mesh.elements.len(), Life::ALWAYS);
+                    if !initial.is_empty() {
+                        initial.extend(like.into_iter().map(|element| initial[element as usize]).collect::<Vec<_>>());
+                    }
+                    (Some(column), String::new())
+                }
                 Err(reason) if problem.base.has_springs() => return Err(column::refusal(&reason)),
                 Err(reason) => (None, reason),
             },
@@ -107,10 +134,14 @@ impl Model {
         let mut user_patches = 0;
         let size = patch_size(problem.patch_elements, bodies.iter().map(|b| b.elements.len()).sum());
         for (b, body) in bodies.iter().enumerate() {
-            let centroids: Vec<[f64; 3]> = body.elements.iter().map(|&e| centroid(&mesh, e)).collect();
-            let order: Vec<u32> =
-                hilbert_order(&centroids).into_iter().map(|i| body.elements[i as usize]).collect();
-            patches.extend(order.chunks(size).map(|elements| Patch { body: b, elements: elements.to_vec() }));
+            let mut lots: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
+            body.elements.iter().for_each(|&e| lots.entry(lives[e as usize]).or_default().push(e));
+            for (life, lot) in lots {
+                let centroids: Vec<[f64; 3]> = lot.iter().map(|&e| centroid(&mesh, e)).collect();
+                let order: Vec<u32> = hilbert_order(&centroids).into_iter().map(|i| lot[i as usize]).collect();
+                patches
+                    .extend(order.chunks(size).map(|elements| Patch { body: b, life, elements: elements.to_vec() }));
+            }
             if b + 1 == user_bodies {
                 user_patches = patches.len();
             }
@@ -150,6 +181,11 @@ impl Model {
             user_elements,
             bodies,
             body_of,
+            lives,
+            stand_ins: problem.stand_ins,
+            initial,
+            gravity: problem.gravity,
+            tractions: problem.tractions,
             patches,
             user_patches,
             mesh_node,
@@ -173,15 +209,27 @@ impl Model {
         })
     }
 
-    /// What boundaries are made from.
-    pub fn surroundings(&self) -> Surroundings<'_> {
+    /// Whether an element is there in a stage.
+    pub fn stands(&self, element: usize, stage: Stage) -> bool {
+        self.body_of.get(element).is_some_and(Option::is_some) && self.lives[element].holds(stage)
+    }
+
+    /// The user's elements that are there in a stage, ascending.
+    pub fn standing(&self, stage: Stage) -> Vec<u32> {
+        (0..self.user_elements).filter(|&e| self.stands(e, stage)).map(|e| e as u32).collect()
+    }
+
+    /// What boundaries are made from, with the outer faces of a stage.
+    pub fn surroundings<'a>(&'a self, faces: &'a OuterFaces) -> Surroundings<'a> {
         Surroundings {
             mesh: &self.mesh,
             user_elements: self.user_elements,
             bodies: &self.bodies,
             body_of: &self.body_of,
+            lives: &self.lives,
+            stand_ins: &self.stand_ins,
             engine_node: &self.engine_node,
-            faces: &self.faces,
+            faces,
             places: &self.places,
             base: self.base,
             sides: self.sides,
@@ -219,11 +267,18 @@ struct Seams {
     places: Vec<u32>,
 }
 
+/// The bodies of elements that are there in the shaking.
+fn shaken(body_of: &[Option<usize>], lives: &[Life]) -> Vec<Option<usize>> {
+    body_of.iter().zip(lives).map(|(body, life)| body.filter(|_| life.holds(Stage::Shaking))).collect()
+}
+
 /// Splits the nodes of interfaces and makes their pairs.
 fn seams(
     mesh: &mut Mesh,
     interfaces: Vec<Interface>,
     body_of: &[Option<usize>],
+    lives: &[Life],
+    initial: &[[f64; 6]],
 ) -> Result<Seams, ModelError> {
     if interfaces.is_empty() {
         let places = (0..mesh.nodes.len() as u32).collect();
@@ -239,19 +294,51 @@ fn seams(
         .into_iter()
         .zip(faces)
         .zip(ends)
-        .map(|((interface, faces), ends)| Seam {
-            pairs: pairs(mesh, &faces, interface.corner),
-            name: interface.name,
-            law: interface.law,
-            values: interface.values,
-            pressure: interface.pressure,
-            damping: interface.damping,
-            limit: interface.limit,
-            faces,
-            ends,
+        .map(|((interface, faces), ends)| {
+            let (pairs, lives) = pairs_by_life(mesh, &faces, interface.corner, lives);
+            let mut seam = Seam {
+                pairs,
+                lives,
+                tractions: Vec::new(),
+                name: interface.name,
+                law: interface.law,
+                values: interface.values,
+                pressure: interface.pressure,
+                damping: interface.damping,
+                limit: interface.limit,
+                faces,
+                ends,
+            };
+            seam.load(initial);
+            seam
         })
         .collect();
     Ok(Seams { seams, origin, places })
+}
+
+/// Pairs of faces that are there at the same time, with their lives: the pairs of one life behind those of another.
+fn pairs_by_life(
+    mesh: &Mesh,
+    faces: &[[Face; 2]],
+    corner: f64,
+    lives: &[Life],
+) -> (Vec<PairShape>, Vec<Life>) {
+    let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
+    for (f, sides) in (0u32..).zip(faces) {
+        let [a, b] = sides.map(|face| lives[face.element as usize]);
+        of_life.entry(a.and(&b)).or_default().push(f);
+    }
+    let (mut all, mut all_lives) = (Vec::new(), Vec::new());
+    for (life, own) in of_life {
+        let faces: Vec<[Face; 2]> = own.iter().map(|&f| faces[f as usize]).collect();
+        let mut found = pairs(mesh, &faces, corner);
+        for (face, _) in found.iter_mut().flat_map(|pair| &mut pair.corners) {
+            *face = own[*face as usize];
+        }
+        all_lives.extend(vec![life; found.len()]);
+        all.extend(found);
+    }
+    (all, all_lives)
 }
 
 /// The body of each element, none for void ones; every element of a body can be integrated.

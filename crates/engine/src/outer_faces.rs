@@ -14,13 +14,11 @@ pub struct OuterFaces {
 }
 
 impl OuterFaces {
-    /// Sorts the exterior faces of the elements that have a body by the plane they lie on.
-    pub fn of(mesh: &Mesh, body_of: &[Option<usize>]) -> Self {
-        let active: Vec<u32> =
-            (0..body_of.len()).filter(|&e| body_of[e].is_some()).map(|e| e as u32).collect();
-        let (low, high) = mesh.bounds();
+    /// Sorts the exterior faces of some elements by the plane of these bounds that they lie on.
+    pub fn of(mesh: &Mesh, bounds: ([f64; 3], [f64; 3]), elements: &[u32]) -> Self {
+        let (low, high) = bounds;
         let mut planes = <[[Vec<Face>; 2]; 3]>::default();
-        for face in exterior_faces(mesh, Some(&active)) {
+        for face in exterior_faces(mesh, Some(elements)) {
             for axis in 0..3 {
                 let near = 1e-6 * (high[axis] - low[axis]);
                 for (end, level) in [low[axis], high[axis]].into_iter().enumerate() {
@@ -30,7 +28,7 @@ impl OuterFaces {
                 }
             }
         }
-        OuterFaces { planes, bounds: (low, high) }
+        OuterFaces { planes, bounds }
     }
 }
 

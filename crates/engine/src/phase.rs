@@ -5,13 +5,14 @@ use crate::assembly::Assembly;
 use crate::boundary;
 use crate::boundary::base::add;
 use crate::error::ModelError;
-use crate::life::Stage;
+use crate::life::{Life, Stage};
 use crate::member::Member;
 use crate::model::Model;
+use crate::outer_faces::OuterFaces;
 use crate::parts::Tick;
 use crate::state::State;
 use crate::ties::Ties;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use tremolite_laws::Row;
 
@@ -50,7 +51,10 @@ pub const SEVERAL: u16 = u16::MAX - 1;
 
 /// The active parts of an assembly, and the nodes they act on.
 pub struct Phase {
+    pub stage: Stage,
     pub drive: Drive,
+    /// Nodes of elements that begin with this stage, of which none was there before; ascending.
+    pub woken: Vec<u32>,
     /// Members that are there, ascending.
     pub active: Vec<u32>,
     /// Nodes whose energy counts.
@@ -99,12 +103,20 @@ impl Phase {
         for &(a, b) in &model.ties {
             ties.join(a, b);
         }
-        boundary::tie_periodic(model.surroundings(), &mut ties)?;
+        let before;
+        let faces = if stage == Stage::Shaking {
+            &model.faces
+        } else {
+            before = OuterFaces::of(&model.mesh, model.faces.bounds, &model.standing(stage));
+            &before
+        };
+        let around = model.surroundings(faces);
+        boundary::tie_periodic(around, &mut ties)?;
         for ring in model.column.iter().flat_map(|column| &column.rings) {
             ring[1..].iter().for_each(|&node| ties.join(ring[0], node));
         }
         let master = ties.masters(&model.mesh_node, &model.engine_node);
-        let supports = boundary::supports(model.surroundings(), stage)?;
+        let supports = boundary::supports(around, stage)?;
 
         let mut mass = vec![0.0; model.mesh_node.len()];
         for Member { part, masses, .. } in active.iter().map(there) {
@@ -148,7 +160,9 @@ impl Phase {
             .collect();
         let counted = || active.iter().map(there).filter(|member| member.counted);
         Ok(Phase {
+            stage,
             drive,
+            woken: woken(assembly, stage),
             counted_nodes: model.counted.clone(),
             counted_elements: counted().map(|member| member.part.elements().0).sum(),
             keeps_books: counted().all(|member| member.part.keeps_books()),
@@ -173,6 +187,21 @@ impl Phase {
             Drive::Dynamic => Tick { time: state.time(), dt: state.dt },
         }
     }
+}
+
+/// Nodes of elements that are there in a stage, of which none was in that before.
+fn woken(assembly: &Assembly, stage: Stage) -> Vec<u32> {
+    let nodes = |there: &dyn Fn(&Life) -> bool| -> BTreeSet<u32> {
+        let solids = assembly.members.iter().filter(|member| member.part.elements().0 > 0 && there(&member.life));
+        solids.flat_map(|member| member.part.nodes().iter().copied()).collect()
+    };
+    let begins = assembly.members.iter().any(|member| member.life.is_later() && member.life.born == stage);
+    let Stage::Before(k) = stage else { return Vec::new() };
+    if !begins || k == 0 {
+        return Vec::new();
+    }
+    let before = nodes(&|life| life.holds(Stage::Before(k - 1)));
+    nodes(&|life| life.born == stage).into_iter().filter(|n| !before.contains(n)).collect()
 }
 
 /// Which contributions make up each node's force, and whose they are: by master, in the order of members.

@@ -3,11 +3,12 @@
 use crate::body::Body;
 use crate::boundary::{Base, Incident, Side};
 use crate::interface::Interface;
+use crate::life::Life;
 use crate::member::Member;
 use crate::parts::loads::Load;
 use std::sync::Arc;
 use tremolite_laws::Isa;
-use tremolite_mesh::Mesh;
+use tremolite_mesh::{Face, Mesh};
 
 /// Rayleigh damping C = ω M + ξ K (19).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,6 +34,17 @@ impl Default for TimeStep {
     }
 }
 
+/// Constant tractions σ·n on faces.
+#[derive(Clone, Debug)]
+pub struct Traction {
+    /// For messages.
+    pub name: String,
+    /// Faces, each with a stress \[Pa\] in the order of Voigt; n points out of the face's element. A pressure p is −p I.
+    pub faces: Vec<(Face, [f64; 6])>,
+    /// When it acts; it goes with the shaking at the latest.
+    pub life: Life,
+}
+
 /// Makes a part of a program's own, once the mesh has its final form and its nodes have their engine numbers (`u32::MAX`
 /// for those that no element uses). Such parts come behind all others.
 pub type MakePart = Arc<dyn Fn(&Mesh, &[u32]) -> Member + Send + Sync>;
@@ -43,6 +55,17 @@ pub struct Problem {
     pub mesh: Mesh,
     /// Elements in no body are void.
     pub bodies: Vec<Body>,
+    /// The life of each element of the mesh; all are always there if empty. Where one stands in the place of another at another
+    /// time, both are elements of the mesh.
+    pub lives: Vec<Life>,
+    /// Elements that stand in the place of others before these do: (stand-in, the other). What they do is shown as the other's.
+    pub stand_ins: Vec<(u32, u32)>,
+    /// Stress \[Pa\] of each element of the mesh before anything moves, of those that are there then; empty for none.
+    pub initial: Vec<[f64; 6]>,
+    /// Acceleration \[m/s²\] along −z with which masses weigh down before the shaking, 0 for no weight.
+    pub gravity: f64,
+    /// Tractions on faces before the shaking, which what is held carries on.
+    pub tractions: Vec<Traction>,
     pub base: Base,
     /// Sides normal to x and to y.
     pub sides: [Side; 2],
@@ -70,6 +93,11 @@ impl Problem {
         Problem {
             mesh,
             bodies,
+            lives: Vec::new(),
+            stand_ins: Vec::new(),
+            initial: Vec::new(),
+            gravity: 0.0,
+            tractions: Vec::new(),
             base: Base::Free,
             sides: [Side::Free; 2],
             incident: None,

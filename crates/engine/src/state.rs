@@ -15,12 +15,14 @@ pub struct Ledger {
     /// By account ([`crate::Assembly::accounts`]): work on the elements less what artificial viscosity took of it, and what
     /// they held and had lost at the start.
     pub bodies: Vec<f64>,
+    /// What each account held and had lost when the shaking began from rest under load.
+    pub rest: Vec<Lines>,
 }
 
 impl Ledger {
     /// Empty books for so many accounts.
     pub fn new(accounts: usize) -> Self {
-        Ledger { bodies: vec![0.0; accounts], ..Ledger::default() }
+        Ledger { bodies: vec![0.0; accounts], rest: vec![Lines::default(); accounts], ..Ledger::default() }
     }
 }
 
@@ -57,11 +59,26 @@ pub struct State {
     pub overstress: Vec<Octet>,
     /// What other parts remember.
     pub numbers: Vec<f64>,
-    /// What is held at each engine node \[N\]: left of what was out of balance when a relaxation began; empty before the first.
+    /// Displacements \[m\] from which elements count that begin later than the model, part by part.
+    pub reference: Vec<Row>,
+    /// Strain that elements begin with, part by part.
+    pub initial: Vec<Octet>,
+    /// Number of the stage before the shaking that is going on or comes next.
+    pub stage: u64,
+    /// Displacement \[m\] of each engine node from which results count; empty for none.
+    pub datum: Vec<Row>,
+    /// What is held at each engine node \[N\]: left of what was out of balance when a relaxation began; in the shaking what all
+    /// parts do at its start. Empty where nothing was.
     pub held: Vec<Row>,
     /// Displacement \[m\] at which it began.
     pub start: Vec<Row>,
     pub relaxing: Relaxing,
+    /// Largest motion \[m\] of any stage so far.
+    pub moved: f64,
+    /// What every part did to its nodes when the shaking began \[N\], and what of it was elements' stabilisation; empty where it
+    /// began from rest without stress.
+    pub carried: Vec<Row>,
+    pub carried_hourglass: Vec<Row>,
     pub ledger: Ledger,
     pub observers: Memory,
 }
@@ -76,6 +93,25 @@ pub enum Column<'a> {
 }
 
 impl State {
+    /// Makes room in a column that may be empty, of so many numbers.
+    pub fn make_room(&mut self, name: &str, values: usize) {
+        let rows = match name {
+            "datum" => &mut self.datum,
+            "held" => &mut self.held,
+            "start" => &mut self.start,
+            "carried" => &mut self.carried,
+            "carried_hourglass" => &mut self.carried_hourglass,
+            _ => return,
+        };
+        rows.resize(values / 4, Row::ZERO);
+    }
+
+    /// Displacement \[m\] of an engine node as results count it.
+    pub fn shown(&self, node: usize) -> Row {
+        let zero = self.datum.get(node).copied().unwrap_or(Row::ZERO);
+        Row([0, 1, 2, 3].map(|i| self.u[node].0[i] - zero.0[i]))
+    }
+
     /// Steps since t = 0.
     pub fn steps(&self) -> u64 {
         self.step - self.origin
@@ -95,9 +131,10 @@ impl State {
 
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
-        let Ledger { lines, supplied, bodies } = &mut self.ledger;
+        let Ledger { lines, supplied, bodies, rest } = &mut self.ledger;
         let Relaxing { cycle, damping, work } = &mut self.relaxing;
         let ledger = lines.values_mut().chain([supplied]).collect();
+        let rest = rest.iter_mut().flat_map(Lines::values_mut).collect();
         let mut columns = vec![
             ("step".to_owned(), "1", Column::Count(&mut self.step)),
             ("origin".to_owned(), "1", Column::Count(&mut self.origin)),
@@ -107,12 +144,20 @@ impl State {
             ("history".to_owned(), "law", Column::Octets(&mut self.history)),
             ("overstress".to_owned(), "1", Column::Octets(&mut self.overstress)),
             ("numbers".to_owned(), "part", Column::Numbers(&mut self.numbers)),
+            ("reference".to_owned(), "m", Column::Rows(&mut self.reference)),
+            ("initial".to_owned(), "1", Column::Octets(&mut self.initial)),
+            ("stage".to_owned(), "1", Column::Count(&mut self.stage)),
+            ("datum".to_owned(), "m", Column::Rows(&mut self.datum)),
             ("held".to_owned(), "N", Column::Rows(&mut self.held)),
             ("start".to_owned(), "m", Column::Rows(&mut self.start)),
             ("cycle".to_owned(), "1", Column::Count(cycle)),
             ("relaxation".to_owned(), "1, J", Column::Scalars(vec![damping, work])),
+            ("moved".to_owned(), "m", Column::Scalars(vec![&mut self.moved])),
+            ("carried".to_owned(), "N", Column::Rows(&mut self.carried)),
+            ("carried_hourglass".to_owned(), "N", Column::Rows(&mut self.carried_hourglass)),
             ("ledger".to_owned(), "J", Column::Scalars(ledger)),
             ("bodies".to_owned(), "J", Column::Numbers(bodies)),
+            ("bodies at rest".to_owned(), "J", Column::Scalars(rest)),
         ];
         for (name, values) in &mut self.observers {
             columns.push((format!("observer {name}"), "observer", Column::Numbers(values)));

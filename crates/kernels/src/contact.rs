@@ -8,7 +8,7 @@
 mod memory;
 mod pass;
 
-pub(crate) use memory::seen;
+pub(crate) use memory::{load, seen};
 pub use memory::{EXTRA, PairSeen};
 
 use crate::line::{Line, Lines};
@@ -110,6 +110,19 @@ impl<I: Interface> Part for Contact<I> {
 
     fn state_sizes(&self) -> StateSizes {
         StateSizes { history: Self::WIDTH * self.geometry.len(), ..StateSizes::default() }
+    }
+
+    /// From now on d counts from here.
+    fn begin(&self, x: &Motion, own: Own) {
+        for (k, pair) in self.pairs.iter().enumerate() {
+            let rows = pair.nodes.map(|n| x.u[self.nodes[n as usize] as usize]);
+            memory::activate::<I>(own.history, k, [0, 1, 2].map(|i| rows[1].0[i] - rows[0].0[i]));
+        }
+    }
+
+    /// What impacts gain counts from here.
+    fn settle(&self, own: Own) {
+        (0..self.pairs.len()).for_each(|k| memory::settle(&*self.law, own.history, k));
     }
 
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Lines {

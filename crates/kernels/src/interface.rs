@@ -1,6 +1,6 @@
 //! Interface laws behind a wall: what the model needs of one without knowing its type.
 
-use crate::contact::{Contact, Pair, PairSeen, seen};
+use crate::contact::{Contact, Pair, PairSeen, load, seen};
 use crate::part::Part;
 use std::sync::Arc;
 use tremolite_laws::{BadParameter, Interface, Isa, LawInfo, Octet, Values};
@@ -25,6 +25,8 @@ pub trait AnyInterface: Send + Sync {
     /// Pairs of this law; their nodes index `nodes`, which are the part's. `damping` is the pressure over the closing velocity
     /// of loose pairs \[Pa s/m\].
     fn contact(&self, nodes: Vec<u32>, pairs: &[Pair], damping: f64, isa: Isa) -> Box<dyn Part>;
+    /// Begins a pair of such a part, whose m is `normal`, with a pressure and shear t \[Pa\]: see [`Interface::start`].
+    fn load(&self, history: &mut [Octet], pair: usize, normal: [f64; 3], pressure: f64, shear: [f64; 2]);
     /// A pair of such a part, from the part's history.
     fn seen(&self, history: &[Octet], pair: usize) -> PairSeen;
 }
@@ -69,6 +71,10 @@ impl<I: Interface> AnyInterface for Instance<I> {
 
     fn contact(&self, nodes: Vec<u32>, pairs: &[Pair], damping: f64, isa: Isa) -> Box<dyn Part> {
         Box::new(Contact::new(self.law.clone(), nodes, pairs, damping, isa))
+    }
+
+    fn load(&self, history: &mut [Octet], pair: usize, normal: [f64; 3], pressure: f64, shear: [f64; 2]) {
+        load(&*self.law, history, pair, normal, pressure, shear);
     }
 
     fn seen(&self, history: &[Octet], pair: usize) -> PairSeen {

@@ -19,6 +19,8 @@ pub trait AnyMaterial: Send + Sync {
     fn moduli(&self) -> Moduli;
     /// The stiffest moduli it can show: the time step goes by them.
     fn stiffest(&self) -> Moduli;
+    /// Those of the law itself, without Maxwell bodies: what it shows while time stands still.
+    fn relaxed(&self) -> Moduli;
     /// See [`Material::size_limit`].
     fn size_limit(&self) -> f64;
     /// See [`Material::crack_energy`].
@@ -69,6 +71,10 @@ impl<M: Material> AnyMaterial for Instance<M> {
 
     fn stiffest(&self) -> Moduli {
         self.band.map_or(self.own, |band| self.own.scaled(band.unrelaxed()))
+    }
+
+    fn relaxed(&self) -> Moduli {
+        self.law.moduli()
     }
 
     fn size_limit(&self) -> f64 {

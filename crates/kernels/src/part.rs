@@ -30,6 +30,11 @@ pub struct Own<'a> {
     pub overstress: &'a mut [Octet],
     /// Other numbers that the part remembers.
     pub numbers: &'a mut [f64],
+    /// Displacement \[m\] of each of its nodes from which it counts, of a part of elements that begins later than the model; else
+    /// empty.
+    pub reference: &'a mut [Row],
+    /// Strain that its elements begin with, six octets an octet of elements, where there is initial stress; else empty.
+    pub initial: &'a [Octet],
 }
 
 /// The same, to be read alone.
@@ -38,6 +43,8 @@ pub struct Kept<'a> {
     pub history: &'a [Octet],
     pub overstress: &'a [Octet],
     pub numbers: &'a [f64],
+    pub reference: &'a [Row],
+    pub initial: &'a [Octet],
 }
 
 /// Lengths of a part's slices of the state.
@@ -114,6 +121,10 @@ pub trait Part: Send + Sync {
     fn keeps_books(&self) -> bool {
         true
     }
+    /// Called once when the part's life begins later than the model's: what moved before is none of its.
+    fn begin(&self, _x: &Motion, _own: Own) {}
+    /// Called once when the shaking begins, after its first evaluation: books of the part's own count from here.
+    fn settle(&self, _own: Own) {}
     /// Forces that resist the displacements (sign of ∫Bᵀσ), one row a node, and the work that they did on the nodes since
     /// the last step, by those lines that are booked so ([`crate::Booked::Work`]); positive where energy flows from the
     /// nodes into the part.
@@ -138,15 +149,20 @@ pub trait Part: Send + Sync {
     }
     /// K w with the elastic stiffness, as the power iteration wants it.
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch);
+    /// Forces of given stresses \[Pa\] at the points alone, ∫Bᵀσ: those of [`Part::forces`] at these stresses but for the
+    /// stabilisation. Nothing of parts without elements.
+    fn stress_forces(&self, _stress: &[[f64; 6]], out: &mut [Row], _scratch: &mut Scratch) {
+        out.fill(Row::ZERO);
+    }
     /// ½wᵀKw \[J\] of each element with the elastic stiffness, by which the step's limit is traced to one; asked of the
     /// model's own patches, while other parts are traced to their nodes.
     fn stiffness_energy(&self, _w: &[Row], _energy: &mut [ElementEnergy], _scratch: &mut Scratch) {}
-    /// K w as Rayleigh's damping ξK wants it: with what damage has left of the stiffness at displacements `u` and
-    /// with this `history`. Nothing by default: ξK acts on elements alone.
+    /// K w as Rayleigh's damping ξK wants it: with what damage has left of the stiffness at displacements `u` and with what is
+    /// `kept`. Nothing by default: ξK acts on elements alone.
     fn damping_times(
         &self,
         _u: &[Row],
-        _history: &[Octet],
+        _kept: Kept,
         _w: &[Row],
         out: &mut [Row],
         _scratch: &mut Scratch,

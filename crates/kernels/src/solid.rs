@@ -1,13 +1,15 @@
 //! A patch of hexahedra of one law and one quadrature: the unit of threads and the fused kernel.
 
 mod pass;
+mod prescribed;
 mod weakened;
 
 pub use pass::{Full, OnePoint, Rule};
 
 use crate::line::{Line, Lines};
-use crate::part::{ElementEnergy, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
+use crate::part::{ElementEnergy, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
 use pass::{After, Pass, dispatch, whole};
+use prescribed::Prescribed;
 use std::marker::PhantomData;
 use std::sync::Arc;
 use tremolite_laws::band::{Band, BandStep, MEMORY};
@@ -83,6 +85,17 @@ impl<M: Material, R: Rule> Solid<M, R> {
         }
     }
 
+    /// Displacements of the nodes since they were `reference`, which may be empty.
+    fn since<'s>(&self, u: &[Row], reference: &[Row], rows: &'s mut Vec<Row>) -> &'s [Row] {
+        self.gather(u, rows);
+        for (row, before) in rows.iter_mut().zip(reference) {
+            for i in 0..4 {
+                row.0[i] -= before.0[i];
+            }
+        }
+        rows
+    }
+
     fn gather<'s>(&self, global: &[Row], rows: &'s mut Vec<Row>) -> &'s [Row] {
         rows.clear();
         rows.extend(self.nodes.iter().map(|&n| global[n as usize]));
@@ -96,6 +109,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         history: &'a mut [Octet],
         band: Option<BandStep>,
         overstress: &'a mut [Octet],
+        initial: &'a [Octet],
         rows: &'a [Row],
         out: &'a mut [Row],
         probe: Option<ProbeOut<'a>>,
@@ -111,6 +125,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
             history,
             band,
             overstress,
+            initial,
             rows,
             out,
             probe,
@@ -132,8 +147,10 @@ impl<M: Material, R: Rule> Solid<M, R> {
         let viscous = !self.viscosity.is_empty() && tick.dt > 0.0;
         let band = self.band.map(|b| b.step(tick.dt, self.law.moduli()));
         let law = self.weakened();
-        let rows = self.gather(x.u, rows);
-        let mut pass = self.pass(&*self.law, tick.dt, own.history, band, own.overstress, rows, out, probe);
+        let rows = self.since(x.u, own.reference, rows);
+        let Own { history, overstress, initial, .. } = own;
+        let mut pass =
+            self.pass(&*self.law, tick.dt, history, band, overstress, initial, rows, out, probe);
         if viscous {
             second.clear();
             second.resize(self.nodes.len(), Row::ZERO);
@@ -194,6 +211,13 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         M::HISTORY.is_empty() || M::DISSIPATION.is_some()
     }
 
+    /// From now on displacements count from here.
+    fn begin(&self, x: &Motion, own: Own) {
+        for (reference, &node) in own.reference.iter_mut().zip(&self.nodes) {
+            *reference = x.u[node as usize];
+        }
+    }
+
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Lines {
         self.evaluate::<false>(tick, x, own, out, None, scratch)
     }
@@ -210,17 +234,17 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         self.evaluate::<true>(tick, x, own, out, Some(probe), scratch)
     }
 
-    fn damping_times(&self, u: &[Row], history: &[Octet], w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
+    fn damping_times(&self, u: &[Row], kept: Kept, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
         if !M::DAMAGES {
             return self.stiffness_times(w, out, scratch);
         }
         let Scratch { rows, others, out: unused, history: own } = scratch;
         own.clear();
-        own.extend_from_slice(history);
+        own.extend_from_slice(kept.history);
         unused.resize(self.nodes.len(), Row::ZERO);
         let (law, weakened) = (Remembered(self.law.clone()), self.weakened());
-        let u = self.gather(u, rows);
-        let mut pass = self.pass(&law, 0.0, own, None, &mut [], u, unused, None);
+        let u = self.since(u, kept.reference, rows);
+        let mut pass = self.pass(&law, 0.0, own, None, &mut [], kept.initial, u, unused, None);
         out.fill(Row::ZERO);
         pass.after = Some(After { law: &weakened, rows: self.gather(w, others), out, factor: &[] });
         dispatch::<R, Remembered<M>, false>(self.isa, pass);
@@ -236,16 +260,36 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
             self.viscosity.iter().flat_map(|&factor| (0..R::POINTS).flat_map(move |_| whole(factor))),
         );
         let pass = self.weakened();
-        let pass = self.pass(&pass, 0.0, left, None, &mut [], self.gather(w, rows), out, None);
+        let pass = self.pass(&pass, 0.0, left, None, &mut [], &[], self.gather(w, rows), out, None);
         dispatch::<R, Weakened, false>(self.isa, pass);
         true
+    }
+
+    fn stress_forces(&self, stress: &[[f64; 6]], out: &mut [Row], scratch: &mut Scratch) {
+        let Scratch { rows, history, .. } = scratch;
+        rows.clear();
+        rows.resize(self.nodes.len(), Row::ZERO);
+        history.clear();
+        history.resize(6 * R::POINTS * self.index.len(), Octet::ZERO);
+        for (k, point) in stress.iter().enumerate() {
+            let (element, point_of_it) = (k / R::POINTS, k % R::POINTS);
+            let first = 6 * (element / 8 * R::POINTS + point_of_it);
+            for (octet, value) in history[first..].iter_mut().zip(point) {
+                octet.0[element % 8] = *value;
+            }
+        }
+        let law = Prescribed(self.elastic.moduli());
+        dispatch::<R, Prescribed, false>(
+            self.isa,
+            self.pass(&law, 0.0, history, None, &mut [], &[], rows, out, None),
+        );
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
         let rows = self.gather(w, &mut scratch.rows);
         dispatch::<R, Elastic, false>(
             self.isa,
-            self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, out, None),
+            self.pass(&self.elastic, 0.0, &mut [], None, &mut [], &[], rows, out, None),
         );
     }
 
@@ -256,7 +300,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         let rows = self.gather(w, &mut scratch.rows);
         dispatch::<R, Elastic, true>(
             self.isa,
-            self.pass(&self.elastic, 0.0, &mut [], None, &mut [], rows, &mut out, Some(probe)),
+            self.pass(&self.elastic, 0.0, &mut [], None, &mut [], &[], rows, &mut out, Some(probe)),
         );
     }
 }

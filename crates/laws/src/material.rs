@@ -99,6 +99,14 @@ impl Moduli {
         congruence(integrity, &self.stress(&[v[0], v[1], v[2], two * v[3], two * v[4], two * v[5]]))
     }
 
+    /// The strain \[1\] that a stress \[Pa\] belongs to, with engineering shear.
+    pub fn strain(&self, s: &[f64; 6]) -> [f64; 6] {
+        let (young, poisson) = (self.young(), self.poisson());
+        let trace = s[0] + s[1] + s[2];
+        let normal = |k: usize| ((1.0 + poisson) * s[k] - poisson * trace) / young;
+        [normal(0), normal(1), normal(2), s[3] / self.mu, s[4] / self.mu, s[5] / self.mu]
+    }
+
     /// Young's modulus \[Pa\].
     pub fn young(&self) -> f64 {
         self.mu * (3.0 * self.lambda + 2.0 * self.mu) / (self.lambda + self.mu)

@@ -131,6 +131,7 @@ pub fn read(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), Ch
         .iter()
         .filter_map(|e| Some((e.name.strip_prefix("observer ")?.to_owned(), vec![0.0; e.values])))
         .collect();
+    header.columns.iter().for_each(|e| state.make_room(&e.name, e.values));
     let columns = state.columns();
     let fits = columns.len() == header.columns.len()
         && columns

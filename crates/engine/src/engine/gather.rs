@@ -16,6 +16,13 @@ pub(super) fn force(phase: &Phase, contributions: &[Row], node: usize) -> Row {
     sum
 }
 
+/// What is left of a node's force where some of it is held.
+#[inline(always)]
+pub(super) fn net(held: &[Row], node: usize, force: Row) -> Row {
+    let Some(held) = held.get(node) else { return force };
+    Row([0, 1, 2, 3].map(|i| force.0[i] - held.0[i]))
+}
+
 /// a·b of two rows.
 #[inline(always)]
 pub(super) fn dot(a: Row, b: Row) -> f64 {

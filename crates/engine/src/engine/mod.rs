@@ -19,18 +19,20 @@
 
 mod accounts;
 mod gather;
+mod hand_over;
 mod nodes;
 mod power;
 mod product;
 mod relax;
+mod strained;
 
 pub use power::{ContactLimit, Limit, StableStep, stable_step, viscous_share};
-pub use relax::{Release, Rest};
+pub use relax::{Release, Relaxed, Rest, Watch};
 
 use crate::assembly::{Assembly, Slices};
 use crate::member::Member;
 use crate::model::Model;
-use crate::parts::{ElementEnergy, Kept, Motion, Own, ProbeOut, Scratch};
+use crate::parts::{ElementEnergy, Motion, Own, ProbeOut, Scratch};
 use crate::phase::Phase;
 use crate::state::{Ledger, State};
 use nodes::{NodeSums, Rates};
@@ -101,6 +103,8 @@ pub struct Engine<'a> {
     rates: Rates,
     /// The parts' own work, if they were evaluated at the state's displacements already.
     evaluated: Option<Works>,
+    /// Whether loads and waves stay as they are just before t = 0.
+    quiet: bool,
 }
 
 /// Work that parts book themselves \[J\].
@@ -153,6 +157,7 @@ impl<'a> Engine<'a> {
             contributions: vec![Row::ZERO; assembly.totals().contributions.end],
             rates: Rates::new(model, assembly),
             evaluated: None,
+            quiet: false,
         }
     }
 
@@ -217,7 +222,10 @@ impl<'a> Engine<'a> {
     /// Evaluates all active parts at u^n, and the products with K that ξ ≠ 0 needs.
     fn evaluate(&mut self, state: &mut State, probe: Option<ProbeOut>) -> Works {
         let Engine { model, assembly, phase, .. } = *self;
-        let tick = phase.tick(state);
+        let mut tick = phase.tick(state);
+        if self.quiet {
+            tick.time = -f64::MIN_POSITIVE;
+        }
         let motion = Motion { u: &state.u, du: &state.du };
         let slices = &assembly.slices;
         let mut probes = probe.map(|probe| {
@@ -230,11 +238,18 @@ impl<'a> Engine<'a> {
             .zip(split(&mut state.history, slices, |s| s.history.clone()))
             .zip(split(&mut state.overstress, slices, |s| s.overstress.clone()))
             .zip(split(&mut state.numbers, slices, |s| s.numbers.clone()))
-            .zip(&assembly.members)
-            .map(|((((out, history), overstress), numbers), member)| Job {
+            .zip(split(&mut state.reference, slices, |s| s.reference.clone()))
+            .zip(assembly.members.iter().zip(slices))
+            .map(|(((((out, history), overstress), numbers), reference), (member, slices))| Job {
                 member,
                 out,
-                own: Own { history, overstress, numbers },
+                own: Own {
+                    history,
+                    overstress,
+                    numbers,
+                    reference,
+                    initial: &state.initial[slices.initial.clone()],
+                },
                 probe: probes.as_mut().and_then(Iterator::next),
             });
         let mut active = phase.active.iter().copied().peekable();
@@ -286,12 +301,7 @@ impl<'a> Engine<'a> {
                 let body = &mut bodies[account as usize];
                 *body = *body + own;
             }
-            let kept = Kept {
-                history: &state.history[slices.history.clone()],
-                overstress: &state.overstress[slices.overstress.clone()],
-                numbers: &state.numbers[slices.numbers.clone()],
-            };
-            held = held + own + member.part.energy(&motion, kept);
+            held = held + own + member.part.energy(&motion, slices.kept(state));
         }
         (held, bodies)
     }
@@ -303,7 +313,7 @@ impl<'a> Engine<'a> {
         let mut snapshot = Snapshot {
             step: state.steps(),
             time: state.time(),
-            displacement: state.u.clone(),
+            displacement: (0..state.u.len()).map(|node| state.shown(node)).collect(),
             stress: vec![[0.0; 6]; totals.points.end],
             energy: vec![ElementEnergy::default(); totals.elements.end],
             ..Snapshot::default()
@@ -315,15 +325,16 @@ impl<'a> Engine<'a> {
             nodes::measure(self.model, self.phase, &self.contributions, &self.rates, state);
 
         let (held, bodies) = self.held(state, &snapshot.energy);
+        let (given, given_bodies) = self.given(state);
         let taken = sums.dampings();
         let (ledger, balance) = (&state.ledger, &mut snapshot.balance);
         for &line in Line::ALL {
             balance[line] = match line.booked() {
                 Booked::Motion => sums.kinetic,
-                Booked::Stored => held[line],
+                Booked::Stored => held[line] - ledger.lines[line] - given[line],
                 Booked::Spent => held[line] - ledger.lines[line],
                 Booked::Damping => ledger.lines[line] + taken[line],
-                Booked::Work => ledger.lines[line] + line.sign() * work.lines[line],
+                Booked::Work => ledger.lines[line] + line.sign() * (work.lines[line] - given[line]),
                 Booked::Start => ledger.lines[line],
                 Booked::Rest => 0.0,
             };
@@ -333,7 +344,13 @@ impl<'a> Engine<'a> {
         snapshot.bodies = bodies
             .into_iter()
             .enumerate()
-            .map(|(k, held)| BodyBooks { work: ledger.bodies[k] + sums.bodies[k] - work.viscosity[k], held })
+            .map(|(k, mut held)| {
+                let work = ledger.bodies[k] + sums.bodies[k] - work.viscosity[k] - given_bodies[k].sum();
+                for &line in Line::ALL {
+                    held[line] -= ledger.rest[k][line] + given_bodies[k][line];
+                }
+                BodyBooks { work, held }
+            })
             .collect();
         self.evaluated = Some(work);
         snapshot

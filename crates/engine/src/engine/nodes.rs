@@ -1,7 +1,7 @@
 //! The passes over nodes: contributions to forces, forces to motion.
 
 use super::accounts::Accounts;
-use super::gather::{dot, force};
+use super::gather::{dot, force, net};
 use super::product::{self, Product};
 use crate::assembly::Assembly;
 use crate::boundary::base::times;
@@ -239,11 +239,12 @@ pub fn advance(
 ) -> NodeSums {
     let damping = damping(model, state);
     let accounts = state.ledger.bodies.len();
-    let pass = Advance { phase, contributions, rates, damping, accounts, wide: Isa::Avx2.available() };
-    let sums: Vec<NodeSums> = state
-        .u
+    let State { u, du, held, .. } = state;
+    let wide = Isa::Avx2.available();
+    let pass = Advance { phase, contributions, held, rates, damping, accounts, wide };
+    let sums: Vec<NodeSums> = u
         .par_chunks_mut(CHUNK)
-        .zip(state.du.par_chunks_mut(CHUNK))
+        .zip(du.par_chunks_mut(CHUNK))
         .enumerate()
         .map(|(chunk, (u, du))| pass.chunk(chunk * CHUNK, u, du))
         .collect();
@@ -263,6 +264,7 @@ pub fn advance(
 struct Advance<'a> {
     phase: &'a Phase,
     contributions: &'a [Row],
+    held: &'a [Row],
     rates: &'a Rates,
     damping: Damping,
     accounts: usize,
@@ -287,7 +289,7 @@ impl Advance<'_> {
 
     #[inline(always)]
     fn nodes(&self, first: usize, u: &mut [Row], du: &mut [Row]) -> NodeSums {
-        let Advance { phase, contributions, rates, damping, .. } = self;
+        let Advance { phase, contributions, held, rates, damping, .. } = self;
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let counted = phase.counted_nodes.end;
         let mut dashpots = Dashpots::from(phase, first);
@@ -305,19 +307,20 @@ impl Advance<'_> {
                 continue;
             }
             let force = force(phase, contributions, node);
+            let net = net(held, node, force);
             let mut next = Row::ZERO;
             let own = if node < counted { phase.mass[node] } else { 0.0 };
             if simple && dashpot.is_none() {
                 let inverse = &phase.inverse_mass[node];
                 let mut rayleigh = 0.0;
                 for i in 0..4 {
-                    let a = -force.0[i] * inverse.0[i];
+                    let a = -net.0[i] * inverse.0[i];
                     next.0[i] = keep * du.0[i] + push * a;
                     rayleigh += (fade * du.0[i] + 0.5 * dt * dt * a) * (du.0[i] + next.0[i]);
                 }
                 sums.rayleigh += 0.5 * omega / dt * own * rayleigh;
             } else {
-                let step = node_step(damping, phase, rates, dashpot, node, force, *du);
+                let step = node_step(damping, phase, rates, dashpot, node, net, *du);
                 for i in 0..4 {
                     next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
                 }
@@ -370,7 +373,8 @@ pub fn measure(
                 }
                 let du = state.du[node];
                 let force = force(phase, contributions, node);
-                let step = node_step(&damping, phase, rates, dashpot, node, force, du);
+                let net = net(&state.held, node, force);
+                let step = node_step(&damping, phase, rates, dashpot, node, net, du);
                 if node < counted {
                     let mass = phase.mass[node];
                     sums.kinetic += 0.5 * mass * dot(step.velocity, step.velocity);

@@ -54,8 +54,7 @@ pub fn times(
                 }
             }
             Product::Damping(state) => {
-                let history = &state.history[assembly.slices[m as usize].history.clone()];
-                part.damping_times(&state.u, history, w, own, scratch);
+                part.damping_times(&state.u, assembly.slices[m as usize].kept(state), w, own, scratch);
             }
         }
     });

@@ -17,8 +17,10 @@
 use super::Engine;
 use super::gather::{dot, force};
 use super::nodes::CHUNK;
+use super::strained;
 use crate::assembly::Assembly;
 use crate::hexahedra::hex;
+use crate::life::Stage;
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::state::{Relaxing, State};
@@ -58,7 +60,24 @@ pub struct Rest {
     pub motion: f64,
     /// The engine node that moves fastest.
     pub fastest: u32,
+    /// Σ|forces of parts| over Σ|contributions|, where nothing is held: what is not let go yet counts as out of balance.
+    pub unreleased: f64,
 }
+
+/// How a relaxation ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Relaxed {
+    AtRest(Rest),
+    /// It was told to stop before its next cycle.
+    Stopped(Rest),
+    /// Not at rest after the most cycles, or with numbers that are not finite.
+    Restless(Rest),
+    /// An element strains by a tenth or moves by more than its own length: what is not held falls.
+    Torn(Rest, u32),
+}
+
+/// Told of every cycle before it is made; says whether to go on.
+pub type Watch<'w> = dyn FnMut(&mut State, &Rest) -> bool + 'w;
 
 /// ω_e Δτ of each element alone: 2 would be its limit.
 const COURANT: f64 = 1.8;
@@ -70,11 +89,14 @@ const MOST_DAMPING: f64 = 1.9;
 const FOLLOW: f64 = 0.1;
 /// Motion \[m\] that is none.
 const STILL: f64 = 1e-9;
+/// Cycles between looks at how far elements have strained.
+const LOOK: u64 = 100;
 
 /// Sums of a node pass.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sums {
     unbalanced: f64,
+    unreleased: f64,
     contributions: f64,
     /// Δuⁿ·fⁿ, Δuⁿ·MΔuⁿ, and Δuⁿ⁺¹·fⁿ.
     work: f64,
@@ -92,6 +114,7 @@ impl Sums {
             if o.step > self.step { (o.step, o.fastest) } else { (self.step, self.fastest) };
         Sums {
             unbalanced: self.unbalanced + o.unbalanced,
+            unreleased: self.unreleased + o.unreleased,
             contributions: self.contributions + o.contributions,
             work: self.work + o.work,
             inertia: self.inertia + o.inertia,
@@ -141,9 +164,18 @@ impl Engine<'_> {
     /// # Errors
     /// How far it is from rest after the most cycles; the state is then that of the last one.
     pub fn relax(&mut self, state: &mut State, release: &Release) -> Result<Rest, Rest> {
+        match self.relax_watched(state, release, &mut |_, _| true) {
+            Relaxed::AtRest(rest) => Ok(rest),
+            Relaxed::Stopped(rest) | Relaxed::Restless(rest) | Relaxed::Torn(rest, _) => Err(rest),
+        }
+    }
+
+    /// The same, watched.
+    pub fn relax_watched(&mut self, state: &mut State, release: &Release, watch: &mut Watch) -> Relaxed {
         let masses = masses(self.model, self.assembly, self.phase);
         self.evaluated = None;
         if state.relaxing.cycle == 0 {
+            self.wake(state);
             self.evaluate(state, None);
             let now = |n: usize| force(self.phase, &self.contributions, n);
             state.held = (0..state.u.len()).map(now).collect();
@@ -151,7 +183,11 @@ impl Engine<'_> {
             state.du.fill(Row::ZERO);
             state.relaxing = Relaxing { cycle: 1, ..Relaxing::default() };
         }
+        let mut rest = Rest::default();
         loop {
+            if !watch(state, &rest) {
+                return Relaxed::Stopped(rest);
+            }
             self.evaluate(state, None);
             let let_go = (state.relaxing.cycle as f64 / release.cycles.max(1) as f64).min(1.0);
             let share = 1.0 - release.share * let_go;
@@ -163,27 +199,43 @@ impl Engine<'_> {
                 *damping = (*damping + FOLLOW * (wanted - *damping)).min(MOST_DAMPING);
             }
             *work = sums.next_work;
-            let rest = Rest {
+            rest = Rest {
                 cycles: *cycle,
                 ratio: if sums.contributions > 0.0 { sums.unbalanced / sums.contributions } else { 0.0 },
                 left: sums.step / (0.5 * *damping).max(LEAST_DAMPING),
                 motion: sums.motion,
                 fastest: sums.fastest,
+                unreleased: if sums.contributions > 0.0 { sums.unreleased / sums.contributions } else { 0.0 },
             };
-            let still = rest.left <= STILL.max(release.tolerance[1] * rest.motion);
+            let largest = rest.motion.max(state.moved);
+            let still = rest.left <= STILL.max(release.tolerance[1] * largest);
             if *cycle > release.cycles && rest.ratio <= release.tolerance[0] && still {
                 state.du.fill(Row::ZERO);
                 for held in &mut state.held {
                     *held = Row(held.0.map(|h| share * h));
                 }
                 state.relaxing = Relaxing::default();
-                return Ok(rest);
+                state.moved = largest;
+                if let Stage::Before(k) = self.phase.stage {
+                    state.stage = u64::from(k) + 1;
+                    if k == 0 {
+                        state.datum = state.u.clone();
+                    }
+                }
+                // What laws remember of the strain is that of the end.
+                self.evaluate(state, None);
+                return Relaxed::AtRest(rest);
             }
             // A ratio that is not a number is no rest either.
             if *cycle >= release.most || !rest.ratio.is_finite() {
-                return Err(rest);
+                return Relaxed::Restless(rest);
             }
             *cycle += 1;
+            if state.relaxing.cycle.is_multiple_of(LOOK)
+                && let Some(element) = strained::torn(self.model, self.phase, state)
+            {
+                return Relaxed::Torn(rest, element);
+            }
         }
     }
 
@@ -215,6 +267,7 @@ impl Engine<'_> {
                         next.0[i] = free[i] * (keep * du.0[i] + push * out.0[i] / masses[node]);
                     }
                     sums.unbalanced += length(out);
+                    sums.unreleased += length(Row([0, 1, 2, 3].map(|i| free[i] * force.0[i])));
                     for &slot in &phase.slot[slots] {
                         sums.contributions += length(contributions[slot as usize]);
                     }

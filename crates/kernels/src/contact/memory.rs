@@ -90,3 +90,44 @@ pub(crate) fn seen<I: Interface>(law: &I, octets: &[Octet], pair: usize) -> Pair
         impact_gain: stored + column(I::DISSIPATION) - column(I::CREATION) - extra[WORK],
     }
 }
+
+/// Puts values into columns of a pair, counted behind those of its law.
+fn write<I: Interface>(octets: &mut [Octet], pair: usize, column: usize, values: &[f64]) {
+    let first = pair / 8 * (I::HISTORY.len() + EXTRA) + I::HISTORY.len() + column;
+    for (octet, value) in octets[first..].iter_mut().zip(values) {
+        octet.0[pair % 8] = *value;
+    }
+}
+
+/// The pair begins, unloaded, where its relative displacement is `d` \[m\].
+pub(super) fn activate<I: Interface>(octets: &mut [Octet], pair: usize, d: [f64; 3]) {
+    write::<I>(octets, pair, OFFSET, &d);
+}
+
+/// Work so far becomes what is stored and was spent, so that the gain counts from here.
+pub(super) fn settle<I: Interface>(law: &I, octets: &mut [Octet], pair: usize) {
+    let (_, extra) = read::<I>(octets, pair);
+    let work = extra[WORK] + seen(law, octets, pair).impact_gain;
+    write::<I>(octets, pair, WORK, &[work]);
+}
+
+/// The pair begins with a pressure and shear \[Pa\] where both its nodes have not moved; `normal` is its m.
+pub(crate) fn load<I: Interface>(
+    law: &I,
+    octets: &mut [Octet],
+    pair: usize,
+    normal: [f64; 3],
+    pressure: f64,
+    shear: [f64; 2],
+) {
+    let (gap, history) = law.start(pressure, shear);
+    let width = I::HISTORY.len() + EXTRA;
+    for (octet, value) in octets[pair / 8 * width..].iter_mut().zip(history.as_ref()) {
+        octet.0[pair % 8] = *value;
+    }
+    write::<I>(octets, pair, OFFSET, &normal.map(|m| -gap * m));
+    write::<I>(octets, pair, DISPLACEMENT, &[gap, 0.0, 0.0]);
+    write::<I>(octets, pair, TRACTION, &[pressure, shear[0], shear[1]]);
+    write::<I>(octets, pair, WORK, &[law.stored_energy(gap, shear, &history)]);
+    write::<I>(octets, pair, LARGEST, &[gap.max(0.0), 0.0, pressure]);
+}

@@ -26,6 +26,7 @@ pub trait Rule: Send + Sync + 'static {
         history: &mut [Octet],
         band: Option<&BandStep>,
         overstress: &mut [Octet],
+        initial: &[Octet],
         left: &mut [Octet],
         rows: &[Row],
         out: &mut [Row],
@@ -54,6 +55,7 @@ macro_rules! rule {
                 history: &mut [Octet],
                 band: Option<&BandStep>,
                 overstress: &mut [Octet],
+                initial: &[Octet],
                 left: &mut [Octet],
                 rows: &[Row],
                 out: &mut [Row],
@@ -62,7 +64,8 @@ macro_rules! rule {
                 // SAFETY: passed on to the caller.
                 unsafe {
                     hex8::$kernel::<L, M, PROBE>(
-                        law, elastic, point, geometry, index, history, band, overstress, left, rows, out, probe,
+                        law, elastic, point, geometry, index, history, band, overstress, initial, left, rows, out,
+                        probe,
                     )
                 }
             }
@@ -89,6 +92,8 @@ pub(super) struct Pass<'a, R: Rule, M> {
     pub history: &'a mut [Octet],
     pub band: Option<BandStep>,
     pub overstress: &'a mut [Octet],
+    /// Strain that each octet of elements begins with, six octets each; or empty.
+    pub initial: &'a [Octet],
     pub rows: &'a [Row],
     pub out: &'a mut [Row],
     pub probe: Option<ProbeOut<'a>>,
@@ -138,6 +143,7 @@ unsafe fn second<L: Lane, R: Rule>(
             left,
             None,
             &mut [],
+            &[],
             &mut [],
             rows,
             out,
@@ -158,6 +164,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
             Some(_) => &mut pass.overstress[i * R::POINTS * MEMORY..(i + 1) * R::POINTS * MEMORY],
             None => &mut [],
         };
+        let initial = pass.initial.get(6 * i..6 * (i + 1)).unwrap_or(&[]);
         let room: &mut [Octet] = if after.is_some() { &mut left[..R::POINTS * LEFT] } else { &mut [] };
         // SAFETY: `Solid::new` checked every index against the number of nodes, which both slices have.
         unsafe {
@@ -170,6 +177,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
                 history,
                 pass.band.as_ref(),
                 overstress,
+                initial,
                 room,
                 pass.rows,
                 pass.out,

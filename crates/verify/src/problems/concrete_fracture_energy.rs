@@ -209,6 +209,8 @@ fn resisting(simulation: &Simulation, body: &str, state: &State) -> Vec<(u32, [f
         history: &mut state.history[slices.history.clone()].to_vec(),
         overstress: &mut state.overstress[slices.overstress.clone()].to_vec(),
         numbers: &mut state.numbers[slices.numbers.clone()].to_vec(),
+        reference: &mut state.reference[slices.reference.clone()].to_vec(),
+        initial: &state.initial[slices.initial.clone()],
     };
     let motion = Motion { u: &state.u, du: &state.du };
     member.part.forces(&simulation.phase.tick(state), &motion, own, &mut out, &mut Scratch::default());

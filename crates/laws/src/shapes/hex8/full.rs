@@ -151,6 +151,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
     history: &mut [Octet],
     band: Option<&BandStep>,
     overstress: &mut [Octet],
+    initial: &[Octet],
     left: &mut [Octet],
     rows: &[Row],
     out: &mut [Row],
@@ -195,8 +196,9 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
             }
             k += 1;
         }
-        let mean: Sym<L> =
+        let mut mean: Sym<L> =
             [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
+        super::add_initial(&mut mean, initial, at);
         let over_gauss = [
             L::load(&geometry.means[0], at) * L::splat(1.0 / G),
             L::load(&geometry.means[1], at) * L::splat(1.0 / G),

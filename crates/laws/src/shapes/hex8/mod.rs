@@ -276,6 +276,19 @@ fn booked<L: Lane>(history: &impl AsRef<[L]>, column: Option<usize>) -> L {
     }
 }
 
+/// Adds the strain that elements begin with, if they do.
+#[inline(always)]
+fn add_initial<L: Lane>(strain: &mut Sym<L>, initial: &[Octet], at: usize) {
+    if initial.len() < 6 {
+        return;
+    }
+    let mut c = 0;
+    while c < 6 {
+        strain[c] = strain[c] + L::load(&initial[c], at);
+        c += 1;
+    }
+}
+
 /// Sum of two stresses.
 #[inline(always)]
 fn plus<L: Lane>(a: Sym<L>, b: Sym<L>) -> Sym<L> {

@@ -59,7 +59,7 @@ impl OnePointGeometry {
 ///
 /// `index[corner][lane]` points into `rows` (displacements \[m\]) and `out` (forces \[N\], the sign of ∫Bᵀσ).
 /// With a band its bodies' stress is added, in what the law says is left; `overstress` is their memory, [`MEMORY`] octets a
-/// point. Of a law that damages, what is left goes to `left`, [`LEFT`](super::LEFT) octets a point, unless that is empty. With
+/// point. `initial` is the strain that the elements begin with, six octets, or empty. Of a law that damages, what is left goes to `left`, [`LEFT`](super::LEFT) octets a point, unless that is empty. With
 /// `PROBE` the stresses and energies go to `probe` as well.
 ///
 /// # Safety
@@ -74,6 +74,7 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
     history: &mut [Octet],
     band: Option<&BandStep>,
     overstress: &mut [Octet],
+    initial: &[Octet],
     left: &mut [Octet],
     rows: &[Row],
     out: &mut [Row],
@@ -91,8 +92,9 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         let (g2, q2) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[2], at);
         let g = [g0, g1, g2];
 
-        let strain: Sym<L> =
+        let mut strain: Sym<L> =
             [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
+        super::add_initial(&mut strain, initial, at);
         let mut lane_point = Point::new(L::splat(point.dt));
         if M::NEEDS_SIZE {
             lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);

@@ -1,0 +1,162 @@
+//! From rest to the shaking: what all parts do at rest is held from then on, so nothing moves but by waves.
+//!
+//! **Balance.** What is held is constant, and does the work Σ f⁰·Δu, with f⁰ what every part did to its nodes at the hand-over. So
+//! each line of the balance counts from there, less its own parts' f⁰·Δu: stored energy as the gain less that work (each alone is
+//! ten to a hundred times what a wave brings). Weight and other constant loads are then in no line, and neither is what is held.
+
+use super::Engine;
+use super::gather::{dot, force};
+use crate::parts::{Motion, Own, Scratch};
+use crate::state::{Ledger, State};
+use tremolite_kernels::{Booked, Line, Lines};
+use tremolite_laws::Row;
+
+/// Share of what is stored at the hand-over that counts as supplied: else round-off would halt a run before the wave comes.
+const ROUND_OFF: f64 = 1e-12;
+
+impl Engine<'_> {
+    /// Begins the shaking with steps of `dt` \[s\] where a state rests: displacements and the balance count from here.
+    pub fn hand_over(&mut self, state: &mut State, dt: f64) {
+        state.begin(dt);
+        state.held = Vec::new();
+        state.carried = Vec::new();
+        state.carried_hourglass = Vec::new();
+        state.datum = state.u.clone();
+        state.ledger = Ledger::new(self.assembly.accounts.len());
+        self.quiet = true;
+        let snapshot = self.observe(state);
+        self.quiet = false;
+        // What is evaluated again belongs to the first step.
+        self.evaluated = None;
+        state.carried_hourglass = self.stabilisation(&snapshot.stress);
+        state.carried = self.contributions.clone();
+        let (held, bodies) = self.held(state, &snapshot.energy);
+        let mut ledger = Ledger::new(self.assembly.accounts.len());
+        for &line in Line::ALL {
+            match line.booked() {
+                Booked::Stored => {
+                    ledger.lines[line] = held[line];
+                    ledger.supplied += ROUND_OFF * held[line].abs();
+                }
+                Booked::Spent => ledger.lines[line] = held[line],
+                Booked::Motion | Booked::Work | Booked::Damping | Booked::Start | Booked::Rest => {}
+            }
+        }
+        ledger.rest = bodies;
+        state.ledger = ledger;
+        state.held = (0..state.u.len()).map(|n| force(self.phase, &self.contributions, n)).collect();
+        self.settle(state);
+    }
+
+    /// Forces \[N\] of the elements' stabilisation at the displacements last evaluated, where the points had these stresses.
+    fn stabilisation(&self, stress: &[[f64; 6]]) -> Vec<Row> {
+        let mut all = vec![Row::ZERO; self.contributions.len()];
+        let mut scratch = Scratch::default();
+        for &m in &self.phase.active {
+            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
+            if member.part.elements().0 == 0 {
+                continue;
+            }
+            let own = &mut all[slices.contributions.clone()];
+            member.part.stress_forces(&stress[slices.points.clone()], own, &mut scratch);
+            for (own, whole) in own.iter_mut().zip(&self.contributions[slices.contributions.clone()]) {
+                *own = Row([0, 1, 2, 3].map(|i| whole.0[i] - own.0[i]));
+            }
+        }
+        all
+    }
+
+    /// Tells all active parts that their own books count from here.
+    fn settle(&self, state: &mut State) {
+        for &m in &self.phase.active {
+            let slices = &self.assembly.slices[m as usize];
+            self.assembly.members[m as usize].part.settle(Own {
+                history: &mut state.history[slices.history.clone()],
+                overstress: &mut state.overstress[slices.overstress.clone()],
+                numbers: &mut state.numbers[slices.numbers.clone()],
+                reference: &mut state.reference[slices.reference.clone()],
+                initial: &state.initial[slices.initial.clone()],
+            });
+        }
+    }
+
+    /// Work \[J\] of what is held since the hand-over by the line of the part that does so much less, and by account.
+    pub(super) fn given(&self, state: &State) -> (Lines, Vec<Lines>) {
+        let mut lines = Lines::default();
+        let mut bodies = vec![Lines::default(); self.assembly.accounts.len()];
+        if state.carried.is_empty() {
+            return (lines, bodies);
+        }
+        for &m in &self.phase.active {
+            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
+            if !member.counted {
+                continue;
+            }
+            let work = |carried: &[Row]| -> f64 {
+                let own = carried[slices.contributions.clone()].iter().zip(member.part.nodes());
+                own.map(|(&force, &node)| dot(force, state.shown(node as usize))).sum()
+            };
+            let mut own = Lines::default();
+            if member.part.elements().0 > 0 {
+                own[Line::Hourglass] = work(&state.carried_hourglass);
+                own[Line::Strain] = work(&state.carried) - own[Line::Hourglass];
+            } else if let Some(line) = member.line {
+                own[line] = work(&state.carried);
+            }
+            if let Some(account) = self.assembly.account[m as usize] {
+                let body = &mut bodies[account as usize];
+                *body = *body + own;
+            }
+            lines = lines + own;
+        }
+        (lines, bodies)
+    }
+
+    /// Steps of the shaking without motion on a copy of a state: the largest displacement \[m\] that comes of it.
+    pub fn quiet_run(&mut self, state: &State, steps: u64) -> f64 {
+        let mut copy = state.clone();
+        let before = self.evaluated.take();
+        self.quiet = true;
+        for _ in 0..steps {
+            // It has no more energy than round-off, by which a step may halt: it is made all the same.
+            let _ = self.step(&mut copy);
+        }
+        self.quiet = false;
+        self.evaluated = before;
+        let moved = copy.u.iter().zip(&state.u).map(|(a, b)| {
+            let d = Row([0, 1, 2, 3].map(|i| a.0[i] - b.0[i]));
+            dot(d, d).sqrt()
+        });
+        // A displacement that is no number is the largest.
+        moved.fold(0.0, |most: f64, d| if d <= most { most } else { d })
+    }
+
+    /// Tells the parts whose life begins with the phase's stage: they count from the displacements as they are, and so do the
+    /// results at nodes that slept.
+    pub(super) fn wake(&mut self, state: &mut State) {
+        let Engine { assembly, phase, .. } = *self;
+        for &m in &phase.active {
+            let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
+            if member.life.born != phase.stage || !member.life.is_later() {
+                continue;
+            }
+            let motion = Motion { u: &state.u, du: &state.du };
+            member.part.begin(
+                &motion,
+                Own {
+                    history: &mut state.history[slices.history.clone()],
+                    overstress: &mut state.overstress[slices.overstress.clone()],
+                    numbers: &mut state.numbers[slices.numbers.clone()],
+                    reference: &mut state.reference[slices.reference.clone()],
+                    initial: &state.initial[slices.initial.clone()],
+                },
+            );
+        }
+        if state.datum.is_empty() {
+            return;
+        }
+        for &node in &phase.woken {
+            state.datum[node as usize] = state.u[node as usize];
+        }
+    }
+}
