@@ -95,7 +95,8 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
         let mut histories = Vec::new();
         let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
         order.into_iter().for_each(|pair| of_life.entry(seam.lives[pair as usize]).or_default().push(pair));
-        for (life, chunk) in of_life.iter().flat_map(|(life, own)| own.chunks(CHUNK).map(move |c| (*life, c))) {
+        for (life, chunk) in of_life.iter().flat_map(|(life, own)| own.chunks(CHUNK).map(move |c| (*life, c)))
+        {
             for (place, &pair) in chunk.iter().enumerate() {
                 places[pair as usize] = (histories.len() as u32, place as u32);
             }
@@ -118,9 +119,9 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
             matches!(parameter.need, Need::Chosen(_)) && !seam.values.0.contains_key(parameter.name)
         });
         let loaded = seam.tractions.iter().zip(&seam.lives).zip(0u32..).zip(&seam.pairs);
-        let loaded = loaded.filter(|(((_, life), _), _)| !life.is_later()).map(
-            |(((&traction, _), pair), shape)| LoadedPair { pair, normal: shape.normal, traction },
-        );
+        let loaded = loaded
+            .filter(|(((_, life), _), _)| !life.is_later())
+            .map(|(((&traction, _), pair), shape)| LoadedPair { pair, normal: shape.normal, traction });
         let loaded = loaded.collect();
         assembly.contacts.push(Contacts { law, chosen, places, histories, loaded, frequency, stiffest_pair });
     }

@@ -138,11 +138,7 @@ impl Seam {
 /// σ·n \[Pa\].
 pub fn traction(stress: &[f64; 6], n: [f64; 3]) -> [f64; 3] {
     let [xx, yy, zz, xy, yz, zx] = *stress;
-    [
-        xx * n[0] + xy * n[1] + zx * n[2],
-        xy * n[0] + yy * n[1] + yz * n[2],
-        zx * n[0] + yz * n[1] + zz * n[2],
-    ]
+    [xx * n[0] + xy * n[1] + zx * n[2], xy * n[0] + yy * n[1] + yz * n[2], zx * n[0] + yz * n[1] + zz * n[2]]
 }
 
 /// All nodes that were one, by that one, of those that were split.

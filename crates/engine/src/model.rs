@@ -121,7 +121,9 @@ impl Model {
                     let (column, like) = column::build(&mut mesh, &mut bodies, ground);
                     lives.resize(mesh.elements.len(), Life::ALWAYS);
                     if !initial.is_empty() {
-                        initial.extend(like.into_iter().map(|element| initial[element as usize]).collect::<Vec<_>>());
+                        initial.extend(
+                            like.into_iter().map(|element| initial[element as usize]).collect::<Vec<_>>(),
+                        );
                     }
                     (Some(column), String::new())
                 }
@@ -138,9 +140,13 @@ impl Model {
             body.elements.iter().for_each(|&e| lots.entry(lives[e as usize]).or_default().push(e));
             for (life, lot) in lots {
                 let centroids: Vec<[f64; 3]> = lot.iter().map(|&e| centroid(&mesh, e)).collect();
-                let order: Vec<u32> = hilbert_order(&centroids).into_iter().map(|i| lot[i as usize]).collect();
-                patches
-                    .extend(order.chunks(size).map(|elements| Patch { body: b, life, elements: elements.to_vec() }));
+                let order: Vec<u32> =
+                    hilbert_order(&centroids).into_iter().map(|i| lot[i as usize]).collect();
+                patches.extend(order.chunks(size).map(|elements| Patch {
+                    body: b,
+                    life,
+                    elements: elements.to_vec(),
+                }));
             }
             if b + 1 == user_bodies {
                 user_patches = patches.len();

@@ -192,7 +192,8 @@ impl Phase {
 /// Nodes of elements that are there in a stage, of which none was in that before.
 fn woken(assembly: &Assembly, stage: Stage) -> Vec<u32> {
     let nodes = |there: &dyn Fn(&Life) -> bool| -> BTreeSet<u32> {
-        let solids = assembly.members.iter().filter(|member| member.part.elements().0 > 0 && there(&member.life));
+        let solids =
+            assembly.members.iter().filter(|member| member.part.elements().0 > 0 && there(&member.life));
         solids.flat_map(|member| member.part.nodes().iter().copied()).collect()
     };
     let begins = assembly.members.iter().any(|member| member.life.is_later() && member.life.born == stage);

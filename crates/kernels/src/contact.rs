@@ -8,8 +8,8 @@
 mod memory;
 mod pass;
 
-pub(crate) use memory::{load, seen};
 pub use memory::{EXTRA, PairSeen};
+pub(crate) use memory::{load, seen};
 
 use crate::line::{Line, Lines};
 use crate::part::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};

@@ -159,14 +159,7 @@ pub trait Part: Send + Sync {
     fn stiffness_energy(&self, _w: &[Row], _energy: &mut [ElementEnergy], _scratch: &mut Scratch) {}
     /// K w as Rayleigh's damping ξK wants it: with what damage has left of the stiffness at displacements `u` and with what is
     /// `kept`. Nothing by default: ξK acts on elements alone.
-    fn damping_times(
-        &self,
-        _u: &[Row],
-        _kept: Kept,
-        _w: &[Row],
-        out: &mut [Row],
-        _scratch: &mut Scratch,
-    ) {
+    fn damping_times(&self, _u: &[Row], _kept: Kept, _w: &[Row], out: &mut [Row], _scratch: &mut Scratch) {
         out.fill(Row::ZERO);
     }
     /// C w of forces that go by v⁻, as artificial viscosity does, without damage: the stable step goes by it, in models

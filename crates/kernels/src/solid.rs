@@ -149,8 +149,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         let law = self.weakened();
         let rows = self.since(x.u, own.reference, rows);
         let Own { history, overstress, initial, .. } = own;
-        let mut pass =
-            self.pass(&*self.law, tick.dt, history, band, overstress, initial, rows, out, probe);
+        let mut pass = self.pass(&*self.law, tick.dt, history, band, overstress, initial, rows, out, probe);
         if viscous {
             second.clear();
             second.resize(self.nodes.len(), Row::ZERO);

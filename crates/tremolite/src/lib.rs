@@ -18,6 +18,7 @@ pub mod quantities;
 pub mod run;
 pub mod setup;
 pub mod stacks;
+pub mod stages;
 pub mod stress;
 pub mod summary;
 pub mod survey;

@@ -27,7 +27,7 @@ mod relax;
 mod strained;
 
 pub use power::{ContactLimit, Limit, StableStep, stable_step, viscous_share};
-pub use relax::{Release, Relaxed, Rest, Watch};
+pub use relax::{Relaxed, Release, Rest, Watch};
 
 use crate::assembly::{Assembly, Slices};
 use crate::member::Member;

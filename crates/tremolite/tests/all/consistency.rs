@@ -29,15 +29,26 @@ impl<'a> Alone<'a> {
 
     fn forces(&mut self, u: &[Row], du: &[Row]) -> (Vec<Row>, Lines) {
         let mut out = vec![Row::ZERO; self.member.part.nodes().len()];
-        let own =
-            Own { history: &mut self.history, overstress: &mut self.overstress, numbers: &mut self.numbers, reference: &mut [], initial: &[] };
+        let own = Own {
+            history: &mut self.history,
+            overstress: &mut self.overstress,
+            numbers: &mut self.numbers,
+            reference: &mut [],
+            initial: &[],
+        };
         let tick = Tick { time: 0.05, dt: 1e-5 };
         let work = self.member.part.forces(&tick, &Motion { u, du }, own, &mut out, &mut Scratch::default());
         (out, work)
     }
 
     fn energy(&self, u: &[Row], du: &[Row]) -> Lines {
-        let kept = Kept { history: &self.history, overstress: &self.overstress, numbers: &self.numbers, reference: &[], initial: &[] };
+        let kept = Kept {
+            history: &self.history,
+            overstress: &self.overstress,
+            numbers: &self.numbers,
+            reference: &[],
+            initial: &[],
+        };
         self.member.part.energy(&Motion { u, du }, kept)
     }
 }

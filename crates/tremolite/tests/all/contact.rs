@@ -197,7 +197,13 @@ fn the_two_sides_of_a_pair_are_pushed_by_opposite_bits() {
     let mut history = vec![tremolite_laws::Octet::ZERO; slices.history.len()];
     let mut out = vec![Row::ZERO; nodes.len()];
     let du = vec![Row::ZERO; u.len()];
-    let own = tremolite::parts::Own { history: &mut history, overstress: &mut [], numbers: &mut [], reference: &mut [], initial: &[] };
+    let own = tremolite::parts::Own {
+        history: &mut history,
+        overstress: &mut [],
+        numbers: &mut [],
+        reference: &mut [],
+        initial: &[],
+    };
     let motion = tremolite::parts::Motion { u: &u, du: &du };
     let tick = tremolite::parts::Tick { time: 0.0, dt: 1e-5 };
     member.part.forces(&tick, &motion, own, &mut out, &mut tremolite::parts::Scratch::default());

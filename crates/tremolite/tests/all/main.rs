@@ -15,5 +15,6 @@ mod relax;
 mod runs;
 mod setup_materials;
 mod shapes;
+mod staged;
 mod stages;
 mod viscosity;

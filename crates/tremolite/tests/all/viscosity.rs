@@ -112,8 +112,7 @@ fn stiffness_proportional_damping_acts_on_elements_alone() {
     for member in &ready.assembly.members {
         let mut out = vec![Row::new([1.0; 3]); member.part.nodes().len()];
         let history = vec![Octet::ZERO; member.part.state_sizes().history];
-        let kept =
-            Kept { history: &history, overstress: &[], numbers: &[], reference: &[], initial: &[] };
+        let kept = Kept { history: &history, overstress: &[], numbers: &[], reference: &[], initial: &[] };
         member.part.damping_times(&w, kept, &w, &mut out, &mut Scratch::default());
         let still = out.iter().all(|row| row.xyz() == [0.0; 3]);
         if member.part.elements().0 > 0 {
@@ -166,7 +165,13 @@ fn uncracked_concrete_beyond_its_static_strength_is_damped_as_if_elastic() {
     let part = &ready.assembly.members[0].part;
     let [mut damped, mut elastic] = [vec![Row::ZERO; 8], vec![Row::ZERO; 8]];
     let rows: Vec<Row> = state.u.clone();
-    part.damping_times(&rows, ready.assembly.slices[0].kept(&state), &w, &mut damped, &mut Scratch::default());
+    part.damping_times(
+        &rows,
+        ready.assembly.slices[0].kept(&state),
+        &w,
+        &mut damped,
+        &mut Scratch::default(),
+    );
     part.stiffness_times(&w, &mut elastic, &mut Scratch::default());
     for (damped, elastic) in damped.iter().zip(&elastic) {
         for i in 0..3 {
