@@ -154,14 +154,21 @@ impl ResultFolder {
             self.pvd(),
             self.interfaces(),
             self.interfaces_pvd(),
+            self.stages(),
+            self.stages_pvd(),
+            self.relaxation(),
+            self.sections(),
             self.report(),
         ] {
             remove(&file, |path| fs::remove_file(path))?;
         }
         remove(&self.checkpoint(), |path| fs::remove_dir_all(path))?;
-        for (folder, extension) in
-            [(self.fields(), "vtu"), (self.interface_fields(), "vtu"), (self.figures(), "svg")]
-        {
+        for (folder, extension) in [
+            (self.fields(), "vtu"),
+            (self.interface_fields(), "vtu"),
+            (self.stage_fields(), "vtu"),
+            (self.figures(), "svg"),
+        ] {
             let Ok(entries) = fs::read_dir(&folder) else { continue };
             for entry in entries.flatten().filter(|e| e.path().extension().is_some_and(|x| x == extension)) {
                 remove(&entry.path(), |path| fs::remove_file(path))?;
@@ -223,6 +230,31 @@ impl ResultFolder {
     /// `interfaces/`, the pairs of all interfaces at those times.
     pub fn interface_fields(&self) -> PathBuf {
         self.root.join("interfaces")
+    }
+
+    /// `stages.csv`: a row a stage before the earthquake.
+    pub fn stages(&self) -> PathBuf {
+        self.root.join("stages.csv")
+    }
+
+    /// `stages.pvd`: what stands at the end of each stage.
+    pub fn stages_pvd(&self) -> PathBuf {
+        self.root.join("stages.pvd")
+    }
+
+    /// The folder of its files.
+    pub fn stage_fields(&self) -> PathBuf {
+        self.root.join("stages")
+    }
+
+    /// `relaxation.csv`: how stages came to rest, every so many cycles.
+    pub fn relaxation(&self) -> PathBuf {
+        self.root.join("relaxation.csv")
+    }
+
+    /// `sections.csv`: section forces of linings.
+    pub fn sections(&self) -> PathBuf {
+        self.root.join("sections.csv")
     }
 
     /// `figures/`, the report's figures.

@@ -8,7 +8,10 @@
 //! | `summary.json` | [`summary`] | verdict, facts of the model, peaks, trust lines |
 //! | `monitors.csv`, `energy.csv`, `damage.csv` | [`table`] | histories; headers are `name [unit]` |
 //! | `interfaces.csv` | [`table`] | the same of interfaces |
-//! | `fields.pvd`, `interfaces.pvd` | [`pvd`] | the times of the files in `fields/` and `interfaces/` |
+//! | `stages.csv` | [`stages`] | stages before the earthquake, a row each |
+//! | `relaxation.csv` | [`table`] | how the stages came to rest |
+//! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |
+//! | `fields.pvd`, `interfaces.pvd`, `stages.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/` and `stages/` |
 //! | `fields/*.vtu` | [`cut`] | cuts through them; `tremolite_mesh::vtu` reads and writes the files themselves |
 //! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
 //!
@@ -24,6 +27,8 @@ pub mod materials;
 pub mod number;
 pub mod peaks;
 pub mod pvd;
+pub mod sections;
+pub mod stages;
 pub mod stress;
 pub mod summary;
 pub mod surface;
@@ -39,6 +44,8 @@ pub use interface::{InterfaceSummary, PairPeak, PairPlace};
 pub use materials::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
 pub use peaks::{Peaks, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};
+pub use sections::{SectionRow, read_sections, write_sections};
+pub use stages::{StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{Defaulted, Input, ModelFacts, MotionFacts, RunFacts, Status, Summary};
 pub use surface::{ElementGroups, PairSurface};

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     Error, Fact, Finding, GroupDamage, GroupStress, InterfaceSummary, MaterialFacts, PairPlace, Peaks,
-    TrustLine, number, replace_file,
+    StageSummary, TrustLine, number, replace_file,
 };
 
 /// How a run ended.
@@ -55,6 +55,8 @@ pub struct Summary {
     pub motion: MotionFacts,
     /// Program and machine.
     pub run: RunFacts,
+    /// Stages before the earthquake, in their order; the first is the initial equilibrium.
+    pub stages: Vec<StageSummary>,
     /// Monitor → position (m), of the node or point that was used.
     pub positions: IndexMap<String, [f64; 3]>,
     /// Monitor → quantity → peaks.

@@ -1,0 +1,90 @@
+//! Stages before the earthquake: what changed in each, and how the model came to rest.
+
+use crate::{Column, Error, number, replace_file};
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// A stage that came to rest. The first of all is the equilibrium of what is there at the start.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct StageSummary {
+    pub name: String,
+    /// Groups that are gone from here on, and groups that begin.
+    pub excavated: Vec<String>,
+    pub installed: Vec<String>,
+    /// What else changes, a phrase each: materials, pressures.
+    pub changed: Vec<String>,
+    /// Share of what was out of balance that was let go.
+    #[serde(with = "number", default = "number::absent")]
+    pub release: f64,
+    /// Cycles of relaxation.
+    pub cycles: u64,
+    /// Out of balance at the end over all contributions.
+    #[serde(with = "number", default = "number::absent")]
+    pub ratio: f64,
+    /// Motion that was left (m), an estimate.
+    #[serde(with = "number", default = "number::absent")]
+    pub motion_left: f64,
+    /// Largest motion of a node in the stage (m).
+    #[serde(with = "number", default = "number::absent")]
+    pub largest_motion: f64,
+    /// ∫γ_p dV over what stands at the end (m³), γ_p the accumulated plastic shear strain.
+    #[serde(with = "number", default = "number::absent")]
+    pub plastic_volume: f64,
+    /// What is still held at the end, over all contributions: not let go yet.
+    #[serde(with = "number", default = "number::absent")]
+    pub held: f64,
+    /// Monitor → quantity → value at the end, as in monitors.csv; not a number where it is in nothing that stands.
+    pub monitors: IndexMap<String, IndexMap<String, Option<f64>>>,
+    /// Named point of the mesh → displacement since the initial equilibrium (m) of the nearest node of what stands throughout.
+    pub walls: IndexMap<String, [f64; 3]>,
+}
+
+/// Columns of stages.csv before the monitors'.
+const OWN: [(&str, &str); 7] = [
+    ("stage", ""),
+    ("name", ""),
+    ("cycles", ""),
+    ("ratio", ""),
+    ("motion_left", "m"),
+    ("largest_motion", "m"),
+    ("plastic_volume", "m3"),
+];
+
+/// Writes stages.csv whole: a row a stage, then `MONITOR.QUANTITY` for each of the columns.
+///
+/// # Errors
+/// [`Error::Io`].
+pub fn write_stages(path: &Path, columns: &[Column], stages: &[StageSummary]) -> Result<(), Error> {
+    let mut out = csv::Writer::from_writer(Vec::new());
+    let own = OWN.iter().map(|(name, unit)| Column::new(*name, *unit).header());
+    let mut rows = vec![own.chain(columns.iter().map(Column::header)).collect::<Vec<String>>()];
+    for (k, stage) in stages.iter().enumerate() {
+        let mut row = vec![k.to_string(), stage.name.clone(), stage.cycles.to_string()];
+        let mut push = |x: f64| {
+            let mut text = String::new();
+            number::push(&mut text, x);
+            row.push(text);
+        };
+        [stage.ratio, stage.motion_left, stage.largest_motion, stage.plastic_volume]
+            .into_iter()
+            .for_each(&mut push);
+        for column in columns {
+            let (monitor, quantity) = column.name.rsplit_once('.').unwrap_or((&column.name, ""));
+            let value = stage.monitors.get(monitor).and_then(|of| of.get(quantity).copied().flatten());
+            push(value.unwrap_or(f64::NAN));
+        }
+        rows.push(row);
+    }
+    write_rows(&mut out, rows);
+    replace_file(path, &out.into_inner().unwrap_or_default())
+}
+
+/// Rows into memory, which cannot fail.
+pub(crate) fn write_rows(out: &mut csv::Writer<Vec<u8>>, rows: impl IntoIterator<Item = Vec<String>>) {
+    for row in rows {
+        let written = out.write_record(row);
+        debug_assert!(written.is_ok());
+    }
+}
