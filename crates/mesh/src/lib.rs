@@ -22,6 +22,7 @@ pub mod pairs;
 pub mod picture;
 pub mod placement;
 pub mod quality;
+pub mod reach;
 pub mod read;
 #[cfg(test)]
 mod sample;
