@@ -18,6 +18,7 @@ pub mod merge;
 pub mod mesh;
 pub mod note;
 pub mod order;
+pub mod overburden;
 pub mod pairs;
 pub mod picture;
 pub mod placement;
