@@ -2,15 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use tremolite_laws::parameter::Dimension;
-
 use crate::check::Checker;
 use crate::consistency;
 use crate::defaulted::Defaulted;
 use crate::dynamic::{DYNAMIC, Dynamic};
 use crate::fields::Fields;
+use crate::initial::{INITIAL, Initial};
 use crate::interface::{INTERFACE, Interface};
-use crate::keys::{Key, Kind, Limit, Table};
+use crate::keys::{Key, Kind, Table};
 use crate::laws::Laws;
 use crate::material::{MATERIAL, Material};
 use crate::mesh::{MESH, Mesh};
@@ -18,6 +17,7 @@ use crate::monitor::{MONITOR, Monitor, RELATIVE, Relative};
 use crate::motion::{MOTION, Motion};
 use crate::output::{OUTPUT, Output};
 use crate::region::{REGION, Region};
+use crate::stage::{STAGE, Stage, Written};
 use crate::{Problem, Report, Spanned, syntax};
 
 pub(crate) static CASE: Table = Table {
@@ -35,32 +35,35 @@ pub(crate) static CASE: Table = Table {
             "Where bodies meet: surfaces that may slide and open",
         ),
         Key::default("initial", Kind::Table(&INITIAL), "{}", "What is there before the earthquake"),
-        Key::required("motion", Kind::Table(&MOTION), "the earthquake"),
-        Key::required("dynamic", Kind::Table(&DYNAMIC), "the dynamic run"),
+        Key::optional(
+            "stage",
+            Kind::Tables(&STAGE),
+            "",
+            "What is excavated, installed and changed before the earthquake, in this order",
+        ),
+        Key::optional(
+            "motion",
+            Kind::Table(&MOTION),
+            "no earthquake: the case ends with what comes before it",
+            "The earthquake",
+        ),
+        Key::required_beside(
+            "dynamic",
+            Kind::Table(&DYNAMIC),
+            "motion",
+            r#"{ sides = "roller" }"#,
+            "the dynamic run",
+        ),
         Key::optional("monitor", Kind::Tables(&MONITOR), "no monitors", "Points whose histories are kept"),
         Key::optional("relative", Kind::Tables(&RELATIVE), "", "Pairs of monitors whose difference is kept"),
         Key::default("output", Kind::Table(&OUTPUT), "{}", "What is written, and when"),
-        Key::later("stage", "remove the table: make what is excavated a region with material = \"void\""),
         Key::later("report", "remove the table: the report is in English"),
     ],
     choice: &[],
 };
 
-static INITIAL: Table = Table {
-    path: "initial",
-    doc: "What is there before the earthquake.",
-    keys: &[
-        Key::default(
-            "gravity",
-            Kind::Number(Dimension::ACCELERATION, Limit::Positive),
-            r#""9.81 m/s2""#,
-            "Acceleration of gravity; turns unit weights into densities",
-        ),
-        Key::later("lateral", "leave it out: an elastic model is shaken from rest, without initial stress"),
-        Key::later("stress", "leave it out: an elastic model is shaken from rest, without initial stress"),
-    ],
-    choice: &[],
-};
+/// Keys beside those of `[dynamic]` that have no meaning without an earthquake.
+const OF_SHAKING: [&str; 2] = ["output.histories", "output.snapshots"];
 
 /// A case, read and checked. All values are in SI; values keep their place in the file, so that problems found
 /// later can be shown there (see [`Case::report`]).
@@ -82,11 +85,13 @@ pub struct Case {
     pub regions: Vec<Region>,
     /// Where bodies meet; names unique.
     pub interfaces: Vec<Interface>,
-    /// Acceleration of gravity, m/s².
-    pub gravity: Spanned<f64>,
-    /// The earthquake.
-    pub motion: Motion,
-    /// The dynamic run.
+    /// What is there before the earthquake, and how equilibrium is sought.
+    pub initial: Initial,
+    /// What happens before the earthquake, in this order; names unique.
+    pub stages: Vec<Stage>,
+    /// The earthquake; nothing: the case ends with what comes before it.
+    pub motion: Option<Motion>,
+    /// The dynamic run; where it is left out, without an earthquake, its defaults between rollers.
     pub dynamic: Dynamic,
     /// Points whose histories are kept; names unique.
     pub monitors: Vec<Monitor>,
@@ -133,13 +138,20 @@ impl Case {
         let mut checker = Checker::new(&CASE, laws.into());
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { mut problems, mut defaulted, .. } = checker;
-        let (found, warnings) = consistency::check(&written);
+        let (found, warnings) = consistency::check(&written, Written::of(document.get_ref()));
         problems.extend(found);
         let case = Case::assemble(path, source, &written);
         match case {
             Some(mut case) if problems.is_empty() => {
                 if case.interfaces.iter().any(|i| i.contact.is_some()) {
                     case.output.show_interfaces(&mut defaulted);
+                }
+                if !case.seeks_equilibrium() {
+                    Initial::hide_search(&mut defaulted);
+                }
+                if case.motion.is_none() {
+                    let of_shaking = |key: &str| key.starts_with("dynamic.") || OF_SHAKING.contains(&key);
+                    defaulted.retain(|d| !of_shaking(&d.key));
                 }
                 Ok(Case { warnings, defaulted, ..case })
             }
@@ -154,10 +166,15 @@ impl Case {
 
     /// Puts the parts together; nothing where one of them was refused, which has been reported.
     fn assemble(path: &Path, source: &str, case: &Fields) -> Option<Case> {
-        let gravity = case.table("initial").and_then(|f| f.number("gravity"))?;
+        let initial = case.table("initial").and_then(Initial::read)?;
         let written = consistency::materials(case);
         let names: Vec<&str> = written.iter().map(|m| m.name.value.as_str()).collect();
         let regions = case.tables("region").map(|r| Region::read(r, &names)).collect::<Option<_>>()?;
+        let stages = case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
+        let motion = match case.table("motion") {
+            Some(motion) => Some(Motion::read(motion)?),
+            None => None,
+        };
         let interfaces: Vec<Interface> =
             case.tables("interface").map(Interface::read).collect::<Option<_>>()?;
         let names: Vec<&str> = interfaces.iter().map(|i| i.name.value.as_str()).collect();
@@ -171,11 +188,15 @@ impl Case {
             source: source.to_owned(),
             title: case.text("title")?,
             mesh: case.table("mesh").and_then(Mesh::read)?,
-            materials: written.iter().map(|m| Material::read(m, gravity.value)).collect::<Option<_>>()?,
+            materials: written
+                .iter()
+                .map(|m| Material::read(m, initial.gravity.value))
+                .collect::<Option<_>>()?,
             regions,
             interfaces,
-            gravity,
-            motion: case.table("motion").and_then(Motion::read)?,
+            initial,
+            stages,
+            motion,
             dynamic: case.table("dynamic").and_then(Dynamic::read)?,
             monitors,
             relatives,
@@ -183,6 +204,11 @@ impl Case {
             warnings: Vec::new(),
             defaulted: Vec::new(),
         })
+    }
+
+    /// Whether equilibrium is sought before the earthquake: there is initial stress, or a stage.
+    pub fn seeks_equilibrium(&self) -> bool {
+        self.initial.stress.is_some() || !self.stages.is_empty()
     }
 
     /// A report of problems found later, to be shown in this case's text.
@@ -202,7 +228,7 @@ impl Case {
 
     /// The files that the case names, as they are written.
     pub fn files(&self) -> Vec<&Spanned<PathBuf>> {
-        let mut files = self.motion.files();
+        let mut files = self.motion.as_ref().map_or_else(Vec::new, Motion::files);
         if let Mesh::File(file) = &self.mesh {
             files.push(&file.path);
         }

@@ -65,10 +65,12 @@ impl<'a> Checker<'a> {
 
     fn choice(&mut self, table: &Table, given: &Given<'_>, span: &Range<usize>, path: &str) {
         let has = |group: &&&[&str]| group.iter().any(|name| given.contains_key(name));
-        let options: Vec<String> = table.choice.iter().map(|g| format!("`{}`", g.join("`/`"))).collect();
+        let free = table.choice.iter().any(|group| group.is_empty());
+        let named = table.choice.iter().filter(|group| !group.is_empty());
+        let options: Vec<String> = named.map(|g| format!("`{}`", g.join("`/`"))).collect();
         let mut chosen = table.choice.iter().filter(has);
         match (chosen.next(), chosen.next()) {
-            (None, _) if !table.choice.is_empty() => self.problem(
+            (None, _) if !options.is_empty() && !free => self.problem(
                 self.placed(span.clone()),
                 format!("{} needs one of {}", place(path), options.join(", ")),
                 format!("give one of {}", options.join(", ")),
@@ -80,7 +82,11 @@ impl<'a> Checker<'a> {
                 self.problem(
                     self.placed(at),
                     format!("`{second}` cannot stand beside `{first}`"),
-                    format!("give exactly one of {}", options.join(", ")),
+                    format!(
+                        "give {} one of {}",
+                        if free { "at most" } else { "exactly" },
+                        options.join(", ")
+                    ),
                 );
             }
             _ => {}
@@ -106,7 +112,13 @@ impl<'a> Checker<'a> {
         }
         let span = self.placed(span.clone());
         match key.need {
-            Need::Required => {
+            Need::RequiredBeside(beside, otherwise) if !given.contains_key(beside) => {
+                let listed = self.defaulted.len();
+                let node = self.default(key, otherwise, span, &path);
+                self.defaulted.truncate(listed);
+                node
+            }
+            Need::Required | Need::RequiredBeside(..) => {
                 let message = format!("`{}` is missing in {}", key.name, place(table));
                 self.problem(span, message, suggest::missing(key));
                 None
@@ -169,11 +181,12 @@ fn applies(when: When, given: &Given<'_>) -> bool {
         When::Is(key, word) => is(key, word),
         When::IsNot(key, word) => !is(key, word),
         When::Beside(key) => given.contains_key(key),
+        When::BesideAny(keys) => keys.iter().any(|key| given.contains_key(key)),
         When::Without(key) => !given.contains_key(key),
     }
 }
 
 /// Whether a key has no meaning whatever is added: what it is to stand beside may be misspelt.
 fn ruled_out(when: When, given: &Given<'_>) -> bool {
-    !matches!(when, When::Beside(_)) && !applies(when, given)
+    !matches!(when, When::Beside(_) | When::BesideAny(_)) && !applies(when, given)
 }

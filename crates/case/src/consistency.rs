@@ -3,11 +3,14 @@
 use std::collections::BTreeSet;
 
 use crate::fields::{Fields, Item, Material};
+use crate::initial::Initial;
 use crate::interface::{self, TIED};
 use crate::material::VOID;
 use crate::mesh::Mesh;
 use crate::motion::Motion;
-use crate::{Problem, Spanned, suggest};
+use crate::stage::{Stage, Written};
+use crate::{Problem, Spanned, suggest, units};
+use tremolite_laws::parameter::Dimension;
 
 /// The materials of a checked case, also those with problems.
 pub(crate) fn materials(case: &Fields) -> &[Material] {
@@ -19,8 +22,9 @@ pub(crate) fn materials(case: &Fields) -> &[Material] {
 
 /// Checks what lies between keys and between parts of the case; returns problems and warnings.
 ///
-/// Works on the checked tables rather than on the finished parts, so that a problem in one part hides nothing here.
-pub(crate) fn check(case: &Fields) -> (Vec<Problem>, Vec<Problem>) {
+/// Works on the checked tables rather than on the finished parts, so that a problem in one part hides nothing here; `written`
+/// tells of parts that were refused.
+pub(crate) fn check(case: &Fields, written: Written) -> (Vec<Problem>, Vec<Problem>) {
     let (mut problems, mut warnings) = (Vec::new(), Vec::new());
     if let Some(mesh) = case.table("mesh") {
         Mesh::check(mesh, &mut problems);
@@ -28,6 +32,20 @@ pub(crate) fn check(case: &Fields) -> (Vec<Problem>, Vec<Problem>) {
     if let Some(motion) = case.table("motion") {
         Motion::check(motion, &mut problems);
     }
+    if let Some(initial) = case.table("initial") {
+        Initial::check(initial, &mut problems);
+    }
+    if !(written.motion || written.equilibrium) {
+        problems.push(Problem::new(
+            case.span.clone(),
+            "there is nothing to compute: no [motion], no [[stage]] and no initial stress",
+            "add [motion] (the earthquake), [[stage]], or initial.lateral (the weight of the ground)",
+        ));
+    }
+    Stage::check(case, written, &mut problems);
+    stages(case, &mut problems);
+    weights(case, &mut problems);
+    reference(case, written, &mut problems);
     regions(case, &mut problems, &mut warnings);
     interfaces(case, &mut problems);
     monitors(case, &mut problems);
@@ -37,6 +55,7 @@ pub(crate) fn check(case: &Fields) -> (Vec<Problem>, Vec<Problem>) {
     let base = case.table("dynamic").and_then(|d| d.table("base")).and_then(|b| b.text("kind"));
     if let Some(base) = base
         && *base == "free"
+        && written.motion
     {
         warnings.push(Problem::at(
             &base,
@@ -50,17 +69,22 @@ pub(crate) fn check(case: &Fields) -> (Vec<Problem>, Vec<Problem>) {
 fn regions(case: &Fields, problems: &mut Vec<Problem>, warnings: &mut Vec<Problem>) {
     let materials = materials(case);
     let regions: Vec<&Fields> = case.tables("region").collect();
-    let used: Vec<Spanned<String>> = regions.iter().filter_map(|r| r.text("material")).collect();
-    for name in used.iter().filter(|n| n.value != VOID) {
-        if !materials.iter().any(|m| m.name.value == name.value) {
-            let known = materials.iter().map(|m| m.name.value.as_str());
-            let remedy = match suggest::nearest(name, known) {
-                Some(meant) => format!("did you mean \"{meant}\"?"),
-                None => format!("add [material.{}], or write \"void\"", name.value),
-            };
-            problems.push(Problem::at(name, format!("there is no material `{}`", name.value), remedy));
-        }
+    let mut used: Vec<Spanned<String>> = regions.iter().filter_map(|r| r.text("material")).collect();
+    problems.extend(used.iter().filter_map(|name| unknown_material(name, materials, ", or write \"void\"")));
+    let before: Vec<Spanned<String>> = regions.iter().filter_map(|r| r.text("before")).collect();
+    let later: Vec<Spanned<String>> = case
+        .tables("stage")
+        .flat_map(|stage| stage.entries("material"))
+        .filter_map(|(_, name)| name.text())
+        .collect();
+    for name in before.iter().chain(&later) {
+        problems.extend(unknown_material(name, materials, ""));
     }
+    for name in later.iter().filter(|n| n.value == VOID) {
+        let remedy = "name the groups in the `excavate` of the stage";
+        problems.push(Problem::at(name, "a stage makes nothing of no material", remedy));
+    }
+    used.extend(before.into_iter().chain(later));
     for material in materials {
         if !used.iter().any(|n| n.value == material.name.value) {
             warnings.push(Problem::at(
@@ -72,6 +96,54 @@ fn regions(case: &Fields, problems: &mut Vec<Problem>, warnings: &mut Vec<Proble
     }
     let groups = regions.iter().flat_map(|r| r.texts("groups")).collect();
     unique(groups, "group", "name each group in one region only", problems);
+}
+
+/// The problem of a name that no material has; `or` is another way out.
+fn unknown_material(name: &Spanned<String>, materials: &[Material], or: &str) -> Option<Problem> {
+    if name.value == VOID || materials.iter().any(|m| m.name.value == name.value) {
+        return None;
+    }
+    let known = materials.iter().map(|m| m.name.value.as_str());
+    let remedy = match suggest::nearest(name, known) {
+        Some(meant) => format!("did you mean \"{meant}\"?"),
+        None => format!("add [material.{}]{or}", name.value),
+    };
+    Some(Problem::at(name, format!("there is no material `{}`", name.value), remedy))
+}
+
+fn stages(case: &Fields, problems: &mut Vec<Problem>) {
+    let names = case.tables("stage").filter_map(|s| s.text("name")).collect();
+    unique(names, "stage", "give each stage its own name", problems);
+    for stage in case.tables("stage") {
+        let groups = [stage.texts("excavate"), stage.texts("install")].concat();
+        unique(groups, "group", "name each group once in a stage", problems);
+    }
+}
+
+/// Refuses unit weights that gravity does not turn into densities.
+fn weights(case: &Fields, problems: &mut Vec<Problem>) {
+    let Some(gravity) = case.table("initial").and_then(|f| f.number("gravity")) else { return };
+    let weights = materials(case).iter().filter_map(|m| m.fields.number("unit_weight"));
+    for weight in weights.filter(|w| !(w.value / gravity.value).is_normal()) {
+        let gravity = units::format(gravity.value, Dimension::ACCELERATION);
+        problems.push(Problem::at(
+            &weight,
+            format!("a gravity of {gravity} turns no unit weight into a density"),
+            "give density = \"… kg/m3\" instead",
+        ));
+    }
+}
+
+/// With damping over a band moduli go by the frequency, and what comes before the earthquake is computed at rest.
+fn reference(case: &Fields, written: Written, problems: &mut Vec<Problem>) {
+    let Some(damping) = case.table("dynamic").and_then(|d| d.table("damping")) else { return };
+    if let (Some(band), true, false) = (damping.get("band"), written.equilibrium, written.reference) {
+        problems.push(Problem::new(
+            band.span.clone(),
+            "`reference` is missing: with initial stress or stages it must be known at which frequency Young's moduli are meant",
+            "add reference = \"0 Hz\" where they are meant at rest, as for the stages, or the frequency they were measured at",
+        ));
+    }
 }
 
 fn interfaces(case: &Fields, problems: &mut Vec<Problem>) {

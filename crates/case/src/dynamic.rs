@@ -10,6 +10,7 @@ use crate::keys::{Key, Kind, Limit, Table, When, words};
 
 const DURATION: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
 const FREQUENCY: Kind = Kind::Number(Dimension::RATE, Limit::Positive);
+const FREQUENCY_OR_REST: Kind = Kind::Number(Dimension::RATE, Limit::NotNegative);
 const COEFFICIENT: Kind = Kind::Number(Dimension::NONE, Limit::NotNegative);
 
 pub(crate) static DYNAMIC: Table = Table {
@@ -101,9 +102,9 @@ static DAMPING: Table = Table {
         .when(When::Beside("ratio")),
         Key::optional(
             "reference",
-            FREQUENCY,
+            FREQUENCY_OR_REST,
             "the motion's central frequency",
-            "Frequency at which Young's moduli are meant; they grow with frequency across the band",
+            "Frequency at which Young's moduli are meant, 0 Hz: at rest; they grow with frequency across the band",
         )
         .when(When::Beside("ratio")),
     ],
@@ -221,7 +222,7 @@ pub struct BandDamping {
     pub ratio: Spanned<f64>,
     /// Hz
     pub band: Spanned<[f64; 2]>,
-    /// Hz; nothing: the motion's central frequency.
+    /// Hz, 0: at rest; nothing: the motion's central frequency. Given where equilibrium is sought before the earthquake.
     pub reference: Option<Spanned<f64>>,
 }
 

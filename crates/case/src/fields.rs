@@ -23,6 +23,8 @@ pub(crate) enum Item {
     Text(String),
     List(Vec<Node>),
     Table(Fields),
+    /// Values by free keys, in the order of the file.
+    Map(Vec<(Spanned<String>, Node)>),
     /// Materials, in the order of the file.
     Materials(Vec<Material>),
 }
@@ -88,6 +90,14 @@ impl Fields {
     /// A list of texts.
     pub fn texts(&self, key: &'static str) -> Vec<Spanned<String>> {
         self.get(key).map_or_else(Vec::new, Node::texts)
+    }
+
+    /// The entries of a table with free keys; none if it is missing.
+    pub fn entries(&self, key: &'static str) -> &[(Spanned<String>, Node)] {
+        match self.get(key).map(|node| &node.item) {
+            Some(Item::Map(entries)) => entries,
+            _ => &[],
+        }
     }
 
     /// An array of tables.

@@ -14,17 +14,18 @@ pub struct Table {
     pub path: &'static str,
     pub doc: &'static str,
     pub keys: &'static [Key],
-    /// Groups of keys of which exactly one group must be given, by at least one of its keys. Empty: no such choice.
+    /// Groups of keys of which exactly one group must be given, by at least one of its keys; an empty group: none of them
+    /// may be given as well. Empty: no such choice.
     pub choice: &'static [&'static [&'static str]],
 }
 
 impl Table {
-    /// The words that may stand for the whole table where they stand for these keys of it, in tables below as well.
-    pub fn words_of(&self, keys: &[&str]) -> Option<&'static [&'static str]> {
-        match self.keys.iter().find(|key| keys.contains(&key.name))?.kind {
-            Kind::Word(words) => Some(words),
-            Kind::Brief(table, keys) => table.words_of(keys),
-            _ => None,
+    /// What the one value looks like that may stand for the whole table where it stands for these keys of it, in tables
+    /// below as well.
+    pub fn brief(&self, keys: &[&str]) -> Option<&'static Kind> {
+        match &self.keys.iter().find(|key| keys.contains(&key.name))?.kind {
+            Kind::Brief(table, keys) => table.brief(keys),
+            kind => Some(kind),
         }
     }
 }
@@ -65,6 +66,8 @@ pub enum Kind {
     Tables(&'static Table),
     /// A table, or one value that stands for a table with this value at each of these keys.
     Brief(&'static Table, &'static [&'static str]),
+    /// A table whose keys are free, such as patterns of groups, with values of one kind; the text is an example of a key.
+    Map(&'static str, &'static Kind),
     /// Tables of materials by name, each with these keys and the parameters of its law.
     Materials(&'static Table),
     /// An array of tables of interfaces, each with these keys and the parameters of its law.
@@ -114,6 +117,8 @@ impl Limit {
 #[derive(Clone, Copy, Debug)]
 pub enum Need {
     Required,
+    /// Required where this key of the same table is given; else this value, written as in a case, is used, and not listed.
+    RequiredBeside(&'static str, &'static str),
     /// This value, written as in a case, is used and listed as defaulted.
     Default(&'static str),
     /// This value in SI is used and listed as defaulted.
@@ -134,6 +139,8 @@ pub enum When {
     IsNot(&'static str, &'static str),
     /// Only where this key of the same table is given.
     Beside(&'static str),
+    /// Only where one of these keys of the same table is given.
+    BesideAny(&'static [&'static str]),
     /// Only where this key of the same table is not given.
     Without(&'static str),
 }
@@ -146,6 +153,7 @@ impl When {
             When::Is(key, word) => Some(format!("with `{key} = \"{word}\"`")),
             When::IsNot(key, word) => Some(format!("where `{key}` is not \"{word}\"")),
             When::Beside(key) => Some(format!("beside `{key}`")),
+            When::BesideAny(keys) => Some(format!("beside one of `{}`", keys.join("`, `"))),
             When::Without(key) => Some(format!("without `{key}`")),
         }
     }
@@ -158,6 +166,17 @@ impl Key {
 
     pub const fn required(name: &'static str, kind: Kind, doc: &'static str) -> Key {
         Key::new(name, kind, Need::Required, doc)
+    }
+
+    /// A key that is required where the key `beside` is given, and else takes this value, written as in a case.
+    pub const fn required_beside(
+        name: &'static str,
+        kind: Kind,
+        beside: &'static str,
+        otherwise: &'static str,
+        doc: &'static str,
+    ) -> Key {
+        Key::new(name, kind, Need::RequiredBeside(beside, otherwise), doc)
     }
 
     /// A key that takes this value, written as in a case, where it is left out.

@@ -32,6 +32,7 @@ pub fn interface_keys() -> Vec<Listed> {
 fn listed(key: &Key) -> Listed {
     let need = match (key.need, key.kind) {
         (Need::Required, _) => "required".to_owned(),
+        (Need::RequiredBeside(key, _), _) => format!("required beside `{key}`"),
         (Need::Default(value), _) => format!("default {}", value.trim_matches('"')),
         (Need::Number(x), Kind::Number(d, _)) => format!("default {}", units::format(x, d)),
         (Need::Number(x), _) => format!("default {x}"),
@@ -51,7 +52,7 @@ fn value(kind: &Kind) -> ListedValue {
         Kind::Name => "name",
         Kind::List(..) | Kind::Numbers(_) => "list",
         Kind::Either(kinds) => return kinds.first().map_or(ListedValue::Other("value"), value),
-        Kind::Brief(..) | Kind::Table(_) | Kind::Columns(_) | Kind::Materials(_) => "table",
+        Kind::Brief(..) | Kind::Map(..) | Kind::Table(_) | Kind::Columns(_) | Kind::Materials(_) => "table",
         Kind::Tables(_) | Kind::Interfaces(_) => "tables",
         Kind::Later(_) => "",
     })

@@ -42,6 +42,7 @@ mod tests {
             ("rock", "rocks"),
             ("*.lining", "lining"),
             ("*.lining", "powerhouse.lining2"),
+            ("*.bench*", "powerhouse.lining2"),
             ("ab*ba", "aba"),
             ("a*b*c", "acb"),
             ("Rock", "rock"),

@@ -37,7 +37,14 @@ pub(crate) static REGION: Table = Table {
              of pieces between cracks; at most 0.5, shortens the step",
         )
         .when(When::IsNot("material", VOID)),
-        Key::later("before", "leave it out: nothing is excavated during the run"),
+        Key::optional(
+            "before",
+            Kind::Text,
+            "",
+            "material that stands in the place until it is excavated, of what a stage installs; left out, that of the \
+             neighbour it shares most faces with",
+        )
+        .when(When::IsNot("material", VOID)),
     ],
     choice: &[],
 };
@@ -76,6 +83,8 @@ pub enum Fill {
         element: Spanned<Element>,
         /// Artificial viscosity b, where it is given.
         viscosity: Option<Spanned<f64>>,
+        /// What stands in the place until it is excavated, where it is given: an index likewise.
+        before: Option<Spanned<usize>>,
     },
 }
 
@@ -94,12 +103,15 @@ impl Region {
         let fill = if *material == VOID {
             Fill::Void
         } else {
-            let index = names.iter().position(|n| *n == material.value)?;
-            Fill::Solid {
-                material: Spanned::new(index, material.span),
-                element: element?,
-                viscosity: f.number("viscosity"),
-            }
+            let index = |name: Spanned<String>| {
+                Some(Spanned::new(names.iter().position(|n| *n == name.value)?, name.span))
+            };
+            let viscosity = f.number("viscosity");
+            let before = match f.text("before") {
+                Some(name) => Some(index(name)?),
+                None => None,
+            };
+            Fill::Solid { material: index(material)?, element: element?, viscosity, before }
         };
         Some(Region { groups, fill, span: f.span.clone() })
     }

@@ -34,10 +34,14 @@ fn object(
 ) -> Map<String, Value> {
     let mut properties = Map::new();
     let mut required: Vec<&str> = Vec::new();
+    let mut beside: Map<String, Value> = Map::new();
     for key in keys.filter(|k| !k.is_later()) {
         properties.insert(key.name.to_owned(), property(&key, laws));
         if matches!((key.need, key.when), (Need::Required, When::Always)) {
             required.push(key.name);
+        }
+        if let Need::RequiredBeside(other, _) = key.need {
+            beside.insert(other.to_owned(), json!([key.name]));
         }
     }
     let mut schema = Map::new();
@@ -48,12 +52,19 @@ fn object(
     if !required.is_empty() {
         schema.insert("required".into(), json!(required));
     }
+    if !beside.is_empty() {
+        schema.insert("dependentRequired".into(), Value::Object(beside));
+    }
     if !choice.is_empty() {
-        let any = |group: &&[&str]| {
-            let each: Vec<Value> = group.iter().map(|k| json!({ "required": [k] })).collect();
+        let any = |keys: &[&str]| {
+            let each: Vec<Value> = keys.iter().map(|k| json!({ "required": [k] })).collect();
             json!({ "anyOf": each })
         };
-        schema.insert("oneOf".into(), choice.iter().map(any).collect());
+        let one = |group: &&[&str]| match group {
+            [] => json!({ "not": any(&choice.concat()) }),
+            keys => any(keys),
+        };
+        schema.insert("oneOf".into(), choice.iter().map(one).collect());
     }
     schema
 }
@@ -65,6 +76,10 @@ fn property(key: &Key, laws: Laws<'_>) -> Value {
         doc += &format!(". Only {when}");
     }
     let default = match key.need {
+        Need::RequiredBeside(other, _) => {
+            doc += &format!(". Required beside `{other}`");
+            None
+        }
         Need::Required | Need::Optional("") => None,
         Need::Optional(without) => {
             doc += &format!(". Left out: {without}");
@@ -108,9 +123,12 @@ fn kind(key: &str, kind: &Kind, laws: Laws<'_>) -> Map<String, Value> {
         Kind::Table(t) => return table(t, laws),
         Kind::Tables(t) => json!({ "type": "array", "items": table(t, laws) }),
         Kind::Brief(t, keys) => {
-            let short = t.words_of(keys).map(|words| self::kind(key, &Kind::Word(words), laws));
+            let short = t.brief(keys).map(|brief| self::kind(key, brief, laws));
             json!({ "anyOf": [short, table(t, laws)] })
         }
+        Kind::Map(_, each) => json!({
+            "type": "object", "minProperties": 1, "additionalProperties": self::kind("", each, laws),
+        }),
         Kind::Materials(t) => {
             let materials: Vec<Value> = laws.materials.iter().map(|law| of_law(t, law, laws)).collect();
             json!({ "type": "object", "minProperties": 1, "additionalProperties": { "oneOf": materials } })

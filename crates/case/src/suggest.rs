@@ -107,11 +107,11 @@ pub(crate) fn describe(key: &str, kind: &Kind) -> String {
         Kind::Numbers(dimension) => format!("a list, each {}", units::name_for(key, *dimension)),
         Kind::Columns(_) => "a table of columns".to_owned(),
         Kind::Table(_) | Kind::Materials(_) => "a table".to_owned(),
+        Kind::Map(_, kind) => format!("a table, each value {}", describe("", kind)),
         Kind::Tables(_) | Kind::Interfaces(_) => "a list of tables".to_owned(),
-        Kind::Brief(table, keys) => table.words_of(keys).map_or_else(
-            || "a table".to_owned(),
-            |words| format!("a table or one of \"{}\"", words.join("\", \"")),
-        ),
+        Kind::Brief(table, keys) => table
+            .brief(keys)
+            .map_or_else(|| "a table".to_owned(), |kind| format!("a table or {}", describe(key, kind))),
         Kind::Either(kinds) => kinds.iter().map(|kind| describe(key, kind)).collect::<Vec<_>>().join(" or "),
         Kind::Later(_) => "left out".to_owned(),
     }
@@ -162,6 +162,10 @@ fn sample_value(name: &str, kind: &Kind) -> String {
         }
         Kind::Brief(table, _) => {
             table.keys.first().map_or_else(|| "{ … }".to_owned(), |k| sample_value(k.name, &k.kind))
+        }
+        Kind::Map(like, kind) => {
+            // The example of its dimension is a modulus; pressures are told in MPa.
+            format!("{{ \"{like}\" = {} }}", sample_value("", kind).replace("GPa", "MPa"))
         }
         Kind::Either(kinds) => kinds.first().map_or_else(String::new, |kind| sample_value(name, kind)),
         Kind::Tables(_) | Kind::Materials(_) | Kind::Interfaces(_) | Kind::Later(_) => "{ … }".to_owned(),

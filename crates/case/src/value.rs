@@ -7,11 +7,11 @@ use toml::Spanned as Located;
 use toml::de::{DeTable, DeValue};
 use tremolite_laws::parameter::Dimension;
 
-use crate::check::Checker;
+use crate::check::{Checker, given};
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, LATER_WORDS, Limit};
 use crate::law_key::{self, COLUMNS};
-use crate::{suggest, units};
+use crate::{Spanned, suggest, units};
 
 impl Checker<'_> {
     /// Checks a value; nothing if it is refused, and then the problem is kept.
@@ -90,9 +90,9 @@ impl Checker<'_> {
             (Kind::Brief(table, _), DeValue::Table(t)) => {
                 Item::Table(self.table(table, Some(&[]), t, span.clone(), path))
             }
-            (Kind::Brief(table, keys), DeValue::String(word)) => {
-                if let Some(words) = table.words_of(keys) {
-                    self.word(words, word, &span, path)?;
+            (Kind::Brief(table, keys), _) if fits(kind, value) => {
+                if let Some(brief) = table.brief(keys) {
+                    self.value(brief, value, span.clone(), path)?;
                 }
                 let mut long = DeTable::new();
                 for key in *keys {
@@ -104,6 +104,7 @@ impl Checker<'_> {
                 }
                 Item::Table(self.table(table, Some(&[]), &long, span.clone(), path))
             }
+            (Kind::Map(_, each), DeValue::Table(t)) if !t.is_empty() => Item::Map(self.map(each, t, path)?),
             (Kind::Materials(table), DeValue::Table(t)) if !t.is_empty() => {
                 Item::Materials(self.materials(table, t))
             }
@@ -111,6 +112,36 @@ impl Checker<'_> {
             _ => return self.wrong(kind, value, &span, path),
         };
         Some(Node { item, span })
+    }
+
+    /// Checks the values of a table with free keys; nothing if one is refused.
+    fn map(
+        &mut self,
+        each: &Kind,
+        written: &DeTable<'_>,
+        path: &str,
+    ) -> Option<Vec<(Spanned<String>, Node)>> {
+        let before = self.problems.len();
+        let mut entries = Vec::new();
+        for (name, (at, value)) in given(written) {
+            let at = self.placed(at);
+            if name.trim().is_empty() {
+                self.problem(at, format!("a key of `{}` is empty", last(path)), "name what it is for");
+                continue;
+            }
+            if let (DeValue::Table(inner), false) = (value.get_ref(), fits(each, value.get_ref())) {
+                let whole = dotted(name, inner);
+                let message = format!("`{name}` should be {}, not a table", suggest::describe("", each));
+                self.problem(at, message, format!("put a name with dots in quotes: \"{whole}\" = …"));
+                continue;
+            }
+            let path = format!("{path}.\"{}\"", name.escape_debug());
+            if let Some(node) = self.value(each, value.get_ref(), value.span(), &path) {
+                entries.push((Spanned::new(name.to_owned(), at), node));
+            }
+        }
+        entries.sort_by_key(|(name, _)| name.span.start);
+        (self.problems.len() == before).then_some(entries)
     }
 
     /// Refuses columns that do not have as many numbers as the first one written.
@@ -271,8 +302,8 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
         Kind::Count(_) => value.is_integer(),
         Kind::Text | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
         Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) | Kind::Interfaces(_) => value.is_array(),
-        Kind::Table(_) | Kind::Columns(_) | Kind::Materials(_) => value.is_table(),
-        Kind::Brief(..) => value.is_table() || value.is_str(),
+        Kind::Table(_) | Kind::Map(..) | Kind::Columns(_) | Kind::Materials(_) => value.is_table(),
+        Kind::Brief(table, keys) => value.is_table() || table.brief(keys).is_some_and(|k| fits(k, value)),
         Kind::Either(kinds) => kinds.iter().any(|k| fits(k, value)),
         Kind::Later(_) => true,
     }
@@ -286,7 +317,21 @@ fn label(table: &DeTable<'_>, index: usize) -> String {
     }
 }
 
-/// The key at the end of a path.
+/// The key at the end of a path; a free one with its quotes.
 fn last(path: &str) -> &str {
-    path.rsplit('.').next().unwrap_or(path)
+    match path.ends_with('"').then(|| path.rfind(".\"")).flatten() {
+        Some(at) => &path[at + 1..],
+        None => path.rsplit('.').next().unwrap_or(path),
+    }
+}
+
+/// A name that was written with dots and without quotes, and so has become tables: the first of its names in full.
+fn dotted(name: &str, mut inner: &DeTable<'_>) -> String {
+    let mut whole = name.to_owned();
+    while let Some((key, value)) = inner.iter().next() {
+        whole = format!("{whole}.{}", key.get_ref());
+        let DeValue::Table(next) = value.get_ref() else { break };
+        inner = next;
+    }
+    whole
 }

@@ -61,7 +61,7 @@ impl Band {
     ///
     /// # Errors
     /// Ratios outside (0, 0.1], bands that are not two rising frequencies within a factor of 100, or a reference
-    /// that is not positive.
+    /// that is negative; at 0 Hz the moduli are those at rest.
     pub fn fit(ratio: f64, [low, high]: [f64; 2], reference: f64) -> Result<Band, BadBand> {
         if !(ratio > 0.0 && ratio <= 0.1) {
             return Err(BadBand(format!("a damping ratio of {ratio} cannot be fitted; give 0.001 to 0.1")));
@@ -71,9 +71,9 @@ impl Band {
                 "three bodies cannot span {low} to {high} Hz; give two rising frequencies within a factor of 100"
             )));
         }
-        if !(reference > 0.0 && reference.is_finite()) {
+        if !(reference >= 0.0 && reference.is_finite()) {
             return Err(BadBand(format!(
-                "the moduli cannot be meant at {reference} Hz; give a frequency of the band"
+                "the moduli cannot be meant at {reference} Hz; give a frequency of the band, or 0 Hz for those at rest"
             )));
         }
         let centre = 0.5 * (low.ln() + high.ln());

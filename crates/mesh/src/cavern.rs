@@ -161,9 +161,10 @@ impl CavernSpec {
     /// for caverns and galleries as those of Yingxiuwan, more where levels are a fraction of `near` apart); rock that is
     /// squeezed under a ground that is not level.
     ///
-    /// Groups: `rock`, and with layers `rock.NAME` of each that has elements; for each cavern `NAME.lining.crown`, `NAME.lining.walls`, `NAME.lining.floor` (if
-    /// there is one) and their union `NAME.lining`; `NAME.bench1` … from the top down and their union
-    /// `NAME.excavation`; for each gallery `NAME.gallery` and `NAME.opening`.
+    /// Groups: `rock`, and with layers `rock.NAME` of each that has elements; for each cavern `NAME.lining.crown`,
+    /// `NAME.lining.walls`, `NAME.lining.floor` (if there is one) and their union `NAME.lining`; `NAME.bench1` … from the
+    /// top down and their union `NAME.excavation`; `NAME.lining1` …, the lining beside each bench, the crown with the
+    /// first and the floor with the last; for each gallery `NAME.gallery` and `NAME.opening`.
     ///
     /// Face sets: `xmin`, `xmax`, `ymin`, `ymax`, `base`, `top`; `NAME.intrados`, faces of the lining towards
     /// the opening; `NAME.extrados`, faces of the lining towards the rock (the feet of walls without a floor

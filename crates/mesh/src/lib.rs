@@ -18,10 +18,12 @@ pub mod merge;
 pub mod mesh;
 pub mod note;
 pub mod order;
+pub mod overburden;
 pub mod pairs;
 pub mod picture;
 pub mod placement;
 pub mod quality;
+pub mod reach;
 pub mod read;
 #[cfg(test)]
 mod sample;

@@ -16,6 +16,7 @@ pub mod observers;
 pub mod plan;
 pub mod quantities;
 pub mod run;
+pub mod sections;
 pub mod setup;
 pub mod stacks;
 pub mod stages;

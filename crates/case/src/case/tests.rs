@@ -23,10 +23,11 @@ fn all_tables() -> Vec<&'static Table> {
     tables
 }
 
-/// Cases that together use every kind of mesh, motion, window and base.
+/// Cases that together use every kind of mesh, initial stress, motion, window and base.
 fn cases() -> Vec<String> {
     let (before, rest) = EVERY_KEY.split_once("[mesh.caverns]").expect("a mesh of caverns");
     let (_, after) = rest.split_once("[material.rock]").expect("a material");
+    let with_stress = |stress: &str| EVERY_KEY.replace("lateral = { x = 0.8, y = 1.2 }", stress);
     let with_mesh = |mesh: &str| format!("{before}{mesh}\n[material.rock]{after}");
     let axis = "{ from = -1, to = 1, elements = 3, growth = 1.1 }";
     let (head, rest) = EVERY_KEY.split_once("east = {").expect("a component");
@@ -35,6 +36,8 @@ fn cases() -> Vec<String> {
         EVERY_KEY.to_owned(),
         with_mesh(&format!("[mesh.box]\nx = {axis}\ny = {axis}\nz = {axis}\ngroup = \"soil\"")),
         with_mesh("[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\""),
+        with_stress("stress = { at = [1, 2, 3], zz = \"-1 MPa\", gradient = { zz = \"27 kN/m3\" } }"),
+        with_stress("measured = [{ at = [1, 2, 3], xx = 1, yy = 2, zz = 3, xy = 4, yz = 5, zx = 6 }]"),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
     ]
 }
@@ -60,7 +63,7 @@ fn every_key_of_the_tables_is_read() {
 fn every_default_is_a_good_value_of_its_key() {
     for table in all_tables() {
         for key in table.keys {
-            let Need::Default(text) = key.need else { continue };
+            let (Need::Default(text) | Need::RequiredBeside(_, text)) = key.need else { continue };
             let value = DeValue::parse(text).unwrap_or_else(|e| panic!("{}: {e}", key.name));
             let mut checker = Checker::new(&CASE, MATERIALS.into());
             assert!(checker.value(&key.kind, value.get_ref(), 0..0, key.name).is_some(), "{}", key.name);

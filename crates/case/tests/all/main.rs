@@ -3,7 +3,9 @@
 mod files;
 mod good_case;
 mod hostile_input;
+mod initial;
 mod interface;
 mod law_file;
 mod problems;
 mod schema;
+mod stage;

@@ -34,6 +34,7 @@ const WORDS: &[&str] = &[
     "additionalProperties",
     "anyOf",
     "const",
+    "dependentRequired",
     "default",
     "description",
     "enum",
@@ -46,6 +47,7 @@ const WORDS: &[&str] = &[
     "minLength",
     "minProperties",
     "minimum",
+    "not",
     "oneOf",
     "pattern",
     "properties",
@@ -80,6 +82,13 @@ fn fits(schema: &Value, value: &Value) -> bool {
             "const" => rule == value,
             "anyOf" => all(&|r| fits(r, value)) > 0,
             "oneOf" => all(&|r| fits(r, value)) == 1,
+            "not" => !fits(rule, value),
+            "dependentRequired" => value.as_object().is_none_or(|o| {
+                let needed = |keys: &Value| {
+                    keys.as_array().expect("keys").iter().all(|k| o.contains_key(k.as_str().expect("a key")))
+                };
+                rule.as_object().expect("keys").iter().all(|(k, keys)| !o.contains_key(k) || needed(keys))
+            }),
             "required" => {
                 value.as_object().is_none_or(|o| all(&|k| !o.contains_key(k.as_str().expect("a key"))) == 0)
             }
@@ -109,6 +118,20 @@ fn good_cases_fit() {
     let schema = schema(MATERIALS);
     assert!(fits(&schema, &case(EVERY_KEY)));
     assert!(fits(&schema, &case(FIRST_SHAKE)));
+    assert!(fits(&schema, &case(&EVERY_KEY.replace("lateral = { x = 0.8, y = 1.2 }", "lateral = \"80 %\""))));
+    let (head, rest) = EVERY_KEY.split_once("lateral =").expect("initial stress");
+    let (_, stages) = rest.split_once("[[stage]]").expect("stages");
+    assert!(fits(&schema, &case(&format!("{head}[[stage]]{stages}"))), "none of the initial stresses");
+}
+
+#[test]
+fn the_dynamic_run_is_required_beside_an_earthquake_alone() {
+    let schema = schema(MATERIALS);
+    let (head, rest) = EVERY_KEY.split_once("[motion]").expect("a motion");
+    let (motion, rest) = rest.split_once("[dynamic]").expect("a dynamic run");
+    let (_, tail) = rest.split_once("[[monitor]]").expect("a monitor");
+    assert!(fits(&schema, &case(&format!("{head}[[monitor]]{tail}"))));
+    assert!(!fits(&schema, &case(&format!("{head}[motion]{motion}[[monitor]]{tail}"))));
 }
 
 #[test]
@@ -136,7 +159,22 @@ fn what_the_reader_refuses_for_its_form_does_not_fit() {
         ("between = [\"transformer.bench*\", \"rock\"]", "between = [\"rock\"]"),
         ("contact_damping = 0.02", "contact_damping = 0.3"),
         ("contact_limit = 0.9", "contact_limit = 0"),
-        ("[initial]", "[[stage]]\nname = \"a\"\n[initial]"),
+        ("release = 0.6", "release = 1.6"),
+        ("release = 0.6", "bolts = { pattern = \"crown\" }"),
+        ("name = \"tunnel filled\"\n", ""),
+        ("excavate = [\"transformer.bench*\"]", "excavate = []"),
+        ("{ \"*.lining\" = \"0.2 MPa\", top = 1000 }", "{ top = -1 }"),
+        ("{ \"*.lining\" = \"0.2 MPa\", top = 1000 }", "{}"),
+        (
+            "{ \"transformer.lining\" = \"concrete\", \"rock*\" = \"rock\" }",
+            "{ transformer.lining = \"rock\" }",
+        ),
+        ("lateral = { x = 0.8, y = 1.2 }", "lateral = { x = 0.8 }"),
+        ("lateral = { x = 0.8, y = 1.2 }", "lateral = -0.1"),
+        ("lateral = { x = 0.8, y = 1.2 }", "lateral = 1\nstress = {}"),
+        ("lateral = { x = 0.8, y = 1.2 }", "measured = [{ at = [0, 0, 0], zz = 1 }]"),
+        ("tolerance = 1e-4", "tolerance = 0.1"),
+        ("max_cycles = 5000", "max_cycles = 0"),
     ] {
         let source = EVERY_KEY.replacen(from, to, 1);
         assert!(!fits(&schema, &case(&source)), "{to}");

@@ -46,7 +46,8 @@ struct Checked<'a> {
     groups: Vec<(String, usize)>,
     materials: &'a IndexMap<String, MaterialFacts>,
     survey: Survey,
-    motion: &'a MotionFacts,
+    /// Nothing without an earthquake.
+    motion: Option<&'a MotionFacts>,
     /// The element with fewest elements a wavelength around it.
     coarsest: String,
     interfaces: IndexMap<String, InterfaceSummary>,
@@ -92,7 +93,9 @@ pub fn run(args: &Args) -> Outcome {
         let model = Model::new(setup.problem).map_err(|e| refused(&case, &e))?;
         let assembly = Assembly::new(&model).map_err(|e| refused(&case, &e))?;
         let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(Failure::input)?;
-        let survey = survey(&model, &assembly, motion.highest_frequency).map_err(Failure::input)?;
+        // Without an earthquake every wave is long.
+        let highest = motion.as_ref().map_or(0.0, |motion| motion.highest_frequency);
+        let survey = survey(&model, &assembly, highest).map_err(Failure::input)?;
         let stable = stable_step(&model, &assembly, &phase);
         let mut warnings = [case.warnings.clone(), setup.warnings].concat();
         warnings.extend(check_step(&case, &stable));
@@ -106,7 +109,7 @@ pub fn run(args: &Args) -> Outcome {
             model: &model,
             assembly: &assembly,
             plan: &plan,
-            motion: &motion,
+            motion: motion.as_ref(),
             materials: &setup.materials,
             reference: setup.reference,
             base_without_springs: setup.base_without_springs.as_deref(),
@@ -116,7 +119,7 @@ pub fn run(args: &Args) -> Outcome {
             case: &case,
             groups,
             materials: &setup.materials,
-            motion: &motion,
+            motion: motion.as_ref(),
             coarsest: survey.coarsest().map_or(String::new(), |b| model.element_name(b.coarsest as usize)),
             survey,
             interfaces: interfaces(&model, &assembly, &assembly.rest().history),

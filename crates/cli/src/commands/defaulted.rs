@@ -14,7 +14,8 @@ pub struct Known<'a> {
     pub model: &'a Model,
     pub assembly: &'a Assembly,
     pub plan: &'a Plan,
-    pub motion: &'a MotionFacts,
+    /// Nothing without an earthquake.
+    pub motion: Option<&'a MotionFacts>,
     pub materials: &'a IndexMap<String, MaterialFacts>,
     /// Frequency at which moduli are meant \[Hz\].
     pub reference: Option<f64>,
@@ -52,7 +53,7 @@ fn used(known: &Known, key: &str) -> Option<String> {
         }
         "dynamic.damping.reference" => known.reference.map(|f| units::format(f, Dimension::RATE)),
         "motion.window" => {
-            let [from, to] = known.motion.window;
+            let [from, to] = known.motion?.window;
             Some(format!("{} to {}", seconds(from), seconds(to)))
         }
         "mesh.caverns.along" => match &known.case.mesh {

@@ -79,8 +79,14 @@ pub fn run(args: &Args) -> Outcome {
     let isa = machine::isa(args.isa.as_deref())?;
     let pool = pool(args.threads)?;
     let (case, setup) = load(&args.case, isa)?;
+    let Some(motion) = setup.motion else {
+        return Err(Failure::input("a case without [motion] cannot be run yet"));
+    };
+    if case.seeks_equilibrium() {
+        return Err(Failure::input("a case with [[stage]] or initial stress cannot be run yet"));
+    }
     pool.install(|| {
-        let (motion, plan) = (setup.motion, setup.plan);
+        let plan = setup.plan;
         let model = Model::new(setup.problem).map_err(|e| refused(&case, &e))?;
         let assembly = Assembly::new(&model).map_err(|e| refused(&case, &e))?;
         let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(Failure::input)?;
@@ -166,7 +172,7 @@ pub fn run(args: &Args) -> Outcome {
             model: &model,
             assembly: &assembly,
             plan: &plan,
-            motion: &motion,
+            motion: Some(&motion),
             materials: &setup.materials,
             reference: setup.reference,
             base_without_springs: setup.base_without_springs.as_deref(),

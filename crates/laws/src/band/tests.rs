@@ -25,10 +25,20 @@ fn bad_bands_are_refused() {
         (0.03, [20.0, 0.5], 3.0),
         (0.03, [0.01, 20.0], 3.0),
         (0.03, [0.5, f64::INFINITY], 3.0),
-        (0.03, [0.5, 20.0], 0.0),
+        (0.03, [0.5, 20.0], -1.0),
     ] {
         assert!(Band::fit(ratio, band, reference).is_err(), "{ratio} {band:?} {reference}");
     }
+}
+
+#[test]
+fn moduli_meant_at_rest_are_the_laws_own() {
+    let [rest, shaken] = [0.0, 3.0].map(|reference| Band::fit(0.03, [0.5, 20.0], reference).unwrap());
+    assert_eq!(rest.relaxed(), 1.0);
+    assert!(
+        shaken.relaxed() < 1.0
+            && (rest.unrelaxed() * shaken.relaxed() / shaken.unrelaxed() - 1.0).abs() < 1e-15
+    );
 }
 
 /// A sinusoidal strain, after the transient: energy a cycle over 4π times the stored one is the damping ratio.

@@ -39,11 +39,12 @@ pub(super) fn fill(
     let (wall, columns) = (counts.wall, counts.columns);
     for pair in layers.windows(2) {
         for t in 0..n {
+            let bench = bench_beside(t, columns, &bench_of);
             let part = match t {
-                t if t < wall => Part::Walls(k),
-                t if t < wall + columns => Part::Crown(k),
-                t if t < 2 * wall + columns => Part::Walls(k),
-                _ => Part::Floor(k),
+                t if t < wall => Part::Walls(k, bench),
+                t if t < wall + columns => Part::Crown(k, bench),
+                t if t < 2 * wall + columns => Part::Walls(k, bench),
+                _ => Part::Floor(k, bench),
             };
             let u = (t + 1) % n;
             section.quad([pair[1][t], pair[0][t], pair[0][u], pair[1][u]], part);
@@ -55,6 +56,17 @@ pub(super) fn fill(
     rings(section, plot, &layers[counts.layers], rim, &mut free);
     smooth(&mut section.points, &section.quads[first_quad..], first_point, &free);
     section.worst(first_quad)
+}
+
+/// The bench beside edge `t` of the outline, in the order of its points.
+fn bench_beside(t: usize, columns: usize, bench_of: &[u32]) -> u32 {
+    let rows = bench_of.len();
+    match t {
+        t if t < rows => bench_of[t],
+        t if t < rows + columns => 1,
+        t if t < 2 * rows + columns => bench_of[2 * rows + columns - 1 - t],
+        _ => bench_of[0],
+    }
 }
 
 /// Points of intrados and extrados clockwise from the lower left corner: left wall, crown, right wall, invert.
@@ -107,12 +119,7 @@ fn core(
         })
         .collect();
     for t in 0..n {
-        let bench = match t {
-            t if t < rows => bench_of[t],
-            t if t < rows + columns => 1,
-            t if t < 2 * rows + columns => bench_of[2 * rows + columns - 1 - t],
-            _ => bench_of[0],
-        };
+        let bench = bench_beside(t, columns, bench_of);
         let u = (t + 1) % n;
         section.quad([intrados[t], edge[t], edge[u], intrados[u]], Part::Bench(k, bench));
     }

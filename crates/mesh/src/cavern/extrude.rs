@@ -60,7 +60,7 @@ fn parts(spec: &CavernSpec, section: &Section) -> Vec<Part> {
             let part = match section.parts[q] {
                 Part::Rock if inside(passage.x, middle[0]) => Part::Gallery(g),
                 // The wall on the side of the other cavern: from the extrados in by no more than half the opening.
-                Part::Walls(k) => {
+                Part::Walls(k, _) => {
                     let [left, right] = passage.caverns;
                     let near = |edge: f64| (middle[0] - edge).abs() < 0.5 * spec.caverns[k as usize].width;
                     let facing =
@@ -86,15 +86,18 @@ fn group(spec: &CavernSpec, parts: &[Part], mesh: &mut Mesh) {
         let name = |k: u32| &spec.caverns[k as usize].name;
         match *part {
             Part::Rock => add("rock".to_owned()),
-            Part::Crown(k) => add(format!("{}.lining.crown", name(k))),
-            Part::Walls(k) => add(format!("{}.lining.walls", name(k))),
-            Part::Floor(k) => add(format!("{}.lining.floor", name(k))),
+            Part::Crown(k, _) => add(format!("{}.lining.crown", name(k))),
+            Part::Walls(k, _) => add(format!("{}.lining.walls", name(k))),
+            Part::Floor(k, _) => add(format!("{}.lining.floor", name(k))),
             Part::Bench(k, bench) => add(format!("{}.bench{bench}", name(k))),
             Part::Gallery(g) => add(format!("{}.gallery", spec.galleries[g as usize].name)),
             Part::Opening(g) => add(format!("{}.opening", spec.galleries[g as usize].name)),
         }
         if let Some(k) = part.lining() {
             add(format!("{}.lining", name(k)));
+            if let Some(bench) = part.bench() {
+                add(format!("{}.lining{bench}", name(k)));
+            }
         }
         if let Some(k) = part.opening() {
             add(format!("{}.excavation", name(k)));

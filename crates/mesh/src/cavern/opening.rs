@@ -34,7 +34,8 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
         .collect();
     for pair in vault.windows(2) {
         for t in 0..counts.vault() {
-            let part = if path.is_arch(t) { Part::Crown(k) } else { Part::Walls(k) };
+            let bench = path.bench(t);
+            let part = if path.is_arch(t) { Part::Crown(k, bench) } else { Part::Walls(k, bench) };
             section.quad([pair[1][t], pair[0][t], pair[0][t + 1], pair[1][t + 1]], part);
         }
     }
@@ -47,7 +48,7 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
     below.extend(&floor[1..floor.len() - 1]);
     below.extend(vault.iter().map(|layer| layer[counts.vault()]));
     let mut sides: [Vec<u32>; 2] = Default::default();
-    let slab = if cavern.lining.floor > 0.0 { Part::Floor(k) } else { Part::Rock };
+    let slab = if cavern.lining.floor > 0.0 { Part::Floor(k, path.bench(0)) } else { Part::Rock };
     for row in 1..=counts.slab {
         let depth = profile.floor * row as f64 / counts.slab as f64;
         let next: Vec<u32> = below
@@ -98,6 +99,16 @@ impl Path<'_> {
         (counts.wall..counts.vault() - counts.wall).contains(&t)
     }
 
+    /// The bench beside edge `t`; the arch is beside the first.
+    fn bench(&self, t: usize) -> u32 {
+        self.row_bench(t.min(self.plot.counts.vault() - 1 - t))
+    }
+
+    /// The bench of a row of the opening; above the wall's rows it is the first.
+    fn row_bench(&self, row: usize) -> u32 {
+        self.plot.wall.bench_of.get(row).copied().unwrap_or(1)
+    }
+
     /// Fraction of the arch at node `t`, −1 to 1, or the number of the wall's node and the side.
     fn locate(&self, t: usize) -> Result<f64, (usize, f64)> {
         let counts = self.plot.counts;
@@ -136,11 +147,11 @@ impl Path<'_> {
 
 /// Fills the opening; returns the nodes of the clear floor from left to right.
 fn core(section: &mut Section, path: &Path, intrados: &[u32], k: u32, free: &mut Vec<u32>) -> Vec<u32> {
-    let (counts, bench_of) = (path.plot.counts, &path.plot.wall.bench_of);
+    let counts = path.plot.counts;
     let (columns, rows, vault) = (counts.columns, counts.wall + counts.flank, counts.vault());
-    let bench = |row: usize| Part::Bench(k, bench_of.get(row).copied().unwrap_or(1));
+    let bench = |row: usize| Part::Bench(k, path.row_bench(row));
     // The first row of bench 1: up to here all rows are level.
-    let level = bench_of.iter().position(|&b| b == 1).unwrap_or(0);
+    let level = path.plot.wall.bench_of.iter().position(|&b| b == 1).unwrap_or(0);
 
     let edge: Vec<u32> = if counts.ring == 0 {
         intrados.to_vec()

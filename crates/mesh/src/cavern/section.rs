@@ -7,9 +7,10 @@ use crate::note::Note;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Part {
     Rock,
-    Crown(u32),
-    Walls(u32),
-    Floor(u32),
+    /// Of a lining, with the bench that it is beside, as of the two below.
+    Crown(u32, u32),
+    Walls(u32, u32),
+    Floor(u32, u32),
     /// Bench, counted from 1 at the top.
     Bench(u32, u32),
     /// Rock in a gallery; here the number is the gallery's.
@@ -22,8 +23,16 @@ impl Part {
     /// The cavern whose lining this is part of.
     pub fn lining(self) -> Option<u32> {
         match self {
-            Part::Crown(k) | Part::Walls(k) | Part::Floor(k) => Some(k),
+            Part::Crown(k, _) | Part::Walls(k, _) | Part::Floor(k, _) => Some(k),
             Part::Rock | Part::Bench(..) | Part::Gallery(_) | Part::Opening(_) => None,
+        }
+    }
+
+    /// The bench that this is, or that it is beside as a part of a lining.
+    pub fn bench(self) -> Option<u32> {
+        match self {
+            Part::Crown(_, b) | Part::Walls(_, b) | Part::Floor(_, b) | Part::Bench(_, b) => Some(b),
+            Part::Rock | Part::Gallery(_) | Part::Opening(_) => None,
         }
     }
 

@@ -82,6 +82,12 @@ fn opposite_sides_match_node_by_node() {
     }
 }
 
+/// Whether a cavern's group repeats elements of its parts: all its lining, that beside a bench, or its whole opening.
+fn is_union(group: &str) -> bool {
+    let lining = group.trim_end_matches(|c: char| c.is_ascii_digit());
+    lining.ends_with(".lining") || group.ends_with(".excavation")
+}
+
 #[test]
 fn the_parts_tile_the_block() {
     for (name, spec) in blocks() {
@@ -89,11 +95,60 @@ fn the_parts_tile_the_block() {
         let mut times = vec![0; mesh.elements.len()];
         for (group, list) in &mesh.groups {
             assert!(list.windows(2).all(|p| p[0] < p[1]), "{name} {group}");
-            if !group.ends_with(".lining") && !group.ends_with(".excavation") {
+            if !is_union(group) {
                 list.iter().for_each(|&e| times[e as usize] += 1);
             }
         }
         assert!(times.iter().all(|&t| t == 1), "{name}");
+    }
+}
+
+#[test]
+fn the_lining_beside_each_bench_is_a_group_and_they_make_up_the_lining() {
+    for (name, spec) in blocks() {
+        let mesh = made(name, &spec);
+        let mut at: HashMap<[u32; 4], Vec<u32>> = HashMap::new();
+        for element in 0..mesh.elements.len() as u32 {
+            for side in 0..6 {
+                at.entry(corners(&mesh, Face { element, side })).or_default().push(element);
+            }
+        }
+        for c in &spec.caverns {
+            let groups: Vec<&Vec<u32>> =
+                (1..).map_while(|k| mesh.groups.get(&format!("{}.lining{k}", c.name))).collect();
+            if c.lining.is_none() {
+                assert!(
+                    groups.is_empty() && !mesh.groups.contains_key(&format!("{}.lining", c.name)),
+                    "{name}"
+                );
+                continue;
+            }
+            assert_eq!(groups.len(), c.benches as usize, "{name} {}", c.name);
+            let mut all: Vec<u32> = groups.iter().flat_map(|g| g.iter().copied()).collect();
+            all.sort_unstable();
+            assert_eq!(all, mesh.groups[&format!("{}.lining", c.name)], "{name} {}", c.name);
+            let holds = |group: &str, e: u32| {
+                mesh.groups.get(&format!("{}.{group}", c.name)).is_some_and(|g| g.binary_search(&e).is_ok())
+            };
+            for (number, group) in (1..=c.benches).zip(&groups) {
+                // All layers go with the first; under the walls a slab goes farther than the intrados.
+                if c.lining.floor == 0.0 && spec.galleries.is_empty() {
+                    let intrados = &mesh.faces[&format!("{}.intrados", c.name)];
+                    let first = intrados.iter().filter(|f| group.contains(&f.element)).count();
+                    assert_eq!(group.len(), first * c.lining.layers as usize, "{name} {number}");
+                }
+                for &e in group.iter() {
+                    assert!(number == 1 || !holds("lining.crown", e), "{name} {number}");
+                    assert!(number == c.benches || !holds("lining.floor", e), "{name} {number}");
+                    for side in 0..6 {
+                        for &other in &at[&corners(&mesh, Face { element: e, side })] {
+                            let bench = (1..=c.benches).find(|b| holds(&format!("bench{b}"), other));
+                            assert!(bench.is_none_or(|b| b == number), "{name} {number}");
+                        }
+                    }
+                }
+            }
+        }
     }
 }
 

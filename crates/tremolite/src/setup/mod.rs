@@ -27,7 +27,8 @@ use tremolite_results::{Input, MaterialFacts};
 pub struct Setup {
     pub problem: Problem,
     pub plan: Plan,
-    pub motion: MotionFacts,
+    /// Nothing without an earthquake.
+    pub motion: Option<MotionFacts>,
     /// Materials by their names in the case.
     pub materials: IndexMap<String, MaterialFacts>,
     /// Frequency at which moduli are meant with damping over a band \[Hz\].
@@ -107,22 +108,27 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
     let (base, base_without_springs) =
         springs_or_none(case, &mesh, &bodies, &interfaces, base, &mut problems);
-    let (Some((motion, facts)), true) = (motion, problems.is_empty()) else {
+    if !problems.is_empty() {
         return Err(case.report(problems));
-    };
+    }
+    let (motion, facts) = motion.unzip();
 
     // Where an interface lies, nodes are doubled on purpose.
     warnings.extend(doubled.filter(|_| !interfaces::explain_doubled(&mesh, &interfaces)));
     warnings.extend(interfaces::warnings(case, &laws.interfaces));
     warnings.extend(warnings::of_laws(case, &bodies, &fields));
-    warnings.extend(warnings::of_sides(case, &motion));
+    warnings.extend(motion.iter().flat_map(|motion| warnings::of_sides(case, motion)));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &bodies));
-    warnings.extend(warnings::of_motion(case, &motion, reference));
+    warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
-    let duration = dynamic.duration.as_ref().map_or(motion.duration(), |d| d.value);
+    let shaking = |motion: &tremolite_motion::Motion| match &dynamic.duration {
+        Some(given) => given.value,
+        None => motion.duration(),
+    };
+    let duration = motion.as_ref().map_or(0.0, shaking);
     let histories = &case.output.histories;
-    if histories.value > duration {
+    if motion.is_some() && histories.value > duration {
         return Err(case.report(vec![case::Problem::at(
             histories,
             format!("rows {} s apart leave none within the run of {duration:.3} s", histories.value),
@@ -133,7 +139,8 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     problem.interfaces = interfaces;
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| side(s.value));
-    problem.incident = Some(Incident { motion, factor: facts.factor });
+    problem.incident =
+        motion.zip(facts.as_ref()).map(|(motion, facts)| Incident { motion, factor: facts.factor });
     problem.rayleigh =
         Rayleigh { mass: dynamic.rayleigh.mass.value, stiffness: dynamic.rayleigh.stiffness.value };
     problem.time_step =
@@ -207,6 +214,8 @@ fn base(case: &Case, problems: &mut Vec<case::Problem>) -> Base {
             distance: distance.as_ref().map(|d| d.value),
         },
         case::Base::Viscous => Base::Viscous,
+        case::Base::Fixed if case.motion.is_none() => Base::Fixed,
+        case::Base::Free if case.motion.is_none() => Base::Free,
         case::Base::Fixed | case::Base::Free => {
             problems.push(case::Problem::at(
                 base,
@@ -219,7 +228,7 @@ fn base(case: &Case, problems: &mut Vec<case::Problem>) -> Base {
 }
 
 /// The base, and why it has no springs though they are usual: one column cannot be the free field where the ground differs
-/// between the model's corners. A base that asks for them is refused.
+/// between the model's corners. A base that asks for them is refused; without an earthquake nothing asks.
 fn springs_or_none(
     case: &Case,
     mesh: &tremolite_mesh::Mesh,
@@ -237,7 +246,7 @@ fn springs_or_none(
         body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
     }
     let Err(reason) = column::ground(mesh, bodies, &body_of, interfaces) else { return (base, None) };
-    if case.defaulted.iter().any(|d| d.key == "dynamic.base") {
+    if case.motion.is_none() || case.defaulted.iter().any(|d| d.key == "dynamic.base") {
         return (Base::Viscous, Some(reason));
     }
     problems.push(case::Problem::at(

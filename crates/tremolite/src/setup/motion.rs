@@ -27,11 +27,11 @@ pub struct MotionFacts {
     pub lowpass: Option<f64>,
 }
 
-/// The given motion in the model's axes, and what to report of it; nothing if it was refused.
+/// The given motion in the model's axes, and what to report of it; nothing if there is none or it was refused.
 pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, MotionFacts)> {
-    let motion = &case.motion;
+    let motion = case.motion.as_ref()?;
     let before = problems.len();
-    let steps = steps(case, problems);
+    let steps = steps(motion, problems);
     let kind = match motion.kind.value {
         case::MotionKind::Outcrop => Kind::Outcrop,
         case::MotionKind::Incident => Kind::Incident,
@@ -88,7 +88,7 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         ));
         return None;
     };
-    if let Some(problem) = factor.and_then(|factor| beyond_any_earthquake(case, &made, factor)) {
+    if let Some(problem) = factor.and_then(|factor| beyond_any_earthquake(&motion.span, &made, factor)) {
         problems.push(problem);
         return None;
     }
@@ -108,7 +108,7 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
 const LIMITS: [(f64, &str); 3] = [(5.0 * 9.80665, "m/s2"), (5.0, "m/s"), (5.0, "m")];
 
 /// The refusal of an incident wave that is a mistake of units or a drifting record.
-fn beyond_any_earthquake(case: &Case, motion: &Motion, factor: f64) -> Option<Problem> {
+fn beyond_any_earthquake(place: &std::ops::Range<usize>, motion: &Motion, factor: f64) -> Option<Problem> {
     let series = [
         ("acceleration", &motion.acceleration),
         ("velocity", &motion.velocity),
@@ -118,7 +118,7 @@ fn beyond_any_earthquake(case: &Case, motion: &Motion, factor: f64) -> Option<Pr
         let peak = factor * components.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
         if peak > limit {
             return Some(Problem::new(
-                case.motion.span.clone(),
+                place.clone(),
                 format!(
                     "the incident wave reaches {peak:.3} {unit} of {what}, more than any earthquake: the limit is \
                      {limit:.3} {unit}"
@@ -132,8 +132,8 @@ fn beyond_any_earthquake(case: &Case, motion: &Motion, factor: f64) -> Option<Pr
 }
 
 /// The steps of processing; those that cannot be read are among the problems.
-fn steps(case: &Case, problems: &mut Vec<Problem>) -> Vec<Process> {
-    case.motion
+fn steps(motion: &case::Motion, problems: &mut Vec<Problem>) -> Vec<Process> {
+    motion
         .process
         .iter()
         .filter_map(|word| match Process::parse(word) {

@@ -52,7 +52,7 @@ pub fn build(
 
     let mut bodies = Vec::new();
     for (r, region) in case.regions.iter().enumerate() {
-        let Fill::Solid { material, element, viscosity } = &region.fill else { continue };
+        let Fill::Solid { material, element, viscosity, .. } = &region.fill else { continue };
         let material = &case.materials[material.value];
         let Some(law) = laws.iter().find(|l| l.info.name == material.law.value) else { continue };
         if let Some(b) = viscosity.as_ref().filter(|b| b.value > MOST_VISCOSITY) {

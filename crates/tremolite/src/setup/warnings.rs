@@ -94,7 +94,7 @@ pub fn of_motion(
     let drift = motion.drift();
     if drift > DRIFT {
         warnings.push(case::Problem::new(
-            case.motion.span.clone(),
+            case.motion.as_ref().map_or(0..0, |written| written.span.clone()),
             format!("the motion ends at {:.0} % of its largest displacement, which the model follows", 100.0 * drift),
             "put \"baseline\" last in motion.process, behind filter and taper; a high-pass alone may make it worse",
         ));

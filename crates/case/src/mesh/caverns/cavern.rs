@@ -37,7 +37,12 @@ pub(super) static CAVERN: Table = Table {
             r#"["0 m", "0 m"]"#,
             "Centre line in x and lowest clear point in z, both from the first cavern's",
         ),
-        Key::default("benches", Kind::Count(50), "1", "Benches the excavation is cut into, each a group"),
+        Key::default(
+            "benches",
+            Kind::Count(50),
+            "1",
+            "Benches the excavation is cut into, each a group NAME.bench1 … from the top down, with the lining beside it in NAME.lining1 …",
+        ),
         Key::optional("lining", Kind::Table(&LINING), "no lining", "Concrete lining"),
     ],
     choice: &[],
@@ -98,7 +103,7 @@ pub struct Cavern {
     pub arch_rise: Spanned<f64>,
     /// Centre line in x and floor in z, both from the first cavern's.
     pub at: Spanned<[f64; 2]>,
-    /// Benches of the excavation, each a group.
+    /// Benches of the excavation, each a group, and so is the lining beside each.
     pub benches: Spanned<u32>,
     /// Nothing: no lining.
     pub lining: Option<Lining>,

@@ -14,11 +14,23 @@ impl Checked<'_> {
                 "could_run_at": body.element_step, "elements_per_wavelength": body.per_wavelength,
             })
         });
-        let peaks: Map<String, Value> = ["x", "y", "z"]
-            .into_iter()
-            .zip(&motion.intensity)
-            .map(|(axis, m)| (axis.to_owned(), json!({ "pga": m.pga, "pgv": m.pgv, "pgd": m.pgd })))
-            .collect();
+        let motion = motion.map(|motion| {
+            let peaks: Map<String, Value> = ["x", "y", "z"]
+                .into_iter()
+                .zip(&motion.intensity)
+                .map(|(axis, m)| (axis.to_owned(), json!({ "pga": m.pga, "pgv": m.pgv, "pgd": m.pgd })))
+                .collect();
+            json!({
+                "source": motion.source,
+                "window": motion.window,
+                "kind": motion.kind.to_string(),
+                "incident_factor": motion.factor,
+                "peaks": peaks,
+                "highest_frequency": motion.highest_frequency,
+                "elements_per_wavelength": survey.coarsest().map(|body| body.per_wavelength),
+                "coarsest": self.coarsest,
+            })
+        });
         json!({
             "title": self.case.title.value,
             "elements": survey.active_elements,
@@ -29,16 +41,7 @@ impl Checked<'_> {
             "materials": self.materials,
             "interfaces": self.interfaces,
             "pairs": self.pairs,
-            "motion": {
-                "source": motion.source,
-                "window": motion.window,
-                "kind": motion.kind.to_string(),
-                "incident_factor": motion.factor,
-                "peaks": peaks,
-                "highest_frequency": motion.highest_frequency,
-                "elements_per_wavelength": survey.coarsest().map(|body| body.per_wavelength),
-                "coarsest": self.coarsest,
-            },
+            "motion": motion,
             "time_step": {
                 "stable": self.stable,
                 "set_by": self.set_by,

@@ -3,6 +3,7 @@
 use super::Checked;
 use crate::commands::defaulted::text;
 use crate::terminal::{bytes, duration, print};
+use tremolite::setup::MotionFacts;
 use tremolite_case::units;
 use tremolite_laws::Dimension;
 use tremolite_results::Origin;
@@ -14,7 +15,7 @@ fn rounded(x: f64) -> f64 {
 
 impl Checked<'_> {
     pub(super) fn print(&self) {
-        let Checked { survey, motion, .. } = self;
+        let survey = &self.survey;
         print(&self.case.title.value);
         print(&format!(
             "\nMesh       {} elements ({} excavated), {} nodes",
@@ -26,6 +27,18 @@ impl Checked<'_> {
         self.print_materials();
         self.print_interfaces();
         self.print_pairs();
+        match self.motion {
+            Some(motion) => self.print_shaking(motion),
+            None => print("\nMotion\n           none: the case has no earthquake"),
+        }
+        if !self.left_out.is_empty() {
+            print("\nLeft out, and taken as");
+            self.left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
+        }
+    }
+
+    fn print_shaking(&self, motion: &MotionFacts) {
+        let survey = &self.survey;
         print("\nMotion");
         print(&format!("           {}", motion.source));
         let [from, to] = motion.window;
@@ -63,10 +76,6 @@ impl Checked<'_> {
             bytes(survey.bytes)
         ));
         self.print_disk();
-        if !self.left_out.is_empty() {
-            print("\nLeft out, and taken as");
-            self.left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
-        }
     }
 
     fn print_disk(&self) {

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::corners;
+use super::{corners, is_union};
 use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer};
 use crate::coincident::coincident_nodes;
 use crate::mesh::{Face, Mesh};
@@ -155,11 +155,8 @@ fn check(seed: u64, spec: &CavernSpec, mesh: &Mesh) {
     assert_eq!(outer.len(), owners.values().filter(|n| **n == 1).count(), "{seed}");
 
     // The block's volume, and that of its parts; under level ground exact.
-    let parts: f64 = groups
-        .iter()
-        .filter(|(g, _)| !g.ends_with(".lining") && !g.ends_with(".excavation") && !g.starts_with("rock."))
-        .map(|(_, s)| s.volume)
-        .sum();
+    let parts: f64 =
+        groups.iter().filter(|(g, _)| !is_union(g) && !g.starts_with("rock.")).map(|(_, s)| s.volume).sum();
     assert!((parts / whole.volume - 1.0).abs() < 1e-9, "{seed}: {parts} {}", whole.volume);
     if spec.ground == Ground::Level {
         let (low, high) = mesh.bounds();

@@ -1,0 +1,156 @@
+//! `[[stage]]`: what is excavated, installed and changed before the earthquake, one after the other.
+
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+use tremolite_laws::parameter::Dimension;
+
+use crate::fields::Fields;
+use crate::initial::STRESSES;
+use crate::keys::{Key, Kind, Limit, Table};
+use crate::material::VOID;
+use crate::{Problem, Spanned};
+
+const GROUPS: Kind = Kind::List(&Kind::Text, 1, 1000);
+/// Stages beyond which a case is a slip of whoever wrote the program that wrote it.
+const MOST_STAGES: usize = 10_000;
+
+pub(crate) static STAGE: Table = Table {
+    path: "stage",
+    doc: "A stage before the earthquake. One that changes nothing lets go of what is still held.",
+    keys: &[
+        Key::required("name", Kind::Text, "what the stage is called"),
+        Key::optional("excavate", GROUPS, "", "Groups that are taken out; * stands for any text"),
+        Key::optional(
+            "install",
+            GROUPS,
+            "",
+            "Groups that stand from here on, free of stress; * stands for any text",
+        ),
+        Key::default(
+            "release",
+            Kind::Number(Dimension::NONE, Limit::Within(1.0)),
+            "1",
+            "Share of what is held that goes in this stage; the rest joins what the next one lets go",
+        ),
+        Key::optional(
+            "material",
+            Kind::Map("powerhouse.lining*", &Kind::Text),
+            "",
+            "Groups that are of another material from here on, each with the material's name",
+        ),
+        Key::optional(
+            "pressure",
+            Kind::Map("powerhouse.lining*", &Kind::Number(Dimension::PRESSURE, Limit::NotNegative)),
+            "",
+            "Pressure from here on, on the faces between the void and a group on either side of them, or on the \"top\"",
+        ),
+        Key::later("bolts", "leave it out: the stages are computed without rock bolts"),
+    ],
+    choice: &[],
+};
+
+/// A stage before the earthquake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stage {
+    /// Unique.
+    pub name: Spanned<String>,
+    /// Groups that are taken out: names in which `*` stands for any text (see [`pattern::matches`](crate::pattern::matches)).
+    pub excavate: Vec<Spanned<String>>,
+    /// Groups that stand from here on, likewise. No pattern stands twice in a stage.
+    pub install: Vec<Spanned<String>>,
+    /// Share of what is held that goes in this stage, in \[0, 1\].
+    pub release: Spanned<f64>,
+    /// Groups, likewise, and what they are made of from here on: an index into [`Case::materials`](crate::Case::materials).
+    pub materials: Vec<(Spanned<String>, Spanned<usize>)>,
+    /// Groups, likewise, on either side of faces that bound the void, or "top"; and the pressure there from here on, Pa, 0
+    /// or more.
+    pub pressures: Vec<(Spanned<String>, Spanned<f64>)>,
+    /// Its table in the case: the header, or the braces.
+    pub span: Range<usize>,
+}
+
+impl Stage {
+    /// `names` are those of all materials, in order.
+    pub(crate) fn read(f: &Fields, names: &[&str]) -> Option<Self> {
+        let index = |name: Spanned<String>| {
+            Some(Spanned::new(names.iter().position(|n| *n == name.value)?, name.span))
+        };
+        let materials = f.entries("material").iter();
+        let pressures = f.entries("pressure").iter();
+        Some(Stage {
+            name: f.text("name")?,
+            excavate: f.texts("excavate"),
+            install: f.texts("install"),
+            release: f.number("release")?,
+            materials: materials
+                .map(|(pattern, node)| Some((pattern.clone(), index(node.text()?)?)))
+                .collect::<Option<_>>()?,
+            pressures: pressures
+                .map(|(pattern, node)| Some((pattern.clone(), node.number()?)))
+                .collect::<Option<_>>()?,
+            span: f.span.clone(),
+        })
+    }
+
+    /// What lies between the stages.
+    pub(crate) fn check(case: &Fields, written: Written, problems: &mut Vec<Problem>) {
+        if let Some(first) = case.tables("stage").nth(MOST_STAGES) {
+            problems.push(Problem::new(
+                first.span.clone(),
+                format!("there are {} stages", case.tables("stage").count()),
+                format!("give at most {MOST_STAGES}"),
+            ));
+        }
+        for region in case.tables("region") {
+            let Some(before) = region.text("before") else { continue };
+            if *before == VOID {
+                problems.push(Problem::at(
+                    &before,
+                    "what stands in the place until it is excavated is a material",
+                    "name the material, and take it out with the `excavate` of a [[stage]]",
+                ));
+            } else if !written.installs {
+                problems.push(Problem::at(
+                    &before,
+                    "no stage installs anything, so nothing stands there before",
+                    "leave `before` out, or add a [[stage]] with install = [\"…\"]",
+                ));
+            }
+        }
+    }
+}
+
+/// What a case has, whether or not it is good; what is refused is reported, and not missed as well.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Written {
+    /// An earthquake.
+    pub motion: bool,
+    /// Initial stress, or stages.
+    pub equilibrium: bool,
+    /// A stage that installs something.
+    pub installs: bool,
+    /// The frequency at which moduli are meant.
+    pub reference: bool,
+}
+
+impl Written {
+    pub fn of(document: &DeTable<'_>) -> Self {
+        let table = |value: &DeValue<'_>, keys: &[&str]| {
+            value.as_table().is_none_or(|table| keys.iter().any(|key| table.contains_key(*key)))
+        };
+        let stages = document.get("stage").map(|v| v.get_ref());
+        let stress = document.get("initial").is_some_and(|v| table(v.get_ref(), STRESSES));
+        let each = stages.and_then(DeValue::as_array);
+        Written {
+            motion: document.contains_key("motion"),
+            equilibrium: stages.is_some() || stress,
+            installs: stages.is_some()
+                && each.is_none_or(|all| all.iter().any(|v| table(v.get_ref(), &["install"]))),
+            reference: document
+                .get("dynamic")
+                .and_then(|v| v.get_ref().as_table()?.get("damping"))
+                .is_some_and(|v| table(v.get_ref(), &["reference"])),
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Forces of a lining's sections: thrust, moment and shear, from the stresses of the elements through its thickness.
+
+mod ends;
+mod ordered;
+#[cfg(test)]
+mod tests;
+
+use crate::stacks::{Stack, stacks};
+use ends::intrados_first;
+use ordered::{Ordered, cross, dot, minus, scaled};
+use std::ops::Range;
+use tremolite_laws::shapes::hex8::{gauss_point, shape_values};
+use tremolite_mesh::Mesh;
+
+/// A station of a lining: a stack through its thickness with its axes, which are at right angles.
+#[derive(Clone, Debug)]
+pub struct Station {
+    /// The elements from extrados to intrados.
+    pub stack: Stack,
+    /// Middle of the mid-surface \[m\].
+    pub place: [f64; 3],
+    /// Across the mid-surface, towards the intrados.
+    pub normal: [f64; 3],
+    /// The direction of the thrust: in the shell, around the cavern, from x over z where the intrados is inside.
+    pub along: [f64; 3],
+    /// From extrados to intrados along the normal \[m\].
+    pub thickness: f64,
+}
+
+/// The stations of a lining, by y and then going round: from below, up the wall of greater x, over the crown.
+///
+/// `elements` are those of one lining's group, `standing` says of each element of the mesh whether it is there. A
+/// station is where [`stacks`] finds a thickness, so not where walls meet. Its intrados is the end beyond which nothing
+/// stands. That goes by places, since rock on an interface has nodes of its own. Where both ends or neither are free, as
+/// before the excavation, it is the one that looks towards the middle of the group's extent, or up in a flat slab.
+///
+/// Caverns are taken to run along y. Of the two natural directions within the shell the thrust's is the one less
+/// aligned with y.
+///
+/// # Panics
+/// If `standing` has not an entry for each element of the mesh, or an element is not in it.
+pub fn stations(mesh: &Mesh, elements: &[u32], standing: &[bool]) -> Vec<Station> {
+    assert_eq!(standing.len(), mesh.elements.len(), "an entry an element");
+    let middle = middle(mesh, elements);
+    let ordered = stacks(mesh, elements).iter().filter_map(|stack| Ordered::new(mesh, stack)).collect();
+    let ordered = intrados_first(mesh, ordered, standing, middle);
+    let mut stations: Vec<(Station, f64)> = ordered.iter().filter_map(station).collect();
+    stations.sort_by(|a, b| a.0.place[1].total_cmp(&b.0.place[1]));
+    // Round about from −z by +x, z and −x back to −z.
+    let angle = |s: &Station| (middle[0] - s.place[0]).atan2(s.place[2] - middle[2]);
+    for slice in slices(&stations) {
+        stations[slice].sort_by(|a, b| angle(&a.0).total_cmp(&angle(&b.0)));
+    }
+    stations.into_iter().map(|(station, _)| station).collect()
+}
+
+/// Middle of the extent of elements.
+fn middle(mesh: &Mesh, elements: &[u32]) -> [f64; 3] {
+    let nodes = || elements.iter().flat_map(|&e| mesh.elements[e as usize].nodes());
+    [0, 1, 2].map(|i| {
+        let along = || nodes().map(|&n| mesh.nodes[n as usize][i]);
+        0.5 * (along().fold(f64::INFINITY, f64::min) + along().fold(f64::NEG_INFINITY, f64::max))
+    })
+}
+
+/// The station of a stack, and its length \[m\] along y; none if the mid-surface has no area.
+fn station(stack: &Ordered) -> Option<(Station, f64)> {
+    let [extrados, intrados] = stack.ends();
+    let mid: [[f64; 3]; 4] =
+        std::array::from_fn(|k| [0, 1, 2].map(|i| 0.5 * (extrados[k][i] + intrados[k][i])));
+    let between = |a: usize, b: usize, c: usize, d: usize| {
+        [0, 1, 2].map(|i| 0.5 * (mid[c][i] + mid[d][i] - mid[a][i] - mid[b][i]))
+    };
+    let ways = [between(0, 3, 1, 2), between(0, 1, 3, 2)];
+    let through = minus(ordered::centre(intrados), ordered::centre(extrados));
+    let mut normal = unit(cross(ways[0], ways[1]))?;
+    if dot(normal, through) < 0.0 {
+        normal = scaled(normal, -1.0);
+    }
+    let aligned = |way: [f64; 3]| way[1].abs() / dot(way, way).sqrt();
+    let across = if aligned(ways[0]) <= aligned(ways[1]) { ways[0] } else { ways[1] };
+    let along = unit(across)?;
+    let round = cross([0.0, 1.0, 0.0], normal);
+    // Where the shell lies across y no way leads round: then one sense as good as another, but always the same.
+    let sense = [dot(along, round), along[0], along[2], along[1]].into_iter().find(|s| s.abs() > 1e-9)?;
+    let station = Station {
+        stack: stack.elements.clone(),
+        place: ordered::centre(&mid),
+        normal,
+        along: scaled(along, sense.signum()),
+        thickness: dot(through, normal),
+    };
+    Some((station, ways[0][1].abs().max(ways[1][1].abs())))
+}
+
+fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
+    let length = dot(v, v).sqrt();
+    (length > 0.0 && length.is_finite()).then(|| scaled(v, 1.0 / length))
+}
+
+/// Stations beside one another along y: within half a station's length of the first.
+fn slices(stations: &[(Station, f64)]) -> Vec<Range<usize>> {
+    let mut slices = Vec::new();
+    let mut start = 0;
+    for k in 1..=stations.len() {
+        let (first, length) = &stations[start];
+        if stations.get(k).is_none_or(|next| next.0.place[1] - first.place[1] > 0.5 * length) {
+            slices.push(start..k);
+            start = k;
+        }
+    }
+    slices
+}
+
+/// Thrust N \[N/m\], moment M \[N m/m\] and shear Q \[N/m\] of a station.
+///
+/// N = ∫ σ_tt dn, tension positive. M = ∫ σ_tt n dn with n from the mid-surface towards the intrados, so positive with
+/// tension there. Q = ∫ σ_tn dn, positive where what lies ahead along t pushes what lies behind towards the intrados.
+/// Here t is [`Station::along`].
+///
+/// `points` gives the stresses \[Pa\] of an element, xx yy zz xy yz zx, of 8 points in the order of
+/// [`gauss_point`], of one, or of none where the element takes no part. Eight are two stations through an element,
+/// each the mean of its four points, which is exact for stresses that are linear through it. One point gives an element's mean, so
+/// that a single layer of one-point elements has no moment, and n layers 1 − 1/n² of it.
+///
+/// Per metre of the mid-surface across t. A cut across t runs straight along n, so a shell that curves along t needs no
+/// factor; the factor 1 + n/R of one that curves along the cavern is left out. The axes are those of the middle of the
+/// mid-surface, which errs with the square of the angle that an element spans.
+///
+/// # Panics
+/// If an element of the station is not in the mesh.
+pub fn forces<'a>(mesh: &Mesh, station: &Station, points: impl Fn(u32) -> &'a [[f64; 6]]) -> [f64; 3] {
+    let mut sums = [0.0; 3];
+    for &(element, axis) in &station.stack {
+        let stresses = points(element);
+        let [near, far] = [0, 1].map(|end| ordered::centre(&ordered::face(mesh, element, axis, end)));
+        let height = dot(minus(far, near), station.normal).abs();
+        let mut add = |stress: [f64; 6], at: [f64; 3], height: f64| {
+            let traction = traction(&stress, station.along);
+            let direct = dot(traction, station.along) * height;
+            sums[0] += direct;
+            sums[1] += direct * dot(minus(at, station.place), station.normal);
+            sums[2] += dot(traction, station.normal) * height;
+        };
+        if stresses.len() == 8 {
+            for end in 0..2 {
+                let beside = |p: &usize| p >> axis & 1 == end;
+                let mean = |i: usize| (0..8).filter(beside).map(|p| stresses[p][i]).sum::<f64>() / 4.0;
+                let place =
+                    |i: usize| (0..8).filter(beside).map(|p| place(mesh, element, p)[i]).sum::<f64>() / 4.0;
+                add([0, 1, 2, 3, 4, 5].map(mean), [0, 1, 2].map(place), 0.5 * height);
+            }
+        } else if let Some(stress) = stresses.first() {
+            add(*stress, [0, 1, 2].map(|i| 0.5 * (near[i] + far[i])), height);
+        }
+    }
+    sums
+}
+
+/// Stress times a unit vector.
+fn traction([xx, yy, zz, xy, yz, zx]: &[f64; 6], t: [f64; 3]) -> [f64; 3] {
+    [dot([*xx, *xy, *zx], t), dot([*xy, *yy, *yz], t), dot([*zx, *yz, *zz], t)]
+}
+
+/// Place of an integration point of a hexahedron.
+fn place(mesh: &Mesh, element: u32, point: usize) -> [f64; 3] {
+    let nodes = mesh.elements[element as usize].nodes;
+    let weights = shape_values(gauss_point(point));
+    [0, 1, 2].map(|i| nodes.iter().zip(weights).map(|(&n, w)| w * mesh.nodes[n as usize][i]).sum())
+}
