@@ -245,6 +245,19 @@ impl Model {
         }
     }
 
+    /// The elements of a body that are there in the shaking.
+    pub fn lasting(&self, body: &Body) -> Vec<u32> {
+        body.elements.iter().copied().filter(|&e| self.stands(e as usize, Stage::Shaking)).collect()
+    }
+
+    /// What stands in a stage where an element is or will be: itself, or its stand-in.
+    pub fn standing_at(&self, element: usize, stage: Stage) -> Option<usize> {
+        let own = || (element, element as u32);
+        let stand_ins = self.stand_ins.iter().filter(|(_, of)| *of as usize == element);
+        let mut all = std::iter::once(own()).chain(stand_ins.map(|(stand_in, of)| (*stand_in as usize, *of)));
+        all.find(|(e, _)| self.stands(*e, stage)).map(|(e, _)| e)
+    }
+
     /// Bodies of the user, without the reference column's.
     pub fn user_bodies(&self) -> &[Body] {
         let count = self.patches[..self.user_patches].last().map_or(0, |p| p.body + 1);

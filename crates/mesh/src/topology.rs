@@ -10,7 +10,7 @@ use crate::{Face, Mesh};
 
 /// The nodes of a face in ascending order; a triangle's fourth is `u32::MAX`. Equal for the two faces
 /// where elements meet.
-pub(crate) fn face_key(mesh: &Mesh, face: Face) -> [u32; 4] {
+pub fn face_key(mesh: &Mesh, face: Face) -> [u32; 4] {
     let mut key = [u32::MAX; 4];
     for (place, node) in key.iter_mut().zip(mesh.face_nodes(face)) {
         *place = node;
@@ -20,10 +20,7 @@ pub(crate) fn face_key(mesh: &Mesh, face: Face) -> [u32; 4] {
 }
 
 /// All faces of the given elements (indices into [`Mesh::elements`]), or of all.
-pub(crate) fn all_faces<'a>(
-    mesh: &'a Mesh,
-    elements: Option<&'a [u32]>,
-) -> impl Iterator<Item = Face> + use<'a> {
+pub fn all_faces<'a>(mesh: &'a Mesh, elements: Option<&'a [u32]>) -> impl Iterator<Item = Face> + use<'a> {
     let count = elements.map_or(mesh.elements.len(), <[u32]>::len);
     (0..count).flat_map(move |i| {
         let element = elements.map_or(i as u32, |e| e[i]);

@@ -41,7 +41,7 @@ pub fn is_name(name: &str) -> bool {
 }
 
 /// A table as read from a file.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
     /// Headers, in the order of the file.
     pub columns: Vec<Column>,

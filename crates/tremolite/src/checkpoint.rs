@@ -10,6 +10,8 @@ use tremolite_laws::{Octet, Row};
 
 const MAGIC: &[u8] = b"tremolite checkpoint 2\n";
 const FILE: &str = "state.bin";
+/// The state after the last stage before the earthquake, which other earthquakes may begin with.
+const HAND_OVER: &str = "hand-over.bin";
 
 /// Why a checkpoint could not be written or read.
 #[derive(Debug, thiserror::Error)]
@@ -24,6 +26,14 @@ pub enum CheckpointError {
         path.display()
     )]
     Other { path: PathBuf },
+    #[error(
+        "{}: the state before the earthquake is that of another mesh, other materials or stages; give the folder of a run \
+         whose case differs in motion, damping and output alone",
+        path.display()
+    )]
+    OtherBefore { path: PathBuf },
+    #[error("{}: {source}; give the folder of a run that went through its stages", path.display())]
+    NoHandOver { path: PathBuf, source: std::io::Error },
 }
 
 #[derive(Serialize, Deserialize)]
@@ -78,6 +88,35 @@ fn restore(column: Column, words: &mut impl Iterator<Item = u64>) {
 /// # Errors
 /// If the file cannot be written; the older one is then untouched.
 pub fn write(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
+    write_file(folder, FILE, state, fingerprint)
+}
+
+/// Writes the state that the shaking begins with beside the checkpoint.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_hand_over(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
+    write_file(folder, HAND_OVER, state, before_the_shaking(fingerprint))
+}
+
+/// Reads what [`write_hand_over`] left, of a model with the same mesh, laws and stages, whatever shakes it.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_hand_over(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
+    read_file(folder.join(HAND_OVER), state, before_the_shaking(fingerprint)).map_err(|e| match e {
+        CheckpointError::Other { path } => CheckpointError::OtherBefore { path },
+        CheckpointError::Io { path, source } => CheckpointError::NoHandOver { path, source },
+        e => e,
+    })
+}
+
+/// The half of a fingerprint that is of the model in space and its stages.
+fn before_the_shaking(fingerprint: u64) -> u64 {
+    fingerprint >> 32
+}
+
+fn write_file(folder: &Path, file: &str, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
     let columns = state.columns();
     let header = Header {
         fingerprint,
@@ -100,7 +139,7 @@ pub fn write(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), C
         append(column, &mut bytes);
     }
     bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
-    let path = folder.join(FILE);
+    let path = folder.join(file);
     std::fs::create_dir_all(folder).map_err(|source| CheckpointError::Io { path: folder.into(), source })?;
     tremolite_results::replace_file(&path, &bytes)
         .map_err(|e| CheckpointError::Io { path, source: std::io::Error::other(e) })
@@ -111,7 +150,10 @@ pub fn write(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), C
 /// # Errors
 /// If there is none, it is damaged, or it is of another model or plan.
 pub fn read(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
-    let path = folder.join(FILE);
+    read_file(folder.join(FILE), state, fingerprint)
+}
+
+fn read_file(path: PathBuf, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
     let bytes = std::fs::read(&path).map_err(|source| CheckpointError::Io { path: path.clone(), source })?;
     let damaged = |problem: &str| CheckpointError::Damaged { path: path.clone(), problem: problem.into() };
     let (body, crc) = bytes.split_last_chunk::<4>().ok_or_else(|| damaged("the file is cut short"))?;

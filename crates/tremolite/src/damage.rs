@@ -30,7 +30,7 @@ fn of_group(model: &Model, phase: &Phase, history: History, memory: &Memory, gro
     let columns = group.body.material.info().history;
     let cracks = cracks(model, phase, history, memory, group);
     let mut result = GroupDamage { volume: 0.0, measures: IndexMap::new(), cracks };
-    for &element in group.elements {
+    for &element in &group.elements {
         let (Some(slot), Ok(hex)) =
             (phase.element_slot[element as usize], hex(&model.mesh, element as usize))
         else {
@@ -88,7 +88,7 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
         let open: Vec<bool> = history.values(&slot, column).map(|damage| damage > OPEN).collect();
         if open.len() == 8 { (0..8).any(|p| open[p] && open[p ^ 1 << axis]) } else { open.iter().all(|o| *o) }
     };
-    let stacks = stacks(&model.mesh, group.elements);
+    let stacks = stacks(&model.mesh, &group.elements);
     let through: Vec<&Stack> = stacks.iter().filter(|stack| stack.iter().all(open)).collect();
     let Place { element, at: centre } = place(element);
     Some(Cracks {

@@ -16,7 +16,8 @@ pub struct Evidence<'a> {
     pub assembly: &'a Assembly,
     pub phase: &'a Phase,
     pub plan: &'a Plan,
-    pub motion: &'a MotionFacts,
+    /// None without an earthquake.
+    pub motion: Option<&'a MotionFacts>,
     pub survey: &'a Survey,
     pub outcome: &'a Outcome,
     /// monitors.csv as it was written.

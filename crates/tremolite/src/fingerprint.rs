@@ -61,6 +61,10 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         space.numbers(&member.masses);
     }
 
+    space.shown(&(&plan.stages, model.gravity, &model.stand_ins, &model.tractions));
+    space.shown(&model.lives);
+    space.numbers(model.initial.iter().flatten());
+
     let mut time = Hasher(crc32fast::Hasher::new());
     time.shown(&(dt, plan.duration, plan.histories, plan.snapshots, model.rayleigh));
     if let Some(incident) = &model.incident {

@@ -9,7 +9,8 @@ use tremolite_laws::parameter::position;
 pub(crate) struct Group<'a> {
     pub name: &'a str,
     pub body: &'a Body,
-    pub elements: &'a [u32],
+    /// Those that are there in the shaking.
+    pub elements: Vec<u32>,
     /// Whether it is no part of another group of the same body.
     pub whole: bool,
 }
@@ -27,8 +28,9 @@ pub(crate) fn groups(model: &Model) -> Vec<Group<'_>> {
 pub(crate) fn all_groups(model: &Model) -> Vec<Group<'_>> {
     let mut all = Vec::new();
     for body in model.user_bodies() {
+        let lasting = model.lasting(body);
         let mut inside = vec![false; model.mesh.elements.len()];
-        body.elements.iter().for_each(|&e| inside[e as usize] = true);
+        lasting.iter().for_each(|&e| inside[e as usize] = true);
         let within = |elements: &[u32]| !elements.is_empty() && elements.iter().all(|&e| inside[e as usize]);
         let own: Vec<(&str, &[u32])> = model
             .mesh
@@ -39,8 +41,8 @@ pub(crate) fn all_groups(model: &Model) -> Vec<Group<'_>> {
             .collect();
         let mut named = vec![false; model.mesh.elements.len()];
         own.iter().flat_map(|(_, elements)| *elements).for_each(|&e| named[e as usize] = true);
-        if !body.elements.iter().all(|&e| named[e as usize]) {
-            all.push(Group { name: &body.name, body, elements: &body.elements, whole: own.is_empty() });
+        if !lasting.iter().all(|&e| named[e as usize]) {
+            all.push(Group { name: &body.name, body, elements: lasting, whole: own.is_empty() });
         }
         // A group is whole unless a larger one (or, of two equal ones, the first) holds all of it.
         let mut whole = vec![true; own.len()];
@@ -55,7 +57,7 @@ pub(crate) fn all_groups(model: &Model) -> Vec<Group<'_>> {
         all.extend(own.iter().zip(whole).map(|((name, elements), whole)| Group {
             name,
             body,
-            elements,
+            elements: elements.to_vec(),
             whole,
         }));
     }

@@ -1,6 +1,7 @@
 //! What a run does in time and what it writes; the counterpart of [`crate::Problem`], which is what it runs on.
 
 use crate::quantities::Field;
+use crate::stages::PlannedStage;
 use tremolite_mesh::locate::Location;
 
 /// A point whose histories are kept.
@@ -27,7 +28,10 @@ pub struct PairMonitor {
 #[derive(Clone, Debug)]
 pub struct Plan {
     pub title: String,
-    /// Simulated time \[s\].
+    /// Before the earthquake: the equilibrium of what is there at the start, then what is changed; none for a run from rest
+    /// without stress.
+    pub stages: Vec<PlannedStage>,
+    /// Simulated time \[s\]; 0 for no earthquake.
     pub duration: f64,
     /// Time between rows of the histories \[s\]; a whole number of steps.
     pub histories: f64,

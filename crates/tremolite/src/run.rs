@@ -1,26 +1,36 @@
-//! A run: the loop that steps, lets observers look, and stops in good order.
+//! A run: stages before the earthquake, then the loop that steps, lets observers look, and stops in good order.
+
+mod before;
 
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;
 use crate::history::History;
-use crate::observers::{OBSERVERS, Observer, OwnObservers, Setting, Stepped, View};
+use crate::observers::{OBSERVERS, Observer, OwnObservers, SectionForces, Setting, Stepped, View};
 use crate::plan::{Plan, Steps};
+use before::{Before, Stages};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tremolite_engine::assembly::Assembly;
-use tremolite_engine::engine::BodyBooks;
+use tremolite_engine::engine::{BodyBooks, Relaxed};
 use tremolite_engine::hexahedra::centroid;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
 use tremolite_engine::{Engine, Halt, Snapshot, StableStep, stable_step};
 use tremolite_kernels::Lines;
-use tremolite_results::ResultFolder;
+use tremolite_results::{ResultFolder, StageSummary};
 
 /// How far a run is.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Progress {
+    /// Number of the stage before the earthquake that is going on, its cycle and what is out of balance over all contributions;
+    /// no number in the earthquake.
+    pub stage: Option<usize>,
+    pub cycle: u64,
+    pub ratio: f64,
+    /// From 0 to 1: of the stages, or of the earthquake.
+    pub share: f64,
     pub step: u64,
     pub total: u64,
     /// Simulated time \[s\].
@@ -35,6 +45,12 @@ pub enum Ending {
     Done,
     /// The signal came; a checkpoint was written.
     Stopped,
+    /// A stage did not come to rest: its name, how it ended, and where most moves.
+    Restless {
+        stage: String,
+        relaxed: Relaxed,
+        place: String,
+    },
     /// Energy appeared: the halt, and the element where most of it is.
     Failed {
         halt: Halt,
@@ -55,6 +71,14 @@ pub struct Outcome {
     /// Wall time of the loop in this process \[s\], observers included, and of its steps alone.
     pub loop_seconds: f64,
     pub step_seconds: f64,
+    /// The stages that came to rest.
+    pub stages: Vec<StageSummary>,
+    /// Whether it came to the earthquake.
+    pub shaken: bool,
+    /// Wall time of the stages in this process \[s\].
+    pub stage_seconds: f64,
+    /// Largest displacement \[m\] in a quiet run from the hand-over; none without stages or before it.
+    pub quiet: Option<f64>,
     pub balance: Lines,
     /// The books of each account of the assembly, when it was last looked at.
     pub bodies: Vec<BodyBooks>,
@@ -87,10 +111,26 @@ pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Ste
     plan.steps(model.time_step.given.unwrap_or_else(|| stable.to_run(model.time_step.safety)))
 }
 
+/// Steps of the quiet run.
+const QUIET: u64 = 100;
+/// Key of what is remembered of it.
+const DRIFT: &str = "quiet run";
+
 /// How often progress is told.
 const TELL: Duration = Duration::from_millis(200);
 
-/// Runs a plan on a model, from rest or from the folder's checkpoint, and writes its result files.
+/// What a run begins with.
+#[derive(Clone, Copy, Debug)]
+pub enum Start<'a> {
+    /// Rest, before all stages.
+    Rest,
+    /// The checkpoint of its own folder.
+    Resume,
+    /// What another run of the same model had come to before the earthquake.
+    From(&'a ResultFolder),
+}
+
+/// Runs a plan on a model and writes its result files.
 ///
 /// Works on the current rayon pool. The bits of the results do not depend on its size.
 ///
@@ -103,7 +143,7 @@ pub fn run(
     phase: &Phase,
     plan: &Plan,
     folder: &ResultFolder,
-    resume: bool,
+    start: Start,
     control: &mut Control,
 ) -> Result<Outcome, RunError> {
     let stable = stable_step(model, assembly, phase);
@@ -111,8 +151,52 @@ pub fn run(
     let fingerprint = fingerprint(model, assembly, plan, dt);
     let mut state = assembly.rest();
     state.dt = dt;
-    if resume {
-        checkpoint::read(&folder.checkpoint(), &mut state, fingerprint)?;
+    match start {
+        Start::Rest => {}
+        Start::Resume => checkpoint::read(&folder.checkpoint(), &mut state, fingerprint)?,
+        Start::From(other) => {
+            checkpoint::read_hand_over(&other.checkpoint(), &mut state, fingerprint)?;
+            state.dt = dt;
+        }
+    }
+    let stages = Stages { model, assembly, plan, folder, fingerprint };
+    let begin = Instant::now();
+    let ended = match stages.run(&mut state, control)? {
+        Before::Done => None,
+        Before::Stopped => Some(Ending::Stopped),
+        Before::Failed { stage, relaxed, place } => {
+            Some(Ending::Restless { stage: plan.stages[stage].name.clone(), relaxed, place })
+        }
+    };
+    let stage_seconds = begin.elapsed().as_secs_f64();
+    if matches!(start, Start::From(_)) {
+        stages.write(&state)?;
+    }
+    if ended.is_some() || plan.duration == 0.0 {
+        return Ok(Outcome {
+            ending: ended.unwrap_or(Ending::Done),
+            steps,
+            taken: 0,
+            taken_here: 0,
+            dt,
+            stable,
+            loop_seconds: 0.0,
+            step_seconds: 0.0,
+            stages: before::summaries(model, plan, &state.observers),
+            shaken: false,
+            stage_seconds,
+            quiet: None,
+            balance: Lines::default(),
+            bodies: Vec::new(),
+            state,
+        });
+    }
+    let mut engine = Engine::new(model, assembly, phase);
+    if !plan.stages.is_empty() && state.carried.is_empty() {
+        checkpoint::write_hand_over(&folder.checkpoint(), &mut state, fingerprint)?;
+        engine.hand_over(&mut state, dt);
+        let drift = engine.quiet_run(&state, QUIET);
+        state.observers.insert(DRIFT.into(), vec![drift]);
     }
     let first = state.steps();
 
@@ -137,7 +221,6 @@ pub fn run(
     }
 
     let elements = phase.counted_elements;
-    let mut engine = Engine::new(model, assembly, phase);
     let begin = Instant::now();
     let (mut told, mut kept) = (begin, begin);
     let mut observing = Duration::ZERO;
@@ -148,10 +231,12 @@ pub fn run(
             told = now;
             let seconds = (now - begin).saturating_sub(observing).as_secs_f64();
             (control.progress)(Progress {
+                share: state.steps() as f64 / steps.total as f64,
                 step: state.steps(),
                 total: steps.total,
                 time: state.time(),
                 updates_per_second: (state.steps() - first) as f64 * elements as f64 / seconds,
+                ..Progress::default()
             });
         }
         // Before the parts are evaluated, so that a resumed run evaluates them once as well.
@@ -192,11 +277,12 @@ pub fn run(
             let place = hottest_element(model, phase, &engine.observe(&mut state));
             break Ending::Failed { halt, place };
         }
-        let State { u, du, dt, observers: memory, .. } = &mut state;
-        let stepped = Stepped { model, plan, u, du, dt: *dt };
+        let State { u, du, datum, dt, observers: memory, .. } = &mut state;
+        let stepped = Stepped { model, plan, u, datum, du, dt: *dt };
         observers.iter_mut().for_each(|observer| observer.stepped(&stepped, memory));
     };
     let loop_seconds = begin.elapsed().as_secs_f64();
+    SectionForces::of(model).write(folder, plan, &state.observers)?;
     Ok(Outcome {
         ending,
         steps,
@@ -206,6 +292,10 @@ pub fn run(
         stable,
         loop_seconds,
         step_seconds: loop_seconds - observing.as_secs_f64(),
+        stages: before::summaries(model, plan, &state.observers),
+        shaken: true,
+        stage_seconds,
+        quiet: state.observers.get(DRIFT).and_then(|drift| drift.first().copied()),
         balance,
         bodies,
         state,

@@ -8,12 +8,22 @@ use tremolite_engine::{Assembly, Engine, Model, ModelError, Phase, Stage, State}
 pub struct PlannedStage {
     pub name: String,
     pub release: Release,
+    /// What changes, for people: groups that go, groups that begin, and a phrase for each other change.
+    pub excavated: Vec<String>,
+    pub installed: Vec<String>,
+    pub changed: Vec<String>,
 }
 
 impl PlannedStage {
     /// A stage that lets everything go.
     pub fn new(name: impl Into<String>) -> Self {
-        PlannedStage { name: name.into(), release: Release::default() }
+        PlannedStage {
+            name: name.into(),
+            release: Release::default(),
+            excavated: Vec::new(),
+            installed: Vec::new(),
+            changed: Vec::new(),
+        }
     }
 }
 

@@ -4,12 +4,13 @@ use crate::damage;
 use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
 use crate::observers::Extremes;
-use crate::run::{Ending, Outcome};
+use crate::run::Ending;
 use crate::stress::stresses;
 use crate::survey::step_in_words;
 use crate::trust::{facts, trust};
 use indexmap::IndexMap;
 use tremolite_engine::Halt;
+use tremolite_engine::engine::Relaxed;
 use tremolite_results::{
     Finding, GroupStress, ModelFacts, MotionFacts as MotionSummary, Status, Summary, TrustLine,
     peaks_by_monitor,
@@ -35,18 +36,16 @@ pub fn summary(evidence: Evidence) -> Summary {
     let (trust, facts) = (trust(&evidence), facts(&evidence));
     let damage = damage::damage(model, phase, outcome.history(assembly), &outcome.state.observers);
     let stress = stresses(model, phase, &outcome.state.observers);
-    let run = run_in_words(outcome, &trust, &stress);
+    let run = run_in_words(&evidence, &trust, &stress);
     let interfaces = interfaces(model, assembly, &outcome.state.history);
     let mut findings = damage::findings(model, &damage);
     findings.extend(interfaces::findings(&interfaces));
     let status = match outcome.ending {
         Ending::Done => Status::Done,
         Ending::Stopped => Status::Stopped,
-        Ending::Failed { .. } => Status::Failed,
+        Ending::Failed { .. } | Ending::Restless { .. } => Status::Failed,
     };
     let axes = ["x", "y", "z"];
-    let peak = |i: usize| (axes[i].to_owned(), motion.factor * motion.intensity[i].pga);
-    let source = |i: usize| (axes[i].to_owned(), motion.source.clone());
     let mut groups: IndexMap<String, u64> =
         survey.bodies.iter().map(|b| (b.name.clone(), b.elements as u64)).collect();
     if survey.void_elements > 0 {
@@ -70,12 +69,15 @@ pub fn summary(evidence: Evidence) -> Summary {
             duration: outcome.taken as f64 * outcome.dt,
         },
         materials: evidence.materials,
-        motion: MotionSummary {
+        motion: motion.map_or_else(MotionSummary::default, |motion| MotionSummary {
             kind: motion.kind.to_string(),
             factor: motion.factor,
-            peak_acceleration: (0..3).map(peak).collect(),
-            source: (0..3).map(source).collect(),
-        },
+            peak_acceleration: (0..3)
+                .map(|i| (axes[i].to_owned(), motion.factor * motion.intensity[i].pga))
+                .collect(),
+            source: (0..3).map(|i| (axes[i].to_owned(), motion.source.clone())).collect(),
+        }),
+        stages: outcome.stages.clone(),
         positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
         monitors,
         relative,
@@ -106,12 +108,41 @@ fn verdict(run: &str, findings: &[Finding]) -> String {
     text
 }
 
-fn run_in_words(outcome: &Outcome, trust: &[TrustLine], stress: &IndexMap<String, GroupStress>) -> String {
+/// Why a stage did not come to rest.
+fn restless(stage: &str, relaxed: &Relaxed, place: &str) -> String {
+    let (Relaxed::AtRest(rest) | Relaxed::Stopped(rest) | Relaxed::Restless(rest) | Relaxed::Torn(rest, _)) =
+        relaxed;
+    let why = match relaxed {
+        Relaxed::Torn(..) => format!(
+            "after {} cycles elements there had strained by a tenth or moved by more than their own length: nothing holds them",
+            rest.cycles
+        ),
+        _ => format!(
+            "after {} cycles {:.1e} of all forces were out of balance and {:.1e} m of motion were left",
+            rest.cycles, rest.ratio, rest.left
+        ),
+    };
+    format!(
+        "The stage '{stage}' did not come to rest: {why}. Most moves {place}. What was left without support there comes down: \
+         support it, take less out at once, or let it go in smaller shares (`release`); or give more `max_cycles`."
+    )
+}
+
+fn run_in_words(evidence: &Evidence, trust: &[TrustLine], stress: &IndexMap<String, GroupStress>) -> String {
+    let Evidence { outcome, plan, .. } = evidence;
     let judged = trust.iter().filter(|t| !t.not_applicable);
     let passed = judged.clone().filter(|t| t.pass).count();
     let time = outcome.taken as f64 * outcome.dt;
     let mut text = match &outcome.ending {
+        Ending::Done if plan.duration == 0.0 => {
+            format!("All {} stages came to rest; there is no earthquake in this case.", outcome.stages.len())
+        }
         Ending::Done => format!("The run reached its end, {time:.2} s."),
+        Ending::Stopped if outcome.stages.len() < plan.stages.len() => {
+            let name = &plan.stages[outcome.stages.len()].name;
+            format!("The run was stopped in the stage '{name}'; go on with --resume.")
+        }
+        Ending::Restless { stage, relaxed, place } => restless(stage, relaxed, place),
         Ending::Stopped => format!("The run was stopped at {time:.3} s; go on with --resume."),
         Ending::Failed { halt, place } => {
             let (what, energy, supplied) = match halt {
@@ -131,7 +162,7 @@ fn run_in_words(outcome: &Outcome, trust: &[TrustLine], stress: &IndexMap<String
     } else {
         text += &format!("; look at: {}.", warned.join(", "));
     }
-    if matches!(outcome.ending, Ending::Failed { .. }) {
+    if matches!(outcome.ending, Ending::Failed { .. } | Ending::Restless { .. }) {
         return text;
     }
     let peaks: Vec<String> = stress

@@ -64,8 +64,8 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
         let full = body.quadrature == Quadrature::Full;
         let wavelength = speeds.1 / frequency;
         // (ω, element) and (elements a wavelength, element), worst first.
-        let worst = body
-            .elements
+        let lasting = model.lasting(body);
+        let worst = lasting
             .par_chunks(64)
             .map(|chunk| {
                 let hexes: Vec<_> = chunk.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
@@ -91,7 +91,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
             name: body.name.clone(),
             law: body.material.info().name,
             quadrature: body.quadrature,
-            elements: body.elements.len(),
+            elements: lasting.len(),
             density: body.density,
             wave_speeds: speeds,
             element_step: 2.0 / omega,
@@ -114,7 +114,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     Ok(Survey {
         bodies,
         active_elements: active,
-        void_elements: model.user_elements - active,
+        void_elements: model.user_elements - model.stand_ins.len() - active,
         nodes: model.counted.len(),
         bytes: geometry
             + 64 * totals.history.end

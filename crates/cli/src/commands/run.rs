@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use tremolite::evidence::Evidence;
-use tremolite::run::{Control, Ending, Progress, choose_step};
+use tremolite::run::{Control, Ending, Progress, Start, choose_step};
 use tremolite::setup::changed;
 use tremolite::summary::summary;
 use tremolite::survey::{impacts_in_words, limit_in_words, survey};
@@ -32,6 +32,9 @@ pub struct Args {
     /// Go on from the checkpoint of a run that was stopped
     #[arg(long)]
     resume: bool,
+    /// Begin with what the run in this folder had come to before its earthquake: same mesh, materials and stages
+    #[arg(long, value_name = "DIR", conflicts_with = "resume")]
+    from: Option<PathBuf>,
     /// Replace the results that --out holds
     #[arg(long, conflicts_with = "resume")]
     overwrite: bool,
@@ -79,18 +82,23 @@ pub fn run(args: &Args) -> Outcome {
     let isa = machine::isa(args.isa.as_deref())?;
     let pool = pool(args.threads)?;
     let (case, setup) = load(&args.case, isa)?;
-    let Some(motion) = setup.motion else {
-        return Err(Failure::input("a case without [motion] cannot be run yet"));
-    };
-    if case.seeks_equilibrium() {
-        return Err(Failure::input("a case with [[stage]] or initial stress cannot be run yet"));
-    }
     pool.install(|| {
-        let plan = setup.plan;
+        let (motion, plan) = (setup.motion, setup.plan);
+        if let (Some(from), true) = (&args.from, plan.stages.is_empty()) {
+            return Err(Failure::input(format!(
+                "--from {} has nothing to begin with: the case has no stages and no initial stress",
+                from.display()
+            )));
+        }
+        if args.from.is_some() && motion.is_none() {
+            return Err(Failure::input("--from leaves nothing to do: the case has no [motion]"));
+        }
         let model = Model::new(setup.problem).map_err(|e| refused(&case, &e))?;
         let assembly = Assembly::new(&model).map_err(|e| refused(&case, &e))?;
         let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(Failure::input)?;
-        let survey = survey(&model, &assembly, motion.highest_frequency).map_err(Failure::input)?;
+        // Without an earthquake every wave is long.
+        let highest = motion.as_ref().map_or(0.0, |motion| motion.highest_frequency);
+        let survey = survey(&model, &assembly, highest).map_err(Failure::input)?;
         let stable = stable_step(&model, &assembly, &phase);
         let mut warnings = [case.warnings.clone(), setup.warnings.clone()].concat();
         warnings.extend(check_step(&case, &stable));
@@ -125,27 +133,32 @@ pub fn run(args: &Args) -> Outcome {
         log.keep(&format!("tremolite {}: {}", env!("CARGO_PKG_VERSION"), command.join(" ")));
 
         log.say(&plan.title);
+        let shaken = motion.is_some();
+        let steps_in_words = if shaken { format!("{} steps of {dt:.3e} s, ", steps.total) } else { String::new() };
         log.say(&format!(
-            "  {} elements, {} nodes, {} steps of {dt:.3e} s, {} threads, {}, about {}",
+            "  {} elements, {} nodes, {steps_in_words}{} threads, {}, about {}",
             survey.active_elements,
             survey.nodes,
-            steps.total,
             rayon::current_num_threads(),
             isa.name(),
             bytes(survey.bytes)
         ));
-        log.say(&format!(
-            "  the stable step is {:.3e} s, set by {}",
-            stable.dt,
-            limit_in_words(&model, &assembly, &stable)
-        ));
+        if shaken {
+            log.say(&format!(
+                "  the stable step is {:.3e} s, set by {}",
+                stable.dt,
+                limit_in_words(&model, &assembly, &stable)
+            ));
+        }
         if let Some(impacts) = impacts_in_words(&model, &stable) {
             log.say(&format!("  {impacts}"));
         }
-        log.say(&format!(
-            "  motion: kind = {}, so the incident wave is {} times the given motion",
-            motion.kind, motion.factor
-        ));
+        if let Some(motion) = &motion {
+            log.say(&format!(
+                "  motion: kind = {}, so the incident wave is {} times the given motion",
+                motion.kind, motion.factor
+            ));
+        }
 
         let stop = Arc::new(AtomicBool::new(false));
         for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
@@ -153,26 +166,50 @@ pub fn run(args: &Args) -> Outcome {
             let _ = signal_hook::flag::register(signal, stop.clone());
         }
         let mut line = ProgressLine::new();
+        let mut in_stages = !plan.stages.is_empty();
         let mut tell = |p: Progress| {
-            let words =
-                format!("{:.2} s of {:.2} s  {:.1} M/s", p.time, plan.duration, p.updates_per_second / 1e6);
-            line.show(p.step as f64 / p.total as f64, &words);
+            let words = match p.stage {
+                Some(stage) => {
+                    let name = &plan.stages[stage].name;
+                    format!("{name}: cycle {}, {:.1e} out of balance", p.cycle, p.ratio)
+                }
+                None => {
+                    if std::mem::take(&mut in_stages) {
+                        line = ProgressLine::new();
+                    }
+                    format!("{:.2} s of {:.2} s  {:.1} M/s", p.time, plan.duration, p.updates_per_second / 1e6)
+                }
+            };
+            line.show(p.share, &words);
         };
         let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
-        let outcome = tremolite::run::run(&model, &assembly, &phase, &plan, &folder, args.resume, &mut control)
+        let other = match &args.from {
+            Some(from) => Some(ResultFolder::open_existing(from).map_err(Failure::input)?),
+            None => None,
+        };
+        let start = match &other {
+            Some(other) => Start::From(other),
+            None if args.resume => Start::Resume,
+            None => Start::Rest,
+        };
+        let outcome = tremolite::run::run(&model, &assembly, &phase, &plan, &folder, start, &mut control)
             .map_err(Failure::failed);
         line.end();
         let outcome = outcome?;
 
-        let histories = Table::read(&folder.monitors()).map_err(Failure::failed)?;
-        let energy = Table::read(&folder.energy()).map_err(Failure::failed)?;
+        // Before the earthquake there are none.
+        let table = |path: &Path| match outcome.shaken {
+            true => Table::read(path).map_err(Failure::failed),
+            false => Ok(Table::default()),
+        };
+        let (histories, energy) = (table(&folder.monitors())?, table(&folder.energy())?);
         let (earlier, resumed) = before.map_or((0.0, 0), |s| (s.wall_seconds, s.run.resumed + 1));
         let defaulted = defaulted(&Known {
             case: &case,
             model: &model,
             assembly: &assembly,
             plan: &plan,
-            motion: Some(&motion),
+            motion: motion.as_ref(),
             materials: &setup.materials,
             reference: setup.reference,
             base_without_springs: setup.base_without_springs.as_deref(),
@@ -183,7 +220,7 @@ pub fn run(args: &Args) -> Outcome {
             assembly: &assembly,
             phase: &phase,
             plan: &plan,
-            motion: &motion,
+            motion: motion.as_ref(),
             survey: &survey,
             outcome: &outcome,
             histories: &histories,
@@ -214,18 +251,28 @@ pub fn run(args: &Args) -> Outcome {
             log.say(&format!("  {mark} {}: {} (limit {})", line.name, short(line.value), line.limit));
         }
         let elements = phase.counted_elements;
-        log.say(&format!(
-            "  {} for {} steps: {:.1} million element updates a second",
-            duration(outcome.loop_seconds),
-            outcome.taken_here,
-            outcome.updates_per_second(elements) / 1e6
-        ));
+        if !plan.stages.is_empty() {
+            log.say(&format!(
+                "  {} for {} of {} stages",
+                duration(outcome.stage_seconds),
+                outcome.stages.len(),
+                plan.stages.len()
+            ));
+        }
+        if outcome.shaken {
+            log.say(&format!(
+                "  {} for {} steps: {:.1} million element updates a second",
+                duration(outcome.loop_seconds),
+                outcome.taken_here,
+                outcome.updates_per_second(elements) / 1e6
+            ));
+        }
         log.say(&summary.verdict);
         log.say(&format!("Results are in {}; open {}", folder.root().display(), page.display()));
         Ok(match outcome.ending {
             Ending::Done if args.strict && (warned || summary.warnings() > 0) => Code::Failed,
             Ending::Done => Code::Done,
-            Ending::Failed { .. } => Code::Failed,
+            Ending::Failed { .. } | Ending::Restless { .. } => Code::Failed,
             Ending::Stopped => Code::Stopped,
         })
     })

@@ -3,11 +3,12 @@
 use super::{Cracks, Envelopes, Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::quantities::{Field, extremes, field_name, mean, of_element};
+use std::path::Path;
 use tremolite_engine::model::Model;
-use tremolite_engine::phase::ElementSlot;
+use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
-use tremolite_mesh::vtu::{Array, Grid, Values};
+use tremolite_mesh::vtu::{Array, Grid, Values, VtuError};
 use tremolite_results::Pvd;
 
 /// Writes the chosen fields of the active elements.
@@ -15,6 +16,11 @@ pub struct Fields {
     schedule: Schedule,
     folder: std::path::PathBuf,
     list: Pvd,
+    grid: FieldGrid,
+}
+
+/// The active elements of a phase, to be written with what they show.
+pub struct FieldGrid {
     grid: Grid,
     /// Engine node of each point of the grid.
     nodes: Vec<u32>,
@@ -38,6 +44,14 @@ impl Fields {
         };
         std::fs::create_dir_all(folder.fields())
             .map_err(|source| RunError::Io { path: folder.fields(), source })?;
+        let schedule = Schedule { every, last: Some(steps.total) };
+        Ok(Some(Fields { schedule, folder: folder.fields(), list, grid: FieldGrid::of(model, phase) }))
+    }
+}
+
+impl FieldGrid {
+    /// The elements that are there in a phase.
+    pub fn of(model: &Model, phase: &Phase) -> Self {
         let active: Vec<u32> =
             (0u32..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).collect();
         let (mut grid, mesh_nodes) = Grid::from_mesh(&model.mesh, Some(&active));
@@ -49,14 +63,22 @@ impl Fields {
             Array::new("body", "", 1, Values::Int32(bodies)),
         ];
         grid.cell_data.extend(groups(model, &active));
-        Ok(Some(Fields {
-            schedule: Schedule { every, last: Some(steps.total) },
-            folder: folder.fields(),
-            list,
-            grid,
-            nodes: mesh_nodes.iter().map(|&n| model.engine_node[n as usize]).collect(),
-            slots,
-        }))
+        let nodes = mesh_nodes.iter().map(|&n| model.engine_node[n as usize]).collect();
+        FieldGrid { grid, nodes, slots }
+    }
+
+    /// Writes a file of the fields that the plan wants.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write(&self, path: &Path, time: f64, view: &View, memory: &Memory) -> Result<(), VtuError> {
+        let mut grid = self.grid.clone();
+        grid.time = Some(time);
+        for &field in &view.plan.fields {
+            self.add(&mut grid, field, view, memory);
+        }
+        self.add_histories(&mut grid, view);
+        grid.write(path)
     }
 
     fn nodal(&self, name: &str, unit: &str, rows: &[Row]) -> Array {
@@ -146,14 +168,8 @@ impl Observer for Fields {
     }
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let mut grid = self.grid.clone();
-        grid.time = Some(view.snapshot.time);
-        for &field in &view.plan.fields {
-            self.add(&mut grid, field, view, memory);
-        }
-        self.add_histories(&mut grid, view);
         let name = format!("{:06}.vtu", view.snapshot.step.div_ceil(self.schedule.every));
-        grid.write(&self.folder.join(&name))?;
+        self.grid.write(&self.folder.join(&name), view.snapshot.time, view, memory)?;
         self.list.add(view.snapshot.time, &format!("fields/{name}"))?;
         Ok(())
     }

@@ -75,7 +75,7 @@ impl Growth {
 
 fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
     let mut cells = Vec::new();
-    for &element in group.elements {
+    for &element in &group.elements {
         let (Some(slot), Ok(hex)) =
             (phase.element_slot[element as usize], hex(&model.mesh, element as usize))
         else {

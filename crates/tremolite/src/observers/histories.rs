@@ -8,7 +8,8 @@ use crate::error::RunError;
 use crate::plan::{Monitor, PairMonitor, Plan};
 use crate::quantities::{MONITOR, PAIR, RELATIVE, nearest_stress, stress_at};
 use tremolite_engine::model::Model;
-use tremolite_engine::state::Memory;
+use tremolite_engine::state::{Memory, State};
+use tremolite_kernels::contact::PairSeen;
 use tremolite_laws::Row;
 use tremolite_laws::sym3::principal_values;
 use tremolite_mesh::Shape;
@@ -74,10 +75,67 @@ pub(super) fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f6
     sum
 }
 
-/// Stress at a monitor \[Pa\].
-fn stress(view: &View, monitor: &Monitor) -> [f64; 6] {
+/// A row of all columns but the time for a model at rest before the shaking: displacements since the initial equilibrium, of
+/// elements that begin with a stage since then; not a number where nothing stands.
+pub fn at_rest(view: &View, state: &State) -> Vec<f64> {
+    let View { model, assembly, phase, plan, history, .. } = *view;
+    let mut row = Vec::new();
+    let mut displacements = Vec::with_capacity(plan.monitors.len());
+    for monitor in &plan.monitors {
+        let standing = model.standing_at(monitor.location.element as usize, phase.stage);
+        let slot = standing.and_then(|element| Some((element, phase.element_slot[element]?)));
+        let Some((element, slot)) = slot else {
+            displacements.push([f64::NAN; 3]);
+            row.extend([f64::NAN; MONITOR.len()]);
+            continue;
+        };
+        let member = &assembly.members[slot.member as usize];
+        let reference = &state.reference[assembly.slices[slot.member as usize].reference.clone()];
+        let mut u = [0.0; 3];
+        for (&node, weight) in model.mesh.elements[element].nodes().iter().zip(monitor.location.weights) {
+            let node = model.engine_node[node as usize];
+            let mut own = state.shown(node as usize).xyz();
+            if !reference.is_empty() {
+                let place = member.part.nodes().iter().position(|n| *n == node);
+                let zero = place.map_or([0.0; 3], |k| reference[k].xyz());
+                own = [0, 1, 2].map(|i| state.u[node as usize].0[i] - zero[i]);
+            }
+            (0..3).for_each(|i| u[i] += weight * own[i]);
+        }
+        displacements.push(u);
+        row.extend(u);
+        // Velocity and acceleration.
+        row.extend([0.0; 6]);
+        let stress = stress(view, monitor, element);
+        row.extend(stress);
+        row.extend(principal_values(&stress));
+    }
+    for [a, b] in &plan.relatives {
+        let d = [0, 1, 2].map(|i| displacements[*a][i] - displacements[*b][i]);
+        row.extend(d);
+        row.push((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt());
+    }
+    for pair in &plan.pairs {
+        let seam = &model.seams[pair.interface];
+        let nearest = seam.nearest(&model.mesh, pair.point);
+        if seam.lives[nearest].holds(phase.stage) {
+            row.extend(of_pair(assembly.contacts[pair.interface].seen(history.octets, nearest)));
+        } else {
+            row.extend([f64::NAN; PAIR.len()]);
+        }
+    }
+    row
+}
+
+/// The columns of a pair.
+fn of_pair(seen: PairSeen) -> [f64; 7] {
+    let ([slip1, slip2], [shear1, shear2]) = (seen.slip, seen.shear.map(|t| -t));
+    [seen.gap, slip1, slip2, seen.pressure, shear1, shear2, f64::from(seen.state)]
+}
+
+/// Stress at a monitor \[Pa\], in what stands there.
+fn stress(view: &View, monitor: &Monitor, element: usize) -> [f64; 6] {
     let View { model, phase, snapshot, history, .. } = *view;
-    let element = monitor.location.element as usize;
     // The natural coordinates of other shapes are not those of the collapsed hexahedron.
     let natural = match model.mesh.elements[element].shape {
         Shape::Hex8 => monitor.location.natural,
@@ -112,7 +170,7 @@ impl Observer for Histories {
                 None => 0.0,
             }));
             kept.extend(v);
-            let stress = stress(view, monitor);
+            let stress = stress(view, monitor, monitor.location.element as usize);
             row.extend(stress);
             row.extend(principal_values(&stress));
         }
@@ -123,10 +181,7 @@ impl Observer for Histories {
         }
         for (pair, &(seam, nearest)) in plan.pairs.iter().zip(&self.pairs) {
             debug_assert_eq!(pair.interface, seam);
-            let seen = assembly.contacts[seam].seen(history.octets, nearest);
-            let [slip1, slip2] = seen.slip;
-            let [shear1, shear2] = seen.shear.map(|t| -t);
-            row.extend([seen.gap, slip1, slip2, seen.pressure, shear1, shear2, f64::from(seen.state)]);
+            row.extend(of_pair(assembly.contacts[seam].seen(history.octets, nearest)));
         }
         self.table.write(&row)?;
         kept[0] = self.table.bytes_written() as f64;

@@ -9,17 +9,19 @@ mod growth;
 mod histories;
 mod interfaces;
 mod onsets;
+mod section_forces;
 mod steps;
 
 pub use cracks::Cracks;
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
-pub use fields::Fields;
+pub use fields::{FieldGrid, Fields};
 pub use free_field::{FreeField, FreeFieldSeen};
 pub use growth::Growth;
-pub use histories::Histories;
+pub use histories::{Histories, at_rest, columns};
 pub use interfaces::{InterfaceFields, Interfaces};
 pub use onsets::{Onsets, memory_key as onset_memory};
+pub use section_forces::SectionForces;
 pub use steps::{Extremes, StepPeaks};
 
 use crate::error::RunError;
@@ -91,6 +93,8 @@ pub struct Stepped<'a> {
     pub plan: &'a Plan,
     /// u^{n+1} and u^{n+1} − u^n by engine node \[m\], and the step \[s\].
     pub u: &'a [Row],
+    /// What u was at t = 0 \[m\]; empty where that was nothing.
+    pub datum: &'a [Row],
     pub du: &'a [Row],
     pub dt: f64,
 }
@@ -139,6 +143,7 @@ pub const OBSERVERS: &[Make] = &[
     // Behind the cracks, whose widths it writes.
     |s| Ok(Growth::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Fields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(SectionForces::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Interfaces::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(InterfaceFields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
 ];

@@ -36,14 +36,18 @@ impl Observer for StepPeaks {
     }
 
     fn stepped(&mut self, step: &Stepped, memory: &mut Memory) {
-        let Stepped { model, plan, u, du, dt } = *step;
+        let Stepped { model, plan, u, datum, du, dt } = *step;
         if !memory.contains_key(MEMORY) {
             // At rest so far.
             memory.insert(MEMORY.into(), vec![0.0; EACH * plan.monitors.len()]);
         }
         let Some(kept) = memory.get_mut(MEMORY) else { return };
         for (monitor, kept) in plan.monitors.iter().zip(kept.chunks_exact_mut(EACH)) {
-            let u = interpolate(model, monitor, u);
+            let mut u = interpolate(model, monitor, u);
+            if !datum.is_empty() {
+                let zero = interpolate(model, monitor, datum);
+                (0..3).for_each(|i| u[i] -= zero[i]);
+            }
             let v = interpolate(model, monitor, du).map(|d| d / dt);
             let (last, extremes) = kept.split_at_mut(3);
             let a = [0, 1, 2].map(|i| (v[i] - last[i]) / dt);

@@ -3,7 +3,7 @@
 use crate::plan::PairMonitor;
 use std::collections::{BTreeMap, BTreeSet};
 use tremolite_case::{Case, Interface as Written, Place, Problem, pattern};
-use tremolite_engine::{Body, Interface};
+use tremolite_engine::{Body, Interface, Life};
 use tremolite_kernels::InterfaceLaw;
 use tremolite_laws::Choice;
 use tremolite_mesh::Mesh;
@@ -21,6 +21,7 @@ pub fn build(
     case: &Case,
     mesh: &Mesh,
     bodies: &[Body],
+    lives: &[Life],
     laws: &[InterfaceLaw],
     problems: &mut Vec<Problem>,
 ) -> Vec<Interface> {
@@ -54,12 +55,16 @@ pub fn build(
             ));
             continue;
         }
+        let pressure = pressure(bodies, [&inside, &other]);
+        // What is installed later is the first side, whatever the order in the case: its nodes are its own.
+        let latest = |side: &[u32]| side.iter().map(|&e| lives[e as usize].born).max();
+        let sides = if latest(&second) > latest(&first) { [second, first] } else { [first, second] };
         interfaces.push(Interface {
             name: written.name.value.clone(),
-            sides: [first, second],
+            sides,
             law: *law,
             values: contact.parameters.clone(),
-            pressure: pressure(bodies, [&inside, &other]),
+            pressure,
             corner: contact.corner.value,
             damping: contact.damping.value,
             limit: contact.limit.value,

@@ -1,5 +1,6 @@
 //! From a checked case to a problem and a plan: reads the mesh and the records, and says all that does not fit.
 
+mod initial;
 mod inputs;
 mod interfaces;
 mod materials;
@@ -7,6 +8,7 @@ mod mesh;
 mod monitors;
 mod motion;
 mod regions;
+mod stages;
 mod warnings;
 
 pub use inputs::{changed, original_folder};
@@ -15,6 +17,7 @@ pub use motion::MotionFacts;
 use crate::plan::Plan;
 use crate::quantities::Field;
 use indexmap::IndexMap;
+use stages::Staged;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
 use tremolite_engine::{Base, Body, Incident, Interface, Problem, Rayleigh, Side, TimeStep, column};
@@ -103,11 +106,14 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
-    let monitors = monitors::build(case, &mesh, &bodies, &mut problems);
-    let interfaces = interfaces::build(case, &mesh, &bodies, &laws.interfaces, &mut problems);
+    let staged = Staged::build(case, &mesh, &bodies, &mut problems);
+    stages::check_pressures(case, &mesh, &mut problems);
+    let lasting = staged.lasting(&bodies);
+    let monitors = monitors::build(case, &mesh, &lasting, &mut problems);
+    let interfaces = interfaces::build(case, &mesh, &lasting, &staged.lives, &laws.interfaces, &mut problems);
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
     let (base, base_without_springs) =
-        springs_or_none(case, &mesh, &bodies, &interfaces, base, &mut problems);
+        springs_or_none(case, &mesh, &lasting, &interfaces, base, &mut problems);
     if !problems.is_empty() {
         return Err(case.report(problems));
     }
@@ -118,7 +124,8 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(interfaces::warnings(case, &laws.interfaces));
     warnings.extend(warnings::of_laws(case, &bodies, &fields));
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_sides(case, motion)));
-    warnings.extend(warnings::of_thin_bodies(case, &mesh, &bodies));
+    warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
+    warnings.extend(stages::warnings(case));
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
@@ -146,9 +153,11 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     problem.time_step =
         TimeStep { safety: dynamic.safety.value, given: dynamic.time_step.as_ref().map(|t| t.value) };
     problem.isa = isa;
+    staged.fill(case, &mut problem);
     let output = &case.output;
     let plan = Plan {
         title: case.title.value.clone(),
+        stages: Staged::plan(case),
         duration,
         histories: output.histories.value,
         snapshots: output.snapshots.as_ref().map(|s| s.value),

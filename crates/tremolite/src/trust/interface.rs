@@ -35,9 +35,12 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
 
 /// Friction, and whether a joint is closed at all, go by the pressure that is there before.
 fn unstressed(evidence: &Evidence) -> TrustLine {
+    const ID: &str = "interface_without_initial_stress";
+    if !evidence.model.initial.is_empty() {
+        return TrustLine::not_applicable(ID, UNSTRESSED, "the ground begins with initial stress");
+    }
     let names: Vec<&str> = evidence.model.seams.iter().map(|seam| seam.name.as_str()).collect();
-    let line =
-        TrustLine::at_most("interface_without_initial_stress", UNSTRESSED, names.len() as f64, 0.0, "");
+    let line = TrustLine::at_most(ID, UNSTRESSED, names.len() as f64, 0.0, "");
     line.with_note(format!(
         "{}: nothing presses the sides together before the earthquake, and no weight closes them again, so they part and slide \
          earlier and further than in place; one without a bond is open from the first motion on",

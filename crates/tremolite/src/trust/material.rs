@@ -55,10 +55,13 @@ fn broken_monitors(evidence: &Evidence) -> TrustLine {
         .with_note(note)
 }
 
-/// Rock that yields by its pressure, without the pressure: no stage of a run gives it an initial stress yet.
+/// Rock that yields by its pressure, without the pressure.
 fn unstressed(model: &Model) -> TrustLine {
     const ID: &str = "yielding_rock_without_initial_stress";
     const NAME: &str = "yielding rock without initial stress";
+    if !model.initial.is_empty() {
+        return TrustLine::not_applicable(ID, NAME, "the ground begins with initial stress");
+    }
     let plastic = [Role::PlasticShear, Role::PlasticTension];
     let bodies = model.user_bodies().iter().filter(|body| {
         let info = body.material.info();
@@ -78,7 +81,7 @@ fn unstressed(model: &Model) -> TrustLine {
 /// The least and the largest energy of cracks across a body's elements \[N/m\], if its law cracks.
 fn crack_energy(model: &Model, body: &Body) -> Option<[f64; 2]> {
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-    for &element in &body.elements {
+    for &element in &model.lasting(body) {
         let Ok(hex) = hex(&model.mesh, element as usize) else { continue };
         for energy in extents(&hex).into_iter().filter_map(|h| body.material.crack_energy(h)) {
             (least, most) = (least.min(energy), most.max(energy));

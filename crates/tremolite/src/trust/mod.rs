@@ -1,6 +1,7 @@
 //! How far a run can be trusted: each line a number against a limit. A check that does not apply says so; what holds by
 //! construction is a fact and no check.
 
+mod before;
 mod energy;
 mod interface;
 mod material;
@@ -15,9 +16,12 @@ use tremolite_results::{Fact, TrustLine, tell_apart};
 
 /// Every check of a run.
 pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
-    let mut lines = vec![waves::per_wavelength(evidence), waves::drift(evidence)];
-    lines.extend(waves::free_field(evidence));
-    lines.extend(energy::lines(evidence));
+    let mut lines = before::lines(evidence);
+    if evidence.outcome.shaken {
+        lines.extend([waves::per_wavelength(evidence), waves::drift(evidence)]);
+        lines.extend(waves::free_field(evidence));
+        lines.extend(energy::lines(evidence));
+    }
     lines.extend(interface::lines(evidence));
     lines.extend(material::lines(evidence));
     tell_apart(lines.iter_mut().map(|line| &mut line.id));
@@ -27,6 +31,9 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
 /// What is true of a run by construction.
 pub(crate) fn facts(evidence: &Evidence) -> Vec<Fact> {
     let Evidence { model, assembly, outcome, .. } = evidence;
+    if !evidence.outcome.shaken {
+        return before::facts(evidence);
+    }
     let stable = &outcome.stable;
     let set_by = limit_in_words(model, assembly, stable);
     let mut facts = vec![
@@ -49,6 +56,7 @@ pub(crate) fn facts(evidence: &Evidence) -> Vec<Fact> {
         ),
     ];
     facts.extend(material::facts(model));
+    facts.extend(before::facts(evidence));
     tell_apart(facts.iter_mut().map(|fact| &mut fact.id));
     facts
 }

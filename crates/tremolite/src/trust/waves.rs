@@ -18,9 +18,9 @@ pub(crate) const DRIFT: f64 = 0.1;
 pub(super) fn per_wavelength(evidence: &Evidence) -> TrustLine {
     const ID: &str = "elements_per_wavelength";
     const NAME: &str = "elements per shortest wavelength";
-    let Evidence { model, motion, survey, .. } = evidence;
-    let Some(coarsest) = survey.coarsest() else {
-        return TrustLine::not_applicable(ID, NAME, "no body");
+    let Evidence { model, survey, .. } = evidence;
+    let (Some(coarsest), Some(motion)) = (survey.coarsest(), evidence.motion) else {
+        return TrustLine::not_applicable(ID, NAME, "no wave comes in");
     };
     TrustLine::at_least(ID, NAME, coarsest.per_wavelength, PER_WAVELENGTH, "")
         .with("frequency", motion.highest_frequency)

@@ -9,7 +9,7 @@ use tremolite::damage::{damage, findings};
 use tremolite::disk::field_bytes;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
-use tremolite::run::{Control, Ending, Outcome, run};
+use tremolite::run::{Control, Ending, Outcome, Start, run};
 use tremolite::{
     AnyMaterial, Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, elastic, hexahedra, laws,
 };
@@ -88,6 +88,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
         ];
         let plan = Plan {
             title: "hall".into(),
+            stages: Vec::new(),
             duration: 0.3,
             histories: 0.002,
             snapshots: Some(0.1),
@@ -106,8 +107,16 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
         let stop = AtomicBool::new(false);
         let mut tell = |p: tremolite::run::Progress| stop.store(p.time > stop_after, Ordering::Relaxed);
         let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
-        let outcome =
-            run(&ready.model, &ready.assembly, &ready.phase, &plan, &results, resume, &mut control).unwrap();
+        let outcome = run(
+            &ready.model,
+            &ready.assembly,
+            &ready.phase,
+            &plan,
+            &results,
+            if resume { Start::Resume } else { Start::Rest },
+            &mut control,
+        )
+        .unwrap();
         (ready, outcome)
     })
 }

@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 use std::sync::atomic::AtomicBool;
 use tremolite::evidence::Evidence;
 use tremolite::plan::{Monitor, Plan};
-use tremolite::run::{Control, run};
+use tremolite::run::{Control, Start, run};
 use tremolite::setup::MotionFacts;
 use tremolite::summary::summary;
 use tremolite::survey::survey;
@@ -226,6 +226,7 @@ fn told(problem: Problem) -> Summary {
     let location = Locator::new(&problem.mesh, None).locate([6.0, 5.0, 7.0], 1e-6).unwrap();
     let plan = Plan {
         title: "metal".into(),
+        stages: Vec::new(),
         duration: 0.3,
         histories: 0.002,
         snapshots: None,
@@ -239,7 +240,7 @@ fn told(problem: Problem) -> Summary {
     let Ready { model, assembly, phase } = Ready::new(problem);
     let results = ResultFolder::create(Some(folder.path()), "metal", true).unwrap();
     let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {}, observers: Vec::new() };
-    let outcome = run(&model, &assembly, &phase, &plan, &results, false, &mut control).unwrap();
+    let outcome = run(&model, &assembly, &phase, &plan, &results, Start::Rest, &mut control).unwrap();
     let facts = MotionFacts {
         kind: MotionKind::Outcrop,
         factor: 0.5,
@@ -254,7 +255,7 @@ fn told(problem: Problem) -> Summary {
         assembly: &assembly,
         phase: &phase,
         plan: &plan,
-        motion: &facts,
+        motion: Some(&facts),
         survey: &survey(&model, &assembly, 25.0).unwrap(),
         outcome: &outcome,
         histories: &Table::read(&results.monitors()).unwrap(),

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use tremolite::observers::{Observer, Schedule, Setting, View};
 use tremolite::parts::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
 use tremolite::plan::Plan;
-use tremolite::run::{Control, Ending, run};
+use tremolite::run::{Control, Ending, Start, run};
 use tremolite::state::Memory;
 use tremolite::{Base, Limit, Line, Lines, Member, Problem, RunError, Side};
 use tremolite_laws::Row;
@@ -162,6 +162,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
     let Ready { model, assembly, phase } = Ready::new(problem);
     let plan = Plan {
         title: "springs".into(),
+        stages: Vec::new(),
         duration: 0.1,
         histories: 0.002,
         snapshots: None,
@@ -179,7 +180,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
             Ok(Some(Box::new(Stretched::new(setting)?) as Box<dyn Observer>))
         })],
     };
-    let outcome = run(&model, &assembly, &phase, &plan, &results, false, &mut control).unwrap();
+    let outcome = run(&model, &assembly, &phase, &plan, &results, Start::Rest, &mut control).unwrap();
     assert_eq!(outcome.ending, Ending::Done);
     let table = Table::read(&Stretched::path(&results)).unwrap();
     let stretch = table.column("stretch").unwrap();

@@ -10,7 +10,7 @@ use tremolite::observers::Extremes;
 use tremolite::parts::loads::Load;
 use tremolite::plan::{Monitor, PairMonitor, Plan};
 use tremolite::quantities::Field;
-use tremolite::run::{Control, Ending, Outcome, run};
+use tremolite::run::{Control, Ending, Outcome, Start, run};
 use tremolite::{Base, Halt, Line, Problem, Side, elastic};
 use tremolite_laws::{Isa, Moduli};
 use tremolite_mesh::locate::Locator;
@@ -25,6 +25,7 @@ fn plan(problem: &Problem) -> Plan {
     };
     Plan {
         title: "block".into(),
+        stages: Vec::new(),
         duration: 0.12,
         histories: 0.002,
         snapshots: Some(0.02),
@@ -55,7 +56,16 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_at: Op
             }
         };
         let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
-        run(&model, &assembly, &phase, &plan, &results, resume, &mut control).unwrap()
+        run(
+            &model,
+            &assembly,
+            &phase,
+            &plan,
+            &results,
+            if resume { Start::Resume } else { Start::Rest },
+            &mut control,
+        )
+        .unwrap()
     })
 }
 
@@ -104,7 +114,7 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
         let stop = AtomicBool::new(false);
         let mut control = Control { stop: &stop, progress: &mut |_| {}, observers: Vec::new() };
         let results = ResultFolder::open_existing(&parts).unwrap();
-        let refused = run(&model, &assembly, &phase, &plan, &results, true, &mut control);
+        let refused = run(&model, &assembly, &phase, &plan, &results, Start::Resume, &mut control);
         assert!(refused.is_err_and(|e| e.to_string().contains("another model or plan")), "{what}");
     }
 }

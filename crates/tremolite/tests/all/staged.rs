@@ -29,7 +29,7 @@ const LINED: Stage = Stage::Before(2);
 
 fn close() -> PlannedStage {
     let release = Release { tolerance: [1e-9, 1e-6], ..Release::default() };
-    PlannedStage { name: "stage".into(), release }
+    PlannedStage { release, ..PlannedStage::new("stage") }
 }
 
 /// A block of 12 × 4 × 12 m, with an opening of 4 × 4 m along y in its middle whose outer ring of elements becomes a lining.

@@ -1,0 +1,139 @@
+//! Thrust, moment and shear of linings: what stages leave, and the extremes over the shaking.
+
+use super::{Observer, Schedule, Setting, View};
+use crate::error::RunError;
+use crate::groups::all_groups;
+use crate::plan::Plan;
+use crate::sections::{Station, forces, stations};
+use std::collections::HashMap;
+use tremolite_engine::state::Memory;
+use tremolite_engine::{Model, Stage};
+use tremolite_results::{ResultFolder, SectionRow, write_sections};
+
+/// Forces by station at the end of each stage, three each, stage behind stage.
+const STAGES: &str = "section forces of stages";
+/// By station and force over the shaking: largest with its time, smallest with its time.
+const EXTREMES: &str = "section forces";
+
+/// The stations of a model's linings, followed row by row.
+pub struct SectionForces {
+    schedule: Schedule,
+    /// Each with the group that it is in.
+    stations: Vec<(String, Station)>,
+}
+
+impl SectionForces {
+    /// Nothing where there are none.
+    pub fn observer(setting: &Setting) -> Option<Self> {
+        let found = SectionForces { schedule: setting.rows(), ..SectionForces::of(setting.model) };
+        (!found.is_empty()).then_some(found)
+    }
+
+    /// Finds them: of whole groups that damage, or that begin with a stage.
+    pub fn of(model: &Model) -> Self {
+        let standing: Vec<bool> =
+            (0..model.mesh.elements.len()).map(|e| model.stands(e, Stage::Shaking)).collect();
+        let mut all = Vec::new();
+        for group in all_groups(model) {
+            let later = group.elements.iter().any(|&e| model.lives[e as usize].is_later());
+            if group.whole && (later || group.body.material.info().damages) {
+                let found = stations(&model.mesh, &group.elements, &standing);
+                all.extend(found.into_iter().map(|station| (group.name.to_owned(), station)));
+            }
+        }
+        SectionForces { schedule: Schedule { every: 1, last: None }, stations: all }
+    }
+
+    /// Whether there are any.
+    pub fn is_empty(&self) -> bool {
+        self.stations.is_empty()
+    }
+
+    /// Forces of every station at a time; not a number where it does not stand.
+    pub fn at(&self, view: &View) -> Vec<[f64; 3]> {
+        let points = |e: u32| match view.phase.element_slot[e as usize] {
+            Some(slot) => &view.snapshot.stress[slot.point as usize..][..slot.points as usize],
+            None => &[],
+        };
+        let of_station = |station: &Station| {
+            if station.stack.iter().any(|(e, _)| view.phase.element_slot[*e as usize].is_none()) {
+                return [f64::NAN; 3];
+            }
+            forces(&view.model.mesh, station, points)
+        };
+        self.stations.iter().map(|(_, station)| of_station(station)).collect()
+    }
+
+    /// Keeps the forces at the end of a stage.
+    pub fn remember(&self, memory: &mut Memory, forces: Vec<[f64; 3]>) {
+        if !self.is_empty() {
+            memory.entry(STAGES.into()).or_default().extend(forces.into_iter().flatten());
+        }
+    }
+
+    /// Follows the extremes of the shaking.
+    fn follow(&self, memory: &mut Memory, time: f64, forces: &[[f64; 3]]) {
+        let start = || [f64::NEG_INFINITY, 0.0, f64::INFINITY, 0.0].repeat(3 * self.stations.len());
+        let kept = memory.entry(EXTREMES.into()).or_insert_with(start);
+        for (now, kept) in forces.iter().flatten().zip(kept.chunks_exact_mut(4)) {
+            if *now > kept[0] {
+                (kept[0], kept[1]) = (*now, time);
+            }
+            if *now < kept[2] {
+                (kept[2], kept[3]) = (*now, time);
+            }
+        }
+    }
+
+    /// Writes sections.csv whole from what is remembered; nothing without stations.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write(&self, folder: &ResultFolder, plan: &Plan, memory: &Memory) -> Result<(), RunError> {
+        if self.is_empty() {
+            return Ok(());
+        }
+        let mut rows = Vec::new();
+        let mut number = HashMap::<&str, u32>::new();
+        let row = |lining: &str, station: u32, place, when: &str, time, forces| SectionRow {
+            lining: lining.to_owned(),
+            station,
+            place,
+            when: when.to_owned(),
+            time,
+            forces,
+        };
+        for (k, (lining, station)) in self.stations.iter().enumerate() {
+            let next = number.entry(lining).or_default();
+            *next += 1;
+            let at = 3 * k;
+            let stages = memory.get(STAGES).map_or(&[][..], Vec::as_slice);
+            for (stage, forces) in plan.stages.iter().zip(stages.chunks_exact(3 * self.stations.len())) {
+                let forces = [forces[at], forces[at + 1], forces[at + 2]];
+                if forces.iter().all(|f| f.is_finite()) {
+                    rows.push(row(lining, *next, station.place, &stage.name, [f64::NAN; 3], forces));
+                }
+            }
+            let Some(kept) = memory.get(EXTREMES) else { continue };
+            let of = |i: usize, c: usize| kept[4 * (at + i) + c];
+            for (when, c) in [("min", 2), ("max", 0)] {
+                let (forces, times) = ([0, 1, 2].map(|i| of(i, c)), [0, 1, 2].map(|i| of(i, c + 1)));
+                if forces.iter().all(|f| f.is_finite()) {
+                    rows.push(row(lining, *next, station.place, when, times, forces));
+                }
+            }
+        }
+        Ok(write_sections(&folder.sections(), &rows)?)
+    }
+}
+
+impl Observer for SectionForces {
+    fn schedule(&self) -> Schedule {
+        self.schedule
+    }
+
+    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
+        self.follow(memory, view.snapshot.time, &self.at(view));
+        Ok(())
+    }
+}

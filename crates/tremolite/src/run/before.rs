@@ -1,0 +1,306 @@
+//! Stages of a run: each is relaxed, looked at and written, so that what is done stays done.
+
+use super::{Control, Progress, TELL};
+use crate::checkpoint;
+use crate::error::RunError;
+use crate::history::History;
+use crate::observers::{FieldGrid, SectionForces, View, at_rest, columns};
+use crate::plan::Plan;
+use crate::stages::PlannedStage;
+use indexmap::IndexMap;
+use std::collections::BTreeSet;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+use tremolite_engine::engine::{Relaxed, Rest};
+use tremolite_engine::hexahedra::{centroid, hex};
+use tremolite_engine::state::{Memory, State};
+use tremolite_engine::{Assembly, Engine, Model, Phase, Stage};
+use tremolite_laws::Role;
+use tremolite_results::{Column, Pvd, ResultFolder, StageSummary, TableWriter, write_stages};
+
+/// What is remembered of the stages that are done: numbers of each, one behind the other.
+const MEMORY: &str = "stages";
+/// And how they came to rest: stage, cycle, ratio, motion left, motion.
+const RELAXATION: &str = "relaxation";
+/// Cycles between rows of that.
+const EVERY: u64 = 10;
+/// Numbers of a stage before those of monitors and walls.
+const OWN: usize = 6;
+
+/// How the stages ended.
+pub(super) enum Before {
+    Done,
+    Stopped,
+    /// In this stage, with a place.
+    Failed {
+        stage: usize,
+        relaxed: Relaxed,
+        place: String,
+    },
+}
+
+/// A run's stages.
+pub(super) struct Stages<'a> {
+    pub model: &'a Model,
+    pub assembly: &'a Assembly,
+    pub plan: &'a Plan,
+    pub folder: &'a ResultFolder,
+    pub fingerprint: u64,
+}
+
+impl Stages<'_> {
+    /// Brings a state through the stages that are left.
+    pub fn run(&self, state: &mut State, control: &mut Control) -> Result<Before, RunError> {
+        let Stages { model, assembly, plan, .. } = *self;
+        let first = state.stage as usize;
+        for (k, planned) in plan.stages.iter().enumerate().skip(first) {
+            let phase = Phase::of(model, assembly, Stage::Before(k as u16))?;
+            let mut engine = Engine::new(model, assembly, &phase);
+            match self.relax(k, planned, &mut engine, state, control)? {
+                Relaxed::AtRest(rest) => {
+                    self.look(k, &phase, &mut engine, state, &rest)?;
+                    self.write(state)?;
+                }
+                Relaxed::Stopped(_) => return Ok(Before::Stopped),
+                relaxed => {
+                    // What it looks like where it was given up.
+                    self.fields(k, &phase, &mut engine, state)?;
+                    self.write(state)?;
+                    let place = place(model, &phase, &relaxed);
+                    return Ok(Before::Failed { stage: k, relaxed, place });
+                }
+            }
+        }
+        Ok(Before::Done)
+    }
+
+    fn relax(
+        &self,
+        stage: usize,
+        planned: &PlannedStage,
+        engine: &mut Engine,
+        state: &mut State,
+        control: &mut Control,
+    ) -> Result<Relaxed, RunError> {
+        let (mut told, mut kept) = (Instant::now(), Instant::now());
+        let mut failed = None;
+        let mut start_ratio = f64::NAN;
+        let relaxed = engine.relax_watched(state, &planned.release, &mut |state, rest| {
+            let cycle = state.relaxing.cycle;
+            if rest.cycles > 0 && rest.cycles.is_multiple_of(EVERY) {
+                remember(&mut state.observers, stage, rest);
+            }
+            if cycle == planned.release.cycles {
+                start_ratio = rest.ratio;
+            }
+            let now = Instant::now();
+            if now - told >= TELL {
+                told = now;
+                (control.progress)(Progress {
+                    stage: Some(stage),
+                    share: (stage as f64 + share(rest, planned, start_ratio)) / self.plan.stages.len() as f64,
+                    cycle,
+                    ratio: rest.ratio,
+                    ..Progress::default()
+                });
+            }
+            let stop = control.stop.load(Ordering::Relaxed);
+            let due = self.plan.checkpoint.is_some_and(|every| (now - kept).as_secs_f64() >= every);
+            if stop || due {
+                if let Err(e) = checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint) {
+                    failed = Some(e);
+                    return false;
+                }
+                kept = now;
+            }
+            !stop
+        });
+        match failed {
+            Some(e) => Err(e.into()),
+            None => Ok(relaxed),
+        }
+    }
+
+    /// Remembers how a stage ended, and writes what stands then.
+    fn look(
+        &self,
+        stage: usize,
+        phase: &Phase,
+        engine: &mut Engine,
+        state: &mut State,
+        rest: &Rest,
+    ) -> Result<(), RunError> {
+        let Stages { model, assembly, plan, .. } = *self;
+        let snapshot = engine.observe(&mut state.clone());
+        let history = History { assembly, octets: &state.history };
+        let view =
+            View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers: &state.numbers };
+        let mut row = vec![
+            rest.cycles as f64,
+            rest.ratio,
+            rest.left,
+            rest.motion,
+            plastic_volume(&view),
+            rest.unreleased,
+        ];
+        row.extend(at_rest(&view, state));
+        row.extend(walls(model).iter().flat_map(|(_, node)| state.shown(*node).xyz()));
+        let sections = SectionForces::of(model);
+        let forces = sections.at(&view);
+        state.observers.entry(MEMORY.into()).or_default().extend(row);
+        sections.remember(&mut state.observers, forces);
+        self.fields_of(stage, &view, &state.observers)
+    }
+
+    fn fields(
+        &self,
+        stage: usize,
+        phase: &Phase,
+        engine: &mut Engine,
+        state: &State,
+    ) -> Result<(), RunError> {
+        let Stages { model, assembly, plan, .. } = *self;
+        let snapshot = engine.observe(&mut state.clone());
+        let history = History { assembly, octets: &state.history };
+        let view =
+            View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers: &state.numbers };
+        self.fields_of(stage, &view, &state.observers)
+    }
+
+    fn fields_of(&self, stage: usize, view: &View, memory: &Memory) -> Result<(), RunError> {
+        let folder = self.folder.stage_fields();
+        std::fs::create_dir_all(&folder).map_err(|source| RunError::Io { path: folder.clone(), source })?;
+        let name = format!("{stage:03}.vtu");
+        FieldGrid::of(self.model, view.phase).write(&folder.join(&name), stage as f64, view, memory)?;
+        let path = self.folder.stages_pvd();
+        // A stage that a stopped run had written already is written again.
+        let mut list = match path.exists() && stage > 0 {
+            true => Pvd::resume(&path, stage as f64 - 0.5)?,
+            false => Pvd::create(&path)?,
+        };
+        Ok(list.add(stage as f64, &format!("stages/{name}"))?)
+    }
+
+    /// Writes the tables of the stages whole, from what is remembered.
+    pub fn write(&self, state: &State) -> Result<(), RunError> {
+        let Stages { model, plan, folder, .. } = *self;
+        write_stages(&folder.stages(), &columns(plan)[1..], &summaries(model, plan, &state.observers))?;
+        let columns = [("stage", ""), ("cycle", ""), ("ratio", ""), ("motion_left", "m"), ("motion", "m")];
+        let columns = columns.map(|(name, unit)| Column::new(name, unit));
+        let mut table = TableWriter::create(&folder.relaxation(), &columns)?;
+        let rows = state.observers.get(RELAXATION).map_or(&[][..], Vec::as_slice);
+        for row in rows.chunks_exact(columns.len()) {
+            table.write(row)?;
+        }
+        SectionForces::of(model).write(folder, plan, &state.observers)
+    }
+}
+
+fn remember(memory: &mut Memory, stage: usize, rest: &Rest) {
+    let rows = memory.entry(RELAXATION.into()).or_default();
+    // A cycle that a checkpoint saw just before it was made is told again.
+    let row = [stage as f64, rest.cycles as f64, rest.ratio, rest.left, rest.motion];
+    if rows.rchunks(row.len()).next().is_none_or(|last| last[..2] != row[..2]) {
+        rows.extend(row);
+    }
+}
+
+/// How far a stage is, from 0 to 1: a guess, by the ramp and then by the decades that the ratio has fallen.
+fn share(rest: &Rest, planned: &PlannedStage, start: f64) -> f64 {
+    let release = &planned.release;
+    let ramp = 0.4 * (rest.cycles as f64 / release.cycles.max(1) as f64).min(1.0);
+    let decades = (start / rest.ratio).ln() / (start / release.tolerance[0]).ln();
+    let fallen =
+        if rest.cycles > release.cycles && decades.is_finite() { decades.clamp(0.0, 1.0) } else { 0.0 };
+    ramp + 0.6 * fallen
+}
+
+/// ∫γ_p dV over what stands \[m³\].
+fn plastic_volume(view: &View) -> f64 {
+    let slots = view.phase.element_slot.iter().enumerate().filter_map(|(e, slot)| Some((e, (*slot)?)));
+    slots
+        .filter_map(|(e, slot)| {
+            let column = view.history.with_role(&slot, Role::PlasticShear)?;
+            let hex = hex(&view.model.mesh, e).ok()?;
+            let mean = view.history.values(&slot, column).sum::<f64>() / f64::from(slot.points);
+            Some(hex.volume * mean)
+        })
+        .sum()
+}
+
+/// The mesh's named points, each with the nearest engine node of what stands from the start to the end.
+fn walls(model: &Model) -> Vec<(&str, usize)> {
+    let throughout = (0..model.user_elements).filter(|&e| {
+        model.body_of[e].is_some() && !model.lives[e].is_later() && model.lives[e].gone.is_none()
+    });
+    let nodes: BTreeSet<u32> = throughout.flat_map(|e| model.mesh.elements[e].nodes().to_vec()).collect();
+    let nearest = |at: &[f64; 3]| {
+        let square = |n: &u32| -> f64 {
+            let x = model.mesh.nodes[*n as usize];
+            (0..3).map(|i| (x[i] - at[i]).powi(2)).sum()
+        };
+        nodes.iter().min_by(|a, b| square(a).total_cmp(&square(b))).copied()
+    };
+    model
+        .mesh
+        .points
+        .iter()
+        .filter_map(|(name, at)| Some((name.as_str(), model.engine_node[nearest(at)? as usize] as usize)))
+        .collect()
+}
+
+/// The stages that are done, from what is remembered of them.
+pub(crate) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<StageSummary> {
+    let columns = columns(plan);
+    let monitors = &columns[1..];
+    let walls = walls(model);
+    let length = OWN + monitors.len() + 3 * walls.len();
+    let rows = memory.get(MEMORY).map_or(&[][..], Vec::as_slice);
+    rows.chunks_exact(length)
+        .zip(&plan.stages)
+        .map(|(row, planned)| {
+            let mut of_monitors: IndexMap<String, IndexMap<String, Option<f64>>> = IndexMap::new();
+            for (column, value) in monitors.iter().zip(&row[OWN..]) {
+                let (monitor, quantity) = column.name.rsplit_once('.').unwrap_or((&column.name, ""));
+                let of = of_monitors.entry(monitor.to_owned()).or_default();
+                of.insert(quantity.to_owned(), value.is_finite().then_some(*value));
+            }
+            let of_walls = row[OWN + monitors.len()..].chunks_exact(3);
+            StageSummary {
+                name: planned.name.clone(),
+                excavated: planned.excavated.clone(),
+                installed: planned.installed.clone(),
+                changed: planned.changed.clone(),
+                release: planned.release.share,
+                cycles: row[0] as u64,
+                ratio: row[1],
+                motion_left: row[2],
+                largest_motion: row[3],
+                plastic_volume: row[4],
+                held: row[5],
+                monitors: of_monitors,
+                walls: walls
+                    .iter()
+                    .zip(of_walls)
+                    .map(|((name, _), u)| ((*name).to_owned(), [u[0], u[1], u[2]]))
+                    .collect(),
+            }
+        })
+        .collect()
+}
+
+/// Where a relaxation that failed moves most.
+fn place(model: &Model, phase: &Phase, relaxed: &Relaxed) -> String {
+    let element = match relaxed {
+        Relaxed::Torn(_, element) => Some(*element),
+        Relaxed::AtRest(rest) | Relaxed::Stopped(rest) | Relaxed::Restless(rest) => {
+            let node = model.mesh_node[rest.fastest as usize];
+            let holds = |e: &usize| model.mesh.elements[*e].nodes().contains(&node);
+            let slots = phase.element_slot.iter().enumerate();
+            slots.filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).find(holds).map(|e| e as u32)
+        }
+    };
+    let Some(element) = element else { return "no element".into() };
+    let [x, y, z] = centroid(&model.mesh, element);
+    format!("{} at ({x:.2}, {y:.2}, {z:.2}) m", model.element_name(element as usize))
+}
