@@ -191,11 +191,12 @@ fn check(model: &Model, member: &Member) -> Result<(), ModelError> {
 fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
     let body = &model.bodies[patch.body];
     let mut nodes: Vec<u32> = Vec::new();
-    let mut local: BTreeMap<u32, u16> = BTreeMap::new();
+    // By node; in a patch that takes over by element and corner as well.
+    let mut local: BTreeMap<(usize, u32), u16> = BTreeMap::new();
     let mut corners = Vec::with_capacity(patch.elements.len());
     let mut geometry = Vec::with_capacity(patch.elements.len());
     let mut masses: Vec<f64> = Vec::new();
-    for &e in &patch.elements {
+    for (i, &e) in patch.elements.iter().enumerate() {
         let hex = hex(&model.mesh, e as usize).map_err(|reason| ModelError::BadElement {
             element: model.mesh.element_id(e as usize),
             body: body.name.clone(),
@@ -205,7 +206,8 @@ fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
         let mesh_nodes = hex_nodes(&model.mesh, e as usize);
         for k in 0..8 {
             let node = model.engine_node[mesh_nodes[k] as usize];
-            corner[k] = match local.entry(node) {
+            let owner = if patch.takes_over { 1 + 8 * i + k } else { 0 };
+            corner[k] = match local.entry((owner, node)) {
                 Entry::Occupied(known) => *known.get(),
                 Entry::Vacant(new) => {
                     let next = u16::try_from(nodes.len()).map_err(|_| ModelError::Patch {
@@ -224,7 +226,7 @@ fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
     }
     let viscosity = viscosity(body, &geometry);
     let part = body.material.patch(body.quadrature, nodes, &corners, &geometry, &viscosity, model.isa);
-    let initial = !model.initial.is_empty() && !patch.life.is_later();
+    let initial = patch.takes_over || (!model.initial.is_empty() && !patch.life.is_later());
     Ok(Member { masses, initial, life: patch.life, ..Member::new(body.name.clone(), part) })
 }
 
@@ -273,7 +275,7 @@ fn initial_strains(model: &Model, slices: &[Slices]) -> Vec<Octet> {
     let mut all = vec![Octet::ZERO; slices.last().map_or(0, |s| s.initial.end)];
     for (patch, slices) in model.patches.iter().zip(slices) {
         let own = &mut all[slices.initial.clone()];
-        if own.is_empty() {
+        if own.is_empty() || patch.takes_over {
             continue;
         }
         let moduli = model.bodies[patch.body].material.relaxed();

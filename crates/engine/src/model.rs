@@ -10,7 +10,7 @@ use crate::life::{Life, Stage};
 use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
 use crate::problem::{MakePart, Problem, Rayleigh, TimeStep, Traction};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use tremolite_laws::Isa;
 use tremolite_mesh::order::hilbert_order;
@@ -23,6 +23,9 @@ use tremolite_mesh::{Face, Mesh};
 pub struct Patch {
     pub body: usize,
     pub life: Life,
+    /// Whether its elements take over from others. Each then has nodes of its own among the part's, since displacements count
+    /// from other values in each.
+    pub takes_over: bool,
     /// Indices into the model's elements, in the order of lanes.
     pub elements: Vec<u32>,
 }
@@ -41,6 +44,8 @@ pub struct Model {
     pub lives: Vec<Life>,
     /// Elements that stand in the place of others before these do: (stand-in, the other).
     pub stand_ins: Vec<(u32, u32)>,
+    /// Elements that take over from others: later → earlier.
+    pub successors: HashMap<u32, u32>,
     /// Stress \[Pa\] of each element before anything moves; empty for none.
     pub initial: Vec<[f64; 6]>,
     /// m/s²
@@ -102,8 +107,9 @@ impl Model {
         let shaken = shaken(&body_of, &lives);
         let ground = column::ground(&mesh, &bodies, &shaken, &problem.interfaces);
         let mut initial = problem.initial;
+        let successors: HashMap<u32, u32> = problem.successors.into_iter().collect();
         let Seams { seams, origin, places } =
-            seams(&mut mesh, problem.interfaces, &shaken, &lives, &initial)?;
+            seams(&mut mesh, problem.interfaces, &shaken, &place_lives(&lives, &successors), &initial)?;
         let (user_nodes, user_elements) = (mesh.nodes.len(), mesh.elements.len());
         let copies = copies(&origin);
         let held = problem.held.into_iter().flat_map(|(node, held)| {
@@ -136,15 +142,18 @@ impl Model {
         let mut user_patches = 0;
         let size = patch_size(problem.patch_elements, bodies.iter().map(|b| b.elements.len()).sum());
         for (b, body) in bodies.iter().enumerate() {
-            let mut lots: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
-            body.elements.iter().for_each(|&e| lots.entry(lives[e as usize]).or_default().push(e));
-            for (life, lot) in lots {
+            let mut lots: BTreeMap<(Life, bool), Vec<u32>> = BTreeMap::new();
+            for &e in &body.elements {
+                lots.entry((lives[e as usize], successors.contains_key(&e))).or_default().push(e);
+            }
+            for ((life, takes_over), lot) in lots {
                 let centroids: Vec<[f64; 3]> = lot.iter().map(|&e| centroid(&mesh, e)).collect();
                 let order: Vec<u32> =
                     hilbert_order(&centroids).into_iter().map(|i| lot[i as usize]).collect();
                 patches.extend(order.chunks(size).map(|elements| Patch {
                     body: b,
                     life,
+                    takes_over,
                     elements: elements.to_vec(),
                 }));
             }
@@ -189,6 +198,7 @@ impl Model {
             body_of,
             lives,
             stand_ins: problem.stand_ins,
+            successors,
             initial,
             gravity: problem.gravity,
             tractions: problem.tractions,
@@ -284,6 +294,21 @@ struct Seams {
     /// The node that each node was before; empty without interfaces.
     origin: Vec<u32>,
     places: Vec<u32>,
+}
+
+/// Lives of elements and of those that they took over from: a pair of an interface does not begin anew with a material.
+fn place_lives(lives: &[Life], successors: &HashMap<u32, u32>) -> Vec<Life> {
+    let first = |e: usize| {
+        let mut e = e;
+        // Each takes over from another that was born before it.
+        while let Some(&earlier) =
+            successors.get(&(e as u32)).filter(|&&other| lives[other as usize] < lives[e])
+        {
+            e = earlier as usize;
+        }
+        e
+    };
+    lives.iter().enumerate().map(|(e, life)| Life { born: lives[first(e)].born, gone: life.gone }).collect()
 }
 
 /// The bodies of elements that are there in the shaking.

@@ -60,6 +60,9 @@ pub struct Problem {
     pub lives: Vec<Life>,
     /// Elements that stand in the place of others before these do: (stand-in, the other). What they do is shown as the other's.
     pub stand_ins: Vec<(u32, u32)>,
+    /// Elements that take over from others at the same place and nodes, at their stress: (later, earlier). The later ones begin
+    /// with a stage, in which the earlier ones are gone.
+    pub successors: Vec<(u32, u32)>,
     /// Stress \[Pa\] of each element of the mesh before anything moves, of those that are there then; empty for none.
     pub initial: Vec<[f64; 6]>,
     /// Acceleration \[m/s²\] along −z with which masses weigh down before the shaking, 0 for no weight.
@@ -95,6 +98,7 @@ impl Problem {
             bodies,
             lives: Vec::new(),
             stand_ins: Vec::new(),
+            successors: Vec::new(),
             initial: Vec::new(),
             gravity: 0.0,
             tractions: Vec::new(),

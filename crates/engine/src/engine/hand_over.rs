@@ -140,6 +140,10 @@ impl Engine<'_> {
             if member.life.born != phase.stage || !member.life.is_later() {
                 continue;
             }
+            if self.model.patches.get(m as usize).is_some_and(|patch| patch.takes_over) {
+                self.take_over(m as usize, state);
+                continue;
+            }
             let motion = Motion { u: &state.u, du: &state.du };
             member.part.begin(
                 &motion,

@@ -25,6 +25,7 @@ mod power;
 mod product;
 mod relax;
 mod strained;
+mod take_over;
 
 pub use power::{ContactLimit, Limit, StableStep, stable_step, viscous_share};
 pub use relax::{Relaxed, Release, Rest, Watch};

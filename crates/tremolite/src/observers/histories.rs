@@ -90,12 +90,14 @@ pub fn at_rest(view: &View, state: &State) -> Vec<f64> {
             continue;
         };
         let member = &assembly.members[slot.member as usize];
+        // What takes over from another material does not begin anew.
+        let takes_over = model.patches[slot.member as usize].takes_over;
         let reference = &state.reference[assembly.slices[slot.member as usize].reference.clone()];
         let mut u = [0.0; 3];
         for (&node, weight) in model.mesh.elements[element].nodes().iter().zip(monitor.location.weights) {
             let node = model.engine_node[node as usize];
             let mut own = state.shown(node as usize).xyz();
-            if !reference.is_empty() {
+            if !reference.is_empty() && !takes_over {
                 let place = member.part.nodes().iter().position(|n| *n == node);
                 let zero = place.map_or([0.0; 3], |k| reference[k].xyz());
                 own = [0, 1, 2].map(|i| state.u[node as usize].0[i] - zero[i]);

@@ -1,5 +1,6 @@
 //! From a checked case to a problem and a plan: reads the mesh and the records, and says all that does not fit.
 
+mod changes;
 mod initial;
 mod inputs;
 mod interfaces;
@@ -105,12 +106,13 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     interfaces::tie(case, &mut mesh, &mut problems);
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
-    let bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
-    let staged = Staged::build(case, &mesh, &bodies, &mut problems);
+    let mut bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
+    let staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
     let lasting = staged.lasting(&bodies);
     let monitors = monitors::build(case, &mesh, &lasting, &mut problems);
-    let interfaces = interfaces::build(case, &mesh, &lasting, &staged.lives, &laws.interfaces, &mut problems);
+    let interfaces =
+        interfaces::build(case, &mesh, &lasting, &staged.places, &laws.interfaces, &mut problems);
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
     let (base, base_without_springs) =
         springs_or_none(case, &mesh, &lasting, &interfaces, base, &mut problems);

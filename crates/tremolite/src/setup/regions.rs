@@ -52,50 +52,67 @@ pub fn build(
 
     let mut bodies = Vec::new();
     for (r, region) in case.regions.iter().enumerate() {
-        let Fill::Solid { material, element, viscosity, .. } = &region.fill else { continue };
+        let Fill::Solid { material, .. } = &region.fill else { continue };
+        let elements: Vec<u32> =
+            (0u32..).zip(&region_of).filter(|(_, of)| **of == Some(r)).map(|(e, _)| e).collect();
         let material = &case.materials[material.value];
-        let Some(law) = laws.iter().find(|l| l.info.name == material.law.value) else { continue };
-        if let Some(b) = viscosity.as_ref().filter(|b| b.value > MOST_VISCOSITY) {
-            problems.push(Problem::at(
-                b,
-                format!("a viscosity of {} of critical damping is more than any ringing needs", b.value),
-                "give at most 0.5; 0.06 is usual",
-            ));
-        }
-        let built = match band {
-            Some(band) => (law.build_banded)(&material.parameters, band),
-            None => (law.build)(&material.parameters),
-        };
-        match built {
-            Ok(built) => {
-                let elements: Vec<u32> =
-                    (0u32..).zip(&region_of).filter(|(_, of)| **of == Some(r)).map(|(e, _)| e).collect();
-                problems.extend(oversized(mesh, &elements, material, &built));
-                bodies.push(Body {
-                    name: name(mesh, region),
-                    elements,
-                    material: built,
-                    density: material.density.value,
-                    quadrature: match element.value {
-                        Element::OnePoint => Quadrature::OnePoint,
-                        Element::Full => Quadrature::Full,
-                    },
-                    viscosity: match viscosity {
-                        Some(given) => given.value,
-                        None if law.info.damages => DAMAGING_VISCOSITY,
-                        None => 0.0,
-                    },
-                });
-            }
-            // The case has checked the values, so this is a law that changes its mind.
-            Err(bad) => {
-                problems.extend(bad.into_iter().map(|b| {
-                    Problem::new(material.span.clone(), format!("{} {}", b.name, b.problem), b.remedy)
-                }))
-            }
-        }
+        bodies.extend(body(mesh, region, material, elements, laws, band, problems));
     }
     bodies
+}
+
+/// A region's elements, or some of them, as a body of a material.
+pub fn body(
+    mesh: &Mesh,
+    region: &Region,
+    material: &Material,
+    elements: Vec<u32>,
+    laws: &[Law],
+    band: Option<Band>,
+    problems: &mut Vec<Problem>,
+) -> Option<Body> {
+    let Fill::Solid { element, viscosity, .. } = &region.fill else { return None };
+    let law = laws.iter().find(|l| l.info.name == material.law.value)?;
+    if let Some(b) = viscosity.as_ref().filter(|b| b.value > MOST_VISCOSITY) {
+        problems.push(Problem::at(
+            b,
+            format!("a viscosity of {} of critical damping is more than any ringing needs", b.value),
+            "give at most 0.5; 0.06 is usual",
+        ));
+    }
+    let built = match band {
+        Some(band) => (law.build_banded)(&material.parameters, band),
+        None => (law.build)(&material.parameters),
+    };
+    match built {
+        Ok(built) => {
+            problems.extend(oversized(mesh, &elements, material, &built));
+            Some(Body {
+                name: name(mesh, region),
+                elements,
+                material: built,
+                density: material.density.value,
+                quadrature: match element.value {
+                    Element::OnePoint => Quadrature::OnePoint,
+                    Element::Full => Quadrature::Full,
+                },
+                viscosity: match viscosity {
+                    Some(given) => given.value,
+                    None if law.info.damages => DAMAGING_VISCOSITY,
+                    None => 0.0,
+                },
+            })
+        }
+        // The case has checked the values, so this is a law that changes its mind.
+        Err(bad) => {
+            problems.extend(
+                bad.into_iter().map(|b| {
+                    Problem::new(material.span.clone(), format!("{} {}", b.name, b.problem), b.remedy)
+                }),
+            );
+            None
+        }
+    }
 }
 
 /// Artificial viscosity of bodies whose law damages: pieces between cracks would ring undamped at the mesh's frequencies. The

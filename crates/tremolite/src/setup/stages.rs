@@ -1,5 +1,6 @@
 //! Stages of a case: what stands when, in whose place, under what.
 
+use super::changes::{Version, versions};
 use super::initial;
 use crate::stages::PlannedStage;
 use std::collections::{BTreeMap, HashMap};
@@ -9,7 +10,9 @@ use tremolite_engine::engine::Release;
 use tremolite_engine::outer_faces::OuterFaces;
 use tremolite_engine::problem::Traction;
 use tremolite_engine::{Body, Life, Problem as Space, Side, Stage};
+use tremolite_kernels::Law;
 use tremolite_laws::Dimension;
+use tremolite_laws::band::Band;
 use tremolite_mesh::reach::nearest_through_faces;
 use tremolite_mesh::topology::{all_faces, exterior_faces, face_key};
 use tremolite_mesh::{Face, Mesh};
@@ -25,7 +28,11 @@ fn before(index: usize) -> Stage {
 /// What stands when, by the elements of the mesh as it was read.
 pub struct Staged {
     /// Life of each element.
-    pub lives: Vec<Life>,
+    lives: Vec<Life>,
+    /// When something of its own stands in the place of each element, whatever its material.
+    pub places: Vec<Life>,
+    /// What elements are before their material changes for the last time.
+    versions: Vec<Version>,
     /// What stands in the place of an element before it begins: the element, the body, its life.
     stand_ins: Vec<(u32, usize, Life)>,
     /// The body of each element; none for void.
@@ -34,13 +41,26 @@ pub struct Staged {
 
 impl Staged {
     /// Works out the lives of a case's elements.
-    pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Problem>) -> Staged {
+    pub fn build(
+        case: &Case,
+        mesh: &Mesh,
+        bodies: &mut Vec<Body>,
+        laws: &[Law],
+        band: Option<Band>,
+        problems: &mut Vec<Problem>,
+    ) -> Staged {
         let count = mesh.elements.len();
         let mut body_of: Vec<Option<usize>> = vec![None; count];
         for (b, body) in bodies.iter().enumerate() {
             body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
         }
-        let mut staged = Staged { lives: vec![Life::ALWAYS; count], stand_ins: Vec::new(), body_of };
+        let mut staged = Staged {
+            lives: vec![Life::ALWAYS; count],
+            places: vec![Life::ALWAYS; count],
+            versions: Vec::new(),
+            stand_ins: Vec::new(),
+            body_of,
+        };
         // Unlike what follows, elements without a region are reported already.
         if case.stages.is_empty() || !problems.is_empty() {
             return staged;
@@ -49,6 +69,11 @@ impl Staged {
         let excavated = staged.excavated(case, mesh, &installed, problems);
         if problems.is_empty() {
             staged.stand_in(case, mesh, bodies, &installed, &excavated, problems);
+        }
+        staged.places.clone_from(&staged.lives);
+        if problems.is_empty() {
+            let Staged { body_of, lives, .. } = &mut staged;
+            staged.versions = versions(case, mesh, laws, band, bodies, body_of, lives, problems);
         }
         staged
     }
@@ -270,6 +295,27 @@ impl Staged {
                 space.initial.push(stress);
             }
         }
+        let mut last: HashMap<u32, u32> = HashMap::new();
+        for Version { element: of, body, life } in self.versions {
+            let e = space.mesh.elements.len() as u32;
+            if space.mesh.element_ids.is_empty() {
+                space.mesh.element_ids = (0..plain).map(|e| space.mesh.element_id(e)).collect();
+            }
+            space.mesh.elements.push(space.mesh.elements[of as usize].clone());
+            space.mesh.element_ids.push(space.mesh.element_id(of as usize));
+            space.bodies[body].elements.push(e);
+            space.lives.push(life);
+            space.stand_ins.push((e, of));
+            shown.push(of);
+            if let Some(&stress) = space.initial.get(of as usize) {
+                space.initial.push(stress);
+            }
+            if let Some(earlier) = last.insert(of, e) {
+                space.successors.push((e, earlier));
+            }
+        }
+        space.successors.extend(last);
+        space.successors.sort_unstable();
         let mut solid = vec![false; space.mesh.elements.len()];
         space.bodies.iter().flat_map(|b| &b.elements).for_each(|&e| solid[e as usize] = true);
         let bounds = space.mesh.bounds();
@@ -284,7 +330,7 @@ impl Staged {
             };
             let outer = OuterFaces::of(&space.mesh, bounds, &standing);
             let mut acting = loads(case, k, &space.mesh, &standing, &shown, &faces, &outer);
-            acting.extend(sides(&space.initial, space.sides, &space.lives, &outer));
+            acting.extend(sides(&space.initial, space.sides, &self.places, &shown, &outer));
             if !acting.is_empty() {
                 space.tractions.push(Traction {
                     name: format!("pressures in stage {k}"),
@@ -304,6 +350,8 @@ impl Staged {
             .map(|(body, life)| body.filter(|_| !life.is_later()))
             .collect();
         self.stand_ins.iter().for_each(|&(e, body, _)| all[e as usize] = Some(body));
+        let from_start = self.versions.iter().filter(|version| !version.life.is_later());
+        from_start.for_each(|version| all[version.element as usize] = Some(version.body));
         all
     }
 }
@@ -466,7 +514,8 @@ const TOP: &str = "top";
 fn sides(
     initial: &[[f64; 6]],
     sides: [Side; 2],
-    lives: &[Life],
+    places: &[Life],
+    shown: &[u32],
     outer: &OuterFaces,
 ) -> Vec<(Face, [f64; 6])> {
     let mut acting = Vec::new();
@@ -478,8 +527,9 @@ fn sides(
             continue;
         }
         for &face in outer.planes[axis].iter().flatten() {
-            // What is installed later is free of stress.
-            if lives[face.element as usize].is_later() {
+            // What is installed later is free of stress; what stood there before is not.
+            let of = shown[face.element as usize];
+            if of == face.element && places[of as usize].is_later() {
                 continue;
             }
             let [.., xy, yz, zx] = initial[face.element as usize];

@@ -115,6 +115,22 @@ fn jacobian(corners: &[[f64; 3]; 8], gradients: &[[f64; 3]; 8]) -> Mat3 {
 }
 
 impl Hex8 {
+    /// Mean strain, with engineering shear, of displacements of the corners in VTK order.
+    pub fn mean_strain(&self, u: &[[f64; 3]; 8]) -> [f64; 6] {
+        let mut g = [[0.0; 3]; 3];
+        for (i, g) in g.iter_mut().enumerate() {
+            let mut modes = [0.0; 8];
+            for (corner, u) in u.iter().enumerate() {
+                modes[BINARY[corner]] = u[i];
+            }
+            super::to_modes(&mut modes);
+            for (j, g) in g.iter_mut().enumerate() {
+                *g = super::modal::MODES.into_iter().map(|mode| self.gradient[mode][j] * modes[mode]).sum();
+            }
+        }
+        [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]]
+    }
+
     /// Works out the geometry.
     ///
     /// # Errors
