@@ -18,6 +18,9 @@ pub struct StageSummary {
     /// Share of what was out of balance that was let go.
     #[serde(with = "number", default = "number::absent")]
     pub release: f64,
+    /// What may be out of balance over all contributions at rest.
+    #[serde(with = "number", default = "number::absent")]
+    pub tolerance: f64,
     /// Cycles of relaxation.
     pub cycles: u64,
     /// Out of balance at the end over all contributions.

@@ -127,7 +127,7 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
         .iter()
         .filter_map(|m| Some((m, damaged(m)?.first?)))
         .min_by(|a, b| a.1.time.total_cmp(&b.1.time));
-    let Some((measure, onset)) = first else {
+    if first.is_none() && shares.is_empty() {
         let headline = "undamaged".to_owned();
         return Finding {
             id,
@@ -136,7 +136,7 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
             headline,
             ..Finding::default()
         };
-    };
+    }
     let mut headline = if shares.is_empty() { "hardly damaged".to_owned() } else { shares.join(", ") };
     let mut severity = Severity::Damaged;
     let mut sentences = Vec::new();
@@ -172,15 +172,17 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
             ));
         }
     }
-    sentences.push(format!(
-        "First {} at {:.2} s in element {} at {}.",
-        measure.words,
-        onset.time,
-        onset.element,
-        at(onset.at)
-    ));
-    numbers
-        .extend([("first_time".to_owned(), onset.time), ("first_element".to_owned(), onset.element as f64)]);
+    // Without an earthquake nothing tells when.
+    if let Some((measure, onset)) = first {
+        // At rest nothing is damaged at t = 0 but by stages.
+        let when = match onset.time > 0.0 {
+            true => format!("at {:.2} s", onset.time),
+            false => "before the earthquake".to_owned(),
+        };
+        let (words, element) = (measure.words, onset.element);
+        sentences.push(format!("First {words} {when} in element {element} at {}.", at(onset.at)));
+        numbers.extend([("first_time".to_owned(), onset.time), ("first_element".to_owned(), element as f64)]);
+    }
     Finding { id, group: group.into(), severity, headline, text: sentences.join(" "), numbers }
 }
 

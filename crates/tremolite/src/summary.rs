@@ -172,9 +172,13 @@ fn run_in_words(evidence: &Evidence, trust: &[TrustLine], stress: &IndexMap<Stri
         .collect();
     if !peaks.is_empty() {
         text += &format!(
-            " Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {} (change by the \
-             earthquake alone).",
-            peaks.join(", ")
+            " Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {} ({}).",
+            peaks.join(", "),
+            if plan.stages.is_empty() {
+                "change by the earthquake alone"
+            } else {
+                "in all, initial stress included"
+            }
         );
     }
     text

@@ -272,6 +272,7 @@ pub(crate) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<Stag
                 installed: planned.installed.clone(),
                 changed: planned.changed.clone(),
                 release: planned.release.share,
+                tolerance: planned.release.tolerance[0],
                 cycles: row[0] as u64,
                 ratio: row[1],
                 motion_left: row[2],

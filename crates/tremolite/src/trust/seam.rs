@@ -107,19 +107,19 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
 
     let supplied = outcome.state.ledger.supplied;
     let gained = Interfaces::largest_gain(&outcome.state.observers, number);
-    let impacts = TrustLine::at_most(
-        id("interface_impacts"),
-        &name("energy found at impacts over energy supplied"),
-        gained / supplied,
-        IMPACTS,
-        "",
-    )
+    let (impacts_id, impacts_name) =
+        (id("interface_impacts"), name("energy found at impacts over energy supplied"));
+    let judged = TrustLine::at_most(&impacts_id, &impacts_name, gained / supplied, IMPACTS, "")
     .with("impact_gain", gained)
     .with("supplied", supplied)
     .with_note(
         "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller \
          `contact_limit` or a larger `contact_damping` lessens it",
     );
+    let impacts = match evidence.outcome.shaken {
+        true => judged,
+        false => TrustLine::not_applicable(impacts_id, &impacts_name, "there is no earthquake"),
+    };
 
     // A step that is just as long as the limit lets it may differ by round-off.
     let product = outcome.dt * contacts.frequency;
