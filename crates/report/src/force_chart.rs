@@ -2,7 +2,7 @@
 
 use crate::axes::Axes;
 use crate::figure::Figure;
-use crate::lining::{Extreme, FORCES, KILO, Lining, Station, distance, goes_on};
+use crate::lining::{Extreme, FORCES, KILO, Lining, Station, distance, joints};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::trimmed;
 use crate::svg::{Anchor, Style, Svg, text_width};
@@ -80,8 +80,9 @@ fn curves(lining: &Lining, section: &[&Station], along: &[f64], i: usize) -> Vec
     ];
     let curve = |(k, (name, of)): (usize, (String, Of))| {
         let mut pieces = vec![Vec::new()];
+        let joints = joints(section);
         for (n, station) in section.iter().enumerate() {
-            if n > 0 && !goes_on(section, n - 1) {
+            if n > 0 && !joints[n - 1] {
                 pieces.push(Vec::new());
             }
             if let Some(piece) = pieces.last_mut() {

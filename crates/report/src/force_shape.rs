@@ -2,7 +2,7 @@
 
 use crate::figure::Figure;
 use crate::force_chart::COLOURS;
-use crate::lining::{Extreme, FORCES, Lining, Station, goes_on, kilo};
+use crate::lining::{Extreme, FORCES, Lining, Station, joints, kilo};
 use crate::plot::{self, WIDTH};
 use crate::scale::trimmed;
 use crate::svg::{Anchor, Style, Svg, text_width};
@@ -12,7 +12,7 @@ const LONGEST: f64 = 34.0;
 const TALLEST: f64 = 420.0;
 const TOP: f64 = 52.0;
 /// Beside the ordinates, for their numbers.
-const ROOM: f64 = 30.0;
+const ROOM: f64 = 46.0;
 
 /// Forces at a station by which a diagram is drawn; none where there is no number.
 type Of<'a> = &'a dyn Fn(&Station) -> Option<f64>;
@@ -67,7 +67,8 @@ fn legend(svg: &mut Svg, lining: &Lining) {
 }
 
 fn diagram(svg: &mut Svg, section: &[&Station], places: &[(f64, f64)], i: usize) {
-    let normals = normals(section, places);
+    let joints = joints(section);
+    let normals = normals(&joints, places);
     // A positive moment stretches the intrados, which is inside. Thrust mostly compresses, and has more room outside.
     let side = if i < 2 { -1.0 } else { 1.0 };
     let finite = |x: f64| x.is_finite().then_some(x);
@@ -83,10 +84,9 @@ fn diagram(svg: &mut Svg, section: &[&Station], places: &[(f64, f64)], i: usize)
         let (p, n) = (places[k], normals[k]);
         (p.0 + side * value * zoom * n.0, p.1 + side * value * zoom * n.1)
     };
-    for (k, pair) in places.windows(2).enumerate() {
-        if goes_on(section, k) {
-            svg.rule(pair[0], pair[1], true);
-        }
+    let next = |k: usize| (k + 1) % places.len();
+    for k in (0..places.len()).filter(|&k| joints[k]) {
+        svg.rule(places[k], places[next(k)], true);
     }
     // Ordinates of what stood still, then the lines over all.
     for (k, station) in section.iter().enumerate() {
@@ -97,13 +97,17 @@ fn diagram(svg: &mut Svg, section: &[&Station], places: &[(f64, f64)], i: usize)
     for (number, of) in all.iter().enumerate().rev() {
         let mut lines = vec![Vec::new()];
         for (k, station) in section.iter().enumerate() {
-            if k > 0 && !goes_on(section, k - 1) {
+            if k > 0 && !joints[k - 1] {
                 lines.push(Vec::new());
             }
             match (of(station), lines.last_mut()) {
                 (Some(value), Some(line)) => line.push(tip(k, value)),
                 _ => lines.push(Vec::new()),
             }
+        }
+        let ends = [section.len() - 1, 0].map(|k| of(section[k]).map(|value| tip(k, value)));
+        if let ([Some(last), Some(first)], true) = (ends, joints[section.len() - 1]) {
+            lines.push(vec![last, first]);
         }
         lines.retain(|line| !line.is_empty());
         if !lines.is_empty() {
@@ -137,19 +141,19 @@ fn diagram(svg: &mut Svg, section: &[&Station], places: &[(f64, f64)], i: usize)
 }
 
 /// Across the lining and outwards, at each station.
-fn normals(section: &[&Station], places: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let number = places.len() as f64;
-    let centre =
-        (places.iter().map(|p| p.0).sum::<f64>() / number, places.iter().map(|p| p.1).sum::<f64>() / number);
+fn normals(joints: &[bool], places: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let number = places.len();
+    let mean = |of: fn(&(f64, f64)) -> f64| places.iter().map(of).sum::<f64>() / number as f64;
+    let centre = (mean(|p| p.0), mean(|p| p.1));
     let normal = |k: usize| {
         // Not across a corner, where the wall turns.
-        let before = if k > 0 && goes_on(section, k - 1) { k - 1 } else { k };
-        let after = if goes_on(section, k) { k + 1 } else { k };
-        let (a, b) = (places[before], places[after]);
+        let previous = (k + number - 1) % number;
+        let a = places[if joints[previous] { previous } else { k }];
+        let b = places[if joints[k] { (k + 1) % number } else { k }];
         let length = (b.0 - a.0).hypot(b.1 - a.1).max(1e-9);
         let n = ((b.1 - a.1) / length, -(b.0 - a.0) / length);
         let outwards = (places[k].0 - centre.0) * n.0 + (places[k].1 - centre.1) * n.1;
         if outwards < 0.0 { (-n.0, -n.1) } else { n }
     };
-    (0..places.len()).map(normal).collect()
+    (0..number).map(normal).collect()
 }

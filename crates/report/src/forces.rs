@@ -23,7 +23,8 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     let shaken = linings.iter().any(Lining::shaken);
     let mut text = String::from(
         "Integrated through the thickness, a metre of the cavern's length. Tension is positive; a positive moment stretches the \
-         intrados; positive shear pushes what lies behind, going round by the wall of greater x over the crown, towards the intrados.",
+         intrados; where shear is positive, what comes next, \
+         going round by the wall of greater x over the crown, pushes towards the intrados.",
     );
     text.push_str(if shaken {
         " Each of N, M and Q has its largest and smallest value at a time of its own: the envelope is no state that the lining \
@@ -42,7 +43,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         let suffix = if number == 0 { String::new() } else { format!("-{}", number + 1) };
         block.figures.extend(force_shape::figure(lining, (y, &section), &suffix));
         block.figures.extend(force_chart::figure(lining, (y, &section), &suffix));
-        block.figures.extend(thrust_moment::figure(lining, &suffix));
+        block.figures.extend(thrust_moment::figure(lining, &section, &suffix));
         if block.figures.is_empty() {
             block.notes.push("No figure: fewer than two stations have numbers.".into());
         }

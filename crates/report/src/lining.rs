@@ -8,6 +8,12 @@ use crate::stage_name::called;
 /// Stations whose y differ by less lie in one section (m).
 const SAME: f64 = 0.01;
 
+/// A step this many times the usual one leaves something out.
+const GAP: f64 = 2.2;
+/// Cosine of the angle between the steps before and after one that goes round a corner: beyond 75°, which even a crown of
+/// six stations keeps to.
+const CORNER: f64 = 0.26;
+
 /// The three forces: symbol, name, unit in which they are shown. All are shown in thousands of their SI unit.
 pub const FORCES: [(&str, &str, &str); 3] =
     [("N", "thrust", "kN/m"), ("M", "moment", "kN\u{a0}m/m"), ("Q", "shear", "kN/m")];
@@ -126,13 +132,27 @@ pub fn kilo(value: f64) -> String {
     if minus { format!("−{text}") } else { text }
 }
 
-/// Whether the lining goes on from one station to the next: stations are missing where walls meet, and at its ends.
-pub fn goes_on(section: &[&Station], k: usize) -> bool {
-    let steps: Vec<f64> = section.windows(2).map(|pair| distance(pair[0], pair[1])).collect();
-    let mut sorted = steps.clone();
-    sorted.sort_by(f64::total_cmp);
-    let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
-    steps.get(k).is_some_and(|step| *step <= 2.2 * usual)
+/// Whether the lining goes on from each station to the next, and from the last to the first: stations are missing where
+/// walls meet, and at its ends.
+pub fn joints(section: &[&Station]) -> Vec<bool> {
+    let number = section.len();
+    let step = |k: usize| {
+        let (a, b) = (section[k % number], section[(k + 1) % number]);
+        [b.place[0] - a.place[0], b.place[2] - a.place[2]]
+    };
+    let mut usual: Vec<f64> = section.windows(2).map(|pair| distance(pair[0], pair[1])).collect();
+    usual.sort_by(f64::total_cmp);
+    let usual = usual.get(usual.len() / 2).copied().unwrap_or(0.0);
+    let long = |[x, z]: [f64; 2]| x.hypot(z) > GAP * usual;
+    let corner = |[ax, az]: [f64; 2], [bx, bz]: [f64; 2]| {
+        ax * bx + az * bz < CORNER * (ax.hypot(az) * bx.hypot(bz)).max(1e-12)
+    };
+    let joint = |k: usize| {
+        let (before, after) = (step(k + number - 1), step(k + 1));
+        // Across a gap there is no telling which way the lining went.
+        !long(step(k)) && (number < 4 || long(before) || long(after) || !corner(before, after))
+    };
+    (0..number).map(|k| number > 2 && joint(k) || number == 2 && k == 0).collect()
 }
 
 /// Between two stations in the section (m).
@@ -169,6 +189,38 @@ mod tests {
         assert_eq!((station.after[0], lining.after.as_str()), (2.0, "after stage last"));
         assert_eq!(station.least.map(|e| (e.forces[0], e.time[0])), Some((-3.0, 1.5)));
         assert_eq!(station.most.map(|e| e.forces[0]), Some(4.0));
+    }
+
+    #[test]
+    fn a_box_breaks_at_its_corners_and_a_ring_closes() {
+        let joints = |points: &[[f64; 2]]| -> Vec<bool> {
+            let rows: Vec<SectionRow> = (0..)
+                .zip(points)
+                .map(|(k, p)| SectionRow { place: [p[0], 0.0, p[1]], ..row(k, 0.0, "s", f64::NAN, 0.0) })
+                .collect();
+            let lining = linings(&rows, &Summary::default()).remove(0);
+            super::joints(&lining.section(None).1)
+        };
+        let ring: Vec<[f64; 2]> = (0..12)
+            .map(|k| (f64::from(k) * std::f64::consts::TAU / 12.0).sin_cos())
+            .map(|(s, c)| [c, s])
+            .collect();
+        assert_eq!(joints(&ring), [true; 12]);
+        let open = joints(&ring[..9]);
+        assert!(open[..8].iter().all(|on| *on) && !open[8]);
+        // Three stations a wall, a corner's distance of 1.4 between walls.
+        let wall = [
+            [4.0, 1.0],
+            [4.0, 2.0],
+            [4.0, 3.0],
+            [3.0, 4.0],
+            [2.0, 4.0],
+            [1.0, 4.0],
+            [0.0, 3.0],
+            [0.0, 2.0],
+            [0.0, 1.0],
+        ];
+        assert_eq!(joints(&wall), [true, true, false, true, true, false, true, true, false]);
     }
 
     #[test]

@@ -41,6 +41,8 @@ struct Page {
     interval: Option<String>,
     defaulted: Vec<Defaulted>,
     has_summary: bool,
+    /// Whether to say that there was nothing to judge.
+    unjudged: bool,
     run: Vec<Fact>,
     cut: bool,
     /// Of the result files those that are there: what they are, and their names.
@@ -109,6 +111,10 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
         interval: peaks::interval(source),
         defaulted: summary.defaulted.clone(),
         has_summary: source.summary.is_ok(),
+        unjudged: source.summary.is_ok()
+            && summary.findings.is_empty()
+            && source.still().is_none()
+            && !summary.stages.iter().any(|stage| stage.plastic_volume > 0.0),
         run: facts::run(&summary),
         cut: [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()]
             .into_iter()

@@ -16,6 +16,8 @@ const ROW: f64 = 19.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pen {
     Line,
+    /// A line of many that lie close.
+    Thin,
     Dashed,
     /// A line with its points.
     Marked,
@@ -92,7 +94,7 @@ pub fn draw(svg: &mut Svg, axes: &Axes, curves: &[Curve]) {
         };
         let placed: Vec<Vec<(f64, f64)>> = curve.pieces.iter().flat_map(place).collect();
         if curve.pen != Pen::Dots {
-            stroke(svg, curve, 1.5, &placed);
+            stroke(svg, curve, if curve.pen == Pen::Thin { 0.8 } else { 1.5 }, &placed);
         }
         if matches!(curve.pen, Pen::Dots | Pen::Marked) {
             svg.dots(curve.colour, &placed.concat());

@@ -35,10 +35,11 @@ fn series(stages: &[StageSummary]) -> Vec<Steps> {
     while k < stages.len() {
         let first = k;
         k += 1;
-        if stages[first].excavated.is_empty() || !(stages[first].release < 1.0 - ALL) {
+        let release = stages[first].release;
+        if stages[first].excavated.is_empty() || !release.is_finite() || release >= 1.0 - ALL {
             continue;
         }
-        let mut held = 1.0 - stages[first].release;
+        let mut held = 1.0 - release;
         let mut shares = vec![1.0 - held];
         while k < stages.len() && stages[k].excavated.is_empty() && held > ALL {
             let release = if stages[k].release.is_finite() { stages[k].release } else { 1.0 };

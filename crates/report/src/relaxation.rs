@@ -58,8 +58,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         caption.push_str(" The summary states no tolerance.");
     }
     if panels.len() > 1 {
-        caption
-            .push_str(" The motion left, where a stage ends, should be far below the motion in the stage.");
+        caption.push_str(" The motion left should end far below the largest motion of the stages so far.");
     }
     let svg = draw(&panels, &spans, facts);
     let figure = Figure { heading: HEADING.into(), file: "relaxation.svg".into(), svg, caption };

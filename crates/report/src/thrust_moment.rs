@@ -3,18 +3,23 @@
 use crate::axes::Axes;
 use crate::figure::Figure;
 use crate::force_chart::COLOURS;
-use crate::lining::{KILO, Lining};
+use crate::lining::{KILO, Lining, Station};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::svg::{Anchor, Style, Svg};
 use crate::ticks::Ticks;
 
-/// The figure; nothing for a lining without numbers.
-pub fn figure(lining: &Lining, suffix: &str) -> Option<Figure> {
+/// Boxes of more stations hide each other.
+const BOXES: usize = 150;
+
+/// The figure; nothing for a lining without numbers. Of a lining of many stations those of the section are followed through
+/// the shaking.
+pub fn figure(lining: &Lining, section: &[&Station], suffix: &str) -> Option<Figure> {
     let after: Vec<(f64, f64)> =
         lining.stations.iter().map(|s| (s.after[0] * KILO, s.after[1] * KILO)).collect();
-    let boxes: Vec<Vec<(f64, f64)>> = lining
-        .stations
-        .iter()
+    let all = lining.stations.len() <= BOXES;
+    let followed: Vec<&Station> = if all { lining.stations.iter().collect() } else { section.to_vec() };
+    let boxes: Vec<Vec<(f64, f64)>> = followed
+        .into_iter()
         .filter_map(|s| {
             let (low, high) = (s.least?.forces.map(|x| x * KILO), s.most?.forces.map(|x| x * KILO));
             Some(vec![
@@ -29,7 +34,7 @@ pub fn figure(lining: &Lining, suffix: &str) -> Option<Figure> {
     let mut curves = Vec::new();
     if boxes.iter().flatten().any(|(n, m)| n.is_finite() && m.is_finite()) {
         let name = "between which values each station went while the ground shook".into();
-        curves.push(Curve { name, colour: 6, pen: Pen::Line, pieces: boxes });
+        curves.push(Curve { name, colour: 6, pen: Pen::Thin, pieces: boxes });
     }
     if after.iter().any(|(n, m)| n.is_finite() && m.is_finite()) {
         curves.push(Curve::new(&lining.after, COLOURS[0], Pen::Dots, after));
@@ -57,10 +62,15 @@ pub fn figure(lining: &Lining, suffix: &str) -> Option<Figure> {
         Style::Muted,
         "N (kN/m), tension positive",
     );
-    let shaken = if lining.shaken() {
-        " Every pair of N and M that a station had lies in its box; the corners need not have occurred together."
-    } else {
-        ""
+    let shaken = match (lining.shaken(), all) {
+        (false, _) => "",
+        (true, true) => {
+            " Every pair of N and M that a station had lies in its box; the corners need not have occurred together."
+        }
+        (true, false) => {
+            " Boxes are those of the section drawn above: every pair of N and M that a station had lies in its box; the corners \
+             need not have occurred together. The extremes of all sections are in the table."
+        }
     };
     let caption = format!(
         "All {} stations of the lining, all sections.{shaken} Right of N = 0 a section is pulled. Lines of strength are not drawn: \

@@ -30,6 +30,9 @@ fn stages() -> Vec<StageSummary> {
             ("tunnel.floor", [1e-5, 0.0, 0.8 * u]),
             ("tunnel.wall.left", [0.55 * u, 0.0, -0.2 * u]),
             ("tunnel.wall.right", [-0.6 * u, 0.0, -0.2 * u]),
+            ("hall.crown", [0.0, 0.0, -0.3 * u]),
+            ("hall.wall.left", [0.4 * u, 0.0, 0.0]),
+            ("hall.wall.right", [0.1 * u, 0.0, 0.0]),
         ];
         let groups = |of: &[&str]| of.iter().map(|&name| name.to_owned()).collect();
         let monitors = [
@@ -191,7 +194,41 @@ fn sections(folder: &ResultFolder, shaken: bool) {
             station += 1;
         }
     }
+    hall(&mut rows, station, shaken);
     write_sections(&folder.sections(), &rows).unwrap();
+}
+
+/// A hall's lining, whose corners have no stations: half the floor, a wall, the crown, the other wall, the rest of the floor.
+fn hall(rows: &mut Vec<SectionRow>, first: u32, shaken: bool) {
+    let steps = |from: [f64; 2], to: [f64; 2], n: u32| {
+        (0..n).map(move |k| [0, 1].map(|i| from[i] + (to[i] - from[i]) * (f64::from(k) + 0.5) / f64::from(n)))
+    };
+    let crown = (0..16)
+        .map(|k| (PI * (f64::from(k) + 0.5) / 16.0).sin_cos())
+        .map(|(s, c)| [45.0 + 8.5 * c, 24.0 + 4.0 * s]);
+    let outline: Vec<[f64; 2]> = steps([45.0, -5.0], [52.5, -5.0], 8)
+        .chain(steps([53.5, -4.0], [53.5, 23.0], 24))
+        .chain(crown)
+        .chain(steps([36.5, 23.0], [36.5, -4.0], 24))
+        .chain(steps([37.5, -5.0], [45.0, -5.0], 8))
+        .collect();
+    for (k, [x, z]) in outline.into_iter().enumerate() {
+        let wall = (2.0 * PI * (z + 4.0) / 27.0).sin();
+        let forces = [-0.9e6 - 2e4 * (24.0 - z), 1.1e5 * wall, 7e4 * wall.abs() - 3e4];
+        let (station, place) = (first + k as u32, [x, 0.0, z - 200.0]);
+        let row = |when: &str, time: f64, share: f64| SectionRow {
+            lining: "hall.lining".into(),
+            station,
+            place,
+            when: when.into(),
+            time: [time; 3],
+            forces: [forces[0] + share * 4e5, forces[1] + share * 9e4, forces[2] + share * 4e4],
+        };
+        rows.push(row("bench, rest", f64::NAN, 0.0));
+        if shaken {
+            rows.extend([row("min", 5.1, -1.0), row("max", 5.8, 1.4)]);
+        }
+    }
 }
 
 /// All that a run of stages alone writes.
@@ -245,9 +282,12 @@ fn drawings(folder: &ResultFolder) -> Vec<String> {
     names
 }
 
-const FIGURES: [&str; 11] = [
+const FIGURES: [&str; 15] = [
+    "convergence-2.svg",
     "convergence.svg",
+    "lining-forces-2.svg",
     "lining-forces.svg",
+    "lining-shape-2.svg",
     "lining-shape.svg",
     "reaction-2.svg",
     "reaction.svg",
@@ -256,6 +296,7 @@ const FIGURES: [&str; 11] = [
     "stage-plastic.svg",
     "stage-s1.svg",
     "stage-s3.svg",
+    "thrust-moment-2.svg",
     "thrust-moment.svg",
 ];
 
