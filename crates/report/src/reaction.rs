@@ -75,8 +75,7 @@ pub fn block(facts: &Summary) -> Option<Block> {
     }
     let text = "Motion towards the opening since the stage before the excavation, over the share of the forces at its surface \
                 that has been let go (what is left acts like a support). A straight line is elastic rock; where the curve \
-                steepens the rock yields. After a lining is installed the curve should flatten: the difference is what the \
-                lining carries.";
+                steepens the rock yields. After a lining is installed the curve should flatten as the lining takes its share.";
     Some(Block { heading: HEADING.into(), text: text.into(), figures, notes, ..Block::default() })
 }
 
