@@ -35,13 +35,14 @@ pub fn colour(level: usize) -> String {
     format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
 }
 
-/// A bar from `low` below to `high` above, in the display unit, with its upper left corner at a point.
-pub fn bar(svg: &mut Svg, (left, top): (f64, f64), height: f64, (low, high): (f64, f64)) {
+/// A bar from `low` below to `high` above, in the display unit, with its upper left corner at a point; `turned`
+/// with the dark end below.
+pub fn bar(svg: &mut Svg, (left, top): (f64, f64), height: f64, (low, high): (f64, f64), turned: bool) {
     let step = height / LEVELS as f64;
     for level in 0..LEVELS {
         let top = top + height - (level + 1) as f64 * step;
         let corners = vec![(left, top), (left + 16.0, top), (left + 16.0, top + step), (left, top + step)];
-        svg.areas(&colour(level), &[corners]);
+        svg.areas(&colour(if turned { LEVELS - 1 - level } else { level }), &[corners]);
     }
     let ticks = Ticks::within(low, high, (height / 50.0) as usize);
     for (value, label) in &ticks.marks {

@@ -96,7 +96,7 @@ pub fn panel(
     let left = at.0 + plan.bar_at();
     // The key below it wants two lines.
     let bar = (plan.size.1 - 44.0).clamp(40.0, TALLEST_BAR);
-    colours::bar(svg, (left, at.1), bar, (0.0, range.1 * scale.factor));
+    colours::bar(svg, (left, at.1), bar, (0.0, range.1 * scale.factor), false);
     let mut below = at.1 + bar + 14.0;
     for (name, shown, lined) in
         [(layer.never, !grey.is_empty(), false), (layer.now, !hatched.is_empty(), true)]

@@ -76,7 +76,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     let facts = source.facts();
     let duration = duration(source);
     let at = |time: f64| format!("{}\u{a0}s", moment(time, duration));
-    let mut cards = Vec::new();
+    let mut cards = stage_cards(&facts);
     if let Ok(table) = &source.monitors
         && let Some((monitor, time, size)) = longest(table, facts.monitors.keys())
     {
@@ -115,6 +115,23 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
             format!("{}\u{a0}%", figures(100.0 * ratio, 2)),
             &note,
         ));
+    }
+    cards
+}
+
+/// What the stages before the shaking left: the most that a wall moved, what has yielded, and how far from rest it is.
+fn stage_cards(facts: &Summary) -> Vec<Fact> {
+    let mut cards = Vec::new();
+    let Some(last) = facts.stages.last().filter(|_| facts.stages.len() > 1) else { return cards };
+    let size = |u: &[f64; 3]| u.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let moved = last.walls.iter().map(|(name, u)| (name, size(u))).filter(|(_, size)| size.is_finite());
+    if let Some((name, size)) = moved.max_by(|a, b| a.1.total_cmp(&b.1)) {
+        let note = format!("{name}, after the last stage, since the initial equilibrium");
+        cards.push(card("Largest motion of a wall in the stages", quantity("m", size), &note));
+    }
+    if last.plastic_volume > 0.0 {
+        let value = format!("{}\u{a0}m³", figures(last.plastic_volume, 3));
+        cards.push(card("Plastic shear strain × volume, ∫γp dV", value, "after the last stage"));
     }
     cards
 }

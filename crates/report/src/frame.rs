@@ -30,6 +30,11 @@ impl Window {
         window
     }
 
+    /// Its lower left and upper right corner.
+    pub fn corners(&self) -> [[f64; 2]; 2] {
+        [self.low, self.high]
+    }
+
     /// Whether it has no extent in x or z.
     pub fn is_empty(&self) -> bool {
         self.low
@@ -58,6 +63,9 @@ impl Window {
     }
 }
 
+/// Areas of one kind: name, colour and outlines.
+type Kind = (&'static str, &'static str, Vec<Vec<(f64, f64)>>);
+
 /// The map in the making.
 pub struct Frame {
     window: Window,
@@ -65,7 +73,11 @@ pub struct Frame {
     zoom: f64,
     low: f64,
     high: f64,
+    /// Whether colours go from dark below to light above.
+    turned: bool,
     levels: Vec<Vec<Vec<(f64, f64)>>>,
+    /// Areas of a kind each, under the levels: name, colour, outlines.
+    kinds: Vec<Kind>,
     borders: Vec<Vec<(f64, f64)>>,
     points: Vec<(String, (f64, f64))>,
 }
@@ -82,10 +94,17 @@ impl Frame {
             zoom,
             low,
             high,
+            turned: false,
             levels: vec![Vec::new(); LEVELS],
+            kinds: Vec::new(),
             borders: Vec::new(),
             points: Vec::new(),
         }
+    }
+
+    /// Turns the colours round.
+    pub fn darkest_is_lowest(&mut self) {
+        self.turned = true;
     }
 
     /// From metres to units, from the map's upper left corner.
@@ -98,6 +117,15 @@ impl Frame {
         let level = colours::level(value, (self.low, self.high));
         let outline = outline.iter().map(|&p| self.place(p)).collect();
         self.levels[level].push(outline);
+    }
+
+    /// An area that has no value but is of a kind, which has a colour of its own and stands beside the map.
+    pub fn kind(&mut self, outline: &[[f64; 2]], (name, colour): (&'static str, &'static str)) {
+        let outline = outline.iter().map(|&p| self.place(p)).collect();
+        match self.kinds.iter_mut().find(|(known, ..)| *known == name) {
+            Some((.., outlines)) => outlines.push(outline),
+            None => self.kinds.push((name, colour, vec![outline])),
+        }
     }
 
     /// Thin dark lines.
@@ -120,8 +148,11 @@ impl Frame {
         let bottom = TOP + height;
         svg.text((LEFT, TOP - 12.0), Anchor::Start, 13.0, Style::Bold, title);
         svg.begin_map(LEFT, TOP, width, height);
+        for (_, colour, outlines) in &self.kinds {
+            svg.areas(colour, outlines);
+        }
         for (level, outlines) in self.levels.iter().enumerate().filter(|(_, outlines)| !outlines.is_empty()) {
-            svg.areas(&colour(level), outlines);
+            svg.areas(&colour(if self.turned { LEVELS - 1 - level } else { level }), outlines);
         }
         svg.borders(&self.borders);
         for (name, at) in &self.points {
@@ -141,7 +172,20 @@ impl Frame {
             svg.text((LEFT - 9.0, y + 4.0), Anchor::End, 12.0, Style::Muted, label);
         }
         svg.text((LEFT + width, bottom + 36.0), Anchor::End, 12.0, Style::Muted, "x (m), z (m)");
-        colours::bar(&mut svg, (LEFT + width + 24.0, TOP), height, (self.low, self.high));
+        let (right, mut below) = (LEFT + width + 24.0, TOP);
+        for (name, colour, _) in self.kinds.iter() {
+            let y = below;
+            svg.areas(
+                colour,
+                &[vec![(right, y), (right + 16.0, y), (right + 16.0, y + 12.0), (right, y + 12.0)]],
+            );
+            svg.text((right + 22.0, y + 10.5), Anchor::Start, 12.0, Style::Muted, name);
+            below += 21.0;
+        }
+        if self.levels.iter().any(|outlines| !outlines.is_empty()) {
+            let height = (TOP + height - below).max(60.0);
+            colours::bar(&mut svg, (right, below), height, (self.low, self.high), self.turned);
+        }
         svg.finish(bottom + 44.0, title, "a section coloured by element")
     }
 }

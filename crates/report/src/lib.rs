@@ -7,6 +7,7 @@
 //! [`loops`] draws what comes of a law driven along a path, from plain columns.
 
 mod axes;
+mod before;
 mod chart;
 mod colours;
 mod contact_history;
@@ -14,26 +15,38 @@ mod contact_map;
 mod contact_monitors;
 mod contact_panel;
 mod contact_path;
+mod convergence;
 mod cut_figure;
 mod damage;
 mod energy;
 mod facts;
 mod figure;
+mod force_chart;
+mod force_shape;
+mod forces;
 mod frame;
 mod growth;
 mod histories;
 mod interfaces;
+mod lining;
 pub mod loops;
 mod materials;
 mod page;
 mod pairs;
 mod peaks;
 mod plan;
+mod plot;
+mod reaction;
+mod relaxation;
 mod scale;
 mod source;
+mod stage_maps;
+mod stage_name;
 pub mod strips;
 mod svg;
+mod text_table;
 mod thin;
+mod thrust_moment;
 mod ticks;
 mod unfold;
 
@@ -45,6 +58,7 @@ use tremolite_results::replace_file;
 
 use crate::figure::Section;
 use crate::source::Source;
+use crate::text_table::Chapter;
 
 /// Why no report could be written.
 #[derive(Debug, thiserror::Error)]
@@ -74,24 +88,29 @@ pub enum Error {
 /// If `dir` holds no results or cannot be written to.
 pub fn write(dir: &Path) -> Result<PathBuf, Error> {
     let source = Source::read(dir)?;
+    let chapters: Vec<Chapter> =
+        [before::chapter(&source), forces::chapter(&source)].into_iter().flatten().collect();
     let mut sections: Vec<Section> = Vec::new();
-    sections.extend(contact_map::section(&source));
-    sections.extend(contact_history::section(&source));
-    sections.extend(growth::section(&source));
-    sections.push(cut_figure::section(&source));
-    sections.extend(histories::sections(&source));
-    sections.extend(contact_monitors::section(&source));
-    sections.push(energy::section(&source));
+    if source.shakes() {
+        sections.extend(contact_map::section(&source));
+        sections.extend(contact_history::section(&source));
+        sections.extend(growth::section(&source));
+        sections.push(cut_figure::section(&source));
+        sections.extend(histories::sections(&source));
+        sections.extend(contact_monitors::section(&source));
+        sections.push(energy::section(&source));
+    }
     let folder = source.folder.figures();
     fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;
-    for section in &sections {
-        if let Section::Drawn(figures) = section {
-            for figure in figures {
-                replace_file(&folder.join(&figure.file), figure.svg.as_bytes())?;
-            }
-        }
+    let drawn = sections.iter().flat_map(|section| match section {
+        Section::Drawn(figures) => &figures[..],
+        Section::LeftOut { .. } => &[],
+    });
+    let staged = chapters.iter().flat_map(|chapter| &chapter.blocks).flat_map(|block| &block.figures);
+    for figure in staged.chain(drawn) {
+        replace_file(&folder.join(&figure.file), figure.svg.as_bytes())?;
     }
     let path = source.folder.report();
-    replace_file(&path, page::html(&source, &sections)?.as_bytes())?;
+    replace_file(&path, page::html(&source, &chapters, &sections)?.as_bytes())?;
     Ok(path)
 }

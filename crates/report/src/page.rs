@@ -14,6 +14,7 @@ use crate::materials::{self, MaterialTable};
 use crate::peaks::{self, PeakTable};
 use crate::source::Source;
 use crate::svg::escape;
+use crate::text_table::{Block, Chapter, TextTable};
 
 const TEMPLATE: &str = include_str!("../template/report.html");
 const STYLE: &str = include_str!("../template/report.css");
@@ -32,13 +33,38 @@ struct Page {
     damage: Vec<DamageTable>,
     cracks: Vec<CrackRow>,
     interfaces: Option<InterfaceTable>,
+    chapters: Vec<Leaf>,
+    /// What to say in the place of the shaking; nothing where there is one.
+    still: Option<&'static str>,
     sections: Vec<Part>,
     peaks: Vec<PeakTable>,
     interval: Option<String>,
     defaulted: Vec<Defaulted>,
     has_summary: bool,
+    /// Whether to say that there was nothing to judge.
+    unjudged: bool,
     run: Vec<Fact>,
     cut: bool,
+    /// Of the result files those that are there: what they are, and their names.
+    files: Vec<(&'static str, Vec<&'static str>)>,
+}
+
+/// A chapter as it is set.
+#[derive(Serialize)]
+struct Leaf {
+    id: &'static str,
+    heading: String,
+    blocks: Vec<Paragraph>,
+}
+
+/// A block as it is set.
+#[derive(Serialize)]
+struct Paragraph {
+    heading: String,
+    text: String,
+    tables: Vec<TextTable>,
+    figures: Vec<Drawing>,
+    notes: Vec<String>,
 }
 
 /// One section with figures, or the reason for having none.
@@ -57,7 +83,7 @@ struct Drawing {
 
 /// The page as text. All text from files is escaped by the template; only the drawings, which escape their
 /// own texts, go in as they are.
-pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::Error> {
+pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Result<String, minijinja::Error> {
     let summary = source.facts();
     let title = if summary.title.is_empty() {
         let path = source.folder.root();
@@ -78,13 +104,23 @@ pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::
         damage: damage::tables(&summary),
         cracks: damage::cracks(&summary),
         interfaces: interfaces::table(&summary),
+        chapters: chapters.iter().map(leaf).collect(),
+        still: source.still(),
         sections: sections.iter().map(part).collect(),
         peaks: peaks::peaks(source),
         interval: peaks::interval(source),
         defaulted: summary.defaulted.clone(),
         has_summary: source.summary.is_ok(),
+        unjudged: source.summary.is_ok()
+            && summary.findings.is_empty()
+            && source.still().is_none()
+            && !summary.stages.iter().any(|stage| stage.plastic_volume > 0.0),
         run: facts::run(&summary),
-        cut: source.monitors.as_ref().is_ok_and(|t| t.cut) || source.energy.as_ref().is_ok_and(|t| t.cut),
+        cut: [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()]
+            .into_iter()
+            .flatten()
+            .any(|table| table.as_ref().is_ok_and(|t| t.cut)),
+        files: files(source),
     };
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
@@ -97,6 +133,51 @@ pub fn html(source: &Source, sections: &[Section]) -> Result<String, minijinja::
 /// A name of several parts, which may break behind its dots and nowhere else.
 fn dots(name: String) -> Value {
     Value::from_safe_string(escape(&name).replace('.', ".<wbr>"))
+}
+
+/// The result files that are there.
+fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
+    let kinds = [
+        (
+            "Numbers in full",
+            &[
+                "monitors.csv",
+                "energy.csv",
+                "damage.csv",
+                "interfaces.csv",
+                "stages.csv",
+                "relaxation.csv",
+                "sections.csv",
+                "summary.json",
+            ][..],
+        ),
+        ("Fields for ParaView", &["fields.pvd", "interfaces.pvd", "stages.pvd"]),
+        ("The case as it was read", &["case.toml"]),
+    ];
+    let root = source.folder.root();
+    let there = |names: &[&'static str]| -> Vec<&'static str> {
+        names.iter().copied().filter(|name| root.join(name).exists()).collect()
+    };
+    kinds
+        .map(|(what, names)| (what, there(names)))
+        .into_iter()
+        .filter(|(_, names)| !names.is_empty())
+        .collect()
+}
+
+fn leaf(chapter: &Chapter) -> Leaf {
+    let paragraph = |block: &Block| Paragraph {
+        heading: block.heading.clone(),
+        text: block.text.clone(),
+        tables: block.tables.clone(),
+        figures: block.figures.iter().map(drawing).collect(),
+        notes: block.notes.clone(),
+    };
+    Leaf {
+        id: chapter.id,
+        heading: chapter.heading.clone(),
+        blocks: chapter.blocks.iter().map(paragraph).collect(),
+    }
 }
 
 fn part(section: &Section) -> Part {

@@ -156,7 +156,8 @@ pub fn span(seconds: f64) -> String {
     }
 }
 
-fn superscript(power: i32) -> String {
+/// A power as it stands behind a 10.
+pub fn superscript(power: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digits = power.unsigned_abs().to_string();
     let raised = digits.chars().filter_map(|c| c.to_digit(10)).map(|d| DIGITS[d as usize]);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use indexmap::IndexMap;
-use tremolite_results::{ResultFolder, Summary, Table, peaks_by_monitor};
+use tremolite_results::{ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_sections};
 
 use crate::pairs::is_pair;
 
@@ -17,6 +17,10 @@ pub struct Source {
     pub damage: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no interface, or an older version ran.
     pub interfaces: Option<Result<Table, String>>,
+    /// Nothing where the folder has no such file: the run has no stages, or an older version ran.
+    pub relaxation: Option<Result<Table, String>>,
+    /// Nothing where the folder has no such file: the run has no lining of which section forces were taken.
+    pub sections: Option<Result<Vec<SectionRow>, String>>,
 }
 
 impl Source {
@@ -31,14 +35,40 @@ impl Source {
         } else {
             Err("There is no summary.json: the run is still under way, or it was killed.".into())
         };
-        let monitors = table(&folder.monitors());
-        let energy = table(&folder.energy());
+        let monitors = table(&folder.monitors(), "time");
+        let energy = table(&folder.energy(), "time");
         if let (Ok(summary), Ok(monitors)) = (&mut summary, &monitors) {
             complete(summary, monitors);
         }
-        let damage = folder.damage().exists().then(|| table(&folder.damage()));
-        let interfaces = folder.interfaces().exists().then(|| table(&folder.interfaces()));
-        Ok(Source { folder, summary, monitors, energy, damage, interfaces })
+        let damage = folder.damage().exists().then(|| table(&folder.damage(), "time"));
+        let interfaces = folder.interfaces().exists().then(|| table(&folder.interfaces(), "time"));
+        let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
+        let sections = folder.sections().exists().then(|| sections(&folder.sections()));
+        Ok(Source { folder, summary, monitors, energy, damage, interfaces, relaxation, sections })
+    }
+
+    /// Whether there is anything to show of the ground's shaking, or should be. Where a run has only come through stages,
+    /// what it writes of the shaking is not missing.
+    pub fn shakes(&self) -> bool {
+        let folder = &self.folder;
+        let staged = self.relaxation.is_some()
+            || self.summary.as_ref().is_ok_and(|summary| !summary.stages.is_empty())
+            || folder.stages().exists();
+        let written = [folder.monitors(), folder.energy(), folder.pvd()].iter().any(|path| path.exists());
+        !staged || written
+    }
+
+    /// What to say in the place of the shaking where there is nothing of it.
+    pub fn still(&self) -> Option<&'static str> {
+        let asked = match &self.summary {
+            Ok(summary) => !summary.motion.kind.is_empty(),
+            Err(_) => true,
+        };
+        (!self.shakes()).then_some(if asked {
+            "The run has not come to the earthquake: it ended in the stages before it, or is still in them."
+        } else {
+            "None: the case has no [motion]. This is a static study, and the stages are all of it."
+        })
     }
 
     /// The summary, or an empty one.
@@ -67,14 +97,21 @@ fn complete(summary: &mut Summary, monitors: &Table) {
     }
 }
 
-fn table(path: &Path) -> Result<Table, String> {
+/// The section forces, if there are any rows.
+fn sections(path: &Path) -> Result<Vec<SectionRow>, String> {
+    let rows = read_sections(path).map_err(|e| format!("{e}."))?;
+    if rows.is_empty() { Err("sections.csv has no rows yet.".into()) } else { Ok(rows) }
+}
+
+/// A table that must have the column `key`.
+fn table(path: &Path, key: &str) -> Result<Table, String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if !path.exists() {
         return Err(format!("There is no {name} in the result folder."));
     }
     let table = Table::read(path).map_err(|e| format!("{e}."))?;
-    if table.column("time").is_none() {
-        return Err(format!("{name} has no column time."));
+    if table.column(key).is_none() {
+        return Err(format!("{name} has no column {key}."));
     }
     if table.rows() == 0 {
         return Err(format!("{name} has no rows yet."));

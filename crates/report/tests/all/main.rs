@@ -4,3 +4,4 @@ mod further_quantities;
 mod interface_results;
 mod interfaces;
 mod report;
+mod stages;

@@ -1,0 +1,139 @@
+//! What came before the earthquake: the stages as a table, and the figures of them.
+
+use tremolite_results::{StageSummary, Summary};
+
+use crate::scale::{Scale, count, figures, quantity, trimmed};
+use crate::source::Source;
+use crate::stage_name::called;
+use crate::text_table::{Block, Cell, Chapter, Head, TextTable};
+use crate::{convergence, reaction, relaxation, stage_maps};
+
+/// Σ|R|/Σ|contributions| below this is round-off of sums, not something that is held.
+const ROUND_OFF: f64 = 1e-12;
+
+/// The chapter; nothing for a run without stages.
+pub fn chapter(source: &Source) -> Option<Chapter> {
+    let facts = source.facts();
+    if facts.stages.is_empty() && source.relaxation.is_none() {
+        return None;
+    }
+    let mut blocks = vec![table(&facts)];
+    blocks.extend(relaxation::block(source, &facts));
+    blocks.extend(convergence::block(&facts));
+    blocks.extend(reaction::block(&facts));
+    blocks.extend(monitors(&facts));
+    blocks.extend(stage_maps::block(source, &facts));
+    let heading = if source.shakes() { "Before the earthquake" } else { "Stages" };
+    Some(Chapter { id: "before", heading: heading.into(), blocks })
+}
+
+fn table(facts: &Summary) -> Block {
+    let stages = &facts.stages;
+    if stages.is_empty() {
+        let note = "The table of stages is left out: summary.json lists none yet.";
+        return Block { notes: vec![note.into()], ..Block::default() };
+    }
+    let most = stages.iter().map(|s| s.largest_motion).filter(|x| x.is_finite()).fold(0.0, f64::max);
+    let motion = Scale::suiting("m", most);
+    let head = vec![
+        Head::number("#"),
+        Head::words("stage"),
+        Head::words("what changed"),
+        Head::number("let go"),
+        Head::number("cycles"),
+        Head::number("out of balance"),
+        Head::number("motion left"),
+        Head::number(motion.labelled("largest motion")),
+        Head::number("∫γp dV (m³)"),
+        Head::number("still held"),
+    ];
+    let row = |(k, stage): (usize, &StageSummary)| {
+        let release = if k == 0 || !stage.release.is_finite() {
+            "–".into()
+        } else {
+            format!("{}\u{a0}%", trimmed(&figures(100.0 * stage.release, 3)))
+        };
+        let held = if stage.held.abs() <= ROUND_OFF { "0".into() } else { figures(stage.held, 2) };
+        vec![
+            Cell::number(k.to_string()),
+            Cell::words(&stage.name),
+            Cell::words(changes(k, stage)),
+            Cell::number(release),
+            Cell::number(count(stage.cycles)),
+            Cell::number(figures(stage.ratio, 2)),
+            Cell::number(if stage.motion_left == 0.0 {
+                "0".into()
+            } else {
+                quantity("m", stage.motion_left)
+            }),
+            Cell::number(motion.number(stage.largest_motion)),
+            Cell::number(figures(stage.plastic_volume, 3)),
+            Cell::number(held),
+        ]
+    };
+    let rows = stages.iter().enumerate().map(row).collect();
+    let text = "Stage 0 brings what is there at the start to equilibrium; displacements count from its end. Out of balance: \
+                unbalanced forces over all contributions to them, summed over nodes. Motion left: an estimate of what more \
+                cycles would bring; it should be small beside the largest motion, which is that of any node within the \
+                stage. ∫γp dV: plastic shear strain summed over the volume that stands. Still held: what a release below \
+                100\u{a0}% has not let go, over the same contributions; it should be 0 at the end.";
+    Block { text: text.into(), tables: vec![TextTable { head: vec![head], rows }], ..Block::default() }
+}
+
+/// What a stage did, in words.
+fn changes(k: usize, stage: &StageSummary) -> String {
+    let mut parts = Vec::new();
+    for (verb, groups) in [("excavated", &stage.excavated), ("installed", &stage.installed)] {
+        if !groups.is_empty() {
+            parts.push(format!("{verb} {}", groups.join(", ")));
+        }
+    }
+    parts.extend(stage.changed.iter().cloned());
+    match (parts.is_empty(), k) {
+        (false, _) => parts.join("; "),
+        (true, 0) => "initial equilibrium".into(),
+        (true, _) => "nothing but release".into(),
+    }
+}
+
+/// What the monitors show when the stages are done.
+fn monitors(facts: &Summary) -> Option<Block> {
+    let (k, last) = facts.stages.iter().enumerate().next_back()?;
+    let quantities = [("ux", "m"), ("uy", "m"), ("uz", "m"), ("s1", "Pa"), ("s3", "Pa")];
+    let value = |of: &indexmap::IndexMap<String, Option<f64>>, name: &str| of.get(name).copied().flatten();
+    let largest = |unit: &str| {
+        let wanted = || quantities.iter().filter(|(_, u)| *u == unit);
+        let all = last
+            .monitors
+            .values()
+            .flat_map(|of| wanted().filter_map(|(name, _)| value(of, name)).collect::<Vec<_>>());
+        all.filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
+    };
+    let scales = quantities.map(|(_, unit)| Scale::suiting(unit, largest(unit)));
+    let known = |name: &str| last.monitors.values().any(|of| value(of, name).is_some_and(f64::is_finite));
+    let columns: Vec<usize> = (0..quantities.len()).filter(|&i| known(quantities[i].0)).collect();
+    if columns.is_empty() {
+        return None;
+    }
+    let mut head = vec![Head::words("monitor")];
+    head.extend(columns.iter().map(|&i| Head::number(scales[i].labelled(quantities[i].0))));
+    let row =
+        |(name, of): (&String, &indexmap::IndexMap<String, Option<f64>>)| {
+            let mut row = vec![Cell::words(name)];
+            row.extend(columns.iter().map(|&i| {
+                Cell::number(value(of, quantities[i].0).map_or("–".into(), |x| scales[i].number(x)))
+            }));
+            row
+        };
+    let rows = last.monitors.iter().map(row).collect();
+    Some(Block {
+        heading: "Monitors when the stages are done".into(),
+        text: format!(
+            "After {}. Displacements since the initial equilibrium, of a lining since its installation; tension is positive. \
+             All stages are in stages.csv.",
+            called(k, last)
+        ),
+        tables: vec![TextTable { head: vec![head], rows }],
+        ..Block::default()
+    })
+}

@@ -1,0 +1,274 @@
+//! How far crown, walls and floor of each cavern moved, by stage.
+
+use indexmap::IndexMap;
+use tremolite_results::{StageSummary, Summary};
+
+use crate::axes::Axes;
+use crate::figure::Figure;
+use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::scale::Scale;
+use crate::stage_name::called;
+use crate::svg::{Anchor, Style, Svg};
+use crate::text_table::{Block, Cell, Head, TextTable};
+use crate::ticks::Ticks;
+
+const HEADING: &str = "Convergence";
+/// Points side by side in one table.
+const ABREAST: usize = 5;
+const CLOSURE: &str = "wall to wall";
+
+/// A named point of a cavern.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// As the summary has it.
+    pub key: String,
+    /// Without the cavern's name.
+    pub label: String,
+    /// Component and sign of the motion towards the opening, where the name says it.
+    pub inward: Option<(usize, f64)>,
+}
+
+/// The points of each cavern, by its name.
+pub fn caverns(stages: &[StageSummary]) -> IndexMap<String, Vec<Point>> {
+    let mut caverns: IndexMap<String, Vec<Point>> = IndexMap::new();
+    for key in stages.iter().flat_map(|stage| stage.walls.keys()) {
+        let (cavern, label, inward) = parts(key);
+        let points = caverns.entry(cavern).or_default();
+        if !points.iter().any(|point| point.key == *key) {
+            points.push(Point { key: key.clone(), label, inward });
+        }
+    }
+    caverns
+}
+
+/// The cavern, the place in it, and which way is inward: `hall.wall.left` is a wall of smaller x.
+fn parts(key: &str) -> (String, String, Option<(usize, f64)>) {
+    let words: Vec<&str> = key.split('.').collect();
+    let is = |word: &str, names: &[&str]| {
+        word.to_lowercase().split(['_', '-', ' ']).any(|part| names.contains(&part))
+    };
+    let place = ["crown", "roof", "floor", "invert", "wall", "walls", "left", "right"];
+    let Some(first) = words.iter().position(|word| is(word, &place)) else {
+        let (cavern, label) = key.rsplit_once('.').unwrap_or(("", key));
+        return (cavern.into(), label.into(), None);
+    };
+    let rest = &words[first..];
+    let any = |names: &[&str]| rest.iter().any(|word| is(word, names));
+    let inward = if any(&["crown", "roof"]) {
+        Some((2, -1.0))
+    } else if any(&["floor", "invert"]) {
+        Some((2, 1.0))
+    } else if any(&["left"]) {
+        Some((0, 1.0))
+    } else if any(&["right"]) {
+        Some((0, -1.0))
+    } else {
+        None
+    };
+    (words[..first].join("."), rest.join(" "), inward)
+}
+
+impl Point {
+    /// Displacement since the initial equilibrium (m); zero where that has just ended, by definition.
+    pub fn moved(&self, stages: &[StageSummary], k: usize) -> [f64; 3] {
+        let nothing = if k == 0 { [0.0; 3] } else { [f64::NAN; 3] };
+        stages.get(k).and_then(|stage| stage.walls.get(&self.key)).copied().unwrap_or(nothing)
+    }
+
+    /// The part of it towards the opening.
+    pub fn inwards(&self, stages: &[StageSummary], k: usize) -> Option<f64> {
+        self.inward.map(|(component, sign)| {
+            let moved = sign * self.moved(stages, k)[component];
+            if moved == 0.0 { 0.0 } else { moved }
+        })
+    }
+}
+
+/// Pairs of walls that face each other.
+fn facing(points: &[Point]) -> Vec<(&Point, &Point)> {
+    let other = |left: &Point| {
+        let label = left.label.to_lowercase().replace("left", "right");
+        points.iter().find(|p| p.label.to_lowercase() == label && p.inward == Some((0, -1.0)))
+    };
+    let lefts = points.iter().filter(|p| p.inward == Some((0, 1.0)));
+    lefts.filter_map(|left| Some((left, other(left)?))).collect()
+}
+
+/// What two walls came nearer to each other: the difference of their horizontal displacements.
+fn closure(stages: &[StageSummary], (left, right): (&Point, &Point), k: usize) -> f64 {
+    left.moved(stages, k)[0] - right.moved(stages, k)[0]
+}
+
+/// What a closure is called beside others.
+fn closure_name(pairs: &[(&Point, &Point)], k: usize) -> String {
+    if pairs.len() == 1 { CLOSURE.into() } else { format!("{CLOSURE}, {}", pairs[k].0.label) }
+}
+
+/// The block; nothing for a run without stages after the first.
+pub fn block(facts: &Summary) -> Option<Block> {
+    let stages = &facts.stages;
+    if stages.len() < 2 {
+        return None;
+    }
+    let caverns = caverns(stages);
+    let mut block = Block { heading: HEADING.into(), ..Block::default() };
+    if caverns.is_empty() {
+        block.notes.push("Left out. The summary names no points of walls.".into());
+        return Some(block);
+    }
+    block.text = "Displacement of the rock nearest to each named point since the initial equilibrium. In the figures motion towards \
+                  the opening is positive: crown down, floor up, the left wall (smaller x) to the right, the right one to the \
+                  left. Wall to wall: how much nearer the two walls came. Motion should follow the excavation; \
+                  where it goes on growing without any, or one wall runs away from the others, take a second look."
+        .into();
+    for (number, (cavern, points)) in caverns.iter().enumerate() {
+        if points.iter().any(|p| p.inward.is_some()) {
+            block.figures.push(figure(stages, cavern, points, number));
+        } else {
+            block.notes.push(format!(
+                "{}: no figure, since no name says crown, wall left, wall right or floor.",
+                if cavern.is_empty() { "Points" } else { cavern }
+            ));
+        }
+    }
+    block.tables = caverns
+        .iter()
+        .flat_map(|(cavern, points)| points.chunks(ABREAST).map(move |points| (cavern, points)))
+        .map(|(cavern, points)| table(stages, cavern, points))
+        .collect();
+    Some(block)
+}
+
+fn figure(stages: &[StageSummary], cavern: &str, points: &[Point], number: usize) -> Figure {
+    let mut curves: Vec<Curve> = Vec::new();
+    // The dark colour is that of the closure.
+    let mut colours = (0..).filter(|k| *k != 3);
+    for point in points.iter().filter(|p| p.inward.is_some()) {
+        let values = (0..stages.len()).map(|k| (k as f64, point.inwards(stages, k).unwrap_or(f64::NAN)));
+        curves.push(Curve::new(&point.label, colours.next().unwrap_or(0), Pen::Marked, values.collect()));
+    }
+    let pairs = facing(points);
+    for (k, pair) in pairs.iter().enumerate() {
+        let values = (0..stages.len()).map(|k| (k as f64, closure(stages, *pair, k)));
+        curves.push(Curve::new(closure_name(&pairs, k), 3, Pen::Dashed, values.collect()));
+    }
+    let (low, high) = plot::ranges(&curves).1;
+    let scale = Scale::suiting("m", low.abs().max(high.abs()));
+    for point in curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()) {
+        point.1 *= scale.factor;
+    }
+    let what = if cavern.is_empty() { String::new() } else { format!("{cavern}: ") };
+    let heading = scale.labelled(&format!("{what}motion towards the opening"));
+    let names: Vec<&str> = stages.iter().map(|stage| stage.name.as_str()).collect();
+    let mut svg = Svg::new(WIDTH);
+    let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &heading, &curves);
+    let axes = Axes {
+        left: LEFT,
+        right: WIDTH - RIGHT,
+        top,
+        bottom: top + 250.0,
+        across: plot::stages(&names, WIDTH - LEFT - RIGHT),
+        up: Ticks::around((low * scale.factor).min(0.0), (high * scale.factor).max(0.0), 6),
+    };
+    plot::draw(&mut svg, &axes, &curves);
+    svg.text(
+        (WIDTH - RIGHT, axes.bottom + 34.0),
+        Anchor::End,
+        12.0,
+        Style::Muted,
+        "at the end of each stage",
+    );
+    let file =
+        format!("convergence{}.svg", if number == 0 { String::new() } else { format!("-{}", number + 1) });
+    let most = points
+        .iter()
+        .filter_map(|p| Some((p, p.inwards(stages, stages.len() - 1).filter(|x| x.is_finite())?)))
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    let caption = most.map_or(String::new(), |(point, moved)| {
+        let way = if moved < 0.0 { "away from" } else { "towards" };
+        let end = called(stages.len() - 1, &stages[stages.len() - 1]);
+        format!(
+            "Most at the end ({end}): {}, {} {way} the opening.",
+            point.label,
+            scale.quantity(moved.abs())
+        )
+    });
+    let svg = svg.finish(axes.bottom + 42.0, &heading, &caption);
+    Figure { heading: HEADING.into(), file, svg, caption }
+}
+
+/// Both components of each point, by stage.
+fn table(stages: &[StageSummary], cavern: &str, points: &[Point]) -> TextTable {
+    let all = || (0..stages.len()).flat_map(|k| points.iter().flat_map(move |p| p.moved(stages, k)));
+    let most = all().filter(|x| x.is_finite()).fold(0.0, |most: f64, x| most.max(x.abs()));
+    let scale = Scale::suiting("m", most);
+    let pairs = facing(points);
+    let mut over = vec![Head::words(""), Head::words(scale.labelled(cavern).trim())];
+    let mut head = vec![Head::number("#"), Head::words("stage")];
+    for point in points {
+        over.push(Head::number(&point.label).over(2));
+        head.extend([Head::number("x"), Head::number("z, up")]);
+    }
+    for k in 0..pairs.len() {
+        over.push(Head::number(closure_name(&pairs, k)));
+        head.push(Head::number("closer by"));
+    }
+    // A tenth of a percent of the largest is as fine as the method.
+    let decimals = (2 - (most * scale.factor).max(1e-9).log10().floor() as i32).clamp(0, 6) as usize;
+    let number = |x: f64| {
+        let text = format!("{:.decimals$}", (x * scale.factor).abs());
+        let minus = x < 0.0 && text.contains(|c: char| c.is_ascii_digit() && c != '0');
+        Cell::number(if !x.is_finite() {
+            "–".into()
+        } else if minus {
+            format!("−{text}")
+        } else {
+            text
+        })
+    };
+    let row = |k: usize| {
+        let mut row = vec![Cell::number(k.to_string()), Cell::words(&stages[k].name)];
+        for point in points {
+            let moved = point.moved(stages, k);
+            row.extend([number(moved[0]), number(moved[2])]);
+        }
+        row.extend(pairs.iter().map(|pair| number(closure(stages, *pair, k))));
+        row
+    };
+    TextTable { head: vec![over, head], rows: (1..stages.len()).map(row).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_say_which_way_is_inward() {
+        for (key, cavern, label, inward) in [
+            ("powerhouse.crown", "powerhouse", "crown", Some((2, -1.0))),
+            ("powerhouse.floor", "powerhouse", "floor", Some((2, 1.0))),
+            ("powerhouse.wall.left", "powerhouse", "wall left", Some((0, 1.0))),
+            ("east.hall.wall.right", "east.hall", "wall right", Some((0, -1.0))),
+            ("hall.left_wall", "hall", "left_wall", Some((0, 1.0))),
+            ("crown", "", "crown", Some((2, -1.0))),
+            ("hall.pillar", "hall", "pillar", None),
+            ("A", "", "A", None),
+        ] {
+            assert_eq!(parts(key), (cavern.to_owned(), label.to_owned(), inward), "{key}");
+        }
+    }
+
+    #[test]
+    fn walls_that_come_nearer_close() {
+        let walls = [("h.wall.left", [0.003, 0.0, 0.0]), ("h.wall.right", [-0.004, 0.0, 0.0])];
+        let walls = walls.map(|(name, u)| (name.to_owned(), u)).into();
+        let stages = [StageSummary::default(), StageSummary { walls, ..StageSummary::default() }];
+        let caverns = caverns(&stages);
+        let pairs = facing(&caverns["h"]);
+        assert!((closure(&stages, pairs[0], 1) - 0.007).abs() < 1e-15);
+        assert_eq!(
+            caverns["h"].iter().map(|p| p.inwards(&stages, 1)).collect::<Vec<_>>(),
+            [Some(0.003), Some(0.004)]
+        );
+    }
+}

@@ -1,0 +1,118 @@
+//! Figure of section forces along a lining.
+
+use crate::axes::Axes;
+use crate::figure::Figure;
+use crate::lining::{Extreme, FORCES, KILO, Lining, Station, distance, joints};
+use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::scale::trimmed;
+use crate::svg::{Anchor, Style, Svg, text_width};
+use crate::ticks::Ticks;
+
+/// Colours: after the stages, largest, smallest.
+pub const COLOURS: [usize; 3] = [3, 1, 0];
+
+/// The figure of one section; nothing for fewer than two stations.
+pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -> Option<Figure> {
+    if section.len() < 2 || !section.iter().any(|s| s.after[0].is_finite() || s.least.is_some()) {
+        return None;
+    }
+    let along: Vec<f64> = std::iter::once(0.0)
+        .chain(section.windows(2).scan(0.0, |s, pair| {
+            *s += distance(pair[0], pair[1]);
+            Some(*s)
+        }))
+        .collect();
+    let end = along[along.len() - 1];
+    let title = format!("{}: forces along the lining", lining.name);
+    let mut svg = Svg::new(WIDTH);
+    let mut top = 0.0;
+    for (i, (symbol, name, unit)) in FORCES.into_iter().enumerate() {
+        let mut curves = curves(lining, section, &along, i);
+        let heading = format!("{symbol}, {name} ({unit})");
+        if i > 0 {
+            curves.iter_mut().for_each(|curve| curve.name.clear());
+        }
+        top = plot::title(&mut svg, (LEFT, top), WIDTH - LEFT - RIGHT, &heading, &curves);
+        top += if i == 0 { 14.0 } else { 0.0 };
+        let (low, high) = plot::ranges(&curves).1;
+        let axes = Axes {
+            left: LEFT,
+            right: WIDTH - RIGHT,
+            top,
+            bottom: top + 150.0,
+            across: Ticks::within(0.0, end, 12),
+            up: Ticks::around(low.min(0.0), high.max(0.0), 5),
+        };
+        for (k, words) in landmarks(section) {
+            let (x, _) = axes.point(along[k], 0.0);
+            svg.rule((x, top - if i == 0 { 4.0 } else { 0.0 }), (x, axes.bottom), true);
+            if i == 0 {
+                let half = 0.5 * text_width(words, 11.0);
+                let x = x.clamp(LEFT + half, WIDTH - RIGHT - half);
+                svg.text((x, top - 7.0), Anchor::Middle, 11.0, Style::Muted, words);
+            }
+        }
+        plot::draw(&mut svg, &axes, &curves);
+        top = axes.bottom + 26.0;
+    }
+    svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, "along the lining (m)");
+    let caption = format!(
+        "Section y = {}\u{a0}m, {} stations going round from below by the wall of greater x over the crown. Lines break where \
+         stations are missing, as where walls meet.",
+        trimmed(&format!("{y:.2}").replace('-', "−")),
+        section.len()
+    );
+    let svg = svg.finish(top + 16.0, &title, "thrust, moment and shear over the length along the lining");
+    Some(Figure { heading: title, file: format!("lining-forces{suffix}.svg"), svg, caption })
+}
+
+/// What is drawn of a force: after the stages, largest, smallest.
+fn curves(lining: &Lining, section: &[&Station], along: &[f64], i: usize) -> Vec<Curve> {
+    let after = |s: &Station| s.after[i];
+    let extreme = |of: Option<Extreme>| of.map_or(f64::NAN, |e| e.forces[i]);
+    let most = |s: &Station| extreme(s.most);
+    let least = |s: &Station| extreme(s.least);
+    type Of<'a> = &'a dyn Fn(&Station) -> f64;
+    let wanted: [(String, Of); 3] = [
+        (lining.after.clone(), &after),
+        ("largest while the ground shakes".into(), &most),
+        ("smallest while the ground shakes".into(), &least),
+    ];
+    let curve = |(k, (name, of)): (usize, (String, Of))| {
+        let mut pieces = vec![Vec::new()];
+        let joints = joints(section);
+        for (n, station) in section.iter().enumerate() {
+            if n > 0 && !joints[n - 1] {
+                pieces.push(Vec::new());
+            }
+            if let Some(piece) = pieces.last_mut() {
+                piece.push((along[n], of(station) * KILO));
+            }
+        }
+        let pen = if k == 0 { Pen::Marked } else { Pen::Line };
+        Curve { name, colour: COLOURS[k], pen, pieces }
+    };
+    let drawn = |curve: &Curve| curve.pieces.iter().flatten().any(|p| p.1.is_finite());
+    wanted.into_iter().enumerate().map(curve).filter(drawn).collect()
+}
+
+/// Stations by which one finds one's way.
+fn landmarks(section: &[&Station]) -> Vec<(usize, &'static str)> {
+    let ends = |of: &dyn Fn(&Station) -> f64| plot::range(section.iter().map(|s| of(s)));
+    let ((left, right), (low, high)) = (ends(&|s| s.place[0]), ends(&|s| s.place[2]));
+    let (x, z) = (0.5 * (left + right), 0.5 * (low + high));
+    let nearest = |at: [f64; 2]| {
+        let away = |s: &Station| (s.place[0] - at[0]).hypot(s.place[2] - at[1]);
+        (0..section.len()).min_by(|a, b| away(section[*a]).total_cmp(&away(section[*b]))).unwrap_or(0)
+    };
+    let mut marks = Vec::new();
+    for (at, words) in
+        [([right, z], "wall of greater x"), ([x, high], "crown"), ([left, z], "wall of smaller x")]
+    {
+        let k = nearest(at);
+        if !marks.iter().any(|(known, _)| *known == k) {
+            marks.push((k, words));
+        }
+    }
+    marks
+}

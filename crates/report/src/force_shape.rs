@@ -1,0 +1,159 @@
+//! Figure of section forces drawn on the lining's own shape, at right angles to it.
+
+use crate::figure::Figure;
+use crate::force_chart::COLOURS;
+use crate::lining::{Extreme, FORCES, Lining, Station, joints, kilo};
+use crate::plot::{self, WIDTH};
+use crate::scale::trimmed;
+use crate::svg::{Anchor, Style, Svg, text_width};
+
+/// Longest ordinate.
+const LONGEST: f64 = 34.0;
+const TALLEST: f64 = 420.0;
+const TOP: f64 = 52.0;
+/// Beside the ordinates, for their numbers.
+const ROOM: f64 = 46.0;
+
+/// Forces at a station by which a diagram is drawn; none where there is no number.
+type Of<'a> = &'a dyn Fn(&Station) -> Option<f64>;
+
+/// The figure of one section; nothing for fewer than three stations, which have no shape.
+pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -> Option<Figure> {
+    if section.len() < 3 || !section.iter().any(|s| s.after[0].is_finite() || s.least.is_some()) {
+        return None;
+    }
+    let (x, z) =
+        (plot::range(section.iter().map(|s| s.place[0])), plot::range(section.iter().map(|s| s.place[2])));
+    let cell = WIDTH / 3.0;
+    let margin = LONGEST + ROOM;
+    let zoom = ((cell - 2.0 * margin) / (x.1 - x.0).max(1e-9))
+        .min((TALLEST - 2.0 * LONGEST) / (z.1 - z.0).max(1e-9));
+    let height = (z.1 - z.0) * zoom + 2.0 * margin;
+    let title = format!("{}: forces on the lining's shape", lining.name);
+    let mut svg = Svg::new(WIDTH);
+    legend(&mut svg, lining);
+    for (i, (symbol, name, unit)) in FORCES.into_iter().enumerate() {
+        let middle = (i as f64 + 0.5) * cell;
+        svg.text(
+            (middle, TOP - 8.0),
+            Anchor::Middle,
+            13.0,
+            Style::Bold,
+            &format!("{symbol}, {name} ({unit})"),
+        );
+        let place = |s: &Station| {
+            (middle + (s.place[0] - 0.5 * (x.0 + x.1)) * zoom, TOP + margin + (z.1 - s.place[2]) * zoom)
+        };
+        let places: Vec<(f64, f64)> = section.iter().map(|s| place(s)).collect();
+        diagram(&mut svg, section, &places, i);
+    }
+    let caption = format!(
+        "Section y = {}\u{a0}m; to the left x is smaller. The thin line is the middle of the lining. N is drawn outwards \
+         where it compresses, Q where it is positive, M on the side that it stretches; each of the three has a scale of its own, set by its largest value.",
+        trimmed(&format!("{y:.2}").replace('-', "−"))
+    );
+    let svg = svg.finish(TOP + height + 4.0, &title, "thrust, moment and shear on the section of the lining");
+    Some(Figure { heading: title, file: format!("lining-shape{suffix}.svg"), svg, caption })
+}
+
+fn legend(svg: &mut Svg, lining: &Lining) {
+    let mut x = 24.0;
+    let all = [lining.after.as_str(), "largest while the ground shakes", "smallest while the ground shakes"];
+    for (k, name) in all.into_iter().enumerate().take(if lining.shaken() { 3 } else { 1 }) {
+        svg.lines(COLOURS[k], 2.4, &[vec![(x, 11.5), (x + 20.0, 11.5)]]);
+        svg.text((x + 26.0, 16.0), Anchor::Start, 12.0, Style::Plain, name);
+        x += 26.0 + text_width(name, 12.0) + 16.0;
+    }
+}
+
+fn diagram(svg: &mut Svg, section: &[&Station], places: &[(f64, f64)], i: usize) {
+    let joints = joints(section);
+    let normals = normals(&joints, places);
+    // A positive moment stretches the intrados, which is inside. Thrust mostly compresses, and has more room outside.
+    let side = if i < 2 { -1.0 } else { 1.0 };
+    let finite = |x: f64| x.is_finite().then_some(x);
+    let extreme = |of: Option<Extreme>| of.and_then(|e| finite(e.forces[i]));
+    let after = |s: &Station| finite(s.after[i]);
+    let most = |s: &Station| extreme(s.most);
+    let least = |s: &Station| extreme(s.least);
+    let all: [Of; 3] = [&after, &most, &least];
+    let values = || section.iter().flat_map(|s| all.iter().filter_map(|of| of(s)));
+    let largest = values().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let zoom = if largest > 0.0 { LONGEST / largest } else { 0.0 };
+    let tip = |k: usize, value: f64| {
+        let (p, n) = (places[k], normals[k]);
+        (p.0 + side * value * zoom * n.0, p.1 + side * value * zoom * n.1)
+    };
+    let next = |k: usize| (k + 1) % places.len();
+    for k in (0..places.len()).filter(|&k| joints[k]) {
+        svg.rule(places[k], places[next(k)], true);
+    }
+    // Ordinates of what stood still, then the lines over all.
+    for (k, station) in section.iter().enumerate() {
+        if let Some(value) = after(station) {
+            svg.rule(places[k], tip(k, value), false);
+        }
+    }
+    for (number, of) in all.iter().enumerate().rev() {
+        let mut lines = vec![Vec::new()];
+        for (k, station) in section.iter().enumerate() {
+            if k > 0 && !joints[k - 1] {
+                lines.push(Vec::new());
+            }
+            match (of(station), lines.last_mut()) {
+                (Some(value), Some(line)) => line.push(tip(k, value)),
+                _ => lines.push(Vec::new()),
+            }
+        }
+        let ends = [section.len() - 1, 0].map(|k| of(section[k]).map(|value| tip(k, value)));
+        if let ([Some(last), Some(first)], true) = (ends, joints[section.len() - 1]) {
+            lines.push(vec![last, first]);
+        }
+        lines.retain(|line| !line.is_empty());
+        if !lines.is_empty() {
+            svg.lines(COLOURS[number], if number == 0 { 1.9 } else { 1.2 }, &lines);
+        }
+    }
+    // The longest ordinate to either side, with its number.
+    let mut ends: Vec<(usize, f64)> = Vec::new();
+    for sign in [1.0, -1.0] {
+        let each =
+            (0..section.len()).flat_map(|k| all.iter().filter_map(move |of| Some((k, of(section[k])?))));
+        if let Some((k, value)) = each.max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)))
+            && sign * value > 0.0
+        {
+            ends.push((k, value));
+        }
+    }
+    for (k, value) in ends {
+        let (at, n) = (tip(k, value), normals[k]);
+        let way = if side * value < 0.0 { -1.0 } else { 1.0 };
+        let (dx, dy) = (way * n.0, way * n.1);
+        let anchor = if dx > 0.4 {
+            Anchor::Start
+        } else if dx < -0.4 {
+            Anchor::End
+        } else {
+            Anchor::Middle
+        };
+        svg.text((at.0 + 6.0 * dx, at.1 + 4.0 + 10.0 * dy), anchor, 12.0, Style::Bold, &kilo(value));
+    }
+}
+
+/// Across the lining and outwards, at each station.
+fn normals(joints: &[bool], places: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let number = places.len();
+    let mean = |of: fn(&(f64, f64)) -> f64| places.iter().map(of).sum::<f64>() / number as f64;
+    let centre = (mean(|p| p.0), mean(|p| p.1));
+    let normal = |k: usize| {
+        // Not across a corner, where the wall turns.
+        let previous = (k + number - 1) % number;
+        let a = places[if joints[previous] { previous } else { k }];
+        let b = places[if joints[k] { (k + 1) % number } else { k }];
+        let length = (b.0 - a.0).hypot(b.1 - a.1).max(1e-9);
+        let n = ((b.1 - a.1) / length, -(b.0 - a.0) / length);
+        let outwards = (places[k].0 - centre.0) * n.0 + (places[k].1 - centre.1) * n.1;
+        if outwards < 0.0 { (-n.0, -n.1) } else { n }
+    };
+    (0..number).map(normal).collect()
+}

@@ -1,0 +1,95 @@
+//! The chapter on section forces of linings: after the last stage, and between which values they went while the ground shook.
+
+use crate::cut_figure::plane;
+use crate::lining::{Extreme, FORCES, Lining, Station, kilo, linings};
+use crate::scale::{moment, trimmed};
+use crate::source::Source;
+use crate::text_table::{Block, Cell, Chapter, Head, TextTable};
+use crate::{force_chart, force_shape, thrust_moment};
+
+/// The chapter; nothing for a run that wrote no section forces.
+pub fn chapter(source: &Source) -> Option<Chapter> {
+    const ID: &str = "forces";
+    let heading = "Section forces of the linings".to_owned();
+    let rows = match source.sections.as_ref()? {
+        Ok(rows) => rows,
+        Err(why) => {
+            let block = Block { notes: vec![format!("Left out. {why}")], ..Block::default() };
+            return Some(Chapter { id: ID, heading, blocks: vec![block] });
+        }
+    };
+    let facts = source.facts();
+    let linings = linings(rows, &facts);
+    let shaken = linings.iter().any(Lining::shaken);
+    let mut text = String::from(
+        "Integrated through the thickness, a metre of the cavern's length. Tension is positive; a positive moment stretches the \
+         intrados; where shear is positive, what comes next, \
+         going round by the wall of greater x over the crown, pushes towards the intrados.",
+    );
+    text.push_str(if shaken {
+        " Each of N, M and Q has its largest and smallest value at a time of its own: the envelope is no state that the lining \
+         was ever in."
+    } else if source.shakes() {
+        " The file holds no extremes of the shaking."
+    } else {
+        ""
+    });
+    let mut blocks =
+        vec![Block { text, tables: vec![table(&linings, facts.model.duration)], ..Block::default() }];
+    let y = plane(&facts.positions);
+    for (number, lining) in linings.iter().enumerate() {
+        let (y, section) = lining.section(y);
+        let mut block = Block { heading: lining.name.clone(), ..Block::default() };
+        let suffix = if number == 0 { String::new() } else { format!("-{}", number + 1) };
+        block.figures.extend(force_shape::figure(lining, (y, &section), &suffix));
+        block.figures.extend(force_chart::figure(lining, (y, &section), &suffix));
+        block.figures.extend(thrust_moment::figure(lining, &section, &suffix));
+        if block.figures.is_empty() {
+            block.notes.push("No figure: fewer than two stations have numbers.".into());
+        }
+        blocks.push(block);
+    }
+    Some(Chapter { id: ID, heading, blocks })
+}
+
+/// The largest and smallest of each force, over all stations.
+fn table(linings: &[Lining], duration: f64) -> TextTable {
+    let shaken = linings.iter().any(Lining::shaken);
+    let mut over = vec![Head::words("").over(2), Head::number("when the stages are done").over(2)];
+    let mut head =
+        vec![Head::words("lining"), Head::words(""), Head::number("largest"), Head::number("smallest")];
+    if shaken {
+        over.push(Head::number("while the ground shakes").over(2));
+        head.extend([Head::number("largest"), Head::number("smallest")]);
+    }
+    let mut rows = Vec::new();
+    for lining in linings {
+        for (i, (symbol, name, unit)) in FORCES.into_iter().enumerate() {
+            let label = if i == 0 { lining.name.as_str() } else { "" };
+            let mut row = vec![Cell::words(label), Cell::words(format!("{symbol}, {name} ({unit})"))];
+            let after: Vec<_> = lining.stations.iter().map(|s| (s, s.after[i], f64::NAN)).collect();
+            let shaking = |of: fn(&Station) -> Option<Extreme>| -> Vec<(&Station, f64, f64)> {
+                let each = lining.stations.iter().filter_map(|s| Some((s, of(s)?)));
+                each.map(|(s, e)| (s, e.forces[i], e.time[i])).collect()
+            };
+            row.extend([entry(&after, 1.0, duration), entry(&after, -1.0, duration)]);
+            if shaken {
+                row.push(entry(&shaking(|s| s.most), 1.0, duration));
+                row.push(entry(&shaking(|s| s.least), -1.0, duration));
+            }
+            rows.push(row);
+        }
+    }
+    TextTable { head: vec![over, head], rows }
+}
+
+/// The largest (`sign` 1) or smallest of values, with station and time.
+fn entry(values: &[(&Station, f64, f64)], sign: f64, duration: f64) -> Cell {
+    let finite = values.iter().filter(|(_, value, _)| value.is_finite());
+    let Some((station, value, time)) = finite.max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1))) else {
+        return Cell::number("–");
+    };
+    let [x, y, z] = station.place.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")));
+    let at = if time.is_finite() { format!("{}\u{a0}s, ", moment(*time, duration)) } else { String::new() };
+    Cell::number(kilo(*value)).with(format!("{at}({x}, {y}, {z})"))
+}
