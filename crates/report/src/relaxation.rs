@@ -67,9 +67,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
 
 /// What a run calls at rest: the limit of its own check.
 fn tolerance(facts: &Summary) -> Option<f64> {
-    let line = facts.trust.iter().find(|line| line.id == "at_rest" && !line.not_applicable)?;
-    let limit = line.numbers.get("tolerance").copied().unwrap_or(line.limit);
-    (line.unit.is_empty() && limit > 0.0 && limit.is_finite()).then_some(limit)
+    facts.stages.iter().map(|stage| stage.tolerance).find(|limit| limit.is_finite())
 }
 
 /// The rows of a stage, and from which cycle of the run to which it went.
