@@ -63,4 +63,8 @@ problems! {
     interface_ring Test,
     interface_bonded Test,
     interface_fault Test,
+    gravity_column Test,
+    kirsch_hole Test,
+    excavated_opening Verify,
+    lined_tunnel Verify,
 }
