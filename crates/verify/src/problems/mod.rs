@@ -63,8 +63,11 @@ problems! {
     interface_ring Test,
     interface_bonded Test,
     interface_fault Test,
+    loaded_interface Test,
+    hand_over_wave Test,
     gravity_column Test,
     kirsch_hole Test,
     excavated_opening Verify,
     lined_tunnel Verify,
+    release_ramp Test,
 }
