@@ -74,11 +74,7 @@ impl Opening {
                 let det = c[0] * d[2] - d[0] * c[2];
                 ((-s * d[2] + t * d[0]) / det, (-c[0] * t + c[2] * s) / det)
             };
-            return Solved {
-                opening: *self,
-                rock: [0.0, mean * b * b, 0.0, 0.0, c, d],
-                lining: [0.0; 6],
-            };
+            return Solved { opening: *self, rock: [0.0, mean * b * b, 0.0, 0.0, c, d], lining: [0.0; 6] };
         };
         let (inside, outside) = (terms(lining.solid, lining.inner), terms(lining.solid, b));
         let compliance = lining.joint.map_or(0.0, |k| 1.0 / k);
@@ -100,11 +96,8 @@ impl Opening {
             (row[4], row[5], row[6]) = (-rock[4][of], -rock[5][of], right);
             row.to_vec()
         };
-        let mut rows = vec![
-            row(0, &inside).to_vec(),
-            row(2, &inside).to_vec(),
-            minus(row(0, &outside), 0, odd[0]),
-        ];
+        let mut rows =
+            vec![row(0, &inside).to_vec(), row(2, &inside).to_vec(), minus(row(0, &outside), 0, odd[0])];
         let mut close = row(3, &outside);
         let pressed = row(0, &outside);
         (0..4).for_each(|i| close[i] += compliance * pressed[i]);

@@ -69,5 +69,5 @@ problems! {
     kirsch_hole Test,
     excavated_opening Verify,
     lined_tunnel Verify,
-    release_ramp Test,
+    release_ramp Verify,
 }

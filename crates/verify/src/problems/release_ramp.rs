@@ -1,10 +1,11 @@
 //! How what is held is let go: faster or slower, at once or in benches.
 //!
-//! A square opening of 8 m in Mohr–Coulomb rock at a depth of 300 m with K₀ = 0.8, excavated in one stage, and with a lining of half a metre that
-//! comes when a half has been released and that the rest damages. What yields or softens depends on the path to rest. A
-//! ramp of 200 cycles must be as good as one of 400 by what is judged: ∫γ_p dV, the mean motion of the wall, the mean damage
-//! of a lining that softens exponentially. Softening to a residual strength is for information: where a crack stands does not follow from
-//! the load there.
+//! A square opening of 8 m in Mohr–Coulomb rock at a depth of 300 m with K₀ = 0.8, excavated in one stage, and with a lining of half a
+//! metre that the last part of the release damages. What yields or softens depends on the path to rest. A ramp of 200 cycles must be
+//! as good as one of 400 by what is judged: ∫γ_p dV, the mean motion of the wall, the mean damage of a lining that softens
+//! exponentially. That is so with a fifth of the lining damaged (0.187, 0.186, 0.186, 0.186 after 200, 400, 800, 1600 cycles). At its
+//! onset mean damage is that of a few points (0.018, 0.019, 0.0196, 0.020), and a law that softens to a residual strength jumps from one
+//! pattern of cracks to another where it is near to both (0.292 after 100 cycles, 0.333 after 200): both are for information.
 //!
 //! Two benches end where one does if all is elastic; where rock yields they need not.
 
@@ -27,7 +28,7 @@ pub const PROBLEM: Problem = Problem {
     name: NAME,
     summary: "ramps of 200 and 400 cycles, one bench and two: flow of rock, motion of the wall, damage of a lining",
     source: "agreement of paths to the same end",
-    from: Effort::Test,
+    from: Effort::Verify,
     run,
 };
 
@@ -41,55 +42,69 @@ const CLEAR: f64 = 3.5;
 /// Ground above the block \[m\], and K₀.
 const ABOVE: f64 = 280.0;
 const LATERAL: f64 = 0.8;
-/// c \[Pa\], φ and ψ \[°\], f_t \[Pa\]
-const STRENGTH: [f64; 4] = [1.2e6, 38.0, 8.0, 0.3e6];
-/// Share released before the lining comes.
-const BEFORE: f64 = 0.5;
+/// φ and ψ \[°\], f_t \[Pa\]
+const STRENGTH: [f64; 3] = [38.0, 8.0, 0.3e6];
+/// c \[Pa\] of rock without a lining and of rock behind one.
+const WEAK: f64 = 0.8e6;
+const FIRM: f64 = 1.2e6;
 
 /// What is done in stages.
 #[derive(Clone, Copy, PartialEq)]
 enum Works {
     One,
     Benches,
-    /// A lining whose law softens so.
-    Lined(&'static str),
+    /// A lining whose law softens so, and the share released before it comes.
+    Lined(&'static str, f64),
 }
 
 fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let mut checks = Vec::new();
-    let [fast, slow] = [excavate(true, Works::One, 200)?, excavate(true, Works::One, 400)?];
+    let weak = |cycles| excavate(Some(WEAK), Works::One, cycles);
+    let [once, fast, slow] = [weak(1)?, weak(200)?, weak(400)?];
     let note = "1 %: far below what a mesh errs; judged by sums, as single nodes depend on the path more";
-    let mut compare = |what: &str, fast: f64, slow: f64, firm: bool| {
-        let quantity = format!("{what}, 200 cycles over 400");
-        checks.push(match firm {
-            true => Check::new(NAME, quantity, fast / slow, 1.0, 0.01, "1", note),
-            false => Check::beside(NAME, quantity, fast / slow, 1.0, "1", "for information: the path decides"),
-        });
+    let firm = |what: &str, fast: f64, slow: f64| {
+        Check::new(NAME, format!("{what}, 200 cycles over 400"), fast / slow, 1.0, 0.01, "1", note)
     };
-    compare("∫γ_p dV", fast.flow, slow.flow, true);
-    compare("mean motion of the wall", fast.motion, slow.motion, true);
-    let mut lined = Vec::new();
-    for (evolution, firm) in [("exponential", true), ("residual", false)] {
-        let [fast, slow] = [200, 400].map(|cycles| excavate(true, Works::Lined(evolution), cycles));
+    let beside = |quantity: String, value: f64, reference: f64, note: &str| {
+        Check::beside(NAME, quantity, value, reference, "1", format!("for information: {note}"))
+    };
+    checks.push(firm("∫γ_p dV", fast.flow, slow.flow));
+    checks.push(firm("mean motion of the wall", fast.motion, slow.motion));
+    let note = "without a ramp rock yields on the way that need not at rest";
+    let quantity = |what: &str| format!("{what}, released at once over 400 cycles");
+    checks.push(beside(quantity("∫γ_p dV"), once.flow / slow.flow, 1.0, note));
+    checks.push(beside(quantity("mean motion of the wall"), once.motion / slow.motion, 1.0, note));
+    let note = "so much there is to compare";
+    checks.push(beside("∫γ_p dV over the opening's volume".into(), fast.flow, 0.0, note));
+
+    for (cohesion, evolution, share, tested) in [
+        (FIRM, "exponential", 0.85, true),
+        (WEAK, "exponential", 0.95, false),
+        (FIRM, "residual", 0.85, false),
+        (FIRM, "residual", 0.8, false),
+    ] {
+        let [fast, slow] = [200, 400].map(|cycles| excavate(Some(cohesion), Works::Lined(evolution, share), cycles));
         let (fast, slow) = (fast?, slow?);
-        compare(&format!("mean damage of a lining, {evolution}"), fast.damage, slow.damage, firm);
-        compare(&format!("∫γ_p dV behind a lining, {evolution}"), fast.flow, slow.flow, firm);
-        lined.push((evolution, fast.damage));
+        let what = format!("mean damage of a lining after {share}, {evolution}");
+        checks.push(beside(what.clone(), fast.damage, 0.0, note));
+        if tested {
+            checks.push(firm(&what, fast.damage, slow.damage));
+            checks.push(firm("∫γ_p dV behind that lining", fast.flow, slow.flow));
+        } else {
+            let why = "few points at onset, and jumps between patterns of cracks";
+            checks.push(beside(format!("{what}, 200 cycles over 400"), fast.damage / slow.damage, 1.0, why));
+        }
     }
-    for (evolution, damage) in lined {
-        let quantity = format!("mean damage of a lining, {evolution}");
-        checks.push(Check::beside(NAME, quantity, damage, 0.0, "1", "for information: so much there is to compare"));
-    }
-    let [one, two] = [Works::One, Works::Benches].map(|works| excavate(false, works, 200));
+
+    let [one, two] = [Works::One, Works::Benches].map(|works| excavate(None, works, 200));
     let note = "1e-6: all is linear; what is out of balance at rest is 1e-9 of all contributions";
     let quantity = "mean motion of the wall, two benches over one, elastic";
     checks.push(Check::new(NAME, quantity, two?.motion / one?.motion, 1.0, 1e-6, "1", note));
-    let two = excavate(true, Works::Benches, 200)?;
-    let note = "for information: rock that yields remembers the path";
-    let quantity = "mean motion of the wall, two benches over one, yielding";
-    checks.push(Check::beside(NAME, quantity, two.motion / fast.motion, 1.0, "1", note));
-    checks.push(Check::beside(NAME, "∫γ_p dV, two benches over one", two.flow / fast.flow, 1.0, "1", note));
-    checks.push(Check::beside(NAME, "∫γ_p dV over the opening's volume", fast.flow, 0.0, "1", note));
+    let two = excavate(Some(WEAK), Works::Benches, 200)?;
+    let note = "rock that yields remembers the path";
+    let quantity = |what: &str| format!("{what}, two benches over one, yielding");
+    checks.push(beside(quantity("mean motion of the wall"), two.motion / fast.motion, 1.0, note));
+    checks.push(beside(quantity("∫γ_p dV"), two.flow / fast.flow, 1.0, note));
     Ok(checks)
 }
 
@@ -109,7 +124,8 @@ fn mesh() -> Result<Mesh, VerifyError> {
     Ok(BoxSpec { x: axis(), y: Axis::uniform(0.0, 1.0, 1), z: axis(), distortion: None }.mesh()?)
 }
 
-fn excavate(yields: bool, works: Works, cycles: u64) -> Result<Outcome, VerifyError> {
+/// With rock of a cohesion \[Pa\], elastic if none.
+fn excavate(cohesion: Option<f64>, works: Works, cycles: u64) -> Result<Outcome, VerifyError> {
     let mut mesh = mesh()?;
     let far = |x: [f64; 3]| x[0].abs().max(x[2].abs());
     let centres: Vec<[f64; 3]> = (0..mesh.elements.len() as u32).map(|e| centroid(&mesh, e)).collect();
@@ -119,7 +135,7 @@ fn excavate(yields: bool, works: Works, cycles: u64) -> Result<Outcome, VerifyEr
         let rest_of_bench = works == Works::Benches && x[2] < 0.0;
         let gone = Some(Stage::Before(if rest_of_bench { 2 } else { 1 }));
         match (works, far(x)) {
-            (Works::Lined(_), r) if r > CLEAR && r < HALF => {
+            (Works::Lined(..), r) if r > CLEAR && r < HALF => {
                 lives[e as usize] = Life { born: Stage::Before(2), gone: None };
                 let twin = mesh.elements.len() as u32;
                 mesh.elements.push(mesh.elements[e as usize]);
@@ -144,8 +160,8 @@ fn excavate(yields: bool, works: Works, cycles: u64) -> Result<Outcome, VerifyEr
     let top = mesh.faces["top"].iter().map(|&face| (face, stress(high))).collect();
     let nodes = mesh.nodes.clone();
     let mut body = ROCK.body("rock", rock.clone(), Quadrature::OnePoint);
-    if yields {
-        let [cohesion, friction, dilation, tension] = STRENGTH;
+    if let Some(cohesion) = cohesion {
+        let [friction, dilation, tension] = STRENGTH;
         let values = Values::default()
             .with("young", ROCK.young)
             .with("poisson", ROCK.poisson)
@@ -160,9 +176,9 @@ fn excavate(yields: bool, works: Works, cycles: u64) -> Result<Outcome, VerifyEr
     match works {
         Works::One => {}
         Works::Benches => releases.push(releases[1]),
-        Works::Lined(evolution) => {
+        Works::Lined(evolution, share) => {
             releases.push(releases[1]);
-            releases[1].share = BEFORE;
+            releases[1].share = share;
             let solid = Solid { young: concrete::YOUNG, poisson: concrete::POISSON, density: 2400.0 };
             let mut body = solid.body("lining", lining.clone(), Quadrature::Full);
             let energy: &[(&str, f64)] = &[("fracture_energy", 130.0)];
