@@ -6,8 +6,8 @@
 //! lines of the energy balance, though what is stored at the hand-over is far more than what the wave brings. The same with a
 //! Mohr–Coulomb rock that is never near yield.
 
-use crate::lined::{END, Joints, slice};
-use crate::models::{Solid, material};
+use crate::lined::{END, Joints, ROCK, slice};
+use crate::models::material;
 use crate::simulation::whole_steps;
 use crate::staged::release;
 use crate::{Check, Effort, Problem, VerifyError};
@@ -29,8 +29,6 @@ pub const PROBLEM: Problem = Problem {
 };
 
 const GRAVITY: f64 = 9.81;
-/// Of the rock of the slice.
-const ROCK: Solid = Solid { young: 10e9, poisson: 0.25, density: 2500.0 };
 /// Direction of the wave's motion.
 const ALONG: [f64; 3] = [0.48, 0.36, 0.8];
 /// Ground above the slice that its initial stress counts \[m\], and K₀.

@@ -6,7 +6,8 @@ macro_rules! problems {
     ($($name:ident $effort:ident,)*) => {
         $(pub mod $name;)*
 
-        /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws, interfaces.
+        /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws, interfaces,
+        /// stages.
         pub const PROBLEMS: &[Problem] = &[$($name::PROBLEM),*];
 
         #[cfg(test)]
