@@ -25,12 +25,14 @@ mod error;
 mod id;
 mod joints;
 mod lined;
+mod michell;
 mod models;
 mod problem;
 pub mod problems;
 mod rock;
 mod select;
 mod simulation;
+mod staged;
 mod stiffness;
 
 pub use check::Check;

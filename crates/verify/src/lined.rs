@@ -10,7 +10,7 @@ use tremolite::{Base, Incident, Interface, Problem, Quadrature, Side, State, sta
 use tremolite_mesh::boxes::{BoxError, BoxSpec};
 use tremolite_motion::{Motion, ricker_velocity};
 
-const ROCK: Solid = Solid { young: 10e9, poisson: 0.25, density: 2500.0 };
+pub const ROCK: Solid = Solid { young: 10e9, poisson: 0.25, density: 2500.0 };
 const LINING: Solid = Solid { young: 30e9, poisson: 0.2, density: 2400.0 };
 /// Half the width and the height \[m\] of the slice; elements of 1 m.
 const HALF: u32 = 8;

@@ -24,7 +24,7 @@
 //! ψ = 10° it is 10⁻⁶ and at 30° less. So at ψ = 0 the closed form is compared up to n = 16, and what comes of n = 32 is for
 //! information.
 
-mod exact;
+pub(super) mod exact;
 
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, material};

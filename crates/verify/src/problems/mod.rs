@@ -6,7 +6,8 @@ macro_rules! problems {
     ($($name:ident $effort:ident,)*) => {
         $(pub mod $name;)*
 
-        /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws, interfaces.
+        /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws, interfaces,
+        /// stages.
         pub const PROBLEMS: &[Problem] = &[$($name::PROBLEM),*];
 
         #[cfg(test)]
@@ -63,4 +64,11 @@ problems! {
     interface_ring Test,
     interface_bonded Test,
     interface_fault Test,
+    loaded_interface Test,
+    hand_over_wave Test,
+    gravity_column Test,
+    kirsch_hole Test,
+    excavated_opening Verify,
+    lined_tunnel Verify,
+    release_ramp Verify,
 }

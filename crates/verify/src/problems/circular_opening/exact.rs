@@ -1,9 +1,27 @@
 //! Salençon's opening in closed form.
 
 use super::{COHESION, FAR, FRICTION, INSIDE, ROCK, WALL};
+use crate::models::Solid;
+
+/// The ground around an opening of radius 1 m.
+#[derive(Clone, Copy, Debug)]
+pub struct Ground {
+    pub solid: Solid,
+    /// p₀ and p_i \[Pa\]
+    pub far: f64,
+    pub inside: f64,
+    /// c \[Pa\], φ \[°\]
+    pub cohesion: f64,
+    pub friction: f64,
+}
+
+/// That of the problem.
+pub const GROUND: Ground =
+    Ground { solid: ROCK, far: FAR, inside: INSIDE, cohesion: COHESION, friction: FRICTION };
 
 /// The closed form for a dilation angle \[°\].
 pub struct Exact {
+    ground: Ground,
     k: f64,
     m: f64,
     /// s \[Pa\]
@@ -16,38 +34,46 @@ pub struct Exact {
 
 impl Exact {
     pub fn new(dilation: f64) -> Self {
+        Exact::of(GROUND, dilation)
+    }
+
+    /// In other ground.
+    pub fn of(ground: Ground, dilation: f64) -> Self {
         let slope = |x: f64| (1.0 + x.to_radians().sin()) / (1.0 - x.to_radians().sin());
-        let (k, m) = (slope(FRICTION), slope(dilation));
-        let q = 2.0 * COHESION * k.sqrt();
+        let (k, m) = (slope(ground.friction), slope(dilation));
+        let q = 2.0 * ground.cohesion * k.sqrt();
         let shift = q / (k - 1.0);
-        let ratio = 2.0 / (k + 1.0) * (FAR + shift) / (INSIDE + shift);
-        Exact { k, m, shift, plastic: WALL * ratio.powf(1.0 / (k - 1.0)), edge: (2.0 * FAR - q) / (k + 1.0) }
+        let ratio = 2.0 / (k + 1.0) * (ground.far + shift) / (ground.inside + shift);
+        let plastic = WALL * ratio.powf(1.0 / (k - 1.0));
+        Exact { ground, k, m, shift, plastic, edge: (2.0 * ground.far - q) / (k + 1.0) }
     }
 
     /// σ_r and σ_θ \[Pa\], compression positive.
     pub fn stress(&self, r: f64) -> [f64; 2] {
+        let far = self.ground.far;
         if r > self.plastic {
-            let change = (FAR - self.edge) * (self.plastic / r).powi(2);
-            return [FAR - change, FAR + change];
+            let change = (far - self.edge) * (self.plastic / r).powi(2);
+            return [far - change, far + change];
         }
-        let radial = (INSIDE + self.shift) * (r / WALL).powf(self.k - 1.0) - self.shift;
+        let radial = (self.ground.inside + self.shift) * (r / WALL).powf(self.k - 1.0) - self.shift;
         [radial, self.k * (radial + self.shift) - self.shift]
     }
 
     /// Displacement inwards \[m\].
     pub fn inwards(&self, r: f64) -> f64 {
-        let shear = 2.0 * ROCK.moduli().mu;
+        let Ground { solid, far, inside, .. } = self.ground;
+        let shear = 2.0 * solid.moduli().mu;
         if r > self.plastic {
-            return (FAR - self.edge) * self.plastic * self.plastic / (r * shear);
+            return (far - self.edge) * self.plastic * self.plastic / (r * shear);
         }
-        let (k, m, nu) = (self.k, self.m, ROCK.poisson);
-        let left = INSIDE + self.shift;
+        let (k, m, nu) = (self.k, self.m, solid.poisson);
+        let left = inside + self.shift;
         let flow = (1.0 - nu) * (k * k - 1.0) / (k + m)
             * left
             * (self.plastic / WALL).powf(k - 1.0)
             * (self.plastic / r).powf(m + 1.0);
         let elastic = ((1.0 - nu) * (k * m + 1.0) / (k + m) - nu) * left * (r / WALL).powf(k - 1.0);
-        r * ((2.0 * nu - 1.0) * (FAR + self.shift) + flow + elastic) / shear
+        r * ((2.0 * nu - 1.0) * (far + self.shift) + flow + elastic) / shear
     }
 }
 
