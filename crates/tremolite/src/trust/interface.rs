@@ -11,7 +11,17 @@ const CREATED: f64 = 0.05;
 const UNSTRESSED: &str = "interfaces without initial stress";
 const CREATED_BY: &str = "energy created by interface laws over that of friction";
 
+/// Checks of the shaking alone.
+const OF_SHAKING: [&str; 3] = ["energy_created_by_interfaces", "interface_impacts", "interface_step"];
+
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
+    let mut lines = all(evidence);
+    let of_shaking = |line: &TrustLine| OF_SHAKING.iter().any(|id| line.id.starts_with(id));
+    lines.retain(|line| evidence.outcome.shaken || !of_shaking(line));
+    lines
+}
+
+fn all(evidence: &Evidence) -> Vec<TrustLine> {
     let Evidence { model, .. } = evidence;
     if model.seams.is_empty() {
         const LINES: [(&str, &str); 9] = [
