@@ -8,11 +8,10 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use tremolite_engine::state::{Column, State};
 use tremolite_laws::{Octet, Row};
+use tremolite_results::HAND_OVER;
 
 const MAGIC: &[u8] = b"tremolite checkpoint 2\n";
 const FILE: &str = "state.bin";
-/// The state after the last stage before the earthquake, which other earthquakes may begin with.
-const HAND_OVER: &str = "hand-over.bin";
 
 /// Why a checkpoint could not be written or read.
 #[derive(Debug, thiserror::Error)]

@@ -164,6 +164,10 @@ fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
     for file in ["stages/003.vtu", "stages.pvd", "report.html", "sections.csv"] {
         assert!(folder.join("out").join(file).exists(), "{file}");
     }
+    // What it leaves for earthquakes is nothing to go on from.
+    let resumed = run(folder, "out", &["--resume"]);
+    assert_eq!(code(&resumed), 2);
+    assert!(errors(&resumed).contains("no checkpoint to resume from"), "{}", errors(&resumed));
     let (found, text, warned) = check(folder);
     assert_eq!((&found["time_step"], &found["motion"]), (&Value::Null, &Value::Null));
     let said = errors(&done);
@@ -432,6 +436,18 @@ fn a_slab_that_hangs_is_warned_of_and_comes_down_where_its_bond_is_too_weak() {
         let verdict = Summary::read(&folder.join("out/summary.json")).unwrap().verdict;
         assert!(holds || verdict.contains("'bench' did not come to rest"), "{verdict}");
     }
+}
+
+#[test]
+fn a_stage_that_ends_before_its_rest_says_how_far_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, &format!("{LATERAL}max_cycles = 60"), STAGES, SHAKING);
+    let stopped = run(folder, "out", &[]);
+    assert_eq!(code(&stopped), 1, "{}", errors(&stopped));
+    let verdict = Summary::read(&folder.join("out/summary.json")).unwrap().verdict;
+    assert!(verdict.contains("after 60 cycles") && verdict.contains("Give more `max_cycles`"), "{verdict}");
+    assert!(folder.join("out/report.html").exists() && !folder.join("out/monitors.csv").exists());
 }
 
 #[test]
