@@ -40,6 +40,15 @@ name = "water"
 pressure = { shell = "20 kPa" }
 "#;
 
+const JOINT: &str = r#"[[interface]]
+name = "joint"
+between = ["shell", "rock"]
+law = "bandis"
+max_closure = "2 mm"
+cohesion = "0.5 MPa"
+friction = 0.7
+"#;
+
 const LATERAL: &str = "lateral = 0.5\nrelease_cycles = 50\ntolerance = 1e-4\n";
 
 /// Rock of 16 × 4 × 16 m in cubes of 2 m with an opening of 8 × 8 m along y: a core of 4 × 4 m and the shell around it.
@@ -140,9 +149,7 @@ fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     case(folder, LATERAL, STAGES, "");
-    let joint = "[[interface]]\nname = \"joint\"\nbetween = [\"shell\", \"rock\"]\nlaw = \"bandis\"\n\
-                 max_closure = \"2 mm\"\ncohesion = \"0.5 MPa\"\nfriction = 0.7\n[initial]";
-    change(folder, "[initial]", joint);
+    change(folder, "[initial]", &format!("{JOINT}[initial]"));
     let done = run(folder, "out", &["--isa", "scalar"]);
     assert_eq!(code(&done), 0, "{}", errors(&done));
     let summary = Summary::read(&folder.join("out/summary.json")).unwrap();
@@ -288,6 +295,34 @@ fn results_with_stages_do_not_depend_on_threads_or_instruction_sets() {
     same(folder, "one", "plain", &HISTORIES);
     let table = Table::read(&folder.join("one/monitors.csv")).unwrap();
     assert!(table.column("roof.ux").unwrap().iter().any(|u| u.abs() > 1e-6));
+}
+
+/// What pairs give out while nothing slides is no share of friction.
+#[test]
+fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, LATERAL, STAGES, SHAKING);
+    change(
+        folder,
+        "[initial]",
+        &format!("{}[initial]", JOINT.replace("max_closure", "normal_stiffness = \"20 GPa/m\"\nmax_closure")),
+    );
+    for (out, more) in [("whole", &["--threads", "1"][..]), ("from", &["--threads", "2", "--from", "whole"])]
+    {
+        let done = run(folder, out, more);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+    }
+    same(folder, "whole", "from", &HISTORIES);
+    same(folder, "whole", "from", &["interfaces.csv"]);
+    let summary = Summary::read(&folder.join("whole/summary.json")).unwrap();
+    let of_joint = |id: &str| id.starts_with("interface_") || id == "energy_created_by_interfaces";
+    for line in summary.trust.iter().filter(|line| of_joint(&line.id)) {
+        assert!(line.pass, "{line:?}");
+    }
+    let friction = Table::read(&folder.join("whole/energy.csv")).unwrap();
+    assert!(friction.column("friction").unwrap().iter().all(|e| *e == 0.0));
+    assert!(friction.column("created_by_interface").unwrap().iter().any(|e| *e != 0.0));
 }
 
 #[test]

@@ -7,6 +7,8 @@ use tremolite_results::TrustLine;
 
 /// Energy that interface laws may create, over what friction took.
 const CREATED: f64 = 0.05;
+/// Where nothing slid: over all that was supplied, the limit of the balance's own error.
+const UNSEEN: f64 = 5e-4;
 
 const UNSTRESSED: &str = "interfaces without initial stress";
 const CREATED_BY: &str = "energy created by interface laws over that of friction";
@@ -70,6 +72,12 @@ fn created(evidence: &Evidence) -> TrustLine {
     const ID: &str = "energy_created_by_interfaces";
     if created == 0.0 && friction == 0.0 {
         return TrustLine::not_applicable(ID, CREATED_BY, "nothing slid or opened");
+    }
+    let supplied = evidence.outcome.state.ledger.supplied;
+    if friction == 0.0 && created <= UNSEEN * supplied {
+        let share = created / supplied;
+        let why = format!("nothing slid, and pairs gave out {share:.0e} of all energy supplied");
+        return TrustLine::not_applicable(ID, CREATED_BY, why);
     }
     TrustLine::at_most(ID, CREATED_BY, created / friction, CREATED, "")
         .with("created", created)
