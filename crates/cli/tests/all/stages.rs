@@ -93,6 +93,7 @@ density = "2500 kg/m3"
 groups = ["rock", "core"]
 material = "rock"
 element = "one-point"
+viscosity = 0.02
 [[region]]
 groups = ["shell"]
 material = "concrete"
@@ -315,6 +316,13 @@ fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
     }
     same(folder, "whole", "from", &HISTORIES);
     same(folder, "whole", "from", &["interfaces.csv"]);
+    // The dashpots of pairs are none while time stands still: through the stages or begun behind them is the same.
+    change(folder, "friction = 0.7", "friction = 0.7\ncontact_damping = 0.05");
+    for (out, more) in [("damped", &[][..]), ("later", &["--from", "whole"])] {
+        let done = run(folder, out, more);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+    }
+    same(folder, "damped", "later", &HISTORIES);
     let summary = Summary::read(&folder.join("whole/summary.json")).unwrap();
     let of_joint = |id: &str| id.starts_with("interface_") || id == "energy_created_by_interfaces";
     for line in summary.trust.iter().filter(|line| of_joint(&line.id)) {
@@ -345,6 +353,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
             "duration = \"0.05 s\"\ndamping = { rayleigh = { mass = 1.0, stiffness = 1e-5 } }",
         ),
         ("histories = \"0.01 s\"", "histories = \"0.02 s\""),
+        ("viscosity = 0.02", "viscosity = 0.03"),
     ]
     .into_iter()
     .enumerate()
@@ -352,8 +361,14 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
         change(folder, what, with);
         let other = run(folder, &format!("other{k}"), &["--from", "whole"]);
         assert_eq!(code(&other), 0, "{with}: {}", errors(&other));
+        same(folder, "whole", &format!("other{k}"), &["stages.csv"]);
         std::fs::write(folder.join("case.toml"), &original).unwrap();
     }
+    change(folder, "viscosity = 0.02", "viscosity = 0.03");
+    let viscous = run(folder, "viscous", &[]);
+    assert_eq!(code(&viscous), 0, "{}", errors(&viscous));
+    same(folder, "viscous", "other3", &HISTORIES);
+    std::fs::write(folder.join("case.toml"), &original).unwrap();
     // Of a monitor that was not there nothing is known in the stages; of the others what was.
     change(folder, "name = \"wall\"\nat = [\"12.5 m\"", "name = \"wall\"\nat = [\"3.5 m\"");
     let moved = run(folder, "moved", &["--from", "whole"]);
@@ -532,8 +547,8 @@ fn stages_that_do_not_fit_are_refused_at_their_lines() {
             "install",
         ),
         (
-            "element = \"one-point\"",
-            "element = \"one-point\"\n[[region]]\ngroups = [\"core\"]\nmaterial = \"void\"",
+            "viscosity = 0.02",
+            "viscosity = 0.02\n[[region]]\ngroups = [\"core\"]\nmaterial = \"void\"",
             "is void from the start",
             "excavate",
         ),
