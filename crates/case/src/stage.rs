@@ -57,7 +57,8 @@ pub struct Stage {
     pub name: Spanned<String>,
     /// Groups that are taken out: names in which `*` stands for any text (see [`pattern::matches`](crate::pattern::matches)).
     pub excavate: Vec<Spanned<String>>,
-    /// Groups that stand from here on, likewise. No pattern stands twice in a stage.
+    /// Groups that stand from here on, likewise, free of stress. One that is excavated in the same stage as well takes the place
+    /// of what was there. No pattern stands twice in a list.
     pub install: Vec<Spanned<String>>,
     /// Share of what is held that goes in this stage, in \[0, 1\].
     pub release: Spanned<f64>,

@@ -8,6 +8,9 @@ use std::sync::Arc;
 
 use crate::Error;
 
+/// What stages leave beside a checkpoint for other runs to begin with: the run itself does not go on from it.
+pub const HAND_OVER: &str = "hand-over.bin";
+
 /// Files and folders that only a run leaves behind. `case.toml` is not among them: a user may
 /// well keep the case in the folder that is to hold its results.
 const MARKS: [&str; 7] =
@@ -98,7 +101,8 @@ impl ResultFolder {
 
     fn with_checkpoint(root: PathBuf) -> Result<Self, Error> {
         let folder = ResultFolder { root, _lock: None };
-        match fs::read_dir(folder.checkpoint()).map(|mut entries| entries.next().is_some()) {
+        let goes_on = |entry: fs::DirEntry| entry.file_name() != HAND_OVER;
+        match fs::read_dir(folder.checkpoint()).map(|mut entries| entries.any(|e| e.is_ok_and(goes_on))) {
             Ok(true) => Ok(folder),
             _ => Err(no_checkpoint(&folder.root)),
         }

@@ -39,7 +39,7 @@ pub mod trust;
 pub use cut::{Cut, CutCell};
 pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;
-pub use folder::{ResultFolder, replace_file};
+pub use folder::{HAND_OVER, ResultFolder, replace_file};
 pub use interface::{InterfaceSummary, PairPeak, PairPlace};
 pub use materials::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
 pub use peaks::{Peaks, peaks_by_monitor};

@@ -4,21 +4,21 @@
 //! and lengths, and the fingerprint of the model); the columns as little-endian numbers; a CRC-32 of all before it.
 
 use serde::{Deserialize, Serialize};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use tremolite_engine::state::{Column, State};
 use tremolite_laws::{Octet, Row};
+use tremolite_results::HAND_OVER;
 
 const MAGIC: &[u8] = b"tremolite checkpoint 2\n";
 const FILE: &str = "state.bin";
-/// The state after the last stage before the earthquake, which other earthquakes may begin with.
-const HAND_OVER: &str = "hand-over.bin";
 
 /// Why a checkpoint could not be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum CheckpointError {
     #[error("{}: {source}", path.display())]
     Io { path: PathBuf, source: std::io::Error },
-    #[error("{}: {problem}; start the run again without --resume", path.display())]
+    #[error("{}: {problem}; start the run again without it", path.display())]
     Damaged { path: PathBuf, problem: String },
     #[error(
         "{}: the checkpoint belongs to another model or plan; resume with the case it was made from, or start the \
@@ -109,6 +109,29 @@ pub fn read_hand_over(folder: &Path, state: &mut State, fingerprint: u64) -> Res
         CheckpointError::Io { path, source } => CheckpointError::NoHandOver { path, source },
         e => e,
     })
+}
+
+/// Whether [`read_hand_over`] will take what is there, by its header alone.
+///
+/// # Errors
+/// As [`read_hand_over`], but for damage behind the header.
+pub fn check_hand_over(folder: &Path, fingerprint: u64) -> Result<(), CheckpointError> {
+    let path = folder.join(HAND_OVER);
+    let none = |source| CheckpointError::NoHandOver { path: path.clone(), source };
+    let mut file = std::io::BufReader::new(std::fs::File::open(&path).map_err(none)?);
+    let mut bytes = vec![0; MAGIC.len() + 8];
+    file.read_exact(&mut bytes).map_err(none)?;
+    let damaged = |problem: &str| CheckpointError::Damaged { path: path.clone(), problem: problem.into() };
+    let length = bytes.strip_prefix(MAGIC).and_then(|rest| rest.first_chunk::<8>());
+    let length = length.copied().ok_or_else(|| damaged("this is no checkpoint of this version"))?;
+    bytes.clear();
+    file.take(u64::from_le_bytes(length)).read_to_end(&mut bytes).map_err(none)?;
+    let header: Header = serde_json::from_slice(&bytes).map_err(|e| damaged(&e.to_string()))?;
+    if header.fingerprint == before_the_shaking(fingerprint) {
+        Ok(())
+    } else {
+        Err(CheckpointError::OtherBefore { path })
+    }
 }
 
 /// The half of a fingerprint that is of the model in space and its stages.

@@ -24,15 +24,17 @@ pub struct Disk {
     /// Number of field files, and bytes of one.
     pub field_files: u64,
     pub field_file: u64,
+    /// Number of those at the ends of stages.
+    pub stage_files: u64,
     /// Of monitors.csv, energy.csv, damage.csv and interfaces.csv.
     pub histories: u64,
-    /// Of the checkpoint, which is there while the run goes on and after a stop.
+    /// Of the checkpoint, which is there while the run goes on and after a stop, and of the rest that another run may begin with.
     pub checkpoint: u64,
 }
 
 impl Disk {
     pub fn total(&self) -> u64 {
-        self.field_files * self.field_file + self.histories + self.checkpoint
+        (self.field_files + self.stage_files) * self.field_file + self.histories + self.checkpoint
     }
 }
 
@@ -47,12 +49,22 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
     // Envelopes with their times, onsets and cracks.
     let onsets = MEASURES.iter().filter(|m| has(m.role)).count() as u64;
     let remembered = 4 + onsets + if has(Role::CrackExtent) { 2 } else { 0 };
-    let state = 8 * (totals.history.end + totals.overstress.end) + totals.numbers.end;
+    let state = 8 * (totals.history.end + totals.overstress.end + totals.initial.end)
+        + 4 * totals.reference.end
+        + totals.numbers.end;
+    let kept = 9 * nodes + state as u64;
+    // Where results count from, what is held, where a relaxation began; what parts did at the hand-over.
+    let more = if plan.stages.is_empty() { 0 } else { 12 * nodes + 8 * totals.contributions.end as u64 };
+    let rest = if plan.stages.is_empty() { 0 } else { kept + 12 * nodes };
+    let shaken = plan.duration > 0.0;
     Disk {
-        field_files: steps.snapshots.map_or(0, rows),
+        field_files: steps.snapshots.filter(|_| shaken).map_or(0, rows),
+        stage_files: plan.stages.len() as u64,
         field_file: (MESH_LEFT * mesh as f64 + VALUES_LEFT * values as f64) as u64,
-        histories: NUMBER * rows(steps.histories) * columns(model, plan),
-        checkpoint: 8 * (9 * nodes + state as u64 + remembered * totals.elements.end as u64),
+        histories: NUMBER
+            * (plan.stages.len() as u64 + if shaken { rows(steps.histories) } else { 0 })
+            * columns(model, plan),
+        checkpoint: 8 * (kept + more + rest + remembered * totals.elements.end as u64),
     }
 }
 

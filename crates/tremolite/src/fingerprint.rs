@@ -37,19 +37,13 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         space.indices(&element.nodes);
     }
     for body in &model.bodies {
-        space.shown(&(&body.name, body.quadrature, body.density, body.viscosity));
+        space.shown(&(&body.name, body.quadrature, body.density));
         space.shown(&(body.material.info().name, body.material.values(), body.material.band()));
         space.indices(&body.elements);
     }
     space.shown(&(model.base, model.sides, &model.held, &model.ties));
     for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
-        space.shown(&(
-            &seam.name,
-            contacts.law.info().name,
-            contacts.law.values(),
-            seam.damping,
-            contacts.frequency,
-        ));
+        space.shown(&(&seam.name, contacts.law.info().name, contacts.law.values(), contacts.frequency));
         for pair in &seam.pairs {
             space.indices(&pair.nodes);
             space.numbers(pair.normal.iter().chain([&pair.normal_area]));
@@ -67,6 +61,9 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
 
     let mut time = Hasher(crc32fast::Hasher::new());
     time.shown(&(dt, plan.duration, plan.histories, plan.snapshots, model.rayleigh));
+    // While time stands still before the shaking these do nothing.
+    time.shown(&model.bodies.iter().map(|body| body.viscosity).collect::<Vec<_>>());
+    time.shown(&model.seams.iter().map(|seam| seam.damping).collect::<Vec<_>>());
     if let Some(incident) = &model.incident {
         time.number(incident.factor);
         time.number(incident.motion.dt);

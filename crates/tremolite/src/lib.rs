@@ -13,6 +13,7 @@ mod groups;
 pub mod history;
 pub mod interfaces;
 pub mod observers;
+pub mod outlook;
 pub mod plan;
 pub mod quantities;
 pub mod run;

@@ -1,6 +1,7 @@
 //! A run: stages before the earthquake, then the loop that steps, lets observers look, and stops in good order.
 
 mod before;
+mod kept;
 
 use crate::checkpoint;
 use crate::error::RunError;
@@ -130,6 +131,20 @@ pub enum Start<'a> {
     From(&'a ResultFolder),
 }
 
+/// Whether a run with steps of `dt` \[s\] can begin with another's rest, before anything is written.
+///
+/// # Errors
+/// If it is that of another mesh, other materials or stages, or there is none.
+pub fn check_rest(
+    model: &Model,
+    assembly: &Assembly,
+    plan: &Plan,
+    dt: f64,
+    other: &ResultFolder,
+) -> Result<(), RunError> {
+    Ok(checkpoint::check_hand_over(&other.checkpoint(), fingerprint(model, assembly, plan, dt))?)
+}
+
 /// Runs a plan on a model and writes its result files.
 ///
 /// Works on the current rayon pool. The bits of the results do not depend on its size.
@@ -172,7 +187,11 @@ pub fn run(
     if matches!(start, Start::From(_)) {
         stages.write(&state)?;
     }
-    if ended.is_some() || plan.duration == 0.0 {
+    let done = ended.is_none();
+    if done && !plan.stages.is_empty() && state.carried.is_empty() {
+        checkpoint::write_hand_over(&folder.checkpoint(), &mut state, fingerprint)?;
+    }
+    if !done || plan.duration == 0.0 {
         return Ok(Outcome {
             ending: ended.unwrap_or(Ending::Done),
             steps,
@@ -182,7 +201,7 @@ pub fn run(
             stable,
             loop_seconds: 0.0,
             step_seconds: 0.0,
-            stages: before::summaries(model, plan, &state.observers),
+            stages: kept::summaries(model, plan, &state.observers),
             shaken: false,
             stage_seconds,
             quiet: None,
@@ -193,7 +212,6 @@ pub fn run(
     }
     let mut engine = Engine::new(model, assembly, phase);
     if !plan.stages.is_empty() && state.carried.is_empty() {
-        checkpoint::write_hand_over(&folder.checkpoint(), &mut state, fingerprint)?;
         engine.hand_over(&mut state, dt);
         let drift = engine.quiet_run(&state, QUIET);
         state.observers.insert(DRIFT.into(), vec![drift]);
@@ -292,7 +310,7 @@ pub fn run(
         stable,
         loop_seconds,
         step_seconds: loop_seconds - observing.as_secs_f64(),
-        stages: before::summaries(model, plan, &state.observers),
+        stages: kept::summaries(model, plan, &state.observers),
         shaken: true,
         stage_seconds,
         quiet: state.observers.get(DRIFT).and_then(|drift| drift.first().copied()),

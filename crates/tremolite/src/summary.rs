@@ -122,10 +122,15 @@ fn restless(stage: &str, relaxed: &Relaxed, place: &str) -> String {
             rest.cycles, rest.ratio, rest.left
         ),
     };
-    format!(
-        "The stage '{stage}' did not come to rest: {why}. Most moves {place}. What was left without support there comes down: \
-         support it, take less out at once, or let it go in smaller shares (`release`); or give more `max_cycles`."
-    )
+    const SUPPORT: &str = "support it, take less out at once, or let it go in smaller shares (`release`)";
+    let remedy = match relaxed {
+        Relaxed::Torn(..) => format!("What was left without support there comes down: {SUPPORT}."),
+        _ => format!(
+            "Give more `max_cycles` if it was on its way to rest (relaxation.csv shows it); what was left without support comes \
+             down: {SUPPORT}."
+        ),
+    };
+    format!("The stage '{stage}' did not come to rest: {why}. Most moves {place}. {remedy}")
 }
 
 fn run_in_words(evidence: &Evidence, trust: &[TrustLine], stress: &IndexMap<String, GroupStress>) -> String {

@@ -5,7 +5,7 @@ use tremolite_engine::ModelError;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::hexahedra::{centroid, hex};
 use tremolite_engine::model::Model;
-use tremolite_engine::{Limit, StableStep};
+use tremolite_engine::{Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::{FullGeometry, OnePointGeometry, element_frequencies};
@@ -103,27 +103,37 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     let active = bodies.iter().map(|b| b.elements).sum();
     let totals = assembly.totals();
     let row = size_of::<Row>();
-    let geometry: usize = bodies
+    // Of all that is ever there.
+    let geometry: usize = model
+        .user_bodies()
         .iter()
         .map(|b| match b.quadrature {
-            Quadrature::OnePoint => b.elements * (size_of::<OnePointGeometry>() / 8 + 16),
-            Quadrature::Full => b.elements * (size_of::<FullGeometry>() / 8 + 16),
+            Quadrature::OnePoint => b.elements.len() * (size_of::<OnePointGeometry>() / 8 + 16),
+            Quadrature::Full => b.elements.len() * (size_of::<FullGeometry>() / 8 + 16),
         })
         .sum();
+    let ever: usize = model.user_bodies().iter().map(|b| b.elements.len()).sum();
     let nodes = model.mesh_node.len();
+    let staged = !model.initial.is_empty() || model.lives.iter().any(|life| *life != Life::ALWAYS);
+    let state = 64 * (totals.history.end + totals.overstress.end + totals.initial.end)
+        + row * totals.reference.end
+        + 8 * totals.numbers.end;
+    // Where results count from, what is held, where a relaxation began, masses; what parts did at the hand-over; and a copy of
+    // the state, which the quiet run shakes.
+    let stages = if staged { nodes * (8 * row + 8) + 4 * row * totals.contributions.end + state } else { 0 };
     Ok(Survey {
         bodies,
         active_elements: active,
         void_elements: model.user_elements - model.stand_ins.len() - active,
         nodes: model.counted.len(),
         bytes: geometry
-            + 64 * totals.history.end
-            + 8 * totals.numbers.end
+            + state
+            + stages
             + (row + 4) * totals.contributions.end
             + nodes * (5 * row + 16)
             + totals.points.end * 48
             + totals.elements.end * 16
-            + active * AROUND
+            + ever * AROUND
             + PROGRAM,
     })
 }

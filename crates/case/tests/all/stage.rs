@@ -163,8 +163,8 @@ const BAD: &[Bad] = &[
     bad("excavate = [\"transformer.bench*\"]", "excavate = []", "[]", "a list, each a text, not a list of 0", "excavate = [\"…\"]"),
     bad("excavate = [\"transformer.bench*\"]", "excavate = \"rock\"", "\"rock\"", "should be a list", "excavate = [\"…\"]"),
     bad("install = [\"*.lining\"]", "install = [\"\"]", "\"\"", "an empty text", "install"),
-    bad("install = [\"*.lining\"]", "install = [\"*.lining\", \"*.lining\"]", "\"*.lining\"]", "group `*.lining` is named twice", "once in a stage"),
-    bad("install = [\"*.lining\"]", "install = [\"*.lining\", \"transformer.bench*\"]", "\"transformer.bench*\"]", "group `transformer.bench*` is named twice", "once in a stage"),
+    bad("install = [\"*.lining\"]", "install = [\"*.lining\", \"*.lining\"]", "\"*.lining\"]", "group `*.lining` is named twice", "once in a list"),
+    bad("excavate = [\"transformer.bench*\"]", "excavate = [\"transformer.bench*\", \"transformer.bench*\"]", "\"transformer.bench*\"]", "group `transformer.bench*` is named twice", "once in a list"),
     // Tables with free keys
     bad(MATERIAL, "{}", "{}", "should be a table, each value a text", "material = { \"powerhouse.lining*\" = \"…\" }"),
     bad(MATERIAL, "\"rock\"", "\"rock\"", "should be a table, each value a text, not a text", "= { \""),
@@ -208,6 +208,14 @@ fn what_stands_before_an_installation_needs_one() {
     // One that is refused was meant to install.
     let report = parse(&GOOD.replace("install = [\"*.lining\"]", "install = []")).expect_err("an empty list");
     assert_eq!(report.problems.len(), 1, "{report}");
+}
+
+#[test]
+fn a_group_may_go_and_begin_in_one_stage() {
+    let both = "install = [\"*.lining\", \"transformer.bench*\"]";
+    let case = read(&GOOD.replace("install = [\"*.lining\"]", both));
+    let stage = case.stages.iter().find(|stage| stage.install.len() == 2).expect("the stage");
+    assert_eq!(stage.install[1].value, stage.excavate[0].value);
 }
 
 #[test]

@@ -1,9 +1,11 @@
 //! `tremolite check`: what will happen, before it happens.
 
 mod json;
+mod stages;
 mod text;
 
 use super::defaulted::{Known, defaulted};
+use super::pieces::check_pieces;
 use super::{check_length, check_pairs, check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
@@ -12,11 +14,12 @@ use indexmap::IndexMap;
 use std::path::PathBuf;
 use tremolite::disk::{Disk, disk};
 use tremolite::interfaces::{interfaces, monitors};
+use tremolite::outlook::{Outlook, StressAt, outlook, stress_at_start};
 use tremolite::plan::Steps;
 use tremolite::run::{choose_step, time_step_cost};
 use tremolite::setup::MotionFacts;
 use tremolite::survey::{Survey, impacts_in_words, limit_in_words, survey};
-use tremolite::{Assembly, Model, Phase, Stage, stable_step};
+use tremolite::{Assembly, Body, Model, Phase, Stage, stable_step};
 use tremolite_case::{Case, Problem};
 use tremolite_laws::Isa;
 use tremolite_results::{Defaulted, InterfaceSummary, MaterialFacts, PairPlace};
@@ -59,6 +62,10 @@ struct Checked<'a> {
     /// What impacts at interfaces allow.
     impacts: Option<String>,
     dt: f64,
+    /// Nothing without stages and initial stress.
+    outlook: Option<Outlook>,
+    initial: Vec<StressAt>,
+    relaxed: Vec<Relaxed>,
     steps: Steps,
     /// Simulated time \[s\].
     duration: f64,
@@ -71,10 +78,33 @@ struct Checked<'a> {
     warnings: Vec<Problem>,
 }
 
+/// The modulus of a material in the stages, where damping over a band makes it another.
+struct Relaxed {
+    material: String,
+    /// Of the given moduli.
+    share: f64,
+    /// As given and in the stages \[Pa\], of a law with one.
+    young: Option<[f64; 2]>,
+}
+
 impl Checked<'_> {
-    /// Wall time of the run \[s\]; observers take a twentieth.
+    /// Wall time of the run \[s\].
     fn seconds(&self) -> f64 {
-        1.05 * self.cost * self.steps.total as f64
+        self.stage_seconds() + self.shaking_seconds()
+    }
+
+    /// Observers take a twentieth.
+    fn shaking_seconds(&self) -> f64 {
+        if self.motion.is_some() { 1.05 * self.cost * self.steps.total as f64 } else { 0.0 }
+    }
+
+    /// A cycle of relaxation costs what a step does.
+    fn stage_seconds(&self) -> f64 {
+        self.cost * self.cycles() as f64
+    }
+
+    fn cycles(&self) -> u64 {
+        self.outlook.as_ref().map_or(0, |outlook| outlook.cycles)
     }
 
     fn updates_per_second(&self) -> f64 {
@@ -98,6 +128,11 @@ pub fn run(args: &Args) -> Outcome {
         let survey = survey(&model, &assembly, highest).map_err(Failure::input)?;
         let stable = stable_step(&model, &assembly, &phase);
         let mut warnings = [case.warnings.clone(), setup.warnings].concat();
+        let outlook = match plan.stages.is_empty() {
+            true => None,
+            false => Some(outlook(&model, &assembly, &plan).map_err(|e| refused(&case, &e))?),
+        };
+        warnings.extend(outlook.iter().flat_map(|outlook| check_pieces(&case, outlook)));
         warnings.extend(check_step(&case, &stable));
         warnings.extend(check_waves(&case, &model, &survey));
         warnings.extend(check_pairs(&case, &model, &plan));
@@ -128,6 +163,9 @@ pub fn run(args: &Args) -> Outcome {
             set_by: limit_in_words(&model, &assembly, &stable),
             impacts: impacts_in_words(&model, &stable),
             dt,
+            outlook,
+            initial: stress_at_start(&model),
+            relaxed: relaxed(&case, &model, &setup.materials),
             steps,
             duration: plan.duration,
             isa,
@@ -144,4 +182,18 @@ pub fn run(args: &Args) -> Outcome {
         }
         Ok(if failed { Code::Failed } else { Code::Done })
     })
+}
+
+/// The moduli of the stages that differ from those given.
+fn relaxed(case: &Case, model: &Model, facts: &IndexMap<String, MaterialFacts>) -> Vec<Relaxed> {
+    if !case.seeks_equilibrium() {
+        return Vec::new();
+    }
+    let of_material = |(name, facts): (&String, &MaterialFacts)| {
+        let made = |body: &&Body| facts.groups.iter().any(|group| group.names == body.name);
+        let share = model.user_bodies().iter().find(made)?.material.band()?.relaxed();
+        let young = facts.values.iter().find(|v| v.name == "young").map(|v| [v.value, share * v.value]);
+        Some(Relaxed { material: name.clone(), share, young })
+    };
+    facts.iter().filter_map(of_material).collect()
 }

@@ -8,6 +8,7 @@ pub mod list;
 pub mod mesh;
 pub mod motion;
 pub mod new;
+mod pieces;
 pub mod report;
 pub mod run;
 pub mod verify;
@@ -115,6 +116,7 @@ const FAR: f64 = 1.0;
 /// Warns of a given time step above the stable one: the run will be stopped as soon as energy appears. Returns what it
 /// said.
 pub fn check_step(case: &Case, stable: &StableStep) -> Option<Problem> {
+    case.motion.as_ref()?;
     let impacts = stable.contact.map_or(f64::INFINITY, |contact| contact.dt);
     if let Some(given) = &case.dynamic.time_step
         && given.value <= stable.dt

@@ -1,6 +1,7 @@
 //! `tremolite run`: the main job.
 
 use super::defaulted::{Known, defaulted};
+use super::pieces::check_pieces;
 use super::{check_length, check_pairs, check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
@@ -11,7 +12,8 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use tremolite::evidence::Evidence;
-use tremolite::run::{Control, Ending, Progress, Start, choose_step};
+use tremolite::outlook::outlook;
+use tremolite::run::{Control, Ending, Progress, Start, check_rest, choose_step};
 use tremolite::setup::changed;
 use tremolite::summary::summary;
 use tremolite::survey::{impacts_in_words, limit_in_words, survey};
@@ -101,6 +103,10 @@ pub fn run(args: &Args) -> Outcome {
         let survey = survey(&model, &assembly, highest).map_err(Failure::input)?;
         let stable = stable_step(&model, &assembly, &phase);
         let mut warnings = [case.warnings.clone(), setup.warnings.clone()].concat();
+        if !plan.stages.is_empty() {
+            let outlook = outlook(&model, &assembly, &plan).map_err(|e| refused(&case, &e))?;
+            warnings.extend(check_pieces(&case, &outlook));
+        }
         warnings.extend(check_step(&case, &stable));
         warnings.extend(check_waves(&case, &model, &survey));
         warnings.extend(check_pairs(&case, &model, &plan));
@@ -111,6 +117,21 @@ pub fn run(args: &Args) -> Outcome {
         let (dt, steps) = choose_step(&model, &plan, &stable);
         check_length(&model, &assembly, &stable, steps)?;
 
+        let other = match &args.from {
+            Some(from) => {
+                let other = ResultFolder::open_existing(from).map_err(Failure::input)?;
+                check_rest(&model, &assembly, &plan, dt, &other).map_err(Failure::input)?;
+                let whole = |path: &Path| path.canonicalize().ok();
+                if args.out.as_deref().is_some_and(|out| whole(out).is_some_and(|out| Some(out) == whole(from))) {
+                    return Err(Failure::input(format!(
+                        "--from {} is where the results would go; give another --out",
+                        from.display()
+                    )));
+                }
+                Some(other)
+            }
+            None => None,
+        };
         let name = case_name(&args.case);
         let folder = if args.resume {
             ResultFolder::resume(args.out.as_deref(), &name)
@@ -149,9 +170,9 @@ pub fn run(args: &Args) -> Outcome {
                 stable.dt,
                 limit_in_words(&model, &assembly, &stable)
             ));
-        }
-        if let Some(impacts) = impacts_in_words(&model, &stable) {
-            log.say(&format!("  {impacts}"));
+            if let Some(impacts) = impacts_in_words(&model, &stable) {
+                log.say(&format!("  {impacts}"));
+            }
         }
         if let Some(motion) = &motion {
             log.say(&format!(
@@ -183,10 +204,6 @@ pub fn run(args: &Args) -> Outcome {
             line.show(p.share, &words);
         };
         let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
-        let other = match &args.from {
-            Some(from) => Some(ResultFolder::open_existing(from).map_err(Failure::input)?),
-            None => None,
-        };
         let start = match &other {
             Some(other) => Start::From(other),
             None if args.resume => Start::Resume,

@@ -13,4 +13,5 @@ mod layout;
 mod list;
 mod mesh;
 mod references;
+mod stages;
 mod verify;

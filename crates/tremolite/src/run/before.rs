@@ -1,5 +1,6 @@
 //! Stages of a run: each is relaxed, looked at and written, so that what is done stays done.
 
+use super::kept::{self, Rested};
 use super::{Control, Progress, TELL};
 use crate::checkpoint;
 use crate::error::RunError;
@@ -7,8 +8,6 @@ use crate::history::History;
 use crate::observers::{FieldGrid, SectionForces, View, at_rest, columns};
 use crate::plan::Plan;
 use crate::stages::PlannedStage;
-use indexmap::IndexMap;
-use std::collections::BTreeSet;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 use tremolite_engine::engine::{Relaxed, Rest};
@@ -16,16 +15,12 @@ use tremolite_engine::hexahedra::{centroid, hex};
 use tremolite_engine::state::{Memory, State};
 use tremolite_engine::{Assembly, Engine, Model, Phase, Stage};
 use tremolite_laws::Role;
-use tremolite_results::{Column, Pvd, ResultFolder, StageSummary, TableWriter, write_stages};
+use tremolite_results::{Column, Pvd, ResultFolder, TableWriter, write_stages};
 
-/// What is remembered of the stages that are done: numbers of each, one behind the other.
-const MEMORY: &str = "stages";
-/// And how they came to rest: stage, cycle, ratio, motion left, motion.
+/// What is remembered of how stages came to rest: stage, cycle, ratio, motion left, motion.
 const RELAXATION: &str = "relaxation";
 /// Cycles between rows of that.
 const EVERY: u64 = 10;
-/// Numbers of a stage before those of monitors and walls.
-const OWN: usize = 6;
 
 /// How the stages ended.
 pub(super) enum Before {
@@ -94,7 +89,8 @@ impl Stages<'_> {
                 start_ratio = rest.ratio;
             }
             let now = Instant::now();
-            if now - told >= TELL {
+            // Before the first cycle nothing is known of the balance.
+            if rest.cycles > 0 && now - told >= TELL {
                 told = now;
                 (control.progress)(Progress {
                     stage: Some(stage),
@@ -135,19 +131,12 @@ impl Stages<'_> {
         let history = History { assembly, octets: &state.history };
         let view =
             View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers: &state.numbers };
-        let mut row = vec![
-            rest.cycles as f64,
-            rest.ratio,
-            rest.left,
-            rest.motion,
-            plastic_volume(&view),
-            rest.unreleased,
-        ];
-        row.extend(at_rest(&view, state));
-        row.extend(walls(model).iter().flat_map(|(_, node)| state.shown(*node).xyz()));
+        let monitors = at_rest(&view, state);
+        let walls = kept::walls(model).into_iter().map(|(_, node)| state.shown(node).xyz()).collect();
+        let rested = Rested { rest, plastic_volume: plastic_volume(&view), monitors, walls };
         let sections = SectionForces::of(model);
         let forces = sections.at(&view);
-        state.observers.entry(MEMORY.into()).or_default().extend(row);
+        kept::remember(model, plan, &mut state.observers, &rested);
         sections.remember(&mut state.observers, forces);
         self.fields_of(stage, &view, &state.observers)
     }
@@ -184,7 +173,7 @@ impl Stages<'_> {
     /// Writes the tables of the stages whole, from what is remembered.
     pub fn write(&self, state: &State) -> Result<(), RunError> {
         let Stages { model, plan, folder, .. } = *self;
-        write_stages(&folder.stages(), &columns(plan)[1..], &summaries(model, plan, &state.observers))?;
+        write_stages(&folder.stages(), &columns(plan)[1..], &kept::summaries(model, plan, &state.observers))?;
         let columns = [("stage", ""), ("cycle", ""), ("ratio", ""), ("motion_left", "m"), ("motion", "m")];
         let columns = columns.map(|(name, unit)| Column::new(name, unit));
         let mut table = TableWriter::create(&folder.relaxation(), &columns)?;
@@ -225,69 +214,8 @@ fn plastic_volume(view: &View) -> f64 {
             let mean = view.history.values(&slot, column).sum::<f64>() / f64::from(slot.points);
             Some(hex.volume * mean)
         })
-        .sum()
-}
-
-/// The mesh's named points, each with the nearest engine node of what stands from the start to the end.
-fn walls(model: &Model) -> Vec<(&str, usize)> {
-    let throughout = (0..model.user_elements).filter(|&e| {
-        model.body_of[e].is_some() && !model.lives[e].is_later() && model.lives[e].gone.is_none()
-    });
-    let nodes: BTreeSet<u32> = throughout.flat_map(|e| model.mesh.elements[e].nodes().to_vec()).collect();
-    let nearest = |at: &[f64; 3]| {
-        let square = |n: &u32| -> f64 {
-            let x = model.mesh.nodes[*n as usize];
-            (0..3).map(|i| (x[i] - at[i]).powi(2)).sum()
-        };
-        nodes.iter().min_by(|a, b| square(a).total_cmp(&square(b))).copied()
-    };
-    model
-        .mesh
-        .points
-        .iter()
-        .filter_map(|(name, at)| Some((name.as_str(), model.engine_node[nearest(at)? as usize] as usize)))
-        .collect()
-}
-
-/// The stages that are done, from what is remembered of them.
-pub(crate) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<StageSummary> {
-    let columns = columns(plan);
-    let monitors = &columns[1..];
-    let walls = walls(model);
-    let length = OWN + monitors.len() + 3 * walls.len();
-    let rows = memory.get(MEMORY).map_or(&[][..], Vec::as_slice);
-    rows.chunks_exact(length)
-        .zip(&plan.stages)
-        .map(|(row, planned)| {
-            let mut of_monitors: IndexMap<String, IndexMap<String, Option<f64>>> = IndexMap::new();
-            for (column, value) in monitors.iter().zip(&row[OWN..]) {
-                let (monitor, quantity) = column.name.rsplit_once('.').unwrap_or((&column.name, ""));
-                let of = of_monitors.entry(monitor.to_owned()).or_default();
-                of.insert(quantity.to_owned(), value.is_finite().then_some(*value));
-            }
-            let of_walls = row[OWN + monitors.len()..].chunks_exact(3);
-            StageSummary {
-                name: planned.name.clone(),
-                excavated: planned.excavated.clone(),
-                installed: planned.installed.clone(),
-                changed: planned.changed.clone(),
-                release: planned.release.share,
-                tolerance: planned.release.tolerance[0],
-                cycles: row[0] as u64,
-                ratio: row[1],
-                motion_left: row[2],
-                largest_motion: row[3],
-                plastic_volume: row[4],
-                held: row[5],
-                monitors: of_monitors,
-                walls: walls
-                    .iter()
-                    .zip(of_walls)
-                    .map(|((name, _), u)| ((*name).to_owned(), [u[0], u[1], u[2]]))
-                    .collect(),
-            }
-        })
-        .collect()
+        // A sum of nothing is −0.
+        .fold(0.0, |sum, volume| sum + volume)
 }
 
 /// Where a relaxation that failed moves most.

@@ -178,6 +178,26 @@ impl Staged {
         excavated: &[Vec<u32>],
         problems: &mut Vec<Problem>,
     ) {
+        let made = |material: usize| {
+            case.regions.iter().any(|region| match &region.fill {
+                Fill::Solid { material: own, .. } => own.value == material,
+                Fill::Void => false,
+            })
+        };
+        for region in &case.regions {
+            if let Fill::Solid { before: Some(before), .. } = &region.fill
+                && !made(before.value)
+            {
+                problems.push(Problem::at(
+                    before,
+                    format!(
+                        "no region is made of '{}', so nothing says which elements stand there before",
+                        case.materials[before.value].name.value
+                    ),
+                    "name the material of a [[region]], as that of the rock around",
+                ));
+            }
+        }
         let targets: Vec<u32> =
             (0u32..).zip(installed).filter(|(_, k)| k.is_some()).map(|(e, _)| e).collect();
         let void = (0u32..).zip(&self.body_of).filter(|(_, b)| b.is_none()).map(|(e, _)| e).collect();
@@ -285,7 +305,7 @@ impl Staged {
         space.lives = self.lives;
         for (of, body, life) in self.stand_ins {
             let e = space.mesh.elements.len() as u32;
-            space.mesh.elements.push(space.mesh.elements[of as usize].clone());
+            space.mesh.elements.push(space.mesh.elements[of as usize]);
             space.mesh.element_ids.push(space.mesh.element_id(of as usize));
             space.bodies[body].elements.push(e);
             space.lives.push(life);
@@ -548,6 +568,18 @@ pub fn check_pressures(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
     for (pattern, _) in written.filter(|(pattern, _)| pattern.value != TOP) {
         let _ = fitting(pattern, mesh, problems);
     }
+}
+
+/// Materials that stages would change, which is not computed yet.
+pub fn check_materials(case: &Case, problems: &mut Vec<Problem>) {
+    let written = case.stages.iter().flat_map(|stage| &stage.materials);
+    problems.extend(written.map(|(pattern, _)| {
+        Problem::at(
+            pattern,
+            "a stage does not change what stands there yet",
+            "leave `material` out of the stage",
+        )
+    }));
 }
 
 /// What is unusual about a case's stages.

@@ -7,11 +7,23 @@ use tremolite_results::TrustLine;
 
 /// Energy that interface laws may create, over what friction took.
 const CREATED: f64 = 0.05;
+/// Where nothing slid: over all that was supplied, the limit of the balance's own error.
+const UNSEEN: f64 = 5e-4;
 
 const UNSTRESSED: &str = "interfaces without initial stress";
 const CREATED_BY: &str = "energy created by interface laws over that of friction";
 
+/// Checks of the shaking alone.
+const OF_SHAKING: [&str; 3] = ["energy_created_by_interfaces", "interface_impacts", "interface_step"];
+
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
+    let mut lines = all(evidence);
+    let of_shaking = |line: &TrustLine| OF_SHAKING.iter().any(|id| line.id.starts_with(id));
+    lines.retain(|line| evidence.outcome.shaken || !of_shaking(line));
+    lines
+}
+
+fn all(evidence: &Evidence) -> Vec<TrustLine> {
     let Evidence { model, .. } = evidence;
     if model.seams.is_empty() {
         const LINES: [(&str, &str); 9] = [
@@ -60,6 +72,12 @@ fn created(evidence: &Evidence) -> TrustLine {
     const ID: &str = "energy_created_by_interfaces";
     if created == 0.0 && friction == 0.0 {
         return TrustLine::not_applicable(ID, CREATED_BY, "nothing slid or opened");
+    }
+    let supplied = evidence.outcome.state.ledger.supplied;
+    if friction == 0.0 && created <= UNSEEN * supplied {
+        let share = created / supplied;
+        let why = format!("nothing slid, and pairs gave out {share:.0e} of all energy supplied");
+        return TrustLine::not_applicable(ID, CREATED_BY, why);
     }
     TrustLine::at_most(ID, CREATED_BY, created / friction, CREATED, "")
         .with("created", created)

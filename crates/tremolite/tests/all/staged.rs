@@ -50,7 +50,7 @@ fn lined(parted: bool) -> Problem {
     let mut stand_ins = Vec::new();
     for &e in &ring {
         let twin = mesh.elements.len() as u32;
-        mesh.elements.push(mesh.elements[e as usize].clone());
+        mesh.elements.push(mesh.elements[e as usize]);
         lives.push(Life { born: Stage::Before(0), gone: Some(OPENED) });
         stand_ins.push((twin, e));
         rock.push(twin);

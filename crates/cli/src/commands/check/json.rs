@@ -31,6 +31,16 @@ impl Checked<'_> {
                 "coarsest": self.coarsest,
             })
         });
+        let time_step = self.motion.map(|_| {
+            json!({
+                "stable": self.stable,
+                "set_by": self.set_by,
+                "impacts": self.impacts,
+                "used": self.dt,
+                "steps": self.steps.total,
+                "duration": self.duration,
+            })
+        });
         json!({
             "title": self.case.title.value,
             "elements": survey.active_elements,
@@ -42,22 +52,22 @@ impl Checked<'_> {
             "interfaces": self.interfaces,
             "pairs": self.pairs,
             "motion": motion,
-            "time_step": {
-                "stable": self.stable,
-                "set_by": self.set_by,
-                "impacts": self.impacts,
-                "used": self.dt,
-                "steps": self.steps.total,
-                "duration": self.duration,
-            },
+            "initial_stress": self.initial_json(),
+            "relaxed_moduli": self.relaxed_json(),
+            "stages": self.stages_json(),
+            "comes_and_goes": self.lives_json(),
+            "time_step": time_step,
             "estimate": {
                 "seconds": self.seconds(),
+                "stage_seconds": self.stage_seconds(),
+                "stage_cycles": self.cycles(),
                 "threads": self.threads,
                 "isa": self.isa.name(),
                 "element_updates_per_second": self.updates_per_second(),
                 "memory_bytes": survey.bytes,
                 "disk_bytes": disk.total(),
                 "field_files": disk.field_files,
+                "stage_files": disk.stage_files,
                 "field_file_bytes": disk.field_file,
                 "histories_bytes": disk.histories,
                 "checkpoint_bytes": disk.checkpoint,

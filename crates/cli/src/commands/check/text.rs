@@ -6,7 +6,7 @@ use crate::terminal::{bytes, duration, print};
 use tremolite::setup::MotionFacts;
 use tremolite_case::units;
 use tremolite_laws::Dimension;
-use tremolite_results::Origin;
+use tremolite_results::{MaterialFacts, Origin};
 
 /// Four digits: more would say more than is known.
 fn rounded(x: f64) -> f64 {
@@ -27,10 +27,11 @@ impl Checked<'_> {
         self.print_materials();
         self.print_interfaces();
         self.print_pairs();
-        match self.motion {
-            Some(motion) => self.print_shaking(motion),
-            None => print("\nMotion\n           none: the case has no earthquake"),
+        self.print_stages();
+        if let Some(motion) = self.motion {
+            self.print_shaking(motion);
         }
+        self.print_estimate();
         if !self.left_out.is_empty() {
             print("\nLeft out, and taken as");
             self.left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
@@ -66,15 +67,29 @@ impl Checked<'_> {
             "           {:.4e} s used, {} steps for {:.2} s",
             self.dt, self.steps.total, self.duration
         ));
+    }
+
+    fn print_estimate(&self) {
         print("\nEstimate");
         print(&format!(
-            "           {} with {} threads and {} ({:.1} million element updates a second), {} of memory",
+            "           about {} with {} threads and {} ({:.1} million element updates a second), {} of memory",
             duration(self.seconds()),
             self.threads,
             self.isa.name(),
             self.updates_per_second() / 1e6,
-            bytes(survey.bytes)
+            bytes(self.survey.bytes)
         ));
+        if self.cycles() > 0 {
+            let rest = if self.motion.is_some() {
+                format!(" of them {}", duration(self.stage_seconds()))
+            } else {
+                String::new()
+            };
+            print(&format!(
+                "          {rest} for the stages, if they take {} cycles as models of this size did",
+                self.cycles()
+            ));
+        }
         self.print_disk();
     }
 
@@ -84,7 +99,7 @@ impl Checked<'_> {
         print(&format!(
             "           at most {} on disk: {} field files of {}, histories of {}, a checkpoint of {} while it runs",
             bytes(disk.total()),
-            disk.field_files,
+            disk.field_files + disk.stage_files,
             bytes(disk.field_file),
             bytes(disk.histories),
             bytes(disk.checkpoint)
@@ -110,7 +125,11 @@ impl Checked<'_> {
                 "           {name}: {}, {} pairs over {:.1} m2, {ends}",
                 interface.law, interface.pairs, interface.area
             ));
-            let chosen = if interface.chosen { ", chosen so that impacts do not set the step" } else { "" };
+            let chosen = match (interface.chosen, self.motion) {
+                (true, Some(_)) => ", chosen so that impacts do not set the step",
+                (true, None) => ", chosen",
+                (false, _) => "",
+            };
             let straight = if interface.straight_from.is_nan() {
                 String::new()
             } else {
@@ -141,13 +160,15 @@ impl Checked<'_> {
             print(&format!("           {name}: {}, {}", facts.law, facts.summary));
             for group in &facts.groups {
                 let body = self.survey.bodies.iter().find(|b| b.name == group.names);
-                let step = body.map_or(String::new(), |b| format!(", could run at {:.3e} s", b.element_step));
+                let shaken = body.filter(|_| self.motion.is_some());
+                let step =
+                    shaken.map_or(String::new(), |b| format!(", could run at {:.3e} s", b.element_step));
                 print(&format!("             {} {} in {}{step}", group.elements, group.element, group.names));
             }
-            print(&format!(
-                "             {:.0} kg/m3, c_p {:.0} m/s, c_s {:.0} m/s; damping: {}",
-                facts.density, facts.wave_speed_p, facts.wave_speed_s, facts.damping
-            ));
+            let MaterialFacts { density, wave_speed_p: p, wave_speed_s: s, damping, .. } = facts;
+            let waves = format!(", c_p {p:.0} m/s, c_s {s:.0} m/s; damping: {damping}");
+            let waves = if self.motion.is_some() { waves } else { String::new() };
+            print(&format!("             {density:.0} kg/m3{waves}"));
             for (words, derived) in [("given", false), ("derived", true)] {
                 let values = facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived);
                 let values: Vec<String> = values.map(|v| format!("{} {}", v.name, text(v))).collect();

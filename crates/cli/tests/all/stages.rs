@@ -1,0 +1,591 @@
+//! Stages before the earthquake, as a user meets them: what is foretold, run, stopped, handed over, and refused.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+use tremolite_mesh::boxes::BoxSpec;
+use tremolite_results::{Status, Summary, Table};
+
+fn tremolite(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn errors(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+const SHAKING: &str = r#"[motion]
+kind = "incident"
+east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
+process = ["baseline"]
+[dynamic]
+base = "viscous"
+sides = "roller"
+duration = "0.1 s"
+"#;
+
+const STAGES: &str = r#"[[stage]]
+name = "bench"
+excavate = ["core"]
+release = 0.6
+[[stage]]
+name = "shell"
+install = ["shell"]
+[[stage]]
+name = "water"
+pressure = { shell = "20 kPa" }
+"#;
+
+const JOINT: &str = r#"[[interface]]
+name = "joint"
+between = ["shell", "rock"]
+law = "bandis"
+max_closure = "2 mm"
+cohesion = "0.5 MPa"
+friction = 0.7
+"#;
+
+const LATERAL: &str = "lateral = 0.5\nrelease_cycles = 50\ntolerance = 1e-4\n";
+
+/// Rock of 16 × 4 × 16 m in cubes of 2 m with an opening of 8 × 8 m along y: a core of 4 × 4 m and the shell around it.
+fn case(folder: &Path, initial: &str, stages: &str, shaking: &str) {
+    let mut mesh = BoxSpec::uniform([0.0; 3], [16.0, 4.0, 16.0], [8, 2, 8]).mesh().unwrap();
+    let far = |e: u32| {
+        let nodes = mesh.elements[e as usize].nodes();
+        let middle = |i| nodes.iter().map(|&n| mesh.nodes[n as usize][i]).sum::<f64>() / nodes.len() as f64;
+        (middle(0) - 8.0).abs().max((middle(2) - 8.0).abs())
+    };
+    let within = |low: f64, high: f64| {
+        (0..mesh.elements.len() as u32).filter(|&e| (low..high).contains(&far(e))).collect::<Vec<u32>>()
+    };
+    let groups = [("core", within(0.0, 2.0)), ("shell", within(2.0, 4.0)), ("rock", within(4.0, 9.0))];
+    mesh.groups = groups.map(|(name, elements)| (name.to_owned(), elements)).into();
+    tremolite_mesh::write(folder.join("hall.msh"), &mesh).unwrap();
+    let pulse: String = (0..40)
+        .map(|k| {
+            let t = (std::f64::consts::PI * 10.0 * (0.01 * f64::from(k) - 0.1)).powi(2);
+            format!("{:.6}\n", (1.0 - 2.0 * t) * (-t).exp())
+        })
+        .collect();
+    std::fs::write(folder.join("pulse.txt"), pulse).unwrap();
+    let text = format!(
+        r#"title = "hall"
+[mesh.file]
+path = "hall.msh"
+[material.rock]
+law = "mohr-coulomb"
+young = "2 GPa"
+poisson = 0.25
+density = "2500 kg/m3"
+cohesion = "1 MPa"
+friction_angle = "40 deg"
+tensile_strength = "0.5 MPa"
+[material.concrete]
+law = "elastic"
+young = "20 GPa"
+poisson = 0.2
+density = "2500 kg/m3"
+[[region]]
+groups = ["rock", "core"]
+material = "rock"
+element = "one-point"
+viscosity = 0.02
+[[region]]
+groups = ["shell"]
+material = "concrete"
+element = "full"
+[initial]
+{initial}
+{stages}
+{shaking}
+[[monitor]]
+name = "roof"
+at = ["8 m", "2 m", "12.5 m"]
+[[monitor]]
+name = "wall"
+at = ["12.5 m", "2 m", "8 m"]
+[output]
+{output}
+"#,
+        output = if shaking.is_empty() { "" } else { "histories = \"0.01 s\"\nsnapshots = \"0.1 s\"" }
+    );
+    std::fs::write(folder.join("case.toml"), text).unwrap();
+}
+
+fn change(folder: &Path, from: &str, to: &str) {
+    let path = folder.join("case.toml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains(from), "the case has no '{from}'");
+    std::fs::write(path, text.replacen(from, to, 1)).unwrap();
+}
+
+fn run(folder: &Path, out: &str, more: &[&str]) -> Output {
+    tremolite(folder, &[&["run", "case.toml", "--out", out], more].concat())
+}
+
+fn bytes(folder: &Path, run: &str, file: &str) -> Vec<u8> {
+    std::fs::read(folder.join(run).join(file)).unwrap_or_else(|e| panic!("{run}/{file}: {e}"))
+}
+
+fn same(folder: &Path, first: &str, second: &str, files: &[&str]) {
+    for file in files {
+        assert!(bytes(folder, first, file) == bytes(folder, second, file), "{file} of {first} and {second}");
+    }
+}
+
+fn check(folder: &Path) -> (Value, String, String) {
+    let json = tremolite(folder, &["check", "case.toml", "--json"]);
+    assert_eq!(code(&json), 0, "{}", errors(&json));
+    let text = tremolite(folder, &["check", "case.toml"]);
+    let said = errors(&text);
+    (serde_json::from_slice(&json.stdout).unwrap(), String::from_utf8(text.stdout).unwrap(), said)
+}
+
+#[test]
+fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, LATERAL, STAGES, "");
+    change(folder, "[initial]", &format!("{JOINT}[initial]"));
+    let done = run(folder, "out", &["--isa", "scalar"]);
+    assert_eq!(code(&done), 0, "{}", errors(&done));
+    let summary = Summary::read(&folder.join("out/summary.json")).unwrap();
+    assert_eq!(summary.status, Status::Done);
+    assert!(summary.verdict.contains("All 4 stages came to rest"), "{}", summary.verdict);
+    let names: Vec<&str> = summary.stages.iter().map(|stage| stage.name.as_str()).collect();
+    assert_eq!(names, ["initial equilibrium", "bench", "shell", "water"]);
+    assert!(summary.stages[1].monitors["roof"]["uz"].unwrap() < -1e-6, "{:?}", summary.stages[1]);
+    let table = std::fs::read_to_string(folder.join("out/stages.csv")).unwrap();
+    let header: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let own =
+        ["stage", "name", "cycles", "ratio", "motion_left [m]", "largest_motion [m]", "plastic_volume [m3]"];
+    assert_eq!(header[..7], own);
+    assert!(header.contains(&"roof.ux [m]") && header.contains(&"wall.s3 [Pa]"), "{header:?}");
+    assert_eq!(table.lines().count(), 5);
+    for file in ["monitors.csv", "energy.csv", "motion.csv", "fields.pvd"] {
+        assert!(!folder.join("out").join(file).exists(), "{file}");
+    }
+    for file in ["stages/003.vtu", "stages.pvd", "report.html", "sections.csv"] {
+        assert!(folder.join("out").join(file).exists(), "{file}");
+    }
+    // What it leaves for earthquakes is nothing to go on from.
+    let resumed = run(folder, "out", &["--resume"]);
+    assert_eq!(code(&resumed), 2);
+    assert!(errors(&resumed).contains("no checkpoint to resume from"), "{}", errors(&resumed));
+    let (found, text, warned) = check(folder);
+    assert_eq!((&found["time_step"], &found["motion"]), (&Value::Null, &Value::Null));
+    let said = errors(&done);
+    for word in
+        ["Motion", "Time step", "impacts allow", "stable step", "shear wave", "Rayleigh", "could run", "c_p"]
+    {
+        for all in [&said, &text, &warned] {
+            assert!(!all.contains(word), "'{word}':\n{all}");
+        }
+    }
+    assert!(!said.contains("0.0e0 out of balance"), "{said}");
+    assert!(found["estimate"]["stage_cycles"].as_u64().unwrap() >= 4 * 350);
+    assert_eq!(found["estimate"]["field_files"], 0);
+}
+
+#[test]
+fn check_lists_stages_lives_stand_ins_stress_and_bare_walls() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, LATERAL, STAGES, SHAKING);
+    let (found, text, _) = check(folder);
+    let stages = found["stages"].as_array().unwrap();
+    let of = |k: usize, key: &str| stages[k][key].clone();
+    assert_eq!(of(1, "excavated"), serde_json::json!([{ "groups": "core", "elements": 8 }]));
+    assert_eq!(of(2, "installed"), serde_json::json!([{ "groups": "shell", "elements": 24 }]));
+    assert_eq!((of(1, "release"), of(1, "gone"), of(2, "begun")), (0.6.into(), 32.into(), 24.into()));
+    // Four walls of 8 m along 4 m of the opening; then the shell covers them.
+    let bare: Vec<f64> = (0..4).map(|k| of(k, "wall_without_lining").as_f64().unwrap()).collect();
+    assert!(bare.iter().zip([0.0, 128.0, 0.0, 0.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{bare:?}");
+    let lives = found["comes_and_goes"].as_array().unwrap();
+    let life = |group: &str, body: Value| {
+        let one = lives.iter().find(|l| l["group"] == group && l["stands_in"] == body);
+        let one = one.unwrap_or_else(|| panic!("{group}: {lives:?}"));
+        (one["from"].clone(), one["until"].clone(), one["elements"].as_u64().unwrap())
+    };
+    assert_eq!(life("core", Value::Null), (Value::Null, "bench".into(), 8));
+    assert_eq!(life("shell", Value::Null), ("shell".into(), Value::Null, 24));
+    assert_eq!(life("shell", "rock".into()), (Value::Null, "bench".into(), 24));
+    // At the centre of the base's elements 15 m lie above: 2500·9.81·15 = 0.3679 MPa.
+    let base = &found["initial_stress"][2];
+    assert!((base["stress"][2].as_f64().unwrap() + 2500.0 * 9.81 * 15.0).abs() < 1.0, "{base}");
+    for words in [
+        "1  bench: excavates core (8); 60 % of what is held goes",
+        "3  water: 20 kPa on shell",
+        "in the place of 24 elements of shell stands rock until 'bench'",
+        "vertical 367.9 kPa, horizontal 183.9 kPa along x",
+        "beyond yield",
+        "of them",
+        "Time step",
+    ] {
+        assert!(text.contains(words), "'{words}':\n{text}");
+    }
+    assert_eq!(found["relaxed_moduli"], serde_json::json!([]));
+    let band = "[dynamic]\ndamping = { ratio = 0.03, band = [\"1 Hz\", \"20 Hz\"], reference = \"5 Hz\" }";
+    change(folder, "[dynamic]", band);
+    let (found, text, _) = check(folder);
+    let share = found["relaxed_moduli"][0]["share"].as_f64().unwrap();
+    assert!(share > 0.8 && share < 0.95, "{share}");
+    assert!(text.contains("beside 2 GPa"), "{text}");
+}
+
+/// Time within which every file of this test is there, on a machine under load.
+#[cfg(unix)]
+fn wait_for(path: &Path, child: &mut std::process::Child) {
+    for _ in 0..6000 {
+        if path.exists() {
+            return;
+        }
+        assert!(child.try_wait().unwrap().is_none(), "the run ended before {} was there", path.display());
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    panic!("no {}", path.display());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_run_stopped_in_a_stage_resumes_to_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, &LATERAL.replace("= 50", "= 3000"), STAGES, SHAKING);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_tremolite"))
+        .current_dir(folder)
+        .args(["run", "case.toml", "--out", "parts", "--threads", "1"])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    wait_for(&folder.join("parts/stages.csv"), &mut child);
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(3));
+    let summary = Summary::read(&folder.join("parts/summary.json")).unwrap();
+    assert_eq!(summary.status, Status::Stopped);
+    assert!(summary.verdict.contains("was stopped in the stage '"), "{}", summary.verdict);
+    assert!(folder.join("parts/report.html").exists() && !folder.join("parts/monitors.csv").exists());
+
+    let resumed = run(folder, "parts", &["--resume", "--threads", "2"]);
+    assert_eq!(code(&resumed), 0, "{}", errors(&resumed));
+    let whole = run(folder, "whole", &["--threads", "1"]);
+    assert_eq!(code(&whole), 0, "{}", errors(&whole));
+    let files = ["stages.csv", "monitors.csv", "energy.csv", "relaxation.csv", "sections.csv", "stages.pvd"];
+    same(folder, "parts", "whole", &files);
+    same(folder, "parts", "whole", &["stages/001.vtu", "stages/003.vtu"]);
+}
+
+const HISTORIES: [&str; 4] = ["stages.csv", "monitors.csv", "energy.csv", "sections.csv"];
+
+#[test]
+fn results_with_stages_do_not_depend_on_threads_or_instruction_sets() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, LATERAL, STAGES, SHAKING);
+    for (out, more) in
+        [("one", ["--threads", "1"]), ("two", ["--threads", "2"]), ("plain", ["--isa", "scalar"])]
+    {
+        let done = run(folder, out, &more);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+    }
+    same(folder, "one", "two", &HISTORIES);
+    same(folder, "one", "plain", &HISTORIES);
+    let table = Table::read(&folder.join("one/monitors.csv")).unwrap();
+    assert!(table.column("roof.ux").unwrap().iter().any(|u| u.abs() > 1e-6));
+}
+
+/// What pairs give out while nothing slides is no share of friction.
+#[test]
+fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, LATERAL, STAGES, SHAKING);
+    change(
+        folder,
+        "[initial]",
+        &format!("{}[initial]", JOINT.replace("max_closure", "normal_stiffness = \"20 GPa/m\"\nmax_closure")),
+    );
+    for (out, more) in [("whole", &["--threads", "1"][..]), ("from", &["--threads", "2", "--from", "whole"])]
+    {
+        let done = run(folder, out, more);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+    }
+    same(folder, "whole", "from", &HISTORIES);
+    same(folder, "whole", "from", &["interfaces.csv"]);
+    // The dashpots of pairs are none while time stands still: through the stages or begun behind them is the same.
+    change(folder, "friction = 0.7", "friction = 0.7\ncontact_damping = 0.05");
+    for (out, more) in [("damped", &[][..]), ("later", &["--from", "whole"])] {
+        let done = run(folder, out, more);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+    }
+    same(folder, "damped", "later", &HISTORIES);
+    let summary = Summary::read(&folder.join("whole/summary.json")).unwrap();
+    let of_joint = |id: &str| id.starts_with("interface_") || id == "energy_created_by_interfaces";
+    for line in summary.trust.iter().filter(|line| of_joint(&line.id)) {
+        assert!(line.pass, "{line:?}");
+    }
+    let friction = Table::read(&folder.join("whole/energy.csv")).unwrap();
+    assert!(friction.column("friction").unwrap().iter().all(|e| *e == 0.0));
+    assert!(friction.column("created_by_interface").unwrap().iter().any(|e| *e != 0.0));
+}
+
+#[test]
+fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, LATERAL, STAGES, SHAKING);
+    let whole = run(folder, "whole", &[]);
+    assert_eq!(code(&whole), 0, "{}", errors(&whole));
+    let from = run(folder, "from", &["--from", "whole"]);
+    assert_eq!(code(&from), 0, "{}", errors(&from));
+    same(folder, "whole", "from", &HISTORIES);
+    let original = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+
+    // What shakes, how it is damped and what is written may be another.
+    for (k, (what, with)) in [
+        ("process = [\"baseline\"]", "process = [\"baseline\", \"scale 2\"]"),
+        (
+            "duration = \"0.1 s\"",
+            "duration = \"0.05 s\"\ndamping = { rayleigh = { mass = 1.0, stiffness = 1e-5 } }",
+        ),
+        ("histories = \"0.01 s\"", "histories = \"0.02 s\""),
+        ("viscosity = 0.02", "viscosity = 0.03"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        change(folder, what, with);
+        let other = run(folder, &format!("other{k}"), &["--from", "whole"]);
+        assert_eq!(code(&other), 0, "{with}: {}", errors(&other));
+        same(folder, "whole", &format!("other{k}"), &["stages.csv"]);
+        std::fs::write(folder.join("case.toml"), &original).unwrap();
+    }
+    change(folder, "viscosity = 0.02", "viscosity = 0.03");
+    let viscous = run(folder, "viscous", &[]);
+    assert_eq!(code(&viscous), 0, "{}", errors(&viscous));
+    same(folder, "viscous", "other3", &HISTORIES);
+    std::fs::write(folder.join("case.toml"), &original).unwrap();
+    // Of a monitor that was not there nothing is known in the stages; of the others what was.
+    change(folder, "name = \"wall\"\nat = [\"12.5 m\"", "name = \"wall\"\nat = [\"3.5 m\"");
+    let moved = run(folder, "moved", &["--from", "whole"]);
+    assert_eq!(code(&moved), 0, "{}", errors(&moved));
+    let stages = |run: &str| Summary::read(&folder.join(run).join("summary.json")).unwrap().stages;
+    assert_eq!(stages("moved")[1].monitors["roof"], stages("whole")[1].monitors["roof"]);
+    assert!(stages("whole")[1].monitors["wall"]["ux"].is_some());
+    assert_eq!(stages("moved")[1].monitors["wall"]["ux"], None);
+    std::fs::write(folder.join("case.toml"), &original).unwrap();
+
+    for (what, with) in [
+        ("cohesion = \"1 MPa\"", "cohesion = \"1.1 MPa\""),
+        ("release = 0.6", "release = 0.7"),
+        ("pressure = { shell = \"20 kPa\" }", "pressure = { shell = \"21 kPa\" }"),
+        ("lateral = 0.5", "lateral = 0.6"),
+        ("path = \"hall.msh\"", "path = \"hall.msh\"\nunit = \"1.01 m\""),
+    ] {
+        change(folder, what, with);
+        let refused = run(folder, "refused", &["--from", "whole"]);
+        assert_eq!(code(&refused), 2, "{with}: {}", errors(&refused));
+        assert!(errors(&refused).contains("is that of another mesh"), "{}", errors(&refused));
+        assert!(!folder.join("refused").exists(), "nothing is computed");
+        std::fs::write(folder.join("case.toml"), &original).unwrap();
+    }
+    // Not over what it begins with.
+    let over = run(folder, "whole", &["--from", "whole", "--overwrite"]);
+    assert_eq!(code(&over), 2);
+    assert!(
+        folder.join("whole/checkpoint/hand-over.bin").exists() && errors(&over).contains("another --out")
+    );
+
+    // Stages that were run alone serve as well, between the same sides.
+    std::fs::create_dir(folder.join("still")).unwrap();
+    case(folder, LATERAL, STAGES, "[dynamic]\nbase = \"viscous\"\nsides = \"roller\"\n");
+    let still = run(folder, "rest", &[]);
+    assert_eq!(code(&still), 0, "{}", errors(&still));
+    std::fs::write(folder.join("case.toml"), &original).unwrap();
+    let shaken = run(folder, "shaken", &["--from", "rest"]);
+    assert_eq!(code(&shaken), 0, "{}", errors(&shaken));
+    same(folder, "whole", "shaken", &HISTORIES);
+}
+
+#[test]
+fn what_is_cut_free_is_warned_of_and_comes_down_with_its_stage_and_place_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let cut = "[[stage]]\nname = \"cut\"\nexcavate = [\"shell\"]\n[[stage]]\nname = \"on\"\n";
+    case(folder, LATERAL, cut, "");
+    let (found, _, warned) = check(folder);
+    let piece = &found["stages"][1]["without_support"][0];
+    assert_eq!((&piece["group"], &piece["elements"]), (&"core".into(), &8.into()), "{found:#}");
+    assert!(
+        warned.contains("case.toml:")
+            && warned.contains("a piece of 'core' (8 elements, 64 m3, 4.0 × 4.0 × 4.0 m)"),
+        "{warned}"
+    );
+    assert!(
+        warned.contains("it will come down") && warned.matches("it will come down").count() == 1,
+        "{warned}"
+    );
+    assert_eq!(code(&tremolite(folder, &["check", "case.toml", "--strict"])), 1);
+
+    let fallen = run(folder, "out", &[]);
+    assert_eq!(code(&fallen), 1, "{}", errors(&fallen));
+    let summary = Summary::read(&folder.join("out/summary.json")).unwrap();
+    assert_eq!(summary.status, Status::Failed);
+    for words in ["The stage 'cut' did not come to rest", "of 'core' at (", "comes down"] {
+        assert!(summary.verdict.contains(words), "'{words}': {}", summary.verdict);
+    }
+    assert_eq!(summary.stages.len(), 1);
+    for file in ["stages.csv", "stages/000.vtu", "stages/001.vtu", "stages.pvd", "report.html"] {
+        assert!(folder.join("out").join(file).exists(), "{file}");
+    }
+    assert_eq!(String::from_utf8(bytes(folder, "out", "stages.csv")).unwrap().lines().count(), 2);
+    // There is no rest to begin with.
+    change(folder, "[[monitor]]", &format!("{SHAKING}[[monitor]]"));
+    let from = run(folder, "from", &["--from", "out"]);
+    assert_eq!(code(&from), 2);
+    assert!(errors(&from).contains("went through its stages"), "{}", errors(&from));
+}
+
+/// The roof of the opening lies on its bond alone: it holds or comes down by its strength.
+#[test]
+fn a_slab_that_hangs_is_warned_of_and_comes_down_where_its_bond_is_too_weak() {
+    let slab = |strength: &str| {
+        format!(
+            "[[interface]]\nname = \"bond\"\nbetween = [\"shell\", \"rock\"]\nlaw = \"bandis\"\n\
+             normal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\ncohesion = \"{strength}\"\n\
+             tensile_strength = \"{strength}\"\nfriction = 0.6\n[initial]"
+        )
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for (strength, holds) in [("2 MPa", true), ("0 Pa", false)] {
+        case(folder, LATERAL, "[[stage]]\nname = \"bench\"\nexcavate = [\"core\"]\n", "");
+        // The upper half of the shell alone.
+        let path = folder.join("hall.msh");
+        let mut mesh = tremolite_mesh::read(&path).unwrap();
+        let low = |e: &u32| {
+            let nodes = mesh.elements[*e as usize].nodes();
+            nodes.iter().map(|&n| mesh.nodes[n as usize][2]).sum::<f64>() / 8.0 < 10.0
+        };
+        let (lower, upper): (Vec<u32>, Vec<u32>) = mesh.groups["shell"].iter().copied().partition(low);
+        mesh.groups.insert("shell".into(), upper);
+        mesh.groups.get_mut("core").unwrap().extend(lower);
+        mesh.groups.get_mut("core").unwrap().sort_unstable();
+        tremolite_mesh::write(&path, &mesh).unwrap();
+        change(folder, "[initial]", &slab(strength));
+        let (found, _, warned) = check(folder);
+        assert!(warned.contains("hangs by bond alone"), "{warned}");
+        assert_eq!(found["stages"][1]["without_support"][0]["hangs_by"][0], "bond");
+        assert_eq!(found["stages"][0]["without_support"], serde_json::json!([]));
+        let done = run(folder, "out", &["--overwrite"]);
+        assert_eq!(code(&done), i32::from(!holds), "{strength}: {}", errors(&done));
+        let verdict = Summary::read(&folder.join("out/summary.json")).unwrap().verdict;
+        assert!(holds || verdict.contains("'bench' did not come to rest"), "{verdict}");
+    }
+}
+
+#[test]
+fn a_stage_that_ends_before_its_rest_says_how_far_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, &format!("{LATERAL}max_cycles = 60"), STAGES, SHAKING);
+    let stopped = run(folder, "out", &[]);
+    assert_eq!(code(&stopped), 1, "{}", errors(&stopped));
+    let verdict = Summary::read(&folder.join("out/summary.json")).unwrap().verdict;
+    assert!(verdict.contains("after 60 cycles") && verdict.contains("Give more `max_cycles`"), "{verdict}");
+    assert!(folder.join("out/report.html").exists() && !folder.join("out/monitors.csv").exists());
+}
+
+#[test]
+fn a_group_may_go_and_its_lining_begin_in_one_stage() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let both = "[[stage]]\nname = \"both\"\nexcavate = [\"core\", \"shell\"]\ninstall = [\"shell\"]\n";
+    case(folder, LATERAL, both, "");
+    let done = run(folder, "out", &[]);
+    assert_eq!(code(&done), 0, "{}", errors(&done));
+    let (found, ..) = check(folder);
+    assert_eq!(found["stages"][1]["gone"], 32);
+    assert_eq!(found["stages"][1]["begun"], 24);
+}
+
+#[test]
+fn stages_that_do_not_fit_are_refused_at_their_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let refused = [
+        ("excavate = [\"core\"]", "excavate = [\"cor\"]", "no group of the mesh fits 'cor'", "excavate"),
+        ("install = [\"shell\"]", "install = [\"shel\"]", "no group of the mesh fits 'shel'", "install"),
+        ("{ shell = \"20 kPa\" }", "{ shel = \"20 kPa\" }", "no group of the mesh fits 'shel'", "pressure"),
+        ("excavate = [\"core\"]\n", "", "but rock stands in its place", "\"shell\"\ninstall"),
+        (
+            "install = [\"shell\"]",
+            "excavate = [\"core\"]",
+            "is gone since 'bench'",
+            "excavate = [\"core\"]\n[[stage]]\nname = \"water\"",
+        ),
+        (
+            "pressure = { shell",
+            "install = [\"shell\"]\npressure = { shell",
+            "is installed in 'shell' already",
+            "install = [\"shell\"]\npressure",
+        ),
+        (
+            "pressure = { shell",
+            "material = { rock = \"concrete\" }\npressure = { shell",
+            "does not change what stands there yet",
+            "material =",
+        ),
+        (
+            "groups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full\"",
+            "groups = [\"shell\"]\nmaterial = \"void\"",
+            "is void: nothing can be installed",
+            "install",
+        ),
+        (
+            "viscosity = 0.02",
+            "viscosity = 0.02\n[[region]]\ngroups = [\"core\"]\nmaterial = \"void\"",
+            "is void from the start",
+            "excavate",
+        ),
+        (
+            "element = \"full\"",
+            "element = \"full\"\nbefore = \"spare\"",
+            "no region is made of 'spare'",
+            "before",
+        ),
+    ];
+    for (from, to, words, line) in refused {
+        case(folder, LATERAL, STAGES, "");
+        change(folder, from, to);
+        if to.contains("material = \"void\"") && to.contains("core") {
+            change(folder, "groups = [\"rock\", \"core\"]", "groups = [\"rock\"]");
+        }
+        if to.contains("spare") {
+            change(
+                folder,
+                "[[region]]",
+                "[material.spare]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.2\ndensity = 2000\n[[region]]",
+            );
+        }
+        let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+        let at = 1 + text[..text.rfind(line).unwrap_or_else(|| panic!("{line}"))].matches('\n').count();
+        let output = tremolite(folder, &["run", "case.toml", "--out", "out"]);
+        assert_eq!(code(&output), 2, "{to}: {}", errors(&output));
+        let said = errors(&output);
+        assert!(
+            said.contains(words) && said.contains(&format!("case.toml:{at}:")),
+            "{to}, line {at}:\n{said}"
+        );
+        assert!(!folder.join("out").exists(), "{to}");
+    }
+    // What stays held is allowed, and warned of.
+    case(folder, LATERAL, STAGES, "");
+    change(folder, "pressure = {", "release = 0.5\npressure = {");
+    let (.., warned) = check(folder);
+    assert!(warned.contains("50 % of what is held is never let go"), "{warned}");
+}
