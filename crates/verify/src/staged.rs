@@ -39,7 +39,7 @@ impl Rested {
         let model = Model::new(problem)?;
         let assembly = Assembly::new(&model)?;
         let stages: Vec<PlannedStage> =
-            releases.iter().map(|&release| PlannedStage { name: "stage".into(), release }).collect();
+            releases.iter().map(|&release| PlannedStage { release, ..PlannedStage::new("stage") }).collect();
         let (mut state, _) = settle(&model, &assembly, &stages)
             .map_err(|unsettled| VerifyError::Setup(format!("{unsettled:?}")))?;
         let phase = Phase::of(&model, &assembly, Stage::Before(releases.len() as u16 - 1))?;

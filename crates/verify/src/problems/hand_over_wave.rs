@@ -124,7 +124,7 @@ fn shake(yields: bool, begin: Begin) -> Result<Shaken, VerifyError> {
     }
     let model = Model::new(problem)?;
     let assembly = Assembly::new(&model)?;
-    let stage = PlannedStage { name: "equilibrium".into(), release: release(1.0) };
+    let stage = PlannedStage { release: release(1.0), ..PlannedStage::new("equilibrium") };
     let stages = [stage];
     let stages = if begin == Begin::Settled { &stages[..] } else { &[] };
     let (mut state, _) =

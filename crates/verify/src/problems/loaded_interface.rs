@@ -122,7 +122,7 @@ fn rest(problem: tremolite::Problem) -> Result<[f64; 3], VerifyError> {
     let stress = problem.initial[0];
     let model = Model::new(problem)?;
     let assembly = Assembly::new(&model)?;
-    let stage = PlannedStage { name: "equilibrium".into(), release: release(1.0) };
+    let stage = PlannedStage { release: release(1.0), ..PlannedStage::new("equilibrium") };
     let (mut state, _) =
         settle(&model, &assembly, &[stage]).map_err(|unsettled| VerifyError::Setup(format!("{unsettled:?}")))?;
     let most = |state: &State, shown: bool| {
