@@ -8,8 +8,9 @@ use crate::body::Body;
 use crate::error::ModelError;
 use crate::hexahedra::hex_nodes;
 use crate::interface::Interface;
+use crate::problem::Traction;
 use tremolite_kernels::Quadrature;
-use tremolite_mesh::{Element, Mesh, Shape};
+use tremolite_mesh::{Element, Face, Mesh, Shape};
 
 /// Side of the column's square section \[m\]; its width cancels.
 pub const WIDTH: f64 = 1.0;
@@ -162,6 +163,22 @@ fn crossed(interfaces: &[Interface], layers: &[Layer], [x, y]: [f64; 2]) -> Resu
         }
     }
     Ok(())
+}
+
+/// Puts on the column's top, which is the mesh's last element, what presses on the top face of the element beside it.
+pub fn press(mesh: &Mesh, tractions: &mut [Traction], beside: u32) {
+    let near = near(mesh);
+    let (_, high) = mesh.bounds();
+    let on_top = |face: Face| mesh.face_nodes(face).all(|n| mesh.nodes[n as usize][2] > high[2] - near);
+    let element = mesh.elements.len() as u32 - 1;
+    let sides = mesh.elements[element as usize].shape.faces().len() as u8;
+    let Some(top) = (0..sides).map(|side| Face { element, side }).find(|&face| on_top(face)) else { return };
+    for traction in tractions {
+        let above = traction.faces.iter().find(|(face, _)| face.element == beside && on_top(*face));
+        if let Some(&(_, stress)) = above {
+            traction.faces.push((top, stress));
+        }
+    }
 }
 
 /// Adds the column beside the mesh: layers and materials of the ground. Returns the element beside each of its own as well.

@@ -107,6 +107,7 @@ impl Model {
         let shaken = shaken(&body_of, &lives);
         let ground = column::ground(&mesh, &bodies, &shaken, &problem.interfaces);
         let mut initial = problem.initial;
+        let mut tractions = problem.tractions;
         let successors: HashMap<u32, u32> = problem.successors.into_iter().collect();
         let Seams { seams, origin, places } =
             seams(&mut mesh, problem.interfaces, &shaken, &place_lives(&lives, &successors), &initial)?;
@@ -126,6 +127,9 @@ impl Model {
                 Ok(ground) => {
                     let (column, like) = column::build(&mut mesh, &mut bodies, ground);
                     lives.resize(mesh.elements.len(), Life::ALWAYS);
+                    if let Some(&top) = like.last() {
+                        column::press(&mesh, &mut tractions, top);
+                    }
                     if !initial.is_empty() {
                         initial.extend(
                             like.into_iter().map(|element| initial[element as usize]).collect::<Vec<_>>(),
@@ -201,7 +205,7 @@ impl Model {
             successors,
             initial,
             gravity: problem.gravity,
-            tractions: problem.tractions,
+            tractions,
             patches,
             user_patches,
             mesh_node,

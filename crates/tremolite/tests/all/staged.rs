@@ -121,6 +121,27 @@ fn initial_stress_in_equilibrium_moves_nothing() {
     assert!(worst < 1e-12, "{worst}");
 }
 
+/// What presses on the top presses on the reference column as well.
+#[test]
+fn ground_below_an_overburden_rests_and_so_does_its_column() {
+    let mut problem = lined(false);
+    let top = tremolite_mesh::topology::exterior_faces(&problem.mesh, None)
+        .into_iter()
+        .filter(|&face| {
+            problem.mesh.face_nodes(face).all(|n| problem.mesh.nodes[n as usize][2] > DEPTH - 1e-9)
+        })
+        .map(|face| (face, [-PRESSURE, -PRESSURE, -PRESSURE, 0.0, 0.0, 0.0]))
+        .collect();
+    let traction = tremolite::problem::Traction { name: "overburden".into(), faces: top, life: Life::BEFORE };
+    problem.tractions = vec![traction];
+    problem.initial.iter_mut().for_each(|s| (0..3).for_each(|i| s[i] -= PRESSURE));
+    let built = built(problem);
+    assert!(built.model.column.is_some());
+    let state = built.settled(1);
+    let worst = state.u.iter().flat_map(|u| u.xyz()).fold(0.0, |most: f64, x| most.max(x.abs()));
+    assert!(worst < 1e-12, "{worst}");
+}
+
 /// The crown comes down, the floor up, the walls in; a lining that comes afterwards carries nothing but itself.
 #[test]
 fn an_opening_closes_and_a_lining_that_comes_after_carries_its_own_weight_alone() {
