@@ -3,6 +3,8 @@
 mod before;
 mod kept;
 
+pub(crate) use kept::Yielded;
+
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;

@@ -537,7 +537,13 @@ fn stages_that_do_not_fit_are_refused_at_their_lines() {
         (
             "pressure = { shell",
             "material = { rock = \"concrete\" }\npressure = { shell",
-            "does not change what stands there yet",
+            "keeps plastic shear strain, which 'concrete' does not know: it would heal",
+            "material =",
+        ),
+        (
+            "excavate = [\"core\"]",
+            "excavate = [\"core\"]\nmaterial = { shell = \"rock\" }",
+            "does not stand through 'bench'",
             "material =",
         ),
         (

@@ -67,17 +67,25 @@ impl FieldGrid {
         FieldGrid { grid, nodes, slots }
     }
 
-    /// Writes a file of the fields that the plan wants.
+    /// Writes a file of the fields that the plan wants, and of more vectors by engine node with their names and units.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn write(&self, path: &Path, time: f64, view: &View, memory: &Memory) -> Result<(), VtuError> {
+    pub fn write(
+        &self,
+        path: &Path,
+        time: f64,
+        view: &View,
+        memory: &Memory,
+        more: &[(&str, &str, &[Row])],
+    ) -> Result<(), VtuError> {
         let mut grid = self.grid.clone();
         grid.time = Some(time);
         for &field in &view.plan.fields {
             self.add(&mut grid, field, view, memory);
         }
         self.add_histories(&mut grid, view);
+        grid.point_data.extend(more.iter().map(|(name, unit, rows)| self.nodal(name, unit, rows)));
         grid.write(path)
     }
 
@@ -169,7 +177,7 @@ impl Observer for Fields {
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let name = format!("{:06}.vtu", view.snapshot.step.div_ceil(self.schedule.every));
-        self.grid.write(&self.folder.join(&name), view.snapshot.time, view, memory)?;
+        self.grid.write(&self.folder.join(&name), view.snapshot.time, view, memory, &[])?;
         self.list.add(view.snapshot.time, &format!("fields/{name}"))?;
         Ok(())
     }

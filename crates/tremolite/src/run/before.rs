@@ -13,8 +13,8 @@ use std::time::Instant;
 use tremolite_engine::engine::{Relaxed, Rest};
 use tremolite_engine::hexahedra::{centroid, hex};
 use tremolite_engine::state::{Memory, State};
-use tremolite_engine::{Assembly, Engine, Model, Phase, Stage};
-use tremolite_laws::Role;
+use tremolite_engine::{Assembly, Engine, Model, Phase, Snapshot, Stage};
+use tremolite_laws::{Role, Row};
 use tremolite_results::{Column, Pvd, ResultFolder, TableWriter, write_stages};
 
 /// What is remembered of how stages came to rest: stage, cycle, ratio, motion left, motion.
@@ -59,7 +59,7 @@ impl Stages<'_> {
                 Relaxed::Stopped(_) => return Ok(Before::Stopped),
                 relaxed => {
                     // What it looks like where it was given up.
-                    self.fields(k, &phase, &mut engine, state)?;
+                    self.give_up(k, &phase, &mut engine, state)?;
                     self.write(state)?;
                     let place = place(model, &phase, &relaxed);
                     return Ok(Before::Failed { stage: k, relaxed, place });
@@ -126,41 +126,55 @@ impl Stages<'_> {
         state: &mut State,
         rest: &Rest,
     ) -> Result<(), RunError> {
-        let Stages { model, assembly, plan, .. } = *self;
-        let snapshot = engine.observe(&mut state.clone());
-        let history = History { assembly, octets: &state.history };
-        let view =
-            View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers: &state.numbers };
+        let model = self.model;
+        let snapshot = still(engine, state);
+        let view = self.view(phase, &snapshot, state);
         let monitors = at_rest(&view, state);
         let walls = kept::walls(model).into_iter().map(|(_, node)| state.shown(node).xyz()).collect();
         let rested = Rested { rest, plastic_volume: plastic_volume(&view), monitors, walls };
         let sections = SectionForces::of(model);
         let forces = sections.at(&view);
-        kept::remember(model, plan, &mut state.observers, &rested);
+        let yielded = (stage == 0).then(|| kept::Yielded::of(&view));
+        self.fields(stage, &view, &state.observers, &[])?;
+        kept::remember(model, self.plan, &mut state.observers, &rested);
+        if let Some(yielded) = yielded {
+            yielded.remember(&mut state.observers);
+        }
         sections.remember(&mut state.observers, forces);
-        self.fields_of(stage, &view, &state.observers)
+        Ok(())
+    }
+
+    /// Writes where a stage was given up: with the motion of the last cycle, which shows what falls.
+    fn give_up(
+        &self,
+        stage: usize,
+        phase: &Phase,
+        engine: &mut Engine,
+        state: &mut State,
+    ) -> Result<(), RunError> {
+        let snapshot = still(engine, state);
+        let last = ("motion_of_last_cycle", "m", state.du.as_slice());
+        self.fields(stage, &self.view(phase, &snapshot, state), &state.observers, &[last])
+    }
+
+    fn view<'v>(&'v self, phase: &'v Phase, snapshot: &'v Snapshot, state: &'v State) -> View<'v> {
+        let Stages { model, assembly, plan, .. } = *self;
+        let history = History { assembly, octets: &state.history };
+        View { model, assembly, phase, plan, snapshot, history, numbers: &state.numbers }
     }
 
     fn fields(
         &self,
         stage: usize,
-        phase: &Phase,
-        engine: &mut Engine,
-        state: &State,
+        view: &View,
+        memory: &Memory,
+        more: &[(&str, &str, &[Row])],
     ) -> Result<(), RunError> {
-        let Stages { model, assembly, plan, .. } = *self;
-        let snapshot = engine.observe(&mut state.clone());
-        let history = History { assembly, octets: &state.history };
-        let view =
-            View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers: &state.numbers };
-        self.fields_of(stage, &view, &state.observers)
-    }
-
-    fn fields_of(&self, stage: usize, view: &View, memory: &Memory) -> Result<(), RunError> {
         let folder = self.folder.stage_fields();
         std::fs::create_dir_all(&folder).map_err(|source| RunError::Io { path: folder.clone(), source })?;
         let name = format!("{stage:03}.vtu");
-        FieldGrid::of(self.model, view.phase).write(&folder.join(&name), stage as f64, view, memory)?;
+        let grid = FieldGrid::of(self.model, view.phase);
+        grid.write(&folder.join(&name), stage as f64, view, memory, more)?;
         let path = self.folder.stages_pvd();
         // A stage that a stopped run had written already is written again.
         let mut list = match path.exists() && stage > 0 {
@@ -183,6 +197,14 @@ impl Stages<'_> {
         }
         SectionForces::of(model).write(folder, plan, &state.observers)
     }
+}
+
+/// What is seen of a state of a stage. Nothing in it has a velocity.
+fn still(engine: &mut Engine, state: &State) -> Snapshot {
+    let mut snapshot = engine.observe(&mut state.clone());
+    snapshot.velocity.fill(Row::ZERO);
+    snapshot.acceleration.fill(Row::ZERO);
+    snapshot
 }
 
 fn remember(memory: &mut Memory, stage: usize, rest: &Rest) {

@@ -3,7 +3,7 @@
 //! Each column has a key of its own that also says where its monitor is: a run that begins with another's rest may have other
 //! monitors, of which nothing is known in the stages.
 
-use crate::observers::columns;
+use crate::observers::{View, columns};
 use crate::plan::Plan;
 use crate::quantities::{MONITOR, PAIR, RELATIVE};
 use indexmap::IndexMap;
@@ -124,4 +124,42 @@ pub(super) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<Stag
             }
         })
         .collect()
+}
+
+/// Pairs of interfaces that are there from the start, and how many of them the initial stress brings beyond their strength.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Yielded {
+    pub pairs: usize,
+    pub beyond: usize,
+}
+
+/// Key of what is remembered of them.
+const YIELDED: &str = "pairs beyond their strength at the start";
+
+impl Yielded {
+    pub(super) fn of(view: &View) -> Self {
+        let mut found = Yielded { pairs: 0, beyond: 0 };
+        for (seam, contacts) in view.model.seams.iter().zip(&view.assembly.contacts) {
+            for pair in (0..seam.pairs.len()).filter(|&k| !seam.lives[k].is_later()) {
+                let seen = contacts.seen(view.history.octets, pair);
+                found.pairs += 1;
+                found.beyond += usize::from(seen.has_slid || seen.has_opened);
+            }
+        }
+        found
+    }
+
+    pub(super) fn remember(&self, memory: &mut Memory) {
+        if self.pairs > 0 {
+            memory.insert(YIELDED.into(), vec![self.pairs as f64, self.beyond as f64]);
+        }
+    }
+
+    /// What was remembered; none where no pair is there from the start.
+    pub fn recall(memory: &Memory) -> Option<Self> {
+        match memory.get(YIELDED)?[..] {
+            [pairs, beyond] => Some(Yielded { pairs: pairs as usize, beyond: beyond as usize }),
+            _ => None,
+        }
+    }
 }

@@ -109,7 +109,6 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
     let staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
-    stages::check_materials(case, &mut problems);
     let lasting = staged.lasting(&bodies);
     let monitors = monitors::build(case, &mesh, &lasting, &mut problems);
     let interfaces =

@@ -1,6 +1,7 @@
 //! Checks of what came before the earthquake.
 
 use crate::evidence::Evidence;
+use crate::run::Yielded;
 use tremolite_results::{Fact, TrustLine};
 
 /// What is held besides weight, loads and reactions when the shaking begins, over all contributions: ten times what stages
@@ -63,6 +64,15 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
             worst,
             "",
             "each stage goes on until this is below `initial.tolerance`, and little motion is left",
+        ));
+    }
+    if let Some(Yielded { pairs, beyond }) = Yielded::recall(&outcome.state.observers) {
+        facts.push(Fact::new(
+            "initial_pairs_beyond_strength",
+            "pairs of interfaces that the initial stress brings beyond their strength",
+            beyond as f64,
+            "",
+            format!("of {pairs} that are there from the start: they slid or opened on the way to the initial equilibrium"),
         ));
     }
     if let Some(drift) = outcome.quiet {

@@ -1,0 +1,242 @@
+//! What stands when, and what stands in the place of what is installed later.
+
+use super::faces::{Faces, faces};
+use super::{Staged, before, fitting};
+use std::collections::{BTreeMap, HashSet};
+use tremolite_case::{Case, Fill, Problem};
+use tremolite_engine::{Body, Life, Stage};
+use tremolite_mesh::Mesh;
+use tremolite_mesh::reach::nearest_through_faces;
+use tremolite_mesh::topology::{all_faces, face_key};
+
+impl Staged {
+    /// The stage that installs each element, with the place of the pattern.
+    pub(super) fn installed(
+        &mut self,
+        case: &Case,
+        mesh: &Mesh,
+        problems: &mut Vec<Problem>,
+    ) -> Vec<Option<usize>> {
+        let mut installed: Vec<Option<usize>> = vec![None; mesh.elements.len()];
+        for (k, stage) in case.stages.iter().enumerate() {
+            for written in &stage.install {
+                let Some(elements) = fitting(written, mesh, problems) else { continue };
+                let void = elements.iter().find(|&&e| self.body_of[e as usize].is_none());
+                if let Some(&e) = void {
+                    problems.push(Problem::at(
+                        written,
+                        format!(
+                            "element {} is void: nothing can be installed there",
+                            mesh.element_id(e as usize)
+                        ),
+                        "give its group a [[region]] with a material",
+                    ));
+                    continue;
+                }
+                let twice = |e: &u32| installed[*e as usize].filter(|&first| first != k);
+                if let Some((e, first)) = elements.iter().find_map(|e| Some((*e, twice(e)?))) {
+                    problems.push(Problem::at(
+                        written,
+                        format!(
+                            "element {} is installed in '{}' already",
+                            mesh.element_id(e as usize),
+                            case.stages[first].name.value
+                        ),
+                        "install each group once",
+                    ));
+                    continue;
+                }
+                elements.iter().for_each(|&e| installed[e as usize] = Some(k));
+            }
+        }
+        for (life, k) in self.lives.iter_mut().zip(&installed) {
+            if let Some(k) = *k {
+                life.born = before(k);
+            }
+        }
+        installed
+    }
+
+    /// Elements that each stage takes out: of what stands by itself, and of what stands in the place of an element that is
+    /// installed later.
+    pub(super) fn excavated(
+        &mut self,
+        case: &Case,
+        mesh: &Mesh,
+        installed: &[Option<usize>],
+        problems: &mut Vec<Problem>,
+    ) -> Vec<Vec<u32>> {
+        let mut of_stage = vec![Vec::new(); case.stages.len()];
+        // The stage that takes out what an element is, or what stands in its place.
+        let mut own: Vec<Option<usize>> = vec![None; mesh.elements.len()];
+        let mut in_place: Vec<Option<usize>> = vec![None; mesh.elements.len()];
+        for (k, stage) in case.stages.iter().enumerate() {
+            for written in &stage.excavate {
+                let Some(elements) = fitting(written, mesh, problems) else { continue };
+                let before = problems.len();
+                for &e in &elements {
+                    let e = e as usize;
+                    let taken =
+                        if installed[e].is_some_and(|born| k <= born) { &mut in_place } else { &mut own };
+                    let refuse = |what: String, remedy: &str| {
+                        Problem::at(written, format!("element {} {what}", mesh.element_id(e)), remedy)
+                    };
+                    if self.body_of[e].is_none() {
+                        problems.push(refuse(
+                            "is void from the start".into(),
+                            "give its group a [[region]] with the material that is there until it is excavated",
+                        ));
+                    } else if let Some(first) = taken[e].filter(|&first| first != k) {
+                        let name = &case.stages[first].name.value;
+                        problems.push(refuse(format!("is gone since '{name}'"), "excavate each group once"));
+                    } else {
+                        taken[e] = Some(k);
+                    }
+                    if problems.len() > before {
+                        break;
+                    }
+                }
+                of_stage[k].extend(elements);
+            }
+        }
+        for (life, k) in self.lives.iter_mut().zip(&own) {
+            life.gone = k.map(before);
+        }
+        of_stage
+    }
+
+    /// Finds what stands in the place of what is installed, until when.
+    pub(super) fn stand_in(
+        &mut self,
+        case: &Case,
+        mesh: &Mesh,
+        bodies: &[Body],
+        installed: &[Option<usize>],
+        excavated: &[Vec<u32>],
+        problems: &mut Vec<Problem>,
+    ) {
+        let made = |material: usize| {
+            case.regions.iter().any(|region| match &region.fill {
+                Fill::Solid { material: own, .. } => own.value == material,
+                Fill::Void => false,
+            })
+        };
+        for region in &case.regions {
+            if let Fill::Solid { before: Some(before), .. } = &region.fill
+                && !made(before.value)
+            {
+                problems.push(Problem::at(
+                    before,
+                    format!(
+                        "no region is made of '{}', so nothing says which elements stand there before",
+                        case.materials[before.value].name.value
+                    ),
+                    "name the material of a [[region]], as that of the rock around",
+                ));
+            }
+        }
+        let targets: Vec<u32> =
+            (0u32..).zip(installed).filter(|(_, k)| k.is_some()).map(|(e, _)| e).collect();
+        let void = (0u32..).zip(&self.body_of).filter(|(_, b)| b.is_none()).map(|(e, _)| e).collect();
+        let seeds: Vec<Vec<u32>> = std::iter::once(void).chain(excavated.iter().cloned()).collect();
+        let nearest = nearest_through_faces(mesh, &targets, &seeds);
+        let beside = Beside::of(mesh, &self.body_of, installed);
+        let mut refused: Vec<usize> = Vec::new();
+        for (&e, nearest) in targets.iter().zip(nearest) {
+            let Some(born) = installed[e as usize] else { continue };
+            // Void from the start: nothing stands in.
+            if nearest == Some(0) {
+                continue;
+            }
+            let gone = nearest.map(|k| k - 1).filter(|&k| k <= born);
+            let Some(gone) = gone else {
+                if !refused.contains(&born) {
+                    refused.push(born);
+                    let stage = &case.stages[born];
+                    let when = nearest.map_or("for good".to_owned(), |k| {
+                        format!("until '{}'", case.stages[k - 1].name.value)
+                    });
+                    problems.push(Problem::at(
+                        &stage.name,
+                        format!(
+                            "'{}' installs element {}, but rock stands in its place {when}",
+                            stage.name.value,
+                            mesh.element_id(e as usize)
+                        ),
+                        "excavate what is beside it first, or in the same stage",
+                    ));
+                }
+                continue;
+            };
+            let own = self.body_of[e as usize];
+            let Some(body) = before_of(case, bodies, own).or_else(|| beside.body(mesh, e)) else {
+                problems.push(Problem::at(
+                    &case.stages[born].name,
+                    format!(
+                        "nothing says what is in the place of element {} before",
+                        mesh.element_id(e as usize)
+                    ),
+                    "write before = \"MATERIAL\" in its [[region]]",
+                ));
+                return;
+            };
+            self.stand_ins.push((e, body, Life { born: Stage::Before(0), gone: Some(before(gone)) }));
+        }
+    }
+}
+
+/// The body that a region's `before` names.
+fn before_of(case: &Case, bodies: &[Body], own: Option<usize>) -> Option<usize> {
+    let solid: Vec<(usize, Option<usize>)> = case
+        .regions
+        .iter()
+        .filter_map(|region| match &region.fill {
+            Fill::Solid { material, before, .. } => Some((material.value, before.as_ref().map(|b| b.value))),
+            Fill::Void => None,
+        })
+        .collect();
+    let (_, before) = *solid.get(own?)?;
+    let wanted = before?;
+    // Bodies are made region by region.
+    solid.iter().take(bodies.len()).position(|(material, _)| *material == wanted)
+}
+
+/// What lies beside elements that are installed later.
+struct Beside {
+    faces: Faces,
+    /// The body of what stands from the start.
+    body_of: Vec<Option<usize>>,
+}
+
+impl Beside {
+    fn of(mesh: &Mesh, body_of: &[Option<usize>], installed: &[Option<usize>]) -> Beside {
+        let own = body_of.iter().zip(installed).map(|(body, k)| body.filter(|_| k.is_none())).collect();
+        Beside { faces: faces(mesh), body_of: own }
+    }
+
+    /// The body that shares most faces with an element, or with the elements nearest to it that have such a neighbour.
+    fn body(&self, mesh: &Mesh, element: u32) -> Option<usize> {
+        let mut ring = vec![element];
+        let mut seen: HashSet<u32> = ring.iter().copied().collect();
+        while !ring.is_empty() {
+            let mut shared: BTreeMap<usize, usize> = BTreeMap::new();
+            let mut next = Vec::new();
+            for face in all_faces(mesh, Some(&ring)) {
+                for &other in &self.faces[&face_key(mesh, face)] {
+                    if let Some(body) = self.body_of[other as usize] {
+                        *shared.entry(body).or_default() += 1;
+                    } else if seen.insert(other) {
+                        next.push(other);
+                    }
+                }
+            }
+            // Of two that share as many, the first.
+            let most = shared.iter().max_by_key(|(body, count)| (**count, std::cmp::Reverse(**body)));
+            if let Some((&body, _)) = most {
+                return Some(body);
+            }
+            ring = next;
+        }
+        None
+    }
+}
