@@ -8,7 +8,7 @@ use crate::body::Body;
 use crate::error::ModelError;
 use crate::hexahedra::hex_nodes;
 use crate::interface::Interface;
-use crate::problem::Traction;
+use crate::traction::Traction;
 use tremolite_kernels::Quadrature;
 use tremolite_mesh::{Element, Face, Mesh, Shape};
 

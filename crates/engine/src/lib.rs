@@ -25,6 +25,7 @@ pub mod phase;
 pub mod problem;
 pub mod state;
 pub mod ties;
+pub mod traction;
 
 pub use assembly::Assembly;
 pub use body::Body;
@@ -38,6 +39,7 @@ pub use model::Model;
 pub use phase::Phase;
 pub use problem::{Problem, Rayleigh, TimeStep};
 pub use state::State;
+pub use traction::Traction;
 pub use tremolite_kernels::{
     AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Line, Lines, Quadrature, elastic, interface_laws,
     laws,

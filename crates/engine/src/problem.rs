@@ -6,9 +6,10 @@ use crate::interface::Interface;
 use crate::life::Life;
 use crate::member::Member;
 use crate::parts::loads::Load;
+use crate::traction::Traction;
 use std::sync::Arc;
 use tremolite_laws::Isa;
-use tremolite_mesh::{Face, Mesh};
+use tremolite_mesh::Mesh;
 
 /// Rayleigh damping C = ω M + ξ K (19).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -32,17 +33,6 @@ impl Default for TimeStep {
     fn default() -> Self {
         TimeStep { safety: 0.9, given: None }
     }
-}
-
-/// Constant tractions σ·n on faces.
-#[derive(Clone, Debug)]
-pub struct Traction {
-    /// For messages.
-    pub name: String,
-    /// Faces, each with a stress \[Pa\] in the order of Voigt; n points out of the face's element. A pressure p is −p I.
-    pub faces: Vec<(Face, [f64; 6])>,
-    /// When it acts; it goes with the shaking at the latest.
-    pub life: Life,
 }
 
 /// Makes a part of a program's own, once the mesh has its final form and its nodes have their engine numbers (`u32::MAX`

@@ -132,7 +132,7 @@ fn ground_below_an_overburden_rests_and_so_does_its_column() {
         })
         .map(|face| (face, [-PRESSURE, -PRESSURE, -PRESSURE, 0.0, 0.0, 0.0]))
         .collect();
-    let traction = tremolite::problem::Traction { name: "overburden".into(), faces: top, life: Life::BEFORE };
+    let traction = tremolite::Traction { name: "overburden".into(), faces: top, life: Life::BEFORE };
     problem.tractions = vec![traction];
     problem.initial.iter_mut().for_each(|s| (0..3).for_each(|i| s[i] -= PRESSURE));
     let built = built(problem);
@@ -250,7 +250,7 @@ fn stiffened(quadrature: Quadrature, poisson: f64) -> Problem {
     problem.gravity = GRAVITY;
     problem.sides = [Side::Roller; 2];
     let life = Life { born: Stage::Before(2), gone: None };
-    problem.tractions = vec![tremolite::problem::Traction { name: "top".into(), faces: top, life }];
+    problem.tractions = vec![tremolite::Traction { name: "top".into(), faces: top, life }];
     problem
 }
 

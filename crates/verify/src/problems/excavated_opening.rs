@@ -20,7 +20,7 @@ use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::hexahedra::centroid;
 use tremolite::history::History;
-use tremolite::problem::Traction;
+use tremolite::Traction;
 use tremolite::{Life, Quadrature};
 use tremolite_laws::materials::MohrCoulomb;
 use tremolite_laws::{Material, Role, Values};

@@ -15,7 +15,7 @@ use crate::models::{QUADRATURES, Solid, distorted};
 use crate::staged::{Rested, UNTIL_CHANGE, release};
 use crate::{Check, Effort, Problem, VerifyError};
 use tremolite::hexahedra::centroid;
-use tremolite::problem::Traction;
+use tremolite::Traction;
 use tremolite::{Life, Quadrature};
 use tremolite_mesh::boxes::BoxSpec;
 

@@ -15,7 +15,7 @@ use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release}
 use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::hexahedra::centroid;
-use tremolite::problem::Traction;
+use tremolite::Traction;
 use tremolite::{Life, Quadrature};
 
 const NAME: &str = "kirsch_hole";

@@ -19,7 +19,7 @@ use crate::models::Solid;
 use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release, turned};
 use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::FRAC_PI_2;
-use tremolite::problem::Traction;
+use tremolite::Traction;
 use tremolite::{Life, Quadrature, Stage};
 
 const NAME: &str = "lined_tunnel";

@@ -11,7 +11,7 @@ use crate::staged::{Rings, release};
 use crate::{Check, Effort, Problem, VerifyError};
 use tremolite::hexahedra::centroid;
 use tremolite::interface::traction;
-use tremolite::problem::Traction;
+use tremolite::Traction;
 use tremolite::stages::{PlannedStage, settle};
 use tremolite::{Assembly, Base, Engine, Life, Model, Phase, Quadrature, Side, Stage, State, stable_step};
 use tremolite_mesh::Face;

@@ -15,7 +15,7 @@ use crate::{Check, Effort, Problem, VerifyError, concrete};
 use tremolite::engine::Release;
 use tremolite::hexahedra::{centroid, hex};
 use tremolite::history::History;
-use tremolite::problem::Traction;
+use tremolite::Traction;
 use tremolite::{Life, Quadrature, Stage};
 use tremolite_laws::materials::{Concrete, MohrCoulomb};
 use tremolite_laws::{Material, Role, Values};
