@@ -222,7 +222,7 @@ fn stiffened(quadrature: Quadrature, poisson: f64) -> Problem {
     let (mut soft, mut stand_ins, mut successors) = (lower.clone(), Vec::new(), Vec::new());
     for &e in &upper {
         let earlier = mesh.elements.len() as u32;
-        mesh.elements.push(mesh.elements[e as usize].clone());
+        mesh.elements.push(mesh.elements[e as usize]);
         lives[e as usize].born = Stage::Before(1);
         lives.push(Life { born: Stage::Before(0), gone: Some(Stage::Before(1)) });
         soft.push(earlier);

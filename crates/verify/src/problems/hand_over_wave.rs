@@ -1,6 +1,6 @@
 //! A wave in ground under stress is the wave in ground without.
 //!
-//! A slice with a lined opening ([`crate::lined`]) has initial stress and weight. It comes to rest in a stage, or what is out of
+//! A slice with a lined opening (`lined`) has initial stress and weight. It comes to rest in a stage, or what is out of
 //! balance is held as it is; then it is handed over to the shaking, and a pulse comes up through a base of dashpots and springs. As all
 //! is elastic, displacements since the hand-over are those of the same model from rest without stress or weight, and so are all
 //! lines of the energy balance, though what is stored at the hand-over is far more than what the wave brings. The same with a

@@ -1,6 +1,6 @@
 //! A round hole, excavated from an elastic block under two different principal stresses.
 //!
-//! Kirsch's solution ([`crate::michell`]) with compressions of 4.32 and 5.4 MPa, in plane strain: at the wall σ_θ = 11.88 MPa
+//! Kirsch's solution (`michell`) with compressions of 4.32 and 5.4 MPa, in plane strain: at the wall σ_θ = 11.88 MPa
 //! beside and 7.56 MPa above, and it moves in by 2.36 and 3.71 mm.
 //!
 //! **Model.** A quarter of the block out to 5a, its core included, begins with the stress from far away, held by the same tractions

@@ -1,6 +1,6 @@
 //! A lined tunnel in elastic rock whose stress is released with the lining in place, and after a part of it has gone.
 //!
-//! Thick ring in a plane, bonded or sliding freely ([`crate::michell`]); for a thin one `einstein1979` have closed forms, which are
+//! Thick ring in a plane, bonded or sliding freely (`michell`); for a thin one `einstein1979` have closed forms, which are
 //! beside. Horizontal stress is half the vertical, P. Thrust is of a mean and of a part in cos 2θ (θ from the springline), and
 //! so is the moment; the mean of the moment comes of the curvature of a thick ring alone.
 //!
