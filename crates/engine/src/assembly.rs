@@ -12,7 +12,7 @@ use crate::member::Member;
 use crate::model::{Model, Patch};
 use crate::parts::constant::Constant;
 use crate::parts::loads::Loads;
-use crate::parts::{Kept, Part, StateSizes};
+use crate::parts::{Kept, Motion, Own, Part, StateSizes};
 use crate::state::{Ledger, State};
 use crate::traction::Traction;
 use rayon::prelude::*;
@@ -38,6 +38,19 @@ pub struct Slices {
 }
 
 impl Slices {
+    /// The motion of a state, and what a part alone reads and writes of it.
+    pub fn own<'s>(&self, state: &'s mut State) -> (Motion<'s>, Own<'s>) {
+        let State { u, du, history, overstress, numbers, reference, initial, .. } = state;
+        let own = Own {
+            history: &mut history[self.history.clone()],
+            overstress: &mut overstress[self.overstress.clone()],
+            numbers: &mut numbers[self.numbers.clone()],
+            reference: &mut reference[self.reference.clone()],
+            initial: &initial[self.initial.clone()],
+        };
+        (Motion { u, du }, own)
+    }
+
     /// What a part alone keeps of a state.
     pub fn kept<'s>(&self, state: &'s State) -> Kept<'s> {
         Kept {

@@ -6,7 +6,7 @@
 
 use super::Engine;
 use super::gather::{dot, force};
-use crate::parts::{Motion, Own, Scratch};
+use crate::parts::Scratch;
 use crate::state::{Ledger, State};
 use tremolite_kernels::{Booked, Line, Lines};
 use tremolite_laws::Row;
@@ -70,13 +70,7 @@ impl Engine<'_> {
     fn settle(&self, state: &mut State) {
         for &m in &self.phase.active {
             let slices = &self.assembly.slices[m as usize];
-            self.assembly.members[m as usize].part.settle(Own {
-                history: &mut state.history[slices.history.clone()],
-                overstress: &mut state.overstress[slices.overstress.clone()],
-                numbers: &mut state.numbers[slices.numbers.clone()],
-                reference: &mut state.reference[slices.reference.clone()],
-                initial: &state.initial[slices.initial.clone()],
-            });
+            self.assembly.members[m as usize].part.settle(slices.own(state).1);
         }
     }
 
@@ -144,17 +138,8 @@ impl Engine<'_> {
                 self.take_over(m as usize, state);
                 continue;
             }
-            let motion = Motion { u: &state.u, du: &state.du };
-            member.part.begin(
-                &motion,
-                Own {
-                    history: &mut state.history[slices.history.clone()],
-                    overstress: &mut state.overstress[slices.overstress.clone()],
-                    numbers: &mut state.numbers[slices.numbers.clone()],
-                    reference: &mut state.reference[slices.reference.clone()],
-                    initial: &state.initial[slices.initial.clone()],
-                },
-            );
+            let (motion, own) = slices.own(state);
+            member.part.begin(&motion, own);
         }
         if state.datum.is_empty() {
             return;

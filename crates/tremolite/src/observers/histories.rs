@@ -112,11 +112,7 @@ pub fn at_rest(view: &View, state: &State) -> Vec<f64> {
         row.extend(stress);
         row.extend(principal_values(&stress));
     }
-    for [a, b] in &plan.relatives {
-        let d = [0, 1, 2].map(|i| displacements[*a][i] - displacements[*b][i]);
-        row.extend(d);
-        row.push((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt());
-    }
+    row.extend(differences(plan, &displacements));
     for pair in &plan.pairs {
         let seam = &model.seams[pair.interface];
         let nearest = seam.nearest(&model.mesh, pair.point);
@@ -127,6 +123,15 @@ pub fn at_rest(view: &View, state: &State) -> Vec<f64> {
         }
     }
     row
+}
+
+/// The columns of pairs of monitors.
+fn differences(plan: &Plan, displacements: &[[f64; 3]]) -> Vec<f64> {
+    let of = |[a, b]: &[usize; 2]| {
+        let d = [0, 1, 2].map(|i| displacements[*a][i] - displacements[*b][i]);
+        [d[0], d[1], d[2], (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()]
+    };
+    plan.relatives.iter().flat_map(of).collect()
 }
 
 /// The columns of a pair.
@@ -176,11 +181,7 @@ impl Observer for Histories {
             row.extend(stress);
             row.extend(principal_values(&stress));
         }
-        for [a, b] in &plan.relatives {
-            let d = [0, 1, 2].map(|i| displacements[*a][i] - displacements[*b][i]);
-            row.extend(d);
-            row.push((d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt());
-        }
+        row.extend(differences(plan, &displacements));
         for (pair, &(seam, nearest)) in plan.pairs.iter().zip(&self.pairs) {
             debug_assert_eq!(pair.interface, seam);
             row.extend(of_pair(assembly.contacts[seam].seen(history.octets, nearest)));

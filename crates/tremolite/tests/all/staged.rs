@@ -32,6 +32,17 @@ fn close() -> PlannedStage {
     PlannedStage { release, ..PlannedStage::new("stage") }
 }
 
+fn body(name: &str, elements: Vec<u32>, young: f64, nu: f64, quadrature: Quadrature) -> Body {
+    Body {
+        name: name.into(),
+        elements,
+        material: elastic(Moduli::from_young_poisson(young, nu)),
+        density: DENSITY,
+        quadrature,
+        viscosity: 0.0,
+    }
+}
+
 /// A block of 12 × 4 × 12 m, with an opening of 4 × 4 m along y in its middle whose outer ring of elements becomes a lining.
 /// Under its weight with K₀ = 0.5; `parted` puts an interface around the lining.
 fn lined(parted: bool) -> Problem {
@@ -63,14 +74,6 @@ fn lined(parted: bool) -> Problem {
             [0.5 * s, 0.5 * s, s, 0.0, 0.0, 0.0]
         })
         .collect();
-    let body = |name: &str, elements, young, nu, quadrature| Body {
-        name: name.into(),
-        elements,
-        material: elastic(Moduli::from_young_poisson(young, nu)),
-        density: DENSITY,
-        quadrature,
-        viscosity: 0.0,
-    };
     let bodies = vec![
         body("rock", rock, 1e9, 0.25, Quadrature::OnePoint),
         body("lining", ring.clone(), 25e9, 0.17, Quadrature::Full),
@@ -229,15 +232,8 @@ fn stiffened(quadrature: Quadrature, poisson: f64) -> Problem {
         stand_ins.push((earlier, e));
         successors.push((e, earlier));
     }
-    let body = |name: &str, elements, young, nu| Body {
-        name: name.into(),
-        elements,
-        material: elastic(Moduli::from_young_poisson(young, nu)),
-        density: DENSITY,
-        quadrature,
-        viscosity: 0.0,
-    };
-    let bodies = vec![body("soft", soft, 1e9, 0.25), body("stiff", upper, 4e9, poisson)];
+    let bodies =
+        vec![body("soft", soft, 1e9, 0.25, quadrature), body("stiff", upper, 4e9, poisson, quadrature)];
     let top = tremolite_mesh::topology::exterior_faces(&mesh, Some(&bodies[1].elements))
         .into_iter()
         .filter(|&face| mesh.face_nodes(face).all(|n| mesh.nodes[n as usize][2] > 8.0 - 1e-9))
