@@ -44,7 +44,7 @@ fn table(facts: &Summary) -> Block {
         Head::number("out of balance"),
         Head::number("motion left"),
         Head::number(motion.labelled("largest motion")),
-        Head::number("∫γp dV (m³)"),
+        Head::number("∫Γ dV (m³)"),
         Head::number("still held"),
     ];
     let row = |(k, stage): (usize, &StageSummary)| {
@@ -75,7 +75,7 @@ fn table(facts: &Summary) -> Block {
     let text = "Stage 0 brings what is there at the start to equilibrium; displacements count from its end. Out of balance: \
                 unbalanced forces over all contributions to them, summed over nodes. Motion left: an estimate of what more \
                 cycles would bring; it should be small beside the largest motion, which is that of any node within the \
-                stage. ∫γp dV: plastic shear strain summed over the volume that stands. Still held: what a release below \
+                stage. ∫Γ dV: plastic shear strain summed over the volume that stands. Still held: what a release below \
                 100\u{a0}% has not let go, over the same contributions; it should be 0 at the end.";
     Block { text: text.into(), tables: vec![TextTable { head: vec![head], rows }], ..Block::default() }
 }

@@ -131,7 +131,7 @@ fn stage_cards(facts: &Summary) -> Vec<Fact> {
     }
     if last.plastic_volume > 0.0 {
         let value = format!("{}\u{a0}m³", figures(last.plastic_volume, 3));
-        cards.push(card("Plastic shear strain × volume, ∫γp dV", value, "after the last stage"));
+        cards.push(card("Plastic shear strain × volume, ∫Γ dV", value, "after the last stage"));
     }
     cards
 }

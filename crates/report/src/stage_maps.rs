@@ -168,7 +168,7 @@ fn strain_map(cut: &Cut, when: &str, positions: &Positions) -> Figure {
         let value = figures(peak.value, 3);
         caption.push_str(&format!(" Highest value: {value} in the element at {}.", place(peak)));
     }
-    let svg = frame.draw(&scale.labelled("plastic shear strain γp"));
+    let svg = frame.draw(&scale.labelled("plastic shear strain Γ"));
     Figure { heading: HEADING.into(), file: "stage-plastic-strain.svg".into(), svg, caption }
 }
 

@@ -32,7 +32,7 @@ pub struct StageSummary {
     /// Largest motion of a node in the stage (m).
     #[serde(with = "number", default = "number::absent")]
     pub largest_motion: f64,
-    /// ∫γ_p dV over what stands at the end (m³), γ_p the accumulated plastic shear strain.
+    /// ∫Γ dV over what stands at the end (m³), Γ the accumulated plastic shear strain.
     #[serde(with = "number", default = "number::absent")]
     pub plastic_volume: f64,
     /// What is still held at the end, over all contributions: not let go yet.

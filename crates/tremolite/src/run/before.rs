@@ -226,7 +226,7 @@ fn share(rest: &Rest, planned: &PlannedStage, start: f64) -> f64 {
     ramp + 0.6 * fallen
 }
 
-/// ∫γ_p dV over what stands \[m³\].
+/// ∫Γ dV over what stands \[m³\].
 fn plastic_volume(view: &View) -> f64 {
     let slots = view.phase.element_slot.iter().enumerate().filter_map(|(e, slot)| Some((e, (*slot)?)));
     slots

@@ -20,7 +20,7 @@ const OWN: usize = 6;
 /// A stage that came to rest.
 pub(super) struct Rested<'a> {
     pub rest: &'a Rest,
-    /// ∫γ_p dV \[m³\].
+    /// ∫Γ dV \[m³\].
     pub plastic_volume: f64,
     /// Of the monitors, in the order of monitors.csv without the time.
     pub monitors: Vec<f64>,

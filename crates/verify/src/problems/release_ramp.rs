@@ -2,7 +2,7 @@
 //!
 //! A square opening of 8 m in Mohr–Coulomb rock at a depth of 300 m with K₀ = 0.8, excavated in one stage, and with a lining of half a
 //! metre that the last part of the release damages. What yields or softens depends on the path to rest. A ramp of 200 cycles must be
-//! as good as one of 400 by what is judged: ∫γ_p dV, the mean motion of the wall, the mean damage of a lining that softens
+//! as good as one of 400 by what is judged: ∫Γ dV, the mean motion of the wall, the mean damage of a lining that softens
 //! exponentially. That is so with a fifth of the lining damaged (0.187, 0.186, 0.186, 0.186 after 200, 400, 800, 1600 cycles). At its
 //! onset mean damage is that of a few points (0.018, 0.019, 0.0196, 0.020), and a law that softens to a residual strength jumps from one
 //! pattern of cracks to another where it is near to both (0.292 after 100 cycles, 0.333 after 200): both are for information.
@@ -68,14 +68,14 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let beside = |quantity: String, value: f64, reference: f64, note: &str| {
         Check::beside(NAME, quantity, value, reference, "1", format!("for information: {note}"))
     };
-    checks.push(firm("∫γ_p dV", fast.flow, slow.flow));
+    checks.push(firm("∫Γ dV", fast.flow, slow.flow));
     checks.push(firm("mean motion of the wall", fast.motion, slow.motion));
     let note = "without a ramp rock yields on the way that need not at rest";
     let quantity = |what: &str| format!("{what}, released at once over 400 cycles");
-    checks.push(beside(quantity("∫γ_p dV"), once.flow / slow.flow, 1.0, note));
+    checks.push(beside(quantity("∫Γ dV"), once.flow / slow.flow, 1.0, note));
     checks.push(beside(quantity("mean motion of the wall"), once.motion / slow.motion, 1.0, note));
     let note = "so much there is to compare";
-    checks.push(beside("∫γ_p dV over the opening's volume".into(), fast.flow, 0.0, note));
+    checks.push(beside("∫Γ dV over the opening's volume".into(), fast.flow, 0.0, note));
 
     for (cohesion, evolution, share, tested) in [
         (FIRM, "exponential", 0.85, true),
@@ -89,7 +89,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
         checks.push(beside(what.clone(), fast.damage, 0.0, note));
         if tested {
             checks.push(firm(&what, fast.damage, slow.damage));
-            checks.push(firm("∫γ_p dV behind that lining", fast.flow, slow.flow));
+            checks.push(firm("∫Γ dV behind that lining", fast.flow, slow.flow));
         } else {
             let why = "few points at onset, and jumps between patterns of cracks";
             checks.push(beside(format!("{what}, 200 cycles over 400"), fast.damage / slow.damage, 1.0, why));
@@ -104,13 +104,13 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let note = "rock that yields remembers the path";
     let quantity = |what: &str| format!("{what}, two benches over one, yielding");
     checks.push(beside(quantity("mean motion of the wall"), two.motion / fast.motion, 1.0, note));
-    checks.push(beside(quantity("∫γ_p dV"), two.flow / fast.flow, 1.0, note));
+    checks.push(beside(quantity("∫Γ dV"), two.flow / fast.flow, 1.0, note));
     Ok(checks)
 }
 
 /// What stages came to.
 struct Outcome {
-    /// ∫γ_p dV of the rock over the volume of the opening.
+    /// ∫Γ dV of the rock over the volume of the opening.
     flow: f64,
     /// Mean length of the motion of the wall \[m\].
     motion: f64,
