@@ -322,7 +322,12 @@ fn folder_name(case_name: &str) -> String {
 fn no_checkpoint(root: &Path) -> Error {
     Error::NoResults {
         path: root.to_owned(),
-        what: "no checkpoint to resume from; run without --resume".into(),
+        what: if root.join("summary.json").exists() {
+            "this run is complete, or was stopped before its first checkpoint: there is nothing to go on with"
+                .into()
+        } else {
+            "no checkpoint to resume from; run without --resume".into()
+        },
     }
 }
 

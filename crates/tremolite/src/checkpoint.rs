@@ -27,8 +27,9 @@ pub enum CheckpointError {
     )]
     Other { path: PathBuf },
     #[error(
-        "{}: the state before the earthquake is that of another mesh, other materials or stages; give the folder of a run \
-         whose case differs in motion, damping and output alone",
+        "{}: the state before the earthquake is that of another mesh, other materials, stages, base, sides or damping over a \
+         band; give the folder of a run whose case differs in motion, Rayleigh damping and output alone. One without an \
+         earthquake must have the same [dynamic] base and sides already",
         path.display()
     )]
     OtherBefore { path: PathBuf },

@@ -38,8 +38,12 @@ pub fn summary(evidence: Evidence) -> Summary {
     let stress = stresses(model, phase, &outcome.state.observers);
     let run = run_in_words(&evidence, &trust, &stress);
     let interfaces = interfaces(model, assembly, &outcome.state.history);
-    let mut findings = damage::findings(model, &damage);
-    findings.extend(interfaces::findings(&interfaces));
+    // Of what was stopped on its way to rest nothing is judged.
+    let judged = outcome.shaken || !matches!(outcome.ending, Ending::Stopped);
+    let mut findings = if judged { damage::findings(model, &damage) } else { Vec::new() };
+    if judged {
+        findings.extend(interfaces::findings(&interfaces));
+    }
     let status = match outcome.ending {
         Ending::Done => Status::Done,
         Ending::Stopped => Status::Stopped,
@@ -109,7 +113,7 @@ fn verdict(run: &str, findings: &[Finding]) -> String {
 }
 
 /// Why a stage did not come to rest.
-fn restless(stage: &str, relaxed: &Relaxed, place: &str) -> String {
+fn restless(stage: &str, number: usize, relaxed: &Relaxed, place: &str) -> String {
     let (Relaxed::AtRest(rest) | Relaxed::Stopped(rest) | Relaxed::Restless(rest) | Relaxed::Torn(rest, _)) =
         relaxed;
     let why = match relaxed {
@@ -130,7 +134,10 @@ fn restless(stage: &str, relaxed: &Relaxed, place: &str) -> String {
              down: {SUPPORT}."
         ),
     };
-    format!("The stage '{stage}' did not come to rest: {why}. Most moves {place}. {remedy}")
+    format!(
+        "The stage '{stage}' did not come to rest: {why}. Most moves {place}, as `motion_of_last_cycle` in stages/{number:03}.vtu \
+         shows. {remedy}"
+    )
 }
 
 fn run_in_words(evidence: &Evidence, trust: &[TrustLine], stress: &IndexMap<String, GroupStress>) -> String {
@@ -147,7 +154,7 @@ fn run_in_words(evidence: &Evidence, trust: &[TrustLine], stress: &IndexMap<Stri
             let name = &plan.stages[outcome.stages.len()].name;
             format!("The run was stopped in the stage '{name}'; go on with --resume.")
         }
-        Ending::Restless { stage, relaxed, place } => restless(stage, relaxed, place),
+        Ending::Restless { stage, relaxed, place } => restless(stage, outcome.stages.len(), relaxed, place),
         Ending::Stopped => format!("The run was stopped at {time:.3} s; go on with --resume."),
         Ending::Failed { halt, place } => {
             let (what, energy, supplied) = match halt {

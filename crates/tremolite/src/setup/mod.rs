@@ -155,7 +155,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     problem.time_step =
         TimeStep { safety: dynamic.safety.value, given: dynamic.time_step.as_ref().map(|t| t.value) };
     problem.isa = isa;
-    staged.fill(case, &mut problem);
+    warnings.extend(staged.fill(case, &mut problem));
     let output = &case.output;
     let plan = Plan {
         title: case.title.value.clone(),

@@ -10,7 +10,7 @@ use super::changes::{Version, versions};
 use super::initial;
 use crate::stages::PlannedStage;
 use faces::faces;
-use pressures::{loads, sides};
+use pressures::{Around, loads, sides};
 use std::collections::HashMap;
 use std::ops::Range;
 use tremolite_case::{self as case, Case, Problem, Spanned, pattern};
@@ -43,6 +43,8 @@ pub struct Staged {
     stand_ins: Vec<(u32, usize, Life)>,
     /// The body of each element; none for void.
     body_of: Vec<Option<usize>>,
+    /// What is unusual about it.
+    warnings: Vec<Problem>,
 }
 
 impl Staged {
@@ -66,6 +68,7 @@ impl Staged {
             versions: Vec::new(),
             stand_ins: Vec::new(),
             body_of,
+            warnings: Vec::new(),
         };
         // Unlike what follows, elements without a region are reported already.
         if case.stages.is_empty() || !problems.is_empty() {
@@ -119,8 +122,9 @@ impl Staged {
         std::iter::once(first).chain(more).collect()
     }
 
-    /// Puts lives, stand-ins, initial stress and what presses into a problem whose mesh is as it was read.
-    pub fn fill(self, case: &Case, space: &mut Space) {
+    /// Puts lives, stand-ins, initial stress and what presses into a problem whose mesh is as it was read. Says what is unusual.
+    pub fn fill(mut self, case: &Case, space: &mut Space) -> Vec<Problem> {
+        let mut warnings = std::mem::take(&mut self.warnings);
         if let Some(stress) = &case.initial.stress {
             let weight =
                 |b: Option<usize>| b.map_or(0.0, |b| space.bodies[b].density * case.initial.gravity.value);
@@ -163,7 +167,14 @@ impl Staged {
                 gone: Some(if k + 1 < stages { Stage::Before(k as u16 + 1) } else { Stage::Shaking }),
             };
             let outer = OuterFaces::of(&space.mesh, bounds, &standing);
-            let mut acting = loads(case, k, &space.mesh, &standing, &shown, &walls, &outer);
+            let around = Around {
+                mesh: &space.mesh,
+                standing: &standing,
+                shown: &shown,
+                places: &self.places,
+                walls: &walls,
+            };
+            let mut acting = loads(case, k, &around, &outer, &mut warnings);
             acting.extend(sides(&space.initial, space.sides, &self.places, &shown, &outer));
             if !acting.is_empty() {
                 space.tractions.push(Traction {
@@ -173,6 +184,7 @@ impl Staged {
                 });
             }
         }
+        warnings
     }
 
     /// The body of what is there at the start in each place.
@@ -259,6 +271,15 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
             "give [initial] lateral, stress or measured",
         ));
     }
+    if let Some(case::InitialStress::Lateral { x, y, .. }) = &case.initial.stress
+        && let Some(large) = [x, y].into_iter().find(|k| k.value > MOST_LATERAL)
+    {
+        warnings.push(Problem::at(
+            large,
+            format!("the horizontal stress would be {} times the weight above", large.value),
+            "give a ratio, 0.3 to 3 is usual; 60 % is 0.6",
+        ));
+    }
     if let Some(case::InitialStress::Measured(measured)) = &case.initial.stress {
         let left = initial::residuals(measured);
         let largest = left.iter().copied().fold(0.0, f64::max);
@@ -279,5 +300,7 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
     warnings
 }
 
+/// Horizontal over vertical stress beyond any that was measured at depth.
+const MOST_LATERAL: f64 = 5.0;
 /// Scatter of measured stresses over the largest that goes without saying.
 const SCATTER: f64 = 0.2;

@@ -28,9 +28,12 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
             TrustLine::not_applicable(INITIAL_ID, INITIAL_NAME, why),
         ];
     };
+    let all = stages.len() == evidence.plan.stages.len();
     let held = TrustLine::at_most(HELD_ID, HELD_NAME, last.held, HELD, "").with_note(
         "what stages have not let go stays held in the shaking: end with a stage whose `release` is 1",
     );
+    let held =
+        if all { held } else { TrustLine::not_applicable(HELD_ID, HELD_NAME, "not all stages are done") };
     let largest = stages[1..].iter().map(|stage| stage.largest_motion).fold(0.0, f64::max);
     let initial = if largest > 0.0 {
         TrustLine::at_most(INITIAL_ID, INITIAL_NAME, first.largest_motion / largest, INITIAL, "")

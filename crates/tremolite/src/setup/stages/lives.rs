@@ -25,10 +25,7 @@ impl Staged {
                 if let Some(&e) = void {
                     problems.push(Problem::at(
                         written,
-                        format!(
-                            "element {} is void: nothing can be installed there",
-                            mesh.element_id(e as usize)
-                        ),
+                        format!("{} is void: nothing can be installed there", name(mesh, e)),
                         "give its group a [[region]] with a material",
                     ));
                     continue;
@@ -38,8 +35,8 @@ impl Staged {
                     problems.push(Problem::at(
                         written,
                         format!(
-                            "element {} is installed in '{}' already",
-                            mesh.element_id(e as usize),
+                            "{} is installed in '{}' already",
+                            name(mesh, e),
                             case.stages[first].name.value
                         ),
                         "install each group once",
@@ -79,7 +76,7 @@ impl Staged {
                     let taken =
                         if installed[e].is_some_and(|born| k <= born) { &mut in_place } else { &mut own };
                     let refuse = |what: String, remedy: &str| {
-                        Problem::at(written, format!("element {} {what}", mesh.element_id(e)), remedy)
+                        Problem::at(written, format!("{} {what}", name(mesh, e as u32)), remedy)
                     };
                     if self.body_of[e].is_none() {
                         problems.push(refuse(
@@ -103,6 +100,39 @@ impl Staged {
             life.gone = k.map(before);
         }
         of_stage
+    }
+
+    /// Elements that no stage installs though others of their region, or its `before`, say that they come later.
+    fn forgotten(
+        &mut self,
+        case: &Case,
+        mesh: &Mesh,
+        installed: &[Option<usize>],
+        problems: &mut Vec<Problem>,
+    ) {
+        let solid = case.regions.iter().filter_map(|region| match &region.fill {
+            Fill::Solid { before, .. } => Some((region, before)),
+            Fill::Void => None,
+        });
+        // Bodies are made region by region.
+        for (b, (region, before)) in solid.enumerate() {
+            let own = (0u32..).zip(&self.body_of).filter(|(_, of)| **of == Some(b)).map(|(e, _)| e);
+            let (later, from_start): (Vec<u32>, Vec<u32>) =
+                own.partition(|&e| installed[e as usize].is_some());
+            let Some(&first) = from_start.first() else { continue };
+            let message = format!(
+                "{} elements are installed in no stage, {} for one, so they stand from the start",
+                from_start.len(),
+                name(mesh, first)
+            );
+            let remedy = "name their groups in the `install` of a stage";
+            if let Some(before) = before {
+                problems.push(Problem::at(before, message, remedy));
+            } else if !later.is_empty() {
+                let remedy = format!("{remedy}, or give them a [[region]] of their own if that is meant");
+                self.warnings.push(Problem::new(region.span.clone(), message, remedy));
+            }
+        }
     }
 
     /// Finds what stands in the place of what is installed, until when.
@@ -135,6 +165,7 @@ impl Staged {
                 ));
             }
         }
+        self.forgotten(case, mesh, installed, problems);
         let targets: Vec<u32> =
             (0u32..).zip(installed).filter(|(_, k)| k.is_some()).map(|(e, _)| e).collect();
         let void = (0u32..).zip(&self.body_of).filter(|(_, b)| b.is_none()).map(|(e, _)| e).collect();
@@ -159,9 +190,9 @@ impl Staged {
                     problems.push(Problem::at(
                         &stage.name,
                         format!(
-                            "'{}' installs element {}, but rock stands in its place {when}",
+                            "'{}' installs {}, but rock stands in its place {when}",
                             stage.name.value,
-                            mesh.element_id(e as usize)
+                            name(mesh, e)
                         ),
                         "excavate what is beside it first, or in the same stage",
                     ));
@@ -182,6 +213,16 @@ impl Staged {
             };
             self.stand_ins.push((e, body, Life { born: Stage::Before(0), gone: Some(before(gone)) }));
         }
+    }
+}
+
+/// An element for messages, with the smallest group that holds it.
+fn name(mesh: &Mesh, element: u32) -> String {
+    let groups = mesh.groups.iter().filter(|(_, elements)| elements.binary_search(&element).is_ok());
+    let number = mesh.element_id(element as usize);
+    match groups.min_by_key(|(_, elements)| elements.len()) {
+        Some((group, _)) => format!("element {number} of '{group}'"),
+        None => format!("element {number}"),
     }
 }
 

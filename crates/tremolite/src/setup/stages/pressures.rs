@@ -2,35 +2,46 @@
 
 use super::faces::Faces;
 use super::fitting;
-use std::collections::{BTreeMap, HashSet};
-use tremolite_case::{Case, Problem, pattern};
+use std::collections::{BTreeMap, HashMap, HashSet};
+use tremolite_case::{Case, Problem, Spanned, pattern};
 use tremolite_engine::outer_faces::OuterFaces;
-use tremolite_engine::{Life, Side};
+use tremolite_engine::{Life, Side, Stage};
 use tremolite_mesh::topology::{exterior_faces, face_key};
 use tremolite_mesh::{Face, Mesh};
 
-/// Pressures that act in a stage: on the top plane, and between the void and groups on either side.
+/// What stands in a stage.
+pub(super) struct Around<'a> {
+    pub mesh: &'a Mesh,
+    pub standing: &'a [u32],
+    /// Each element as the one that the mesh was read with.
+    pub shown: &'a [u32],
+    /// When something of its own stands in the place of each of those.
+    pub places: &'a [Life],
+    pub walls: &'a Faces,
+}
+
+/// Pressures that act in a stage: on the top plane, and between the void and groups on either side. A group on the side that
+/// stands is itself there, and no stand-in; one on the other is gone.
 pub(super) fn loads(
     case: &Case,
     stage: usize,
-    mesh: &Mesh,
-    standing: &[u32],
-    shown: &[u32],
-    walls: &Faces,
+    around: &Around,
     outer: &OuterFaces,
+    warnings: &mut Vec<Problem>,
 ) -> Vec<(Face, [f64; 6])> {
+    let Around { mesh, standing, shown, places, walls } = *around;
     let tensor = |p: f64| [-p, -p, -p, 0.0, 0.0, 0.0];
     let mut acting = Vec::new();
     let top = &outer.planes[2][1];
     let overburden = case.initial.overburden.as_ref().map_or(0.0, |p| p.value);
-    // The last word of each pattern so far.
-    let mut pressures: BTreeMap<&str, f64> = BTreeMap::new();
-    for written in case.stages.iter().take(stage) {
+    // The last word of each pattern so far, and whether it is this stage's.
+    let mut pressures: BTreeMap<&str, (f64, Option<&Spanned<String>>)> = BTreeMap::new();
+    for (k, written) in case.stages.iter().take(stage).enumerate() {
         written.pressures.iter().for_each(|(pattern, p)| {
-            pressures.insert(pattern.value.as_str(), p.value);
+            pressures.insert(pattern.value.as_str(), (p.value, (k + 1 == stage).then_some(pattern)));
         });
     }
-    let on_top = overburden + pressures.remove(TOP).unwrap_or(0.0);
+    let on_top = overburden + pressures.remove(TOP).map_or(0.0, |(p, _)| p);
     if on_top > 0.0 {
         acting.extend(top.iter().map(|&face| (face, tensor(on_top))));
     }
@@ -38,23 +49,56 @@ pub(super) fn loads(
         return acting;
     }
     let on_side: HashSet<Face> = outer.planes.iter().flatten().flatten().copied().collect();
-    for (pattern, p) in pressures {
+    let walls_here: Vec<Face> =
+        exterior_faces(mesh, Some(standing)).into_iter().filter(|face| !on_side.contains(face)).collect();
+    let mut pressed: HashMap<Face, &str> = HashMap::new();
+    let mut told: HashSet<[&str; 2]> = HashSet::new();
+    for (pattern, (p, now)) in pressures {
         let mut inside = vec![false; mesh.elements.len()];
         mesh.groups
             .iter()
             .filter(|(name, _)| pattern::matches(pattern, name))
             .flat_map(|(_, elements)| elements)
             .for_each(|&e| inside[e as usize] = true);
-        for face in exterior_faces(mesh, Some(standing)) {
+        let is_pressed = |face: &Face| {
             let own = shown[face.element as usize];
-            let key = face_key(mesh, face);
+            let key = face_key(mesh, *face);
             let beside = || walls.get(&key).into_iter().flatten().filter(|&&e| e != own);
-            if !on_side.contains(&face) && (inside[own as usize] || beside().any(|&e| inside[e as usize])) {
-                acting.push((face, tensor(p)));
+            let gone = |e: u32| places[e as usize].born <= Stage::Before(stage as u16);
+            (own == face.element && inside[own as usize]) || beside().any(|&e| inside[e as usize] && gone(e))
+        };
+        let faces: Vec<Face> = walls_here.iter().copied().filter(is_pressed).collect();
+        if let (true, Some(written)) = (faces.is_empty() && p > 0.0, now) {
+            warnings.push(Problem::at(
+                written,
+                format!("'{pattern}' bounds no void in this stage, so nothing is pressed"),
+                "give the pressure in the stage from which on the group stands beside the void, or name what was excavated",
+            ));
+        }
+        for face in faces {
+            if let Some(other) = pressed.insert(face, pattern)
+                && p > 0.0
+                && told.insert([other, pattern])
+                && let Some(at) = now.or_else(|| written_in(case, stage, other))
+            {
+                warnings.push(Problem::at(
+                    at,
+                    format!(
+                        "faces of '{pattern}' are pressed as '{other}' as well: the two pressures add up"
+                    ),
+                    "give the pressure of a face under one name; 0 takes back that of the other",
+                ));
             }
+            acting.push((face, tensor(p)));
         }
     }
     acting
+}
+
+/// A pattern of a pressure as a stage writes it.
+fn written_in<'c>(case: &'c Case, stage: usize, pattern: &str) -> Option<&'c Spanned<String>> {
+    let written = &case.stages[stage.checked_sub(1)?].pressures;
+    written.iter().map(|(name, _)| name).find(|name| name.value == pattern)
 }
 
 /// The word for the top plane where groups stand.
