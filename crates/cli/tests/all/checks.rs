@@ -212,7 +212,7 @@ unit_weight = "25 kN/m3"
     let text = text
         .replacen("[material.rock]", layers, 1)
         .replacen("[[region]]", region, 1)
-        .replacen("groups   = [\"rock\"]", "groups = [\"rock.sound\"]", 1)
+        .replacen("groups   = [\"rock\",", "groups = [\"rock.sound\",", 1)
         .replace("duration = \"1.5 s\"", "duration = \"0.2 s\"");
     std::fs::write(&case, &text).unwrap();
     let refused = tremolite(&folder, &["check", "case.toml"]);

@@ -122,13 +122,22 @@ fn bad_cases_are_refused_at_once_with_all_their_problems_and_nothing_computed() 
 
 #[test]
 fn what_does_not_fit_the_mesh_is_refused_at_its_place() {
-    let cases: [(&str, &str, &[&str]); 6] = [
+    let cases: [(&str, &str, &[&str]); 7] = [
         ("at   = \"hall.crown\"", "at   = [0, 0, -300]", &["monitor crown at", "the mesh spans"]),
         ("at   = \"hall.crown\"", "at   = \"hall.roof\"", &["no point 'hall.roof'", "hall.crown"]),
-        ("[\"hall.bench*\"]", "[\"hall.pit*\"]", &["no group of the mesh fits", "belong to no region"]),
         (
-            "groups   = [\"rock\"]",
-            "groups   = [\"rock\", \"hall.lin*\"]",
+            "\"rock\", \"hall.bench*\"]",
+            "\"rock\", \"hall.pit*\"]",
+            &["no group of the mesh fits", "belong to no region"],
+        ),
+        (
+            "excavate = [\"hall.bench*\"]",
+            "excavate = [\"hall.pit*\"]",
+            &["no group of the mesh fits", "hall.bench1"],
+        ),
+        (
+            "groups   = [\"rock\",",
+            "groups   = [\"rock\", \"hall.lin*\",",
             &["are in the region of", "one region only"],
         ),
         ("base     = \"viscous-spring\"", "base     = \"fixed\"", &["cannot enter through this base"]),

@@ -175,7 +175,7 @@ fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
     // What it leaves for earthquakes is nothing to go on from.
     let resumed = run(folder, "out", &["--resume"]);
     assert_eq!(code(&resumed), 2);
-    assert!(errors(&resumed).contains("no checkpoint to resume from"), "{}", errors(&resumed));
+    assert!(errors(&resumed).contains("this run is complete"), "{}", errors(&resumed));
     let (found, text, warned) = check(folder);
     assert_eq!((&found["time_step"], &found["motion"]), (&Value::Null, &Value::Null));
     let said = errors(&done);
