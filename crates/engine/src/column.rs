@@ -8,6 +8,7 @@ use crate::body::Body;
 use crate::error::ModelError;
 use crate::hexahedra::hex_nodes;
 use crate::interface::Interface;
+use crate::life::Life;
 use crate::traction::Traction;
 use tremolite_kernels::Quadrature;
 use tremolite_mesh::{Element, Face, Mesh, Shape};
@@ -58,11 +59,15 @@ pub fn ground(
     bodies: &[Body],
     body_of: &[Option<usize>],
     interfaces: &[Interface],
+    lives: &[Life],
 ) -> Result<Ground, String> {
     let near = near(mesh);
     let (low, high) = mesh.bounds();
     let corner =
         |k: usize| [if k & 1 == 0 { low[0] } else { high[0] }, if k & 2 == 0 { low[1] } else { high[1] }];
+    for k in 0..4 {
+        changes(mesh, lives, corner(k))?;
+    }
     let first = along(mesh, bodies, body_of, corner(0))?;
     crossed(interfaces, &first, corner(0))?;
     for k in 1..4 {
@@ -145,6 +150,24 @@ fn along(
             Err(format!("the elements {place} leave a gap"))
         }
         _ => Ok(layers),
+    }
+}
+
+/// Refuses ground along the vertical edge at a corner that comes or goes: the column is the same in all stages.
+fn changes(mesh: &Mesh, lives: &[Life], [x, y]: [f64; 2]) -> Result<(), String> {
+    let near = near(mesh);
+    let on_edge = |n: u32| {
+        let at = mesh.nodes[n as usize];
+        (at[0] - x).abs() < near && (at[1] - y).abs() < near
+    };
+    let later = lives.iter().enumerate().filter(|(_, life)| **life != Life::ALWAYS);
+    let found =
+        later.map(|(e, _)| e).find(|&e| mesh.elements[e].nodes().iter().filter(|&&n| on_edge(n)).count() > 1);
+    match found {
+        Some(_) => {
+            Err(format!("the ground along the vertical edge at ({x:.1}, {y:.1}) m changes with the stages"))
+        }
+        None => Ok(()),
     }
 }
 

@@ -106,7 +106,7 @@ impl Model {
             _ => vec![Life::ALWAYS; mesh.elements.len()],
         };
         let shaken = shaken(&body_of, &lives);
-        let ground = column::ground(&mesh, &bodies, &shaken, &problem.interfaces);
+        let ground = column::ground(&mesh, &bodies, &shaken, &problem.interfaces, &lives);
         let mut initial = problem.initial;
         let mut tractions = problem.tractions;
         let successors: HashMap<u32, u32> = problem.successors.into_iter().collect();

@@ -3,7 +3,7 @@
 mod before;
 mod kept;
 
-pub(crate) use kept::Yielded;
+pub(crate) use kept::Beginning;
 
 use crate::checkpoint;
 use crate::error::RunError;

@@ -36,7 +36,7 @@ pub struct Release {
     pub share: f64,
     /// Cycles over which it goes.
     pub cycles: u64,
-    /// Σ|R| over Σ|contributions|, and motion left over the largest, at rest.
+    /// Σ|R| over Σ|contributions|, and motion left over the stage's own (or a hundredth of the largest before), at rest.
     pub tolerance: [f64; 2],
     /// Cycles after which it is given up.
     pub most: u64,
@@ -87,6 +87,9 @@ const LEAST_DAMPING: f64 = 1e-3;
 const MOST_DAMPING: f64 = 1.9;
 /// How far c follows its estimate in a cycle.
 const FOLLOW: f64 = 0.1;
+/// Share of the largest motion of the stages before that a stage may count as its own: a lining that is placed moves a
+/// hundredth of what the excavation did, and what is left must be small beside that.
+const SMALL: f64 = 0.01;
 /// Motion \[m\] that is none.
 const STILL: f64 = 1e-9;
 /// Cycles between looks at how far elements have strained.
@@ -207,15 +210,15 @@ impl Engine<'_> {
                 fastest: sums.fastest,
                 unreleased: if sums.contributions > 0.0 { sums.unreleased / sums.contributions } else { 0.0 },
             };
-            let largest = rest.motion.max(state.moved);
-            let still = rest.left <= STILL.max(release.tolerance[1] * largest);
+            let enough = release.tolerance[1] * rest.motion.max(SMALL * state.moved);
+            let still = rest.left <= STILL.max(enough);
             if *cycle > release.cycles && rest.ratio <= release.tolerance[0] && still {
                 state.du.fill(Row::ZERO);
                 for held in &mut state.held {
                     *held = Row(held.0.map(|h| share * h));
                 }
                 state.relaxing = Relaxing::default();
-                state.moved = largest;
+                state.moved = state.moved.max(rest.motion);
                 if let Stage::Before(k) = self.phase.stage {
                     state.stage = u64::from(k) + 1;
                     if k == 0 {
@@ -244,6 +247,7 @@ impl Engine<'_> {
         let Engine { phase, contributions, .. } = self;
         let c = state.relaxing.damping;
         let (keep, push) = ((1.0 - 0.5 * c) / (1.0 + 0.5 * c), 1.0 / (1.0 + 0.5 * c));
+        let counted = phase.counted_nodes.end;
         let (held, start) = (&state.held, &state.start);
         let sums: Vec<Sums> = state
             .u
@@ -274,12 +278,15 @@ impl Engine<'_> {
                     sums.work += dot(*du, force);
                     sums.inertia += masses[node] * dot(*du, *du);
                     sums.next_work += dot(next, force);
-                    let step = length(*du);
-                    if step > sums.step {
-                        (sums.step, sums.fastest) = (step, node as u32);
+                    // The reference column is at rest with what is out of balance.
+                    if node < counted {
+                        let step = length(*du);
+                        if step > sums.step {
+                            (sums.step, sums.fastest) = (step, node as u32);
+                        }
+                        let moved = Row([0, 1, 2, 3].map(|i| u.0[i] - start[node].0[i]));
+                        sums.motion = sums.motion.max(length(moved));
                     }
-                    let moved = Row([0, 1, 2, 3].map(|i| u.0[i] - start[node].0[i]));
-                    sums.motion = sums.motion.max(length(moved));
                     for i in 0..3 {
                         u.0[i] += next.0[i];
                     }

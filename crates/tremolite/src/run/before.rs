@@ -85,6 +85,9 @@ impl Stages<'_> {
             if rest.cycles > 0 && rest.cycles.is_multiple_of(EVERY) {
                 remember(&mut state.observers, stage, rest);
             }
+            if stage == 0 && rest.cycles == 1 {
+                kept::remember_imbalance(&mut state.observers, rest.unreleased);
+            }
             if cycle == planned.release.cycles {
                 start_ratio = rest.ratio;
             }
@@ -134,11 +137,11 @@ impl Stages<'_> {
         let rested = Rested { rest, plastic_volume: plastic_volume(&view), monitors, walls };
         let sections = SectionForces::of(model);
         let forces = sections.at(&view);
-        let yielded = (stage == 0).then(|| kept::Yielded::of(&view));
+        let beginning = (stage == 0).then(|| kept::Beginning::of(&view));
         self.fields(stage, &view, &state.observers, &[])?;
         kept::remember(model, self.plan, &mut state.observers, &rested);
-        if let Some(yielded) = yielded {
-            yielded.remember(&mut state.observers);
+        if let Some(beginning) = beginning {
+            beginning.remember(&mut state.observers);
         }
         sections.remember(&mut state.observers, forces);
         Ok(())

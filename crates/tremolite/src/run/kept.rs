@@ -5,11 +5,12 @@
 
 use crate::observers::{View, columns};
 use crate::plan::Plan;
-use crate::quantities::{MONITOR, PAIR, RELATIVE};
+use crate::quantities::{MONITOR, PAIR, RELATIVE, mean};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 use tremolite_engine::Model;
 use tremolite_engine::engine::Rest;
+use tremolite_engine::hexahedra::hex;
 use tremolite_engine::state::Memory;
 use tremolite_results::StageSummary;
 
@@ -126,40 +127,67 @@ pub(super) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<Stag
         .collect()
 }
 
-/// Pairs of interfaces that are there from the start, and how many of them the initial stress brings beyond their strength.
+/// What the initial stress does before anything is excavated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Yielded {
+pub struct Beginning {
+    /// Pairs of interfaces that are there from the start, and how many of them it brings beyond their strength.
     pub pairs: usize,
     pub beyond: usize,
+    /// Σ V|σ − σ₀| over Σ V|σ₀|, with σ the stress at the initial equilibrium; not a number without initial stress.
+    pub change: f64,
+    /// What is out of balance before anything moves, over all contributions.
+    pub imbalance: f64,
 }
 
-/// Key of what is remembered of them.
-const YIELDED: &str = "pairs beyond their strength at the start";
+/// Keys of what is remembered of it.
+const BEGINNING: &str = "initial equilibrium";
+const IMBALANCE: &str = "imbalance of the initial stress";
 
-impl Yielded {
+/// Remembers what is out of balance before anything moves.
+pub(super) fn remember_imbalance(memory: &mut Memory, ratio: f64) {
+    memory.insert(IMBALANCE.into(), vec![ratio]);
+}
+
+impl Beginning {
     pub(super) fn of(view: &View) -> Self {
-        let mut found = Yielded { pairs: 0, beyond: 0 };
+        let (mut pairs, mut beyond) = (0, 0);
         for (seam, contacts) in view.model.seams.iter().zip(&view.assembly.contacts) {
             for pair in (0..seam.pairs.len()).filter(|&k| !seam.lives[k].is_later()) {
                 let seen = contacts.seen(view.history.octets, pair);
-                found.pairs += 1;
-                found.beyond += usize::from(seen.has_slid || seen.has_opened);
+                pairs += 1;
+                beyond += usize::from(seen.has_slid || seen.has_opened);
             }
         }
-        found
+        let (mut changed, mut whole) = (0.0, 0.0);
+        for (e, slot) in view.phase.element_slot.iter().enumerate() {
+            let (Some(slot), Some(before)) = (slot, view.model.initial.get(e)) else { continue };
+            let Ok(hex) = hex(&view.model.mesh, e) else { continue };
+            let now = mean(&view.snapshot.stress[slot.point as usize..][..slot.points as usize]);
+            changed += hex.volume * size([0, 1, 2, 3, 4, 5].map(|c| now[c] - before[c]));
+            whole += hex.volume * size(*before);
+        }
+        Beginning { pairs, beyond, change: changed / whole, imbalance: f64::NAN }
     }
 
     pub(super) fn remember(&self, memory: &mut Memory) {
-        if self.pairs > 0 {
-            memory.insert(YIELDED.into(), vec![self.pairs as f64, self.beyond as f64]);
-        }
+        let Beginning { pairs, beyond, change, .. } = *self;
+        memory.insert(BEGINNING.into(), vec![pairs as f64, beyond as f64, change]);
     }
 
-    /// What was remembered; none where no pair is there from the start.
+    /// What was remembered; none before the initial equilibrium.
     pub fn recall(memory: &Memory) -> Option<Self> {
-        match memory.get(YIELDED)?[..] {
-            [pairs, beyond] => Some(Yielded { pairs: pairs as usize, beyond: beyond as usize }),
+        let imbalance = memory.get(IMBALANCE).and_then(|kept| kept.first().copied()).unwrap_or(f64::NAN);
+        match memory.get(BEGINNING)?[..] {
+            [pairs, beyond, change] => {
+                Some(Beginning { pairs: pairs as usize, beyond: beyond as usize, change, imbalance })
+            }
             _ => None,
         }
     }
+}
+
+/// √(σ:σ).
+fn size(s: [f64; 6]) -> f64 {
+    let [xx, yy, zz, xy, yz, zx] = s.map(|x| x * x);
+    (xx + yy + zz + 2.0 * (xy + yz + zx)).sqrt()
 }

@@ -21,7 +21,7 @@ use indexmap::IndexMap;
 use stages::Staged;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
-use tremolite_engine::{Base, Body, Incident, Interface, Problem, Rayleigh, Side, TimeStep, column};
+use tremolite_engine::{Base, Body, Incident, Interface, Life, Problem, Rayleigh, Side, TimeStep, column};
 use tremolite_kernels::{InterfaceLaw, Law, interface_laws, laws};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
@@ -115,7 +115,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         interfaces::build(case, &mesh, &lasting, &staged.places, &laws.interfaces, &mut problems);
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
     let (base, base_without_springs) =
-        springs_or_none(case, &mesh, &lasting, &interfaces, base, &mut problems);
+        springs_or_none(case, &mesh, &lasting, &interfaces, staged.lives(), base, &mut problems);
     if !problems.is_empty() {
         return Err(case.report(problems));
     }
@@ -245,6 +245,7 @@ fn springs_or_none(
     mesh: &tremolite_mesh::Mesh,
     bodies: &[Body],
     interfaces: &[Interface],
+    lives: &[Life],
     base: Base,
     problems: &mut Vec<case::Problem>,
 ) -> (Base, Option<String>) {
@@ -256,7 +257,7 @@ fn springs_or_none(
     for (b, body) in bodies.iter().enumerate() {
         body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
     }
-    let Err(reason) = column::ground(mesh, bodies, &body_of, interfaces) else { return (base, None) };
+    let Err(reason) = column::ground(mesh, bodies, &body_of, interfaces, lives) else { return (base, None) };
     if case.motion.is_none() || case.defaulted.iter().any(|d| d.key == "dynamic.base") {
         return (Base::Viscous, Some(reason));
     }

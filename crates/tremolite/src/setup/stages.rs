@@ -87,6 +87,11 @@ impl Staged {
         staged
     }
 
+    /// Life of each element of the mesh as it was read.
+    pub fn lives(&self) -> &[Life] {
+        &self.lives
+    }
+
     /// Bodies with the elements that are there in the end alone.
     pub fn lasting(&self, bodies: &[Body]) -> Vec<Body> {
         let lasts = |e: &u32| self.lives[*e as usize].holds(Stage::Shaking);

@@ -1,7 +1,7 @@
 //! Checks of what came before the earthquake.
 
 use crate::evidence::Evidence;
-use crate::run::Yielded;
+use crate::run::Beginning;
 use tremolite_results::{Fact, TrustLine};
 
 /// What is held besides weight, loads and reactions when the shaking begins, over all contributions: ten times what stages
@@ -10,10 +10,18 @@ const HELD: f64 = 1e-4;
 /// Motion to the initial equilibrium over the largest of the stages that follow.
 const INITIAL: f64 = 0.1;
 
+/// Change of the initial stress over itself.
+const CHANGE: f64 = 0.1;
+/// What to look at where the initial stress does not fit.
+const FITS: &str = "the initial stress is out of balance where it differs from the weight above, or from what the rock can bear: \
+                    look at `lateral`, `stress` or `overburden`; on slopes and beside layers some is right";
+
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     const HELD_ID: &str = "held_at_the_end";
     const HELD_NAME: &str =
         "held besides weight, loads and reactions after the last stage, over all contributions";
+    const CHANGE_ID: &str = "initial_stress_change";
+    const CHANGE_NAME: &str = "change of the initial stress on the way to equilibrium over that stress";
     const INITIAL_ID: &str = "initial_motion";
     const INITIAL_NAME: &str = "motion to the initial equilibrium over the stages'";
     let stages = &evidence.outcome.stages;
@@ -26,6 +34,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         return vec![
             TrustLine::not_applicable(HELD_ID, HELD_NAME, why),
             TrustLine::not_applicable(INITIAL_ID, INITIAL_NAME, why),
+            TrustLine::not_applicable(CHANGE_ID, CHANGE_NAME, why),
         ];
     };
     let all = stages.len() == evidence.plan.stages.len();
@@ -35,18 +44,27 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let held =
         if all { held } else { TrustLine::not_applicable(HELD_ID, HELD_NAME, "not all stages are done") };
     let largest = stages[1..].iter().map(|stage| stage.largest_motion).fold(0.0, f64::max);
-    let initial = if largest > 0.0 {
+    let excavates = stages[1..].iter().any(|stage| !stage.excavated.is_empty());
+    let initial = if excavates {
         TrustLine::at_most(INITIAL_ID, INITIAL_NAME, first.largest_motion / largest, INITIAL, "")
             .with("initial", first.largest_motion)
             .with("largest", largest)
-            .with_note(
-                "the initial stress is out of balance where it differs from the weight above, or from what the rock can bear: \
-                 look at `lateral` or `stress` on slopes and beside layers",
-            )
+            .with_note(FITS)
     } else {
-        TrustLine::not_applicable(INITIAL_ID, INITIAL_NAME, "no stage moves anything")
+        TrustLine::not_applicable(INITIAL_ID, INITIAL_NAME, "no stage that came to rest excavates")
     };
-    vec![held, initial]
+    let change = match Beginning::recall(&evidence.outcome.state.observers) {
+        Some(found) if !evidence.model.initial.is_empty() => {
+            TrustLine::at_most(CHANGE_ID, CHANGE_NAME, found.change, CHANGE, "")
+                .with("imbalance", found.imbalance)
+                .with_note(format!(
+                    "integrated over what stands; {:.1e} of all forces were out of balance at first; {FITS}",
+                    found.imbalance
+                ))
+        }
+        _ => TrustLine::not_applicable(CHANGE_ID, CHANGE_NAME, "the ground begins without stress"),
+    };
+    vec![held, initial, change]
 }
 
 pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
@@ -69,7 +87,9 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
             "each stage goes on until this is below `initial.tolerance`, and little motion is left",
         ));
     }
-    if let Some(Yielded { pairs, beyond }) = Yielded::recall(&outcome.state.observers) {
+    if let Some(Beginning { pairs, beyond, .. }) =
+        Beginning::recall(&outcome.state.observers).filter(|found| found.pairs > 0)
+    {
         facts.push(Fact::new(
             "initial_pairs_beyond_strength",
             "pairs of interfaces that the initial stress brings beyond their strength",

@@ -3,7 +3,7 @@
 use crate::evidence::Evidence;
 use crate::observers::ENERGY_MEMORY;
 use tremolite_engine::Quadrature;
-use tremolite_kernels::Line;
+use tremolite_kernels::{Booked, Line};
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
 use tremolite_results::{TrustLine, snake};
@@ -17,6 +17,8 @@ const BODY_ERROR: f64 = 0.25;
 const CREATED: f64 = 0.05;
 /// Energy of the hourglass stabilisation over the strain energy at the same time.
 const HOURGLASS: f64 = 0.1;
+/// Energy over what was stored when the shaking began that is round-off of many sums.
+const ROUND_OFF: f64 = 1e-12;
 /// Strain energy over its largest value below which a model counts as still.
 const STILL: f64 = 0.01;
 
@@ -34,6 +36,16 @@ fn column<'e>(evidence: &Evidence<'e>, line: Line) -> &'e [f64] {
 
 fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |most, x| if x.is_nan() || most.is_nan() { f64::NAN } else { most.max(x) })
+}
+
+/// Energy \[J\] that is round-off beside what was stored when the shaking began; 0 where it began without stress.
+fn noise(evidence: &Evidence) -> f64 {
+    let state = &evidence.outcome.state;
+    if state.carried.is_empty() {
+        return 0.0;
+    }
+    let stored = Line::ALL.iter().filter(|line| line.booked() == Booked::Stored);
+    ROUND_OFF * stored.map(|&line| state.ledger.lines[line].abs()).sum::<f64>()
 }
 
 /// The largest |error| of all rows over the largest energy that was held in one.
@@ -56,8 +68,12 @@ fn error(evidence: &Evidence) -> TrustLine {
     let at = |row: usize| held.iter().filter_map(|column| column.get(row)).sum();
     let held = largest((0..held[0].len()).map(at));
     let error = evidence.outcome.state.observers.get(ENERGY_MEMORY).map_or(f64::NAN, |kept| kept[1]);
-    if held == 0.0 {
-        return TrustLine::not_applicable(ID, NAME, "nothing moves");
+    if held <= noise(evidence) {
+        return TrustLine::not_applicable(
+            ID,
+            NAME,
+            "nothing moves beyond the round-off of what was stored before",
+        );
     }
     TrustLine::at_most(ID, NAME, error / held, ERROR, "")
         .with("error", error)
@@ -132,7 +148,7 @@ fn hourglass(evidence: &Evidence) -> TrustLine {
     // Before the wave comes and when it has passed, both are noise.
     let ratio = |row: usize| hourglass[row] / strain[row].max(STILL * most);
     let worst = (0..strain.len()).max_by(|a, b| ratio(*a).total_cmp(&ratio(*b)));
-    let Some(row) = worst.filter(|_| most > 0.0) else {
+    let Some(row) = worst.filter(|_| most > noise(evidence)) else {
         return TrustLine::not_applicable(ID, NAME, "nothing is strained");
     };
     let time = evidence.energy.column("time").map_or(f64::NAN, |time| time[row]);

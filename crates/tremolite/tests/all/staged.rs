@@ -283,3 +283,50 @@ fn a_changed_material_begins_at_the_old_stress_and_gives_by_its_own_modulus() {
         }
     }
 }
+
+/// A stage that moves a hundredth of what came before is as near to its end as the others are to theirs: forces of a lining that
+/// is placed behind a large excavation go by it.
+#[test]
+fn a_small_stage_behind_a_large_one_comes_to_its_own_rest() {
+    let mut problem = lined(false);
+    // Under 400 m of rock the excavation moves far more than the lining's own weight.
+    problem.initial.iter_mut().for_each(|s| (0..3).for_each(|i| s[i] -= 10.0 * PRESSURE));
+    let top = tremolite_mesh::topology::exterior_faces(&problem.mesh, None)
+        .into_iter()
+        .filter(|&face| {
+            problem.mesh.face_nodes(face).all(|n| problem.mesh.nodes[n as usize][2] > DEPTH - 1e-9)
+        })
+        .map(|face| (face, [0.0, 0.0, -10.0 * PRESSURE, 0.0, 0.0, 0.0]))
+        .collect();
+    problem.tractions = vec![tremolite::Traction { name: "top".into(), faces: top, life: Life::BEFORE }];
+    let built = built(problem);
+    let usual = PlannedStage::new("stage");
+    let last = |last: &PlannedStage| {
+        let stages = [close(), close(), last.clone()];
+        let (state, rests) = settle(&built.model, &built.assembly, &stages).unwrap();
+        let opened = built.settled(2);
+        (built.at(&state, [6.0, 2.0, 8.0])[2] - built.at(&opened, [6.0, 2.0, 8.0])[2], rests)
+    };
+    let ((usual, rests), (exact, _)) = (last(&usual), last(&close()));
+    assert!(rests[2].motion < 0.05 * rests[1].motion, "{rests:?}");
+    assert!((usual - exact).abs() < 0.01 * exact.abs(), "{usual} {exact} {rests:?}");
+}
+
+/// Ground that comes or goes at the model's corners is no ground of one column.
+#[test]
+fn ground_that_changes_at_the_corners_has_no_column() {
+    let mut problem = lined(false);
+    let corner = (0..problem.mesh.elements.len() as u32)
+        .find(|&e| {
+            let [x, y, z] = tremolite::hexahedra::centroid(&problem.mesh, e);
+            x < 1.0 && y < 2.0 && z > DEPTH - 1.0
+        })
+        .unwrap();
+    problem.lives[corner as usize].gone = Some(OPENED);
+    let model = Model::new(problem).unwrap();
+    assert!(
+        model.column.is_none() && model.no_column.contains("changes with the stages"),
+        "{}",
+        model.no_column
+    );
+}

@@ -93,7 +93,10 @@ impl Staged {
                         break;
                     }
                 }
-                of_stage[k].extend(elements);
+                // A lining that is taken out again takes no rock along.
+                of_stage[k].extend(
+                    elements.into_iter().filter(|&e| installed[e as usize].is_none_or(|born| k <= born)),
+                );
             }
         }
         for (life, k) in self.lives.iter_mut().zip(&own) {

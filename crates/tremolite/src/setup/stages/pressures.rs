@@ -2,7 +2,7 @@
 
 use super::faces::Faces;
 use super::fitting;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashSet};
 use tremolite_case::{Case, Problem, Spanned, pattern};
 use tremolite_engine::outer_faces::OuterFaces;
 use tremolite_engine::{Life, Side, Stage};
@@ -34,14 +34,17 @@ pub(super) fn loads(
     let mut acting = Vec::new();
     let top = &outer.planes[2][1];
     let overburden = case.initial.overburden.as_ref().map_or(0.0, |p| p.value);
-    // The last word of each pattern so far, and whether it is this stage's.
-    let mut pressures: BTreeMap<&str, (f64, Option<&Spanned<String>>)> = BTreeMap::new();
+    // Each name's last word so far, in the order in which they came, and whether it is this stage's.
+    let mut pressures: Vec<(&str, f64, Option<&Spanned<String>>)> = Vec::new();
     for (k, written) in case.stages.iter().take(stage).enumerate() {
-        written.pressures.iter().for_each(|(pattern, p)| {
-            pressures.insert(pattern.value.as_str(), (p.value, (k + 1 == stage).then_some(pattern)));
-        });
+        for (pattern, p) in &written.pressures {
+            pressures.retain(|(name, ..)| *name != pattern.value);
+            pressures.push((pattern.value.as_str(), p.value, (k + 1 == stage).then_some(pattern)));
+        }
     }
-    let on_top = overburden + pressures.remove(TOP).map_or(0.0, |(p, _)| p);
+    let above = pressures.iter().find(|(name, ..)| *name == TOP).map_or(0.0, |(_, p, _)| *p);
+    pressures.retain(|(name, ..)| *name != TOP);
+    let on_top = overburden + above;
     if on_top > 0.0 {
         acting.extend(top.iter().map(|&face| (face, tensor(on_top))));
     }
@@ -51,9 +54,10 @@ pub(super) fn loads(
     let on_side: HashSet<Face> = outer.planes.iter().flatten().flatten().copied().collect();
     let walls_here: Vec<Face> =
         exterior_faces(mesh, Some(standing)).into_iter().filter(|face| !on_side.contains(face)).collect();
-    let mut pressed: HashMap<Face, &str> = HashMap::new();
+    // The last word counts.
+    let mut pressed: BTreeMap<Face, (&str, f64)> = BTreeMap::new();
     let mut told: HashSet<[&str; 2]> = HashSet::new();
-    for (pattern, (p, now)) in pressures {
+    for (pattern, p, now) in pressures {
         let mut inside = vec![false; mesh.elements.len()];
         mesh.groups
             .iter()
@@ -76,29 +80,28 @@ pub(super) fn loads(
             ));
         }
         for face in faces {
-            if let Some(other) = pressed.insert(face, pattern)
-                && p > 0.0
+            let Some((other, before)) = pressed.insert(face, (pattern, p)) else { continue };
+            if let Some(at) = now
+                && before != p
+                && written_in(case, stage, other)
                 && told.insert([other, pattern])
-                && let Some(at) = now.or_else(|| written_in(case, stage, other))
             {
                 warnings.push(Problem::at(
                     at,
-                    format!(
-                        "faces of '{pattern}' are pressed as '{other}' as well: the two pressures add up"
-                    ),
-                    "give the pressure of a face under one name; 0 takes back that of the other",
+                    format!("faces of '{pattern}' are pressed as '{other}' as well: the last word counts"),
+                    "give the pressure of a face under one name",
                 ));
             }
-            acting.push((face, tensor(p)));
         }
     }
+    acting.extend(pressed.into_iter().map(|(face, (_, p))| (face, tensor(p))));
     acting
 }
 
-/// A pattern of a pressure as a stage writes it.
-fn written_in<'c>(case: &'c Case, stage: usize, pattern: &str) -> Option<&'c Spanned<String>> {
-    let written = &case.stages[stage.checked_sub(1)?].pressures;
-    written.iter().map(|(name, _)| name).find(|name| name.value == pattern)
+/// Whether a stage itself gives a pressure under this name.
+fn written_in(case: &Case, stage: usize, pattern: &str) -> bool {
+    let own = stage.checked_sub(1).map(|k| &case.stages[k].pressures);
+    own.into_iter().flatten().any(|(name, _)| name.value == pattern)
 }
 
 /// The word for the top plane where groups stand.
