@@ -26,6 +26,10 @@ use tremolite_mesh::Mesh;
 /// Motion left over the largest of any stage, over the tolerance of what is out of balance.
 const MOTION: f64 = 100.0;
 
+/// How much nearer to rest a stage comes behind which something is installed: a lining carries a hundredth of what an excavation
+/// let go.
+const BEFORE_INSTALLATION: f64 = 0.1;
+
 /// The engine's stage of one of a case's, which follow the initial equilibrium.
 fn before(index: usize) -> Stage {
     Stage::Before(index as u16 + 1)
@@ -109,16 +113,21 @@ impl Staged {
         }
         let initial = &case.initial;
         let tolerance = initial.tolerance.value;
-        let release = |share: f64| Release {
+        // What is left before something is installed would load it.
+        let installs = |k: usize| case.stages.get(k).is_some_and(|stage| !stage.install.is_empty());
+        let release = |share: f64, next: usize| Release {
             share,
             cycles: u64::from(initial.release_cycles.value),
-            tolerance: [tolerance, MOTION * tolerance],
+            tolerance: [
+                tolerance,
+                MOTION * tolerance * if installs(next) { BEFORE_INSTALLATION } else { 1.0 },
+            ],
             most: u64::from(initial.max_cycles.value),
         };
-        let first = PlannedStage { release: release(1.0), ..PlannedStage::new(EQUILIBRIUM) };
+        let first = PlannedStage { release: release(1.0, 0), ..PlannedStage::new(EQUILIBRIUM) };
         let names = |patterns: &[Spanned<String>]| patterns.iter().map(|p| p.value.clone()).collect();
-        let more = case.stages.iter().map(|stage| PlannedStage {
-            release: release(stage.release.value),
+        let more = case.stages.iter().enumerate().map(|(k, stage)| PlannedStage {
+            release: release(stage.release.value, k + 1),
             excavated: names(&stage.excavate),
             installed: names(&stage.install),
             changed: changes(case, stage),
