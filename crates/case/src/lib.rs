@@ -62,3 +62,4 @@ pub use report::{Problem, Report, Severity};
 pub use schema::schema;
 pub use spanned::Spanned;
 pub use stage::Stage;
+pub use suggest::nearest;

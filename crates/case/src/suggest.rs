@@ -7,7 +7,7 @@ use crate::law_key;
 use crate::units::{self, UnitError};
 
 /// The candidate most like a word, if one is close enough to be meant.
-pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     // No key is longer; the distance of a huge text would take long and mean nothing.
     if word.len() > 60 {
         return None;

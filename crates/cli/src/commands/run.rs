@@ -260,12 +260,17 @@ pub fn run(args: &Args) -> Outcome {
         let page = tremolite_report::write(folder.root()).map_err(Failure::failed)?;
 
         for line in &summary.trust {
+            // Each with its reason, where it does not bury the others.
             if line.not_applicable {
-                log.say(&format!("  --   {}: not applicable, {}", line.name, line.note));
+                log.keep(&format!("--   {}: not applicable, {}", line.name, line.note));
                 continue;
             }
             let mark = if line.pass { "ok  " } else { "LOOK" };
             log.say(&format!("  {mark} {}: {} (limit {})", line.name, short(line.value), line.limit));
+        }
+        let idle = summary.trust.iter().filter(|line| line.not_applicable).count();
+        if idle > 0 {
+            log.say(&format!("  --   {idle} more checks do not apply; log.txt and the page say why"));
         }
         let elements = phase.counted_elements;
         if !plan.stages.is_empty() {

@@ -1,5 +1,6 @@
 //! Materials that change with a stage: what stands in a place is then another element, which takes over.
 
+use super::groups::nothing_fits;
 use super::regions;
 use std::collections::BTreeMap;
 use tremolite_case::{Case, Fill, Problem, Region, Spanned, pattern};
@@ -118,12 +119,7 @@ fn changes<'c>(
                 .map(|(_, e)| e)
                 .collect();
             if groups.is_empty() {
-                let known: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
-                problems.push(Problem::at(
-                    pattern,
-                    format!("no group of the mesh fits '{}'", pattern.value),
-                    format!("the mesh has the groups {}", known.join(", ")),
-                ));
+                problems.push(nothing_fits(mesh, pattern));
                 continue;
             }
             for &e in groups.into_iter().flatten() {

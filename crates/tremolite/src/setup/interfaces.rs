@@ -1,5 +1,6 @@
 //! Which elements meet at interfaces, and by what law.
 
+use super::groups::nothing_fits;
 use crate::plan::PairMonitor;
 use std::collections::{BTreeMap, BTreeSet};
 use tremolite_case::{Case, Interface as Written, Place, Problem, pattern};
@@ -91,12 +92,7 @@ fn elements(
             all.extend(elements.iter().copied().filter(|&e| solid[e as usize]));
         }
         if !fits {
-            let known: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
-            problems.push(Problem::at(
-                pattern,
-                format!("no group of the mesh fits '{}'", pattern.value),
-                format!("the mesh has the groups {}", known.join(", ")),
-            ));
+            problems.push(nothing_fits(mesh, pattern));
         }
     }
     if problems.len() > before {

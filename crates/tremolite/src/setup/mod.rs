@@ -1,6 +1,7 @@
 //! From a checked case to a problem and a plan: reads the mesh and the records, and says all that does not fit.
 
 mod changes;
+mod groups;
 mod initial;
 mod inputs;
 mod interfaces;

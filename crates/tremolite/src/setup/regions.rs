@@ -1,5 +1,6 @@
 //! Which elements are made of what.
 
+use super::groups::nothing_fits;
 use std::sync::Arc;
 use tremolite_case::{Case, Element, Fill, Material, Problem, Region, pattern};
 use tremolite_engine::Body;
@@ -18,8 +19,6 @@ pub fn build(
     band: Option<Band>,
     problems: &mut Vec<Problem>,
 ) -> Vec<Body> {
-    let groups: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
-    let known = format!("the mesh has the groups {}", groups.join(", "));
     let mut region_of: Vec<Option<usize>> = vec![None; mesh.elements.len()];
     for (r, region) in case.regions.iter().enumerate() {
         for pattern in &region.groups {
@@ -43,8 +42,7 @@ pub fn build(
                 elements.iter().for_each(|&e| region_of[e as usize] = Some(r));
             }
             if !fits {
-                let message = format!("no group of the mesh fits '{}'", pattern.value);
-                problems.push(Problem::at(pattern, message, known.as_str()));
+                problems.push(nothing_fits(mesh, pattern));
             }
         }
     }

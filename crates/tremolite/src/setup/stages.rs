@@ -7,6 +7,7 @@ mod pressures;
 pub use pressures::check_pressures;
 
 use super::changes::{Version, versions};
+use super::groups::nothing_fits;
 use super::initial;
 use crate::stages::PlannedStage;
 use faces::faces;
@@ -254,12 +255,7 @@ fn fitting(written: &Spanned<String>, mesh: &Mesh, problems: &mut Vec<Problem>) 
     elements.sort_unstable();
     elements.dedup();
     if elements.is_empty() {
-        let known: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
-        problems.push(Problem::at(
-            written,
-            format!("no group of the mesh fits '{}'", written.value),
-            format!("the mesh has the groups {}", known.join(", ")),
-        ));
+        problems.push(nothing_fits(mesh, written));
         return None;
     }
     Some(elements)
