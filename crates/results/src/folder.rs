@@ -158,6 +158,7 @@ impl ResultFolder {
             self.pvd(),
             self.interfaces(),
             self.interfaces_pvd(),
+            self.motion(),
             self.stages(),
             self.stages_pvd(),
             self.relaxation(),
@@ -234,6 +235,11 @@ impl ResultFolder {
     /// `interfaces/`, the pairs of all interfaces at those times.
     pub fn interface_fields(&self) -> PathBuf {
         self.root.join("interfaces")
+    }
+
+    /// `motion.csv`: the given motion and the incident wave.
+    pub fn motion(&self) -> PathBuf {
+        self.root.join("motion.csv")
     }
 
     /// `stages.csv`: a row a stage before the earthquake.

@@ -8,6 +8,7 @@
 //! | `summary.json` | [`summary`] | verdict, facts of the model, peaks, trust lines |
 //! | `monitors.csv`, `energy.csv`, `damage.csv` | [`table`] | histories; headers are `name [unit]` |
 //! | `interfaces.csv` | [`table`] | the same of interfaces |
+//! | `motion.csv` | [`table`] | the given motion and the incident wave |
 //! | `stages.csv` | [`stages`] | stages before the earthquake, a row each |
 //! | `relaxation.csv` | [`table`] | how the stages came to rest |
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |

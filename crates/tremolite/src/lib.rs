@@ -12,6 +12,7 @@ mod fingerprint;
 mod groups;
 pub mod history;
 pub mod interfaces;
+mod motion_table;
 pub mod observers;
 pub mod outlook;
 pub mod plan;

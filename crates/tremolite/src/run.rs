@@ -9,6 +9,7 @@ use crate::checkpoint;
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;
 use crate::history::History;
+use crate::motion_table;
 use crate::observers::{OBSERVERS, Observer, OwnObservers, SectionForces, Setting, Stepped, View};
 use crate::plan::{Plan, Steps};
 use before::{Before, Stages};
@@ -219,6 +220,11 @@ pub fn run(
         state.observers.insert(DRIFT.into(), vec![drift]);
     }
     let first = state.steps();
+    if let Some(incident) = &model.incident
+        && first == 0
+    {
+        motion_table::write(folder, incident, plan.duration)?;
+    }
 
     let setting = Setting {
         folder,
