@@ -27,6 +27,7 @@ mod forces;
 mod frame;
 mod growth;
 mod histories;
+mod input;
 mod interfaces;
 mod lining;
 pub mod loops;
@@ -92,6 +93,7 @@ pub fn write(dir: &Path) -> Result<PathBuf, Error> {
         [before::chapter(&source), forces::chapter(&source)].into_iter().flatten().collect();
     let mut sections: Vec<Section> = Vec::new();
     if source.shakes() {
+        sections.extend(input::section(&source));
         sections.extend(contact_map::section(&source));
         sections.extend(contact_history::section(&source));
         sections.extend(growth::section(&source));

@@ -143,6 +143,7 @@ fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
             &[
                 "monitors.csv",
                 "energy.csv",
+                "motion.csv",
                 "damage.csv",
                 "interfaces.csv",
                 "stages.csv",

@@ -17,6 +17,8 @@ pub struct Source {
     pub damage: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no interface, or an older version ran.
     pub interfaces: Option<Result<Table, String>>,
+    /// Nothing where the folder has no such file: no earthquake came, or an older version ran.
+    pub motion: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no stages, or an older version ran.
     pub relaxation: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no lining of which section forces were taken.
@@ -42,9 +44,10 @@ impl Source {
         }
         let damage = folder.damage().exists().then(|| table(&folder.damage(), "time"));
         let interfaces = folder.interfaces().exists().then(|| table(&folder.interfaces(), "time"));
+        let motion = folder.motion().exists().then(|| table(&folder.motion(), "time"));
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
         let sections = folder.sections().exists().then(|| sections(&folder.sections()));
-        Ok(Source { folder, summary, monitors, energy, damage, interfaces, relaxation, sections })
+        Ok(Source { folder, summary, monitors, energy, damage, interfaces, motion, relaxation, sections })
     }
 
     /// Whether there is anything to show of the ground's shaking, or should be. Where a run has only come through stages,

@@ -451,3 +451,29 @@ fn on_a_narrow_screen_every_table_scrolls_in_itself_or_wraps() {
         assert!(rules.into_iter().any(held), ".{class} may overflow");
     }
 }
+
+#[test]
+fn the_motion_that_comes_in_is_drawn_by_axis_with_what_the_base_makes_of_it() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    assert!(!page(&folder).contains("The motion that comes in"));
+    let mut columns = vec![Column::new("time", "s")];
+    for (kind, unit) in [("a", "m/s2"), ("v", "m/s"), ("u", "m")] {
+        columns.extend(["x", "y", "z"].map(|axis| Column::new(format!("given.{kind}{axis}"), unit)));
+    }
+    let mut table = TableWriter::create(&folder.motion(), &columns).unwrap();
+    for k in 0..200 {
+        let t = 0.01 * f64::from(k);
+        let x = (6.0 * t).sin();
+        table.write(&[t, 1.25 * x, 0.0, -x, 0.2 * x, 0.0, -0.1 * x, 0.03 * x, 0.0, 0.01 * x]).unwrap();
+    }
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    (summary.motion.kind, summary.motion.factor) = ("outcrop".into(), 0.5);
+    summary.write(&folder.summary()).unwrap();
+    let page = page(&folder);
+    assert!(page.contains("The motion that comes in") && page.contains("is 0.500 times this"), "{page}");
+    assert!(page.contains("motion.csv") && drawings(&folder).contains(&"input.svg".to_owned()));
+    // What does not move is not drawn.
+    let drawing = fs::read_to_string(folder.figures().join("input.svg")).unwrap();
+    assert!(drawing.contains(">x</text>") && drawing.contains(">z</text>") && !drawing.contains(">y</text>"));
+}
