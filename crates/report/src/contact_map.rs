@@ -42,12 +42,17 @@ pub fn section(source: &Source) -> Option<Section> {
             continue;
         }
         let (svg, caption) = draw(surface, &layers, &name, &groups);
-        let when = moment(last.time, crate::facts::duration(source));
+        let when = match source.shakes() {
+            true => {
+                format!("From the file of t = {}\u{a0}s.", moment(last.time, crate::facts::duration(source)))
+            }
+            false => "After the last stage.".to_owned(),
+        };
         figures.push(Figure {
             heading: HEADING.into(),
             file: format!("interface-map-{number}.svg"),
             svg,
-            caption: format!("{caption} From the file of t = {when}\u{a0}s."),
+            caption: format!("{caption} {when}"),
         });
     }
     if let (Some(last), false) = (figures.last_mut(), idle.is_empty()) {
@@ -63,7 +68,8 @@ pub fn section(source: &Source) -> Option<Section> {
 /// The groups of elements, to name linings by; none where no field file has them.
 fn groups(source: &Source) -> ElementGroups {
     let read = || {
-        let pvd = Pvd::read(&source.folder.pvd()).ok()?;
+        let path = if source.shakes() { source.folder.pvd() } else { source.folder.stages_pvd() };
+        let pvd = Pvd::read(&path).ok()?;
         ElementGroups::read(&pvd.locate(pvd.snapshots().last()?)).ok()
     };
     read().unwrap_or_default()

@@ -101,6 +101,8 @@ pub fn write(dir: &Path) -> Result<PathBuf, Error> {
         sections.extend(histories::sections(&source));
         sections.extend(contact_monitors::section(&source));
         sections.push(energy::section(&source));
+    } else {
+        sections.extend(contact_map::section(&source));
     }
     let folder = source.folder.figures();
     fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;

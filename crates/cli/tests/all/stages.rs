@@ -169,7 +169,14 @@ fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
     for file in ["monitors.csv", "energy.csv", "motion.csv", "fields.pvd"] {
         assert!(!folder.join("out").join(file).exists(), "{file}");
     }
-    for file in ["stages/003.vtu", "stages.pvd", "report.html", "sections.csv"] {
+    for file in [
+        "stages/003.vtu",
+        "stages.pvd",
+        "report.html",
+        "sections.csv",
+        "interfaces/stage-003.vtu",
+        "interfaces.pvd",
+    ] {
         assert!(folder.join("out").join(file).exists(), "{file}");
     }
     // What it leaves for earthquakes is nothing to go on from.

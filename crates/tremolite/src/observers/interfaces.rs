@@ -4,6 +4,7 @@ use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::quantities::{Field, INTERFACE};
 use std::collections::BTreeMap;
+use std::path::Path;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
@@ -82,10 +83,7 @@ pub struct InterfaceFields {
     schedule: Schedule,
     folder: std::path::PathBuf,
     list: Pvd,
-    /// A point for each pair, interface by interface, and for each closed end; a cell for each face.
-    grid: Grid,
-    /// Number of closed ends.
-    ends: usize,
+    grid: InterfaceGrid,
 }
 
 impl InterfaceFields {
@@ -106,8 +104,67 @@ impl InterfaceFields {
         let files = folder.interface_fields();
         std::fs::create_dir_all(&files).map_err(|source| RunError::Io { path: files.clone(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
+        Ok(Some(InterfaceFields { schedule, folder: files, list, grid: InterfaceGrid::of(model) }))
+    }
+}
+
+/// The faces of all interfaces, to be written with what their pairs do.
+pub struct InterfaceGrid {
+    /// A point for each pair, interface by interface, and for each closed end; a cell for each face.
+    grid: Grid,
+    /// Number of closed ends.
+    ends: usize,
+}
+
+impl InterfaceGrid {
+    /// Those of a model.
+    pub fn of(model: &Model) -> Self {
         let (grid, ends) = grid(model);
-        Ok(Some(InterfaceFields { schedule, folder: files, list, grid, ends }))
+        InterfaceGrid { grid, ends }
+    }
+
+    /// Writes a file.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write(&self, path: &Path, time: f64, view: &View) -> Result<(), RunError> {
+        let View { model, assembly, history, .. } = *view;
+        let mut seen: Vec<PairSeen> = Vec::new();
+        let mut axes: Vec<[[f64; 3]; 2]> = Vec::new();
+        for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
+            seen.extend((0..seam.pairs.len()).map(|k| contacts.seen(history.octets, k)));
+            axes.extend(seam.pairs.iter().map(|pair| tangents(pair.normal)));
+        }
+        seen.resize(seen.len() + self.ends, PairSeen::default());
+        axes.resize(seen.len(), [[0.0; 3]; 2]);
+        let scalar = |name: &str, unit: &str, value: &dyn Fn(&PairSeen) -> f64| {
+            Array::new(name, unit, 1, Values::Float32(seen.iter().map(|s| value(s) as f32).collect()))
+        };
+        let flags = |name: &str, value: &dyn Fn(&PairSeen) -> u8| {
+            Array::new(name, "", 1, Values::UInt8(seen.iter().map(value).collect()))
+        };
+        let vector = |name: &str, unit: &str, value: &dyn Fn(&PairSeen) -> [f64; 2]| {
+            let along = |(s, [e1, e2]): (&PairSeen, &[[f64; 3]; 2])| {
+                let [a, b] = value(s);
+                [0, 1, 2].map(|i| (a * e1[i] + b * e2[i]) as f32)
+            };
+            Array::new(name, unit, 3, Values::Float32(seen.iter().zip(&axes).flat_map(along).collect()))
+        };
+        let mut grid = self.grid.clone();
+        grid.time = Some(time);
+        grid.point_data.extend([
+            scalar("gap", "m", &|s| s.gap),
+            vector("slip", "m", &|s| s.slip),
+            scalar("pressure", "Pa", &|s| s.pressure),
+            vector("shear", "Pa", &|s| s.shear.map(|t| -t)),
+            flags("state", &|s| s.state),
+            flags("slid", &|s| u8::from(s.has_slid)),
+            flags("opened", &|s| u8::from(s.has_opened)),
+            scalar("gap_max", "m", &|s| s.largest_gap),
+            scalar("slip_max", "m", &|s| s.largest_slip),
+            scalar("pressure_max", "Pa", &|s| s.largest_pressure),
+        ]);
+        Ok(grid.write(path)?)
     }
 }
 
@@ -176,44 +233,9 @@ impl Observer for InterfaceFields {
     }
 
     fn see(&mut self, view: &View, _: &mut Memory) -> Result<(), RunError> {
-        let View { model, assembly, snapshot, history, .. } = *view;
-        let mut seen: Vec<PairSeen> = Vec::new();
-        let mut axes: Vec<[[f64; 3]; 2]> = Vec::new();
-        for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
-            seen.extend((0..seam.pairs.len()).map(|k| contacts.seen(history.octets, k)));
-            axes.extend(seam.pairs.iter().map(|pair| tangents(pair.normal)));
-        }
-        seen.resize(seen.len() + self.ends, PairSeen::default());
-        axes.resize(seen.len(), [[0.0; 3]; 2]);
-        let scalar = |name: &str, unit: &str, value: &dyn Fn(&PairSeen) -> f64| {
-            Array::new(name, unit, 1, Values::Float32(seen.iter().map(|s| value(s) as f32).collect()))
-        };
-        let flags = |name: &str, value: &dyn Fn(&PairSeen) -> u8| {
-            Array::new(name, "", 1, Values::UInt8(seen.iter().map(value).collect()))
-        };
-        let vector = |name: &str, unit: &str, value: &dyn Fn(&PairSeen) -> [f64; 2]| {
-            let along = |(s, [e1, e2]): (&PairSeen, &[[f64; 3]; 2])| {
-                let [a, b] = value(s);
-                [0, 1, 2].map(|i| (a * e1[i] + b * e2[i]) as f32)
-            };
-            Array::new(name, unit, 3, Values::Float32(seen.iter().zip(&axes).flat_map(along).collect()))
-        };
-        let mut grid = self.grid.clone();
-        grid.time = Some(snapshot.time);
-        grid.point_data.extend([
-            scalar("gap", "m", &|s| s.gap),
-            vector("slip", "m", &|s| s.slip),
-            scalar("pressure", "Pa", &|s| s.pressure),
-            vector("shear", "Pa", &|s| s.shear.map(|t| -t)),
-            flags("state", &|s| s.state),
-            flags("slid", &|s| u8::from(s.has_slid)),
-            flags("opened", &|s| u8::from(s.has_opened)),
-            scalar("gap_max", "m", &|s| s.largest_gap),
-            scalar("slip_max", "m", &|s| s.largest_slip),
-            scalar("pressure_max", "Pa", &|s| s.largest_pressure),
-        ]);
+        let View { snapshot, .. } = *view;
         let name = format!("{:06}.vtu", snapshot.step.div_ceil(self.schedule.every));
-        grid.write(&self.folder.join(&name))?;
+        self.grid.write(&self.folder.join(&name), snapshot.time, view)?;
         self.list.add(snapshot.time, &format!("interfaces/{name}"))?;
         Ok(())
     }

@@ -19,7 +19,7 @@ pub use fields::{FieldGrid, Fields};
 pub use free_field::{FreeField, FreeFieldSeen};
 pub use growth::Growth;
 pub use histories::{Histories, at_rest, columns};
-pub use interfaces::{InterfaceFields, Interfaces};
+pub use interfaces::{InterfaceFields, InterfaceGrid, Interfaces};
 pub use onsets::{Onsets, memory_key as onset_memory};
 pub use section_forces::SectionForces;
 pub use steps::{Extremes, StepPeaks};

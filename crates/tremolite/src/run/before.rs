@@ -5,9 +5,11 @@ use super::{Control, Progress, TELL};
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
-use crate::observers::{FieldGrid, SectionForces, View, at_rest, columns};
+use crate::observers::{FieldGrid, InterfaceGrid, SectionForces, View, at_rest, columns};
 use crate::plan::Plan;
+use crate::quantities::Field;
 use crate::stages::PlannedStage;
+use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 use tremolite_engine::engine::{Relaxed, Rest};
@@ -178,13 +180,17 @@ impl Stages<'_> {
         let name = format!("{stage:03}.vtu");
         let grid = FieldGrid::of(self.model, view.phase);
         grid.write(&folder.join(&name), stage as f64, view, memory, more)?;
-        let path = self.folder.stages_pvd();
-        // A stage that a stopped run had written already is written again.
-        let mut list = match path.exists() && stage > 0 {
-            true => Pvd::resume(&path, stage as f64 - 0.5)?,
-            false => Pvd::create(&path)?,
-        };
-        Ok(list.add(stage as f64, &format!("stages/{name}"))?)
+        list(&self.folder.stages_pvd(), stage, &format!("stages/{name}"))?;
+        if self.plan.fields.contains(&Field::Interface) && !self.model.seams.is_empty() {
+            let folder = self.folder.interface_fields();
+            std::fs::create_dir_all(&folder)
+                .map_err(|source| RunError::Io { path: folder.clone(), source })?;
+            let name = format!("stage-{stage:03}.vtu");
+            InterfaceGrid::of(self.model).write(&folder.join(&name), stage as f64, view)?;
+            // The list begins anew with the earthquake.
+            list(&self.folder.interfaces_pvd(), stage, &format!("interfaces/{name}"))?;
+        }
+        Ok(())
     }
 
     /// Writes the tables of the stages whole, from what is remembered.
@@ -200,6 +206,15 @@ impl Stages<'_> {
         }
         SectionForces::of(model).write(folder, plan, &state.observers)
     }
+}
+
+/// Adds a stage's file to a list; one that a stopped run had written already is written again.
+fn list(path: &Path, stage: usize, file: &str) -> Result<(), RunError> {
+    let mut list = match path.exists() && stage > 0 {
+        true => Pvd::resume(path, stage as f64 - 0.5)?,
+        false => Pvd::create(path)?,
+    };
+    Ok(list.add(stage as f64, file)?)
 }
 
 /// What is seen of a state of a stage. Nothing in it has a velocity.
