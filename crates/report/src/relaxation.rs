@@ -58,7 +58,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         caption.push_str(" The summary states no tolerance.");
     }
     if panels.len() > 1 {
-        caption.push_str(" The motion left should end far below the largest motion of the stages so far.");
+        caption.push_str(" The motion left should end far below the stage's own motion.");
     }
     let svg = draw(&panels, &spans, facts);
     let figure = Figure { heading: HEADING.into(), file: "relaxation.svg".into(), svg, caption };

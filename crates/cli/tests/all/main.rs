@@ -13,5 +13,7 @@ mod layout;
 mod list;
 mod mesh;
 mod references;
+mod stage_case;
+mod stage_refusals;
 mod stages;
 mod verify;

@@ -1,149 +1,12 @@
-//! Stages before the earthquake, as a user meets them: what is foretold, run, stopped, handed over, and refused.
+//! Stages before the earthquake, as a user meets them: what is foretold, run, stopped and handed over.
 
+use crate::stage_case::{
+    JOINT, LATERAL, SHAKING, STAGES, bytes, case, change, check, code, errors, run, same, tremolite,
+};
 use serde_json::Value;
 use std::path::Path;
-use std::process::{Command, Output};
-use tremolite_mesh::boxes::BoxSpec;
-use tremolite_results::{Status, Summary, Table};
-
-fn tremolite(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().unwrap()
-}
-
-fn errors(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-const SHAKING: &str = r#"[motion]
-kind = "incident"
-east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
-process = ["baseline"]
-[dynamic]
-base = "viscous"
-sides = "roller"
-duration = "0.1 s"
-"#;
-
-const STAGES: &str = r#"[[stage]]
-name = "bench"
-excavate = ["core"]
-release = 0.6
-[[stage]]
-name = "shell"
-install = ["shell"]
-[[stage]]
-name = "water"
-pressure = { shell = "20 kPa" }
-"#;
-
-const JOINT: &str = r#"[[interface]]
-name = "joint"
-between = ["shell", "rock"]
-law = "bandis"
-max_closure = "2 mm"
-cohesion = "0.5 MPa"
-friction = 0.7
-"#;
-
-const LATERAL: &str = "lateral = 0.5\nrelease_cycles = 50\ntolerance = 1e-4\n";
-
-/// Rock of 16 × 4 × 16 m in cubes of 2 m with an opening of 8 × 8 m along y: a core of 4 × 4 m and the shell around it.
-fn case(folder: &Path, initial: &str, stages: &str, shaking: &str) {
-    let mut mesh = BoxSpec::uniform([0.0; 3], [16.0, 4.0, 16.0], [8, 2, 8]).mesh().unwrap();
-    let far = |e: u32| {
-        let nodes = mesh.elements[e as usize].nodes();
-        let middle = |i| nodes.iter().map(|&n| mesh.nodes[n as usize][i]).sum::<f64>() / nodes.len() as f64;
-        (middle(0) - 8.0).abs().max((middle(2) - 8.0).abs())
-    };
-    let within = |low: f64, high: f64| {
-        (0..mesh.elements.len() as u32).filter(|&e| (low..high).contains(&far(e))).collect::<Vec<u32>>()
-    };
-    let groups = [("core", within(0.0, 2.0)), ("shell", within(2.0, 4.0)), ("rock", within(4.0, 9.0))];
-    mesh.groups = groups.map(|(name, elements)| (name.to_owned(), elements)).into();
-    tremolite_mesh::write(folder.join("hall.msh"), &mesh).unwrap();
-    let pulse: String = (0..40)
-        .map(|k| {
-            let t = (std::f64::consts::PI * 10.0 * (0.01 * f64::from(k) - 0.1)).powi(2);
-            format!("{:.6}\n", (1.0 - 2.0 * t) * (-t).exp())
-        })
-        .collect();
-    std::fs::write(folder.join("pulse.txt"), pulse).unwrap();
-    let text = format!(
-        r#"title = "hall"
-[mesh.file]
-path = "hall.msh"
-[material.rock]
-law = "mohr-coulomb"
-young = "2 GPa"
-poisson = 0.25
-density = "2500 kg/m3"
-cohesion = "1 MPa"
-friction_angle = "40 deg"
-tensile_strength = "0.5 MPa"
-[material.concrete]
-law = "elastic"
-young = "20 GPa"
-poisson = 0.2
-density = "2500 kg/m3"
-[[region]]
-groups = ["rock", "core"]
-material = "rock"
-element = "one-point"
-viscosity = 0.02
-[[region]]
-groups = ["shell"]
-material = "concrete"
-element = "full"
-[initial]
-{initial}
-{stages}
-{shaking}
-[[monitor]]
-name = "roof"
-at = ["8 m", "2 m", "12.5 m"]
-[[monitor]]
-name = "wall"
-at = ["12.5 m", "2 m", "8 m"]
-[output]
-{output}
-"#,
-        output = if shaking.is_empty() { "" } else { "histories = \"0.01 s\"\nsnapshots = \"0.1 s\"" }
-    );
-    std::fs::write(folder.join("case.toml"), text).unwrap();
-}
-
-fn change(folder: &Path, from: &str, to: &str) {
-    let path = folder.join("case.toml");
-    let text = std::fs::read_to_string(&path).unwrap();
-    assert!(text.contains(from), "the case has no '{from}'");
-    std::fs::write(path, text.replacen(from, to, 1)).unwrap();
-}
-
-fn run(folder: &Path, out: &str, more: &[&str]) -> Output {
-    tremolite(folder, &[&["run", "case.toml", "--out", out], more].concat())
-}
-
-fn bytes(folder: &Path, run: &str, file: &str) -> Vec<u8> {
-    std::fs::read(folder.join(run).join(file)).unwrap_or_else(|e| panic!("{run}/{file}: {e}"))
-}
-
-fn same(folder: &Path, first: &str, second: &str, files: &[&str]) {
-    for file in files {
-        assert!(bytes(folder, first, file) == bytes(folder, second, file), "{file} of {first} and {second}");
-    }
-}
-
-fn check(folder: &Path) -> (Value, String, String) {
-    let json = tremolite(folder, &["check", "case.toml", "--json"]);
-    assert_eq!(code(&json), 0, "{}", errors(&json));
-    let text = tremolite(folder, &["check", "case.toml"]);
-    let said = errors(&text);
-    (serde_json::from_slice(&json.stdout).unwrap(), String::from_utf8(text.stdout).unwrap(), said)
-}
+use std::process::Command;
+use tremolite_results::{PairSurface, Status, Summary, Table};
 
 #[test]
 fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
@@ -179,6 +42,12 @@ fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
     ] {
         assert!(folder.join("out").join(file).exists(), "{file}");
     }
+    // A file of interfaces has the faces that are there.
+    let faces = |stage: &str| -> usize {
+        let surfaces = PairSurface::read(&folder.join("out/interfaces").join(stage)).unwrap();
+        surfaces.iter().map(|surface| surface.faces.len()).sum()
+    };
+    assert!(faces("stage-001.vtu") == 0 && faces("stage-002.vtu") > 0);
     // What it leaves for earthquakes is nothing to go on from.
     let resumed = run(folder, "out", &["--resume"]);
     assert_eq!(code(&resumed), 2);
@@ -518,124 +387,4 @@ fn a_group_may_go_and_its_lining_begin_in_one_stage() {
     let (found, ..) = check(folder);
     assert_eq!(found["stages"][1]["gone"], 32);
     assert_eq!(found["stages"][1]["begun"], 24);
-}
-
-#[test]
-fn stages_that_do_not_fit_are_refused_at_their_lines() {
-    let folder = tempfile::tempdir().unwrap();
-    let folder = folder.path();
-    let refused = [
-        ("excavate = [\"core\"]", "excavate = [\"cor\"]", "no group of the mesh fits 'cor'", "excavate"),
-        ("install = [\"shell\"]", "install = [\"shel\"]", "no group of the mesh fits 'shel'", "install"),
-        ("{ shell = \"20 kPa\" }", "{ shel = \"20 kPa\" }", "no group of the mesh fits 'shel'", "pressure"),
-        ("excavate = [\"core\"]\n", "", "but rock stands in its place", "\"shell\"\ninstall"),
-        (
-            "install = [\"shell\"]",
-            "excavate = [\"core\"]",
-            "is gone since 'bench'",
-            "excavate = [\"core\"]\n[[stage]]\nname = \"water\"",
-        ),
-        (
-            "pressure = { shell",
-            "install = [\"shell\"]\npressure = { shell",
-            "is installed in 'shell' already",
-            "install = [\"shell\"]\npressure",
-        ),
-        (
-            "pressure = { shell",
-            "material = { rock = \"concrete\" }\npressure = { shell",
-            "keeps plastic shear strain, which 'concrete' does not know: it would heal",
-            "material =",
-        ),
-        (
-            "excavate = [\"core\"]",
-            "excavate = [\"core\"]\nmaterial = { shell = \"rock\" }",
-            "does not stand through 'bench'",
-            "material =",
-        ),
-        (
-            "groups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full\"",
-            "groups = [\"shell\"]\nmaterial = \"void\"",
-            "is void: nothing can be installed",
-            "install",
-        ),
-        (
-            "viscosity = 0.02",
-            "viscosity = 0.02\n[[region]]\ngroups = [\"core\"]\nmaterial = \"void\"",
-            "is void from the start",
-            "excavate",
-        ),
-        (
-            "element = \"full\"",
-            "element = \"full\"\nbefore = \"spare\"",
-            "no region is made of 'spare'",
-            "before",
-        ),
-    ];
-    for (from, to, words, line) in refused {
-        case(folder, LATERAL, STAGES, "");
-        change(folder, from, to);
-        if to.contains("material = \"void\"") && to.contains("core") {
-            change(folder, "groups = [\"rock\", \"core\"]", "groups = [\"rock\"]");
-        }
-        if to.contains("spare") {
-            change(
-                folder,
-                "[[region]]",
-                "[material.spare]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.2\ndensity = 2000\n[[region]]",
-            );
-        }
-        let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
-        let at = 1 + text[..text.rfind(line).unwrap_or_else(|| panic!("{line}"))].matches('\n').count();
-        let output = tremolite(folder, &["run", "case.toml", "--out", "out"]);
-        assert_eq!(code(&output), 2, "{to}: {}", errors(&output));
-        let said = errors(&output);
-        assert!(
-            said.contains(words) && said.contains(&format!("case.toml:{at}:")),
-            "{to}, line {at}:\n{said}"
-        );
-        assert!(!folder.join("out").exists(), "{to}");
-    }
-    // What stays held is allowed, and warned of.
-    case(folder, LATERAL, STAGES, "");
-    change(folder, "pressure = {", "release = 0.5\npressure = {");
-    let (.., warned) = check(folder);
-    assert!(warned.contains("50 % of what is held is never let go"), "{warned}");
-}
-
-/// Of each check of what came before, the run that fails it; and where it does not apply, that it says so.
-#[test]
-fn checks_of_what_came_before_fail_where_they_should() {
-    let folder = tempfile::tempdir().unwrap();
-    let folder = folder.path();
-    let found = |initial: &str, stages: &str| -> Vec<(String, Option<bool>)> {
-        case(folder, initial, stages, "");
-        let run = run(folder, "out", &["--overwrite"]);
-        assert_eq!(code(&run), 0, "{}", errors(&run));
-        let summary: Value = serde_json::from_slice(&bytes(folder, "out", "summary.json")).unwrap();
-        let line = |id: &str| {
-            let lines = summary["trust"].as_array().unwrap();
-            let line = lines.iter().find(|line| line["id"] == id).unwrap();
-            let judged = line["not_applicable"] != Value::Bool(true);
-            (id.to_owned(), judged.then(|| line["pass"].as_bool().unwrap()))
-        };
-        ["held_at_the_end", "initial_motion", "initial_stress_change"].map(line).to_vec()
-    };
-    let verdicts = |found: Vec<(String, Option<bool>)>| -> Vec<Option<bool>> {
-        found.into_iter().map(|(_, pass)| pass).collect()
-    };
-    let good = verdicts(found(LATERAL, STAGES));
-    assert_eq!(good, [Some(true); 3]);
-    let held = STAGES.replace("pressure = { shell = \"20 kPa\" }", "release = 0.3");
-    let held = held
-        .replace("release = 0.6", "release = 0.1")
-        .replace("install = [\"shell\"]", "install = [\"shell\"]\nrelease = 0.1");
-    assert_eq!(verdicts(found(LATERAL, &held))[0], Some(false));
-    // A stress that is the same at every height has no weight in it.
-    let level = "stress = { xx = \"-0.1 MPa\", yy = \"-0.1 MPa\", zz = \"-0.2 MPa\" }\nrelease_cycles = 50\ntolerance = 1e-4\n";
-    let wrong = verdicts(found(level, STAGES));
-    assert_eq!((wrong[1], wrong[2]), (Some(false), Some(false)));
-    // Without a stage the stress alone is judged.
-    let alone = verdicts(found(level, ""));
-    assert_eq!((alone[1], alone[2]), (None, Some(false)));
 }

@@ -12,7 +12,8 @@
 //! negative the last value stays. It is followed by a tenth a cycle, as sums of one cycle serve the next.
 //!
 //! **At rest** when what is out of balance is a small share of all contributions, and the motion that is left, max |Δu|/(c/2), is
-//! a small share of the largest so far; never before all is let go that shall be.
+//! a small share of the stage's own; never before all is let go that shall be. By the largest motion of any stage a lining that is
+//! placed behind a large excavation would be at rest with a third of its forces missing.
 
 use super::Engine;
 use super::gather::{dot, force};

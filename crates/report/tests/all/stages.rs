@@ -434,13 +434,3 @@ fn values_that_are_no_numbers_are_dashes_and_break_lines() {
         FIGURES.len()
     );
 }
-
-#[test]
-#[ignore = "leaves pages to look at in the build folder's tmp"]
-fn pages_to_look_at() {
-    for (name, shaken) in [("static", false), ("shaken", true)] {
-        let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-        let _ = fs::remove_dir_all(&root);
-        write(example(&root, shaken).root()).unwrap();
-    }
-}

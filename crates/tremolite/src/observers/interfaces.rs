@@ -5,6 +5,7 @@ use crate::error::RunError;
 use crate::quantities::{Field, INTERFACE};
 use std::collections::BTreeMap;
 use std::path::Path;
+use tremolite_engine::Stage;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
@@ -104,7 +105,12 @@ impl InterfaceFields {
         let files = folder.interface_fields();
         std::fs::create_dir_all(&files).map_err(|source| RunError::Io { path: files.clone(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
-        Ok(Some(InterfaceFields { schedule, folder: files, list, grid: InterfaceGrid::of(model) }))
+        Ok(Some(InterfaceFields {
+            schedule,
+            folder: files,
+            list,
+            grid: InterfaceGrid::of(model, Stage::Shaking),
+        }))
     }
 }
 
@@ -117,9 +123,9 @@ pub struct InterfaceGrid {
 }
 
 impl InterfaceGrid {
-    /// Those of a model.
-    pub fn of(model: &Model) -> Self {
-        let (grid, ends) = grid(model);
+    /// Those that are there in a stage.
+    pub fn of(model: &Model, stage: Stage) -> Self {
+        let (grid, ends) = grid(model, stage);
         InterfaceGrid { grid, ends }
     }
 
@@ -170,7 +176,8 @@ impl InterfaceGrid {
 
 /// Faces as polygons of their pairs. Where an interface ends, closed, a corner has none: there its node stands for one that
 /// never moves, behind all pairs; the second value is how many such points there are.
-fn grid(model: &Model) -> (Grid, usize) {
+/// Faces whose pairs are not there yet are left out.
+fn grid(model: &Model, stage: Stage) -> (Grid, usize) {
     let mut grid = Grid::default();
     let (mut interface, mut element, mut other) = (Vec::new(), Vec::new(), Vec::new());
     let (mut normals, mut areas) = (Vec::<f32>::new(), Vec::<f32>::new());
@@ -179,15 +186,18 @@ fn grid(model: &Model) -> (Grid, usize) {
     for (s, seam) in model.seams.iter().enumerate() {
         let first = grid.points.len() as u32;
         let mut corners: Vec<Vec<(u8, u32)>> = vec![Vec::new(); seam.faces.len()];
+        let mut there = vec![true; seam.faces.len()];
         for (k, pair) in (0u32..).zip(&seam.pairs) {
             grid.points.push(seam.place(&model.mesh, k as usize));
             normals.extend(pair.normal.map(|x| x as f32));
             areas.push(pair.area as f32);
             for &(face, corner) in &pair.corners {
                 corners[face as usize].push((corner, first + k));
+                there[face as usize] &= seam.lives[k as usize].holds(stage);
             }
         }
-        for ([a, b], corners) in seam.faces.iter().zip(&mut corners) {
+        let faces = seam.faces.iter().zip(&mut corners).zip(there).filter(|(_, there)| *there);
+        for (([a, b], corners), _) in faces {
             for (corner, node) in (0u8..).zip(model.mesh.face_nodes(*a)) {
                 if corners.iter().all(|(known, _)| *known != corner) {
                     let next = (pairs + ends.len()) as u32;

@@ -186,7 +186,7 @@ impl Stages<'_> {
             std::fs::create_dir_all(&folder)
                 .map_err(|source| RunError::Io { path: folder.clone(), source })?;
             let name = format!("stage-{stage:03}.vtu");
-            InterfaceGrid::of(self.model).write(&folder.join(&name), stage as f64, view)?;
+            InterfaceGrid::of(self.model, view.phase.stage).write(&folder.join(&name), stage as f64, view)?;
             // The list begins anew with the earthquake.
             list(&self.folder.interfaces_pvd(), stage, &format!("interfaces/{name}"))?;
         }

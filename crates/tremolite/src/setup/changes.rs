@@ -26,8 +26,8 @@ struct Change<'c> {
     pattern: &'c Spanned<String>,
 }
 
-/// The engine's stage of one of a case's.
-fn before(index: usize) -> Stage {
+/// The engine's stage of one of a case's, which follow the initial equilibrium.
+pub fn before(index: usize) -> Stage {
     Stage::Before(index as u16 + 1)
 }
 

@@ -6,7 +6,7 @@ mod pressures;
 
 pub use pressures::check_pressures;
 
-use super::changes::{Version, versions};
+use super::changes::{Version, before, versions};
 use super::groups::nothing_fits;
 use super::initial;
 use crate::stages::PlannedStage;
@@ -24,17 +24,12 @@ use tremolite_laws::Dimension;
 use tremolite_laws::band::Band;
 use tremolite_mesh::Mesh;
 
-/// Motion left over the largest of any stage, over the tolerance of what is out of balance.
+/// Motion left over that of the stage, over the tolerance of what is out of balance.
 const MOTION: f64 = 100.0;
 
 /// How much nearer to rest a stage comes behind which something is installed: a lining carries a hundredth of what an excavation
 /// let go.
 const BEFORE_INSTALLATION: f64 = 0.1;
-
-/// The engine's stage of one of a case's, which follow the initial equilibrium.
-fn before(index: usize) -> Stage {
-    Stage::Before(index as u16 + 1)
-}
 
 /// What stands when, by the elements of the mesh as it was read.
 pub struct Staged {
@@ -109,7 +104,7 @@ impl Staged {
 
     /// The stages of the plan; none if nothing comes before the earthquake.
     pub fn plan(case: &Case) -> Vec<PlannedStage> {
-        if case.stages.is_empty() && case.initial.stress.is_none() {
+        if !case.seeks_equilibrium() {
             return Vec::new();
         }
         let initial = &case.initial;
@@ -147,11 +142,7 @@ impl Staged {
             space.initial = initial::stresses(case, stress, &space.mesh, &unit_weight);
             space.gravity = case.initial.gravity.value;
         }
-        let stages = if case.initial.stress.is_some() {
-            case.stages.len() + 1
-        } else {
-            case.stages.len() + usize::from(!case.stages.is_empty())
-        };
+        let stages = if case.seeks_equilibrium() { case.stages.len() + 1 } else { 0 };
         let walls = faces(&space.mesh);
         let mut shown: Vec<u32> = (0..space.mesh.elements.len() as u32).collect();
         space.lives = self.lives;

@@ -1,0 +1,124 @@
+//! Stages that are refused, and checks of stages that fail.
+
+use crate::stage_case::{LATERAL, STAGES, bytes, case, change, check, code, errors, run, tremolite};
+use serde_json::Value;
+
+#[test]
+fn stages_that_do_not_fit_are_refused_at_their_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let refused = [
+        ("excavate = [\"core\"]", "excavate = [\"cor\"]", "no group of the mesh fits 'cor'", "excavate"),
+        ("install = [\"shell\"]", "install = [\"shel\"]", "no group of the mesh fits 'shel'", "install"),
+        ("{ shell = \"20 kPa\" }", "{ shel = \"20 kPa\" }", "no group of the mesh fits 'shel'", "pressure"),
+        ("excavate = [\"core\"]\n", "", "but rock stands in its place", "\"shell\"\ninstall"),
+        (
+            "install = [\"shell\"]",
+            "excavate = [\"core\"]",
+            "is gone since 'bench'",
+            "excavate = [\"core\"]\n[[stage]]\nname = \"water\"",
+        ),
+        (
+            "pressure = { shell",
+            "install = [\"shell\"]\npressure = { shell",
+            "is installed in 'shell' already",
+            "install = [\"shell\"]\npressure",
+        ),
+        (
+            "pressure = { shell",
+            "material = { rock = \"concrete\" }\npressure = { shell",
+            "keeps plastic shear strain, which 'concrete' does not know: it would heal",
+            "material =",
+        ),
+        (
+            "excavate = [\"core\"]",
+            "excavate = [\"core\"]\nmaterial = { shell = \"rock\" }",
+            "does not stand through 'bench'",
+            "material =",
+        ),
+        (
+            "groups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full\"",
+            "groups = [\"shell\"]\nmaterial = \"void\"",
+            "is void: nothing can be installed",
+            "install",
+        ),
+        (
+            "viscosity = 0.02",
+            "viscosity = 0.02\n[[region]]\ngroups = [\"core\"]\nmaterial = \"void\"",
+            "is void from the start",
+            "excavate",
+        ),
+        (
+            "element = \"full\"",
+            "element = \"full\"\nbefore = \"spare\"",
+            "no region is made of 'spare'",
+            "before",
+        ),
+    ];
+    for (from, to, words, line) in refused {
+        case(folder, LATERAL, STAGES, "");
+        change(folder, from, to);
+        if to.contains("material = \"void\"") && to.contains("core") {
+            change(folder, "groups = [\"rock\", \"core\"]", "groups = [\"rock\"]");
+        }
+        if to.contains("spare") {
+            change(
+                folder,
+                "[[region]]",
+                "[material.spare]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.2\ndensity = 2000\n[[region]]",
+            );
+        }
+        let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+        let at = 1 + text[..text.rfind(line).unwrap_or_else(|| panic!("{line}"))].matches('\n').count();
+        let output = tremolite(folder, &["run", "case.toml", "--out", "out"]);
+        assert_eq!(code(&output), 2, "{to}: {}", errors(&output));
+        let said = errors(&output);
+        assert!(
+            said.contains(words) && said.contains(&format!("case.toml:{at}:")),
+            "{to}, line {at}:\n{said}"
+        );
+        assert!(!folder.join("out").exists(), "{to}");
+    }
+    // What stays held is allowed, and warned of.
+    case(folder, LATERAL, STAGES, "");
+    change(folder, "pressure = {", "release = 0.5\npressure = {");
+    let (.., warned) = check(folder);
+    assert!(warned.contains("50 % of what is held is never let go"), "{warned}");
+}
+
+/// Of each check of what came before, the run that fails it; and where it does not apply, that it says so.
+#[test]
+fn checks_of_what_came_before_fail_where_they_should() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let found = |initial: &str, stages: &str| -> Vec<(String, Option<bool>)> {
+        case(folder, initial, stages, "");
+        let run = run(folder, "out", &["--overwrite"]);
+        assert_eq!(code(&run), 0, "{}", errors(&run));
+        let summary: Value = serde_json::from_slice(&bytes(folder, "out", "summary.json")).unwrap();
+        let line = |id: &str| {
+            let lines = summary["trust"].as_array().unwrap();
+            let line = lines.iter().find(|line| line["id"] == id).unwrap();
+            let judged = line["not_applicable"] != Value::Bool(true);
+            (id.to_owned(), judged.then(|| line["pass"].as_bool().unwrap()))
+        };
+        ["held_at_the_end", "initial_motion", "initial_stress_change"].map(line).to_vec()
+    };
+    let verdicts = |found: Vec<(String, Option<bool>)>| -> Vec<Option<bool>> {
+        found.into_iter().map(|(_, pass)| pass).collect()
+    };
+    let good = verdicts(found(LATERAL, STAGES));
+    assert_eq!(good, [Some(true); 3]);
+    let held = STAGES.replace("pressure = { shell = \"20 kPa\" }", "release = 0.3");
+    let held = held
+        .replace("release = 0.6", "release = 0.1")
+        .replace("install = [\"shell\"]", "install = [\"shell\"]\nrelease = 0.1");
+    assert_eq!(verdicts(found(LATERAL, &held))[0], Some(false));
+    // A stress that is the same at every height has no weight in it.
+    let level = "stress = { xx = \"-0.1 MPa\", yy = \"-0.1 MPa\", zz = \"-0.2 MPa\" }\nrelease_cycles = 50\ntolerance = 1e-4\n";
+    let wrong = verdicts(found(level, STAGES));
+    assert_eq!((wrong[1], wrong[2]), (Some(false), Some(false)));
+    // Without a stage the stress alone is judged.
+    let alone = verdicts(found(level, ""));
+    assert_eq!((alone[1], alone[2]), (None, Some(false)));
+}
