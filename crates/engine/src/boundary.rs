@@ -35,11 +35,24 @@ pub enum Side {
     Viscous,
     /// Opposite nodes move as one.
     Periodic,
+    /// A slab of the same ground stands outside, moves as the ground would without end, and passes on what it feels.
+    FreeField,
 }
 
 impl Side {
     /// One of each, for tests that go over all: enter what is added.
-    pub const EXAMPLES: [Side; 5] = [Side::Free, Side::Fixed, Side::Roller, Side::Viscous, Side::Periodic];
+    pub const EXAMPLES: [Side; 6] =
+        [Side::Free, Side::Fixed, Side::Roller, Side::Viscous, Side::Periodic, Side::FreeField];
+}
+
+/// What acts on the top plane in the shaking.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Top {
+    /// No traction: the surface of the ground.
+    #[default]
+    Free,
+    /// Dashpots ρc_p, ρc_s: ground goes on above, and what its surface would send back is missing.
+    Viscous,
 }
 
 /// What holds or drives the base.
@@ -228,7 +241,7 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
             let mut along = [false; 3];
             along[axis] = true;
             match side {
-                Side::Free | Side::Periodic => {}
+                Side::Free | Side::Periodic | Side::FreeField => {}
                 Side::Fixed => {
                     for n in nodes_of(mesh, faces) {
                         hold(&mut out.held, engine(n), [true; 3]);

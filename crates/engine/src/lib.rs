@@ -29,7 +29,7 @@ pub mod traction;
 
 pub use assembly::Assembly;
 pub use body::Body;
-pub use boundary::{Base, Incident, Side};
+pub use boundary::{Base, Incident, Side, Top};
 pub use engine::{ContactLimit, Engine, Halt, Limit, Snapshot, StableStep, stable_step};
 pub use error::ModelError;
 pub use interface::{Interface, Seam};

@@ -1,7 +1,7 @@
 //! The checked model: immutable, in the engine's numbering.
 
 use crate::body::Body;
-use crate::boundary::{Base, Incident, Side, Surroundings};
+use crate::boundary::{Base, Incident, Side, Surroundings, Top};
 use crate::column::{self, Column};
 use crate::error::ModelError;
 use crate::hexahedra::{centroid, hex};
@@ -70,6 +70,7 @@ pub struct Model {
     pub base: Base,
     /// Sides normal to x and to y.
     pub sides: [Side; 2],
+    pub top: Top,
     /// Components held at single nodes of the mesh.
     pub held: Vec<(u32, [bool; 3])>,
     /// Nodes of the mesh that move as one, beside those of periodic sides and of the column.
@@ -217,6 +218,7 @@ impl Model {
             places,
             base: problem.base,
             sides: problem.sides,
+            top: problem.top,
             held,
             ties: problem.ties,
             column,

@@ -1,7 +1,7 @@
 //! The problem as a program states it: what a case file becomes, and what a Rust program writes directly.
 
 use crate::body::Body;
-use crate::boundary::{Base, Incident, Side};
+use crate::boundary::{Base, Incident, Side, Top};
 use crate::interface::Interface;
 use crate::life::Life;
 use crate::member::Member;
@@ -62,6 +62,7 @@ pub struct Problem {
     pub base: Base,
     /// Sides normal to x and to y.
     pub sides: [Side; 2],
+    pub top: Top,
     pub incident: Option<Incident>,
     pub rayleigh: Rayleigh,
     /// Groups of elements that touch without being joined.
@@ -94,6 +95,7 @@ impl Problem {
             tractions: Vec::new(),
             base: Base::Free,
             sides: [Side::Free; 2],
+            top: Top::Free,
             incident: None,
             rayleigh: Rayleigh::default(),
             interfaces: Vec::new(),

@@ -136,7 +136,9 @@ fn supports_before_the_shaking_are_a_fixed_base_and_rollers_and_absorb_nothing()
                 match side {
                     Side::Periodic => [base, base, base || mesh_node == single],
                     Side::Fixed => [base || on[0] || on[1]; 3],
-                    Side::Roller | Side::Viscous | Side::Free => [base || on[0], base || on[1], base],
+                    Side::Roller | Side::Viscous | Side::Free | Side::FreeField => {
+                        [base || on[0], base || on[1], base]
+                    }
                 }
             };
             // The held node and what is tied to it.
