@@ -44,6 +44,8 @@ problems! {
     bar_step_wave Test,
     incident_pulse Test,
     layered_column Test,
+    free_field_tunnel Test,
+    mirror_image Test,
     lamb Verify,
     macneal_harder_beam Test,
     cantilever_thin Test,
