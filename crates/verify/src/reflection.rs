@@ -208,7 +208,8 @@ mod tests {
         }
     }
 
-    /// Springs alone differ from dashpots alone by a frequency, so one in the middle stands for all.
+    /// The power taken is summed from forces and velocities, the energy from amplitudes. One frequency stands for all: springs
+    /// count by αG/(ωR).
     #[test]
     fn what_does_not_run_back_is_what_the_dashpots_take() {
         for poisson in [0.1, 0.25, 0.4] {
