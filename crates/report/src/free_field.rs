@@ -13,6 +13,8 @@ const HEADING: &str = "What came in and what the free field made of it";
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// A component this much smaller than the largest does not count as moving: the sides that hold a normal go by the same.
 const IDLE: f64 = 1e-3;
+/// Share of the incident wave's peak that the rows should show, for their peaks to be those of the motion.
+const SHOWN: f64 = 0.95;
 
 /// The section of the page; nothing where the run wrote no free_field.csv.
 pub fn section(source: &Source) -> Option<Section> {
@@ -40,8 +42,13 @@ pub fn section(source: &Source) -> Option<Section> {
     let moving: Vec<usize> = (0..3).filter(|&axis| sizes[axis] > IDLE * most).collect();
     let first = moving.iter().copied().max_by(|&a, &b| sizes[a].total_cmp(&sizes[b])).unwrap_or(0);
     let drawn = Drawn::of(found, &moving);
-    let svg =
-        Chart { title: HEADING.into(), time: &found.time, panels: panels(found, &wave, &drawn, &moving) };
+    // One unit for all, in which what is a tenth of the largest still has its figures.
+    let scale = Scale::suiting("m/s", 0.1 * most);
+    let svg = Chart {
+        title: HEADING.into(),
+        time: &found.time,
+        panels: panels(found, &wave, &drawn, (&moving, &scale)),
+    };
     let mut caption = drawn.why.clone();
     for axis in (0..3).filter(|axis| !moving.contains(axis)) {
         let size = if sizes[axis].is_nan() || sizes[axis] == 0.0 {
@@ -58,13 +65,17 @@ pub fn section(source: &Source) -> Option<Section> {
         caption: caption.trim().into(),
     };
     let block = Block {
-        lead: verdict(source, found, &wave, &drawn, first),
+        lead: verdict(source, found, &wave, &drawn, (first, &scale)),
         text: explained(found),
-        tables: vec![table(found, &drawn, &moving, most)],
         figures: vec![figure],
         ..Block::default()
     };
-    Some(Section::Told(Chapter { id: "free-field", heading: HEADING.into(), blocks: vec![block] }))
+    let peaks = Block {
+        heading: "Peaks of velocity at surface and base".into(),
+        tables: vec![table(found, &drawn, &moving, &scale)],
+        ..Block::default()
+    };
+    Some(Section::Told(Chapter { id: "free-field", heading: HEADING.into(), blocks: vec![block, peaks] }))
 }
 
 /// What was asked for (m/s): peaks of the motion given and of the incident wave, and the wave at the times of the rows.
@@ -162,7 +173,12 @@ fn percent(share: f64) -> String {
 }
 
 /// A surface and a base for each component that moves.
-fn panels<'a>(found: &'a FreeField, wave: &'a Wave, drawn: &Drawn<'a>, moving: &[usize]) -> Vec<Panel<'a>> {
+fn panels<'a>(
+    found: &'a FreeField,
+    wave: &'a Wave,
+    drawn: &Drawn<'a>,
+    (moving, scale): (&[usize], &Scale),
+) -> Vec<Panel<'a>> {
     let mut panels = Vec::new();
     let places: [(&str, fn(&Station) -> &Velocities); 2] =
         [("surface", |station| &station.top), ("base", |station| &station.base)];
@@ -199,11 +215,10 @@ fn panels<'a>(found: &'a FreeField, wave: &'a Wave, drawn: &Drawn<'a>, moving: &
                 lines.push(line("model, as it moved".into(), &of(model).measured[axis], 1, Stroke::Dashed));
             }
             let lines: Vec<Line> = lines.into_iter().flatten().collect();
-            let most = lines.iter().map(|line| largest(&line.values)).fold(0.0, f64::max);
             if !lines.is_empty() {
                 panels.push(Panel {
                     title: format!("{place}, velocity along {}", AXES[axis]),
-                    scale: Scale::suiting("m/s", most),
+                    scale: scale.clone(),
                     lines,
                     mark: Mark::Largest,
                 });
@@ -214,8 +229,14 @@ fn panels<'a>(found: &'a FreeField, wave: &'a Wave, drawn: &Drawn<'a>, moving: &
 }
 
 /// Whether what came out is what was put in, in one sentence of numbers for the component that moves most.
-fn verdict(source: &Source, found: &FreeField, wave: &Wave, drawn: &Drawn, axis: usize) -> String {
-    let speed = |values: &[f64]| quantity("m/s", largest(values));
+fn verdict(
+    source: &Source,
+    found: &FreeField,
+    wave: &Wave,
+    drawn: &Drawn,
+    (axis, scale): (usize, &Scale),
+) -> String {
+    let speed = |values: &[f64]| scale.quantity(largest(values));
     let mut parts = Vec::new();
     let incident = wave.incident[axis];
     if incident > 0.0 {
@@ -223,8 +244,8 @@ fn verdict(source: &Source, found: &FreeField, wave: &Wave, drawn: &Drawn, axis:
         let kind = if kind.is_empty() { String::new() } else { format!(" ({kind})") };
         parts.push(format!(
             "the motion given{kind} peaks at {} and the incident wave at {}",
-            quantity("m/s", wave.given[axis]),
-            quantity("m/s", incident)
+            scale.quantity(wave.given[axis]),
+            scale.quantity(incident)
         ));
     }
     if let Some(column) = drawn.column {
@@ -270,7 +291,15 @@ fn verdict(source: &Source, found: &FreeField, wave: &Wave, drawn: &Drawn, axis:
             parts.push(format!("the model's own {place} at {}{beside}", speed(measured)));
         }
     }
-    format!("Along {} {}.", AXES[axis], parts.join("; "))
+    let mut text = format!("Along {} {}.", AXES[axis], parts.join("; "));
+    let seen = largest(&wave.at_rows[axis]);
+    if seen < SHOWN * incident {
+        text.push_str(&format!(
+            " The rows are too few to show the wave: at their times the incident one peaks at {}.",
+            scale.quantity(seen)
+        ));
+    }
+    text
 }
 
 /// What the numbers are.
@@ -303,8 +332,7 @@ fn explained(found: &FreeField) -> String {
 }
 
 /// Peaks of all columns, and of the model, at surface and base.
-fn table(found: &FreeField, drawn: &Drawn, moving: &[usize], most: f64) -> TextTable {
-    let scale = Scale::suiting("m/s", most);
+fn table(found: &FreeField, drawn: &Drawn, moving: &[usize], scale: &Scale) -> TextTable {
     let over = vec![Head::words("").over(2), Head::number("surface").over(3), Head::number("base").over(3)];
     let mut head = vec![Head::words("column"), Head::words("along")];
     for _ in 0..2 {

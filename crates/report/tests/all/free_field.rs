@@ -111,12 +111,12 @@ fn one_sentence_says_what_was_asked_for_and_what_came() {
     let told = told(&folder).unwrap();
     // The wave's peak is 100 mm/s, the outcrop's 200; 2 % of 204 is 1.96 %, 5 % of 204 is 5.0 %.
     for text in [
-        "Along x the motion given (outcrop) peaks at 0.200 m/s and the incident wave at 0.100 m/s",
-        "the surface of column reference at 0.204 m/s, 2.04 times the incident wave (theory 0.200 m/s; they differ by at \
+        "Along x the motion given (outcrop) peaks at 200 mm/s and the incident wave at 100 mm/s",
+        "the surface of column reference at 204 mm/s, 2.04 times the incident wave (theory 200 mm/s; they differ by at \
          most 2.0 % of the peak)",
-        "the base of column reference at 0.100 m/s (theory 0.100 m/s; they differ by at most 0 % of the peak)",
-        "the model's own surface at 0.194 m/s (differing from the column's by at most 5.0 %)",
-        "the model's own base at 0.100 m/s (differing from the column's by at most 0 %).",
+        "the base of column reference at 100 mm/s (theory 100 mm/s; they differ by at most 0 % of the peak)",
+        "the model's own surface at 194 mm/s (differing from the column's by at most 5.0 %)",
+        "the model's own base at 100 mm/s (differing from the column's by at most 0 %).",
         "rows of free_field.csv, 10 ms apart",
         "Not drawn: z, nowhere more than",
     ] {
@@ -176,7 +176,7 @@ fn without_theory_the_column_farthest_from_the_model_is_drawn() {
     );
     let text = told(&folder).unwrap();
     assert!(text.contains("farthest from the model is drawn, reference-xmax-ymin."), "{text}");
-    assert!(text.contains("the surface of column reference-xmax-ymin at 0.204 m/s (no theory)"), "{text}");
+    assert!(text.contains("the surface of column reference-xmax-ymin at 204 mm/s (no theory)"), "{text}");
     // Without motion.csv nothing is known of what was asked for.
     assert!(!text.contains("the motion given") && !drawing(&folder).contains("incident wave"));
 }
@@ -198,7 +198,7 @@ fn gaps_single_rows_and_other_columns_leave_a_page_that_reads() {
     let folder = results(temp.path());
     motion(&folder);
     for (content, wanted) in [
-        ("time [s],reference.top.vx [m/s]\n0,0.1\n", "the surface of column reference at 0.100 m/s"),
+        ("time [s],reference.top.vx [m/s]\n0,0.1\n", "the surface of column reference at 100 mm/s"),
         ("time [s],reference.top.vx [m/s]\n0,NaN\n1,NaN\n2,inf\n", "the surface of column reference at –"),
         (
             "time [s],reference.top.vx [m/s],reference.top.vx_theory [m/s]\n0,0\n",
@@ -208,7 +208,7 @@ fn gaps_single_rows_and_other_columns_leave_a_page_that_reads() {
             "time [s],a.top.vx [m/s],a.top.vx_theory [m/s],a.odd.vx [m/s],b\n0,NaN,1,1,1\n1,0.5,NaN,1,1\n2,0.5,0.25,1,1\n",
             "at 0.500 m/s, 5.00 times the incident wave (theory 1.00 m/s; they differ by at most 25 % of the peak)",
         ),
-        ("time [s],model.surface.vx [m/s]\n0,0.1\n1,0.2\n", "the model's own surface at 0.200 m/s."),
+        ("time [s],model.surface.vx [m/s]\n0,0.1\n1,0.2\n", "the model's own surface at 200 mm/s."),
         ("time [s],reference.top.vx [m/s]\n", "free_field.csv has no rows yet"),
         ("t [s],reference.top.vx [m/s]\n0,1\n", "free_field.csv has no column time"),
         ("time [s],reference.middle.vx [m/s]\n0,1\n", "free_field.csv has no columns of velocities."),
@@ -259,4 +259,18 @@ fn work_through_the_sides_stands_beside_the_input_and_is_told() {
     let at = |name: &str| drawing.find(&format!(">{name}</text>")).unwrap_or_else(|| panic!("{name}"));
     assert!(at("kinetic") < at("input") && at("input") < at("work through the sides"));
     assert!(!drawing.contains("free field"));
+}
+
+#[test]
+fn rows_too_few_to_show_the_wave_are_told() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    motion(&folder);
+    let row = |t: f64| format!("{t},{}\n", surface(t));
+    fs::write(folder.free_field(), format!("time [s],a.top.vx [m/s]\n{}{}{}", row(0.0), row(0.5), row(1.0)))
+        .unwrap();
+    let text = told(&folder).unwrap();
+    // At 0.5 s the wave stands at 100/e mm/s.
+    let told = "The rows are too few to show the wave: at their times the incident one peaks at 36.8 mm/s.";
+    assert!(text.contains(told), "{text}");
 }
