@@ -68,7 +68,7 @@ fn in_order(table: &Table) -> Vec<(&str, &[f64])> {
 fn through_sides(table: &Table) -> String {
     let Some(values) = table.column(FREE_FIELD.0) else { return String::new() };
     let finite = || values.iter().copied().filter(|x| x.is_finite());
-    let Some(end) = finite().last() else { return String::new() };
+    let Some(end) = finite().next_back() else { return String::new() };
     format!(
         " Work through the sides counts into the model: {} at the end, between {} and {} over the run.",
         quantity("J", end),

@@ -5,12 +5,14 @@ use tremolite_results::{FreeField, Station, Velocities};
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Block, Chapter, Figure, Section};
+use crate::free_field_numbers::{AXES, Drawn, Wave, apart, largest, percent};
 use crate::scale::{Scale, figures, quantity, trimmed};
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
 
+/// What the places of a station are called.
+const PLACES: [&str; 2] = ["surface", "base"];
 const HEADING: &str = "What came in and what the free field made of it";
-const AXES: [&str; 3] = ["x", "y", "z"];
 /// A component this much smaller than the largest does not count as moving: the sides that hold a normal go by the same.
 const IDLE: f64 = 1e-3;
 /// Share of the incident wave's peak that the rows should show, for their peaks to be those of the motion.
@@ -30,7 +32,7 @@ pub fn section(source: &Source) -> Option<Section> {
     // What moves is for the free field to say: the model also moves where its cavern scatters.
     let free = if found.columns.is_empty() { &stations[..] } else { &stations[..found.columns.len()] };
     let size = |axis: usize| {
-        let places = free.iter().flat_map(|station| [&station.top, &station.base]);
+        let places = free.iter().flat_map(|station| station.places());
         let histories = places.flat_map(|place| [&place.measured[axis], &place.theory[axis]]);
         histories.map(|values| largest(values)).fold(wave.incident[axis], f64::max)
     };
@@ -78,100 +80,6 @@ pub fn section(source: &Source) -> Option<Section> {
     Some(Section::Told(Chapter { id: "free-field", heading: HEADING.into(), blocks: vec![block, peaks] }))
 }
 
-/// What was asked for (m/s): peaks of the motion given and of the incident wave, and the wave at the times of the rows.
-#[derive(Default)]
-struct Wave {
-    given: [f64; 3],
-    incident: [f64; 3],
-    at_rows: [Vec<f64>; 3],
-}
-
-impl Wave {
-    fn of(source: &Source, rows: &[f64]) -> Wave {
-        let Some(Ok(table)) = &source.motion else { return Wave::default() };
-        let time = table.column("time").unwrap_or(&[]);
-        let velocity = |of: &str| AXES.map(|axis| table.column(&format!("{of}.v{axis}")).unwrap_or(&[]));
-        let incident = velocity("incident");
-        Wave {
-            given: velocity("given").map(largest),
-            incident: incident.map(largest),
-            at_rows: incident.map(|values| interpolated(time, values, rows)),
-        }
-    }
-}
-
-/// A history at other times, linear between its own; not a number beyond them. Empty for an empty history.
-fn interpolated(time: &[f64], values: &[f64], rows: &[f64]) -> Vec<f64> {
-    let at = |&t: &f64| {
-        let after = time.partition_point(|x| *x <= t);
-        let (before, after) = (after.checked_sub(1)?, after.min(time.len() - 1));
-        let step = time[after] - time[before];
-        let part = if t == time[before] { 0.0 } else { (t - time[before]) / step };
-        Some((1.0 - part) * values[before] + part * values[after])
-    };
-    if values.is_empty() { Vec::new() } else { rows.iter().map(|t| at(t).unwrap_or(f64::NAN)).collect() }
-}
-
-/// The column that is drawn, and why it is that one.
-struct Drawn<'a> {
-    column: Option<&'a Station>,
-    why: String,
-}
-
-impl<'a> Drawn<'a> {
-    /// The one farthest from theory; without theory the one farthest from the model.
-    fn of(found: &'a FreeField, moving: &[usize]) -> Drawn<'a> {
-        let model = found.model.as_ref();
-        let farthest = |of: &dyn Fn(&Velocities, &Velocities, usize) -> Option<f64>| {
-            let distance = |column: &'a Station| {
-                let none = Velocities::default();
-                let beside = model.map_or([&none; 2], |model| [&model.top, &model.base]);
-                let places = [&column.top, &column.base].into_iter().zip(beside);
-                let each = places
-                    .flat_map(|(own, model)| moving.iter().filter_map(move |&axis| of(own, model, axis)));
-                Some((column, each.reduce(f64::max)?))
-            };
-            // Of equal ones the first.
-            found.columns.iter().filter_map(distance).reduce(|a, b| if b.1 > a.1 { b } else { a })
-        };
-        let theory = farthest(&|own, _, axis| apart(&own.measured[axis], &own.theory[axis]));
-        let beside = || farthest(&|own, model, axis| apart(&own.measured[axis], &model.measured[axis]));
-        let (column, from) = match theory {
-            Some((column, _)) => (Some(column), "theory"),
-            None => match beside() {
-                Some((column, _)) => (Some(column), "the model"),
-                None => (found.columns.first(), ""),
-            },
-        };
-        let why = match (column, found.columns.len(), from) {
-            (Some(column), 2.., "") => format!("Of the columns the first is drawn, {}.", column.name),
-            (Some(column), n @ 2.., from) => {
-                format!("Of the {n} columns the one farthest from {from} is drawn, {}.", column.name)
-            }
-            _ => String::new(),
-        };
-        Drawn { column, why }
-    }
-}
-
-/// The largest finite size; not a number where there is none.
-fn largest(values: &[f64]) -> f64 {
-    values.iter().filter(|x| x.is_finite()).map(|x| x.abs()).reduce(f64::max).unwrap_or(f64::NAN)
-}
-
-/// How far two histories are apart at most, over the larger of their peaks; none where they have no row in common.
-fn apart(a: &[f64], b: &[f64]) -> Option<f64> {
-    let both = a.iter().zip(b).filter(|(a, b)| a.is_finite() && b.is_finite());
-    let most = both.map(|(a, b)| (a - b).abs()).reduce(f64::max)?;
-    let peak = largest(a).max(largest(b));
-    Some(if most == 0.0 { 0.0 } else { most / peak })
-}
-
-/// A share in per cent.
-fn percent(share: f64) -> String {
-    format!("{}\u{a0}%", if share == 0.0 { "0".into() } else { figures(100.0 * share, 2) })
-}
-
 /// A surface and a base for each component that moves.
 fn panels<'a>(
     found: &'a FreeField,
@@ -180,48 +88,31 @@ fn panels<'a>(
     (moving, scale): (&[usize], &Scale),
 ) -> Vec<Panel<'a>> {
     let mut panels = Vec::new();
-    let places: [(&str, fn(&Station) -> &Velocities); 2] =
-        [("surface", |station| &station.top), ("base", |station| &station.base)];
-    for (place, of) in places {
+    for (k, place) in PLACES.into_iter().enumerate() {
         for &axis in moving {
             let line = |name: String, values: &'a [f64], colour, stroke| {
-                values.iter().any(|x| x.is_finite()).then(|| Line {
-                    name,
-                    values: values.into(),
-                    colour,
-                    stroke,
-                })
+                let known = values.iter().any(|x| x.is_finite());
+                known.then(|| Line { name, values: values.into(), colour, stroke })
+            };
+            let of_column = |what: &str, of: fn(&'a Velocities) -> &'a [Vec<f64>; 3], colour, stroke| {
+                let column = drawn.column?;
+                line(format!("{}, {what}", column.name), &of(column.places()[k])[axis], colour, stroke)
+            };
+            let of_model = || {
+                let values = &found.model.as_ref()?.places()[k].measured[axis];
+                line("model, as it moved".into(), values, 1, Stroke::Dashed)
             };
             // In the order in which they are drawn: what may be hidden lies broad below what hides it.
-            let mut lines = Vec::new();
-            if let Some(column) = drawn.column {
-                lines.push(line(
-                    format!("{}, theory", column.name),
-                    &of(column).theory[axis],
-                    6,
-                    Stroke::Broad,
-                ));
-            }
-            lines.push(line("incident wave".into(), &wave.at_rows[axis], 2, Stroke::Thin));
-            if let Some(column) = drawn.column {
-                lines.push(line(
-                    format!("{}, as it moved", column.name),
-                    &of(column).measured[axis],
-                    3,
-                    Stroke::Thin,
-                ));
-            }
-            if let Some(model) = &found.model {
-                lines.push(line("model, as it moved".into(), &of(model).measured[axis], 1, Stroke::Dashed));
-            }
+            let lines = [
+                of_column("theory", |of| &of.theory, 6, Stroke::Broad),
+                line("incident wave".into(), &wave.at_rows[axis], 2, Stroke::Thin),
+                of_column("as it moved", |of| &of.measured, 3, Stroke::Thin),
+                of_model(),
+            ];
             let lines: Vec<Line> = lines.into_iter().flatten().collect();
             if !lines.is_empty() {
-                panels.push(Panel {
-                    title: format!("{place}, velocity along {}", AXES[axis]),
-                    scale: scale.clone(),
-                    lines,
-                    mark: Mark::Largest,
-                });
+                let title = format!("{place}, velocity along {}", AXES[axis]);
+                panels.push(Panel { title, scale: scale.clone(), lines, mark: Mark::Largest });
             }
         }
     }
@@ -248,48 +139,31 @@ fn verdict(
             scale.quantity(incident)
         ));
     }
-    if let Some(column) = drawn.column {
-        for (place, of) in [("surface", &column.top), ("base", &column.base)] {
-            let (measured, theory) = (&of.measured[axis], &of.theory[axis]);
-            if measured.is_empty() {
-                continue;
-            }
-            let times = if place == "surface" && incident > 0.0 {
-                format!(", {} times the incident wave", figures(largest(measured) / incident, 3))
-            } else {
-                String::new()
-            };
-            let beside = match apart(measured, theory) {
-                Some(share) => {
-                    format!(
-                        " (theory {}; they differ by at most {} of the peak)",
-                        speed(theory),
-                        percent(share)
-                    )
-                }
-                None => " (no theory)".into(),
-            };
-            parts.push(format!(
-                "the {place} of column {} at {}{times}{beside}",
-                column.name,
-                speed(measured)
-            ));
+    for (place, of) in drawn.column.iter().flat_map(|column| PLACES.into_iter().zip(column.places())) {
+        let (measured, theory) = (&of.measured[axis], &of.theory[axis]);
+        if measured.is_empty() {
+            continue;
         }
+        let times = match place == PLACES[0] && incident > 0.0 {
+            true => format!(", {} times the incident wave", figures(largest(measured) / incident, 3)),
+            false => String::new(),
+        };
+        let beside = apart(measured, theory).map_or("no theory".into(), |share| {
+            format!("theory {}; they differ by at most {} of the peak", speed(theory), percent(share))
+        });
+        let name = drawn.column.map_or("", |column| &column.name);
+        parts.push(format!("the {place} of column {name} at {}{times} ({beside})", speed(measured)));
     }
-    if let Some(model) = &found.model {
-        let none = Velocities::default();
-        let beside = drawn.column.map_or([&none; 2], |column| [&column.top, &column.base]);
-        for ((place, of), column) in [("surface", &model.top), ("base", &model.base)].into_iter().zip(beside)
-        {
-            let measured = &of.measured[axis];
-            if measured.is_empty() {
-                continue;
-            }
-            let beside = apart(measured, &column.measured[axis]).map_or(String::new(), |share| {
-                format!(" (differing from the column's by at most {})", percent(share))
-            });
-            parts.push(format!("the model's own {place} at {}{beside}", speed(measured)));
+    for (k, of) in found.model.iter().flat_map(Station::places).enumerate() {
+        let measured = &of.measured[axis];
+        if measured.is_empty() {
+            continue;
         }
+        let beside = drawn.column.and_then(|column| apart(measured, &column.places()[k].measured[axis]));
+        let beside = beside.map_or(String::new(), |share| {
+            format!(" (differing from the column's by at most {})", percent(share))
+        });
+        parts.push(format!("the model's own {} at {}{beside}", PLACES[k], speed(measured)));
     }
     let mut text = format!("Along {} {}.", AXES[axis], parts.join("; "));
     let seen = largest(&wave.at_rows[axis]);
@@ -320,9 +194,8 @@ fn explained(found: &FreeField) -> String {
             " A column is named by the side outside which it stands, then by the end of that side.",
         );
     }
-    let has_theory = |column: &Station| {
-        [&column.top, &column.base].iter().any(|of| of.theory.iter().any(|v| !v.is_empty()))
-    };
+    let has_theory =
+        |column: &Station| column.places().iter().any(|of| of.theory.iter().any(|v| !v.is_empty()));
     let without: Vec<&str> =
         found.columns.iter().filter(|c| !has_theory(c)).map(|column| column.name.as_str()).collect();
     if !without.is_empty() {
@@ -333,9 +206,10 @@ fn explained(found: &FreeField) -> String {
 
 /// Peaks of all columns, and of the model, at surface and base.
 fn table(found: &FreeField, drawn: &Drawn, moving: &[usize], scale: &Scale) -> TextTable {
-    let over = vec![Head::words("").over(2), Head::number("surface").over(3), Head::number("base").over(3)];
+    let mut over = vec![Head::words("").over(2)];
+    over.extend(PLACES.map(|place| Head::number(place).over(3)));
     let mut head = vec![Head::words("column"), Head::words("along")];
-    for _ in 0..2 {
+    for _ in PLACES {
         head.push(Head::number(scale.labelled("peak")));
         head.push(Head::number(scale.labelled("theory")));
         head.push(Head::number("differs by (% of peak)"));
@@ -348,12 +222,12 @@ fn table(found: &FreeField, drawn: &Drawn, moving: &[usize], scale: &Scale) -> T
         let is_model = found.model.as_ref().is_some_and(|model| std::ptr::eq(model, station));
         let mut name = station.name.as_str();
         for &axis in moving {
-            let places = [&station.top, &station.base];
+            let places = station.places();
             if places.iter().all(|of| of.measured[axis].is_empty() && of.theory[axis].is_empty()) {
                 continue;
             }
             let mut row = vec![Cell::words(std::mem::take(&mut name)), Cell::words(AXES[axis])];
-            let beside = drawn.column.filter(|_| is_model).map(|column| [&column.top, &column.base]);
+            let beside = drawn.column.filter(|_| is_model).map(Station::places);
             for (k, of) in places.into_iter().enumerate() {
                 let measured = &of.measured[axis];
                 row.extend([peak(measured), peak(&of.theory[axis])]);

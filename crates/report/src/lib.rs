@@ -26,6 +26,7 @@ mod force_shape;
 mod forces;
 mod frame;
 mod free_field;
+mod free_field_numbers;
 mod growth;
 mod histories;
 mod input;

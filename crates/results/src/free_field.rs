@@ -42,6 +42,13 @@ pub struct Velocities {
     pub theory: [Vec<f64>; 3],
 }
 
+impl Station {
+    /// The surface, then the base.
+    pub fn places(&self) -> [&Velocities; 2] {
+        [&self.top, &self.base]
+    }
+}
+
 impl FreeField {
     /// Reads the file.
     ///
@@ -125,7 +132,11 @@ mod tests {
         let [first, second] = &found.columns[..] else { panic!() };
         assert_eq!((&first.top.measured[0], &first.top.theory[0]), (&vec![1.0, 2.0], &vec![1.5, 2.5]));
         assert_eq!((&first.base.measured[0], &second.base.measured[2]), (&vec![5.0, 6.0], &vec![3.0, 4.0]));
-        assert!(first.base.theory[0].is_empty() && second.top.measured.iter().all(Vec::is_empty));
+        assert!(
+            first.base.theory[0].is_empty()
+                && first.places() == [&first.top, &first.base]
+                && second.top.measured.iter().all(Vec::is_empty)
+        );
         assert_eq!(found.model.unwrap().top.measured[0], [7.0, 8.0]);
     }
 

@@ -120,7 +120,7 @@ fn one_sentence_says_what_was_asked_for_and_what_came() {
         "rows of free_field.csv, 10 ms apart",
         "Not drawn: z, nowhere more than",
     ] {
-        assert!(told.contains(&text), "{text}\n{told}");
+        assert!(told.contains(text), "{text}\n{told}");
     }
     let drawing = drawing(&folder);
     for name in ["reference, theory", "reference, as it moved", "model, as it moved", "incident wave"] {
