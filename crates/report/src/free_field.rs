@@ -100,13 +100,13 @@ fn panels<'a>(
             };
             let of_model = || {
                 let values = &found.model.as_ref()?.places()[k].measured[axis];
-                line("model, as it moved".into(), values, 1, Stroke::Dashed)
+                line("model, as it moved".into(), values, 3, Stroke::Dashed)
             };
             // In the order in which they are drawn: what may be hidden lies broad below what hides it.
             let lines = [
-                of_column("theory", |of| &of.theory, 6, Stroke::Broad),
+                of_column("theory", |of| &of.theory, 5, Stroke::Broad),
                 line("incident wave".into(), &wave.at_rows[axis], 2, Stroke::Thin),
-                of_column("as it moved", |of| &of.measured, 3, Stroke::Thin),
+                of_column("as it moved", |of| &of.measured, 0, Stroke::Thin),
                 of_model(),
             ];
             let lines: Vec<Line> = lines.into_iter().flatten().collect();
