@@ -72,5 +72,6 @@ problems! {
     kirsch_hole Test,
     excavated_opening Verify,
     lined_tunnel Verify,
+    free_field_hand_over Test,
     release_ramp Verify,
 }
