@@ -18,6 +18,16 @@ pub struct Sides {
     pub off_axes: [f64; 2],
 }
 
+impl Sides {
+    /// Whether turning by the angle would bring the sides onto planes normal to x and y that they are off by more than a
+    /// tolerance, or much nearer to them; `axes` says which planes matter.
+    pub fn turned(&self, axes: [bool; 2], tolerance: f64) -> bool {
+        let most = |off: [f64; 2]| (0..2).filter(|&i| axes[i]).map(|i| off[i]).fold(0.0, f64::max);
+        let (off, off_axes) = (most(self.off), most(self.off_axes));
+        off_axes > tolerance && (off <= tolerance || off_axes > 2.0 * off)
+    }
+}
+
 /// Why the sides are not two pairs of parallel vertical planes: in plan one edge of the smallest rectangle around the mesh
 /// has vertical faces along a part of it only.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -78,8 +88,9 @@ pub fn sides(mesh: &Mesh) -> Result<Sides, NoRectangle> {
         let [from, to] = turned.edge(side);
         NoRectangle { from, to, covered: union(cover) / turned.width(1 - side / 2) }
     });
-    // Not a number, where the mesh has no extent, is no share.
-    match edges.filter(|edge| !(edge.covered >= COVERED)).min_by(|a, b| a.covered.total_cmp(&b.covered)) {
+    // It is not a number where the mesh has no extent.
+    let bare = edges.filter(|edge| edge.covered.is_nan() || edge.covered < COVERED);
+    match bare.min_by(|a, b| a.covered.total_cmp(&b.covered)) {
         Some(edge) => Err(edge),
         None => Ok(Sides { angle, off, off_axes }),
     }
@@ -151,15 +162,15 @@ impl Rectangle {
 
     /// How far the farthest corner of a face lies off a side \[m\].
     fn distance(&self, face: &Upright, side: usize) -> f64 {
-        let level = if side % 2 == 0 { self.low[side / 2] } else { self.high[side / 2] };
+        let level = if side.is_multiple_of(2) { self.low[side / 2] } else { self.high[side / 2] };
         let off = |&p: &Place| (self.local(p)[side / 2] - level).abs();
         face.corners.iter().map(off).fold(0.0, f64::max)
     }
 
     fn side_of(&self, face: &Upright) -> Option<usize> {
         let size = self.width(0).hypot(self.width(1));
-        (0..4).find(|&side| {
-            let outward = if side % 2 == 0 { -1.0 } else { 1.0 };
+        (0..4).find(|&side: &usize| {
+            let outward = if side.is_multiple_of(2) { -1.0 } else { 1.0 };
             let alike = outward * dot(self.axes[side / 2], face.area) >= ALIKE * length(face.area);
             alike && self.distance(face, side) <= BESIDE * size
         })
@@ -170,7 +181,7 @@ impl Rectangle {
         let (axis, along) = (side / 2, 1 - side / 2);
         [self.low[along], self.high[along]].map(|s| {
             let mut local = [0.0; 2];
-            local[axis] = if side % 2 == 0 { self.low[axis] } else { self.high[axis] };
+            local[axis] = if side.is_multiple_of(2) { self.low[axis] } else { self.high[axis] };
             local[along] = s;
             [0, 1].map(|i| local[0] * self.axes[0][i] + local[1] * self.axes[1][i])
         })

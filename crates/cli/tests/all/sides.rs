@@ -165,6 +165,8 @@ fn a_turned_box_is_refused_with_the_rotation_that_makes_it_the_straight_one() {
         turned(folder, by, dynamic);
         let said = refused(folder, "path = \"box.msh\"");
         assert!(said.contains(&format!("are turned by {found} about z")), "{said}");
+        let info = String::from_utf8(tremolite(folder, &["mesh", "info", "box.msh"]).stdout).unwrap();
+        assert!(info.contains(&format!("sides are turned by {by:.6} deg about z")), "{info}");
         let (_, rest) = said.split_once("write mesh.file.rotate = \"").expect("a remedy");
         let remedy = rest.split('"').next().unwrap();
         assert_eq!(

@@ -51,11 +51,8 @@ pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
         }
     };
     let most = |off: [f64; 2]| (0..2).filter(|&i| acts[i]).map(|i| off[i]).fold(0.0, f64::max);
-    let (off, off_axes) = (most(found.off), most(found.off_axes));
-    if off_axes <= NEAR {
-        return;
-    }
-    if off > NEAR {
+    let off = most(found.off);
+    if off > NEAR && most(found.off_axes) > NEAR {
         let message = format!(
             "the outer sides are not plane: nodes lie off them by up to {off:.1e} of the model's width, and no boundary acts on \
              faces that are off by more than {NEAR:.0e}"
@@ -66,7 +63,7 @@ pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
             "write the mesh with more digits, or make its sides plane",
         ));
     }
-    if off <= NEAR || off_axes > 2.0 * off {
+    if found.turned(acts, NEAR) {
         let (angle, total) = (found.angle.to_degrees(), (file.rotate.value - found.angle).to_degrees());
         let message = format!(
             "the outer sides of the mesh are turned by {} about z (counter-clockwise seen from above), and boundaries act on \
@@ -84,7 +81,8 @@ pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
 
 /// An angle with as many digits as leave nodes where they would be without rounding, to 10⁻⁹ of the model's size.
 fn degrees(angle: f64) -> String {
-    let text = format!("{angle:.8}");
+    // A nought without a sign.
+    let text = format!("{:.8}", (1e8 * angle).round() / 1e8 + 0.0);
     format!("{} deg", text.trim_end_matches('0').trim_end_matches('.'))
 }
 
