@@ -25,6 +25,7 @@ pub(crate) static DYNAMIC: Table = Table {
             "Boundary at the base, where the motion enters",
         ),
         Key::required("sides", Kind::Brief(&SIDES, &["x", "y"]), "boundary at the four sides"),
+        Key::default("top", Kind::Word(Top::WORDS), r#""free""#, "Boundary at the top plane"),
         Key::default("damping", Kind::Table(&DAMPING), "{}", "Damping of the rock and the lining"),
         Key::optional(
             "time_step",
@@ -77,7 +78,7 @@ static SIDES: Table = Table {
 static SIDE: Table = Table {
     path: "dynamic.sides.x",
     doc: "Boundary at a pair of sides.",
-    keys: &[Key::required("kind", Kind::Word(SideKind::WORDS), "what holds the two sides")],
+    keys: &[Key::required("kind", Kind::Word(Side::WORDS), "what holds the two sides")],
     choice: &[],
 };
 
@@ -147,9 +148,13 @@ words! {
 
 words! {
     /// What holds a pair of sides.
-    SideKind {
+    Side {
+        /// a slab of the same ground outside moves as ground without end would, and presses and absorbs here
+        FreeField = "free-field",
         /// opposite nodes move as one: an endless row of such blocks
         Periodic = "periodic",
+        /// the other half is its mirror image: no displacement normal to the side; a roller, in the shaking too
+        Symmetry = "symmetry",
         /// dashpots (Lysmer & Kuhlemeyer)
         Viscous = "viscous",
         /// no displacement normal to the side
@@ -158,6 +163,16 @@ words! {
         Fixed = "fixed",
         /// no traction
         Free = "free",
+    }
+}
+
+words! {
+    /// What acts on the top plane in the shaking.
+    Top {
+        /// no traction: the surface of the ground
+        Free = "free",
+        /// dashpots: ground goes on above, and the wave that its surface would send back is missing
+        Viscous = "viscous",
     }
 }
 
@@ -170,6 +185,8 @@ pub struct Dynamic {
     pub base: Spanned<Base>,
     /// The two sides normal to x, and to y.
     pub sides: [Spanned<Side>; 2],
+    /// What acts on the top plane in the shaking.
+    pub top: Spanned<Top>,
     /// Damping of all materials.
     pub rayleigh: Rayleigh,
     pub band: Option<BandDamping>,
@@ -201,21 +218,6 @@ pub enum Base {
     Free,
 }
 
-/// Boundary at a pair of sides, its numbers in SI.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Side {
-    /// Opposite nodes move together.
-    Periodic,
-    /// Dashpots ρc.
-    Viscous,
-    /// No motion normal to the side.
-    Roller,
-    /// No motion.
-    Fixed,
-    /// Nothing.
-    Free,
-}
-
 /// Damping nearly independent of frequency over a band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BandDamping {
@@ -239,8 +241,9 @@ impl Dynamic {
     pub(crate) fn read(f: &Fields) -> Option<Self> {
         let (duration, time_step) = (f.number("duration"), f.number("time_step"));
         let base = f.table("base").and_then(Base::read);
-        let side = |key| f.table("sides").and_then(|s| s.table(key)).and_then(Side::read);
+        let side = |key| f.table("sides").and_then(|s| s.table(key))?.word("kind", Side::from_word);
         let sides = (side("x"), side("y"));
+        let top = f.word("top", Top::from_word);
         let rayleigh = f.table("damping").and_then(|d| d.table("rayleigh")).and_then(Rayleigh::read);
         let band = f.table("damping").and_then(BandDamping::read);
         Some(Dynamic {
@@ -250,23 +253,10 @@ impl Dynamic {
             safety: f.number("safety")?,
             base: base?,
             sides: [sides.0?, sides.1?],
+            top: top?,
             rayleigh: rayleigh?,
             span: f.span.clone(),
         })
-    }
-}
-
-impl Side {
-    /// The word for this kind of side as it is written in a case.
-    pub fn word(self) -> &'static str {
-        let kind = match self {
-            Side::Periodic => SideKind::Periodic,
-            Side::Viscous => SideKind::Viscous,
-            Side::Roller => SideKind::Roller,
-            Side::Fixed => SideKind::Fixed,
-            Side::Free => SideKind::Free,
-        };
-        kind.word()
     }
 }
 
@@ -295,20 +285,6 @@ impl Base {
             BaseKind::Free => Base::Free,
         };
         Some(Spanned::new(base, kind.span))
-    }
-}
-
-impl Side {
-    fn read(f: &Fields) -> Option<Spanned<Self>> {
-        let kind = f.word("kind", SideKind::from_word)?;
-        let side = match kind.value {
-            SideKind::Periodic => Side::Periodic,
-            SideKind::Viscous => Side::Viscous,
-            SideKind::Roller => Side::Roller,
-            SideKind::Fixed => Side::Fixed,
-            SideKind::Free => Side::Free,
-        };
-        Some(Spanned::new(side, kind.span))
     }
 }
 

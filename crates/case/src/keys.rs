@@ -204,12 +204,6 @@ impl Key {
     }
 }
 
-/// Words that are known but not available yet, and what to write instead.
-pub const LATER_WORDS: &[(&str, &str)] = &[
-    ("free-field", "write \"periodic\", or \"viscous\" with the sides far away"),
-    ("symmetry", "write \"roller\": no motion normal to the side, free along it"),
-];
-
 /// Declares an enumeration of words of the case file; the words are written once.
 macro_rules! words {
     ($(#[$meta:meta])* $name:ident { $($(#[doc = $doc:literal])+ $variant:ident = $word:literal,)* }) => {

@@ -43,7 +43,7 @@ mod value;
 
 pub use case::Case;
 pub use defaulted::Defaulted;
-pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, SideKind};
+pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, Top};
 pub use initial::{Initial, InitialStress, MeasuredStress, StressField};
 pub use interface::{Contact, Interface};
 pub use law_file::{LawFile, LawKind};

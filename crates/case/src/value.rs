@@ -9,7 +9,7 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::check::{Checker, given};
 use crate::fields::{Fields, Item, Node};
-use crate::keys::{Key, Kind, LATER_WORDS, Limit};
+use crate::keys::{Key, Kind, Limit};
 use crate::law_key::{self, COLUMNS};
 use crate::{Spanned, suggest, units};
 
@@ -225,10 +225,6 @@ impl Checker<'_> {
     ) -> Option<Item> {
         if words.contains(&text) {
             return Some(Item::Text(text.to_owned()));
-        }
-        if let Some((_, instead)) = LATER_WORDS.iter().find(|(word, _)| *word == text) {
-            self.problem(span.clone(), format!("\"{text}\" is not available yet"), *instead);
-            return None;
         }
         let remedy = suggest::word(text, words);
         self.refuse(span, path, &format!("cannot be \"{text}\""), &remedy)

@@ -4,6 +4,9 @@ use std::collections::BTreeSet;
 use tremolite_mesh::topology::exterior_faces;
 use tremolite_mesh::{Face, Mesh};
 
+/// How far a face's nodes may lie off an outer plane, over the mesh's extent normal to it.
+pub const NEAR: f64 = 1e-6;
+
 /// Faces of elements on the outer planes.
 #[derive(Clone, Debug, Default)]
 pub struct OuterFaces {
@@ -20,7 +23,7 @@ impl OuterFaces {
         let mut planes = <[[Vec<Face>; 2]; 3]>::default();
         for face in exterior_faces(mesh, Some(elements)) {
             for axis in 0..3 {
-                let near = 1e-6 * (high[axis] - low[axis]);
+                let near = NEAR * (high[axis] - low[axis]);
                 for (end, level) in [low[axis], high[axis]].into_iter().enumerate() {
                     if mesh.face_nodes(face).all(|n| (mesh.nodes[n as usize][axis] - level).abs() <= near) {
                         planes[axis][end].push(face);

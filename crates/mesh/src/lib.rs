@@ -28,6 +28,7 @@ pub mod read;
 #[cfg(test)]
 mod sample;
 mod shortest;
+pub mod sides;
 pub mod split;
 pub mod topology;
 mod trouble;

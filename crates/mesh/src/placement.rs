@@ -1,5 +1,7 @@
 //! A mesh put where a model wants it: its axis that points up, its unit, its direction, its place.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::Mesh;
 use crate::assembly::mirror;
 
@@ -36,7 +38,7 @@ impl Placement {
             Up::Z => [x, y, z],
         };
         let [x, y, z] = std::array::from_fn(|i| upright[i] * self.scale[i]);
-        let (sine, cosine) = self.rotation.sin_cos();
+        let (sine, cosine) = turn(self.rotation);
         let turned = [x * cosine - y * sine, x * sine + y * cosine, z];
         std::array::from_fn(|i| turned[i] + self.shift[i])
     }
@@ -51,6 +53,15 @@ impl Placement {
             mirror(mesh);
         }
     }
+}
+
+/// Sine and cosine of an angle \[rad\], exact for whole right angles, which an angle in degrees misses by round-off.
+fn turn(angle: f64) -> (f64, f64) {
+    let quarters = (angle / FRAC_PI_2).round();
+    if (angle - quarters * FRAC_PI_2).abs() > 4.0 * f64::EPSILON * angle.abs() {
+        return angle.sin_cos();
+    }
+    [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][quarters.rem_euclid(4.0) as usize]
 }
 
 #[cfg(test)]
@@ -145,5 +156,27 @@ mod tests {
             assert!((totals.min_scaled_jacobian - 1.0).abs() < 1e-8, "{totals:?}");
             assert!((totals.volume / 24e-9 - 1.0).abs() < 1e-8, "{totals:?}");
         }
+    }
+
+    #[test]
+    fn right_angles_are_exact_and_other_angles_are_what_they_are() {
+        let point = |degrees: f64| {
+            let placement = Placement { rotation: degrees.to_radians(), ..Placement::AS_IT_IS };
+            placement.point([3.1, 4.7, 5.3])
+        };
+        for (degrees, exact) in [
+            (0.0, [3.1, 4.7, 5.3]),
+            (90.0, [-4.7, 3.1, 5.3]),
+            (-90.0, [4.7, -3.1, 5.3]),
+            (180.0, [-3.1, -4.7, 5.3]),
+            (-180.0, [-3.1, -4.7, 5.3]),
+            (270.0, [4.7, -3.1, 5.3]),
+            (450.0, [-4.7, 3.1, 5.3]),
+        ] {
+            assert_eq!(point(degrees), exact, "{degrees}");
+        }
+        let [x, y, _] = point(90.0 + 1e-9);
+        let angle = 1e-9_f64.to_radians();
+        assert!((x + 4.7 + 3.1 * angle).abs() < 1e-15 && (y - 3.1 + 4.7 * angle).abs() < 1e-15, "{x} {y}");
     }
 }

@@ -41,7 +41,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         space.shown(&(body.material.info().name, body.material.values(), body.material.band()));
         space.indices(&body.elements);
     }
-    space.shown(&(model.base, model.sides, model.top, &model.held, &model.ties));
+    space.shown(&(model.base, model.sides, &model.held, &model.ties));
     for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
         space.shown(&(&seam.name, contacts.law.info().name, contacts.law.values(), contacts.frequency));
         for pair in &seam.pairs {
@@ -60,7 +60,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     space.numbers(model.initial.iter().flatten());
 
     let mut time = Hasher(crc32fast::Hasher::new());
-    time.shown(&(dt, plan.duration, plan.histories, plan.snapshots, model.rayleigh));
+    time.shown(&(dt, plan.duration, plan.histories, plan.snapshots, model.rayleigh, model.top));
     // While time stands still before the shaking these do nothing.
     time.shown(&model.bodies.iter().map(|body| body.viscosity).collect::<Vec<_>>());
     time.shown(&model.seams.iter().map(|seam| seam.damping).collect::<Vec<_>>());

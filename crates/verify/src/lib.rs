@@ -16,6 +16,7 @@
 //! # Ok::<(), tremolite_verify::UnknownName>(())
 //! ```
 
+pub mod box_size;
 mod check;
 mod concrete;
 mod convergence;

@@ -35,7 +35,7 @@ fn cases() -> Vec<String> {
     vec![
         EVERY_KEY.to_owned(),
         with_mesh(&format!("[mesh.box]\nx = {axis}\ny = {axis}\nz = {axis}\ngroup = \"soil\"")),
-        with_mesh("[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\""),
+        with_mesh("[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\"\nrotate = \"20 deg\""),
         with_stress("stress = { at = [1, 2, 3], zz = \"-1 MPa\", gradient = { zz = \"27 kN/m3\" } }"),
         with_stress("measured = [{ at = [1, 2, 3], xx = 1, yy = 2, zz = 3, xy = 4, yz = 5, zx = 6 }]"),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),

@@ -39,6 +39,13 @@ static FILE: Table = Table {
     keys: &[
         Key::required("path", Kind::Text, "the file, relative to the case"),
         Key::default("unit", LENGTH, r#""1 m""#, "Length of one unit of the file's coordinates"),
+        Key::default(
+            "rotate",
+            Kind::Number(Dimension::ANGLE, Limit::Any),
+            r#""0 deg""#,
+            "Angle by which the mesh is turned about the z axis through the origin as it is read, counter-clockwise seen from \
+             above; every coordinate and stress of the case and its results, and model_x_azimuth, are in the axes after it",
+        ),
     ],
     choice: &[],
 };
@@ -61,6 +68,9 @@ pub struct MeshFile {
     pub path: Spanned<PathBuf>,
     /// Length of one unit of the file's coordinates, m.
     pub unit: Spanned<f64>,
+    /// Angle by which it is turned about the z axis, counter-clockwise seen from above, rad. All else in the case is meant
+    /// in the axes after it.
+    pub rotate: Spanned<f64>,
 }
 
 impl Mesh {
@@ -90,6 +100,10 @@ impl Mesh {
 impl MeshFile {
     fn read(f: &Fields) -> Option<Self> {
         let path = f.text("path")?;
-        Some(MeshFile { path: Spanned::new(path.value.into(), path.span), unit: f.number("unit")? })
+        Some(MeshFile {
+            path: Spanned::new(path.value.into(), path.span),
+            unit: f.number("unit")?,
+            rotate: f.number("rotate")?,
+        })
     }
 }

@@ -76,6 +76,7 @@ fn every_value_arrives_in_si() {
     let distance = distance.as_ref().map(|d| d.value);
     assert_eq!((normal.value, tangential.value, distance), (1.5, 0.5, Some(100.0)));
     assert_eq!(dynamic.sides.each_ref().map(|s| s.value), [Side::Viscous, Side::Roller]);
+    assert_eq!(dynamic.top.value, Top::Viscous);
     assert_eq!((dynamic.rayleigh.mass.value, dynamic.rayleigh.stiffness.value), (0.3, 1e-4));
     assert_eq!(dynamic.time_step.as_ref().map(|t| t.value), Some(50e-6));
     assert_eq!((dynamic.duration.as_ref().map(|t| t.value), dynamic.safety.value), (Some(19.5), 0.8));
@@ -127,9 +128,16 @@ fn the_other_kinds_of_mesh_are_read() {
     assert_eq!((z.from.value, z.to.value, z.elements.value, z.growth.value), (-1.0, 1.0, 4, 1.2));
     assert_eq!(mesh.group.value, "rock");
 
-    let source = format!("{before}[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\"\n[material.rock]{after}");
+    let source = format!(
+        "{before}[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\"\nrotate = \"-20 deg\"\n[material.rock]{after}"
+    );
     let Mesh::File(file) = read(&source).mesh else { panic!("a file") };
     assert_eq!((file.path.value.as_path(), file.unit.value), (Path::new("site.msh"), 0.001));
+    assert_eq!(file.rotate.value, -20_f64.to_radians());
+    let case = read(&source.replace("\nrotate = \"-20 deg\"", ""));
+    let Mesh::File(file) = &case.mesh else { panic!("a file") };
+    assert_eq!(file.rotate.value, 0.0);
+    assert!(case.defaulted.iter().any(|d| d.key == "mesh.file.rotate" && d.value == "0 deg"));
 }
 
 #[test]
@@ -159,6 +167,13 @@ fn words_stand_for_bases_and_sides() {
     }
     let case = read(&EVERY_KEY.replace("{ x = \"viscous\", y = \"roller\" }", "\"periodic\""));
     assert_eq!(case.dynamic.sides.each_ref().map(|s| s.value), [Side::Periodic, Side::Periodic]);
+    let case = read(&EVERY_KEY.replace("\"viscous\", y = \"roller\"", "\"free-field\", y = \"symmetry\""));
+    assert_eq!(case.dynamic.sides.each_ref().map(|s| s.value), [Side::FreeField, Side::Symmetry]);
+    let words = case.dynamic.sides.each_ref().map(|s| &case.source[s.span.clone()]);
+    assert_eq!(words, ["\"free-field\"", "\"symmetry\""]);
+    let case = read(&EVERY_KEY.replace("top = \"viscous\"\n", ""));
+    assert_eq!(case.dynamic.top.value, Top::Free);
+    assert!(case.defaulted.iter().any(|d| d.key == "dynamic.top" && d.value == "free"));
 }
 
 #[test]

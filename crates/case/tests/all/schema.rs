@@ -150,7 +150,7 @@ fn what_the_reader_refuses_for_its_form_does_not_fit() {
         ("law = \"elastic\"", "law = \"plastic\""),
         ("at = [\"0 m\", \"1 m\", \"-210 m\"]", "at = [0, 1]"),
         ("[material.rock]", "[mesh.file]\npath = \"a\"\n[material.rock]"),
-        ("y = \"roller\"", "y = \"free-field\""),
+        ("y = \"roller\"", "y = \"freefield\""),
         ("law = \"bandis\"", "law = \"bandi\""),
         ("law = \"bandis\"", "law = \"tied\""),
         ("law = \"tied\"", "law = \"coulomb\""),

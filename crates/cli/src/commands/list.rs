@@ -5,7 +5,7 @@ use crate::terminal::print;
 use tremolite::quantities::{
     CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE, SHARE_OF_VOLUME,
 };
-use tremolite_case::{BaseKind, ListedValue, SideKind, interface_keys};
+use tremolite_case::{BaseKind, ListedValue, Side, Top, interface_keys};
 use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, LawInfo, Need, PairState, Parameter};
@@ -123,7 +123,8 @@ fn law(law: &LawInfo, first: impl Fn()) {
 fn boundaries() {
     for (heading, meanings) in [
         ("base (dynamic.base)", BaseKind::MEANINGS),
-        ("sides (dynamic.sides.x, dynamic.sides.y)", SideKind::MEANINGS),
+        ("sides (dynamic.sides.x, dynamic.sides.y)", Side::MEANINGS),
+        ("top (dynamic.top)", Top::MEANINGS),
     ] {
         print(heading);
         for (word, meaning) in meanings {

@@ -46,19 +46,24 @@ pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
     Ok((case, setup))
 }
 
-/// Why a case is no model, at its interface where it is about one.
+/// Why a case is no model, at its interface or boundary where it is about one.
 pub fn refused(case: &Case, error: &ModelError) -> Failure {
-    if let ModelError::Periodic { low, .. } = error {
-        let side = &case.dynamic.sides[usize::from(low.starts_with('y'))];
-        let text = error.to_string();
-        let (message, remedy) = text.split_once("; ").unwrap_or((&text, "choose another kind of sides"));
-        return Failure::case(&case.report(vec![Problem::at(side, message, remedy)]));
-    }
+    let sides = &case.dynamic.sides;
     let named = |name: &str| case.interfaces.iter().find(|interface| interface.name.value == name);
-    let Some(interface) = error.interface().and_then(named) else { return Failure::input(error) };
+    let (span, otherwise) = match error {
+        ModelError::Periodic { low, .. } => {
+            (sides[usize::from(low.starts_with('y'))].span.clone(), "choose another kind of sides")
+        }
+        ModelError::FreeField(_) => (sides[0].span.clone(), "choose another kind of sides"),
+        ModelError::Top { .. } => (case.dynamic.top.span.clone(), "write top = \"free\""),
+        _ => match error.interface().and_then(named) {
+            Some(interface) => (interface.span.clone(), "see `tremolite list interfaces`"),
+            None => return Failure::input(error),
+        },
+    };
     let text = error.to_string();
-    let (message, remedy) = text.split_once("; ").unwrap_or((&text, "see `tremolite list interfaces`"));
-    Failure::case(&case.report(vec![Problem::new(interface.span.clone(), message, remedy)]))
+    let (message, remedy) = text.split_once("; ").unwrap_or((&text, otherwise));
+    Failure::case(&case.report(vec![Problem::new(span, message, remedy)]))
 }
 
 /// Steps beyond which a run is a slip of units: a year on a fast machine.

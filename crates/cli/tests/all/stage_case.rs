@@ -23,7 +23,7 @@ east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
 process = ["baseline"]
 [dynamic]
 base = "viscous"
-sides = "roller"
+sides = "viscous"
 duration = "0.1 s"
 "#;
 

@@ -278,7 +278,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
 
     // Stages that were run alone serve as well, between the same sides.
     std::fs::create_dir(folder.join("still")).unwrap();
-    case(folder, LATERAL, STAGES, "[dynamic]\nbase = \"viscous\"\nsides = \"roller\"\n");
+    case(folder, LATERAL, STAGES, "[dynamic]\nbase = \"viscous\"\nsides = \"viscous\"\n");
     let still = run(folder, "rest", &[]);
     assert_eq!(code(&still), 0, "{}", errors(&still));
     std::fs::write(folder.join("case.toml"), &original).unwrap();

@@ -6,6 +6,7 @@ use tremolite_case::{self as case, Problem};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer};
 use tremolite_mesh::note::Note;
+use tremolite_mesh::placement::Placement;
 use tremolite_mesh::{Mesh, read_with_notes};
 
 /// A mesh in metres, and what its user should know of it.
@@ -31,7 +32,12 @@ pub fn build(mesh: &case::Mesh, directory: &Path, problems: &mut Vec<Problem>) -
         }
         case::Mesh::File(file) => {
             let made = read_with_notes(directory.join(&file.path.value));
-            let made = made.map(|(mesh, notes)| (scaled(mesh, file.unit.value), notes));
+            let placement =
+                Placement { scale: [file.unit.value; 3], rotation: file.rotate.value, ..Placement::AS_IT_IS };
+            let made = made.map(|(mut mesh, notes)| {
+                placement.apply(&mut mesh);
+                (mesh, notes)
+            });
             let span = &file.path.span;
             (made.map_err(|e| (span.clone(), e.to_string())), span, "change the file if this is not meant")
         }
@@ -173,11 +179,6 @@ fn boxed(bricks: &case::MeshBox) -> Result<Mesh, String> {
     let mut mesh = BoxSpec { x, y, z, distortion: None }.mesh().map_err(|e| e.to_string())?;
     mesh.groups = [(bricks.group.value.clone(), (0..mesh.elements.len() as u32).collect())].into();
     Ok(mesh)
-}
-
-fn scaled(mut mesh: Mesh, unit: f64) -> Mesh {
-    mesh.nodes.iter_mut().chain(mesh.points.values_mut()).flatten().for_each(|x| *x *= unit);
-    mesh
 }
 
 #[cfg(test)]

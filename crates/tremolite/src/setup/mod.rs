@@ -10,6 +10,7 @@ mod mesh;
 mod monitors;
 mod motion;
 mod regions;
+mod sides;
 mod stages;
 mod warnings;
 
@@ -22,7 +23,7 @@ use indexmap::IndexMap;
 use stages::Staged;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
-use tremolite_engine::{Base, Body, Incident, Interface, Life, Problem, Rayleigh, Side, TimeStep, column};
+use tremolite_engine::{Base, Body, Incident, Interface, Life, Problem, Rayleigh, TimeStep, column};
 use tremolite_kernels::{InterfaceLaw, Law, interface_laws, laws};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
@@ -104,6 +105,10 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let Some(mesh::Built { mut mesh, mut warnings, doubled }) = mesh else {
         return Err(case.report(problems));
     };
+    sides::check_planes(case, &mesh, &mut problems);
+    if let Some((motion, _)) = &motion {
+        sides::check_motion(case, motion, &mut problems);
+    }
     interfaces::tie(case, &mut mesh, &mut problems);
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
@@ -126,7 +131,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(doubled.filter(|_| !interfaces::explain_doubled(&mesh, &interfaces)));
     warnings.extend(interfaces::warnings(case, &laws.interfaces));
     warnings.extend(warnings::of_laws(case, &bodies, &fields));
-    warnings.extend(motion.iter().flat_map(|motion| warnings::of_sides(case, motion)));
+    warnings.extend(sides::warnings(case));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
@@ -148,7 +153,8 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problem = Problem::new(mesh, bodies);
     problem.interfaces = interfaces;
     problem.base = base;
-    problem.sides = dynamic.sides.each_ref().map(|s| side(s.value));
+    problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
+    problem.top = sides::top(dynamic.top.value);
     problem.incident =
         motion.zip(facts.as_ref()).map(|(motion, facts)| Incident { motion, factor: facts.factor });
     problem.rayleigh =
@@ -239,8 +245,8 @@ fn base(case: &Case, problems: &mut Vec<case::Problem>) -> Base {
     }
 }
 
-/// The base, and why it has no springs though they are usual: one column cannot be the free field where the ground differs
-/// between the model's corners. A base that asks for them is refused; without an earthquake nothing asks.
+/// The base, and why it has no springs though they are usual: where there is no column of ground along the model's vertical edges
+/// there is no free field that they could count from. A base that asks for them is refused; without an earthquake nothing asks.
 fn springs_or_none(
     case: &Case,
     mesh: &tremolite_mesh::Mesh,
@@ -254,6 +260,10 @@ fn springs_or_none(
     if !base.has_springs() || !problems.is_empty() {
         return (base, None);
     }
+    // The slabs have columns of their own.
+    if case.dynamic.sides.iter().all(|side| side.value == case::Side::FreeField) {
+        return (base, None);
+    }
     let mut body_of = vec![None; mesh.elements.len()];
     for (b, body) in bodies.iter().enumerate() {
         body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
@@ -264,18 +274,8 @@ fn springs_or_none(
     }
     problems.push(case::Problem::at(
         &case.dynamic.base,
-        format!("the springs of the base act on what differs from one column of ground, but {reason}"),
-        "write base = \"viscous\", or make the ground the same at all four corners of the model",
+        format!("the springs of the base act on what differs from columns of the ground at the model's corners, but {reason}"),
+        "write base = \"viscous\", or sides = \"free-field\", whose columns may change and be crossed",
     ));
     (base, None)
-}
-
-fn side(side: case::Side) -> Side {
-    match side {
-        case::Side::Fixed => Side::Fixed,
-        case::Side::Roller => Side::Roller,
-        case::Side::Free => Side::Free,
-        case::Side::Viscous => Side::Viscous,
-        case::Side::Periodic => Side::Periodic,
-    }
 }

@@ -113,33 +113,3 @@ pub fn of_motion(
     }
     warnings
 }
-
-/// A component of motion over the largest that counts as none.
-const STILL: f64 = 1e-3;
-
-/// Sides that do not let ground move as it would without them.
-pub fn of_sides(case: &Case, motion: &tremolite_motion::Motion) -> Vec<case::Problem> {
-    let peak = |i: usize| motion.velocity[i].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let largest = (0..3).map(peak).fold(0.0, f64::max);
-    let moves = |i: usize| peak(i) > STILL * largest;
-    let mut warnings = Vec::new();
-    for (axis, side) in case.dynamic.sides.iter().enumerate() {
-        let what = match side.value {
-            case::Side::Periodic => continue,
-            case::Side::Roller if !moves(axis) => continue,
-            case::Side::Roller => "hold motion along their normal, which the record has",
-            case::Side::Fixed => "do not move, while the ground beside them would",
-            case::Side::Viscous => "drain the wave as it rises",
-            case::Side::Free => "stand free, where ground would press",
-        };
-        let (name, word) = (["x", "y"][axis], side.value.word());
-        let message = format!(
-            "the {word} sides across {name} {what}: in homogeneous ground such sides took 80 to 130 % of the surface's motion"
-        );
-        let remedy = "use \"periodic\"; the check 'model's corners against free field' says what is left";
-        warnings.push(case::Problem::at(side, message, remedy));
-    }
-    // One word for both sides is one warning.
-    warnings.dedup_by(|a, b| a.span == b.span);
-    warnings
-}

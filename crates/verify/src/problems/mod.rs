@@ -46,6 +46,7 @@ problems! {
     layered_column Test,
     free_field_tunnel Test,
     mirror_image Test,
+    box_size Verify,
     lamb Verify,
     macneal_harder_beam Test,
     cantilever_thin Test,

@@ -2,6 +2,7 @@
 
 use super::Checked;
 use serde_json::{Map, Value, json};
+use tremolite_case::Mesh;
 
 impl Checked<'_> {
     pub(super) fn json(&self) -> Value {
@@ -47,6 +48,7 @@ impl Checked<'_> {
             "excavated": survey.void_elements,
             "nodes": survey.nodes,
             "groups": groups,
+            "mesh_rotation": self.rotation(),
             "regions": regions.collect::<Vec<_>>(),
             "materials": self.materials,
             "interfaces": self.interfaces,
@@ -75,6 +77,14 @@ impl Checked<'_> {
             "defaulted": self.left_out,
             "findings": self.findings(),
         })
+    }
+
+    /// By which a mesh from a file is turned \[rad\].
+    fn rotation(&self) -> Option<f64> {
+        match &self.case.mesh {
+            Mesh::File(file) => Some(file.rotate.value),
+            _ => None,
+        }
     }
 
     /// What is allowed but hardly meant, each at its line of the case.

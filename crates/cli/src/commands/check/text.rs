@@ -4,7 +4,7 @@ use super::Checked;
 use crate::commands::defaulted::text;
 use crate::terminal::{bytes, duration, print};
 use tremolite::setup::MotionFacts;
-use tremolite_case::units;
+use tremolite_case::{Mesh, units};
 use tremolite_laws::Dimension;
 use tremolite_results::{MaterialFacts, Origin};
 
@@ -24,6 +24,7 @@ impl Checked<'_> {
         for (name, elements) in &self.groups {
             print(&format!("           {name:28} {elements:>8}"));
         }
+        self.print_rotation();
         self.print_materials();
         self.print_interfaces();
         self.print_pairs();
@@ -35,6 +36,18 @@ impl Checked<'_> {
         if !self.left_out.is_empty() {
             print("\nLeft out, and taken as");
             self.left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
+        }
+    }
+
+    fn print_rotation(&self) {
+        if let Mesh::File(file) = &self.case.mesh
+            && file.rotate.value != 0.0
+        {
+            // With the digits that it was written with.
+            let angle = self.case.source[file.rotate.span.clone()].trim_matches(['"', '\'']);
+            print(&format!(
+                "           turned by {angle} about z; coordinates, stresses, results and model_x_azimuth are in the axes after it"
+            ));
         }
     }
 

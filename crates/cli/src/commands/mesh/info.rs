@@ -11,11 +11,13 @@ use crate::terminal::{print, say};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Path, PathBuf};
 use tremolite::laws;
+use tremolite::outer_faces::NEAR;
 use tremolite::setup::bodies_of;
 use tremolite_case::{Case, pattern};
 use tremolite_mesh::merge::{coincident_nodes, shortest_edge};
 use tremolite_mesh::picture::{section, view, window_of};
 use tremolite_mesh::quality::{Summary, by_group, summary};
+use tremolite_mesh::sides::sides;
 use tremolite_mesh::topology::{components, crowded_faces, exterior_faces, plane_faces};
 use tremolite_mesh::{Face, Mesh};
 
@@ -63,6 +65,8 @@ struct Info<'m> {
     made: Vec<MadeOf>,
     steps: Steps,
     sides: BTreeMap<String, Vec<Face>>,
+    /// How far sides off the axes are turned \[rad\].
+    turned: Option<f64>,
     /// Outer faces that are on no side and in no named set.
     elsewhere: usize,
     /// Faces that more than two elements share.
@@ -141,10 +145,16 @@ fn made(args: &Args, mesh: &Mesh, case: Option<&Case>) -> Result<Option<Vec<Made
     }
 }
 
+/// How far sides that boundaries would miss are turned \[rad\].
+fn turned(mesh: &Mesh) -> Option<f64> {
+    let found = sides(mesh).ok()?;
+    found.turned([true; 2], NEAR).then_some(found.angle)
+}
+
 impl<'m> Info<'m> {
     fn new(mesh: &'m Mesh, made: Option<Vec<MadeOf>>) -> Self {
         let (low, high) = mesh.bounds();
-        let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+        let near = NEAR * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
         let sides = plane_faces(mesh, near);
         let named: HashSet<Face> = sides.values().chain(mesh.faces.values()).flatten().copied().collect();
         let tolerance = 1e-4 * shortest_edge(mesh);
@@ -158,6 +168,7 @@ impl<'m> Info<'m> {
             steps: Steps::new(mesh, &made),
             made,
             elsewhere: exterior_faces(mesh, None).iter().filter(|f| !named.contains(f)).count(),
+            turned: turned(mesh),
             sides,
             crowded: crowded_faces(mesh),
             parts: components(mesh, None).iter().map(Vec::len).collect(),

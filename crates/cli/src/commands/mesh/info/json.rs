@@ -43,6 +43,7 @@ impl Info<'_> {
             "stable_step": whole.map(|l| self.step_json(&l)),
             "stable_step_by_group":
                 by_group.iter().map(|(name, l)| ((*name).to_owned(), self.step_json(l))).collect::<Map<_, _>>(),
+            "sides_turned": self.turned,
             "side_faces": counts(&self.sides),
             "named_faces": counts(&mesh.faces),
             "other_outer_faces": self.elsewhere,

@@ -110,6 +110,12 @@ impl Info<'_> {
         for (name, faces) in &self.sides {
             count(name, faces.len());
         }
+        if let Some(angle) = self.turned {
+            print(&format!(
+                "the outer sides are turned by {:.6} deg about z: mesh.file.rotate of a case, or mesh convert --rotate, turns them",
+                angle.to_degrees()
+            ));
+        }
         if !self.mesh.faces.is_empty() {
             print("named faces");
             for (name, faces) in &self.mesh.faces {

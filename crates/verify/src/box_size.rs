@@ -1,0 +1,147 @@
+//! How far sides must stand from a cavern: the same cavern in boxes of several widths, with every kind of sides that lets a wave
+//! from below pass.
+
+use crate::VerifyError;
+use crate::models::{Solid, material};
+use crate::simulation::{Simulation, whole_steps};
+use tremolite::hexahedra::centroid;
+use tremolite::{Base, Body, Incident, Problem, Quadrature, Side, stable_step};
+use tremolite_laws::materials::MohrCoulomb;
+use tremolite_laws::{Material, Values};
+use tremolite_mesh::boxes::BoxSpec;
+use tremolite_motion::{Motion, ricker_velocity};
+
+/// Width and height of the cavern, and the size of elements \[m\].
+pub const WIDTH: f64 = 20.0;
+const ELEMENT: f64 = 2.5;
+/// Height of the model, levels of the cavern's floor and roof \[m\].
+const HEIGHT: f64 = 120.0;
+const FLOOR: f64 = 50.0;
+/// Levels between which rock is weak, if it is \[m\].
+const WEAK: [f64; 2] = [20.0, 40.0];
+const ROCK: Solid = Solid { young: 8e9, poisson: 0.25, density: 2600.0 };
+/// Of the pulse: peak frequency \[Hz\], centre and end of the run \[s\], peak of the incident velocity \[m/s\].
+const PULSE: [f64; 4] = [8.0, 0.15, 0.7, 0.3];
+/// Shear and some of it vertical.
+const ALONG: [f64; 3] = [0.8, 0.0, 0.6];
+
+/// Ground around the cavern.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ground {
+    Elastic,
+    /// Elastic but for a layer below the cavern, which yields in the free field as well.
+    Yielding,
+}
+
+/// Velocities \[m/s\] at the cavern's walls, row by row.
+pub struct Seen {
+    rows: Vec<Vec<[f64; 3]>>,
+}
+
+impl Seen {
+    /// Largest difference from another run over the largest velocity in that.
+    pub fn apart(&self, other: &Seen) -> f64 {
+        let (mut worst, mut peak) = (0.0_f64, 0.0_f64);
+        for (a, b) in self.rows.iter().flatten().zip(other.rows.iter().flatten()) {
+            for i in 0..3 {
+                let d = (a[i] - b[i]).abs();
+                worst = if d <= worst { worst } else { d };
+                peak = peak.max(b[i].abs());
+            }
+        }
+        worst / peak
+    }
+}
+
+/// Runs the cavern in a slice, periodic along y, whose sides across x stand so many widths from its walls.
+///
+/// # Errors
+/// If it does not run.
+pub fn shake(ground: Ground, sides: Side, widths: u32) -> Result<Seen, VerifyError> {
+    let half = 0.5 * WIDTH + WIDTH * f64::from(widths);
+    let count = |length: f64| (length / ELEMENT).round() as u32;
+    let counts = [count(2.0 * half), 1, count(HEIGHT)];
+    let mesh = BoxSpec::uniform([-half, 0.0, 0.0], [half, ELEMENT, HEIGHT], counts).mesh()?;
+    let inside = |e: &u32| {
+        let x = centroid(&mesh, *e);
+        x[0].abs() < 0.5 * WIDTH && x[2] > FLOOR && x[2] < FLOOR + WIDTH
+    };
+    let weak = |e: &u32| ground == Ground::Yielding && (WEAK[0]..WEAK[1]).contains(&centroid(&mesh, *e)[2]);
+    let (soft, rock) = (0..mesh.elements.len() as u32).filter(|e| !inside(e)).partition(weak);
+    let mut bodies = vec![ROCK.body("rock", rock, Quadrature::OnePoint)];
+    if ground == Ground::Yielding {
+        let values = Values::default()
+            .with("young", ROCK.young)
+            .with("poisson", ROCK.poisson)
+            .with("cohesion", 8e5)
+            .with("friction_angle", 0.5)
+            .with("tensile_strength", 5e5);
+        let weak = material(MohrCoulomb::NAME, &values)?;
+        bodies.push(Body { material: weak, ..ROCK.body("weak", soft, Quadrature::OnePoint) });
+    }
+    let mut problem = Problem::new(mesh, bodies);
+    problem.sides = [sides, Side::Periodic];
+    problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: None };
+    let [frequency, centre, end, peak] = PULSE;
+    let pulse = ricker_velocity(frequency, centre, peak);
+    let motion = Motion::sampled(1e-3, end, |t| pulse(t).along(ALONG))?;
+    problem.incident = Some(Incident { motion, factor: 1.0 });
+
+    let simulation = Simulation::new(problem)?;
+    let walls: Vec<usize> = simulation
+        .model
+        .counted
+        .clone()
+        .filter(|&n| {
+            let [x, y, z] = simulation.position(n);
+            let (x, z) = (x.abs() - 0.5 * WIDTH, (z - FLOOR - 0.5 * WIDTH).abs() - 0.5 * WIDTH);
+            y == 0.0 && x.max(z).abs() < 1e-6
+        })
+        .collect();
+    let stable = stable_step(&simulation.model, &simulation.assembly, &simulation.phase).to_run(0.9);
+    // One step for all boxes, whose bounds differ by round-off.
+    let (every, dt) = whole_steps(5e-3, (stable * 1e5).floor() * 1e-5);
+    let mut rows = Vec::new();
+    simulation.run_from_rest(dt, every * (end / 5e-3).round() as u64, |state| {
+        if state.step % every == 0 {
+            let mut row: Vec<([f64; 3], [f64; 3])> = walls
+                .iter()
+                .map(|&n| (simulation.position(n), state.du[n].xyz().map(|d| d / state.dt)))
+                .collect();
+            // Numbers of nodes differ between boxes.
+            row.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]).then(a[2].total_cmp(&b[2])));
+            rows.push(row.into_iter().map(|(_, v)| v).collect());
+        }
+    })?;
+    Ok(Seen { rows })
+}
+
+#[cfg(test)]
+mod debug {
+    use super::*;
+    #[test]
+    fn by_time() {
+        let far = shake(Ground::Elastic, Side::FreeField, 16).unwrap();
+        for side in [Side::FreeField] {
+            for w in [2, 4, 8] {
+                let seen = shake(Ground::Elastic, side, w).unwrap();
+                let line: Vec<String> = seen
+                    .rows
+                    .iter()
+                    .zip(&far.rows)
+                    .step_by(5)
+                    .map(|(a, b)| {
+                        let d = a
+                            .iter()
+                            .zip(b)
+                            .map(|(a, b)| (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max))
+                            .fold(0.0, f64::max);
+                        let p = b.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
+                        format!("{d:.1e}/{p:.2}")
+                    })
+                    .collect();
+                eprintln!("{w}: {}", line.join(" "));
+            }
+        }
+    }
+}
