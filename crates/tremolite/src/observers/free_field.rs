@@ -6,7 +6,7 @@ mod theory;
 use super::{Observer, Schedule, Setting, Stepped, View};
 use crate::error::RunError;
 use crate::quantities::MEASURES;
-use theory::{Layer, surface_velocity};
+use theory::{Layer, LayeredColumn};
 use tremolite_engine::column::Column;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
@@ -122,12 +122,16 @@ fn predicted(setting: &Setting, column: &Column) -> Option<Predicted> {
     let tall = height(column.rings.last()?) - height(&column.bottom());
     let velocity = [0, 1, 2].map(|i| {
         let layer = Layer {
-            height: tall,
+            thickness: tall,
+            density: body.density,
             speed: if i == 2 { p } else { s },
             band: body.material.band(),
             rayleigh: model.rayleigh,
         };
-        surface_velocity(&layer, |t| incident.factor * incident.motion.at(t).v[i], dt, plan.duration)
+        let incident = |t| incident.factor * incident.motion.at(t).v[i];
+        let column = LayeredColumn::new([layer], model.top);
+        let [_, top] = column.map(|c| c.velocities(incident, dt, plan.duration)).unwrap_or_default();
+        top
     });
     let peak = velocity.iter().flatten().fold(0.0_f64, |most, v| most.max(v.abs()));
     (peak > 0.0).then_some(Predicted { velocity, dt, peak })
