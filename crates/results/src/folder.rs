@@ -159,6 +159,7 @@ impl ResultFolder {
             self.interfaces(),
             self.interfaces_pvd(),
             self.motion(),
+            self.free_field(),
             self.stages(),
             self.stages_pvd(),
             self.relaxation(),
@@ -240,6 +241,11 @@ impl ResultFolder {
     /// `motion.csv`: the given motion and the incident wave.
     pub fn motion(&self) -> PathBuf {
         self.root.join("motion.csv")
+    }
+
+    /// `free_field.csv`: velocity at the top and base of each column of ground, and of the model itself beside them.
+    pub fn free_field(&self) -> PathBuf {
+        self.root.join("free_field.csv")
     }
 
     /// `stages.csv`: a row a stage before the earthquake.

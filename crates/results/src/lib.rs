@@ -9,6 +9,7 @@
 //! | `monitors.csv`, `energy.csv`, `damage.csv` | [`table`] | histories; headers are `name [unit]` |
 //! | `interfaces.csv` | [`table`] | the same of interfaces |
 //! | `motion.csv` | [`table`] | the given motion and the incident wave |
+//! | `free_field.csv` | [`table`] | velocity of columns of ground, measured and predicted, and of the model beside them |
 //! | `stages.csv` | [`stages`] | stages before the earthquake, a row each |
 //! | `relaxation.csv` | [`table`] | how the stages came to rest |
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |

@@ -115,7 +115,7 @@ impl LayeredColumn {
         factors
     }
 
-    /// Velocity \[m/s\] of the column's base and of its top every `dt` \[s\] from 0 to `duration` \[s\], at rest before, under a
+    /// Velocity \[m/s\] of the column's top and of its base every `dt` \[s\] from 0 to `duration` \[s\], at rest before, under a
     /// wave whose velocity at the base is `incident` \[m/s\]; empty for a wave that is zero.
     ///
     /// Exact for what the samples of the wave carry, to about 10⁻⁸ of the largest velocity.
@@ -133,7 +133,7 @@ impl LayeredColumn {
         if wave.iter().all(|v| *v == 0.0) {
             return Default::default();
         }
-        [0, self.layers.len()].map(|level| {
+        [self.layers.len(), 0].map(|level| {
             let mut found = transferred(&wave, dt, &|omega| self.factors(Complex64::new(eta, omega))[level]);
             found.truncate(wanted);
             found.iter_mut().enumerate().for_each(|(k, v)| *v *= (eta * k as f64 * dt).exp());

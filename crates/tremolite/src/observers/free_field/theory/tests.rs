@@ -35,7 +35,7 @@ fn difference(found: &[f64], dt: f64, exact: impl Fn(f64) -> f64) -> f64 {
 
 #[test]
 fn without_damping_the_wave_arrives_doubled_and_late() {
-    let [base, top] = column(&[HOMOGENEOUS], Top::Free).velocities(pulse, 1e-3, 3.0);
+    let [top, base] = column(&[HOMOGENEOUS], Top::Free).velocities(pulse, 1e-3, 3.0);
     assert!(top.len() > 3000 && difference(&top, 1e-3, |t| 2.0 * pulse(t - 0.2)) < 1e-8);
     assert!(difference(&base, 1e-3, |t| pulse(t) + pulse(t - 0.4)) < 1e-8);
 }
@@ -112,7 +112,7 @@ fn echoes(soil: &Layer, rock: &Layer, t: f64) -> f64 {
 
 #[test]
 fn an_undamped_layer_on_rock_has_all_its_echoes() {
-    let [_, top] = column(&[ROCK, SOIL], Top::Free).velocities(pulse, 1e-3, 6.0);
+    let [top, _] = column(&[ROCK, SOIL], Top::Free).velocities(pulse, 1e-3, 6.0);
     assert!(difference(&top, 1e-3, |t| echoes(&SOIL, &ROCK, t)) < 1e-8 * largest(&top));
 }
 
@@ -121,7 +121,7 @@ fn a_layer_that_rings_beyond_the_span_is_exact_as_well() {
     // R = 0.98 and 0.4 s from echo to echo: after 8 s still two thirds of the first.
     let mud = Layer { thickness: 10.0, density: 1500.0, speed: 100.0, ..SOIL };
     let rock = Layer { density: 3000.0, speed: 5000.0, ..ROCK };
-    let [_, top] = column(&[rock, mud], Top::Free).velocities(pulse, 1e-3, 8.0);
+    let [top, _] = column(&[rock, mud], Top::Free).velocities(pulse, 1e-3, 8.0);
     let late = largest(&top[7000..8000]);
     assert!(late > 0.5 * largest(&top), "{late}");
     assert!(difference(&top, 1e-3, |t| echoes(&mud, &rock, t)) < 1e-7 * largest(&top));
@@ -146,11 +146,11 @@ fn layers_of_the_same_stuff_are_one() {
 
 #[test]
 fn nothing_comes_back_from_a_viscous_top() {
-    let [base, top] = column(&[HOMOGENEOUS], Top::Viscous).velocities(pulse, 1e-3, 3.0);
+    let [top, base] = column(&[HOMOGENEOUS], Top::Viscous).velocities(pulse, 1e-3, 3.0);
     assert!(difference(&base, 1e-3, pulse) < 1e-8, "as in a full space");
     assert!(difference(&top, 1e-3, |t| pulse(t - 0.2)) < 1e-8);
     // Under the boundary between unlike layers the first reflection is all there is.
-    let [base, _] = column(&[ROCK, SOIL], Top::Viscous).velocities(pulse, 1e-3, 3.0);
+    let [_, base] = column(&[ROCK, SOIL], Top::Viscous).velocities(pulse, 1e-3, 3.0);
     let (soil, rock) = (SOIL.dashpot(), ROCK.dashpot());
     let back = (rock - soil) / (rock + soil);
     assert!(difference(&base, 1e-3, |t| pulse(t) + back * pulse(t - 200.0 / 2300.0)) < 1e-8);
@@ -172,7 +172,7 @@ fn weak_damping_of_mass_or_stiffness_takes_what_first_order_says() {
     let train = |t: f64| (omega * t).sin() * (0.5 * t.min(2.0) / 2.0);
     let found = |rayleigh| {
         let layer = Layer { rayleigh, ..HOMOGENEOUS };
-        largest(&column(&[layer], Top::Free).velocities(train, 1e-3, 6.0)[1][4000..])
+        largest(&column(&[layer], Top::Free).velocities(train, 1e-3, 6.0)[0][4000..])
     };
     let whole = found(NONE);
     let mass = Rayleigh { mass: 0.1, stiffness: 0.0 };
@@ -187,7 +187,7 @@ fn a_band_takes_about_its_ratio_times_the_phase() {
     let train = |t: f64| (omega * t).sin() * (0.5 * t.min(2.0) / 2.0);
     let found = |band| {
         let layer = Layer { band, ..HOMOGENEOUS };
-        largest(&column(&[layer], Top::Free).velocities(train, 1e-3, 6.0)[1][4000..])
+        largest(&column(&[layer], Top::Free).velocities(train, 1e-3, 6.0)[0][4000..])
     };
     let band = Band::fit(0.02, [0.5, 20.0], 5.0).unwrap();
     let exact = (-band.ratio(5.0) * omega * HOMOGENEOUS.thickness / HOMOGENEOUS.speed).exp();
