@@ -144,6 +144,7 @@ fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
                 "monitors.csv",
                 "energy.csv",
                 "motion.csv",
+                "free_field.csv",
                 "damage.csv",
                 "interfaces.csv",
                 "stages.csv",

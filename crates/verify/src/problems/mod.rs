@@ -44,6 +44,7 @@ problems! {
     bar_step_wave Test,
     incident_pulse Test,
     layered_column Test,
+    layer_transfer Test,
     lamb Verify,
     macneal_harder_beam Test,
     cantilever_thin Test,
