@@ -13,7 +13,7 @@ pub const QUADRATURES: [(Quadrature, &str); 2] =
     [(Quadrature::OnePoint, "one-point"), (Quadrature::Full, "full")];
 
 /// Sides that must leave a vertical wave alone, with what quantities are called behind their names.
-pub const SIDES: &[(Side, &str)] = &[(Side::Periodic, "")];
+pub const SIDES: &[(Side, &str)] = &[(Side::Periodic, ""), (Side::FreeField, ", free-field sides")];
 
 /// An isotropic elastic solid.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,6 +6,7 @@ mod contact;
 mod cracked_damping;
 mod damage;
 mod engine;
+mod free_field;
 mod free_field_file;
 mod ground;
 mod history;

@@ -103,7 +103,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
                 let note = "1 % of the transfer at each frequency, in amplitude and phase; (kh)²/24 of kH is 0.6 % at 10 Hz, and resonance multiplies it";
                 checks.push(Check::new(NAME, quantity, fine[k], 0.0, 0.01, "1", note).with_order(p));
                 let quantity = format!("order in h of surface over {over}, {word}{with}");
-                let note = "order 2 in h; the next term is of order (kh)², 0.06 for the coarser mesh";
+                let note = "order 2 in h; the next term is of order (kh)², 0.04 for the coarser mesh";
                 checks.push(Check::new(NAME, quantity, p, 2.0, 0.1, "1", note));
             }
         }

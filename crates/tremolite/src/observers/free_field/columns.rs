@@ -1,6 +1,7 @@
 //! The columns of a model, as they are watched, and the nodes of the model itself beside them.
 
 use std::ops::Range;
+use tremolite_engine::column::Column;
 use tremolite_engine::model::Model;
 
 /// The ends of a column, in the order in which they are told everywhere here.
@@ -25,24 +26,20 @@ pub struct Watched {
 
 /// The columns of a model.
 pub fn watched(model: &Model) -> Vec<Watched> {
-    let users = model.user_bodies().len();
-    let Some(column) = &model.column else { return Vec::new() };
-    let level = |ring: &[u32; 4]| model.mesh.nodes[ring[0] as usize][2];
-    let Some(top) = column.rings.last() else { return Vec::new() };
-    let body = |element: usize| {
-        let own = users..model.bodies.len();
-        own.into_iter().find(|&b| model.bodies[b].elements.contains(&(element as u32))).unwrap_or(users)
+    let level = |n: u32| model.mesh.nodes[n as usize][2];
+    let watched = |column: &Column| {
+        let ends = [column.top, column.bottom];
+        Watched {
+            name: column.name.clone(),
+            ends: ends.map(|n| model.engine_node[n as usize] as usize),
+            at: column.corners.clone(),
+            corners: ends.map(|n| column.corners.iter().map(|&k| beside(model, k, level(n))).collect()),
+            layers: column.layers.iter().map(|layer| (layer.top - layer.bottom, layer.body)).collect(),
+            bodies: column.bodies.clone(),
+            parted: column.parted,
+        }
     };
-    let rings = column.rings.windows(2).zip(model.user_elements..);
-    vec![Watched {
-        name: "reference".into(),
-        ends: [top, &column.rings[0]].map(|ring| model.engine_node[ring[0] as usize] as usize),
-        corners: [top, &column.rings[0]].map(|ring| (0..4).map(|k| beside(model, k, level(ring))).collect()),
-        at: (0..4).collect(),
-        layers: rings.map(|(pair, element)| (level(&pair[1]) - level(&pair[0]), body(element))).collect(),
-        bodies: users..model.bodies.len(),
-        parted: false,
-    }]
+    model.columns.iter().map(watched).collect()
 }
 
 /// Where a vertical edge of the model is, by its corner.
