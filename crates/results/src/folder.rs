@@ -243,7 +243,7 @@ impl ResultFolder {
         self.root.join("motion.csv")
     }
 
-    /// `free_field.csv`: velocity at the top and base of each column of ground, and of the model itself beside them.
+    /// `free_field.csv`: velocities of the free field and the model, see [`crate::FreeField`].
     pub fn free_field(&self) -> PathBuf {
         self.root.join("free_field.csv")
     }

@@ -29,6 +29,7 @@ mod michell;
 mod models;
 mod problem;
 pub mod problems;
+pub mod reflection;
 mod rock;
 mod select;
 mod simulation;

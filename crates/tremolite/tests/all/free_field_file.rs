@@ -125,6 +125,10 @@ fn a_row_holds_what_columns_and_the_model_do_and_what_theory_says() {
             .collect::<Vec<_>>()
     );
     assert!(names[1..].iter().all(|name| table.unit(name) == Some("m/s")) && table.rows() == 141);
+    // Pages and scripts find in it what was written.
+    let read = tremolite_results::FreeField::of(table.clone());
+    assert_eq!(read.columns[0].base.theory[2], table.column("reference.base.vz_theory").unwrap());
+    assert_eq!(read.model.unwrap().top.measured[0], table.column("model.surface.vx").unwrap());
     let peak = seen.columns[0].peak;
     for (model, column) in [("model.surface.v", "reference.top.v"), ("model.base.v", "reference.base.v")] {
         for axis in ["x", "y", "z"] {

@@ -45,6 +45,8 @@ problems! {
     incident_pulse Test,
     layered_column Test,
     layer_transfer Test,
+    free_field_tunnel Test,
+    mirror_image Test,
     lamb Verify,
     macneal_harder_beam Test,
     cantilever_thin Test,
