@@ -113,21 +113,28 @@ impl Band {
         self.modulus(frequency).0 / self.modulus(self.reference).0
     }
 
+    /// Real and imaginary part of the modulus over the material's own at a complex frequency s \[1/s\], strain and stress
+    /// going as e^(st): exact, and smooth wherever Re s > −1/τ_j. At s = iω its parts are [`Self::stiffness`] and twice
+    /// the [`Self::ratio`] of it.
+    pub fn complex_modulus(&self, s: [f64; 2]) -> [f64; 2] {
+        let mut m = [1.0, 0.0];
+        for (a, tau) in self.weights.iter().zip(self.times) {
+            // sτ/(1 + sτ) = 1 − 1/(1 + sτ)
+            let d = [1.0 + tau * s[0], tau * s[1]];
+            let norm = d[0] * d[0] + d[1] * d[1];
+            m = [m[0] + a * (1.0 - d[0] / norm), m[1] + a * d[1] / norm];
+        }
+        m.map(|part| part * self.relaxed())
+    }
+
     /// Frequency \[Hz\] and damping ratio of a free oscillation that the material's own modulus alone would give this
     /// frequency \[Hz\]: the root s of s² + ω² M(s)/Re M(ω_ref) = 0 that oscillates, ratio −Re s/|s|.
     pub fn oscillation(&self, undamped: f64) -> [f64; 2] {
-        let square = (std::f64::consts::TAU * undamped).powi(2) * self.relaxed();
-        let mut s = [0.0, std::f64::consts::TAU * undamped];
+        let omega = std::f64::consts::TAU * undamped;
+        let mut s = [0.0, omega];
         // s ← √(−ω² M(s)) contracts, since M changes slowly.
         for _ in 0..100 {
-            let mut m = [1.0, 0.0];
-            for (a, tau) in self.weights.iter().zip(self.times) {
-                // sτ/(1 + sτ) = 1 − 1/(1 + sτ)
-                let d = [1.0 + tau * s[0], tau * s[1]];
-                let norm = d[0] * d[0] + d[1] * d[1];
-                m = [m[0] + a * (1.0 - d[0] / norm), m[1] + a * d[1] / norm];
-            }
-            let minus = [-square * m[0], -square * m[1]];
+            let minus = self.complex_modulus(s).map(|part| -omega * omega * part);
             let size = minus[0].hypot(minus[1]);
             // The root in the upper half plane; −M has a negative imaginary part, so its real part is negative.
             s = [-(0.5 * (size + minus[0])).max(0.0).sqrt(), (0.5 * (size - minus[0])).sqrt()];

@@ -29,7 +29,7 @@ fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
     assert_eq!(header[..7], own);
     assert!(header.contains(&"roof.ux [m]") && header.contains(&"wall.s3 [Pa]"), "{header:?}");
     assert_eq!(table.lines().count(), 5);
-    for file in ["monitors.csv", "energy.csv", "motion.csv", "fields.pvd"] {
+    for file in ["monitors.csv", "energy.csv", "motion.csv", "free_field.csv", "fields.pvd"] {
         assert!(!folder.join("out").join(file).exists(), "{file}");
     }
     for file in [

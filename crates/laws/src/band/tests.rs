@@ -32,6 +32,28 @@ fn bad_bands_are_refused() {
 }
 
 #[test]
+fn the_modulus_at_a_complex_frequency_goes_on_from_that_at_a_real_one_and_is_analytic() {
+    let band = Band::fit(0.04, [0.5, 20.0], 3.0).unwrap();
+    for f in [0.1, 3.0, 40.0] {
+        let omega = std::f64::consts::TAU * f;
+        let [re, im] = band.complex_modulus([0.0, omega]);
+        assert!((re - band.stiffness(f)).abs() < 1e-14, "{f}: {re}");
+        assert!((im - 2.0 * band.ratio(f) * band.stiffness(f)).abs() < 1e-14, "{f}: {im}");
+        // Cauchy and Riemann: ∂M/∂(iω) = ∂M/∂(Re s).
+        let e = 1e-4 * omega;
+        let slope = |to: [f64; 2], from: [f64; 2]| {
+            let [to, from] = [to, from].map(|s| band.complex_modulus(s));
+            [0, 1].map(|i| (to[i] - from[i]) / (2.0 * e))
+        };
+        let along = slope([1.0 + e, omega], [1.0 - e, omega]);
+        let across = slope([1.0, omega + e], [1.0, omega - e]);
+        assert!((along[0] - across[1]).abs() < 1e-6 / omega && (along[1] + across[0]).abs() < 1e-6 / omega);
+    }
+    let limit = band.complex_modulus([1e9, 0.0]);
+    assert!((limit[0] - band.unrelaxed()).abs() < 1e-6 && limit[1] == 0.0);
+}
+
+#[test]
 fn moduli_meant_at_rest_are_the_laws_own() {
     let [rest, shaken] = [0.0, 3.0].map(|reference| Band::fit(0.03, [0.5, 20.0], reference).unwrap());
     assert_eq!(rest.relaxed(), 1.0);

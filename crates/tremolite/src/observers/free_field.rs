@@ -1,77 +1,47 @@
-//! The free field: the reference column against one-dimensional theory, and the model's own corners against the column. Is the
-//! motion that comes out the one that was put in?
+//! free_field.csv: columns of ground against one-dimensional theory, and the model itself beside them. Is the motion that comes
+//! out the one that was put in?
+//!
+//! For each column the velocity at its top and base is written as it was computed, and as theory has it for its layers
+//! ([`theory`]): exact in frequency with all damping but artificial viscosity. There is none where an interface runs through the
+//! column, and none any more from the row on in which its rock has yielded or cracked. `model.surface` and `model.base` are the
+//! means over the four vertical edges of the model itself, the places farthest from what it holds.
 
+mod columns;
+mod seen;
 mod theory;
+
+pub use seen::{ColumnSeen, FreeFieldSeen, Theory};
 
 use super::{Observer, Schedule, Setting, Stepped, View};
 use crate::error::RunError;
 use crate::quantities::MEASURES;
-use theory::{Layer, surface_velocity};
-use tremolite_engine::column::Column;
-use tremolite_engine::model::Model;
+use columns::{ENDS, Watched, edges, watched};
+use seen::most;
+use std::ops::Range;
+use theory::{Layer, LayeredColumn};
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
+use tremolite_results::{Column, TableWriter};
 
-/// Key of what this observer remembers: the numbers of [`FreeFieldSeen`].
-const MEMORY: &str = "free field";
-
-/// What was seen of the free field \[m/s\].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct FreeFieldSeen {
-    /// At the column's top, where there is theory for it.
-    pub theory: Option<Theory>,
-    /// Whether the column has yielded or cracked.
-    pub damaged: bool,
-    /// Largest difference of the model's corners from the column in any step, at the surface and at the base.
-    pub corners: [f64; 2],
-    /// Largest velocity of the column, at its top or bottom.
-    pub peak: f64,
-}
-
-/// The column's top against theory \[m/s\].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Theory {
-    pub difference: f64,
-    /// Largest predicted velocity in the rows, and over the run.
-    pub seen: f64,
-    pub peak: f64,
-}
-
-impl FreeFieldSeen {
-    /// What the state remembers.
-    pub fn of(memory: &Memory) -> Option<Self> {
-        let &[known, difference, seen, most, damaged, surface, base, peak] = memory.get(MEMORY)?.as_slice()
-        else {
-            return None;
-        };
-        let theory = (known > 0.0).then_some(Theory { difference, seen, peak: most });
-        Some(FreeFieldSeen { theory, damaged: damaged > 0.0, corners: [surface, base], peak })
-    }
-
-    fn keep(&self, memory: &mut Memory) {
-        let Theory { difference, seen, peak } = self.theory.unwrap_or_default();
-        let known = f64::from(u8::from(self.theory.is_some()));
-        let damaged = f64::from(u8::from(self.damaged));
-        let [surface, base] = self.corners;
-        memory.insert(MEMORY.into(), vec![known, difference, seen, peak, damaged, surface, base, self.peak]);
-    }
-}
-
-/// Compares velocities at the rows of the histories.
+/// Compares and writes velocities at the rows of the histories.
 pub struct FreeField {
     schedule: Schedule,
-    /// Engine nodes at the column's top and bottom.
-    column: [usize; 2],
-    /// Engine nodes of the model at its four corners, at the surface and at the base.
-    corners: [[usize; 4]; 2],
-    /// Of a homogeneous column.
-    predicted: Option<Predicted>,
+    table: TableWriter,
+    columns: Vec<Watched>,
+    /// Of each column, which of the predictions.
+    theory: Vec<Option<usize>>,
+    /// Of columns of unlike ground.
+    predictions: Vec<Predicted>,
+    /// Engine nodes of the model itself, by [`ENDS`] and corner.
+    edges: [[usize; 4]; 2],
 }
 
-/// Theory for the column's top, exact for a homogeneous damped column on its dashpots.
+/// What theory says of a column.
 struct Predicted {
-    /// Velocity \[m/s\] along x, y, z, every `dt` \[s\].
-    velocity: [Vec<f64>; 3],
+    /// Along x, y, z.
+    columns: [LayeredColumn; 3],
+    /// Velocity \[m/s\] along x, y, z, by [`ENDS`], every `dt` \[s\].
+    velocity: [[Vec<f64>; 2]; 3],
     dt: f64,
     /// Its largest value over the run \[m/s\].
     peak: f64,
@@ -79,63 +49,110 @@ struct Predicted {
 
 /// Samples of the prediction between two of the motion: between them it is linear.
 const REFINEMENT: f64 = 8.0;
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl FreeField {
-    /// The observer, if the model has a column and an incident wave.
-    pub fn new(setting: &Setting) -> Option<Self> {
+    /// The observer, if a wave comes in.
+    ///
+    /// # Errors
+    /// If the file cannot be written, or is shorter than the state remembers.
+    pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
         let model = setting.model;
-        let (column, _) = (model.columns.first()?, model.incident.as_ref()?);
-        let engine = |n: u32| model.engine_node[n as usize] as usize;
-        let height = |node: u32| model.mesh.nodes[node as usize][2];
-        let corners = [column.top, column.bottom].map(|n| corners(model, height(n)));
-        Some(FreeField {
-            schedule: setting.rows(),
-            column: [column.top, column.bottom].map(engine),
-            corners,
-            predicted: predicted(setting, column),
-        })
+        if model.incident.is_none() {
+            return Ok(None);
+        }
+        let columns = watched(model);
+        let mut predictions: Vec<Predicted> = Vec::new();
+        let theory: Vec<Option<usize>> = columns
+            .iter()
+            .map(|column| {
+                let layered = layered(setting, column)?;
+                let known = predictions.iter().position(|known| known.columns == layered);
+                known.or_else(|| {
+                    predictions.push(Predicted::of(setting, layered)?);
+                    Some(predictions.len() - 1)
+                })
+            })
+            .collect();
+        let (path, header) = (setting.folder.free_field(), header(&columns, &theory));
+        let names = columns.iter().map(|column| column.name.clone());
+        let table = match FreeFieldSeen::named(setting.memory, names) {
+            Some(seen) => TableWriter::resume(&path, &header, seen.bytes)?,
+            None => TableWriter::create(&path, &header)?,
+        };
+        let edges = edges(model, &columns);
+        Ok(Some(FreeField { schedule: setting.rows(), table, columns, theory, predictions, edges }))
     }
 }
 
-/// Engine nodes of the user's model nearest the four vertical edges at a height.
-fn corners(model: &Model, z: f64) -> [usize; 4] {
-    let (low, high) = model.faces.bounds;
-    [0, 1, 2, 3].map(|k| {
-        let at = [if k & 1 == 0 { low[0] } else { high[0] }, if k & 2 == 0 { low[1] } else { high[1] }, z];
-        let distance = |n: usize| {
-            let x = model.mesh.nodes[model.mesh_node[n] as usize];
-            (0..3).map(|i| (x[i] - at[i]).powi(2)).sum::<f64>()
-        };
-        model.counted.clone().min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(0)
-    })
+/// The columns of free_field.csv.
+fn header(columns: &[Watched], theory: &[Option<usize>]) -> Vec<Column> {
+    let mut header = vec![Column::new("time", "s")];
+    for (column, theory) in columns.iter().zip(theory) {
+        for end in ENDS {
+            for axis in AXES {
+                header.push(Column::new(format!("{}.{end}.v{axis}", column.name), "m/s"));
+                if theory.is_some() {
+                    header.push(Column::new(format!("{}.{end}.v{axis}_theory", column.name), "m/s"));
+                }
+            }
+        }
+    }
+    for end in ["surface", "base"] {
+        header.extend(AXES.map(|axis| Column::new(format!("model.{end}.v{axis}"), "m/s")));
+    }
+    header
 }
 
-fn predicted(setting: &Setting, column: &Column) -> Option<Predicted> {
-    let Setting { model, plan, .. } = *setting;
-    let ([body], Some(incident)) = (&model.bodies[column.bodies.clone()], &model.incident) else {
-        return None;
+/// A column's layers as waves along x, y and z see them; none where an interface parts it.
+fn layered(setting: &Setting, column: &Watched) -> Option<[LayeredColumn; 3]> {
+    let model = setting.model;
+    let along = |axis: usize| {
+        let layers = column.layers.iter().map(|&(thickness, body)| {
+            let body = &model.bodies[body];
+            let (p, s) = body.material.moduli().wave_speeds(body.density);
+            Layer {
+                thickness,
+                density: body.density,
+                speed: if axis == 2 { p } else { s },
+                band: body.material.band(),
+                rayleigh: model.rayleigh,
+            }
+        });
+        LayeredColumn::new(layers, model.top)
     };
-    let height = |node: u32| model.mesh.nodes[node as usize][2];
-    let (p, s) = body.material.moduli().wave_speeds(body.density);
-    let dt = incident.motion.dt / REFINEMENT;
-    let tall = height(column.top) - height(column.bottom);
-    let velocity = [0, 1, 2].map(|i| {
-        let layer = Layer {
-            height: tall,
-            speed: if i == 2 { p } else { s },
-            band: body.material.band(),
-            rayleigh: model.rayleigh,
-        };
-        surface_velocity(&layer, |t| incident.factor * incident.motion.at(t).v[i], dt, plan.duration)
-    });
-    let peak = velocity.iter().flatten().fold(0.0_f64, |most, v| most.max(v.abs()));
-    (peak > 0.0).then_some(Predicted { velocity, dt, peak })
+    if column.parted {
+        return None;
+    }
+    Some([along(0)?, along(1)?, along(2)?])
 }
 
-/// Whether the material of the reference column has yielded or cracked anywhere.
-fn is_damaged(view: &View) -> bool {
+impl Predicted {
+    /// None for a wave that is zero.
+    fn of(setting: &Setting, columns: [LayeredColumn; 3]) -> Option<Self> {
+        let incident = setting.model.incident.as_ref()?;
+        let dt = incident.motion.dt / REFINEMENT;
+        let velocity = [0, 1, 2].map(|i| {
+            let wave = |t| incident.factor * incident.motion.at(t).v[i];
+            columns[i].velocities(wave, dt, setting.plan.duration)
+        });
+        let peak = velocity.iter().flatten().flatten().fold(0.0_f64, |most, v| most.max(v.abs()));
+        (peak > 0.0).then_some(Predicted { columns, velocity, dt, peak })
+    }
+
+    /// Velocity \[m/s\] along an axis at one of [`ENDS`].
+    fn at(&self, axis: usize, end: usize, time: f64) -> f64 {
+        let place = time / self.dt;
+        let (before, part) = (place as usize, place.fract());
+        let of = |i: usize| self.velocity[axis][end].get(i).copied().unwrap_or(0.0);
+        (1.0 - part) * of(before) + part * of(before + 1)
+    }
+}
+
+/// Whether the material of some bodies has yielded or cracked anywhere.
+fn is_damaged(view: &View, bodies: &Range<usize>) -> bool {
     let View { model, assembly, history, .. } = *view;
-    (model.user_patches..model.patches.len()).any(|p| {
+    (model.user_patches..model.patches.len()).filter(|p| bodies.contains(&model.patches[*p].body)).any(|p| {
         let columns = assembly.members[p].part.columns();
         let own = &history.octets[assembly.slices[p].history.clone()];
         MEASURES.iter().any(|measure| {
@@ -149,46 +166,63 @@ fn is_damaged(view: &View) -> bool {
     })
 }
 
-/// The larger of two, and what is no number if either is.
-fn most(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
-}
-
 impl Observer for FreeField {
     fn schedule(&self) -> Schedule {
         self.schedule
     }
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let mut seen = FreeFieldSeen::of(memory).unwrap_or_default();
+        let names = || self.columns.iter().map(|column| column.name.clone());
+        let mut seen = FreeFieldSeen::named(memory, names()).unwrap_or_else(|| FreeFieldSeen {
+            bytes: 0,
+            columns: names().map(|name| ColumnSeen { name, ..ColumnSeen::default() }).collect(),
+        });
         let velocity = |node: usize| view.snapshot.velocity[node].xyz();
-        if let Some(predicted) = &self.predicted {
-            let mut theory = seen.theory.unwrap_or(Theory { peak: predicted.peak, ..Theory::default() });
-            let place = view.snapshot.time / predicted.dt;
-            let (before, part) = (place as usize, place.fract());
-            for (found, predicted) in velocity(self.column[0]).iter().zip(&predicted.velocity) {
-                let at = |i: usize| predicted.get(i).copied().unwrap_or(0.0);
-                let exact = (1.0 - part) * at(before) + part * at(before + 1);
-                theory.difference = most(theory.difference, (found - exact).abs());
-                theory.seen = theory.seen.max(exact.abs());
+        let mut row = vec![view.snapshot.time];
+        for ((column, theory), seen) in self.columns.iter().zip(&self.theory).zip(&mut seen.columns) {
+            seen.damaged |= is_damaged(view, &column.bodies);
+            let predicted = theory.map(|k| &self.predictions[k]);
+            if let Some(predicted) = predicted {
+                seen.theory.get_or_insert(Theory { peak: predicted.peak, ..Theory::default() });
             }
-            seen.theory = Some(theory);
+            for (end, node) in column.ends.into_iter().enumerate() {
+                for (axis, found) in velocity(node).into_iter().enumerate() {
+                    row.push(found);
+                    let (Some(predicted), Some(theory)) = (predicted, &mut seen.theory) else { continue };
+                    if seen.damaged {
+                        row.push(f64::NAN);
+                        continue;
+                    }
+                    let exact = predicted.at(axis, end, view.snapshot.time);
+                    row.push(exact);
+                    theory.difference[end] = most(theory.difference[end], (found - exact).abs());
+                    theory.seen = theory.seen.max(exact.abs());
+                }
+            }
         }
-        seen.damaged |= is_damaged(view);
+        for nodes in &self.edges {
+            let mean = |i: usize| nodes.iter().map(|&node| velocity(node)[i]).sum::<f64>() / 4.0;
+            row.extend([0, 1, 2].map(mean));
+        }
+        self.table.write(&row)?;
+        seen.bytes = self.table.bytes_written();
         seen.keep(memory);
         Ok(())
     }
 
     /// The corners in every step: rows may be too few to show the wave.
     fn stepped(&mut self, step: &Stepped, memory: &mut Memory) {
-        let Some([.., surface, base, peak]) = memory.get_mut(MEMORY).map(Vec::as_mut_slice) else { return };
         let velocity = |node: usize| step.du[node].xyz().map(|d| d / step.dt);
-        for ((&column, corners), difference) in self.column.iter().zip(&self.corners).zip([surface, base]) {
-            let free = velocity(column);
-            for i in 0..3 {
-                *peak = peak.max(free[i].abs());
-                for &corner in corners {
-                    *difference = most(*difference, (velocity(corner)[i] - free[i]).abs());
+        for (column, [surface, base, peak]) in self.columns.iter().zip(FreeFieldSeen::every_step(memory)) {
+            for ((end, corners), difference) in
+                column.ends.into_iter().zip(&column.corners).zip([surface, base])
+            {
+                let free = velocity(end);
+                for i in 0..3 {
+                    *peak = peak.max(free[i].abs());
+                    for &corner in corners {
+                        *difference = most(*difference, (velocity(corner)[i] - free[i]).abs());
+                    }
                 }
             }
         }

@@ -16,7 +16,7 @@ pub use cracks::Cracks;
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
 pub use fields::{FieldGrid, Fields};
-pub use free_field::{FreeField, FreeFieldSeen};
+pub use free_field::{ColumnSeen, FreeField, FreeFieldSeen, Theory};
 pub use growth::Growth;
 pub use histories::{Histories, at_rest, columns};
 pub use interfaces::{InterfaceFields, InterfaceGrid, Interfaces};
@@ -137,7 +137,7 @@ pub const OBSERVERS: &[Make] = &[
     |s| Ok(Some(Box::new(StepPeaks::new(s)))),
     |s| Ok(Some(Box::new(Energy::new(s)?))),
     |s| Ok(Some(Box::new(Envelopes { schedule: s.rows() }))),
-    |s| Ok(FreeField::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(FreeField::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Onsets::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Cracks::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     // Behind the cracks, whose widths it writes.

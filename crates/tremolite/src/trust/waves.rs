@@ -1,7 +1,7 @@
 //! Checks of what comes in and how the ground carries it.
 
 use crate::evidence::Evidence;
-use crate::observers::FreeFieldSeen;
+use crate::observers::{ColumnSeen, FreeFieldSeen};
 use tremolite_engine::Side;
 use tremolite_results::TrustLine;
 
@@ -12,6 +12,9 @@ const THEORY: f64 = 0.05;
 /// Difference of the model's velocity at its corners from the column's, over its peak: what sides and caverns make of the
 /// free field there.
 const CORNERS: f64 = 0.1;
+/// Id and name of the checks of the free field.
+const AGAINST_THEORY: (&str, &str) = ("free_field_theory", "free field against theory");
+const AGAINST_COLUMNS: (&str, &str) = ("model_against_free_field", "model's corners against free field");
 /// Displacement of the input at its end over its peak.
 pub(crate) const DRIFT: f64 = 0.1;
 
@@ -46,12 +49,9 @@ pub(super) fn drift(evidence: &Evidence) -> TrustLine {
 
 /// The reference column against theory, and the model's corners against the column.
 pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
-    const ID: &str = "free_field_theory";
-    const NAME: &str = "free field against theory";
-    const MODEL_ID: &str = "model_against_free_field";
-    const MODEL_NAME: &str = "model's corners against free field";
     let both = |why: &str| {
-        vec![TrustLine::not_applicable(ID, NAME, why), TrustLine::not_applicable(MODEL_ID, MODEL_NAME, why)]
+        let none = |(id, name): (&str, &str)| TrustLine::not_applicable(id, name, why);
+        vec![none(AGAINST_THEORY), none(AGAINST_COLUMNS)]
     };
     let Evidence { model, outcome, .. } = evidence;
     if model.incident.is_none() {
@@ -62,41 +62,130 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
         let mut lines = both(&why);
         // Periodic sides leave uniform motion alone. What others make of it cannot be told here, and that is no pass.
         if model.sides.iter().any(|side| !matches!(side, Side::Periodic | Side::FreeField)) {
-            lines[1] = TrustLine::at_most(MODEL_ID, MODEL_NAME, f64::NAN, CORNERS, "").with_note(format!(
+            let (id, name) = AGAINST_COLUMNS;
+            lines[1] = TrustLine::at_most(id, name, f64::NAN, CORNERS, "").with_note(format!(
                 "cannot be checked, since {why}; and such sides may spoil the free field altogether"
             ));
         }
         return lines;
     }
-    let Some(seen) = FreeFieldSeen::of(&outcome.state.observers) else {
+    let Some(seen) = FreeFieldSeen::of(model, &outcome.state.observers) else {
         return both("no row was written");
     };
-    let theory = match seen.theory {
-        None => TrustLine::not_applicable(ID, NAME, "theory is that of homogeneous ground, and this is layered"),
-        Some(_) if seen.damaged => {
-            let why = "the rock of the reference column yields or cracks, and theory is elastic";
-            TrustLine::not_applicable(ID, NAME, why)
-        }
-        Some(theory) if theory.seen < 0.5 * theory.peak => {
-            TrustLine::not_applicable(ID, NAME, "the rows of the histories are too few to show the wave")
-        }
-        Some(theory) => TrustLine::at_most(ID, NAME, theory.difference / theory.peak, THEORY, "")
-            .with("difference", theory.difference)
-            .with("peak", theory.peak)
-            .with_note("velocity at the top of the reference column against one-dimensional theory, damping included"),
+    vec![against_theory(&seen.columns), against_columns(&seen.columns)]
+}
+
+/// The columns against theory, the worst of those that have some.
+fn against_theory(columns: &[ColumnSeen]) -> TrustLine {
+    let (id, name) = AGAINST_THEORY;
+    let none = |why: &str| TrustLine::not_applicable(id, name, why);
+    let known: Vec<_> = columns.iter().filter_map(|column| Some((column, column.theory?))).collect();
+    if known.is_empty() {
+        return none("theory is of ground that hangs together, and an interface runs through every column");
+    }
+    let elastic: Vec<_> = known.iter().filter(|(column, _)| !column.damaged).collect();
+    if elastic.is_empty() {
+        return none("the rock of every column yields or cracks, and theory is elastic");
+    }
+    let shown = elastic.iter().filter(|(_, theory)| theory.seen >= 0.5 * theory.peak);
+    // What is no number is the worst.
+    let worst = shown.clone().max_by(|(_, a), (_, b)| a.error().total_cmp(&b.error()));
+    let Some((column, theory)) = worst else {
+        return none("the rows of the histories are too few to show the wave");
     };
-    let [surface, base] = seen.corners;
-    let model = if seen.peak == 0.0 {
-        TrustLine::not_applicable(MODEL_ID, MODEL_NAME, "nothing has reached the reference column")
-    } else {
-        TrustLine::at_most(MODEL_ID, MODEL_NAME, surface.max(base) / seen.peak, CORNERS, "")
-            .with("surface", surface)
-            .with("base", base)
-            .with("peak", seen.peak)
-            .with_note(
-                "velocity of the model's own surface and base at its four corners against the reference column's, over that \
-                 one's peak: sides that hold or drain the free field, or caverns too near to them: make `sides` wider",
-            )
+    let [top, base] = theory.difference;
+    let end = if base > top || base.is_nan() { "base" } else { "top" };
+    let mut note = format!(
+        "velocity at the {end} of column '{}' against one-dimensional theory of its layers, damping included",
+        column.name
+    );
+    if columns.len() > 1 {
+        let (count, left) = (shown.count(), columns.len());
+        note += &format!("; the worst of {count} columns of {left}");
+        if count < left {
+            note += ", since the others yield, crack, are cut by an interface, or show no wave in the rows";
+        }
+    }
+    TrustLine::at_most(id, name, theory.error(), THEORY, "")
+        .with("difference", theory.error() * theory.peak)
+        .with("peak", theory.peak)
+        .with_note(note)
+}
+
+/// The model's own corners against the columns that stand for them, the worst of all.
+fn against_columns(columns: &[ColumnSeen]) -> TrustLine {
+    let (id, name) = AGAINST_COLUMNS;
+    let error = |column: &&ColumnSeen| {
+        let [surface, base] = column.corners;
+        if surface.is_nan() || base.is_nan() { f64::NAN } else { surface.max(base) / column.peak }
     };
-    vec![theory, model]
+    let moved = columns.iter().filter(|column| column.peak > 0.0);
+    let Some(worst) = moved.max_by(|a, b| error(a).total_cmp(&error(b))) else {
+        return TrustLine::not_applicable(id, name, "nothing has reached a column of the ground");
+    };
+    let [surface, base] = worst.corners;
+    TrustLine::at_most(id, name, error(&worst), CORNERS, "")
+        .with("surface", surface)
+        .with("base", base)
+        .with("peak", worst.peak)
+        .with_note(format!(
+            "velocity of the model's own surface and base at its vertical edges against that of column '{}', over that one's \
+             peak: sides that hold or drain the free field, or caverns too near to them: make `sides` wider",
+            worst.name
+        ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::observers::Theory;
+
+    /// A column with a peak of 2 m/s and these differences \[m/s\] from theory, at its top and base.
+    fn column(name: &str, difference: [f64; 2]) -> ColumnSeen {
+        let theory = Theory { difference, seen: 2.0, peak: 2.0 };
+        ColumnSeen { name: name.into(), theory: Some(theory), peak: 2.0, ..ColumnSeen::default() }
+    }
+
+    #[test]
+    fn the_worst_column_and_end_are_named_and_fail_for_all() {
+        let good = [column("xmin-ymin", [0.02, 0.01]), column("xmin-ymax", [0.01, 0.03])];
+        let line = against_theory(&good);
+        assert!(line.pass && (line.value - 0.015).abs() < 1e-15, "{line:?}");
+        assert!(line.note.contains("the base of column 'xmin-ymax'"), "{}", line.note);
+        for bad in [[0.2, 0.01], [f64::NAN, 0.01]] {
+            let mut columns = good.to_vec();
+            columns.insert(1, column("ymin-xmax", bad));
+            let line = against_theory(&columns);
+            assert!(!line.pass && line.note.contains("the top of column 'ymin-xmax'"), "{line:?}");
+            // Elastic theory is not for ground that yields.
+            columns[1].damaged = true;
+            let line = against_theory(&columns);
+            assert!(line.pass && line.note.contains("the worst of 2 columns of 3"), "{line:?}");
+        }
+    }
+
+    #[test]
+    fn theory_that_is_not_there_is_no_pass_without_a_reason() {
+        let mut lone = column("reference", [0.02, 0.01]);
+        lone.damaged = true;
+        assert!(against_theory(&[lone.clone()]).note.contains("yields or cracks"));
+        lone.theory = None;
+        assert!(against_theory(&[lone]).note.contains("an interface runs through"));
+        let mut few = column("reference", [0.02, 0.01]);
+        few.theory.as_mut().unwrap().seen = 0.1;
+        let line = against_theory(&[few]);
+        assert!(line.not_applicable && line.note.contains("too few"), "{line:?}");
+    }
+
+    #[test]
+    fn a_model_that_leaves_one_of_its_columns_fails_and_the_column_is_named() {
+        let mut columns = [column("xmin-ymin", [0.0; 2]), column("xmin-ymax", [0.0; 2])];
+        columns[0].corners = [0.1, 0.05];
+        assert!(against_columns(&columns).pass);
+        for corners in [[0.01, 0.5], [f64::NAN, 0.0]] {
+            columns[1].corners = corners;
+            let line = against_columns(&columns);
+            assert!(!line.pass && line.note.contains("'xmin-ymax'"), "{line:?}");
+        }
+    }
 }

@@ -7,6 +7,7 @@ mod cracked_damping;
 mod damage;
 mod engine;
 mod free_field;
+mod free_field_file;
 mod ground;
 mod history;
 mod outside_law;

@@ -87,7 +87,7 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
     let resumed = go(problem(), &parts, 3, true, None);
     assert_eq!(resumed.ending, Ending::Done);
     assert_eq!(resumed.taken_here + outcome.taken, resumed.steps.total);
-    for file in ["monitors.csv", "energy.csv", "fields.pvd", "fields/000006.vtu"] {
+    for file in ["monitors.csv", "energy.csv", "free_field.csv", "fields.pvd", "fields/000006.vtu"] {
         let bytes = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
         assert!(bytes(&whole) == bytes(&parts), "{file}");
     }

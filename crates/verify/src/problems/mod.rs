@@ -44,6 +44,7 @@ problems! {
     bar_step_wave Test,
     incident_pulse Test,
     layered_column Test,
+    layer_transfer Test,
     free_field_tunnel Test,
     mirror_image Test,
     box_size Verify,

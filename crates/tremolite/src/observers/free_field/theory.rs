@@ -1,122 +1,146 @@
-//! A homogeneous column under a vertical wave, exact in the frequency domain.
+//! A layered column under a vertical wave, exact in frequency.
+//!
+//! With everything going as e^(st) a layer of density ρ and speed c carries waves e^(∓γz), γ = (s/c) √(I/M), and a wave that goes
+//! up has the stress −Z v with the impedance Z = ρc √(I M). M is the modulus over the material's own, M_band(s) + sξ M_∞ (ξ acts
+//! on the unrelaxed stiffness), and I = 1 + ω_R/s the inertia with Rayleigh's ω_R. Below lies the dashpot ρc of the bottom
+//! layer's own moduli, through which the wave enters, τ = ρc v − 2ρc v_i: a half-space of that impedance. Above lies another, of
+//! no impedance where the top is free.
+//!
+//! Velocities follow by reflection coefficients, from the top down the share that comes back at the bottom of each layer and
+//! from the base up the wave that goes up (`kramer1996`, section 7.2.1, states the same by amplitudes from the top, which grow
+//! beyond all numbers in thick damped layers). Only e^(−γh) appears, never larger than 1, and no denominator can vanish, since
+//! layers only take energy.
+//!
+//! **Ringing.** A discrete transform repeats its span, and an undamped column on hard rock rings longer than any span. So
+//! frequencies lie beside the imaginary axis, s = η + iω, which is the transform of v e^(−ηt): what comes round again is smaller
+//! by e^(−ηT), whatever the damping (`kausel1992`).
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
+use tremolite_engine::Top;
 use tremolite_engine::problem::Rayleigh;
 use tremolite_laws::band::Band;
 use tremolite_motion::{Complex64, transferred};
 
-/// A column of one material.
+/// A layer of one material.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layer {
-    /// H \[m\]
-    pub height: f64,
-    /// c \[m/s\] by the material's own moduli, which the dashpots of the base go by as well.
+    /// h \[m\]
+    pub thickness: f64,
+    /// ρ \[kg/m³\]
+    pub density: f64,
+    /// c \[m/s\] by the material's own moduli, which dashpots go by as well.
     pub speed: f64,
     pub band: Option<Band>,
     pub rayleigh: Rayleigh,
 }
 
 impl Layer {
-    /// Velocity of the top over that of the incident wave at ω \[rad/s\] > 0, time going as e^(iωt).
-    ///
-    /// With M the modulus over the material's own, damping included, the wave number is k = (ω/c) √((1 − iω_R/ω)/M),
-    /// and the balance at the base, 2v_i − v = M (c/iω) ∂v/∂z, gives 2/(cos kH + i M (ck/ω) sin kH): 2 e^(−iωH/c)
-    /// without damping.
-    fn factor(&self, omega: f64) -> Complex64 {
-        let i = Complex64::i();
-        let frequency = omega / TAU;
+    /// ρc \[Pa s/m\], of a dashpot.
+    fn dashpot(&self) -> f64 {
+        self.density * self.speed
+    }
+
+    /// Impedance Z \[Pa s/m\], and e^(−γh), at a complex frequency \[1/s\].
+    fn waves(&self, s: Complex64) -> (Complex64, Complex64) {
         let (elastic, unrelaxed) = match &self.band {
             Some(band) => {
-                let loss = Complex64::new(1.0, 2.0 * band.ratio(frequency));
-                (band.stiffness(frequency) * loss, band.unrelaxed())
+                let [re, im] = band.complex_modulus([s.re, s.im]);
+                (Complex64::new(re, im), band.unrelaxed())
             }
             None => (Complex64::new(1.0, 0.0), 1.0),
         };
-        let modulus = elastic + i * omega * self.rayleigh.stiffness * unrelaxed;
-        let inertia = 1.0 - i * self.rayleigh.mass / omega;
-        // ck/ω
-        let slowness = (inertia / modulus).sqrt();
-        let angle = slowness * (omega * self.height / self.speed);
-        let factor = 2.0 / (angle.cos() + i * modulus * slowness * angle.sin());
-        // What is damped beyond the reach of numbers does not arrive.
-        if factor.is_finite() { factor } else { Complex64::new(0.0, 0.0) }
+        let modulus = elastic + s * self.rayleigh.stiffness * unrelaxed;
+        let inertia = 1.0 + self.rayleigh.mass / s;
+        let decay = s * (inertia / modulus).sqrt() * (self.thickness / self.speed);
+        (self.dashpot() * (inertia * modulus).sqrt(), (-decay).exp())
+    }
+
+    /// Whether the stuff is the same, whatever the thickness.
+    fn same(&self, other: &Layer) -> bool {
+        Layer { thickness: other.thickness, ..*self } == *other
     }
 }
 
-/// Velocity \[m/s\] of the column's top every `dt` \[s\] from 0 to `duration` \[s\], under a wave whose velocity at the
-/// base is `incident` \[m/s\]; empty for a wave that is zero.
-pub fn surface_velocity(layer: &Layer, incident: impl Fn(f64) -> f64, dt: f64, duration: f64) -> Vec<f64> {
-    // The transform repeats its span: room for the column to come to rest, over which the wave is faded out.
-    let room = 0.5 * duration + 10.0 * layer.height / layer.speed;
-    let wanted = (duration / dt).ceil() as usize + 2;
-    let count = (wanted + (room / dt).ceil() as usize).next_power_of_two();
-    let span = count as f64 * dt;
-    let fade = |t: f64| {
-        if t <= duration { 1.0 } else { 0.5 + 0.5 * (PI * (t - duration) / (span - duration)).cos() }
-    };
-    let wave: Vec<f64> = (0..count).map(|k| k as f64 * dt).map(|t| fade(t) * incident(t)).collect();
-    if wave.iter().all(|v| *v == 0.0) {
-        return Vec::new();
+/// Layers on a half-space that is as stiff as the lowest of them and undamped.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayeredColumn {
+    /// Upwards, neighbours unlike.
+    layers: Vec<Layer>,
+    top: Top,
+}
+
+/// Smallest e^(−ηT): what is left of a motion one span earlier. Half the span is used, where round-off grows by its root.
+const LEFT: f64 = 1e-8;
+
+impl LayeredColumn {
+    /// The column of these layers, given upwards; neighbours of the same stuff are one. None without layers.
+    pub fn new(layers: impl IntoIterator<Item = Layer>, top: Top) -> Option<Self> {
+        let mut merged: Vec<Layer> = Vec::new();
+        for layer in layers {
+            match merged.last_mut() {
+                Some(last) if last.same(&layer) => last.thickness += layer.thickness,
+                _ => merged.push(layer),
+            }
+        }
+        (!merged.is_empty()).then_some(LayeredColumn { layers: merged, top })
     }
-    let mut found = transferred(&wave, dt, &|omega| layer.factor(omega));
-    found.truncate(wanted);
-    found
+
+    /// Velocity over that of the incident wave at the base, at a complex frequency \[1/s\]: at the base and at the top of each
+    /// layer, upwards.
+    fn factors(&self, s: Complex64) -> Vec<Complex64> {
+        let count = self.layers.len();
+        let (below, highest) = (self.layers[0].dashpot(), self.layers[count - 1].dashpot());
+        let above = if self.top == Top::Viscous { highest } else { 0.0 };
+        let waves: Vec<_> = self.layers.iter().map(|layer| layer.waves(s)).collect();
+        let impedance = |k: usize| match k {
+            0 => Complex64::from(below),
+            _ => waves.get(k - 1).map_or(above.into(), |(z, _)| *z),
+        };
+        // For the half-space below, each layer and what lies above: at its bottom, the wave that comes back over the one
+        // that goes up.
+        let mut back = vec![Complex64::default(); count + 2];
+        for k in (1..=count).rev() {
+            let (own, across, decay) = (impedance(k), impedance(k + 1), waves[k - 1].1);
+            let [held, pushed] = [own * (1.0 + back[k + 1]), across * (1.0 - back[k + 1])];
+            back[k] = (held - pushed) / (held + pushed) * decay * decay;
+        }
+        let mut up = Complex64::from(1.0);
+        let mut factors = Vec::with_capacity(count + 1);
+        for k in 1..=count + 1 {
+            let (from, to) = (impedance(k - 1), impedance(k));
+            up *= 2.0 * from / (from * (1.0 + back[k]) + to * (1.0 - back[k]));
+            factors.push(up * (1.0 + back[k]));
+            up *= waves.get(k - 1).map_or(1.0.into(), |(_, decay)| *decay);
+        }
+        factors
+    }
+
+    /// Velocity \[m/s\] of the column's top and of its base every `dt` \[s\] from 0 to `duration` \[s\], at rest before, under a
+    /// wave whose velocity at the base is `incident` \[m/s\]; empty for a wave that is zero.
+    ///
+    /// Exact for what the samples of the wave carry, to about 10⁻⁸ of the largest velocity.
+    pub fn velocities(&self, incident: impl Fn(f64) -> f64, dt: f64, duration: f64) -> [Vec<f64>; 2] {
+        let wanted = (duration / dt).ceil() as usize + 2;
+        let count = (2 * wanted).next_power_of_two();
+        let span = count as f64 * dt;
+        // What comes later changes nothing before; faded out, it rings nowhere.
+        let fade = |t: f64| {
+            if t <= duration { 1.0 } else { 0.5 + 0.5 * (PI * (t - duration) / (span - duration)).cos() }
+        };
+        let eta = -LEFT.ln() / span;
+        let times = (0..count).map(|k| k as f64 * dt);
+        let wave: Vec<f64> = times.map(|t| fade(t) * incident(t) * (-eta * t).exp()).collect();
+        if wave.iter().all(|v| *v == 0.0) {
+            return Default::default();
+        }
+        [self.layers.len(), 0].map(|level| {
+            let mut found = transferred(&wave, dt, &|omega| self.factors(Complex64::new(eta, omega))[level]);
+            found.truncate(wanted);
+            found.iter_mut().enumerate().for_each(|(k, v)| *v *= (eta * k as f64 * dt).exp());
+            found
+        })
+    }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const NONE: Rayleigh = Rayleigh { mass: 0.0, stiffness: 0.0 };
-
-    /// A pulse of about 2 Hz around 1 s.
-    fn pulse(t: f64) -> f64 {
-        let s = TAU * (t - 1.0);
-        (1.0 - 2.0 * s * s) * (-s * s).exp()
-    }
-
-    fn largest(values: &[f64]) -> f64 {
-        values.iter().fold(0.0_f64, |most, v| most.max(v.abs()))
-    }
-
-    #[test]
-    fn without_damping_the_wave_arrives_doubled_and_late() {
-        let layer = Layer { height: 240.0, speed: 1200.0, band: None, rayleigh: NONE };
-        let found = surface_velocity(&layer, pulse, 1e-3, 3.0);
-        for (k, v) in found.iter().enumerate().take(3000) {
-            assert!((v - 2.0 * pulse(k as f64 * 1e-3 - 0.2)).abs() < 1e-9, "{k}");
-        }
-    }
-
-    #[test]
-    fn weak_damping_of_mass_or_stiffness_takes_what_first_order_says() {
-        let (height, speed) = (240.0, 1200.0);
-        let travel = height / speed;
-        // A long train of one wavelength a height, with which damping changes nothing at the base: to first order
-        // e^(−ω_R t/2) and e^(−ξω² t/2) over the travel time.
-        let omega = TAU / travel;
-        let train = |t: f64| (omega * t).sin() * (0.5 * t.min(2.0) / 2.0);
-        let found = |rayleigh| {
-            let layer = Layer { height, speed, band: None, rayleigh };
-            largest(&surface_velocity(&layer, train, 1e-3, 6.0)[4000..])
-        };
-        let whole = found(NONE);
-        let mass = Rayleigh { mass: 0.1, stiffness: 0.0 };
-        assert!((found(mass) / whole - (-0.05 * travel).exp()).abs() < 2e-4);
-        let stiffness = Rayleigh { mass: 0.0, stiffness: 2e-4 };
-        assert!((found(stiffness) / whole - (-1e-4 * omega * omega * travel).exp()).abs() < 5e-4);
-    }
-
-    #[test]
-    fn a_band_takes_about_its_ratio_times_the_phase() {
-        let (height, speed, ratio) = (240.0, 1200.0, 0.02);
-        let omega = TAU * speed / height;
-        let train = |t: f64| (omega * t).sin() * (0.5 * t.min(2.0) / 2.0);
-        let found = |band| {
-            let layer = Layer { height, speed, band, rayleigh: NONE };
-            largest(&surface_velocity(&layer, train, 1e-3, 6.0)[4000..])
-        };
-        let band = Band::fit(ratio, [0.5, 20.0], 5.0).unwrap();
-        let exact = (-band.ratio(5.0) * omega * height / speed).exp();
-        assert!((found(Some(band)) / found(None) / exact - 1.0).abs() < 3e-3);
-    }
-}
+mod tests;
