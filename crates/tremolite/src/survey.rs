@@ -40,6 +40,9 @@ pub struct Survey {
     pub bodies: Vec<BodySurvey>,
     pub active_elements: usize,
     pub void_elements: usize,
+    /// Of the slabs outside free-field sides, and of columns.
+    pub slab_elements: usize,
+    pub column_elements: usize,
     pub nodes: usize,
     /// Bytes that a run takes at its peak, about.
     pub bytes: usize,
@@ -124,6 +127,8 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     Ok(Survey {
         bodies,
         active_elements: active,
+        slab_elements: model.slabs.iter().map(|slab| slab.sheet.twins.len()).sum(),
+        column_elements: model.columns.iter().map(|column| column.layers.len()).sum(),
         void_elements: model.user_elements - model.stand_ins.len() - active,
         nodes: model.counted.len(),
         bytes: geometry
@@ -141,11 +146,10 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
 /// What sets the stable step, in words.
 pub fn limit_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> String {
     match &stable.limit {
-        Limit::Element(e) if (*e as usize) < model.user_elements => {
-            let [x, y, z] = centroid(&model.mesh, *e);
+        Limit::Element(e) => {
+            let [x, y, z] = centroid(&model.mesh, model.parents[*e as usize]);
             format!("{} at ({x:.1}, {y:.1}, {z:.1}) m", model.element_name(*e as usize))
         }
-        Limit::Element(_) => "the reference column's finest layer".into(),
         Limit::Part { member, node } => {
             let [x, y, z] = model.mesh.nodes[*node as usize];
             format!(

@@ -97,7 +97,7 @@ pub fn run(args: &Args) -> Outcome {
         }
         let model = Model::new(setup.problem).map_err(|e| refused(&case, &e))?;
         let assembly = Assembly::new(&model).map_err(|e| refused(&case, &e))?;
-        let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(Failure::input)?;
+        let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(|e| refused(&case, &e))?;
         // Without an earthquake every wave is long.
         let highest = motion.as_ref().map_or(0.0, |motion| motion.highest_frequency);
         let survey = survey(&model, &assembly, highest).map_err(Failure::input)?;

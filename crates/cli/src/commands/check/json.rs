@@ -47,6 +47,8 @@ impl Checked<'_> {
             "elements": survey.active_elements,
             "excavated": survey.void_elements,
             "nodes": survey.nodes,
+            "slab_elements": survey.slab_elements,
+            "column_elements": survey.column_elements,
             "groups": groups,
             "mesh_rotation": self.rotation(),
             "regions": regions.collect::<Vec<_>>(),

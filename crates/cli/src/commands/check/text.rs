@@ -4,7 +4,8 @@ use super::Checked;
 use crate::commands::defaulted::text;
 use crate::terminal::{bytes, duration, print};
 use tremolite::setup::MotionFacts;
-use tremolite_case::{Mesh, units};
+use tremolite::survey::Survey;
+use tremolite_case::{Dynamic, Mesh, units};
 use tremolite_laws::Dimension;
 use tremolite_results::{MaterialFacts, Origin};
 
@@ -30,6 +31,7 @@ impl Checked<'_> {
         self.print_pairs();
         self.print_stages();
         if let Some(motion) = self.motion {
+            self.print_boundaries();
             self.print_shaking(motion);
         }
         self.print_estimate();
@@ -47,6 +49,25 @@ impl Checked<'_> {
             let angle = self.case.source[file.rotate.span.clone()].trim_matches(['"', '\'']);
             print(&format!(
                 "           turned by {angle} about z; coordinates, stresses, results and model_x_azimuth are in the axes after it"
+            ));
+        }
+    }
+
+    fn print_boundaries(&self) {
+        let Dynamic { base, sides: [x, y], top, .. } = &self.case.dynamic;
+        print("\nBoundaries in the earthquake");
+        print(&format!(
+            "           base {}; sides across x {}, across y {}; top {}",
+            base.value.word(),
+            x.value.word(),
+            y.value.word(),
+            top.value.word()
+        ));
+        let Survey { slab_elements: slabs, column_elements: columns, active_elements, .. } = self.survey;
+        if slabs > 0 {
+            let share = 100.0 * (slabs + columns) as f64 / active_elements as f64;
+            print(&format!(
+                "           outside the free-field sides stand {slabs} elements of slabs and {columns} of columns, {share:.1} % of the model's"
             ));
         }
     }
