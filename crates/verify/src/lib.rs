@@ -16,12 +16,14 @@
 //! # Ok::<(), tremolite_verify::UnknownName>(())
 //! ```
 
+mod bessel;
 mod check;
 mod concrete;
 mod convergence;
 mod dense;
 mod effort;
 mod error;
+mod full_space;
 mod id;
 mod joints;
 mod lined;
@@ -30,6 +32,7 @@ mod models;
 mod problem;
 pub mod problems;
 mod rock;
+mod scattering;
 mod select;
 mod simulation;
 mod staged;
