@@ -20,8 +20,9 @@ use crate::phase::Phase;
 use crate::problem::TimeStep;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use tremolite_kernels::Line;
+use std::sync::Arc;
 use tremolite_kernels::contact::Pair;
+use tremolite_kernels::{AnyInterface, Line};
 use tremolite_laws::{Choice, Need, Values};
 use tremolite_mesh::order::hilbert_order;
 use tremolite_mesh::pairs::tangents;
@@ -68,8 +69,12 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
     }
     let masses = PairMasses::of(model, &phase);
     let values = chosen(model, assembly, &phase, &masses);
-    let mut laws = Vec::new();
+    let mut laws: Vec<Arc<dyn AnyInterface>> = Vec::new();
     for (seam, values) in model.seams.iter().zip(&values) {
+        if let Some(of) = seam.of {
+            laws.push(laws[of].clone());
+            continue;
+        }
         let law = (seam.law.build)(values).map_err(|bad| {
             let bad: Vec<String> = bad.iter().map(ToString::to_string).collect();
             let given = (seam.law.build)(&(seam.law.info.chosen)(&seam.values, &beyond(seam))).is_err();
@@ -81,6 +86,7 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
     }
     let stiffest: Vec<f64> = laws.iter().map(|law| law.stiffest()[0]).collect();
     let mut members = Vec::new();
+    let mut dampings: Vec<f64> = Vec::new();
     for (s, (seam, law)) in model.seams.iter().zip(laws).enumerate() {
         let squares = masses.squares(s, |other| stiffest[other]);
         let (stiffest_pair, square) = squares
@@ -88,7 +94,12 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
             .enumerate()
             .fold((0, 0.0), |worst, (k, square)| if square > worst.1 { (k, square) } else { worst });
         let frequency = square.sqrt();
-        let damping = if frequency > 0.0 { 2.0 * seam.damping * stiffest[s] / frequency } else { 0.0 };
+        let damping = match seam.of {
+            Some(of) => dampings[of],
+            None if frequency > 0.0 => 2.0 * seam.damping * stiffest[s] / frequency,
+            None => 0.0,
+        };
+        dampings.push(damping);
         let mut places = vec![(0, 0); seam.pairs.len()];
         let centres: Vec<[f64; 3]> = (0..seam.pairs.len()).map(|k| seam.place(&model.mesh, k)).collect();
         let order = hilbert_order(&centres);
@@ -112,6 +123,7 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
                 springs,
                 life,
                 line: Some(Line::Interface),
+                counted: seam.of.is_none(),
                 ..Member::new(format!("interface '{}'", seam.name), part)
             });
         }
@@ -233,15 +245,20 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses
     let dt = step.unwrap_or_else(|| safety * stable_step(model, assembly, phase).dt);
     // The least of their limits, since they may meet at a node.
     let most = (limit / dt).powi(2);
-    let choose = |(s, seam): (usize, &Seam)| {
+    let choose = |s: usize| {
         let fixed = masses.squares(s, |other: usize| given[other].unwrap_or(0.0));
         let own = masses.squares(s, |other: usize| f64::from(u8::from(given[other].is_none())));
-        let stiffness = fixed
+        fixed
             .iter()
             .zip(&own)
             .map(|(fixed, own)| (most - fixed).max(LEAST_SHARE * most) / own)
-            .fold(f64::INFINITY, f64::min);
-        fill(seam, stiffness)
+            .fold(f64::INFINITY, f64::min)
     };
-    model.seams.iter().enumerate().map(choose).collect()
+    // An interface has the same law wherever it runs.
+    let whose = |s: usize| model.seams[s].of.unwrap_or(s);
+    let mut stiffness = vec![f64::INFINITY; model.seams.len()];
+    for s in 0..model.seams.len() {
+        stiffness[whose(s)] = stiffness[whose(s)].min(choose(s));
+    }
+    model.seams.iter().enumerate().map(|(s, seam)| fill(seam, stiffness[whose(s)])).collect()
 }

@@ -5,6 +5,7 @@ use crate::boundary;
 use crate::boundary::base::BaseNode;
 use crate::contacts::Contacts;
 use crate::error::ModelError;
+use crate::free_field::sheets;
 use crate::hexahedra::{hex, hex_nodes};
 use crate::interface::traction;
 use crate::life::{Life, Stage};
@@ -12,16 +13,19 @@ use crate::member::Member;
 use crate::model::{Model, Patch};
 use crate::parts::constant::Constant;
 use crate::parts::loads::Loads;
+use crate::parts::passed_on::PassedOn;
 use crate::parts::{Kept, Motion, Own, Part, StateSizes};
+use crate::sheet;
 use crate::state::{Ledger, State};
 use crate::traction::Traction;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 use tremolite_kernels::{Line, Quadrature};
 use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
 use tremolite_laws::{Octet, Row};
+use tremolite_mesh::Face;
 use tremolite_mesh::topology::vector_areas;
 
 /// Where a part's slices begin and end.
@@ -68,7 +72,7 @@ impl Slices {
 #[derive(Default)]
 pub struct Assembly {
     /// In the order in which a node sums what they hold for it: patches of the user's elements (as the model's patches),
-    /// those of the reference column, boundaries, loads, weight and tractions, interfaces, the program's own.
+    /// those of slabs and columns, boundaries, loads, weight and tractions, interfaces, the program's own.
     pub members: Vec<Member>,
     /// Of each member.
     pub slices: Vec<Slices>,
@@ -79,10 +83,12 @@ pub struct Assembly {
     pub accounts: Vec<String>,
     /// The account of each member, none for those without elements or out of the balance.
     pub account: Vec<Option<u16>>,
-    /// Nodes of the base, the column's bottom included; empty for a base without dashpots.
+    /// Nodes of the base, those of slabs and columns included; empty for a base without dashpots.
     pub base: Vec<BaseNode>,
     /// Distance R used for the springs of the base \[m\].
     pub spring_distance: Option<f64>,
+    /// Whether ground stands outside free-field sides.
+    free_field: bool,
     /// Strain that elements begin with, part by part.
     initial: Vec<Octet>,
     /// Number of nodes.
@@ -95,8 +101,11 @@ impl Assembly {
     /// # Errors
     /// If no face lies on the plane of a base that should do something, or a part of the program's own does not fit.
     pub(crate) fn without_interfaces(model: &Model) -> Result<Self, ModelError> {
+        let faces: HashMap<u32, Face> = sheets(&model.slabs, &model.columns)
+            .flat_map(|sheet| sheet.twins.iter().map(|&(face, twin)| (twin, face)))
+            .collect();
         let mut members: Vec<Member> =
-            model.patches.par_iter().map(|patch| solid(model, patch)).collect::<Result<_, _>>()?;
+            model.patches.par_iter().map(|patch| solid(model, &faces, patch)).collect::<Result<_, _>>()?;
         for member in &mut members[model.user_patches..] {
             member.counted = false;
         }
@@ -115,8 +124,9 @@ impl Assembly {
             check(model, &member)?;
             members.push(member);
         }
-        let nodes = model.mesh_node.len();
-        let mut assembly = Assembly { members, base, spring_distance, nodes, ..Assembly::default() };
+        let (nodes, free_field) = (model.mesh_node.len(), !model.slabs.is_empty());
+        let mut assembly =
+            Assembly { members, base, spring_distance, nodes, free_field, ..Assembly::default() };
         assembly.settle(model);
         Ok(assembly)
     }
@@ -144,8 +154,10 @@ impl Assembly {
 
     /// The lines of the balance that this assembly can have.
     pub fn lines(&self) -> impl Iterator<Item = Line> + use<> {
-        let interfaces = !self.contacts.is_empty();
-        Line::ALL.iter().copied().filter(move |line| interfaces || !line.of_interfaces())
+        let (interfaces, free_field) = (!self.contacts.is_empty(), self.free_field);
+        Line::ALL.iter().copied().filter(move |&line| {
+            (interfaces || !line.of_interfaces()) && (free_field || line != Line::FreeField)
+        })
     }
 
     /// A state at rest: no displacement, and the stress that the model begins with.
@@ -200,8 +212,9 @@ fn check(model: &Model, member: &Member) -> Result<(), ModelError> {
     Ok(())
 }
 
-/// The part of a patch, with the mass of each of its nodes.
-fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
+/// The part of a patch, with the mass of each of its nodes. `faces` are those that elements outside sides were made of: they pass
+/// on to these what they feel.
+fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result<Member, ModelError> {
     let body = &model.bodies[patch.body];
     let mut nodes: Vec<u32> = Vec::new();
     // By node; in a patch that takes over by element and corner as well.
@@ -209,6 +222,7 @@ fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
     let mut corners = Vec::with_capacity(patch.elements.len());
     let mut geometry = Vec::with_capacity(patch.elements.len());
     let mut masses: Vec<f64> = Vec::new();
+    let mut sides: BTreeSet<(u32, [u16; 2])> = BTreeSet::new();
     for (i, &e) in patch.elements.iter().enumerate() {
         let hex = hex(&model.mesh, e as usize).map_err(|reason| ModelError::BadElement {
             element: model.mesh.element_id(e as usize),
@@ -234,16 +248,31 @@ fn solid(model: &Model, patch: &Patch) -> Result<Member, ModelError> {
             };
             masses[corner[k] as usize] += body.density * hex.corner_volumes[k];
         }
+        for pair in faces.get(&e).into_iter().flat_map(|&face| sheet::corners(&model.mesh, (face, e))) {
+            let place = |node: u32| mesh_nodes.iter().position(|&n| n == node).map_or(0, |k| corner[k]);
+            let source = model.engine_node[pair.source as usize];
+            sides.insert((source, [place(pair.front), place(pair.back)]));
+        }
         corners.push(corner);
         geometry.push(hex);
     }
-    let viscosity = viscosity(body, &geometry);
+    // What is made of another element is as viscous, whatever its own thickness.
+    let own = |&e: &u32| hex(&model.mesh, model.parents[e as usize] as usize);
+    let parents: Vec<Hex8> = patch.elements.iter().filter_map(|e| own(e).ok()).collect();
+    let viscosity = viscosity(body, &parents);
     let part = body.material.patch(body.quadrature, nodes, &corners, &geometry, &viscosity, model.isa);
+    let part = match sides.is_empty() {
+        true => part,
+        false => {
+            let booked = sides.iter().all(|(node, _)| model.counted.contains(&(*node as usize)));
+            Box::new(PassedOn::new(part, sides.into_iter().collect(), booked))
+        }
+    };
     let initial = patch.takes_over || (!model.initial.is_empty() && !patch.life.is_later());
     Ok(Member { masses, initial, life: patch.life, ..Member::new(body.name.clone(), part) })
 }
 
-/// What weighs down before the shaking: the mass of each lot, and of the reference column.
+/// What weighs down before the shaking: the mass of each lot, and of slabs and columns.
 fn weights(model: &Model, solids: &[Member]) -> Vec<Member> {
     if model.gravity == 0.0 {
         return Vec::new();
@@ -257,10 +286,10 @@ fn weights(model: &Model, solids: &[Member]) -> Vec<Member> {
     }
     lots.into_iter()
         .filter(|((_, life), _)| life.born < Stage::Shaking)
-        .map(|((column, life), masses)| {
+        .map(|((outside, life), masses)| {
             let forces = masses.into_iter().map(|(node, mass)| (node, [0.0, 0.0, -mass * model.gravity]));
             let part = Box::new(Constant::new(forces));
-            Member { life: life.and(&Life::BEFORE), counted: !column, ..Member::new("weight", part) }
+            Member { life: life.and(&Life::BEFORE), counted: !outside, ..Member::new("weight", part) }
         })
         .collect()
 }

@@ -6,12 +6,14 @@
 pub mod base;
 
 use crate::body::Body;
-use crate::column::{Column, WIDTH};
+use crate::column::{Column, SIDES, WIDTH, corner_at};
 use crate::error::ModelError;
+use crate::free_field::{Slab, sheets};
 use crate::hexahedra::centroid;
 use crate::life::{Life, Stage};
 use crate::member::Member;
 use crate::outer_faces::{OuterFaces, nodes_of};
+use crate::sheet::{Corner, Sheet, corners, faces_on};
 use crate::ties::Ties;
 use base::{BaseNode, BasePart, add};
 use std::collections::BTreeMap;
@@ -107,15 +109,19 @@ pub struct Surroundings<'a> {
     pub places: &'a [u32],
     pub base: Base,
     pub sides: [Side; 2],
+    pub top: Top,
     pub held: &'a [(u32, [bool; 3])],
-    pub column: Option<&'a Column>,
+    pub slabs: &'a [Slab],
+    pub columns: &'a [Column],
+    /// Of each element, the one of the user's that it was made of.
+    pub parents: &'a [u32],
     pub incident: Option<&'a Incident>,
 }
 
 impl Surroundings<'_> {
-    /// Whether an element is there in the shaking.
-    fn stands(&self, element: usize) -> bool {
-        self.body_of[element].is_some() && self.lives[element].holds(Stage::Shaking)
+    /// Whether an element is there in a stage.
+    fn stands(&self, element: usize, stage: Stage) -> bool {
+        self.body_of[self.parents[element] as usize].is_some() && self.lives[element].holds(stage)
     }
 
     fn engine(&self, node: u32) -> u32 {
@@ -124,12 +130,41 @@ impl Surroundings<'_> {
 
     /// The body behind a face. Every face belongs to an element of a body.
     fn body(&self, face: Face) -> Option<&Body> {
-        self.body_of[face.element as usize].map(|b| &self.bodies[b])
+        self.body_of[self.parents[face.element as usize] as usize].map(|b| &self.bodies[b])
     }
 
     /// ρc_p and ρc_s behind a face.
     fn impedance(&self, face: Face) -> (f64, f64) {
         self.body(face).map_or((0.0, 0.0), impedances)
+    }
+
+    fn near(&self) -> f64 {
+        let (low, high) = self.faces.bounds;
+        1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
+    }
+
+    /// Faces of a sheet on an outer plane that are there in a stage.
+    fn of_sheet(&self, sheet: &Sheet, axis: usize, end: usize, stage: Stage) -> Vec<Face> {
+        let level = [self.faces.bounds.0, self.faces.bounds.1][end][axis];
+        let elements = sheet.elements().filter(|&e| self.stands(e as usize, stage));
+        faces_on(self.mesh, elements, axis, level, self.near())
+    }
+
+    /// Faces on an outer plane, in a stage, of what stands outside the sides: of the slabs' ends, or of the bottoms and tops of
+    /// slabs and columns.
+    fn outside(&self, axis: usize, end: usize, stage: Stage) -> Vec<Face> {
+        let of = |sheet: &Sheet| self.of_sheet(sheet, axis, end, stage);
+        if axis == 2 {
+            return sheets(self.slabs, self.columns).flat_map(of).collect();
+        }
+        self.slabs.iter().map(|slab| &slab.sheet).filter(|sheet| sheet.axis != axis).flat_map(of).collect()
+    }
+
+    /// Corners of all sheets that are there in a stage.
+    fn corners(&self, stage: Stage) -> impl Iterator<Item = (Face, Corner)> + '_ {
+        let there = move |twin: &(Face, u32)| self.stands(twin.1 as usize, stage);
+        let all = sheets(self.slabs, self.columns).flat_map(|sheet| sheet.twins.iter().copied());
+        all.filter(there).flat_map(|twin| corners(self.mesh, twin).map(move |corner| (twin.0, corner)))
     }
 }
 
@@ -138,23 +173,62 @@ impl Surroundings<'_> {
 pub struct Supports {
     /// Components of a node that are held.
     pub held: BTreeMap<u32, [bool; 3]>,
-    /// Dashpots of absorbing sides \[N s/m\].
+    /// Dashpots of absorbing sides and of an absorbing top \[N s/m\].
     pub dashpots: BTreeMap<u32, [f64; 6]>,
+    /// Dashpots between a node of a free-field side and the node of the slab outside it, or between that of a slab's end and that
+    /// of the column: (node, leader).
+    pub following: BTreeMap<(u32, u32), [f64; 6]>,
 }
 
 /// Parts of the boundaries, in their order, and what others need to know of them.
 #[derive(Default)]
 pub struct Members {
     pub members: Vec<Member>,
-    /// Nodes of the base, the column's bottom included; empty for a base without dashpots.
+    /// Nodes of the base, those of slabs and columns included; empty for a base without dashpots.
     pub base: Vec<BaseNode>,
     /// Distance R used for the springs of the base \[m\].
     pub spring_distance: Option<f64>,
 }
 
-const NAMES: [[&str; 2]; 2] = [["xmin", "xmax"], ["ymin", "ymax"]];
+/// Ties what stands one behind the other in slabs and columns, and the levels of columns.
+pub fn tie_outside(around: Surroundings, ties: &mut Ties) {
+    for sheet in sheets(around.slabs, around.columns) {
+        for corner in sheet.twins.iter().flat_map(|&twin| corners(around.mesh, twin)) {
+            ties.join(corner.front, corner.back);
+        }
+    }
+    for slab in around.slabs {
+        let pairs: Vec<Corner> =
+            slab.sheet.twins.iter().flat_map(|&twin| corners(around.mesh, twin)).collect();
+        for sheet in slab.columns.iter().flatten().filter_map(|&c| around.columns[c].sheet.as_ref()) {
+            let fronts = fronts(around.mesh, sheet);
+            for pair in &pairs {
+                let both = [pair.front, pair.back].map(|n| fronts.get(&n).map_or(&[][..], Vec::as_slice));
+                let mut level = both.into_iter().flatten();
+                if let Some(&first) = level.next() {
+                    level.for_each(|&node| ties.join(first, node));
+                }
+            }
+        }
+    }
+    for ring in around.columns.iter().flat_map(|column| &column.rings) {
+        ring[1..].iter().for_each(|&node| ties.join(ring[0], node));
+    }
+}
 
-/// Ties the opposite nodes of periodic sides.
+/// Nodes in front of a sheet by the node that each was made of.
+fn fronts(mesh: &Mesh, sheet: &Sheet) -> BTreeMap<u32, Vec<u32>> {
+    let mut fronts: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for corner in sheet.twins.iter().flat_map(|&twin| corners(mesh, twin)) {
+        let known = fronts.entry(corner.source).or_default();
+        if !known.contains(&corner.front) {
+            known.push(corner.front);
+        }
+    }
+    fronts
+}
+
+/// Ties the opposite nodes of periodic sides, and those outside them at the ends of slabs.
 ///
 /// # Errors
 /// If the two sides' nodes do not match.
@@ -167,7 +241,7 @@ pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelEr
             continue;
         }
         let [a, b] = &faces.planes[axis];
-        let [name_a, name_b] = NAMES[axis];
+        let [name_a, name_b] = SIDES[axis];
         if a.is_empty() || b.is_empty() {
             return Err(ModelError::NoFaces(if a.is_empty() { name_a } else { name_b }));
         }
@@ -176,8 +250,17 @@ pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelEr
             high: name_b,
             reason,
         })?;
+        let ends: Vec<_> = around
+            .slabs
+            .iter()
+            .filter(|slab| slab.sheet.axis != axis)
+            .map(|slab| fronts(mesh, &slab.sheet))
+            .collect();
         for (a, b) in pairs {
             ties.join(a, b);
+            for (a, b) in ends.iter().filter_map(|fronts| fronts.get(&a).zip(fronts.get(&b))) {
+                a.iter().zip(b).for_each(|(&a, &b)| ties.join(a, b));
+            }
         }
     }
     Ok(())
@@ -236,8 +319,9 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
         };
         for (end, faces) in faces.planes[axis].iter().enumerate() {
             if side != Side::Free && faces.is_empty() {
-                return Err(ModelError::NoFaces(NAMES[axis][end]));
+                return Err(ModelError::NoFaces(SIDES[axis][end]));
             }
+            let faces = &[faces.clone(), around.outside(axis, end, stage)].concat();
             let mut along = [false; 3];
             along[axis] = true;
             match side {
@@ -265,13 +349,56 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
         if base.is_empty() {
             return Err(ModelError::NoFaces("base"));
         }
-        let column = around.column.filter(|_| stage != Stage::Shaking);
-        let below = column.iter().flat_map(|column| column.bottom());
-        for n in nodes_of(mesh, base).into_iter().chain(below) {
+        let outside = around.outside(2, 0, stage);
+        let below = around.columns.iter().flat_map(|column| column.rings.first()).flatten();
+        for n in nodes_of(mesh, base).into_iter().chain(nodes_of(mesh, &outside)).chain(below.copied()) {
             hold(&mut out.held, engine(n), [true; 3]);
         }
     }
+    if stage == Stage::Shaking {
+        absorb_at_the_top(around, &mut out)?;
+        for (face, corner) in around.corners(stage) {
+            let matrices = nodal_matrices(mesh, &[face], |face| around.impedance(face));
+            if let Some(matrix) = matrices.get(&corner.source) {
+                let pair = (engine(corner.source), engine(corner.front));
+                add(out.following.entry(pair).or_default(), matrix);
+            }
+        }
+    }
     Ok(out)
+}
+
+/// Dashpots of the top, and of what stands outside.
+fn absorb_at_the_top(around: Surroundings, out: &mut Supports) -> Result<(), ModelError> {
+    if around.top == Top::Free {
+        return Ok(());
+    }
+    let Surroundings { mesh, faces, .. } = around;
+    let [base, top] = &faces.planes[2];
+    let area = |faces: &[Face]| -> f64 {
+        faces.iter().flat_map(|&face| vector_areas(mesh, &[face])).map(|(_, a)| a[2].abs()).sum()
+    };
+    if (area(top) - area(base)).abs() > 1e-6 * area(base) {
+        return Err(ModelError::Top { level: faces.bounds.1[2], share: area(top) / area(base) });
+    }
+    let all = [top.clone(), around.outside(2, 1, Stage::Shaking)].concat();
+    for (n, matrix) in nodal_matrices(mesh, &all, |face| around.impedance(face)) {
+        add(out.dashpots.entry(around.engine(n)).or_default(), &matrix);
+    }
+    for column in around.columns {
+        let (Some(ring), Some(layer)) = (column.rings.last(), column.layers.last()) else { continue };
+        for &n in ring {
+            add(out.dashpots.entry(around.engine(n)).or_default(), &quarter(&around.bodies[layer.body]));
+        }
+    }
+    Ok(())
+}
+
+/// Dashpots of a quarter of a reference column's section.
+fn quarter(body: &Body) -> [f64; 6] {
+    let (p, s) = impedances(body);
+    let quarter = 0.25 * WIDTH * WIDTH;
+    [s * quarter, s * quarter, p * quarter, 0.0, 0.0, 0.0]
 }
 
 /// The parts of boundaries that push with more than dashpots.
@@ -280,16 +407,22 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
 /// If the plane of a base that should do something has no faces.
 pub fn members(around: Surroundings) -> Result<Members, ModelError> {
     let mut out = base_nodes(around)?;
-    if !out.base.is_empty() {
-        let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
-        let part = Box::new(BasePart::new(out.base.clone(), incident));
-        let line = Some(Line::Springs);
-        out.members.push(Member { life: Life::SHAKING, line, ..Member::new("springs of the base", part) });
+    let counted = out.base.iter().filter(|node| node.counted).cloned().collect();
+    let outside = out.base.iter().filter(|node| !node.counted).cloned().collect();
+    let all: [(_, Vec<BaseNode>, _); 2] =
+        [("springs of the base", counted, true), ("base of the free field", outside, false)];
+    for (name, nodes, counted) in all {
+        if !nodes.is_empty() {
+            let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
+            let part = Box::new(BasePart::new(nodes, incident));
+            let line = Some(Line::Springs);
+            out.members.push(Member { life: Life::SHAKING, line, counted, ..Member::new(name, part) });
+        }
     }
     Ok(out)
 }
 
-/// Dashpots and springs of the base in the shaking, the column's included.
+/// Dashpots and springs of the base in the shaking, those of slabs and columns included.
 fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
     let Surroundings { mesh, bodies, .. } = around;
     let engine = |n: u32| around.engine(n);
@@ -314,26 +447,80 @@ fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
         }
         _ => (0.0, 0.0),
     };
-    let free_field = around.column.map(|c| engine(c.bottom()[0]));
-    let spring_matrices = nodal_matrices(mesh, faces, spring_of);
-    for (n, dashpot) in nodal_matrices(mesh, faces, |face| around.impedance(face)) {
-        let spring = spring_matrices.get(&n).copied().unwrap_or_default();
-        out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: true });
+    let mut push = |faces: &[Face], free_field: Option<&dyn Fn([f64; 3]) -> Vec<(u32, f64)>>, counted| {
+        let spring_matrices = nodal_matrices(mesh, faces, spring_of);
+        for (n, dashpot) in nodal_matrices(mesh, faces, |face| around.impedance(face)) {
+            let spring = match free_field {
+                Some(_) => spring_matrices.get(&n).copied().unwrap_or_default(),
+                None => [0.0; 6],
+            };
+            let free_field = free_field.map_or(Vec::new(), |of| of(mesh.nodes[n as usize]));
+            out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted });
+        }
+    };
+    push(faces, Some(&|at| between_corners(around, at)), true);
+    for slab in around.slabs {
+        let faces = around.of_sheet(&slab.sheet, 2, 0, Stage::Shaking);
+        push(&faces, Some(&|at| along_slab(around, slab, at)), false);
+        for column in slab.columns.iter().flatten().filter_map(|&c| around.columns[c].sheet.as_ref()) {
+            push(&around.of_sheet(column, 2, 0, Stage::Shaking), None, false);
+        }
     }
-    if let Some(column) = around.column {
-        let (p, s) = impedances(&bodies[column.bottom_body]);
-        let quarter = 0.25 * WIDTH * WIDTH;
-        for n in column.bottom() {
+    for column in around.columns {
+        let (Some(ring), Some(layer)) = (column.rings.first(), column.layers.first()) else { continue };
+        for &n in ring {
+            let dashpot = quarter(&bodies[layer.body]);
+            let node = engine(n);
             out.base.push(BaseNode {
-                node: engine(n),
-                dashpot: [s * quarter, s * quarter, p * quarter, 0.0, 0.0, 0.0],
+                node,
+                dashpot,
                 spring: [0.0; 6],
-                free_field: None,
+                free_field: Vec::new(),
                 counted: false,
             });
         }
     }
     Ok(out)
+}
+
+/// Shares of the columns in the free field at a place, from shares of the corners; several columns of a corner share evenly.
+fn of_corners(around: Surroundings, shares: impl IntoIterator<Item = (usize, f64)>) -> Vec<(u32, f64)> {
+    let mut weights = vec![0.0; around.columns.len()];
+    for (corner, share) in shares {
+        let here =
+            || around.columns.iter().enumerate().filter(move |(_, column)| column.corners.contains(&corner));
+        let count = here().count() as f64;
+        here().for_each(|(c, _)| weights[c] += share / count);
+    }
+    let bottoms = around.columns.iter().map(|column| around.engine(column.bottom));
+    bottoms.zip(weights).filter(|(_, weight)| *weight != 0.0).collect()
+}
+
+/// Where a place lies between the low and the high end of an axis, from 0 to 1.
+fn fraction(around: Surroundings, axis: usize, at: [f64; 3]) -> f64 {
+    let (low, high) = around.faces.bounds;
+    ((at[axis] - low[axis]) / (high[axis] - low[axis])).clamp(0.0, 1.0)
+}
+
+/// The free field at a place of the base: bilinear between the columns at the four corners.
+fn between_corners(around: Surroundings, at: [f64; 3]) -> Vec<(u32, f64)> {
+    let [x, y] = [0, 1].map(|axis| fraction(around, axis, at));
+    let share = |ends: [usize; 2]| [1.0 - x, x][ends[0]] * [1.0 - y, y][ends[1]];
+    let corners = [[0, 0], [1, 0], [0, 1], [1, 1]];
+    of_corners(around, corners.map(|ends| (corner_at(ends), share(ends))))
+}
+
+/// The free field at the base of a slab: linear between its own columns, or else between the corners at its ends.
+fn along_slab(around: Surroundings, slab: &Slab, at: [f64; 3]) -> Vec<(u32, f64)> {
+    let Sheet { axis, end, .. } = slab.sheet;
+    let part = fraction(around, 1 - axis, at);
+    let shares = [1.0 - part, part];
+    if let [Some(low), Some(high)] = slab.columns {
+        let bottoms = [low, high].map(|c| around.engine(around.columns[c].bottom));
+        return bottoms.into_iter().zip(shares).filter(|(_, share)| *share != 0.0).collect();
+    }
+    let corner = |other: usize| if axis == 0 { corner_at([end, other]) } else { corner_at([other, end]) };
+    of_corners(around, [0, 1].map(|other| (corner(other), shares[other])))
 }
 
 fn hold(held: &mut BTreeMap<u32, [bool; 3]>, node: u32, more: [bool; 3]) {
@@ -348,7 +535,7 @@ fn scatter_distance(around: Surroundings) -> f64 {
     let mut own = vec![true; around.user_elements];
     around.stand_ins.iter().for_each(|(stand_in, _)| own[*stand_in as usize] = false);
     let all: Vec<usize> = (0..around.user_elements).filter(|&e| own[e]).collect();
-    let void: Vec<usize> = all.iter().copied().filter(|&e| !around.stands(e)).collect();
+    let void: Vec<usize> = all.iter().copied().filter(|&e| !around.stands(e, Stage::Shaking)).collect();
     let chosen = if void.is_empty() { &all } else { &void };
     let sum: f64 = chosen.iter().map(|&e| centroid(around.mesh, e as u32)[2]).sum();
     (sum / chosen.len() as f64 - around.faces.bounds.0[2]).max(1.0)

@@ -22,6 +22,14 @@ pub enum ModelError {
     NoFaces(&'static str),
     #[error("{0}")]
     Column(String),
+    #[error("{0}")]
+    FreeField(String),
+    #[error(
+        "the top of the model is not a plane at {level:.3} m, where only {:.1} % of it lies, so top = \"viscous\" has no place \
+         to absorb: cut the ground level, or write top = \"free\"",
+        100.0 * share
+    )]
+    Top { level: f64, share: f64 },
     #[error("the interface '{name}' cannot be made: {reason}")]
     Interface { name: String, reason: String },
     #[error("{0}")]

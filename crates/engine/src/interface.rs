@@ -55,6 +55,8 @@ impl Interface {
 /// An interface of a model: split, with its pairs.
 #[derive(Clone)]
 pub struct Seam {
+    /// Of which interface of the model's, where it runs through what stands outside a side.
+    pub of: Option<usize>,
     pub name: String,
     pub law: InterfaceLaw,
     /// As given.
@@ -62,6 +64,7 @@ pub struct Seam {
     pub pressure: f64,
     pub damping: f64,
     pub limit: f64,
+    pub corner: f64,
     /// Faces of the first side with those of the second.
     pub faces: Vec<[Face; 2]>,
     /// Pairs, on nodes of the mesh.

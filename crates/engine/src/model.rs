@@ -2,22 +2,22 @@
 
 use crate::body::Body;
 use crate::boundary::{Base, Incident, Side, Surroundings, Top};
-use crate::column::{self, Column};
+use crate::column::{self, Column, Reference};
 use crate::error::ModelError;
+use crate::free_field::{FreeField, Ground, Slab};
 use crate::hexahedra::{centroid, hex};
-use crate::interface::{Interface, Seam, copies};
+use crate::interface::{Seam, copies};
 use crate::life::{Life, Stage};
 use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
 use crate::problem::{MakePart, Problem, Rayleigh, TimeStep};
+use crate::seams::{self, Seams, place_lives};
 use crate::traction::Traction;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use tremolite_laws::Isa;
+use tremolite_mesh::Mesh;
 use tremolite_mesh::order::hilbert_order;
-use tremolite_mesh::pairs::{PairShape, pairs};
-use tremolite_mesh::split::{Cut, Split, split};
-use tremolite_mesh::{Face, Mesh};
 
 /// Elements that one thread works on together.
 #[derive(Clone, Debug)]
@@ -33,7 +33,7 @@ pub struct Patch {
 
 /// A checked problem, numbered for the engine.
 pub struct Model {
-    /// The mesh, with the reference column's nodes and elements behind its own.
+    /// The mesh, with the nodes and elements of slabs and columns behind its own.
     pub mesh: Mesh,
     /// How many of the mesh's nodes and elements are the user's.
     pub user_nodes: usize,
@@ -41,7 +41,7 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// The body of each element of the user's, none for void ones.
     pub body_of: Vec<Option<usize>>,
-    /// Of each element, the reference column's included.
+    /// Of each element, those of slabs and columns included.
     pub lives: Vec<Life>,
     /// Elements that stand in the place of others before these do: (stand-in, the other).
     pub stand_ins: Vec<(u32, u32)>,
@@ -52,18 +52,19 @@ pub struct Model {
     /// m/s²
     pub gravity: f64,
     pub tractions: Vec<Traction>,
-    /// Patches of the user's elements, then those of the reference column.
+    /// Patches of the user's elements, then those of the slabs, then those of the columns.
     pub patches: Vec<Patch>,
     pub user_patches: usize,
     /// Engine node → node of the mesh.
     pub mesh_node: Vec<u32>,
     /// Node of the mesh → engine node; `u32::MAX` if no active element uses it.
     pub engine_node: Vec<u32>,
-    /// Engine nodes of the user's model; those of the column follow.
+    /// Engine nodes of the user's model; those of the slabs follow, then those of the columns.
     pub counted: Range<usize>,
+    pub of_slabs: Range<usize>,
     /// Faces on the outer planes of the user's elements that are there in the shaking.
     pub faces: OuterFaces,
-    /// Interfaces, split.
+    /// Interfaces, split: those of the user, then what of them runs through slabs.
     pub seams: Vec<Seam>,
     /// Node of the mesh → one for all that interfaces part at its place; of the user's nodes.
     pub places: Vec<u32>,
@@ -73,12 +74,17 @@ pub struct Model {
     pub top: Top,
     /// Components held at single nodes of the mesh.
     pub held: Vec<(u32, [bool; 3])>,
-    /// Nodes of the mesh that move as one, beside those of periodic sides and of the column.
+    /// Nodes of the mesh that move as one, beside those of periodic sides, slabs and columns.
     pub ties: Vec<(u32, u32)>,
-    /// The reference column, where the base absorbs and the ground is the same at all corners.
-    pub column: Option<Column>,
-    /// Why there is none, in words.
+    /// Ground outside free-field sides.
+    pub slabs: Vec<Slab>,
+    /// At the ends of slabs, where all four sides are free field; else reference columns, where the base absorbs and there is
+    /// ground along the model's vertical edges.
+    pub columns: Vec<Column>,
+    /// Why there are none, in words.
     pub no_column: String,
+    /// Of each element, the one of the user's that it was made of, or beside which its column stands: itself if it is one.
+    pub parents: Vec<u32>,
     pub incident: Option<Incident>,
     pub rayleigh: Rayleigh,
     /// Loads on engine nodes.
@@ -107,12 +113,26 @@ impl Model {
             _ => vec![Life::ALWAYS; mesh.elements.len()],
         };
         let shaken = shaken(&body_of, &lives);
-        let ground = column::ground(&mesh, &bodies, &shaken, &problem.interfaces, &lives);
+        let free_field = problem.sides.map(|side| side == Side::FreeField);
+        let absorbs = matches!(problem.base, Base::Viscous | Base::ViscousSpring { .. });
+        let grounds = if absorbs && free_field != [true; 2] {
+            column::grounds(&mesh, &bodies, &shaken, &problem.interfaces, &lives)
+        } else if free_field == [true; 2] {
+            Err("the slabs have columns of their own".to_owned())
+        } else {
+            Err("no wave enters through an absorbing base".to_owned())
+        };
         let mut initial = problem.initial;
         let mut tractions = problem.tractions;
-        let successors: HashMap<u32, u32> = problem.successors.into_iter().collect();
-        let Seams { seams, origin, places } =
-            seams(&mut mesh, problem.interfaces, &shaken, &place_lives(&lives, &successors), &initial)?;
+        let mut successors: HashMap<u32, u32> = problem.successors.into_iter().collect();
+        let sides_of: Vec<[Vec<u32>; 2]> = problem.interfaces.iter().map(|i| i.sides.clone()).collect();
+        let Seams { mut seams, origin, places } = seams::of_problem(
+            &mut mesh,
+            problem.interfaces,
+            &shaken,
+            &place_lives(&lives, &successors),
+            &initial,
+        )?;
         let (user_nodes, user_elements) = (mesh.nodes.len(), mesh.elements.len());
         let copies = copies(&origin);
         let held = problem.held.into_iter().flat_map(|(node, held)| {
@@ -121,31 +141,63 @@ impl Model {
         let held = held.collect();
 
         let standing: Vec<u32> = (0u32..).zip(&shaken).filter(|(_, b)| b.is_some()).map(|(e, _)| e).collect();
-        let faces = OuterFaces::of(&mesh, mesh.bounds(), &standing);
+        let bounds = mesh.bounds();
+        let faces = OuterFaces::of(&mesh, bounds, &standing);
         let user_bodies = bodies.len();
-        let (column, no_column) = match problem.base {
-            Base::Free | Base::Fixed => (None, "no wave enters through an absorbing base".to_owned()),
-            Base::Viscous | Base::ViscousSpring { .. } => match ground {
-                Ok(ground) => {
-                    let (column, like) = column::build(&mut mesh, &mut bodies, ground);
-                    lives.resize(mesh.elements.len(), Life::ALWAYS);
-                    if let Some(&top) = like.last() {
-                        column::press(&mesh, &mut tractions, top);
-                    }
-                    if !initial.is_empty() {
-                        initial.extend(
-                            like.into_iter().map(|element| initial[element as usize]).collect::<Vec<_>>(),
-                        );
-                    }
-                    (Some(column), String::new())
+
+        let ground = Ground { bounds, body_of: &body_of, lives: &lives, sides: free_field };
+        let mut outside = FreeField::beside(&mut mesh, &ground)?;
+        outside.spread(&mut lives);
+        outside.spread(&mut initial);
+        outside.spread_pairs(&mut successors);
+        if !seams.is_empty() {
+            let pair_lives = place_lives(&lives, &successors);
+            let sides: Vec<[Vec<u32>; 2]> = sides_of.into_iter().map(|sides| sides.map(ascending)).collect();
+            let mut more = Vec::new();
+            for slab in &outside.slabs {
+                let elements = outside.standing_alone(slab);
+                let parents = &outside.parents;
+                more.extend(seams::outside(
+                    &mut mesh,
+                    &elements,
+                    parents,
+                    &sides,
+                    &seams,
+                    &pair_lives,
+                    &initial,
+                )?);
+            }
+            outside.mark_parted(&more);
+            for seam in &more {
+                let own = seam.of.map(|of| &mut seams[of].pressure);
+                own.into_iter().for_each(|pressure| *pressure = pressure.max(seam.pressure));
+            }
+            seams.extend(more);
+        }
+        outside.press(&mesh, &mut tractions);
+        let slab_bodies = outside.fill(&mesh, &mut bodies, &body_of, &lives);
+        let FreeField { slabs, mut columns, mut parents } = outside;
+        let no_column = match grounds {
+            Ok(grounds) => {
+                let Reference { columns: more, like } =
+                    column::build(&mut mesh, &mut bodies, grounds, bounds);
+                lives.resize(mesh.elements.len(), Life::ALWAYS);
+                column::press(&mesh, &mut tractions, &more, bounds.1[2], &like);
+                if !initial.is_empty() {
+                    initial.extend(like.iter().map(|&element| initial[element as usize]).collect::<Vec<_>>());
                 }
-                Err(reason) if problem.base.has_springs() => return Err(column::refusal(&reason)),
-                Err(reason) => (None, reason),
-            },
+                parents.extend(like);
+                columns.extend(more);
+                String::new()
+            }
+            Err(reason) if problem.base.has_springs() && free_field != [true; 2] => {
+                return Err(column::refusal(&reason));
+            }
+            Err(reason) => reason,
         };
 
         let mut patches = Vec::new();
-        let mut user_patches = 0;
+        let (mut user_patches, mut slab_patches) = (0, 0);
         let size = patch_size(problem.patch_elements, bodies.iter().map(|b| b.elements.len()).sum());
         for (b, body) in bodies.iter().enumerate() {
             let mut lots: BTreeMap<(Life, bool), Vec<u32>> = BTreeMap::new();
@@ -166,12 +218,15 @@ impl Model {
             if b + 1 == user_bodies {
                 user_patches = patches.len();
             }
+            if b + 1 == slab_bodies {
+                slab_patches = patches.len();
+            }
         }
 
         // Nodes in the order in which the patches first touch them: a patch's nodes lie close in memory.
         let mut engine_node = vec![u32::MAX; mesh.nodes.len()];
         let mut mesh_node = Vec::new();
-        let mut counted = 0..0;
+        let (mut counted, mut of_slabs) = (0..0, 0..0);
         for (p, patch) in patches.iter().enumerate() {
             for &e in &patch.elements {
                 for &n in mesh.elements[e as usize].nodes() {
@@ -183,6 +238,9 @@ impl Model {
             }
             if p + 1 == user_patches {
                 counted = 0..mesh_node.len();
+            }
+            if p + 1 == slab_patches {
+                of_slabs = counted.end..mesh_node.len();
             }
         }
         let loads = problem
@@ -213,6 +271,7 @@ impl Model {
             mesh_node,
             engine_node,
             counted,
+            of_slabs,
             faces,
             seams,
             places,
@@ -221,8 +280,10 @@ impl Model {
             top: problem.top,
             held,
             ties: problem.ties,
-            column,
+            slabs,
+            columns,
             no_column,
+            parents,
             incident: problem.incident,
             rayleigh: problem.rayleigh,
             loads,
@@ -257,7 +318,10 @@ impl Model {
             base: self.base,
             sides: self.sides,
             held: &self.held,
-            column: self.column.as_ref(),
+            slabs: &self.slabs,
+            columns: &self.columns,
+            parents: &self.parents,
+            top: self.top,
             incident: self.incident.as_ref(),
         }
     }
@@ -275,14 +339,26 @@ impl Model {
         all.find(|(e, _)| self.stands(*e, stage)).map(|(e, _)| e)
     }
 
-    /// Bodies of the user, without the reference column's.
+    /// Interfaces of the user, without what of them runs through slabs.
+    pub fn user_seams(&self) -> &[Seam] {
+        &self.seams[..self.seams.iter().take_while(|seam| seam.of.is_none()).count()]
+    }
+
+    /// Bodies of the user, without those of slabs and columns.
     pub fn user_bodies(&self) -> &[Body] {
         let count = self.patches[..self.user_patches].last().map_or(0, |p| p.body + 1);
         &self.bodies[..count]
     }
 
-    /// An element by its number in the user's file, and the smallest group that holds it.
+    /// An element by its number in the user's file, and the smallest group that holds it; one of a slab or column by that of
+    /// which it was made.
     pub fn element_name(&self, element: usize) -> String {
+        let parent = self.parents[element] as usize;
+        if parent != element {
+            let body = self.bodies.iter().find(|b| b.elements.contains(&(element as u32)));
+            let body = body.map_or("free field", |body| &body.name);
+            return format!("the element of the '{body}' beside {}", self.element_name(parent));
+        }
         let holds = |elements: &[u32]| elements.contains(&(element as u32));
         let groups = self.mesh.groups.iter().filter(|(_, elements)| holds(elements));
         let smallest = groups.min_by_key(|(_, elements)| elements.len()).map(|(name, _)| name);
@@ -295,101 +371,14 @@ impl Model {
     }
 }
 
-/// What became of a problem's interfaces.
-struct Seams {
-    seams: Vec<Seam>,
-    /// The node that each node was before; empty without interfaces.
-    origin: Vec<u32>,
-    places: Vec<u32>,
-}
-
-/// Lives of elements and of those that they took over from: a pair of an interface does not begin anew with a material.
-fn place_lives(lives: &[Life], successors: &HashMap<u32, u32>) -> Vec<Life> {
-    let first = |e: usize| {
-        let mut e = e;
-        // Each takes over from another that was born before it.
-        while let Some(&earlier) =
-            successors.get(&(e as u32)).filter(|&&other| lives[other as usize] < lives[e])
-        {
-            e = earlier as usize;
-        }
-        e
-    };
-    lives.iter().enumerate().map(|(e, life)| Life { born: lives[first(e)].born, gone: life.gone }).collect()
+fn ascending(mut elements: Vec<u32>) -> Vec<u32> {
+    elements.sort_unstable();
+    elements
 }
 
 /// The bodies of elements that are there in the shaking.
 fn shaken(body_of: &[Option<usize>], lives: &[Life]) -> Vec<Option<usize>> {
     body_of.iter().zip(lives).map(|(body, life)| body.filter(|_| life.holds(Stage::Shaking))).collect()
-}
-
-/// Splits the nodes of interfaces and makes their pairs.
-fn seams(
-    mesh: &mut Mesh,
-    interfaces: Vec<Interface>,
-    body_of: &[Option<usize>],
-    lives: &[Life],
-    initial: &[[f64; 6]],
-) -> Result<Seams, ModelError> {
-    if interfaces.is_empty() {
-        let places = (0..mesh.nodes.len() as u32).collect();
-        return Ok(Seams { seams: Vec::new(), origin: Vec::new(), places });
-    }
-    let there: Vec<bool> = body_of.iter().map(Option::is_some).collect();
-    let cuts: Vec<Cut> = interfaces
-        .iter()
-        .map(|interface| Cut { name: &interface.name, sides: interface.sides.each_ref().map(Vec::as_slice) })
-        .collect();
-    let Split { faces, origin, places, ends } = split(mesh, &cuts, &there)?;
-    let seams = interfaces
-        .into_iter()
-        .zip(faces)
-        .zip(ends)
-        .map(|((interface, faces), ends)| {
-            let (pairs, lives) = pairs_by_life(mesh, &faces, interface.corner, lives);
-            let mut seam = Seam {
-                pairs,
-                lives,
-                tractions: Vec::new(),
-                name: interface.name,
-                law: interface.law,
-                values: interface.values,
-                pressure: interface.pressure,
-                damping: interface.damping,
-                limit: interface.limit,
-                faces,
-                ends,
-            };
-            seam.load(initial);
-            seam
-        })
-        .collect();
-    Ok(Seams { seams, origin, places })
-}
-
-/// Pairs of faces that are there at the same time, with their lives: the pairs of one life behind those of another.
-fn pairs_by_life(
-    mesh: &Mesh,
-    faces: &[[Face; 2]],
-    corner: f64,
-    lives: &[Life],
-) -> (Vec<PairShape>, Vec<Life>) {
-    let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
-    for (f, sides) in (0u32..).zip(faces) {
-        let [a, b] = sides.map(|face| lives[face.element as usize]);
-        of_life.entry(a.and(&b)).or_default().push(f);
-    }
-    let (mut all, mut all_lives) = (Vec::new(), Vec::new());
-    for (life, own) in of_life {
-        let faces: Vec<[Face; 2]> = own.iter().map(|&f| faces[f as usize]).collect();
-        let mut found = pairs(mesh, &faces, corner);
-        for (face, _) in found.iter_mut().flat_map(|pair| &mut pair.corners) {
-            *face = own[*face as usize];
-        }
-        all_lives.extend(vec![life; found.len()]);
-        all.extend(found);
-    }
-    (all, all_lives)
 }
 
 /// The body of each element, none for void ones; every element of a body can be integrated.

@@ -17,11 +17,23 @@ use std::ops::Range;
 use tremolite_laws::Row;
 
 /// The dashpots of a node, as symmetric matrices (xx, yy, zz, xy, yz, zx) \[N s/m\].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Dashpot {
     /// Of the base and of the sides.
     pub base: [f64; 6],
     pub sides: [f64; 6],
+    /// Of free-field sides: on the velocity of others less its own.
+    pub follows: Vec<Follow>,
+    /// The sum of all.
+    pub whole: [f64; 6],
+}
+
+/// A dashpot between a node and a leader: an engine node that the scheme advances before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Follow {
+    pub leader: u32,
+    /// N s/m
+    pub matrix: [f64; 6],
 }
 
 /// How time goes for laws and loads while the scheme makes its steps.
@@ -80,6 +92,8 @@ pub struct Phase {
     pub tied: Vec<(u32, u32)>,
     /// Ascending by node.
     pub dashpots: Vec<(u32, Dashpot)>,
+    /// Nodes in the order in which the scheme advances them, leaders first: columns, slabs, the model. One group where nobody leads.
+    pub groups: Vec<Range<usize>>,
     /// Element of the mesh → its slot; for active elements of the user.
     pub element_slot: Vec<Option<ElementSlot>>,
 }
@@ -112,9 +126,7 @@ impl Phase {
         };
         let around = model.surroundings(faces);
         boundary::tie_periodic(around, &mut ties)?;
-        for ring in model.column.iter().flat_map(|column| &column.rings) {
-            ring[1..].iter().for_each(|&node| ties.join(ring[0], node));
-        }
+        boundary::tie_outside(around, &mut ties);
         let master = ties.masters(&model.mesh_node, &model.engine_node);
         let supports = boundary::supports(around, stage)?;
 
@@ -147,6 +159,25 @@ impl Phase {
         for (&node, matrix) in &supports.dashpots {
             add(&mut dashpots.entry(master[node as usize]).or_default().sides, matrix);
         }
+        for (&(node, leader), matrix) in &supports.following {
+            let follows = &mut dashpots.entry(master[node as usize]).or_default().follows;
+            let leader = master[leader as usize];
+            match follows.iter_mut().find(|follow| follow.leader == leader) {
+                Some(known) => add(&mut known.matrix, matrix),
+                None => follows.push(Follow { leader, matrix: *matrix }),
+            }
+        }
+        for dashpot in dashpots.values_mut() {
+            let Dashpot { base, sides, follows, whole } = dashpot;
+            *whole = *base;
+            add(whole, sides);
+            follows.iter().for_each(|follow| add(whole, &follow.matrix));
+        }
+        let all = model.mesh_node.len();
+        let groups = match model.slabs.is_empty() {
+            true => vec![0..all],
+            false => vec![model.of_slabs.end..all, model.of_slabs.clone(), model.counted.clone()],
+        };
 
         let (start, slot, slot_account) = sources(assembly, &active, &master);
         let account = (0..master.len())
@@ -177,6 +208,7 @@ impl Phase {
             slot_account,
             tied,
             dashpots: dashpots.into_iter().collect(),
+            groups,
         })
     }
 

@@ -89,6 +89,9 @@ lines! {
     SideDashpots = "side_dashpots", 1.0, Damping;
     /// Work into springs of the boundary, and what they held at the start.
     Springs = "base_springs", 1.0, Work;
+    /// Work through free-field sides on the model: of what the slabs pass on beyond what they did at the start, and of the
+    /// dashpots between.
+    FreeField = "free_field", -1.0, Work;
     /// Work of incident waves and loads on the model.
     Input = "input", -1.0, Work;
     /// Energy that the run started with.

@@ -74,7 +74,8 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
         + MONITOR.len() * plan.monitors.len()
         + RELATIVE.len() * plan.relatives.len()
         + PAIR.len() * plan.pairs.len();
-    let interfaces = if model.seams.is_empty() { 0 } else { 1 + INTERFACE.len() * model.seams.len() };
+    let interfaces =
+        if model.user_seams().is_empty() { 0 } else { 1 + INTERFACE.len() * model.user_seams().len() };
     let damage: usize = groups(model)
         .iter()
         .filter(|group| group.whole)

@@ -41,7 +41,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         space.shown(&(body.material.info().name, body.material.values(), body.material.band()));
         space.indices(&body.elements);
     }
-    space.shown(&(model.base, model.sides, &model.held, &model.ties));
+    space.shown(&(model.base, model.sides, model.top, &model.held, &model.ties));
     for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
         space.shown(&(&seam.name, contacts.law.info().name, contacts.law.values(), contacts.frequency));
         for pair in &seam.pairs {

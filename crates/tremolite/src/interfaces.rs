@@ -58,7 +58,7 @@ pub fn interfaces(
         };
         (seam.name.clone(), summary)
     };
-    model.seams.iter().zip(&assembly.contacts).map(of).collect()
+    model.user_seams().iter().zip(&assembly.contacts).map(of).collect()
 }
 
 /// The law's parameters, with what was chosen for them.

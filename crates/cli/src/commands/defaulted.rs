@@ -62,7 +62,7 @@ fn used(known: &Known, key: &str) -> Option<String> {
         },
         _ if key.starts_with("interface[") => {
             let (name, parameter) = key.strip_prefix("interface[")?.split_once("].")?;
-            let at = known.model.seams.iter().position(|seam| seam.name == name)?;
+            let at = known.model.user_seams().iter().position(|seam| seam.name == name)?;
             let law = &known.assembly.contacts[at].law;
             let x = law.values().optional(parameter)?;
             let dimension = law.info().parameters.iter().find(|p| p.name == parameter).map(|p| p.kind);

@@ -10,25 +10,28 @@ use tremolite_laws::Row;
 use tremolite_motion::Motion as Record;
 
 /// What one node of the base carries.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct BaseNode {
     pub node: u32,
     /// Dashpot matrix Σ ρ A (c_s I + (c_p − c_s) n⊗n) \[N s/m\]: xx, yy, zz, xy, yz, zx.
     pub dashpot: [f64; 6],
     /// Spring matrix of the same form from α G A / R \[N/m\]; zero without springs.
     pub spring: [f64; 6],
-    /// Node of the reference column at this level, which moves as the free field.
-    pub free_field: Option<u32>,
-    /// Whether its work is booked (not the reference column's).
+    /// Bottoms of columns with their weights in the free field at this place; none where no springs act.
+    pub free_field: Vec<(u32, f64)>,
+    /// Whether it is the user's and not a slab's or column's, whose work is in no balance.
     pub counted: bool,
 }
 
 impl BaseNode {
     /// u − u_ff \[m\].
     fn scattered(&self, u: &[Row]) -> [f64; 3] {
-        let (own, free) =
-            (u[self.node as usize].xyz(), self.free_field.map_or([0.0; 3], |n| u[n as usize].xyz()));
-        [own[0] - free[0], own[1] - free[1], own[2] - free[2]]
+        let mut scattered = u[self.node as usize].xyz();
+        for &(node, weight) in &self.free_field {
+            let free = u[node as usize].xyz();
+            (0..3).for_each(|i| scattered[i] -= weight * free[i]);
+        }
+        scattered
     }
 }
 
@@ -87,10 +90,8 @@ impl Part for BasePart {
             let spring = times(&base.spring, base.scattered(x.u));
             let incident = times(&base.dashpot, velocity.map(|v| -2.0 * v));
             for i in 0..3 {
-                if base.counted {
-                    work[Line::Springs] += 0.5 * (spring[i] + last[i]) * du[i];
-                    work[Line::Input] += 0.5 * (incident[i] + last[3 + i]) * du[i];
-                }
+                work[Line::Springs] += 0.5 * (spring[i] + last[i]) * du[i];
+                work[Line::Input] += 0.5 * (incident[i] + last[3 + i]) * du[i];
                 last[i] = spring[i];
                 last[3 + i] = incident[i];
                 out.0[i] = spring[i] + incident[i];
@@ -102,7 +103,7 @@ impl Part for BasePart {
     /// ½(u − u_ff)·K(u − u_ff).
     fn energy(&self, x: &Motion, _: Kept) -> Lines {
         let mut held = Lines::default();
-        for base in self.pushed.iter().filter(|base| base.counted) {
+        for base in &self.pushed {
             let d = base.scattered(x.u);
             let force = times(&base.spring, d);
             held[Line::Springs] += 0.5 * (force[0] * d[0] + force[1] * d[1] + force[2] * d[2]);

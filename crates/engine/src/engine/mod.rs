@@ -20,6 +20,7 @@
 mod accounts;
 mod gather;
 mod hand_over;
+mod node_step;
 mod nodes;
 mod power;
 mod product;
@@ -36,6 +37,7 @@ use crate::model::Model;
 use crate::parts::{ElementEnergy, Motion, Own, ProbeOut, Scratch};
 use crate::phase::Phase;
 use crate::state::{Ledger, State};
+use node_step::Lead;
 use nodes::{NodeSums, Rates};
 use rayon::prelude::*;
 use tremolite_kernels::{Booked, Line, Lines};
@@ -102,6 +104,8 @@ pub struct Engine<'a> {
     phase: &'a Phase,
     contributions: Vec<Row>,
     rates: Rates,
+    /// Velocities that leaders leave to those who follow them.
+    leads: Vec<Lead>,
     /// The parts' own work, if they were evaluated at the state's displacements already.
     evaluated: Option<Works>,
     /// Whether loads and waves stay as they are just before t = 0.
@@ -157,6 +161,7 @@ impl<'a> Engine<'a> {
             phase,
             contributions: vec![Row::ZERO; assembly.totals().contributions.end],
             rates: Rates::new(model, assembly),
+            leads: nodes::leads(phase),
             evaluated: None,
             quiet: false,
         }
@@ -270,12 +275,14 @@ impl<'a> Engine<'a> {
                 viscosity[account as usize] += work[Line::Viscosity];
             }
         }
-        // Parts that are not counted book what is in no balance.
-        let counted = works
-            .into_iter()
-            .zip(&phase.active)
-            .filter(|(_, m)| assembly.members[**m as usize].counted)
-            .fold(Lines::default(), |sum, (work, _)| sum + work);
+        // Of what parts book that are not counted only that on the model's nodes is in a balance.
+        let counted = works.into_iter().zip(&phase.active).fold(Lines::default(), |mut sum, (work, &m)| {
+            if assembly.members[m as usize].counted {
+                return sum + work;
+            }
+            sum[Line::FreeField] += work[Line::FreeField];
+            sum
+        });
         Works { lines: counted, viscosity }
     }
 
@@ -328,6 +335,8 @@ impl<'a> Engine<'a> {
         let (held, bodies) = self.held(state, &snapshot.energy);
         let (given, given_bodies) = self.given(state);
         let taken = sums.dampings();
+        let mut put_in = work.lines;
+        put_in[Line::FreeField] -= sums.free_field;
         let (ledger, balance) = (&state.ledger, &mut snapshot.balance);
         for &line in Line::ALL {
             balance[line] = match line.booked() {
@@ -335,7 +344,7 @@ impl<'a> Engine<'a> {
                 Booked::Stored => held[line] - ledger.lines[line] - given[line],
                 Booked::Spent => held[line] - ledger.lines[line],
                 Booked::Damping => ledger.lines[line] + taken[line],
-                Booked::Work => ledger.lines[line] + line.sign() * (work.lines[line] - given[line]),
+                Booked::Work => ledger.lines[line] + line.sign() * (put_in[line] - given[line]),
                 Booked::Start => ledger.lines[line],
                 Booked::Rest => 0.0,
             };
@@ -381,7 +390,8 @@ impl<'a> Engine<'a> {
             None => self.evaluate(state, None),
         };
         let time = state.time();
-        let sums = nodes::advance(self.model, self.phase, &self.contributions, &self.rates, state);
+        let Engine { model, phase, contributions, rates, leads, .. } = self;
+        let sums = nodes::advance(model, phase, contributions, rates, leads, state);
         state.ledger.book(&work, &sums);
         state.step += 1;
         // Written so that a kinetic energy that is not a number halts as well.
@@ -409,7 +419,8 @@ impl Ledger {
                 Booked::Motion | Booked::Stored | Booked::Spent | Booked::Start | Booked::Rest => {}
             }
         }
-        self.supplied += work.supplied();
+        self.lines[Line::FreeField] += sums.free_field;
+        self.supplied += work.supplied() + sums.free_field.max(0.0);
         for ((own, more), viscosity) in self.bodies.iter_mut().zip(&sums.bodies).zip(&work.viscosity) {
             *own += more - viscosity;
         }

@@ -2,13 +2,14 @@
 
 use super::accounts::Accounts;
 use super::gather::{dot, force, net};
+use super::node_step::{Damping, Dashpots, Lead, Leads, NodeStep, damping, node_step};
 use super::product::{self, Product};
 use crate::assembly::Assembly;
-use crate::boundary::base::times;
 use crate::model::Model;
-use crate::phase::{Dashpot, Phase};
+use crate::phase::Phase;
 use crate::state::State;
 use rayon::prelude::*;
+use std::ops::Range;
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::{Isa, Row};
 
@@ -24,6 +25,8 @@ pub struct NodeSums {
     pub rayleigh: f64,
     pub base_dashpots: f64,
     pub side_dashpots: f64,
+    /// Work of the dashpots of free-field sides on the nodes, likewise.
+    pub free_field: f64,
     /// Work against the forces of elements by account, likewise.
     pub bodies: Vec<f64>,
     /// ⅛Δt²aᵀMa when measuring: by so much ½v̂ᵀMv̂ exceeds the kinetic energy that the scheme conserves.
@@ -40,16 +43,14 @@ impl NodeSums {
         taken
     }
 
-    fn new(accounts: usize) -> NodeSums {
-        NodeSums { bodies: vec![0.0; accounts], ..NodeSums::default() }
-    }
-
     fn plus(mut self, o: NodeSums) -> NodeSums {
         self.kinetic += o.kinetic;
         self.rayleigh += o.rayleigh;
         self.base_dashpots += o.base_dashpots;
         self.side_dashpots += o.side_dashpots;
+        self.free_field += o.free_field;
         self.scheme += o.scheme;
+        self.bodies.resize(o.bodies.len(), 0.0);
         for (own, more) in self.bodies.iter_mut().zip(o.bodies) {
             *own += more;
         }
@@ -105,86 +106,12 @@ impl Rates {
         product::times(assembly, phase, damping, &self.velocity, &mut self.contributions, &mut self.hat);
     }
 
-    fn at(rows: &[Row], node: usize) -> Row {
-        rows.get(node).copied().unwrap_or(Row::ZERO)
+    /// K v⁻ and K v̂ at a node \[N\].
+    #[inline(always)]
+    pub(super) fn at(&self, node: usize) -> (Row, Row) {
+        let at = |rows: &[Row]| rows.get(node).copied().unwrap_or(Row::ZERO);
+        (at(&self.minus), at(&self.hat))
     }
-}
-
-/// v̂, dv/dt and the forces of the dampings at a node.
-#[derive(Default)]
-struct NodeStep {
-    velocity: Row,
-    acceleration: Row,
-    /// Forces at v̂ \[N\]: Rayleigh's, of the base's dashpots, of the sides'.
-    rayleigh: Row,
-    base: Row,
-    sides: Row,
-}
-
-/// What a node's step needs besides its rows.
-struct Damping {
-    dt: f64,
-    mass_proportional: f64,
-    stiffness_proportional: f64,
-}
-
-#[inline(always)]
-fn node_step(
-    damping: &Damping,
-    phase: &Phase,
-    rates: &Rates,
-    dashpot: Option<&Dashpot>,
-    node: usize,
-    force: Row,
-    du: Row,
-) -> NodeStep {
-    let inverse = phase.inverse_mass[node];
-    let mass = phase.mass[node];
-    let Damping { dt, mass_proportional: omega, stiffness_proportional: xi } = *damping;
-    let mut step = NodeStep::default();
-    let minus = du.xyz().map(|d| d / dt);
-    let (k_minus, k_hat) = (Rates::at(&rates.minus, node), Rates::at(&rates.hat, node));
-    // Acceleration without the dashpots, Rayleigh's damping at `v` with the product `k`.
-    let free = |v: [f64; 3], k: &Row| {
-        [0, 1, 2].map(|i| -force.0[i] * inverse.0[i] - omega * v[i] - xi * inverse.0[i] * k.0[i])
-    };
-    let hat = mean_velocity(dashpot, inverse, dt, minus, free(minus, &k_minus));
-    let mean = mean_velocity(dashpot, inverse, dt, minus, free(hat, &k_hat));
-    let (base, side) = dashpot_forces(dashpot, mean);
-    for i in 0..3 {
-        step.velocity.0[i] = hat[i];
-        step.acceleration.0[i] = 2.0 * (mean[i] - minus[i]) / dt;
-        step.rayleigh.0[i] = omega * mass * hat[i] + xi * k_hat.0[i];
-    }
-    step.base = Row::new(base);
-    step.sides = Row::new(side);
-    step
-}
-
-/// ½(v⁻ + v⁺) of a node whose dashpots act on that very mean, as lumped dashpots can at no cost: with
-/// v⁺ = v⁻ + Δt (a − M⁻¹D ½(v⁻ + v⁺)) it solves (I + ½Δt M⁻¹D)(v̄ − v⁻) = ½Δt (a − M⁻¹D v⁻).
-#[inline(always)]
-fn mean_velocity(dashpot: Option<&Dashpot>, inverse: Row, dt: f64, minus: [f64; 3], a: [f64; 3]) -> [f64; 3] {
-    let Some(dashpot) = dashpot else { return [0, 1, 2].map(|i| minus[i] + 0.5 * dt * a[i]) };
-    let d = [0, 1, 2, 3, 4, 5].map(|c| dashpot.base[c] + dashpot.sides[c]);
-    let resisted = times(&d, minus);
-    let b = [0, 1, 2].map(|i| 0.5 * dt * (a[i] - inverse.0[i] * resisted[i]));
-    let w = [0, 1, 2].map(|i| 0.5 * dt * inverse.0[i]);
-    let m = [
-        [1.0 + w[0] * d[0], w[0] * d[3], w[0] * d[5]],
-        [w[1] * d[3], 1.0 + w[1] * d[1], w[1] * d[4]],
-        [w[2] * d[5], w[2] * d[4], 1.0 + w[2] * d[2]],
-    ];
-    let cross = |p: [f64; 3], q: [f64; 3]| {
-        [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
-    };
-    let c = [cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])];
-    let determinant = m[0][0] * c[0][0] + m[0][1] * c[0][1] + m[0][2] * c[0][2];
-    [0, 1, 2].map(|i| minus[i] + (c[0][i] * b[0] + c[1][i] * b[1] + c[2][i] * b[2]) / determinant)
-}
-
-fn dashpot_forces(dashpot: Option<&Dashpot>, v: [f64; 3]) -> ([f64; 3], [f64; 3]) {
-    dashpot.map_or(([0.0; 3], [0.0; 3]), |d| (times(&d.base, v), times(&d.sides, v)))
 }
 
 impl NodeSums {
@@ -194,47 +121,64 @@ impl NodeSums {
         self.rayleigh += 0.5 * dot(step.rayleigh, du);
         self.base_dashpots += 0.5 * dot(step.base, du);
         self.side_dashpots += 0.5 * dot(step.sides, du);
+        self.free_field += 0.5 * dot(step.free_field, du);
     }
 }
 
-fn damping(model: &Model, state: &State) -> Damping {
-    Damping {
-        dt: state.dt,
-        mass_proportional: model.rayleigh.mass,
-        stiffness_proportional: model.rayleigh.stiffness,
-    }
+/// Leaders that one thread advances: so few that another barrier would cost more.
+const FEW: usize = 2 * CHUNK;
+
+/// Room for the velocities of all nodes that may lead.
+pub fn leads(phase: &Phase) -> Vec<Lead> {
+    let leaders = &phase.groups[..phase.groups.len() - 1];
+    vec![Lead::default(); leaders.iter().map(Range::len).sum()]
 }
 
-/// Dashpots from a node on, in ascending order.
-struct Dashpots<'a> {
-    rest: &'a [(u32, Dashpot)],
+/// Works on two columns of rows group by group, leaders first, and adds up by chunks in ascending order. `one` is given the first
+/// node of a chunk, its rows, where to leave the velocities that others follow (nowhere in the last group), and those to follow.
+fn by_groups(
+    phase: &Phase,
+    leads: &mut [Lead],
+    rows: [&mut [Row]; 2],
+    one: impl Fn(usize, [&mut [Row]; 2], &mut [Lead], Leads) -> NodeSums + Sync,
+) -> NodeSums {
+    let [a, b] = rows;
+    let groups = &phase.groups;
+    // Leaders have the numbers behind those of the last group.
+    let followed = groups[groups.len() - 1].end;
+    let mut total = NodeSums::default();
+    for (g, group) in groups.iter().enumerate() {
+        let (own, before) = leads.split_at_mut(group.end - followed);
+        let own = if g + 1 < groups.len() { &mut own[group.start - followed..] } else { &mut own[..0] };
+        let follow = Leads { first: group.end, all: before };
+        let chunks = group.len().div_ceil(CHUNK);
+        let mut own: Vec<&mut [Lead]> = own.chunks_mut(CHUNK).collect();
+        own.resize_with(chunks, Default::default);
+        let jobs: Vec<_> = a[group.clone()]
+            .chunks_mut(CHUNK)
+            .zip(b[group.clone()].chunks_mut(CHUNK))
+            .zip(own)
+            .enumerate()
+            .map(|(chunk, ((a, b), own))| (group.start + chunk * CHUNK, [a, b], own))
+            .collect();
+        let one = |(first, rows, own): (usize, [&mut [Row]; 2], &mut [Lead])| one(first, rows, own, follow);
+        let sums: Vec<NodeSums> = if g + 1 < groups.len() && group.len() <= FEW {
+            jobs.into_iter().map(one).collect()
+        } else {
+            jobs.into_par_iter().map(one).collect()
+        };
+        total = sums.into_iter().fold(total, NodeSums::plus);
+    }
+    total
 }
 
-impl<'a> Dashpots<'a> {
-    fn from(phase: &'a Phase, node: usize) -> Self {
-        let first = phase.dashpots.partition_point(|(n, _)| (*n as usize) < node);
-        Dashpots { rest: &phase.dashpots[first..] }
-    }
-
-    /// The dashpot of a node; nodes must be asked for in ascending order.
-    #[inline(always)]
-    fn take(&mut self, node: usize) -> Option<&'a Dashpot> {
-        match self.rest.first() {
-            Some((n, dashpot)) if *n as usize == node => {
-                self.rest = &self.rest[1..];
-                Some(dashpot)
-            }
-            _ => None,
-        }
-    }
-}
-
-/// u^n to u^{n+1}.
+/// u^n to u^{n+1}; `leads` is room for what leaders leave.
 pub fn advance(
     model: &Model,
     phase: &Phase,
     contributions: &[Row],
     rates: &Rates,
+    leads: &mut [Lead],
     state: &mut State,
 ) -> NodeSums {
     let damping = damping(model, state);
@@ -242,12 +186,8 @@ pub fn advance(
     let State { u, du, held, .. } = state;
     let wide = Isa::Avx2.available();
     let pass = Advance { phase, contributions, held, rates, damping, accounts, wide };
-    let sums: Vec<NodeSums> = u
-        .par_chunks_mut(CHUNK)
-        .zip(du.par_chunks_mut(CHUNK))
-        .enumerate()
-        .map(|(chunk, (u, du))| pass.chunk(chunk * CHUNK, u, du))
-        .collect();
+    let mut sums =
+        by_groups(phase, leads, [u, du], |first, [u, du], own, follow| pass.chunk(first, u, du, own, follow));
     for &(node, master) in &phase.tied {
         let next = state.du[master as usize];
         for i in 0..4 {
@@ -255,7 +195,6 @@ pub fn advance(
         }
         state.du[node as usize] = next;
     }
-    let mut sums = sums.into_iter().fold(NodeSums::new(accounts), NodeSums::plus);
     sums.kinetic /= state.dt * state.dt;
     sums
 }
@@ -273,22 +212,43 @@ struct Advance<'a> {
 }
 
 impl Advance<'_> {
-    fn chunk(&self, first: usize, u: &mut [Row], du: &mut [Row]) -> NodeSums {
+    fn chunk(
+        &self,
+        first: usize,
+        u: &mut [Row],
+        du: &mut [Row],
+        own: &mut [Lead],
+        follow: Leads,
+    ) -> NodeSums {
         #[cfg(target_arch = "x86_64")]
         if self.wide {
             #[target_feature(enable = "avx2")]
-            unsafe fn wide(pass: &Advance, first: usize, u: &mut [Row], du: &mut [Row]) -> NodeSums {
-                pass.nodes(first, u, du)
+            unsafe fn wide(
+                pass: &Advance,
+                first: usize,
+                u: &mut [Row],
+                du: &mut [Row],
+                own: &mut [Lead],
+                follow: Leads,
+            ) -> NodeSums {
+                pass.nodes(first, u, du, own, follow)
             }
             // SAFETY: `wide` says that the processor has AVX2.
-            return unsafe { wide(self, first, u, du) };
+            return unsafe { wide(self, first, u, du, own, follow) };
         }
         let _ = self.wide;
-        self.nodes(first, u, du)
+        self.nodes(first, u, du, own, follow)
     }
 
     #[inline(always)]
-    fn nodes(&self, first: usize, u: &mut [Row], du: &mut [Row]) -> NodeSums {
+    fn nodes(
+        &self,
+        first: usize,
+        u: &mut [Row],
+        du: &mut [Row],
+        own: &mut [Lead],
+        follow: Leads,
+    ) -> NodeSums {
         let Advance { phase, contributions, held, rates, damping, .. } = self;
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let counted = phase.counted_nodes.end;
@@ -309,7 +269,8 @@ impl Advance<'_> {
             let force = force(phase, contributions, node);
             let net = net(held, node, force);
             let mut next = Row::ZERO;
-            let own = if node < counted { phase.mass[node] } else { 0.0 };
+            let counts = node < counted;
+            let mass = if counts { phase.mass[node] } else { 0.0 };
             if simple && dashpot.is_none() {
                 let inverse = &phase.inverse_mass[node];
                 let mut rayleigh = 0.0;
@@ -317,22 +278,29 @@ impl Advance<'_> {
                     let a = -net.0[i] * inverse.0[i];
                     next.0[i] = keep * du.0[i] + push * a;
                     rayleigh += (fade * du.0[i] + 0.5 * dt * dt * a) * (du.0[i] + next.0[i]);
+                    if let Some(lead) = own.get_mut(k) {
+                        lead.mean.0[i] = 0.5 * (du.0[i] + next.0[i]) / dt;
+                        lead.hat.0[i] = (fade * du.0[i] + 0.5 * dt * dt * a) / dt;
+                    }
                 }
-                sums.rayleigh += 0.5 * omega / dt * own * rayleigh;
+                sums.rayleigh += 0.5 * omega / dt * mass * rayleigh;
             } else {
-                let step = node_step(damping, phase, rates, dashpot, node, net, *du);
+                let step = node_step(damping, phase, rates, follow, dashpot, node, net, *du);
                 for i in 0..4 {
                     next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
                 }
-                if node < counted {
+                if let Some(lead) = own.get_mut(k) {
+                    *lead = Lead { mean: step.mean, hat: step.velocity };
+                }
+                if counts {
                     sums.book(&step, Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i])));
                 }
             }
-            if node < counted {
+            if counts {
                 let twice = Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i]));
                 accounts.book(node, force, twice);
             }
-            sums.kinetic += 0.5 * own * dot(*du, *du);
+            sums.kinetic += 0.5 * mass * dot(*du, *du);
             for i in 0..4 {
                 u.0[i] += next.0[i];
             }
@@ -355,12 +323,12 @@ pub fn measure(
     let accounts = state.ledger.bodies.len();
     let mut velocity = vec![Row::ZERO; state.u.len()];
     let mut acceleration = vec![Row::ZERO; state.u.len()];
-    let sums: Vec<NodeSums> = velocity
-        .par_chunks_mut(CHUNK)
-        .zip(acceleration.par_chunks_mut(CHUNK))
-        .enumerate()
-        .map(|(chunk, (velocity, acceleration))| {
-            let first = chunk * CHUNK;
+    let mut leads = leads(phase);
+    let sums = by_groups(
+        phase,
+        &mut leads,
+        [&mut velocity, &mut acceleration],
+        |first, [velocity, acceleration], leading, follow| {
             let mut dashpots = Dashpots::from(phase, first);
             let mut sums = NodeSums::default();
             let mut own = Accounts::new(phase, contributions, accounts);
@@ -374,7 +342,10 @@ pub fn measure(
                 let du = state.du[node];
                 let force = force(phase, contributions, node);
                 let net = net(&state.held, node, force);
-                let step = node_step(&damping, phase, rates, dashpot, node, net, du);
+                let step = node_step(&damping, phase, rates, follow, dashpot, node, net, du);
+                if let Some(lead) = leading.get_mut(k) {
+                    *lead = Lead { mean: step.mean, hat: step.velocity };
+                }
                 if node < counted {
                     let mass = phase.mass[node];
                     sums.kinetic += 0.5 * mass * dot(step.velocity, step.velocity);
@@ -387,11 +358,11 @@ pub fn measure(
                 *acceleration = step.acceleration;
             }
             NodeSums { bodies: own.close(), ..sums }
-        })
-        .collect();
+        },
+    );
     for &(node, master) in &phase.tied {
         velocity[node as usize] = velocity[master as usize];
         acceleration[node as usize] = acceleration[master as usize];
     }
-    (sums.into_iter().fold(NodeSums::new(accounts), NodeSums::plus), velocity, acceleration)
+    (sums, velocity, acceleration)
 }

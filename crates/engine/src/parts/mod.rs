@@ -2,5 +2,6 @@
 
 pub mod constant;
 pub mod loads;
+pub mod passed_on;
 
 pub use tremolite_kernels::part::*;

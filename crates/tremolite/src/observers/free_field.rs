@@ -84,14 +84,13 @@ impl FreeField {
     /// The observer, if the model has a column and an incident wave.
     pub fn new(setting: &Setting) -> Option<Self> {
         let model = setting.model;
-        let (column, _) = (model.column.as_ref()?, model.incident.as_ref()?);
-        let top = *column.rings.last()?;
+        let (column, _) = (model.columns.first()?, model.incident.as_ref()?);
         let engine = |n: u32| model.engine_node[n as usize] as usize;
-        let height = |ring: [u32; 4]| model.mesh.nodes[ring[0] as usize][2];
-        let corners = [height(top), height(column.bottom())].map(|z| corners(model, z));
+        let height = |node: u32| model.mesh.nodes[node as usize][2];
+        let corners = [column.top, column.bottom].map(|n| corners(model, height(n)));
         Some(FreeField {
             schedule: setting.rows(),
-            column: [top, column.bottom()].map(|ring| engine(ring[0])),
+            column: [column.top, column.bottom].map(engine),
             corners,
             predicted: predicted(setting, column),
         })
@@ -113,13 +112,13 @@ fn corners(model: &Model, z: f64) -> [usize; 4] {
 
 fn predicted(setting: &Setting, column: &Column) -> Option<Predicted> {
     let Setting { model, plan, .. } = *setting;
-    let ([body], Some(incident)) = (&model.bodies[model.user_bodies().len()..], &model.incident) else {
+    let ([body], Some(incident)) = (&model.bodies[column.bodies.clone()], &model.incident) else {
         return None;
     };
-    let height = |ring: &[u32; 4]| model.mesh.nodes[ring[0] as usize][2];
+    let height = |node: u32| model.mesh.nodes[node as usize][2];
     let (p, s) = body.material.moduli().wave_speeds(body.density);
     let dt = incident.motion.dt / REFINEMENT;
-    let tall = height(column.rings.last()?) - height(&column.bottom());
+    let tall = height(column.top) - height(column.bottom);
     let velocity = [0, 1, 2].map(|i| {
         let layer = Layer {
             height: tall,

@@ -25,7 +25,7 @@ pub struct Interfaces {
 /// The columns of interfaces.csv.
 pub fn columns(model: &Model) -> Vec<Column> {
     let mut columns = vec![Column::new("time", "s")];
-    for seam in &model.seams {
+    for seam in model.user_seams() {
         columns.extend(INTERFACE.iter().map(|q| Column::new(format!("{}.{}", seam.name, q.name), q.unit)));
     }
     columns
@@ -37,7 +37,7 @@ impl Interfaces {
     /// # Errors
     /// If the file cannot be written, or is shorter than the state remembers.
     pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
-        if setting.model.seams.is_empty() {
+        if setting.model.user_seams().is_empty() {
             return Ok(None);
         }
         let (path, columns) = (setting.folder.interfaces(), columns(setting.model));
@@ -62,14 +62,14 @@ impl Observer for Interfaces {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, assembly, snapshot, history, .. } = *view;
         let (mut row, mut gains) = (vec![snapshot.time], Vec::new());
-        for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
+        for (seam, contacts) in model.user_seams().iter().zip(&assembly.contacts) {
             let totals = contacts.totals(seam, history.octets);
             row.extend([totals.sliding, totals.open, totals.ever_slid, totals.ever_opened]);
             row.extend([totals.largest_gap, totals.largest_slip, totals.impact_gain]);
             gains.push(totals.impact_gain.abs());
         }
         self.table.write(&row)?;
-        let mut kept = memory.remove(MEMORY).unwrap_or_else(|| vec![0.0; 1 + model.seams.len()]);
+        let mut kept = memory.remove(MEMORY).unwrap_or_else(|| vec![0.0; 1 + model.user_seams().len()]);
         kept[0] = self.table.bytes_written() as f64;
         for (most, now) in kept[1..].iter_mut().zip(gains) {
             *most = if now.is_nan() { now } else { most.max(now) };
@@ -94,7 +94,7 @@ impl InterfaceFields {
     /// If the list cannot be written or read.
     pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
         let Setting { folder, model, plan, steps, .. } = *setting;
-        let wanted = plan.fields.contains(&Field::Interface) && !model.seams.is_empty();
+        let wanted = plan.fields.contains(&Field::Interface) && !model.user_seams().is_empty();
         let Some(every) = steps.snapshots.filter(|_| wanted) else { return Ok(None) };
         let list = if setting.step == 0 {
             Pvd::create(&folder.interfaces_pvd())?
@@ -137,7 +137,7 @@ impl InterfaceGrid {
         let View { model, assembly, history, .. } = *view;
         let mut seen: Vec<PairSeen> = Vec::new();
         let mut axes: Vec<[[f64; 3]; 2]> = Vec::new();
-        for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
+        for (seam, contacts) in model.user_seams().iter().zip(&assembly.contacts) {
             seen.extend((0..seam.pairs.len()).map(|k| contacts.seen(history.octets, k)));
             axes.extend(seam.pairs.iter().map(|pair| tangents(pair.normal)));
         }
@@ -182,8 +182,8 @@ fn grid(model: &Model, stage: Stage) -> (Grid, usize) {
     let (mut interface, mut element, mut other) = (Vec::new(), Vec::new(), Vec::new());
     let (mut normals, mut areas) = (Vec::<f32>::new(), Vec::<f32>::new());
     let mut ends: BTreeMap<(usize, u32), u32> = BTreeMap::new();
-    let pairs: usize = model.seams.iter().map(|seam| seam.pairs.len()).sum();
-    for (s, seam) in model.seams.iter().enumerate() {
+    let pairs: usize = model.user_seams().iter().map(|seam| seam.pairs.len()).sum();
+    for (s, seam) in model.user_seams().iter().enumerate() {
         let first = grid.points.len() as u32;
         let mut corners: Vec<Vec<(u8, u32)>> = vec![Vec::new(); seam.faces.len()];
         let mut there = vec![true; seam.faces.len()];
@@ -223,7 +223,7 @@ fn grid(model: &Model, stage: Stage) -> (Grid, usize) {
         Array::new("normal", "", 3, Values::Float32(normals)),
         Array::new("area", "m2", 1, Values::Float32(areas)),
     ];
-    let names = (0i32..).zip(&model.seams).map(|(s, seam)| {
+    let names = (0i32..).zip(model.user_seams()).map(|(s, seam)| {
         let marks = interface.iter().map(|&of| u8::from(of == s)).collect();
         Array::new(format!("interface:{}", seam.name), "", 1, Values::UInt8(marks))
     });

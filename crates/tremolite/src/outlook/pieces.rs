@@ -70,7 +70,7 @@ pub(super) fn pieces(model: &Model, phase: &Phase, standing: &[u32]) -> Vec<Piec
         return Vec::new();
     }
     let mut contacts: BTreeMap<[u32; 2], Contact> = BTreeMap::new();
-    for (i, seam) in model.seams.iter().enumerate() {
+    for (i, seam) in model.user_seams().iter().enumerate() {
         for (pair, life) in seam.pairs.iter().zip(&seam.lives) {
             let [a, b] = pair.nodes.map(|node| root(&mut parent, of(node)));
             if a == b || !life.holds(phase.stage) {

@@ -181,7 +181,7 @@ impl Stages<'_> {
         let grid = FieldGrid::of(self.model, view.phase);
         grid.write(&folder.join(&name), stage as f64, view, memory, more)?;
         list(&self.folder.stages_pvd(), stage, &format!("stages/{name}"))?;
-        if self.plan.fields.contains(&Field::Interface) && !self.model.seams.is_empty() {
+        if self.plan.fields.contains(&Field::Interface) && !self.model.user_seams().is_empty() {
             let folder = self.folder.interface_fields();
             std::fs::create_dir_all(&folder)
                 .map_err(|source| RunError::Io { path: folder.clone(), source })?;

@@ -151,7 +151,7 @@ pub(super) fn remember_imbalance(memory: &mut Memory, ratio: f64) {
 impl Beginning {
     pub(super) fn of(view: &View) -> Self {
         let (mut pairs, mut beyond) = (0, 0);
-        for (seam, contacts) in view.model.seams.iter().zip(&view.assembly.contacts) {
+        for (seam, contacts) in view.model.user_seams().iter().zip(&view.assembly.contacts) {
             for pair in (0..seam.pairs.len()).filter(|&k| !seam.lives[k].is_later()) {
                 let seen = contacts.seen(view.history.octets, pair);
                 pairs += 1;

@@ -258,7 +258,7 @@ fn springs_or_none(
     for (b, body) in bodies.iter().enumerate() {
         body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
     }
-    let Err(reason) = column::ground(mesh, bodies, &body_of, interfaces, lives) else { return (base, None) };
+    let Err(reason) = column::grounds(mesh, bodies, &body_of, interfaces, lives) else { return (base, None) };
     if case.motion.is_none() || case.defaulted.iter().any(|d| d.key == "dynamic.base") {
         return (Base::Viscous, Some(reason));
     }

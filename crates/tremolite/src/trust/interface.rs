@@ -25,7 +25,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
 
 fn all(evidence: &Evidence) -> Vec<TrustLine> {
     let Evidence { model, .. } = evidence;
-    if model.seams.is_empty() {
+    if model.user_seams().is_empty() {
         const LINES: [(&str, &str); 9] = [
             ("interface_without_initial_stress", UNSTRESSED),
             ("energy_created_by_interfaces", CREATED_BY),
@@ -41,7 +41,7 @@ fn all(evidence: &Evidence) -> Vec<TrustLine> {
         return LINES.map(line).into();
     }
     let mut lines = vec![unstressed(evidence), created(evidence)];
-    lines.extend((0..model.seams.len()).flat_map(|number| seam::of(evidence, number)));
+    lines.extend((0..model.user_seams().len()).flat_map(|number| seam::of(evidence, number)));
     lines
 }
 
@@ -51,7 +51,7 @@ fn unstressed(evidence: &Evidence) -> TrustLine {
     if !evidence.model.initial.is_empty() {
         return TrustLine::not_applicable(ID, UNSTRESSED, "the ground begins with initial stress");
     }
-    let names: Vec<&str> = evidence.model.seams.iter().map(|seam| seam.name.as_str()).collect();
+    let names: Vec<&str> = evidence.model.user_seams().iter().map(|seam| seam.name.as_str()).collect();
     let line = TrustLine::at_most(ID, UNSTRESSED, names.len() as f64, 0.0, "");
     line.with_note(format!(
         "{}: nothing presses the sides together before the earthquake, and no weight closes them again, so they part and slide \

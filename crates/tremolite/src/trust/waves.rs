@@ -57,11 +57,11 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
     if model.incident.is_none() {
         return both("no wave comes in");
     }
-    if model.column.is_none() {
+    if model.columns.is_empty() {
         let why = format!("there is no reference column: {}", model.no_column);
         let mut lines = both(&why);
         // Periodic sides leave uniform motion alone. What others make of it cannot be told here, and that is no pass.
-        if model.sides.iter().any(|side| *side != Side::Periodic) {
+        if model.sides.iter().any(|side| !matches!(side, Side::Periodic | Side::FreeField)) {
             lines[1] = TrustLine::at_most(MODEL_ID, MODEL_NAME, f64::NAN, CORNERS, "").with_note(format!(
                 "cannot be checked, since {why}; and such sides may spoil the free field altogether"
             ));

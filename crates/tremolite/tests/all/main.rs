@@ -6,6 +6,7 @@ mod contact;
 mod cracked_damping;
 mod damage;
 mod engine;
+mod free_field;
 mod ground;
 mod history;
 mod outside_law;

@@ -120,7 +120,7 @@ fn supports_before_the_shaking_are_a_fixed_base_and_rollers_and_absorb_nothing()
         assert!(ready.phase.tick(&state).time > 0.0);
         let springs = |m: &u32| ready.assembly.members[*m as usize].name == "springs of the base";
         assert!(!before.active.iter().any(springs) && ready.phase.active.iter().any(springs));
-        let column = ready.model.column.as_ref().unwrap();
+        let columns = &ready.model.columns;
         let of = |node: u32| before.master[ready.model.engine_node[node as usize] as usize] as usize;
         for n in 0..ready.model.mesh_node.len() {
             let mesh_node = ready.model.mesh_node[n];
@@ -130,7 +130,13 @@ fn supports_before_the_shaking_are_a_fixed_base_and_rollers_and_absorb_nothing()
             let base = z == 0.0;
             let on = [x == 0.0 || x == 12.0, y == 0.0 || y == 10.0];
             let expected = if n >= ready.model.counted.end {
-                assert!(column.rings.iter().any(|ring| master == of(ring[0])));
+                if side == Side::FreeField && !base {
+                    // The ends of slabs rest on rollers of their own.
+                    assert!(!held[2]);
+                    continue;
+                }
+                let rings = || columns.iter().flat_map(|column| &column.rings);
+                assert!(side == Side::FreeField || rings().any(|ring| master == of(ring[0])));
                 [base; 3]
             } else {
                 match side {

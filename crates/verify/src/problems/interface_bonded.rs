@@ -30,7 +30,7 @@ pub(super) const ALONG: [f64; 3] = [0.6, 0.0, 0.8];
 pub(super) fn history(joints: Joints) -> Result<Vec<Corners>, VerifyError> {
     let mut all = Vec::new();
     let (simulation, state) = shake(slice(1, joints, ALONG)?, STEP, |corners| all.push(corners.clone()))?;
-    for (seam, contacts) in simulation.model.seams.iter().zip(&simulation.assembly.contacts) {
+    for (seam, contacts) in simulation.model.user_seams().iter().zip(&simulation.assembly.contacts) {
         let totals = contacts.totals(seam, &state.history);
         if totals.ever_opened + totals.ever_slid > 0.0 {
             return Err(VerifyError::Setup("the bond broke".into()));

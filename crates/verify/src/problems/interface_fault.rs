@@ -38,7 +38,7 @@ const WEAK: Joints = Joints {
 fn run_weak(deep: u32, along: [f64; 3]) -> Result<(Vec<Corners>, Vec<[f64; 2]>), VerifyError> {
     let mut all = Vec::new();
     let (simulation, state) = shake(slice(deep, WEAK, along)?, 1.0, |corners| all.push(corners.clone()))?;
-    let shares = simulation.model.seams.iter().zip(&simulation.assembly.contacts).map(|(seam, contacts)| {
+    let shares = simulation.model.user_seams().iter().zip(&simulation.assembly.contacts).map(|(seam, contacts)| {
         let totals = contacts.totals(seam, &state.history);
         [totals.ever_slid, totals.ever_opened].map(|area| area / seam.area())
     });
