@@ -68,7 +68,10 @@ mod tests {
         ] {
             let found = Bessel::new(12, x);
             for (found, exact) in [(found.j[n], j), (found.y[n], y)] {
-                assert!((found - exact).abs() < 1e-13 * exact.abs().max(1.0).min(exact.abs() * 1e2), "{n} {x}: {found} {exact}");
+                assert!(
+                    (found - exact).abs() < 1e-13 * exact.abs().max(1.0).min(exact.abs() * 1e2),
+                    "{n} {x}: {found} {exact}"
+                );
             }
         }
     }
