@@ -4,21 +4,22 @@
 //! are filled in here; one that pushes with more is a part in a file below this one, made in [`members`].
 
 pub mod base;
+mod far_field;
+mod nodes;
+mod ties;
+
+pub use nodes::{Members, members};
+pub use ties::{tie_outside, tie_periodic};
 
 use crate::body::Body;
-use crate::column::{Column, SIDES, WIDTH, corner_at};
+use crate::column::{Column, SIDES, WIDTH};
 use crate::error::ModelError;
 use crate::free_field::{Slab, sheets};
-use crate::hexahedra::centroid;
 use crate::life::{Life, Stage};
-use crate::member::Member;
 use crate::outer_faces::{OuterFaces, nodes_of};
 use crate::sheet::{Corner, Sheet, corners, faces_on};
-use crate::ties::Ties;
-use base::{BaseNode, BasePart, add};
+use base::add;
 use std::collections::BTreeMap;
-use tremolite_kernels::Line;
-use tremolite_mesh::split::match_split;
 use tremolite_mesh::topology::vector_areas;
 use tremolite_mesh::{Face, Mesh};
 use tremolite_motion::Motion;
@@ -180,92 +181,6 @@ pub struct Supports {
     pub following: BTreeMap<(u32, u32), [f64; 6]>,
 }
 
-/// Parts of the boundaries, in their order, and what others need to know of them.
-#[derive(Default)]
-pub struct Members {
-    pub members: Vec<Member>,
-    /// Nodes of the base, those of slabs and columns included; empty for a base without dashpots.
-    pub base: Vec<BaseNode>,
-    /// Distance R used for the springs of the base \[m\].
-    pub spring_distance: Option<f64>,
-}
-
-/// Ties what stands one behind the other in slabs and columns, and the levels of columns.
-pub fn tie_outside(around: Surroundings, ties: &mut Ties) {
-    for sheet in sheets(around.slabs, around.columns) {
-        for corner in sheet.twins.iter().flat_map(|&twin| corners(around.mesh, twin)) {
-            ties.join(corner.front, corner.back);
-        }
-    }
-    for slab in around.slabs {
-        let pairs: Vec<Corner> =
-            slab.sheet.twins.iter().flat_map(|&twin| corners(around.mesh, twin)).collect();
-        for sheet in slab.columns.iter().flatten().filter_map(|&c| around.columns[c].sheet.as_ref()) {
-            let fronts = fronts(around.mesh, sheet);
-            for pair in &pairs {
-                let both = [pair.front, pair.back].map(|n| fronts.get(&n).map_or(&[][..], Vec::as_slice));
-                let mut level = both.into_iter().flatten();
-                if let Some(&first) = level.next() {
-                    level.for_each(|&node| ties.join(first, node));
-                }
-            }
-        }
-    }
-    for ring in around.columns.iter().flat_map(|column| &column.rings) {
-        ring[1..].iter().for_each(|&node| ties.join(ring[0], node));
-    }
-}
-
-/// Nodes in front of a sheet by the node that each was made of.
-fn fronts(mesh: &Mesh, sheet: &Sheet) -> BTreeMap<u32, Vec<u32>> {
-    let mut fronts: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    for corner in sheet.twins.iter().flat_map(|&twin| corners(mesh, twin)) {
-        let known = fronts.entry(corner.source).or_default();
-        if !known.contains(&corner.front) {
-            known.push(corner.front);
-        }
-    }
-    fronts
-}
-
-/// Ties the opposite nodes of periodic sides, and those outside them at the ends of slabs.
-///
-/// # Errors
-/// If the two sides' nodes do not match.
-pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelError> {
-    let Surroundings { mesh, faces, places, sides, .. } = around;
-    let (low, high) = faces.bounds;
-    let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
-    for axis in 0..2 {
-        if sides[axis] != Side::Periodic {
-            continue;
-        }
-        let [a, b] = &faces.planes[axis];
-        let [name_a, name_b] = SIDES[axis];
-        if a.is_empty() || b.is_empty() {
-            return Err(ModelError::NoFaces(if a.is_empty() { name_a } else { name_b }));
-        }
-        let pairs = match_split(mesh, places, a, b, axis, near).map_err(|reason| ModelError::Periodic {
-            low: name_a,
-            high: name_b,
-            reason,
-        })?;
-        let ends: Vec<_> = around
-            .slabs
-            .iter()
-            .filter(|slab| slab.sheet.axis != axis)
-            .map(|slab| fronts(mesh, &slab.sheet))
-            .collect();
-        for (a, b) in pairs {
-            ties.join(a, b);
-            for (a, b) in ends.iter().filter_map(|fronts| fronts.get(&a).zip(fronts.get(&b))) {
-                a.iter().zip(b).for_each(|(&a, &b)| ties.join(a, b));
-            }
-        }
-    }
-    Ok(())
-}
-
 /// Σ A (tangential I + (normal − tangential) n⊗n) by node, over faces with the two factors of each.
 fn nodal_matrices(
     mesh: &Mesh,
@@ -401,142 +316,9 @@ fn quarter(body: &Body) -> [f64; 6] {
     [s * quarter, s * quarter, p * quarter, 0.0, 0.0, 0.0]
 }
 
-/// The parts of boundaries that push with more than dashpots.
-///
-/// # Errors
-/// If the plane of a base that should do something has no faces.
-pub fn members(around: Surroundings) -> Result<Members, ModelError> {
-    let mut out = base_nodes(around)?;
-    let counted = out.base.iter().filter(|node| node.counted).cloned().collect();
-    let outside = out.base.iter().filter(|node| !node.counted).cloned().collect();
-    let all: [(_, Vec<BaseNode>, _); 2] =
-        [("springs of the base", counted, true), ("base of the free field", outside, false)];
-    for (name, nodes, counted) in all {
-        if !nodes.is_empty() {
-            let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
-            let part = Box::new(BasePart::new(nodes, incident));
-            let line = Some(Line::Springs);
-            out.members.push(Member { life: Life::SHAKING, line, counted, ..Member::new(name, part) });
-        }
-    }
-    Ok(out)
-}
-
-/// Dashpots and springs of the base in the shaking, those of slabs and columns included.
-fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
-    let Surroundings { mesh, bodies, .. } = around;
-    let engine = |n: u32| around.engine(n);
-    let faces = &around.faces.planes[2][0];
-    if around.base != Base::Free && faces.is_empty() {
-        return Err(ModelError::NoFaces("base"));
-    }
-    let mut out = Members::default();
-    let springs = match around.base {
-        Base::Free | Base::Fixed => return Ok(out),
-        Base::Viscous => None,
-        Base::ViscousSpring { normal, tangential, distance } => {
-            let distance = distance.unwrap_or_else(|| scatter_distance(around));
-            out.spring_distance = Some(distance);
-            Some((normal, tangential, distance))
-        }
-    };
-    let spring_of = |face: Face| match (springs, around.body(face)) {
-        (Some((normal, tangential, distance)), Some(body)) => {
-            let g = body.material.moduli().mu;
-            (normal * g / distance, tangential * g / distance)
-        }
-        _ => (0.0, 0.0),
-    };
-    let mut push = |faces: &[Face], free_field: Option<&dyn Fn([f64; 3]) -> Vec<(u32, f64)>>, counted| {
-        let spring_matrices = nodal_matrices(mesh, faces, spring_of);
-        for (n, dashpot) in nodal_matrices(mesh, faces, |face| around.impedance(face)) {
-            let spring = match free_field {
-                Some(_) => spring_matrices.get(&n).copied().unwrap_or_default(),
-                None => [0.0; 6],
-            };
-            let free_field = free_field.map_or(Vec::new(), |of| of(mesh.nodes[n as usize]));
-            out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted });
-        }
-    };
-    push(faces, Some(&|at| between_corners(around, at)), true);
-    for slab in around.slabs {
-        let faces = around.of_sheet(&slab.sheet, 2, 0, Stage::Shaking);
-        push(&faces, Some(&|at| along_slab(around, slab, at)), false);
-        for column in slab.columns.iter().flatten().filter_map(|&c| around.columns[c].sheet.as_ref()) {
-            push(&around.of_sheet(column, 2, 0, Stage::Shaking), None, false);
-        }
-    }
-    for column in around.columns {
-        let (Some(ring), Some(layer)) = (column.rings.first(), column.layers.first()) else { continue };
-        for &n in ring {
-            let dashpot = quarter(&bodies[layer.body]);
-            let node = engine(n);
-            out.base.push(BaseNode {
-                node,
-                dashpot,
-                spring: [0.0; 6],
-                free_field: Vec::new(),
-                counted: false,
-            });
-        }
-    }
-    Ok(out)
-}
-
-/// Shares of the columns in the free field at a place, from shares of the corners; several columns of a corner share evenly.
-fn of_corners(around: Surroundings, shares: impl IntoIterator<Item = (usize, f64)>) -> Vec<(u32, f64)> {
-    let mut weights = vec![0.0; around.columns.len()];
-    for (corner, share) in shares {
-        let here =
-            || around.columns.iter().enumerate().filter(move |(_, column)| column.corners.contains(&corner));
-        let count = here().count() as f64;
-        here().for_each(|(c, _)| weights[c] += share / count);
-    }
-    let bottoms = around.columns.iter().map(|column| around.engine(column.bottom));
-    bottoms.zip(weights).filter(|(_, weight)| *weight != 0.0).collect()
-}
-
-/// Where a place lies between the low and the high end of an axis, from 0 to 1.
-fn fraction(around: Surroundings, axis: usize, at: [f64; 3]) -> f64 {
-    let (low, high) = around.faces.bounds;
-    ((at[axis] - low[axis]) / (high[axis] - low[axis])).clamp(0.0, 1.0)
-}
-
-/// The free field at a place of the base: bilinear between the columns at the four corners.
-fn between_corners(around: Surroundings, at: [f64; 3]) -> Vec<(u32, f64)> {
-    let [x, y] = [0, 1].map(|axis| fraction(around, axis, at));
-    let share = |ends: [usize; 2]| [1.0 - x, x][ends[0]] * [1.0 - y, y][ends[1]];
-    let corners = [[0, 0], [1, 0], [0, 1], [1, 1]];
-    of_corners(around, corners.map(|ends| (corner_at(ends), share(ends))))
-}
-
-/// The free field at the base of a slab: linear between its own columns, or else between the corners at its ends.
-fn along_slab(around: Surroundings, slab: &Slab, at: [f64; 3]) -> Vec<(u32, f64)> {
-    let Sheet { axis, end, .. } = slab.sheet;
-    let part = fraction(around, 1 - axis, at);
-    let shares = [1.0 - part, part];
-    if let [Some(low), Some(high)] = slab.columns {
-        let bottoms = [low, high].map(|c| around.engine(around.columns[c].bottom));
-        return bottoms.into_iter().zip(shares).filter(|(_, share)| *share != 0.0).collect();
-    }
-    let corner = |other: usize| if axis == 0 { corner_at([end, other]) } else { corner_at([other, end]) };
-    of_corners(around, [0, 1].map(|other| (corner(other), shares[other])))
-}
-
 fn hold(held: &mut BTreeMap<u32, [bool; 3]>, node: u32, more: [bool; 3]) {
     let now = held.entry(node).or_default();
     for i in 0..3 {
         now[i] |= more[i];
     }
-}
-
-/// From the centre of the excavated elements (of all, if none is) down to the base \[m\].
-fn scatter_distance(around: Surroundings) -> f64 {
-    let mut own = vec![true; around.user_elements];
-    around.stand_ins.iter().for_each(|(stand_in, _)| own[*stand_in as usize] = false);
-    let all: Vec<usize> = (0..around.user_elements).filter(|&e| own[e]).collect();
-    let void: Vec<usize> = all.iter().copied().filter(|&e| !around.stands(e, Stage::Shaking)).collect();
-    let chosen = if void.is_empty() { &all } else { &void };
-    let sum: f64 = chosen.iter().map(|&e| centroid(around.mesh, e as u32)[2]).sum();
-    (sum / chosen.len() as f64 - around.faces.bounds.0[2]).max(1.0)
 }

@@ -175,7 +175,7 @@ impl Phase {
         }
         let all = model.mesh_node.len();
         let groups = match model.slabs.is_empty() {
-            true => vec![0..all],
+            true => std::iter::once(0..all).collect(),
             false => vec![model.of_slabs.end..all, model.of_slabs.clone(), model.counted.clone()],
         };
 

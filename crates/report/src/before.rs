@@ -2,10 +2,11 @@
 
 use tremolite_results::{StageSummary, Summary};
 
+use crate::figure::{Block, Chapter};
 use crate::scale::{Scale, count, figures, quantity, trimmed};
 use crate::source::Source;
 use crate::stage_name::called;
-use crate::text_table::{Block, Cell, Chapter, Head, TextTable};
+use crate::text_table::{Cell, Head, TextTable};
 use crate::{convergence, reaction, relaxation, stage_maps};
 
 /// Σ|R|/Σ|contributions| below this is round-off of sums, not something that is held.

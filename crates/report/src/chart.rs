@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::axes::{Axes, drawable};
 use crate::scale::{Scale, moment};
-use crate::svg::{Anchor, Style, Svg, text_width};
+use crate::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::thin::thin;
 use crate::ticks::Ticks;
 
@@ -14,6 +14,28 @@ const RIGHT: f64 = 16.0;
 /// Room for a panel's heading.
 const HEADING: f64 = 32.0;
 
+/// How a line is drawn: where several lie on one another, all are to be seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Stroke {
+    #[default]
+    Thin,
+    /// Under thin ones.
+    Broad,
+    /// Over thin ones.
+    Dashed,
+}
+
+impl Stroke {
+    /// Width and colour as [`Svg::lines`] takes them.
+    fn pen(self, colour: usize) -> (f64, usize) {
+        match self {
+            Stroke::Thin => (1.3, colour),
+            Stroke::Broad => (4.2, colour),
+            Stroke::Dashed => (1.3, colour % LINES.len() + LINES.len()),
+        }
+    }
+}
+
 /// One line of a panel.
 pub struct Line<'a> {
     pub name: String,
@@ -21,6 +43,8 @@ pub struct Line<'a> {
     pub values: Cow<'a, [f64]>,
     /// Which colour; lines of one name have the same in all panels.
     pub colour: usize,
+    /// Lines of one name have the same in all panels.
+    pub stroke: Stroke,
 }
 
 /// Which point of a panel's lines is marked and named.
@@ -112,19 +136,20 @@ impl Chart<'_> {
 
     /// Names and colours above the panels, in rows; returns where the rows end.
     fn legend(&self, svg: &mut Svg) -> f64 {
-        let mut entries: Vec<(&str, usize)> = Vec::new();
+        let mut entries: Vec<(&str, usize, Stroke)> = Vec::new();
         for line in self.panels.iter().flat_map(|panel| &panel.lines) {
-            if !entries.iter().any(|(name, _)| *name == line.name) {
-                entries.push((&line.name, line.colour));
+            if !entries.iter().any(|(name, ..)| *name == line.name) {
+                entries.push((&line.name, line.colour, line.stroke));
             }
         }
         let (mut x, mut y) = (LEFT, 14.0);
-        for (name, colour) in entries {
+        for (name, colour, stroke) in entries {
             let width = 28.0 + text_width(name, 13.0) + 20.0;
             if x + width > WIDTH && x > LEFT {
                 (x, y) = (LEFT, y + 20.0);
             }
-            svg.lines(colour, 2.4, &[vec![(x, y - 4.5), (x + 22.0, y - 4.5)]]);
+            let (pen, colour) = stroke.pen(colour);
+            svg.lines(colour, pen.max(2.4), &[vec![(x, y - 4.5), (x + 22.0, y - 4.5)]]);
             svg.text((x + 28.0, y), Anchor::Start, 13.0, Style::Plain, name);
             x += width;
         }
@@ -143,7 +168,8 @@ impl Chart<'_> {
             let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
             let points = self.time.iter().zip(line.values.iter());
             let points = points.map(|(&t, &x)| axes.point(shown(t), shown(x) * panel.scale.factor));
-            svg.lines(line.colour, 1.3, &thin(points, 0.12));
+            let (pen, colour) = line.stroke.pen(line.colour);
+            svg.lines(colour, pen, &thin(points, 0.12));
         }
         if let Some(peak) = panel.peak(self.time) {
             svg.ring(axes.point(peak.time, peak.value * panel.scale.factor), peak.line.colour);

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
-use crate::chart::{Chart, Line, Mark, Panel};
+use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Figure, Section};
 use crate::scale::{Scale, quantity};
 use crate::source::Source;
@@ -67,7 +67,7 @@ fn figure(table: &Table, name: &str, area: f64) -> Option<Figure> {
     let most = |values: &[f64]| values.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     let line = |&(quantity, title, colour): &(&str, &str, usize)| {
         let values = column(quantity).filter(|values| most(values) > 0.0)?;
-        Some(Line { name: title.into(), values: Cow::from(values), colour })
+        Some(Line { name: title.into(), values: Cow::from(values), colour, stroke: Stroke::Thin })
     };
     let areas: Vec<Line> = AREAS.iter().filter_map(line).collect();
     if areas.is_empty() {

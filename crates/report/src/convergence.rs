@@ -4,12 +4,12 @@ use indexmap::IndexMap;
 use tremolite_results::{StageSummary, Summary};
 
 use crate::axes::Axes;
-use crate::figure::Figure;
+use crate::figure::{Block, Figure};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::Scale;
 use crate::stage_name::called;
 use crate::svg::{Anchor, Style, Svg};
-use crate::text_table::{Block, Cell, Head, TextTable};
+use crate::text_table::{Cell, Head, TextTable};
 use crate::ticks::Ticks;
 
 const HEADING: &str = "Convergence";

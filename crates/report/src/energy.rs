@@ -2,7 +2,7 @@
 
 use tremolite_results::Table;
 
-use crate::chart::{Chart, Line, Mark, Panel};
+use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Figure, Section};
 use crate::scale::{Scale, figures, quantity};
 use crate::source::Source;
@@ -18,6 +18,11 @@ const OF_INTERFACES: [(&str, &str); 4] = [
     ("created_by_interface", "created by interface laws"),
     ("contact_damping", "contact damping"),
 ];
+
+/// Work through sides that follow the free field, positive into the model, and what it is called on the page.
+const FREE_FIELD: (&str, &str) = ("free_field", "work through the sides");
+/// The line behind which it stands: what else waves bring in.
+const INPUT: &str = "input";
 
 /// The largest error of the balance, and its ratio to the largest energy held by motion and elements, both over all times.
 pub fn worst_error(table: &Table) -> Option<(f64, f64)> {
@@ -44,8 +49,32 @@ fn largest(values: &[f64]) -> f64 {
 
 /// What a line is called on the page; its own name where that says it.
 fn words(line: &str) -> String {
-    let known = OF_INTERFACES.iter().find(|(name, _)| *name == line);
+    let known = OF_INTERFACES.iter().chain([&FREE_FIELD]).find(|(name, _)| *name == line);
     known.map_or_else(|| line.replace('_', " "), |(_, words)| (*words).to_owned())
+}
+
+/// All lines but the error, in the order of the table; work through the sides beside the input.
+fn in_order(table: &Table) -> Vec<(&str, &[f64])> {
+    let mut all: Vec<_> = lines(table).collect();
+    if let Some(from) = all.iter().position(|(name, _)| *name == FREE_FIELD.0) {
+        let through_sides = all.remove(from);
+        let behind = all.iter().position(|(name, _)| *name == INPUT).map_or(from, |k| k + 1);
+        all.insert(behind, through_sides);
+    }
+    all
+}
+
+/// What has come in through sides that follow the free field; empty without them.
+fn through_sides(table: &Table) -> String {
+    let Some(values) = table.column(FREE_FIELD.0) else { return String::new() };
+    let finite = || values.iter().copied().filter(|x| x.is_finite());
+    let Some(end) = finite().next_back() else { return String::new() };
+    format!(
+        " Work through the sides counts into the model: {} at the end, between {} and {} over the run.",
+        quantity("J", end),
+        quantity("J", finite().fold(f64::INFINITY, f64::min)),
+        quantity("J", finite().fold(f64::NEG_INFINITY, f64::max))
+    )
 }
 
 /// What interfaces hold and have taken at the end of the table; empty without them.
@@ -77,7 +106,8 @@ pub fn section<'a>(source: &'a Source) -> Section {
     if most == 0.0 {
         return Section::left_out(HEADING, "energy.csv holds no line that is not zero.");
     }
-    let (drawn, idle): (Vec<_>, Vec<_>) = lines(table).partition(|(_, values)| largest(values) > 0.0);
+    let (drawn, idle): (Vec<_>, Vec<_>) =
+        in_order(table).into_iter().partition(|(_, values)| largest(values) > 0.0);
     // Those of interfaces are small beside what goes through the model, and want a scale of their own.
     let (contact, drawn): (Vec<_>, Vec<_>) =
         drawn.into_iter().partition(|(name, _)| OF_INTERFACES.iter().any(|(line, _)| line == name));
@@ -89,6 +119,7 @@ pub fn section<'a>(source: &'a Source) -> Section {
             name: words(name),
             values: values.into(),
             colour,
+            stroke: Stroke::Thin,
         };
         let lines: Vec<Line> = lines.into_iter().zip(colours.by_ref()).map(line).collect();
         if !lines.is_empty() {
@@ -102,7 +133,12 @@ pub fn section<'a>(source: &'a Source) -> Section {
     }
     let mut caption = match (table.column("error"), worst_error(table)) {
         (Some(error), Some((worst, ratio))) => {
-            let line = Line { name: "error".into(), values: error.into(), colour: ERROR_COLOUR };
+            let line = Line {
+                name: "error".into(),
+                values: error.into(),
+                colour: ERROR_COLOUR,
+                stroke: Stroke::Thin,
+            };
             panels.push(Panel {
                 title: "error".into(),
                 scale: Scale::suiting("J", worst),
@@ -117,6 +153,7 @@ pub fn section<'a>(source: &'a Source) -> Section {
         }
         _ => "energy.csv has no column error.".into(),
     };
+    caption.push_str(&through_sides(table));
     caption.push_str(&of_interfaces(table));
     if !idle.is_empty() {
         let names = idle.iter().map(|(name, _)| words(name)).collect::<Vec<_>>().join(", ");

@@ -1,4 +1,6 @@
-//! A figure for the page and the folder, or the reason why there is none.
+//! A figure for the page and the folder, or the reason why there is none; chapters made of tables and figures.
+
+use crate::text_table::TextTable;
 
 /// A section of the page that is drawn.
 pub struct Figure {
@@ -12,9 +14,10 @@ pub struct Figure {
     pub caption: String,
 }
 
-/// A section of the page: drawn, or left out with a reason.
+/// A section of the page: drawn, told with tables and figures, or left out with a reason.
 pub enum Section {
     Drawn(Vec<Figure>),
+    Told(Chapter),
     /// Heading, and a sentence that says why it is left out.
     LeftOut {
         heading: String,
@@ -26,4 +29,42 @@ impl Section {
     pub fn left_out(heading: &str, why: impl Into<String>) -> Section {
         Section::LeftOut { heading: heading.into(), why: why.into() }
     }
+
+    /// All its figures.
+    pub fn figures(&self) -> Vec<&Figure> {
+        match self {
+            Section::Drawn(figures) => figures.iter().collect(),
+            Section::Told(chapter) => chapter.figures().collect(),
+            Section::LeftOut { .. } => Vec::new(),
+        }
+    }
+}
+
+/// A chapter of the page.
+pub struct Chapter {
+    /// By which the page can be pointed into.
+    pub id: &'static str,
+    pub heading: String,
+    pub blocks: Vec<Block>,
+}
+
+impl Chapter {
+    /// All its figures.
+    pub fn figures(&self) -> impl Iterator<Item = &Figure> {
+        self.blocks.iter().flat_map(|block| &block.figures)
+    }
+}
+
+/// A part of a chapter. What is empty is not set.
+#[derive(Default)]
+pub struct Block {
+    pub heading: String,
+    /// What is found, before all else.
+    pub lead: String,
+    /// What it is and what to look for.
+    pub text: String,
+    pub tables: Vec<TextTable>,
+    pub figures: Vec<Figure>,
+    /// A sentence for what the files do not hold.
+    pub notes: Vec<String>,
 }

@@ -1,10 +1,11 @@
 //! The chapter on section forces of linings: after the last stage, and between which values they went while the ground shook.
 
 use crate::cut_figure::plane;
+use crate::figure::{Block, Chapter};
 use crate::lining::{Extreme, FORCES, Lining, Station, kilo, linings};
 use crate::scale::{moment, trimmed};
 use crate::source::Source;
-use crate::text_table::{Block, Cell, Chapter, Head, TextTable};
+use crate::text_table::{Cell, Head, TextTable};
 use crate::{force_chart, force_shape, thrust_moment};
 
 /// The chapter; nothing for a run that wrote no section forces.

@@ -2,7 +2,7 @@
 
 use tremolite_results::Table;
 
-use crate::chart::{Chart, Line, Mark, Panel};
+use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::damage::heading;
 use crate::figure::{Figure, Section};
 use crate::scale::Scale;
@@ -43,7 +43,7 @@ fn panels(table: &Table) -> Vec<Panel<'_>> {
             groups.push(group);
             groups.len() - 1
         });
-        let line = Line { name: group.into(), values: values.into(), colour };
+        let line = Line { name: group.into(), values: values.into(), colour, stroke: Stroke::Thin };
         let scale = if column.unit == "m" {
             Scale::suiting("m", most)
         } else {

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
-use crate::chart::{Chart, Line, Mark, Panel};
+use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::contact_monitors::is_on_interface;
 use crate::figure::{Figure, Section};
 use crate::pairs::{difference, is_pair, names};
@@ -152,7 +152,12 @@ impl Wanted<'_> {
         let mut lines = Vec::new();
         for (name, values) in &self.histories {
             if let Some(colour) = names.iter().position(|n| n == name) {
-                lines.push(Line { name: name.clone(), values: Cow::Borrowed(values), colour });
+                lines.push(Line {
+                    name: name.clone(),
+                    values: Cow::Borrowed(values),
+                    colour,
+                    stroke: Stroke::Thin,
+                });
             }
         }
         Panel { title: self.title.clone(), scale: self.scale.clone(), lines, mark: self.mark }

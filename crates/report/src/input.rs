@@ -1,6 +1,6 @@
 //! Figure of the motion that a case gives: acceleration, velocity and displacement along the model's axes.
 
-use crate::chart::{Chart, Line, Mark, Panel};
+use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Figure, Section};
 use crate::scale::{Scale, figures, quantity};
 use crate::source::Source;
@@ -33,8 +33,12 @@ pub fn section(source: &Source) -> Option<Section> {
             continue;
         }
         peaks.push(quantity(unit, most));
-        let line =
-            |(colour, axis, values): (usize, &&str, _)| Line { name: (*axis).to_owned(), values, colour };
+        let line = |(colour, axis, values): (usize, &&str, _)| Line {
+            name: (*axis).to_owned(),
+            values,
+            colour,
+            stroke: Stroke::Thin,
+        };
         panels.push(Panel {
             title: title.into(),
             scale: Scale::suiting(unit, most),

@@ -25,6 +25,8 @@ mod force_chart;
 mod force_shape;
 mod forces;
 mod frame;
+mod free_field;
+mod free_field_numbers;
 mod growth;
 mod histories;
 mod input;
@@ -57,9 +59,8 @@ use std::path::{Path, PathBuf};
 
 use tremolite_results::replace_file;
 
-use crate::figure::Section;
+use crate::figure::{Chapter, Section};
 use crate::source::Source;
-use crate::text_table::Chapter;
 
 /// Why no report could be written.
 #[derive(Debug, thiserror::Error)]
@@ -94,6 +95,7 @@ pub fn write(dir: &Path) -> Result<PathBuf, Error> {
     let mut sections: Vec<Section> = Vec::new();
     if source.shakes() {
         sections.extend(input::section(&source));
+        sections.extend(free_field::section(&source));
         sections.extend(contact_map::section(&source));
         sections.extend(contact_history::section(&source));
         sections.extend(growth::section(&source));
@@ -106,12 +108,8 @@ pub fn write(dir: &Path) -> Result<PathBuf, Error> {
     }
     let folder = source.folder.figures();
     fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;
-    let drawn = sections.iter().flat_map(|section| match section {
-        Section::Drawn(figures) => &figures[..],
-        Section::LeftOut { .. } => &[],
-    });
-    let staged = chapters.iter().flat_map(|chapter| &chapter.blocks).flat_map(|block| &block.figures);
-    for figure in staged.chain(drawn) {
+    let drawn = sections.iter().flat_map(Section::figures);
+    for figure in chapters.iter().flat_map(Chapter::figures).chain(drawn) {
         replace_file(&folder.join(&figure.file), figure.svg.as_bytes())?;
     }
     let path = source.folder.report();

@@ -8,13 +8,13 @@ use tremolite_results::Defaulted;
 
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
-use crate::figure::Section;
+use crate::figure::{Block, Chapter, Section};
 use crate::interfaces::{self, InterfaceTable};
 use crate::materials::{self, MaterialTable};
 use crate::peaks::{self, PeakTable};
 use crate::source::Source;
 use crate::svg::escape;
-use crate::text_table::{Block, Chapter, TextTable};
+use crate::text_table::TextTable;
 
 const TEMPLATE: &str = include_str!("../template/report.html");
 const STYLE: &str = include_str!("../template/report.css");
@@ -61,18 +61,21 @@ struct Leaf {
 #[derive(Serialize)]
 struct Paragraph {
     heading: String,
+    lead: String,
     text: String,
     tables: Vec<TextTable>,
     figures: Vec<Drawing>,
     notes: Vec<String>,
 }
 
-/// One section with figures, or the reason for having none.
-#[derive(Serialize)]
+/// One section with figures, or blocks with tables and figures, or the reason for having none.
+#[derive(Default, Serialize)]
 struct Part {
+    id: &'static str,
     heading: String,
     why: String,
     figures: Vec<Drawing>,
+    blocks: Vec<Paragraph>,
 }
 
 #[derive(Serialize)]
@@ -119,7 +122,8 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
         cut: [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()]
             .into_iter()
             .flatten()
-            .any(|table| table.as_ref().is_ok_and(|t| t.cut)),
+            .any(|table| table.as_ref().is_ok_and(|t| t.cut))
+            || matches!(&source.free_field, Some(Ok(found)) if found.cut),
         files: files(source),
     };
     let mut environment = Environment::new();
@@ -144,6 +148,7 @@ fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
                 "monitors.csv",
                 "energy.csv",
                 "motion.csv",
+                "free_field.csv",
                 "damage.csv",
                 "interfaces.csv",
                 "stages.csv",
@@ -169,6 +174,7 @@ fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
 fn leaf(chapter: &Chapter) -> Leaf {
     let paragraph = |block: &Block| Paragraph {
         heading: block.heading.clone(),
+        lead: block.lead.clone(),
         text: block.text.clone(),
         tables: block.tables.clone(),
         figures: block.figures.iter().map(drawing).collect(),
@@ -184,13 +190,17 @@ fn leaf(chapter: &Chapter) -> Leaf {
 fn part(section: &Section) -> Part {
     match section {
         Section::LeftOut { heading, why } => {
-            Part { heading: heading.clone(), why: why.clone(), figures: Vec::new() }
+            Part { heading: heading.clone(), why: why.clone(), ..Part::default() }
         }
         Section::Drawn(figures) => Part {
             heading: figures.first().map(|figure| figure.heading.clone()).unwrap_or_default(),
-            why: String::new(),
             figures: figures.iter().map(drawing).collect(),
+            ..Part::default()
         },
+        Section::Told(chapter) => {
+            let Leaf { id, heading, blocks } = leaf(chapter);
+            Part { id, heading, blocks, ..Part::default() }
+        }
     }
 }
 

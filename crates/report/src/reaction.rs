@@ -4,12 +4,11 @@ use tremolite_results::{StageSummary, Summary};
 
 use crate::axes::Axes;
 use crate::convergence::{Point, caverns};
-use crate::figure::Figure;
+use crate::figure::{Block, Figure};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::{Scale, figures, trimmed};
 use crate::stage_name::called;
 use crate::svg::{Anchor, LINES, Style, Svg, text_width};
-use crate::text_table::Block;
 use crate::ticks::Ticks;
 
 const HEADING: &str = "Ground reaction";

@@ -3,12 +3,11 @@
 use tremolite_results::Summary;
 
 use crate::axes::Axes;
-use crate::figure::Figure;
+use crate::figure::{Block, Figure};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::{figures, superscript, trimmed};
 use crate::source::Source;
 use crate::svg::{Anchor, Style, Svg, text_width};
-use crate::text_table::Block;
 use crate::ticks::Ticks;
 
 const HEADING: &str = "How the model came to rest";

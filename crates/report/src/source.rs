@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use indexmap::IndexMap;
-use tremolite_results::{ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_sections};
+use tremolite_results::{
+    FreeField, ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_sections,
+};
 
 use crate::pairs::is_pair;
 
@@ -19,6 +21,9 @@ pub struct Source {
     pub interfaces: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: no earthquake came, or an older version ran.
     pub motion: Option<Result<Table, String>>,
+    /// Nothing where the folder has no such file: no earthquake came, no column stood beside the model, or an older
+    /// version ran.
+    pub free_field: Option<Result<FreeField, String>>,
     /// Nothing where the folder has no such file: the run has no stages, or an older version ran.
     pub relaxation: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no lining of which section forces were taken.
@@ -45,9 +50,22 @@ impl Source {
         let damage = folder.damage().exists().then(|| table(&folder.damage(), "time"));
         let interfaces = folder.interfaces().exists().then(|| table(&folder.interfaces(), "time"));
         let motion = folder.motion().exists().then(|| table(&folder.motion(), "time"));
+        let free_field = folder.free_field();
+        let free_field = free_field.exists().then(|| table(&free_field, "time").map(FreeField::of));
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
         let sections = folder.sections().exists().then(|| sections(&folder.sections()));
-        Ok(Source { folder, summary, monitors, energy, damage, interfaces, motion, relaxation, sections })
+        Ok(Source {
+            folder,
+            summary,
+            monitors,
+            energy,
+            damage,
+            interfaces,
+            motion,
+            free_field,
+            relaxation,
+            sections,
+        })
     }
 
     /// Whether there is anything to show of the ground's shaking, or should be. Where a run has only come through stages,

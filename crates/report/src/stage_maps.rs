@@ -4,12 +4,11 @@ use indexmap::IndexMap;
 use tremolite_results::{Cut, CutCell, Pvd, Summary};
 
 use crate::cut_figure::{Map, area, borders, on_plane, place, plane, points, window};
-use crate::figure::Figure;
+use crate::figure::{Block, Figure};
 use crate::frame::Frame;
 use crate::scale::{Scale, figures, trimmed};
 use crate::source::Source;
 use crate::stage_name::called;
-use crate::text_table::Block;
 
 const HEADING: &str = "The section after the last stage";
 const SHEAR: (&str, &str) = ("shear", "#e58a4a");

@@ -1,27 +1,6 @@
-//! Tables of the page whose columns depend on the results, and chapters made of them and of figures.
+//! Tables of the page whose columns depend on the results.
 
 use serde::Serialize;
-
-use crate::figure::Figure;
-
-/// A chapter of the page.
-pub struct Chapter {
-    pub id: &'static str,
-    pub heading: String,
-    pub blocks: Vec<Block>,
-}
-
-/// A part of a chapter. What is empty is not set.
-#[derive(Default)]
-pub struct Block {
-    pub heading: String,
-    /// What it is and what to look for.
-    pub text: String,
-    pub tables: Vec<TextTable>,
-    pub figures: Vec<Figure>,
-    /// A sentence for what the files do not hold.
-    pub notes: Vec<String>,
-}
 
 /// A table as it is set.
 #[derive(Clone, Debug, Default, Serialize)]

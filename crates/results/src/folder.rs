@@ -159,6 +159,7 @@ impl ResultFolder {
             self.interfaces(),
             self.interfaces_pvd(),
             self.motion(),
+            self.free_field(),
             self.stages(),
             self.stages_pvd(),
             self.relaxation(),
@@ -240,6 +241,11 @@ impl ResultFolder {
     /// `motion.csv`: the given motion and the incident wave.
     pub fn motion(&self) -> PathBuf {
         self.root.join("motion.csv")
+    }
+
+    /// `free_field.csv`: velocities of the free field and the model, see [`crate::FreeField`].
+    pub fn free_field(&self) -> PathBuf {
+        self.root.join("free_field.csv")
     }
 
     /// `stages.csv`: a row a stage before the earthquake.

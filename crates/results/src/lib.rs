@@ -9,6 +9,7 @@
 //! | `monitors.csv`, `energy.csv`, `damage.csv` | [`table`] | histories; headers are `name [unit]` |
 //! | `interfaces.csv` | [`table`] | the same of interfaces |
 //! | `motion.csv` | [`table`] | the given motion and the incident wave |
+//! | `free_field.csv` | [`free_field`] | velocities of the free field, predicted and measured, and the model's beside them |
 //! | `stages.csv` | [`stages`] | stages before the earthquake, a row each |
 //! | `relaxation.csv` | [`table`] | how the stages came to rest |
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |
@@ -23,6 +24,7 @@ pub mod cut;
 pub mod damage;
 pub mod error;
 pub mod folder;
+pub mod free_field;
 pub mod interface;
 pub mod materials;
 pub mod number;
@@ -41,6 +43,7 @@ pub use cut::{Cut, CutCell};
 pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;
 pub use folder::{HAND_OVER, ResultFolder, replace_file};
+pub use free_field::{FreeField, Station, Velocities};
 pub use interface::{InterfaceSummary, PairPeak, PairPlace};
 pub use materials::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
 pub use peaks::{Peaks, peaks_by_monitor};

@@ -31,6 +31,7 @@ mod michell;
 mod models;
 mod problem;
 pub mod problems;
+pub mod reflection;
 mod rock;
 mod scattering;
 mod select;

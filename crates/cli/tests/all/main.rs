@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod boundary_figures;
 mod check;
 mod checks;
 mod circles;

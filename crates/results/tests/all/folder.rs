@@ -38,6 +38,7 @@ fn a_given_folder_with_results_is_refused_or_emptied_of_results_alone() {
     drop(ResultFolder::create(Some(temp.path()), "x", false).unwrap());
     let folder = ResultFolder::open_existing(temp.path()).unwrap();
     fs::write(folder.summary(), "{}").unwrap();
+    fs::write(folder.free_field(), "old").unwrap();
     fs::write(folder.fields().join("0001.vtu"), "old").unwrap();
     fs::create_dir(folder.interface_fields()).unwrap();
     let of_interfaces =
@@ -56,6 +57,7 @@ fn a_given_folder_with_results_is_refused_or_emptied_of_results_alone() {
     ResultFolder::create(Some(temp.path()), "x", true).unwrap();
     assert!(!folder.summary().exists() && !folder.fields().join("0001.vtu").exists());
     assert!(of_interfaces.iter().all(|path| !path.exists()), "a later run may have no interface");
+    assert!(!folder.free_field().exists(), "nor a column");
     assert!(folder.fields().join("notes.md").exists() && temp.path().join("letter.txt").exists());
 }
 

@@ -44,6 +44,8 @@ problems! {
     bar_step_wave Test,
     incident_pulse Test,
     layered_column Test,
+    free_field_tunnel Test,
+    mirror_image Test,
     lamb Verify,
     cavity_sines Test,
     lined_cavity_sines Verify,
@@ -73,5 +75,6 @@ problems! {
     kirsch_hole Test,
     excavated_opening Verify,
     lined_tunnel Verify,
+    free_field_hand_over Test,
     release_ramp Verify,
 }

@@ -1,0 +1,119 @@
+//! The nodes of the base in the shaking: what absorbs there and what holds, of the model and of what stands outside its sides.
+
+use super::base::{BaseNode, BasePart};
+use super::far_field::{along_slab, between_corners};
+use super::{Base, Surroundings, nodal_matrices, quarter};
+use crate::error::ModelError;
+use crate::hexahedra::centroid;
+use crate::life::{Life, Stage};
+use crate::member::Member;
+use tremolite_kernels::Line;
+use tremolite_mesh::Face;
+
+/// Parts of the boundaries, in their order, and what others need to know of them.
+#[derive(Default)]
+pub struct Members {
+    pub members: Vec<Member>,
+    /// Nodes of the base, those of slabs and columns included; empty for a base without dashpots.
+    pub base: Vec<BaseNode>,
+    /// Distance R used for the springs of the base \[m\].
+    pub spring_distance: Option<f64>,
+}
+
+/// The parts of boundaries that push with more than dashpots.
+///
+/// # Errors
+/// If the plane of a base that should do something has no faces.
+pub fn members(around: Surroundings) -> Result<Members, ModelError> {
+    let mut out = base_nodes(around)?;
+    let counted = out.base.iter().filter(|node| node.counted).cloned().collect();
+    let outside = out.base.iter().filter(|node| !node.counted).cloned().collect();
+    let all: [(_, Vec<BaseNode>, _); 2] =
+        [("springs of the base", counted, true), ("base of the free field", outside, false)];
+    for (name, nodes, counted) in all {
+        if !nodes.is_empty() {
+            let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
+            let part = Box::new(BasePart::new(nodes, incident));
+            let line = Some(Line::Springs);
+            out.members.push(Member { life: Life::SHAKING, line, counted, ..Member::new(name, part) });
+        }
+    }
+    Ok(out)
+}
+
+/// Dashpots and springs of the base in the shaking, those of slabs and columns included.
+fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
+    let Surroundings { mesh, bodies, .. } = around;
+    let engine = |n: u32| around.engine(n);
+    let faces = &around.faces.planes[2][0];
+    if around.base != Base::Free && faces.is_empty() {
+        return Err(ModelError::NoFaces("base"));
+    }
+    let mut out = Members::default();
+    let springs = match around.base {
+        Base::Free | Base::Fixed => return Ok(out),
+        Base::Viscous => None,
+        Base::ViscousSpring { normal, tangential, distance } => {
+            let distance = distance.unwrap_or_else(|| scatter_distance(around));
+            out.spring_distance = Some(distance);
+            Some((normal, tangential, distance))
+        }
+    };
+    let spring_of = |face: Face| match (springs, around.body(face)) {
+        (Some((normal, tangential, distance)), Some(body)) => {
+            let g = body.material.moduli().mu;
+            (normal * g / distance, tangential * g / distance)
+        }
+        _ => (0.0, 0.0),
+    };
+    let dashpots = |faces: &[Face]| nodal_matrices(mesh, faces, |face| around.impedance(face));
+    let springs = |faces: &[Face]| nodal_matrices(mesh, faces, spring_of);
+    let none = || (vec![], [0.0; 6]);
+    let stiff = springs(faces);
+    for (n, dashpot) in dashpots(faces) {
+        let spring = stiff.get(&n).copied().unwrap_or_default();
+        let free_field = between_corners(around, mesh.nodes[n as usize]);
+        out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: true });
+    }
+    for slab in around.slabs {
+        let faces = around.of_sheet(&slab.sheet, 2, 0, Stage::Shaking);
+        let stiff = springs(&faces);
+        for (n, dashpot) in dashpots(&faces) {
+            let spring = stiff.get(&n).copied().unwrap_or_default();
+            let free_field = along_slab(around, slab, mesh.nodes[n as usize]);
+            out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: false });
+        }
+        for column in slab.columns.iter().flatten().filter_map(|&c| around.columns[c].sheet.as_ref()) {
+            for (n, dashpot) in dashpots(&around.of_sheet(column, 2, 0, Stage::Shaking)) {
+                let (free_field, spring) = none();
+                out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: false });
+            }
+        }
+    }
+    for column in around.columns {
+        let (Some(ring), Some(layer)) = (column.rings.first(), column.layers.first()) else { continue };
+        for &n in ring {
+            let dashpot = quarter(&bodies[layer.body]);
+            let node = engine(n);
+            out.base.push(BaseNode {
+                node,
+                dashpot,
+                spring: [0.0; 6],
+                free_field: Vec::new(),
+                counted: false,
+            });
+        }
+    }
+    Ok(out)
+}
+
+/// From the centre of the excavated elements (of all, if none is) down to the base \[m\].
+fn scatter_distance(around: Surroundings) -> f64 {
+    let mut own = vec![true; around.user_elements];
+    around.stand_ins.iter().for_each(|(stand_in, _)| own[*stand_in as usize] = false);
+    let all: Vec<usize> = (0..around.user_elements).filter(|&e| own[e]).collect();
+    let void: Vec<usize> = all.iter().copied().filter(|&e| !around.stands(e, Stage::Shaking)).collect();
+    let chosen = if void.is_empty() { &all } else { &void };
+    let sum: f64 = chosen.iter().map(|&e| centroid(around.mesh, e as u32)[2]).sum();
+    (sum / chosen.len() as f64 - around.faces.bounds.0[2]).max(1.0)
+}

@@ -1,0 +1,169 @@
+//! `free_field.csv`, read: velocities at the top and the base of each column of the free field, and of the model beside them.
+
+use std::path::Path;
+
+use crate::{Error, Table};
+
+/// The axes of the model, in the order of all arrays here.
+const AXES: [&str; 3] = ["x", "y", "z"];
+/// What stands behind the component of a velocity that theory predicts.
+const THEORY: &str = "_theory";
+
+/// What was recorded of the free field. What the file does not hold is empty, and columns of other names are passed over.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FreeField {
+    /// Times of the rows (s).
+    pub time: Vec<f64>,
+    /// The columns, in the order of the file.
+    pub columns: Vec<Station>,
+    /// The model's own surface and base; no theory.
+    pub model: Option<Station>,
+    /// The file ended in the middle of a line: see [`Table::cut`].
+    pub cut: bool,
+}
+
+/// A column of the free field, or the model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Station {
+    /// `reference`, `xmin-ymax` …; `model` of the model.
+    pub name: String,
+    /// At the surface.
+    pub top: Velocities,
+    /// At the base.
+    pub base: Velocities,
+}
+
+/// Velocities at one place along x, y and z (m/s), a value for each row; empty where the file has no such column.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Velocities {
+    /// What the run did.
+    pub measured: [Vec<f64>; 3],
+    /// What theory of the layered column predicts. Also empty where no value is a number: there is no theory then.
+    pub theory: [Vec<f64>; 3],
+}
+
+impl Station {
+    /// The surface, then the base.
+    pub fn places(&self) -> [&Velocities; 2] {
+        [&self.top, &self.base]
+    }
+}
+
+impl FreeField {
+    /// Reads the file.
+    ///
+    /// # Errors
+    /// Those of [`Table::read`].
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        Table::read(path).map(Self::of)
+    }
+
+    /// What a table holds of the free field: columns `COLUMN.top.vx`, `COLUMN.top.vx_theory`, `COLUMN.base.vx` …, and
+    /// `model.surface.vx`, `model.base.vx` ….
+    pub fn of(table: Table) -> Self {
+        let mut found = FreeField { cut: table.cut, ..FreeField::default() };
+        let mut stations: Vec<Station> = Vec::new();
+        for (column, values) in table.columns.iter().zip(table.values) {
+            if column.name == "time" {
+                found.time = values;
+                continue;
+            }
+            let Some((name, at_top, axis, of_theory)) = place(&column.name) else { continue };
+            let known = stations.iter().position(|station| station.name == name).unwrap_or(stations.len());
+            if known == stations.len() {
+                stations.push(Station { name: name.into(), ..Station::default() });
+            }
+            let station = &mut stations[known];
+            let velocities = if at_top { &mut station.top } else { &mut station.base };
+            if !of_theory {
+                velocities.measured[axis] = values;
+            } else if values.iter().any(|v| v.is_finite()) {
+                velocities.theory[axis] = values;
+            }
+        }
+        let model = stations.iter().position(|station| station.name == "model");
+        found.model = model.map(|k| stations.remove(k));
+        found.columns = stations;
+        found
+    }
+}
+
+/// Whose velocity a column of the file is, whether at the surface, along which axis, and whether by theory.
+fn place(header: &str) -> Option<(&str, bool, usize, bool)> {
+    let (rest, quantity) = header.rsplit_once('.')?;
+    let (name, place) = rest.rsplit_once('.')?;
+    let at_top = match place {
+        "top" | "surface" => true,
+        "base" => false,
+        _ => return None,
+    };
+    let component = quantity.strip_suffix(THEORY);
+    let axis = component.unwrap_or(quantity).strip_prefix('v')?;
+    let axis = AXES.iter().position(|known| *known == axis)?;
+    Some((name, at_top, axis, component.is_some()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Column;
+
+    fn of(columns: &[(&str, &[f64])]) -> FreeField {
+        FreeField::of(Table {
+            columns: columns.iter().map(|(name, _)| Column::new(*name, "m/s")).collect(),
+            values: columns.iter().map(|(_, values)| values.to_vec()).collect(),
+            cut: false,
+        })
+    }
+
+    #[test]
+    fn columns_keep_their_order_and_the_model_stands_apart() {
+        let found = of(&[
+            ("time", &[0.0, 0.1]),
+            ("model.surface.vx", &[7.0, 8.0]),
+            ("xmin-ymin.top.vx", &[1.0, 2.0]),
+            ("xmin-ymin.top.vx_theory", &[1.5, 2.5]),
+            ("ymin-xmax.base.vz", &[3.0, 4.0]),
+            ("xmin-ymin.base.vx", &[5.0, 6.0]),
+        ]);
+        let names: Vec<&str> = found.columns.iter().map(|station| station.name.as_str()).collect();
+        assert_eq!(names, ["xmin-ymin", "ymin-xmax"]);
+        assert_eq!(found.time, [0.0, 0.1]);
+        let [first, second] = &found.columns[..] else { panic!() };
+        assert_eq!((&first.top.measured[0], &first.top.theory[0]), (&vec![1.0, 2.0], &vec![1.5, 2.5]));
+        assert_eq!((&first.base.measured[0], &second.base.measured[2]), (&vec![5.0, 6.0], &vec![3.0, 4.0]));
+        assert!(
+            first.base.theory[0].is_empty()
+                && first.places() == [&first.top, &first.base]
+                && second.top.measured.iter().all(Vec::is_empty)
+        );
+        assert_eq!(found.model.unwrap().top.measured[0], [7.0, 8.0]);
+    }
+
+    #[test]
+    fn what_is_not_of_the_free_field_is_passed_over() {
+        let found = of(&[
+            ("time", &[0.0]),
+            ("reference.top.ax", &[1.0]),
+            ("reference.middle.vx", &[1.0]),
+            ("reference.top.vr", &[1.0]),
+            ("reference.top.v", &[1.0]),
+            ("top.vx", &[1.0]),
+            ("vx", &[1.0]),
+            ("", &[1.0]),
+        ]);
+        assert_eq!(found, FreeField { time: vec![0.0], ..FreeField::default() });
+    }
+
+    #[test]
+    fn theory_without_a_number_is_no_theory() {
+        let gap = [f64::NAN, f64::NAN];
+        let found = of(&[
+            ("a.b.top.vx", &[1.0, 2.0]),
+            ("a.b.top.vx_theory", &gap),
+            ("a.b.top.vy_theory", &[f64::NAN, 1.0]),
+        ]);
+        assert_eq!(found.columns[0].name, "a.b");
+        assert!(found.columns[0].top.theory[0].is_empty() && !found.columns[0].top.theory[1].is_empty());
+    }
+}
