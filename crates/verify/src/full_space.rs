@@ -9,16 +9,18 @@
 //! Stresses are compared with what is exact at the same radius and angle: those of the first ring's centres, or of a liner's
 //! points, taken together along a fibre at its middle, since the strain along a fibre is even in these elements.
 
+mod mesh;
+
 use crate::VerifyError;
 use crate::models::Solid;
 use crate::scattering::{Cavity, Place};
 use crate::simulation::{Simulation, whole_steps};
 use crate::staged::turned;
+use mesh::Parts;
 use num_complex::Complex64;
-use std::collections::BTreeMap;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 use tremolite::{Base, Incident, Problem, Quadrature, Side, Top};
-use tremolite_mesh::{Element, Mesh, Shape};
+use tremolite_mesh::Mesh;
 use tremolite_motion::Motion;
 
 /// Rock, and the liner of concrete; densities are equal.
@@ -31,10 +33,6 @@ pub const LINED: Cavity = Cavity { rock: ROCK, radius: RADII[0], liner: Some((LI
 
 /// Incident stress \[Pa\].
 const STRESS: f64 = 1e6;
-/// Size of the outermost ring beside the innermost, which is about as long as wide.
-const RINGS: f64 = 2.5;
-/// Size of an element of the grid beside the one before it, outside of the wave's way.
-const GROWTH: f64 = 1.1;
 
 /// A model of a cavity.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +44,8 @@ pub struct Slice {
     pub layers: u32,
     /// Half the width and height of the box over the radius, from 2 on.
     pub reach: f64,
-    /// Up to this size over the radius elements of the grid grow.
+    /// Up to this size over the radius elements of the grid grow. What is scattered in waves of four of them or less never
+    /// reaches the box: it turns back where elements grow.
     pub coarsest: f64,
     /// Of the rock; the liner has 2×2×2 points.
     pub quadrature: Quadrature,
@@ -54,19 +53,11 @@ pub struct Slice {
 }
 
 /// What came of a run: σ_θ over the incident stress, by place and time.
-pub struct Seen {
-    pub places: Vec<Place>,
+struct Seen {
+    places: Vec<Place>,
     /// \[s\], 0 when the front is at the near wall.
-    pub times: Vec<f64>,
-    pub hoops: Vec<Vec<f64>>,
-}
-
-/// The mesh, with the elements of the liner, those of the rock, and those of the rock's first ring.
-struct Parts {
-    mesh: Mesh,
-    liner: Vec<u32>,
-    rock: Vec<u32>,
-    wall: Vec<u32>,
+    times: Vec<f64>,
+    hoops: Vec<Vec<f64>>,
 }
 
 impl Slice {
@@ -76,107 +67,8 @@ impl Slice {
     }
 
     /// The time \[s\] in which the wave travels a radius.
-    pub fn unit(&self) -> f64 {
+    fn unit(&self) -> f64 {
         self.cavity.radius / self.speed()
-    }
-
-    /// Width \[m\] of the square's elements.
-    fn size(&self) -> f64 {
-        4.0 * self.cavity.radius / f64::from(self.elements)
-    }
-
-    /// Distances \[m\] of the grid's lines from the axis, from 0 to the box, with elements up to a size \[m\].
-    fn lines(&self, coarsest: f64) -> Vec<f64> {
-        let mut size = self.size();
-        let end = self.reach * self.cavity.radius;
-        let mut lines: Vec<f64> = (0..=self.elements / 2).map(|i| f64::from(i) * size).collect();
-        let mut last = 2.0 * self.cavity.radius;
-        // The last one is cut to between half and one and a half of its size.
-        while end - last > 0.5 * size {
-            size = (size * GROWTH).min(coarsest.max(self.size()));
-            last = if end - last < 1.5 * size { end } else { last + size };
-            lines.push(last);
-        }
-        lines
-    }
-
-    fn parts(&self) -> Parts {
-        let h = self.size();
-        let (n, half) = (self.elements, self.elements as i32 / 2);
-        let sideways = self.lines(self.coarsest * self.cavity.radius);
-        let downwards = self.lines(h);
-        let at = |lines: &[f64], i: i32| lines[i.unsigned_abs() as usize] * f64::from(i.signum());
-        let (wide, deep) = (sideways.len() as i32 - 1, downwards.len() as i32 - 1);
-        let in_square = |i: i32, k: i32| i.abs() < half && k.abs() < half;
-        // Nodes in the plane, each to become one before and one behind.
-        let mut plane: Vec<[f64; 2]> = Vec::new();
-        let mut lattice: BTreeMap<[i32; 2], u32> = BTreeMap::new();
-        for k in -deep..=wide {
-            for i in (-wide..=wide).filter(|i| !in_square(*i, k)) {
-                lattice.insert([i, k], plane.len() as u32);
-                plane.push([at(&sideways, i), at(if k < 0 { &downwards } else { &sideways }, k)]);
-            }
-        }
-        // Radii of the liner, then shares of the way from the wall to the square.
-        let radius = self.cavity.radius;
-        let inner = self.cavity.liner.map_or(radius, |(_, inner)| inner);
-        let layers = self.cavity.liner.map_or(0, |_| self.layers);
-        let rows = (f64::from(n) / 2.6).round() as u32;
-        let share = |row: u32| (RINGS.powf(f64::from(row) / f64::from(rows)) - 1.0) / (RINGS - 1.0);
-        let mut rings: Vec<Vec<u32>> = Vec::new();
-        for row in 0..=layers + rows {
-            let mut ring = Vec::new();
-            for line in 0..4 * n {
-                let (side, along) = (line / n, (line % n) as i32 - half);
-                // Outwards and along the side, from x to z.
-                let [out, turn] =
-                    [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[-1, 0], [0, -1]], [[0, -1], [1, 0]]]
-                        [side as usize];
-                let place = [0, 1].map(|c| half * out[c] + along * turn[c]);
-                if row == layers + rows {
-                    ring.push(lattice[&place]);
-                    continue;
-                }
-                let angle = f64::from(side) * FRAC_PI_2 + FRAC_PI_4 * f64::from(along) / f64::from(half);
-                let (sine, cosine) = angle.sin_cos();
-                let r = if row < layers {
-                    inner + (radius - inner) * f64::from(row) / f64::from(layers)
-                } else {
-                    radius
-                };
-                let s = if row < layers { 0.0 } else { share(row - layers) };
-                let mixed = |round: f64, square: i32| r * round * (1.0 - s) + s * h * f64::from(square);
-                ring.push(plane.len() as u32);
-                plane.push([mixed(cosine, place[0]), mixed(sine, place[1])]);
-            }
-            rings.push(ring);
-        }
-        let mut mesh = Mesh::default();
-        mesh.nodes = plane.iter().flat_map(|[x, z]| [[*x, 0.0, *z], [*x, h, *z]]).collect();
-        let mut add = |[a, b, c, d]: [u32; 4]| {
-            // The first natural axis goes from a to b, the second along y, the third from a to c.
-            let nodes = [2 * a, 2 * b, 2 * b + 1, 2 * a + 1, 2 * c, 2 * d, 2 * d + 1, 2 * c + 1];
-            mesh.elements.push(Element::new(Shape::Hex8, &nodes));
-            mesh.elements.len() as u32 - 1
-        };
-        let (mut liner, mut rock, mut wall) = (Vec::new(), Vec::new(), Vec::new());
-        for (row, pair) in (0..).zip(rings.windows(2)) {
-            for line in 0..4 * n as usize {
-                let next = (line + 1) % (4 * n as usize);
-                let element = add([pair[0][line], pair[1][line], pair[0][next], pair[1][next]]);
-                if row < layers { &mut liner } else { &mut rock }.push(element);
-                if row == layers {
-                    wall.push(element);
-                }
-            }
-        }
-        let square = -half..half;
-        for k in -deep..wide {
-            for i in (-wide..wide).filter(|i| !(square.contains(i) && square.contains(&k))) {
-                rock.push(add([[i, k], [i + 1, k], [i, k + 1], [i + 1, k + 1]].map(|place| lattice[&place])));
-            }
-        }
-        Parts { mesh, liner, rock, wall }
     }
 
     /// The largest errors of σ_θ over its peak under a step of stress with a rise, in times of a radius: while nothing can have
@@ -233,12 +125,7 @@ impl Slice {
     ///
     /// # Errors
     /// If it is no model or becomes unstable.
-    pub fn run(
-        &self,
-        rate: impl Fn(f64) -> f64,
-        [span, end]: [f64; 2],
-        rows: u32,
-    ) -> Result<Seen, VerifyError> {
+    fn run(&self, rate: impl Fn(f64) -> f64, [span, end]: [f64; 2], rows: u32) -> Result<Seen, VerifyError> {
         let Parts { mesh, liner, rock, wall } = self.parts();
         let mut bodies = vec![self.cavity.rock.body("rock", rock, self.quadrature)];
         if let Some((solid, _)) = self.cavity.liner {
@@ -283,7 +170,7 @@ impl Slice {
         let mut seen = Seen { hoops: vec![Vec::new(); places.len()], places, times: Vec::new() };
         for step in 1..=steps {
             engine.step(&mut state)?;
-            if step >= first && (step - first) % between == 0 {
+            if step >= first && (step - first).is_multiple_of(between) {
                 let snapshot = engine.observe(&mut state);
                 seen.times.push(state.time() - delay);
                 for (hoops, (points, angle)) in seen.hoops.iter_mut().zip(&fibres) {

@@ -106,5 +106,5 @@ impl Series {
     }
 }
 
-/// Times in which the wave travels a radius, until all is steady: twice as many change the errors by a tenth at most.
+/// Times in which the wave travels a radius, until all is steady: twice as many change the errors by 3 % of them.
 const SETTLE: f64 = 100.0;
