@@ -2,9 +2,9 @@
 //! beside the exact ones of [`crate::scattering`].
 //!
 //! The cavity's axis lies along y, where the slice is one element thick and periodic; the wave travels along z. Rings about the
-//! axis go over into a square four radii wide, and a grid goes on from there to the box: its base brings the wave in, its sides
-//! are those of the free field, its top absorbs. On the wave's way, from the base to the square, all rows are as high as those of
-//! the square; sideways and upwards elements grow by a tenth from one to the next.
+//! axis go over into a square four radii wide, and a grid goes on from there to the box: its base of dashpots brings the wave
+//! in, its sides are those of the free field, its top absorbs. On the wave's way, from the base to the square, all rows are as
+//! high as those of the square; sideways and upwards elements grow by a tenth from one to the next.
 //!
 //! Stresses are compared with what is exact at the same radius and angle: those of the first ring's centres, or of a liner's
 //! points, taken together along a fibre at its middle, since the strain along a fibre is even in these elements.
@@ -47,9 +47,6 @@ pub struct Slice {
     /// Up to this size over the radius elements of the grid grow. What is scattered in waves of four of them or less never
     /// reaches the box: it turns back where elements grow.
     pub coarsest: f64,
-    /// Of the rock; the liner has 2×2×2 points.
-    pub quadrature: Quadrature,
-    pub base: Base,
 }
 
 /// What came of a run: σ_θ over the incident stress, by place and time.
@@ -127,12 +124,12 @@ impl Slice {
     /// If it is no model or becomes unstable.
     fn run(&self, rate: impl Fn(f64) -> f64, [span, end]: [f64; 2], rows: u32) -> Result<Seen, VerifyError> {
         let Parts { mesh, liner, rock, wall } = self.parts();
-        let mut bodies = vec![self.cavity.rock.body("rock", rock, self.quadrature)];
+        let mut bodies = vec![self.cavity.rock.body("rock", rock, Quadrature::OnePoint)];
         if let Some((solid, _)) = self.cavity.liner {
             bodies.push(solid.body("liner", liner.clone(), Quadrature::Full));
         }
         let mut problem = Problem::new(mesh, bodies);
-        problem.base = self.base;
+        problem.base = Base::Viscous;
         problem.sides = [Side::FreeField, Side::Periodic];
         problem.top = Top::Viscous;
         // From the base to the near wall.

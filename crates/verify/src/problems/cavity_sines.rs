@@ -14,7 +14,6 @@ use crate::convergence::order;
 use crate::full_space::{BARE, Slice};
 use crate::scattering::Cavity;
 use crate::{Check, Effort, Problem, VerifyError};
-use tremolite::{Base, Quadrature};
 
 const NAME: &str = "cavity_sines";
 
@@ -98,9 +97,7 @@ impl Series {
     /// Largest error all round of σ_θ over its largest amplitude, by wave.
     fn errors(&self, elements: u32, reach: f64) -> Result<Vec<f64>, VerifyError> {
         // Of the coarsest elements eighteen go on an S wave of ka = 0.5; of larger ones what is scattered is sent back in part.
-        let (quadrature, base) = (Quadrature::OnePoint, Base::Viscous);
-        let slice =
-            Slice { cavity: self.cavity, elements, layers: 1, reach, coarsest: 0.4, quadrature, base };
+        let slice = Slice { cavity: self.cavity, elements, layers: 1, reach, coarsest: 0.4 };
         let multiples: Vec<u32> = self.waves.iter().map(|(multiple, _)| *multiple).collect();
         slice.sines(self.fundamental, &multiples, SETTLE)
     }

@@ -11,7 +11,6 @@ use crate::convergence::order;
 use crate::full_space::{BARE, LINED, Slice};
 use crate::scattering::Cavity;
 use crate::{Check, Effort, Problem, VerifyError};
-use tremolite::{Base, Quadrature};
 
 const NAME: &str = "cavity_step";
 
@@ -26,8 +25,8 @@ pub const PROBLEM: Problem = Problem {
 /// Rise and end, in times in which the wave travels a radius.
 const RISE: f64 = 1.0;
 const END: f64 = 20.0;
-/// Size of the largest elements over the radius: of those thrice as large S waves of the ramp's highest components, half a radius long,
-/// come back (1.5 % of the peak, at any distance of the box).
+/// Size of the largest elements over the radius: with those thrice as large S waves of the ramp's higher components come back
+/// from where elements grow (1.5 % of the peak, at any distance of the box).
 const COARSEST: f64 = 0.1;
 
 fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
@@ -49,10 +48,8 @@ fn compare(
     [coarse, fine]: [u32; 2],
     [small, large]: [f64; 2],
 ) -> Result<(), VerifyError> {
-    let at = |elements, reach| {
-        let (quadrature, base) = (Quadrature::OnePoint, Base::Viscous);
-        Slice { cavity, elements, layers: 1, reach, coarsest: COARSEST, quadrature, base }.step(RISE, END)
-    };
+    let at =
+        |elements, reach| Slice { cavity, elements, layers: 1, reach, coarsest: COARSEST }.step(RISE, END);
     let [early, _] = at(coarse, large)?;
     let [_, near] = at(fine, small)?;
     let [before, whole] = at(fine, large)?;
