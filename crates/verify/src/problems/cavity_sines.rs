@@ -7,8 +7,8 @@
 //!
 //! What errs is the box: sides and top know the ground without the cavity, so what it scatters meets dashpots alone. For long waves
 //! these are no more than the edge of a block under the stresses from far away, which errs by (a/L)²; for others they send back
-//! what meets them aslant, and it comes back weaker by a root of the way. Mesh and step err with order 2, by the angle of an element at the wall and
-//! by the wave's delay, ⅟₂₄(kh)²kL; so a larger box asks for a finer mesh.
+//! what meets them aslant, and it comes back weaker by a root of the way. Mesh and step err with order 2, by the angle of an
+//! element at the wall and by the wave's delay, ⅟₂₄(kh)²kL; so a larger box asks for a finer mesh.
 
 use crate::convergence::order;
 use crate::full_space::{BARE, Slice};
