@@ -4,10 +4,12 @@
 //! and a test compares them with it.
 
 use std::path::Path as File;
-use tremolite::Base;
+use tremolite::{Base, Side};
 use tremolite_case::{Base as Given, Case};
 use tremolite_laws::materials::MATERIALS;
 use tremolite_report::loops::{Curve, Loops, Named, Plane, Quantity};
+use tremolite_verify::VerifyError;
+use tremolite_verify::box_size::{DISTANCES, FAR, FREQUENCIES, Ground as Kind, shake};
 use tremolite_verify::reflection::{Boundary, Ground, Reflection, Solid, Wave, of_base};
 
 fn main() -> std::io::Result<()> {
@@ -16,6 +18,10 @@ fn main() -> std::io::Result<()> {
         std::fs::write(folder.join(name), svg)?;
     }
     rows().iter().for_each(|row| println!("{row}"));
+    // Runs that take too long for a test; `tremolite verify box_size` has the same numbers.
+    let boxes = boxes().map_err(std::io::Error::other)?;
+    std::fs::write(folder.join(BOXES), draw_boxes(&boxes))?;
+    boxes.iter().for_each(|of| println!("{}", of.row()));
     Ok(())
 }
 
@@ -141,4 +147,83 @@ pub fn rows() -> Vec<String> {
         format!("| {degrees:.0}° | {} |", shares.join(" | "))
     };
     [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0].map(row).into()
+}
+
+/// The figure of boxes of several widths.
+pub const BOXES: &str = "box-size.svg";
+
+/// One ground and pulse in boxes of several widths, over that in a box twice as wide as the widest.
+struct Boxes {
+    ground: &'static str,
+    frequency: f64,
+    /// Difference of the walls' peak displacement, and the largest at any time, by [`DISTANCES`].
+    free_field: Vec<[f64; 2]>,
+    /// Of the peaks, with periodic sides.
+    periodic: Vec<f64>,
+}
+
+impl Boxes {
+    fn row(&self) -> String {
+        let of = |[peaks, times]: &[f64; 2]| format!("{:.1} / {:.1} %", 100.0 * peaks, 100.0 * times);
+        let shares: Vec<String> = self.free_field.iter().map(of).collect();
+        format!("| {}, {} Hz | {} |", self.ground, self.frequency, shares.join(" | "))
+    }
+}
+
+fn boxes() -> Result<Vec<Boxes>, VerifyError> {
+    let mut all = Vec::new();
+    for (kind, ground) in [(Kind::Elastic, "elastic"), (Kind::Yielding, "yielding layer")] {
+        for frequency in FREQUENCIES {
+            let far = shake(kind, Side::FreeField, FAR, frequency)?;
+            let apart = |side, widths| -> Result<[f64; 2], VerifyError> {
+                Ok(shake(kind, side, widths, frequency)?.apart(&far))
+            };
+            let free_field =
+                DISTANCES.iter().map(|&widths| apart(Side::FreeField, widths)).collect::<Result<_, _>>()?;
+            let periodic = DISTANCES
+                .iter()
+                .map(|&widths| apart(Side::Periodic, widths))
+                .collect::<Result<Vec<_>, _>>()?;
+            let periodic = periodic.into_iter().map(|[peaks, _]: [f64; 2]| peaks).collect();
+            all.push(Boxes { ground, frequency, free_field, periodic });
+        }
+    }
+    Ok(all)
+}
+
+fn draw_boxes(all: &[Boxes]) -> String {
+    let across: Vec<f64> = DISTANCES.iter().map(|&widths| f64::from(widths)).collect();
+    let line = |name: String, colour: usize, up: Vec<f64>| Curve {
+        name,
+        colour,
+        across: across.clone().into(),
+        up: up.into(),
+        points: false,
+    };
+    let plane = |(ground, name): (&str, &str)| Plane {
+        across: Quantity::new("distance of the sides in widths of the cavern", ""),
+        up: Quantity::new(name, ""),
+        curves: all
+            .iter()
+            .filter(|of| of.ground == ground)
+            .enumerate()
+            .flat_map(|(k, of)| {
+                let peaks = of.free_field.iter().map(|[peaks, _]| *peaks).collect();
+                [
+                    line(format!("{} Hz", of.frequency), k, peaks),
+                    line(format!("{} Hz, periodic", of.frequency), DASHED + k, of.periodic.clone()),
+                ]
+            })
+            .collect(),
+        named: Named::Nothing,
+    };
+    Loops {
+        title: "Difference of the walls' peak displacement from that in a box of 16 widths; dashed: periodic sides".into(),
+        along: Quantity::new("", ""),
+        time: &[],
+        planes: [("elastic", "elastic"), ("yielding layer", "a layer yields")].map(plane).into(),
+        tracks: vec![],
+        states: None,
+    }
+    .draw()
 }

@@ -16,6 +16,7 @@
 //! # Ok::<(), tremolite_verify::UnknownName>(())
 //! ```
 
+mod bessel;
 pub mod box_size;
 mod check;
 mod concrete;
@@ -23,6 +24,7 @@ mod convergence;
 mod dense;
 mod effort;
 mod error;
+mod full_space;
 mod id;
 mod joints;
 mod lined;
@@ -32,6 +34,7 @@ mod problem;
 pub mod problems;
 pub mod reflection;
 mod rock;
+mod scattering;
 mod select;
 mod simulation;
 mod staged;

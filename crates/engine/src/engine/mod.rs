@@ -24,6 +24,7 @@ mod node_step;
 mod nodes;
 mod power;
 mod product;
+mod rates;
 mod relax;
 mod strained;
 mod take_over;
@@ -38,7 +39,8 @@ use crate::parts::{ElementEnergy, Motion, Own, ProbeOut, Scratch};
 use crate::phase::Phase;
 use crate::state::{Ledger, State};
 use node_step::Lead;
-use nodes::{NodeSums, Rates};
+use nodes::NodeSums;
+use rates::Rates;
 use rayon::prelude::*;
 use tremolite_kernels::{Booked, Line, Lines};
 use tremolite_laws::Row;
@@ -330,7 +332,7 @@ impl<'a> Engine<'a> {
         let work = self.evaluate(state, Some(probe));
         let sums;
         (sums, snapshot.velocity, snapshot.acceleration) =
-            nodes::measure(self.model, self.phase, &self.contributions, &self.rates, state);
+            nodes::measure(self.model, self.phase, &self.contributions, &self.rates.products, state);
 
         let (held, bodies) = self.held(state, &snapshot.energy);
         let (given, given_bodies) = self.given(state);
@@ -391,7 +393,7 @@ impl<'a> Engine<'a> {
         };
         let time = state.time();
         let Engine { model, phase, contributions, rates, leads, .. } = self;
-        let sums = nodes::advance(model, phase, contributions, rates, leads, state);
+        let sums = nodes::advance(model, phase, contributions, &rates.products, leads, state);
         state.ledger.book(&work, &sums);
         state.step += 1;
         // Written so that a kinetic energy that is not a number halts as well.

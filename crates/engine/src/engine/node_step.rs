@@ -1,11 +1,27 @@
 //! One node's step.
 
-use super::nodes::Rates;
 use crate::boundary::base::times;
 use crate::model::Model;
 use crate::phase::{Dashpot, Phase};
 use crate::state::State;
 use tremolite_laws::Row;
+
+/// Products with K for ξ ≠ 0; empty otherwise.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Products {
+    /// K v⁻ and K v̂ by engine node \[N\].
+    pub minus: Vec<Row>,
+    pub hat: Vec<Row>,
+}
+
+impl Products {
+    /// Both at a node.
+    #[inline(always)]
+    fn at(&self, node: usize) -> (Row, Row) {
+        let at = |rows: &[Row]| rows.get(node).copied().unwrap_or(Row::ZERO);
+        (at(&self.minus), at(&self.hat))
+    }
+}
 
 /// Velocities of a node that others follow.
 #[derive(Clone, Copy, Debug, Default)]
@@ -49,7 +65,7 @@ pub(super) struct Damping {
 pub(super) fn node_step(
     damping: &Damping,
     phase: &Phase,
-    rates: &Rates,
+    products: &Products,
     leads: Leads,
     dashpot: Option<&Dashpot>,
     node: usize,
@@ -61,7 +77,7 @@ pub(super) fn node_step(
     let Damping { dt, mass_proportional: omega, stiffness_proportional: xi } = *damping;
     let mut step = NodeStep::default();
     let minus = du.xyz().map(|d| d / dt);
-    let (k_minus, k_hat) = rates.at(node);
+    let (k_minus, k_hat) = products.at(node);
     // Acceleration without the dashpots, Rayleigh's damping at `v` with the product `k`.
     let free = |v: [f64; 3], k: &Row| {
         [0, 1, 2].map(|i| -force.0[i] * inverse.0[i] - omega * v[i] - xi * inverse.0[i] * k.0[i])

@@ -2,9 +2,7 @@
 
 use super::accounts::Accounts;
 use super::gather::{dot, force, net};
-use super::node_step::{Damping, Dashpots, Lead, Leads, NodeStep, damping, node_step};
-use super::product::{self, Product};
-use crate::assembly::Assembly;
+use super::node_step::{Damping, Dashpots, Lead, Leads, NodeStep, Products, damping, node_step};
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::state::State;
@@ -55,62 +53,6 @@ impl NodeSums {
             *own += more;
         }
         self
-    }
-}
-
-/// Products with K for ξ ≠ 0; empty otherwise.
-#[derive(Clone, Debug, Default)]
-pub struct Rates {
-    /// K v⁻ and K v̂ by engine node \[N\].
-    minus: Vec<Row>,
-    hat: Vec<Row>,
-    velocity: Vec<Row>,
-    contributions: Vec<Row>,
-}
-
-impl Rates {
-    /// Room for the products, if the model needs them.
-    pub fn new(model: &Model, assembly: &Assembly) -> Self {
-        if model.rayleigh.stiffness == 0.0 {
-            return Rates::default();
-        }
-        let zero = vec![Row::ZERO; model.mesh_node.len()];
-        Rates {
-            minus: zero.clone(),
-            hat: zero.clone(),
-            velocity: zero,
-            contributions: vec![Row::ZERO; assembly.totals().contributions.end],
-        }
-    }
-
-    /// Both products at the state, whose forces are in `contributions`.
-    pub fn update(
-        &mut self,
-        model: &Model,
-        assembly: &Assembly,
-        phase: &Phase,
-        contributions: &[Row],
-        state: &State,
-    ) {
-        if model.rayleigh.stiffness == 0.0 {
-            return;
-        }
-        for (v, du) in self.velocity.iter_mut().zip(&state.du) {
-            *v = Row(du.0.map(|d| d / state.dt));
-        }
-        let damping = Product::Damping(state);
-        product::times(assembly, phase, damping, &self.velocity, &mut self.contributions, &mut self.minus);
-        // Tied nodes move as their masters, of which alone v̂ is worked out.
-        let (_, hat, _) = measure(model, phase, contributions, self, state);
-        self.velocity = hat;
-        product::times(assembly, phase, damping, &self.velocity, &mut self.contributions, &mut self.hat);
-    }
-
-    /// K v⁻ and K v̂ at a node \[N\].
-    #[inline(always)]
-    pub(super) fn at(&self, node: usize) -> (Row, Row) {
-        let at = |rows: &[Row]| rows.get(node).copied().unwrap_or(Row::ZERO);
-        (at(&self.minus), at(&self.hat))
     }
 }
 
@@ -177,7 +119,7 @@ pub fn advance(
     model: &Model,
     phase: &Phase,
     contributions: &[Row],
-    rates: &Rates,
+    products: &Products,
     leads: &mut [Lead],
     state: &mut State,
 ) -> NodeSums {
@@ -185,7 +127,7 @@ pub fn advance(
     let accounts = state.ledger.bodies.len();
     let State { u, du, held, .. } = state;
     let wide = Isa::Avx2.available();
-    let pass = Advance { phase, contributions, held, rates, damping, accounts, wide };
+    let pass = Advance { phase, contributions, held, products, damping, accounts, wide };
     let mut sums =
         by_groups(phase, leads, [u, du], |first, [u, du], own, follow| pass.chunk(first, u, du, own, follow));
     for &(node, master) in &phase.tied {
@@ -204,7 +146,7 @@ struct Advance<'a> {
     phase: &'a Phase,
     contributions: &'a [Row],
     held: &'a [Row],
-    rates: &'a Rates,
+    products: &'a Products,
     damping: Damping,
     accounts: usize,
     /// Whether the processor has AVX2. No operation is fused, so the bits are the same without it.
@@ -249,7 +191,7 @@ impl Advance<'_> {
         own: &mut [Lead],
         follow: Leads,
     ) -> NodeSums {
-        let Advance { phase, contributions, held, rates, damping, .. } = self;
+        let Advance { phase, contributions, held, products, damping, .. } = self;
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let counted = phase.counted_nodes.end;
         let mut dashpots = Dashpots::from(phase, first);
@@ -285,7 +227,7 @@ impl Advance<'_> {
                 }
                 sums.rayleigh += 0.5 * omega / dt * mass * rayleigh;
             } else {
-                let step = node_step(damping, phase, rates, follow, dashpot, node, net, *du);
+                let step = node_step(damping, phase, products, follow, dashpot, node, net, *du);
                 for i in 0..4 {
                     next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
                 }
@@ -315,7 +257,7 @@ pub fn measure(
     model: &Model,
     phase: &Phase,
     contributions: &[Row],
-    rates: &Rates,
+    products: &Products,
     state: &State,
 ) -> (NodeSums, Vec<Row>, Vec<Row>) {
     let damping = damping(model, state);
@@ -342,7 +284,7 @@ pub fn measure(
                 let du = state.du[node];
                 let force = force(phase, contributions, node);
                 let net = net(&state.held, node, force);
-                let step = node_step(&damping, phase, rates, follow, dashpot, node, net, du);
+                let step = node_step(&damping, phase, products, follow, dashpot, node, net, du);
                 if let Some(lead) = leading.get_mut(k) {
                     *lead = Lead { mean: step.mean, hat: step.velocity };
                 }
