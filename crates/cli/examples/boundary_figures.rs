@@ -211,14 +211,14 @@ fn draw_boxes(all: &[Boxes]) -> String {
                 let peaks = of.free_field.iter().map(|[peaks, _]| *peaks).collect();
                 [
                     line(format!("{} Hz", of.frequency), k, peaks),
-                    line(format!("{} Hz, periodic", of.frequency), DASHED + k, of.periodic.clone()),
+                    line("periodic".into(), DASHED + k, of.periodic.clone()),
                 ]
             })
             .collect(),
         named: Named::Nothing,
     };
     Loops {
-        title: "Difference of the walls' peak displacement from that in a box of 16 widths; dashed: periodic sides".into(),
+        title: "Difference of the walls' peak displacement from that with sides at 16 widths".into(),
         along: Quantity::new("", ""),
         time: &[],
         planes: [("elastic", "elastic"), ("yielding layer", "a layer yields")].map(plane).into(),

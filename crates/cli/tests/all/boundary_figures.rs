@@ -30,6 +30,13 @@ fn the_figures_of_boundaries_are_those_that_the_example_draws() {
     }
 }
 
+/// Their runs take too long for a test; `tremolite verify box_size` compares the numbers.
+#[test]
+fn the_figure_of_boxes_is_on_the_page() {
+    assert!(docs().join("boundaries").join(example::BOXES).is_file());
+    assert!(page().contains(&format!("(boundaries/{})", example::BOXES)));
+}
+
 #[test]
 fn the_table_of_energy_sent_back_is_what_boundaries_give() {
     let rows = example::rows();
