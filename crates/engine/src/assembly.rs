@@ -5,6 +5,7 @@ use crate::boundary;
 use crate::boundary::base::BaseNode;
 use crate::contacts::Contacts;
 use crate::error::ModelError;
+use crate::extent::size_tensor;
 use crate::free_field::sheets;
 use crate::hexahedra::{hex, hex_nodes};
 use crate::interface::traction;
@@ -256,11 +257,14 @@ fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result<Mem
         corners.push(corner);
         geometry.push(hex);
     }
-    // What is made of another element is as viscous, whatever its own thickness.
+    // What is made of another element is as viscous and cracks as that does, whatever its own thickness.
     let own = |&e: &u32| hex(&model.mesh, model.parents[e as usize] as usize);
     let parents: Vec<Hex8> = patch.elements.iter().filter_map(|e| own(e).ok()).collect();
     let viscosity = viscosity(body, &parents);
-    let part = body.material.patch(body.quadrature, nodes, &corners, &geometry, &viscosity, model.isa);
+    let outside = patch.elements.iter().any(|&e| e as usize >= model.user_elements);
+    let sizes: Vec<[f64; 6]> = if outside { parents.iter().map(size_tensor).collect() } else { Vec::new() };
+    let part =
+        body.material.patch(body.quadrature, nodes, &corners, &geometry, &viscosity, &sizes, model.isa);
     let part = match sides.is_empty() {
         true => part,
         false => {

@@ -6,11 +6,15 @@ use tremolite_laws::sym3::principal_values;
 /// Smallest and largest extent \[m\] of an element over all directions p: √(p·G·p) of the size tensor G that its law is
 /// given ([`tremolite_laws::Point::size`]); for a brick the shortest and the longest edge.
 pub fn extents(hex: &Hex8) -> [f64; 2] {
-    let mean = [0, 1, 2].map(|i| hex.corners.iter().map(|x| x[i]).sum::<f64>() / 8.0);
-    let size = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)]
-        .map(|(i, j)| 0.5 * hex.corners.iter().map(|x| (x[i] - mean[i]) * (x[j] - mean[j])).sum::<f64>());
-    let [most, _, least] = principal_values(&size);
+    let [most, _, least] = principal_values(&size_tensor(hex));
     [least, most].map(|x| x.max(0.0).sqrt())
+}
+
+/// G = ½ Σ (x − x̄)⊗(x − x̄) over the corners \[m²\], in the order of Voigt.
+pub fn size_tensor(hex: &Hex8) -> [f64; 6] {
+    let mean = [0, 1, 2].map(|i| hex.corners.iter().map(|x| x[i]).sum::<f64>() / 8.0);
+    [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)]
+        .map(|(i, j)| 0.5 * hex.corners.iter().map(|x| (x[i] - mean[i]) * (x[j] - mean[j])).sum::<f64>())
 }
 
 #[cfg(test)]

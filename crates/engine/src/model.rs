@@ -350,14 +350,14 @@ impl Model {
         &self.bodies[..count]
     }
 
-    /// An element by its number in the user's file, and the smallest group that holds it; one of a slab or column by that of
-    /// which it was made.
+    /// An element by its number in the user's file, and the smallest group that holds it; one of a slab or column by that of which
+    /// it was made.
     pub fn element_name(&self, element: usize) -> String {
         let parent = self.parents[element] as usize;
         if parent != element {
-            let body = self.bodies.iter().find(|b| b.elements.contains(&(element as u32)));
-            let body = body.map_or("free field", |body| &body.name);
-            return format!("the element of the '{body}' beside {}", self.element_name(parent));
+            let in_slab = self.slabs.iter().any(|slab| slab.sheet.elements().any(|e| e as usize == element));
+            let place = if in_slab { "outside the side" } else { "in a column" };
+            return format!("{}, as it goes on {place}", self.element_name(parent));
         }
         let holds = |elements: &[u32]| elements.contains(&(element as u32));
         let groups = self.mesh.groups.iter().filter(|(_, elements)| holds(elements));

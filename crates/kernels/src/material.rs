@@ -34,7 +34,8 @@ pub trait AnyMaterial: Send + Sync {
     /// See [`Material::warnings`].
     fn warnings(&self) -> Vec<String>;
     /// A patch of hexahedra of this material; `corners` index `nodes`, which are the patch's, and `viscosity` is that of each
-    /// element over its stiffness \[s\], or empty.
+    /// element over its stiffness \[s\], or empty. `sizes` are the size tensors \[m²\] that the law is to see, or empty for the
+    /// elements' own.
     fn patch(
         &self,
         quadrature: Quadrature,
@@ -42,6 +43,7 @@ pub trait AnyMaterial: Send + Sync {
         corners: &[[u16; 8]],
         geometry: &[Hex8],
         viscosity: &[f64],
+        sizes: &[[f64; 6]],
         isa: Isa,
     ) -> Box<dyn Part>;
 }
@@ -112,16 +114,17 @@ impl<M: Material> AnyMaterial for Instance<M> {
         corners: &[[u16; 8]],
         geometry: &[Hex8],
         viscosity: &[f64],
+        sizes: &[[f64; 6]],
         isa: Isa,
     ) -> Box<dyn Part> {
         let (law, own, band) = (self.law.clone(), self.own, self.band);
         match quadrature {
-            Quadrature::OnePoint => {
-                Box::new(Solid::<M, OnePoint>::new(law, own, band, nodes, corners, geometry, viscosity, isa))
-            }
-            Quadrature::Full => {
-                Box::new(Solid::<M, Full>::new(law, own, band, nodes, corners, geometry, viscosity, isa))
-            }
+            Quadrature::OnePoint => Box::new(Solid::<M, OnePoint>::new(
+                law, own, band, nodes, corners, geometry, viscosity, sizes, isa,
+            )),
+            Quadrature::Full => Box::new(Solid::<M, Full>::new(
+                law, own, band, nodes, corners, geometry, viscosity, sizes, isa,
+            )),
         }
     }
 }

@@ -14,7 +14,7 @@ use std::marker::PhantomData;
 use std::sync::Arc;
 use tremolite_laws::band::{Band, BandStep, MEMORY};
 use tremolite_laws::materials::Elastic;
-use tremolite_laws::shapes::hex8::{Hex8, Stabilisation};
+use tremolite_laws::shapes::hex8::{Given, Hex8, Stabilisation};
 use tremolite_laws::{Column, Isa, Material, Moduli, Octet, Point, Row};
 use weakened::{Remembered, Weakened};
 
@@ -32,6 +32,8 @@ pub struct Solid<M: Material, R: Rule> {
     geometry: Vec<R::Geometry>,
     /// Artificial viscosity over stiffness \[s\], an octet of elements each; empty without.
     viscosity: Vec<Octet>,
+    /// Size tensors that the law sees in place of the elements' own, six octets an octet of elements; empty for their own.
+    sizes: Vec<Octet>,
     rule: PhantomData<R>,
 }
 
@@ -39,10 +41,11 @@ impl<M: Material, R: Rule> Solid<M, R> {
     /// A patch from its nodes, the elements' corners as positions among them (VTK order), and their geometry.
     ///
     /// `moduli` are the material's own; with a band, which adds to them, the law must have the relaxed ones. `viscosity` is
-    /// that of each element over its stiffness \[s\], or empty.
+    /// that of each element over its stiffness \[s\], or empty; `sizes` are the size tensors \[m²\] that the law is to see
+    /// ([`tremolite_laws::Point::size`]), or empty for the elements' own.
     ///
     /// # Panics
-    /// If a corner is not among the nodes, or corners, geometry and viscosity differ in number.
+    /// If a corner is not among the nodes, or corners, geometry, viscosity and sizes differ in number.
     pub fn new(
         law: Arc<M>,
         moduli: Moduli,
@@ -51,10 +54,12 @@ impl<M: Material, R: Rule> Solid<M, R> {
         corners: &[[u16; 8]],
         geometry: &[Hex8],
         viscosity: &[f64],
+        sizes: &[[f64; 6]],
         isa: Isa,
     ) -> Self {
         assert_eq!(corners.len(), geometry.len());
         assert!(viscosity.is_empty() || viscosity.len() == corners.len());
+        assert!(sizes.is_empty() || sizes.len() == corners.len());
         assert!(corners.iter().flatten().all(|&c| (c as usize) < nodes.len()));
         let stabilisation = Stabilisation::new(moduli);
         let bending = if M::FLOWS { Stabilisation::flowing(moduli) } else { stabilisation };
@@ -80,6 +85,14 @@ impl<M: Material, R: Rule> Solid<M, R> {
             viscosity: viscosity
                 .chunks(8)
                 .map(|eight| Octet(std::array::from_fn(|lane| eight.get(lane).copied().unwrap_or(0.0))))
+                .collect(),
+            sizes: sizes
+                .chunks(8)
+                .flat_map(|eight| {
+                    (0..6).map(|c| {
+                        Octet(std::array::from_fn(|lane| eight.get(lane).map_or(0.0, |size| size[c])))
+                    })
+                })
                 .collect(),
             rule: PhantomData,
         }
@@ -109,7 +122,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         history: &'a mut [Octet],
         band: Option<BandStep>,
         overstress: &'a mut [Octet],
-        initial: &'a [Octet],
+        strain: &'a [Octet],
         rows: &'a [Row],
         out: &'a mut [Row],
         probe: Option<ProbeOut<'a>>,
@@ -125,7 +138,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
             history,
             band,
             overstress,
-            initial,
+            given: Given { strain, size: &self.sizes },
             rows,
             out,
             probe,

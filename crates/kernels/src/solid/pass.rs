@@ -3,7 +3,9 @@
 use super::weakened::Weakened;
 use crate::part::{ElementEnergy, ProbeOut};
 use tremolite_laws::band::{BandStep, MEMORY};
-use tremolite_laws::shapes::hex8::{self, FullGeometry, Hex8, LEFT, OnePointGeometry, Probe, Stabilisation};
+use tremolite_laws::shapes::hex8::{
+    self, FullGeometry, Given, Hex8, LEFT, OnePointGeometry, Probe, Stabilisation,
+};
 use tremolite_laws::{Isa, Lane, Material, Octet, Point, Row};
 
 /// A quadrature with its geometry and kernel.
@@ -26,7 +28,7 @@ pub trait Rule: Send + Sync + 'static {
         history: &mut [Octet],
         band: Option<&BandStep>,
         overstress: &mut [Octet],
-        initial: &[Octet],
+        given: Given,
         left: &mut [Octet],
         rows: &[Row],
         out: &mut [Row],
@@ -55,7 +57,7 @@ macro_rules! rule {
                 history: &mut [Octet],
                 band: Option<&BandStep>,
                 overstress: &mut [Octet],
-                initial: &[Octet],
+                given: Given,
                 left: &mut [Octet],
                 rows: &[Row],
                 out: &mut [Row],
@@ -64,7 +66,7 @@ macro_rules! rule {
                 // SAFETY: passed on to the caller.
                 unsafe {
                     hex8::$kernel::<L, M, PROBE>(
-                        law, elastic, point, geometry, index, history, band, overstress, initial, left, rows, out,
+                        law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out,
                         probe,
                     )
                 }
@@ -92,8 +94,7 @@ pub(super) struct Pass<'a, R: Rule, M> {
     pub history: &'a mut [Octet],
     pub band: Option<BandStep>,
     pub overstress: &'a mut [Octet],
-    /// Strain that each octet of elements begins with, six octets each; or empty.
-    pub initial: &'a [Octet],
+    pub given: Given<'a>,
     pub rows: &'a [Row],
     pub out: &'a mut [Row],
     pub probe: Option<ProbeOut<'a>>,
@@ -143,7 +144,7 @@ unsafe fn second<L: Lane, R: Rule>(
             left,
             None,
             &mut [],
-            &[],
+            Given::NONE,
             &mut [],
             rows,
             out,
@@ -164,7 +165,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
             Some(_) => &mut pass.overstress[i * R::POINTS * MEMORY..(i + 1) * R::POINTS * MEMORY],
             None => &mut [],
         };
-        let initial = pass.initial.get(6 * i..6 * (i + 1)).unwrap_or(&[]);
+        let given = pass.given.of(i);
         let room: &mut [Octet] = if after.is_some() { &mut left[..R::POINTS * LEFT] } else { &mut [] };
         // SAFETY: `Solid::new` checked every index against the number of nodes, which both slices have.
         unsafe {
@@ -177,7 +178,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
                 history,
                 pass.band.as_ref(),
                 overstress,
-                initial,
+                given,
                 room,
                 pass.rows,
                 pass.out,

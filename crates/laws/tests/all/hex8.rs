@@ -2,7 +2,7 @@
 
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::shapes::hex8::{
-    CORNERS, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point,
+    CORNERS, FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point,
 };
 use tremolite_laws::{Isa, Moduli, Octet, Point, Row};
 
@@ -40,7 +40,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
                     &mut [],
                     None,
                     &mut [],
-                    &[],
+                    Given::NONE,
                     &mut [],
                     &rows,
                     &mut out,
@@ -61,7 +61,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
                     &mut [],
                     None,
                     &mut [],
-                    &[],
+                    Given::NONE,
                     &mut [],
                     &rows,
                     &mut out,
@@ -434,7 +434,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
                     &mut [],
                     None,
                     &mut [],
-                    &[],
+                    Given::NONE,
                     &mut [],
                     &c.rows,
                     out,
@@ -449,7 +449,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
                     &mut [],
                     None,
                     &mut [],
-                    &[],
+                    Given::NONE,
                     &mut [],
                     &c.rows,
                     out,

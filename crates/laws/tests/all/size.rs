@@ -2,7 +2,7 @@
 
 use crate::common::Random;
 use tremolite_laws::shapes::hex8::{
-    CORNERS, FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point,
+    CORNERS, FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point,
 };
 use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Point, Row, Values};
 
@@ -69,7 +69,7 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
                         &mut [],
                         None,
                         &mut [],
-                        &[],
+                        Given::NONE,
                         &mut [],
                         &rows,
                         &mut out,
@@ -87,7 +87,7 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
                         &mut [],
                         None,
                         &mut [],
-                        &[],
+                        Given::NONE,
                         &mut [],
                         &rows,
                         &mut out,

@@ -3,7 +3,9 @@
 use crate::block::pulse;
 use crate::ready::Ready;
 use std::sync::Arc;
-use tremolite::{AnyMaterial, Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, elastic, laws};
+use tremolite::{
+    AnyMaterial, Base, Body, Incident, Life, Model, Problem, Quadrature, Rayleigh, Side, Stage, elastic, laws,
+};
 use tremolite_laws::band::Band;
 use tremolite_laws::{Moduli, Values};
 use tremolite_mesh::Mesh;
@@ -111,5 +113,96 @@ fn level_ground_moves_as_its_columns() {
         for found in [elastic, plastic, band, rayleigh] {
             assert!(found < 1e-10, "{quadrature:?}: {elastic:e} {plastic:e} {band:e} {rayleigh:e}");
         }
+    }
+}
+
+/// Without caverns a block of rock moves everywhere as theory, at its edges as in its middle, however wide it is: at the surface as
+/// twice the wave that came in, a travel time later.
+#[test]
+fn homogeneous_blocks_of_any_width_move_as_theory_in_their_middle_and_at_their_edges() {
+    let (height, speed, density) = (48.0, 800.0, 2500.0);
+    for heights in [1, 2, 4] {
+        let width = height * f64::from(heights);
+        let mesh = BoxSpec::uniform([0.0; 3], [width, 16.0, height], [6 * heights, 2, 32]).mesh().unwrap();
+        let young = 2.5 * density * speed * speed;
+        let body = Body {
+            name: "rock".into(),
+            elements: (0..mesh.elements.len() as u32).collect(),
+            material: elastic(Moduli::from_young_poisson(young, 0.25)),
+            density,
+            quadrature: Quadrature::OnePoint,
+            viscosity: 0.0,
+        };
+        let mut problem = Problem::new(mesh, vec![body]);
+        problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: Some(20.0) };
+        problem.sides = [Side::FreeField; 2];
+        let pulse = tremolite_motion::ricker_velocity(8.0, 0.15, 1.0);
+        let motion =
+            tremolite_motion::Motion::sampled(1e-3, 0.4, |t| pulse(t).along([1.0, 0.0, 0.0])).unwrap();
+        problem.incident = Some(Incident { motion, factor: 1.0 });
+        let ready = Ready::new(problem);
+        let model = &ready.model;
+        let at = |x: f64, y: f64| {
+            let here = |n: &usize| {
+                let p = model.mesh.nodes[model.mesh_node[*n] as usize];
+                (p[0] - x).abs() + (p[1] - y).abs() + (p[2] - height).abs() < 1e-6
+            };
+            model.counted.clone().find(here).unwrap()
+        };
+        let places = [at(0.5 * width, 8.0), at(0.0, 8.0), at(width, 0.0)];
+        let (mut engine, mut state) = (ready.engine(), ready.rest(0.5));
+        let mut worst = [0.0_f64; 3];
+        while state.time() < 0.38 {
+            engine.step(&mut state).unwrap();
+            // The increment's velocity is that of the middle of the step.
+            let exact = 2.0 * pulse(state.time() - 0.5 * state.dt - height / speed).v;
+            for (worst, &n) in worst.iter_mut().zip(&places) {
+                let [vx, vy, vz] = state.du[n].xyz().map(|d| d / state.dt);
+                *worst = worst.max((vx - exact).abs()).max(vy.abs()).max(vz.abs());
+            }
+        }
+        // 25 elements a wave of the peak frequency's double; half the elements leave four times as much.
+        assert!(worst.iter().all(|worst| worst / 2.0 < 5e-3), "{heights} heights wide: {worst:?}");
+    }
+}
+
+/// Ground that is excavated, or missing, along a vertical edge is no column; openings elsewhere on a side are in its slab.
+#[test]
+fn an_opening_at_a_vertical_edge_is_refused_and_one_in_a_side_is_not() {
+    let with_opening = |low: [f64; 2], high: [f64; 2], life: Option<Life>| {
+        let mesh = BoxSpec::uniform([0.0; 3], [12.0, 8.0, 8.0], [6, 4, 4]).mesh().unwrap();
+        let inside = |e: &u32| {
+            let x = tremolite::hexahedra::centroid(&mesh, *e);
+            (0..2).all(|i| x[i] > low[i] && x[i] < high[i]) && x[2] > 3.0 && x[2] < 5.0
+        };
+        let (open, rock): (Vec<u32>, Vec<u32>) = (0..mesh.elements.len() as u32).partition(inside);
+        let body = |name: &str, elements| Body {
+            name: name.into(),
+            elements,
+            material: elastic(moduli(0)),
+            density: 2500.0,
+            quadrature: Quadrature::OnePoint,
+            viscosity: 0.0,
+        };
+        let mut problem = Problem::new(mesh, vec![body("rock", rock)]);
+        if let Some(life) = life {
+            problem.lives = vec![Life::ALWAYS; problem.mesh.elements.len()];
+            open.iter().for_each(|&e| problem.lives[e as usize] = life);
+            problem.bodies.push(body("bench", open));
+        }
+        problem.sides = [Side::FreeField; 2];
+        Model::new(problem)
+    };
+    let excavated = Life { born: Stage::Before(0), gone: Some(Stage::Before(1)) };
+    for (life, word) in [(None, "has a gap"), (Some(excavated), "is excavated")] {
+        let refused = with_opening([0.0, 0.0], [4.0, 4.0], life).err().unwrap().to_string();
+        for word in [word, "where xmin and ymin meet", "keep away from the edge"] {
+            assert!(refused.contains(word), "{refused}");
+        }
+        let model = with_opening([4.0, 0.0], [8.0, 4.0], life).unwrap();
+        assert_eq!((model.slabs.len(), model.columns.len()), (4, 8));
+        let of_slab = &model.slabs[2].sheet;
+        assert_eq!((of_slab.axis, of_slab.end, of_slab.thickness), (1, 0, 2.0));
+        assert_eq!(of_slab.twins.len(), if life.is_some() { 24 } else { 22 });
     }
 }

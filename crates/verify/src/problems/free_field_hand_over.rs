@@ -37,6 +37,8 @@ const GRAVITY: f64 = 9.81;
 const ABOVE: f64 = 60.0;
 const LATERAL: f64 = 0.7;
 const DEEP: u32 = 3;
+/// Level of the opening's roof \[m\].
+const ROOF: f64 = 9.0;
 
 fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
     let model = Model::new(problem()?)?;
@@ -178,7 +180,14 @@ fn problem() -> Result<tremolite::Problem, VerifyError> {
     let above = [0.0, 0.0, -unit_weight * ABOVE, 0.0, 0.0, 0.0];
     let elements = 0..problem.mesh.elements.len() as u32;
     let faces = faces_on(&problem.mesh, elements, 2, high[2], 1e-6).into_iter().map(|face| (face, above)).collect();
-    problem.tractions = vec![Traction { name: "overburden".into(), faces, life: Life::BEFORE }];
+    // And on the roof of the lining once it stands, as a duct or water would press.
+    let below = [0.0, 0.0, -2e5, 0.0, 0.0, 0.0];
+    let roof = faces_on(&problem.mesh, lining, 2, ROOF, 1e-6).into_iter().map(|face| (face, below)).collect();
+    let placed = Life { born: Stage::Before(2), ..SINCE_CHANGE };
+    problem.tractions = vec![
+        Traction { name: "overburden".into(), faces, life: Life::BEFORE },
+        Traction { name: "on the roof".into(), faces: roof, life: placed },
+    ];
     problem.sides = [Side::FreeField; 2];
     problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: None };
     Ok(problem)

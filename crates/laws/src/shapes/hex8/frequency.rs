@@ -1,6 +1,6 @@
 //! The highest frequency of a single element: what it alone would demand of the time step.
 
-use super::{FullGeometry, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point};
+use super::{FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point};
 use crate::lane::{Octet, Row};
 use crate::material::{Moduli, Point};
 use crate::materials::Elastic;
@@ -46,7 +46,7 @@ fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) ->
                     &mut [] as &mut [Octet],
                     None,
                     &mut [],
-                    &[],
+                    Given::NONE,
                     &mut [],
                     &w,
                     &mut f,
@@ -62,7 +62,7 @@ fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) ->
                     &mut [] as &mut [Octet],
                     None,
                     &mut [],
-                    &[],
+                    Given::NONE,
                     &mut [],
                     &w,
                     &mut f,

@@ -2,7 +2,7 @@
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
 use super::{
-    Hex8, LEFT, Probe, Stabilisation, Surface, gather_modes, gauss_point, scatter_nodal, store_nodal,
+    Given, Hex8, LEFT, Probe, Stabilisation, Surface, gather_modes, gauss_point, scatter_nodal, store_nodal,
     to_modes, to_nodes,
 };
 use crate::band::{BandStep, MEMORY};
@@ -151,7 +151,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
     history: &mut [Octet],
     band: Option<&BandStep>,
     overstress: &mut [Octet],
-    initial: &[Octet],
+    given: Given,
     left: &mut [Octet],
     rows: &[Row],
     out: &mut [Row],
@@ -198,7 +198,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
         }
         let mut mean: Sym<L> =
             [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
-        super::add_initial(&mut mean, initial, at);
+        super::add_initial(&mut mean, given.strain, at);
         let over_gauss = [
             L::load(&geometry.means[0], at) * L::splat(1.0 / G),
             L::load(&geometry.means[1], at) * L::splat(1.0 / G),
@@ -223,7 +223,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
         // The law at the eight points; strains make room for weighted stresses.
         let mut lane_point = Point::new(L::splat(point.dt));
         if M::NEEDS_SIZE {
-            lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
+            lane_point.size = super::seen_size(&given, &geometry.gradient, &geometry.hourglass, at);
         }
         let mut energy = L::splat(0.0);
         let (mut dissipated, mut created, mut of_band) = (energy, energy, energy);

@@ -276,6 +276,48 @@ fn booked<L: Lane>(history: &impl AsRef<[L]>, column: Option<usize>) -> L {
     }
 }
 
+/// What elements have beside their geometry, six octets an octet of elements each; empty where they have nothing of the kind.
+#[derive(Clone, Copy, Default)]
+pub struct Given<'a> {
+    /// Strain that they begin with.
+    pub strain: &'a [Octet],
+    /// The size tensor that the law is to see in place of their own.
+    pub size: &'a [Octet],
+}
+
+impl<'a> Given<'a> {
+    /// Nothing.
+    pub const NONE: Given<'static> = Given { strain: &[], size: &[] };
+
+    /// What the octet `i` of elements has.
+    pub fn of(&self, i: usize) -> Given<'a> {
+        let own = |all: &'a [Octet]| all.get(6 * i..6 * (i + 1)).unwrap_or(&[]);
+        Given { strain: own(self.strain), size: own(self.size) }
+    }
+}
+
+/// The size tensor that a law sees: the given one, or that of the geometry.
+#[inline(always)]
+fn seen_size<L: Lane>(
+    given: &Given,
+    gradient: &[[Octet; 7]; 3],
+    hourglass: &[[Octet; 3]; 4],
+    at: usize,
+) -> Sym<L> {
+    let size = given.size;
+    if size.len() < 6 {
+        return size::size_tensor(gradient, hourglass, at);
+    }
+    [
+        L::load(&size[0], at),
+        L::load(&size[1], at),
+        L::load(&size[2], at),
+        L::load(&size[3], at),
+        L::load(&size[4], at),
+        L::load(&size[5], at),
+    ]
+}
+
 /// Adds the strain that elements begin with, if they do.
 #[inline(always)]
 fn add_initial<L: Lane>(strain: &mut Sym<L>, initial: &[Octet], at: usize) {

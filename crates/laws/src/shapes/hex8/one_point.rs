@@ -1,7 +1,7 @@
 //! One-point quadrature with the hourglass part integrated in closed form.
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
-use super::{Hex8, Probe, Stabilisation, Surface, gather_modes, scatter_nodal, store_nodal};
+use super::{Given, Hex8, Probe, Stabilisation, Surface, gather_modes, scatter_nodal, store_nodal};
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Point, Sym};
@@ -59,7 +59,7 @@ impl OnePointGeometry {
 ///
 /// `index[corner][lane]` points into `rows` (displacements \[m\]) and `out` (forces \[N\], the sign of ∫Bᵀσ).
 /// With a band its bodies' stress is added, in what the law says is left; `overstress` is their memory, [`MEMORY`] octets a
-/// point. `initial` is the strain that the elements begin with, six octets, or empty. Of a law that damages, what is left goes to `left`, [`LEFT`](super::LEFT) octets a point, unless that is empty. With
+/// point. `given` is what the elements have beside their geometry. Of a law that damages, what is left goes to `left`, [`LEFT`](super::LEFT) octets a point, unless that is empty. With
 /// `PROBE` the stresses and energies go to `probe` as well.
 ///
 /// # Safety
@@ -74,7 +74,7 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
     history: &mut [Octet],
     band: Option<&BandStep>,
     overstress: &mut [Octet],
-    initial: &[Octet],
+    given: Given,
     left: &mut [Octet],
     rows: &[Row],
     out: &mut [Row],
@@ -94,10 +94,10 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
 
         let mut strain: Sym<L> =
             [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
-        super::add_initial(&mut strain, initial, at);
+        super::add_initial(&mut strain, given.strain, at);
         let mut lane_point = Point::new(L::splat(point.dt));
         if M::NEEDS_SIZE {
-            lane_point.size = super::size::size_tensor(&geometry.gradient, &geometry.hourglass, at);
+            lane_point.size = super::seen_size(&given, &geometry.gradient, &geometry.hourglass, at);
         }
         let old = super::load_history::<L, M>(history, at);
         let (of_law, mut new) = super::answer(material, &lane_point, strain, old, left, at);
