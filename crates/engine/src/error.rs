@@ -27,7 +27,7 @@ pub enum ModelError {
     #[error(
         "the top of the model is not a plane at {level:.3} m, where only {:.1} % of it lies, so top = \"viscous\" has no place \
          to absorb; cut the ground level, or write top = \"free\"",
-        100.0 * share
+        100.0 * share.abs()
     )]
     Top { level: f64, share: f64 },
     #[error("the interface '{name}' cannot be made: {reason}")]

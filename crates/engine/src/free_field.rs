@@ -106,8 +106,8 @@ impl FreeField {
         let refuse = |reason: String| {
             ModelError::FreeField(format!(
                 "the ground along the vertical edge of the model where {side} and {at} meet {reason}, so it is no column of ground \
-                 that the sides could have as their free field; let openings keep away from the edge, or choose sides of another \
-                 kind"
+                 that the sides could have as their free field; let openings keep away from the edge and leave through one side \
+                 alone, or write base = \"viscous\" and sides of another kind"
             ))
         };
         let sheet = self
@@ -118,6 +118,13 @@ impl FreeField {
             z.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)])
         };
         let top = sheet.elements().map(|e| span(e)[1]).fold(f64::NEG_INFINITY, f64::max);
+        let bottom = sheet.elements().map(|e| span(e)[0]).fold(f64::INFINITY, f64::min);
+        if bottom - ground.level(2, 0) > ground.near() {
+            return Err(refuse(format!(
+                "ends {:.3} m above the lowest level of the model, which is that of the base",
+                bottom - ground.level(2, 0)
+            )));
+        }
         let life = |e: u32| ground.lives[self.parents[e as usize] as usize];
         // Ground changes where a life begins or ends.
         let mut stages: BTreeSet<Stage> = [Stage::Before(0), Stage::Shaking].into();

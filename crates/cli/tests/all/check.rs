@@ -27,7 +27,10 @@ fn check(folder: &Path, changes: &[(&str, &str)]) -> (Value, String) {
 #[test]
 fn one_object_holds_all_that_the_text_says_and_messages_stay_on_standard_error() {
     let folder = tempfile::tempdir().unwrap();
-    let slow = ("sides    = \"free-field\"", "sides    = \"free-field\"\ntime_step = \"1 ms\"");
+    let slow = (
+        "sides    = { x = \"free-field\", y = \"periodic\" }",
+        "sides    = { x = \"free-field\", y = \"periodic\" }\ntime_step = \"1 ms\"",
+    );
     let (found, errors) = check(folder.path(), &[slow]);
     let text = String::from_utf8(tremolite(folder.path(), &["check", "study/case.toml"]).stdout).unwrap();
     let number = |pointer: &str| found.pointer(pointer).and_then(Value::as_f64).expect(pointer);

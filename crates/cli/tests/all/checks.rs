@@ -90,7 +90,7 @@ fn sides_that_spoil_the_free_field_warn_before_and_fail_the_check_after() {
         assert!(line(&summary, "free_field_theory").pass, "{dynamic}: the column itself is right");
 
         let check = tremolite(folder.path(), &["check", "case.toml"]);
-        assert_eq!(errors(&check).contains("80 to 130 % of the surface's motion"), !good, "{dynamic}");
+        assert_eq!(errors(&check).contains("80 to 130 % of the surface's peak"), !good, "{dynamic}");
         assert!(check.status.success());
         for command in [&["check"][..], &["run", "--out", "strict"]] {
             let mut args = command.to_vec();
@@ -214,7 +214,8 @@ unit_weight = "25 kN/m3"
         .replacen("[material.rock]", layers, 1)
         .replacen("[[region]]", region, 1)
         .replacen("groups   = [\"rock\",", "groups = [\"rock.sound\",", 1)
-        .replace("duration = \"1.5 s\"", "duration = \"0.2 s\"");
+        .replace("duration = \"1.5 s\"", "duration = \"0.2 s\"")
+        .replace("{ x = \"free-field\", y = \"periodic\" }", "\"free-field\"");
     std::fs::write(&case, &text).unwrap();
     let summary = summary_of(&folder);
     assert!(line(&summary, "free_field_theory").pass);
@@ -231,4 +232,34 @@ unit_weight = "25 kN/m3"
     let model = line(&summary, "model_against_free_field");
     assert!(!model.pass && model.note.contains("reference-x"), "{model:?}");
     assert!(summary.before.iter().any(|said| said.contains("drain the wave")), "{:?}", summary.before);
+}
+
+/// The most frequent mistake in the field: the half of an outcrop's motion taken twice.
+#[test]
+fn an_outcrop_that_is_scaled_by_about_a_half_is_warned_of() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(tremolite(folder.path(), &["new", "study"]).status.success());
+    let case = folder.path().join("study/case.toml");
+    let text = std::fs::read_to_string(&case).unwrap();
+    for (kind, process, warned) in [
+        ("outcrop", "\"detrend linear\", \"scale 0.5\"", true),
+        ("outcrop", "\"scale -0.4\"", true),
+        ("outcrop", "\"scale 0.75\", \"scale 0.75\"", true),
+        ("outcrop", "\"scale 0.35\"", false),
+        ("incident", "\"scale 0.5\"", false),
+    ] {
+        let changed = text
+            .replace("kind    = \"incident\"", &format!("kind    = \"{kind}\""))
+            .replace("process = [\"detrend linear\"]", &format!("process = [{process}]"));
+        assert_ne!(changed, text);
+        std::fs::write(&case, changed).unwrap();
+        let check = tremolite(folder.path(), &["check", "study/case.toml"]);
+        assert!(check.status.success(), "{}", errors(&check));
+        assert_eq!(
+            errors(&check).contains("comes in anyway"),
+            warned,
+            "{kind} {process}: {}",
+            errors(&check)
+        );
+    }
 }

@@ -163,8 +163,8 @@ fn an_unstable_run_is_warned_of_ends_with_status_1_and_names_the_element() {
         let (folder, case) = new_case();
         change(
             &case,
-            "sides    = \"free-field\"",
-            &format!("sides    = \"free-field\"\ntime_step = \"{step}\""),
+            "sides    = { x = \"free-field\", y = \"periodic\" }",
+            &format!("sides    = {{ x = \"free-field\", y = \"periodic\" }}\ntime_step = \"{step}\""),
         );
         let check = tremolite(folder.path(), &["check", "study/case.toml"]);
         assert_eq!(code(&check), 0, "{}", errors(&check));
@@ -255,7 +255,11 @@ fn a_signal_stops_with_a_checkpoint_and_resume_gives_the_same_histories() {
     let (folder, case) = new_case();
     change(&case, "duration = \"0.3 s\"", "duration = \"1.5 s\"");
     // A small step makes the run long enough to be stopped on the way.
-    change(&case, "sides    = \"free-field\"", "sides    = \"free-field\"\ntime_step = \"0.05 ms\"");
+    change(
+        &case,
+        "sides    = { x = \"free-field\", y = \"periodic\" }",
+        "sides    = { x = \"free-field\", y = \"periodic\" }\ntime_step = \"0.05 ms\"",
+    );
     let mut child = Command::new(env!("CARGO_BIN_EXE_tremolite"))
         .current_dir(folder.path())
         .args(["run", "study/case.toml", "--out", "stopped", "--threads", "1"])

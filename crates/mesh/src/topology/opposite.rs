@@ -10,7 +10,7 @@ pub enum Unmatched {
     /// Some nodes have no partner within the tolerance.
     #[error(
         "{count} nodes have no partner on the opposite side; node {node} is the worst, {largest} m from \
-         the nearest; give both sides the same mesh, or a larger tolerance"
+         the nearest; give both sides the same mesh, with the same openings, or choose sides of another kind"
     )]
     Apart { count: usize, node: u64, largest: f64 },
     /// Two nodes of one side have the same partner.

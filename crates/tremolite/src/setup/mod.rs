@@ -275,7 +275,7 @@ fn springs_or_none(
     problems.push(case::Problem::at(
         &case.dynamic.base,
         format!("the springs of the base act on what differs from columns of the ground at the model's corners, but {reason}"),
-        "write base = \"viscous\", or sides = \"free-field\", whose columns may change and be crossed",
+        "write base = \"viscous\", or let the ground along the model's vertical edges be whole and stay in all stages",
     ));
     (base, None)
 }

@@ -139,7 +139,7 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
         };
         let (name, word) = (["x", "y"][axis], side.value.word());
         let message = format!(
-            "the {word} sides across {name} {what}: in homogeneous ground such sides took 80 to 130 % of the surface's motion"
+            "the {word} sides across {name} {what}: in homogeneous ground velocities were wrong by 80 to 130 % of the surface's peak with such sides"
         );
         let remedy = "use \"free-field\"; the check 'model's corners against free field' says what is left";
         warnings.push(Problem::at(side, message, remedy));

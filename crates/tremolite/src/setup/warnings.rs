@@ -7,6 +7,7 @@ use tremolite_case::{self as case, Case};
 use tremolite_engine::Body;
 use tremolite_engine::hexahedra::hex;
 use tremolite_kernels::Quadrature;
+use tremolite_motion::Process;
 
 /// Speeds of P waves \[m/s\] that are nothing unusual: from loose soil to well beyond the stiffest rock.
 const WAVE_SPEEDS: std::ops::RangeInclusive<f64> = 100.0..=10_000.0;
@@ -84,6 +85,31 @@ pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body])
         .collect()
 }
 
+/// Factors that look like the half that is taken of an outcrop's motion.
+const ABOUT_HALF: std::ops::RangeInclusive<f64> = 0.4..=0.6;
+
+/// A record that is scaled by about ½ and called an outcrop's, of which half comes in.
+fn halved_twice(motion: &case::Motion) -> Option<case::Problem> {
+    let scales = motion.process.iter().filter_map(|word| match Process::parse(&word.value) {
+        Ok(Process::Scale(factor)) => Some((word, factor.abs())),
+        _ => None,
+    });
+    let (words, factors): (Vec<_>, Vec<f64>) = scales.unzip();
+    let whole: f64 = factors.iter().product();
+    let word = words.last().filter(|_| ABOUT_HALF.contains(&whole))?;
+    (motion.kind.value == case::MotionKind::Outcrop).then(|| {
+        case::Problem::at(
+            word,
+            format!(
+                "the motion is scaled by {whole}, and half of an outcrop's motion comes in anyway: {} times the record in all",
+                0.5 * whole
+            ),
+            "if the record is what a surface of the base's rock shows, leave the scale out; if it is halved already, write \
+             kind = \"incident\"",
+        )
+    })
+}
+
 /// What the motion asks to be looked at.
 pub fn of_motion(
     case: &Case,
@@ -91,6 +117,7 @@ pub fn of_motion(
     reference: Option<f64>,
 ) -> Vec<case::Problem> {
     let mut warnings = Vec::new();
+    warnings.extend(case.motion.as_ref().and_then(halved_twice));
     let drift = motion.drift();
     if drift > DRIFT {
         warnings.push(case::Problem::new(

@@ -61,7 +61,7 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
         let why = format!("there is no reference column: {}", model.no_column);
         let mut lines = both(&why);
         // Periodic sides leave uniform motion alone. What others make of it cannot be told here, and that is no pass.
-        if model.sides.iter().any(|side| !matches!(side, Side::Periodic | Side::FreeField)) {
+        if model.sides.iter().any(|side| !matches!(side, Side::Periodic | Side::FreeField | Side::Roller)) {
             let (id, name) = AGAINST_COLUMNS;
             lines[1] = TrustLine::at_most(id, name, f64::NAN, CORNERS, "").with_note(format!(
                 "cannot be checked, since {why}; and such sides may spoil the free field altogether"
@@ -130,7 +130,8 @@ fn against_columns(columns: &[ColumnSeen]) -> TrustLine {
         .with("peak", worst.peak)
         .with_note(format!(
             "velocity of the model's own surface and base at its vertical edges against that of column '{}', over that one's \
-             peak: sides that hold or drain the free field, or caverns too near to them: make `sides` wider",
+             peak: sides that hold or drain the free field, caverns too near to them (make `sides` wider), or ground that dips, slopes \
+             or changes from side to side, which goes on level outside",
             worst.name
         ))
 }

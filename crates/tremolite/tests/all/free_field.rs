@@ -173,7 +173,7 @@ fn an_opening_at_a_vertical_edge_is_refused_and_one_in_a_side_is_not() {
         let mesh = BoxSpec::uniform([0.0; 3], [12.0, 8.0, 8.0], [6, 4, 4]).mesh().unwrap();
         let inside = |e: &u32| {
             let x = tremolite::hexahedra::centroid(&mesh, *e);
-            (0..2).all(|i| x[i] > low[i] && x[i] < high[i]) && x[2] > 3.0 && x[2] < 5.0
+            (0..2).all(|i| x[i] > low[i] && x[i] < high[i]) && x[2] > 2.5 && x[2] < 5.5
         };
         let (open, rock): (Vec<u32>, Vec<u32>) = (0..mesh.elements.len() as u32).partition(inside);
         let body = |name: &str, elements| Body {
