@@ -152,13 +152,18 @@ impl Surroundings<'_> {
     }
 
     /// Faces on an outer plane, in a stage, of what stands outside the sides: of the slabs' ends, or of the bottoms and tops of
-    /// slabs and columns.
+    /// slabs and columns. Before the shaking a slab rests on the rollers of its own side as well, as the model does there.
     fn outside(&self, axis: usize, end: usize, stage: Stage) -> Vec<Face> {
         let of = |sheet: &Sheet| self.of_sheet(sheet, axis, end, stage);
         if axis == 2 {
             return sheets(self.slabs, self.columns).flat_map(of).collect();
         }
-        self.slabs.iter().map(|slab| &slab.sheet).filter(|sheet| sheet.axis != axis).flat_map(of).collect()
+        self.slabs
+            .iter()
+            .map(|slab| &slab.sheet)
+            .filter(|sheet| sheet.axis != axis || stage != Stage::Shaking)
+            .flat_map(of)
+            .collect()
     }
 
     /// Corners of all sheets that are there in a stage.

@@ -78,6 +78,7 @@ impl FreeField {
                         all.columns.push(column);
                     }
                 }
+                all.check_whole(mesh, &slab, ground)?;
                 all.slabs.push(slab);
             }
         }
@@ -90,6 +91,45 @@ impl FreeField {
             sheet.twins.iter().map(|(face, _)| self.parents[face.element as usize]).collect::<Vec<_>>(),
         );
         Some(sheet)
+    }
+
+    /// Refuses a slab without columns that an opening cuts in two in the shaking: what does not hang together with the base has
+    /// nothing that leads it. Across interfaces it does.
+    fn check_whole(&self, mesh: &Mesh, slab: &Slab, ground: &Ground) -> Result<(), ModelError> {
+        if slab.columns != [None; 2] {
+            return Ok(());
+        }
+        let standing = |e: &u32| ground.lives[self.parents[*e as usize] as usize].holds(Stage::Shaking);
+        let elements: Vec<u32> = slab.sheet.elements().filter(standing).collect();
+        let near = ground.near();
+        let place = |n: u32| mesh.nodes[n as usize].map(|x| (x / near).round() as i64);
+        let mut at: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+        for (k, &e) in elements.iter().enumerate() {
+            mesh.elements[e as usize].nodes().iter().for_each(|&n| at.entry(place(n)).or_default().push(k));
+        }
+        let on_base = |e: u32| {
+            let nodes = mesh.elements[e as usize].nodes();
+            nodes.iter().any(|&n| (mesh.nodes[n as usize][2] - ground.level(2, 0)).abs() <= near)
+        };
+        let mut reached: Vec<bool> = elements.iter().map(|&e| on_base(e)).collect();
+        let mut next: Vec<usize> = (0..elements.len()).filter(|&k| reached[k]).collect();
+        while let Some(k) = next.pop() {
+            for &n in mesh.elements[elements[k] as usize].nodes() {
+                for &other in at.get(&place(n)).map_or(&[][..], Vec::as_slice) {
+                    if !std::mem::replace(&mut reached[other], true) {
+                        next.push(other);
+                    }
+                }
+            }
+        }
+        if reached.iter().all(|reached| *reached) {
+            return Ok(());
+        }
+        Err(ModelError::FreeField(format!(
+            "the ground outside {} is cut in two by an opening, and nothing would lead what hangs above it; let all four sides be \
+             free field, whose columns do, move the side away from the opening, or choose sides of another kind",
+            SIDES[slab.sheet.axis][slab.sheet.end]
+        )))
     }
 
     /// The column at an end of a slab.

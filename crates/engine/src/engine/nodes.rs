@@ -191,6 +191,22 @@ impl Advance<'_> {
         own: &mut [Lead],
         follow: Leads,
     ) -> NodeSums {
+        match own.is_empty() {
+            true => self.nodes_of::<false>(first, u, du, own, follow),
+            false => self.nodes_of::<true>(first, u, du, own, follow),
+        }
+    }
+
+    /// With `LEADS` the nodes leave their velocities to those who follow.
+    #[inline(always)]
+    fn nodes_of<const LEADS: bool>(
+        &self,
+        first: usize,
+        u: &mut [Row],
+        du: &mut [Row],
+        own: &mut [Lead],
+        follow: Leads,
+    ) -> NodeSums {
         let Advance { phase, contributions, held, products, damping, .. } = self;
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let counted = phase.counted_nodes.end;
@@ -220,9 +236,9 @@ impl Advance<'_> {
                     let a = -net.0[i] * inverse.0[i];
                     next.0[i] = keep * du.0[i] + push * a;
                     rayleigh += (fade * du.0[i] + 0.5 * dt * dt * a) * (du.0[i] + next.0[i]);
-                    if let Some(lead) = own.get_mut(k) {
-                        lead.mean.0[i] = 0.5 * (du.0[i] + next.0[i]) / dt;
-                        lead.hat.0[i] = (fade * du.0[i] + 0.5 * dt * dt * a) / dt;
+                    if LEADS {
+                        own[k].mean.0[i] = 0.5 * (du.0[i] + next.0[i]) / dt;
+                        own[k].hat.0[i] = (fade * du.0[i] + 0.5 * dt * dt * a) / dt;
                     }
                 }
                 sums.rayleigh += 0.5 * omega / dt * mass * rayleigh;
@@ -231,8 +247,8 @@ impl Advance<'_> {
                 for i in 0..4 {
                     next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
                 }
-                if let Some(lead) = own.get_mut(k) {
-                    *lead = Lead { mean: step.mean, hat: step.velocity };
+                if LEADS {
+                    own[k] = Lead { mean: step.mean, hat: step.velocity };
                 }
                 if counts {
                     sums.book(&step, Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i])));

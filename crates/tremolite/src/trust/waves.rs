@@ -61,10 +61,10 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
         let why = format!("there is no reference column: {}", model.no_column);
         let mut lines = both(&why);
         // Periodic sides leave uniform motion alone. What others make of it cannot be told here, and that is no pass.
-        if model.sides.iter().any(|side| !matches!(side, Side::Periodic | Side::FreeField | Side::Roller)) {
+        if model.sides.iter().any(|side| *side != Side::Periodic) {
             let (id, name) = AGAINST_COLUMNS;
             lines[1] = TrustLine::at_most(id, name, f64::NAN, CORNERS, "").with_note(format!(
-                "cannot be checked, since {why}; and such sides may spoil the free field altogether"
+                "cannot be checked, since {why}; and sides that are not periodic may spoil the free field"
             ));
         }
         return lines;

@@ -203,6 +203,35 @@ fn an_opening_at_a_vertical_edge_is_refused_and_one_in_a_side_is_not() {
         assert_eq!((model.slabs.len(), model.columns.len()), (4, 8));
         let of_slab = &model.slabs[2].sheet;
         assert_eq!((of_slab.axis, of_slab.end, of_slab.thickness), (1, 0, 2.0));
-        assert_eq!(of_slab.twins.len(), if life.is_some() { 24 } else { 22 });
+        assert_eq!(of_slab.twins.len(), if life.is_some() { 24 } else { 20 });
     }
+}
+
+/// A slab that an opening cuts in two has an upper part that nothing leads; only columns at its ends would.
+#[test]
+fn a_slab_that_an_opening_cuts_in_two_is_refused_where_it_has_no_columns() {
+    let model = |sides: [Side; 2], across: bool| {
+        let mesh = BoxSpec::uniform([0.0; 3], [12.0, 8.0, 8.0], [6, 4, 4]).mesh().unwrap();
+        let rock = (0..mesh.elements.len() as u32).filter(|&e| {
+            let [x, y, z] = tremolite::hexahedra::centroid(&mesh, e);
+            !(x < 4.0 && z > 4.0 && z < 6.0 && (across || (y > 2.0 && y < 6.0)))
+        });
+        let body = Body {
+            name: "rock".into(),
+            elements: rock.collect(),
+            material: elastic(moduli(0)),
+            density: 2500.0,
+            quadrature: Quadrature::OnePoint,
+            viscosity: 0.0,
+        };
+        let mut problem = Problem::new(mesh, vec![body]);
+        problem.sides = sides;
+        Model::new(problem)
+    };
+    let refused = model([Side::FreeField, Side::Periodic], true).err().unwrap().to_string();
+    assert!(refused.contains("outside xmin is cut in two"), "{refused}");
+    assert!(model([Side::FreeField, Side::Periodic], false).is_ok());
+    assert!(model([Side::FreeField; 2], false).is_ok());
+    let refused = model([Side::FreeField; 2], true).err().unwrap().to_string();
+    assert!(refused.contains("has a gap"), "{refused}");
 }
