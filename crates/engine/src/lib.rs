@@ -22,6 +22,7 @@ pub mod member;
 pub mod model;
 pub mod outer_faces;
 pub mod parts;
+mod patch_part;
 pub mod phase;
 pub mod problem;
 mod seams;

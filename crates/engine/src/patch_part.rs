@@ -1,0 +1,88 @@
+//! A patch as a part: its elements numbered among its nodes, what they weigh, and what of them a side is told.
+
+use crate::body::Body;
+use crate::error::ModelError;
+use crate::extent::size_tensor;
+use crate::hexahedra::{hex, hex_nodes};
+use crate::member::Member;
+use crate::model::{Model, Patch};
+use crate::parts::passed_on::PassedOn;
+use crate::sheet;
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use tremolite_kernels::Quadrature;
+use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
+use tremolite_mesh::Face;
+
+/// The part of a patch, with the mass of each of its nodes. `faces` are those that elements outside sides were made of: they pass
+/// on to these what they feel.
+pub fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result<Member, ModelError> {
+    let body = &model.bodies[patch.body];
+    let mut nodes: Vec<u32> = Vec::new();
+    // By node; in a patch that takes over by element and corner as well.
+    let mut local: BTreeMap<(usize, u32), u16> = BTreeMap::new();
+    let mut corners = Vec::with_capacity(patch.elements.len());
+    let mut geometry = Vec::with_capacity(patch.elements.len());
+    let mut masses: Vec<f64> = Vec::new();
+    let mut sides: BTreeSet<(u32, [u16; 2])> = BTreeSet::new();
+    for (i, &e) in patch.elements.iter().enumerate() {
+        let hex = hex(&model.mesh, e as usize).map_err(|reason| ModelError::BadElement {
+            element: model.mesh.element_id(e as usize),
+            body: body.name.clone(),
+            reason,
+        })?;
+        let mut corner = [0; 8];
+        let mesh_nodes = hex_nodes(&model.mesh, e as usize);
+        for k in 0..8 {
+            let node = model.engine_node[mesh_nodes[k] as usize];
+            let owner = if patch.takes_over { 1 + 8 * i + k } else { 0 };
+            corner[k] = match local.entry((owner, node)) {
+                Entry::Occupied(known) => *known.get(),
+                Entry::Vacant(new) => {
+                    let next = u16::try_from(nodes.len()).map_err(|_| ModelError::Patch {
+                        body: body.name.clone(),
+                        elements: patch.elements.len(),
+                    })?;
+                    nodes.push(node);
+                    masses.push(0.0);
+                    *new.insert(next)
+                }
+            };
+            masses[corner[k] as usize] += body.density * hex.corner_volumes[k];
+        }
+        for pair in faces.get(&e).into_iter().flat_map(|&face| sheet::corners(&model.mesh, (face, e))) {
+            let place = |node: u32| mesh_nodes.iter().position(|&n| n == node).map_or(0, |k| corner[k]);
+            let source = model.engine_node[pair.source as usize];
+            sides.insert((source, [place(pair.front), place(pair.back)]));
+        }
+        corners.push(corner);
+        geometry.push(hex);
+    }
+    // What is made of another element is as viscous and cracks as that does, whatever its own thickness.
+    let own = |&e: &u32| hex(&model.mesh, model.parents[e as usize] as usize);
+    let parents: Vec<Hex8> = patch.elements.iter().filter_map(|e| own(e).ok()).collect();
+    let viscosity = viscosity(body, &parents);
+    let outside = patch.elements.iter().any(|&e| e as usize >= model.user_elements);
+    let sizes: Vec<[f64; 6]> = if outside { parents.iter().map(size_tensor).collect() } else { Vec::new() };
+    let part =
+        body.material.patch(body.quadrature, nodes, &corners, &geometry, &viscosity, &sizes, model.isa);
+    let part = match sides.is_empty() {
+        true => part,
+        false => {
+            let booked = sides.iter().all(|(node, _)| model.counted.contains(&(*node as usize)));
+            Box::new(PassedOn::new(part, sides.into_iter().collect(), booked))
+        }
+    };
+    let initial = patch.takes_over || (!model.initial.is_empty() && !patch.life.is_later());
+    Ok(Member { masses, initial, life: patch.life, ..Member::new(body.name.clone(), part) })
+}
+
+/// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without.
+fn viscosity(body: &Body, geometry: &[Hex8]) -> Vec<f64> {
+    if body.viscosity == 0.0 {
+        return Vec::new();
+    }
+    let full = body.quadrature == Quadrature::Full;
+    let omegas = element_frequencies(geometry, body.material.stiffest(), body.density, full);
+    omegas.into_iter().map(|omega| 2.0 * body.viscosity / omega).collect()
+}
