@@ -5,8 +5,8 @@ use tremolite_results::{FreeField, Station, Velocities};
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Block, Chapter, Figure, Section};
-use crate::free_field_beside::{Drawn, SAME, farthest_from_theory, same};
-use crate::free_field_numbers::{AXES, PLACES, Wave, from_column, from_theory, largest, percent};
+use crate::free_field_beside::{Drawn, farthest_from_theory, same};
+use crate::free_field_numbers::{AXES, PLACES, SAME, Wave, from_column, from_theory, largest, percent};
 use crate::free_field_tables::{of_columns, of_corners};
 use crate::scale::{Scale, figures, quantity, trimmed};
 use crate::source::Source;
@@ -14,6 +14,9 @@ use crate::source::Source;
 const HEADING: &str = "What came in and what the free field made of it";
 /// A component this much smaller than the largest does not count as moving: the sides that hold a normal go by the same.
 const IDLE: f64 = 1e-3;
+/// A component that the model alone has, as caverns and layers that dip scatter it, is drawn from this share of the largest on:
+/// a tenth of what the check of its corners allows.
+const SCATTERED: f64 = 0.01;
 /// Share of the incident wave's peak that the rows should show, for their peaks to be those of the motion.
 const SHOWN: f64 = 0.95;
 
@@ -43,20 +46,18 @@ pub fn section(source: &Source) -> Option<Section> {
     let first = (0..3).filter(|&axis| sizes[axis] > 0.0).max_by(|&a, &b| sizes[a].total_cmp(&sizes[b]));
     let first = first.unwrap_or(0);
     let drawn = Drawn::of(found);
-    // Where the model is farthest from its column is to be seen, though the free field does not move that way.
-    let apart = drawn.apart.filter(|at| drawn.moves(at.axis, IDLE * most)).map(|at| at.axis);
+    let size = |axis: usize| sizes[axis].max(drawn.largest(axis));
     let moving: Vec<usize> =
-        (0..3).filter(|&axis| sizes[axis] > IDLE * most || apart == Some(axis)).collect();
+        (0..3).filter(|&axis| sizes[axis] > IDLE * most || size(axis) > SCATTERED * most).collect();
     // One unit for all, in which what is a tenth of the largest still has its figures.
     let scale = Scale::suiting("m/s", 0.1 * most);
     let svg =
         Chart { title: HEADING.into(), time: &found.time, panels: panels(&wave, &drawn, (&moving, &scale)) };
     let mut caption = drawn.why.clone();
     for axis in (0..3).filter(|axis| !moving.contains(axis)) {
-        let size = if sizes[axis].is_nan() || sizes[axis] == 0.0 {
-            "zero".into()
-        } else {
-            format!("nowhere more than {}", quantity("m/s", sizes[axis]))
+        let size = match size(axis) {
+            size if size > 0.0 => format!("nowhere more than {}", quantity("m/s", size)),
+            _ => "zero".into(),
         };
         caption.push_str(&format!(" Not drawn: {}, {size}.", AXES[axis]));
     }

@@ -2,10 +2,8 @@
 
 use tremolite_results::{FreeField, Station};
 
-use crate::free_field_numbers::{from_column, from_theory, largest, peak};
+use crate::free_field_numbers::{SAME, from_column, from_theory, largest, peak};
 
-/// By how much of their peak histories may differ and count as the same: round-off.
-pub const SAME: f64 = 1e-9;
 const MEAN: &str = "mean of the four corners";
 
 /// The model at one of its corners, or its mean over them, beside a column.
@@ -157,9 +155,9 @@ impl<'a> Drawn<'a> {
         Drawn { column, model, apart: None, why }
     }
 
-    /// Whether an axis moves more at the model's corner than `size` (m/s).
-    pub fn moves(&self, axis: usize, size: f64) -> bool {
+    /// The largest velocity of the model along an axis (m/s).
+    pub fn largest(&self, axis: usize) -> f64 {
         let places = self.model.iter().flat_map(|beside| beside.model.places());
-        places.map(|of| largest(&of.measured[axis])).any(|most| most > size)
+        places.map(|of| largest(&of.measured[axis])).fold(0.0, f64::max)
     }
 }

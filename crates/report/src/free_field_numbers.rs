@@ -12,6 +12,9 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// What the places of a station are called.
 pub const PLACES: [&str; 2] = ["surface", "base"];
 
+/// By how much of their peak histories may differ and count as the same: round-off.
+pub const SAME: f64 = 1e-9;
+
 /// What was asked for (m/s): peaks of the motion given and of the incident wave, and the wave at the times of the rows.
 #[derive(Default)]
 pub struct Wave {
@@ -76,7 +79,7 @@ pub fn from_column(model: &Station, column: &Station, place: usize, axis: usize)
     apart(model, own, peak(column, |of| &of.measured))
 }
 
-/// A share in per cent.
+/// A share in per cent; round-off is none.
 pub fn percent(share: f64) -> String {
-    format!("{}\u{a0}%", if share == 0.0 { "0".into() } else { figures(100.0 * share, 2) })
+    format!("{}\u{a0}%", if share < SAME { "0".into() } else { figures(100.0 * share, 2) })
 }
