@@ -320,15 +320,18 @@ fn the_error_that_is_drawn_and_that_of_the_check_are_told_apart() {
 
 const CORNERS: [&str; 4] = ["xmin-ymin", "xmax-ymin", "xmin-ymax", "xmax-ymax"];
 
-/// The page's text for columns of free_field.csv by name, place and component.
-fn told_of(folder: &ResultFolder, columns: &[(String, Box<dyn Fn(f64) -> f64>)]) -> String {
+/// A column of free_field.csv and its history.
+type Given = (String, Box<dyn Fn(f64) -> f64>);
+
+/// The text of the section for such columns.
+fn told_of(folder: &ResultFolder, columns: &[Given]) -> String {
     let columns: Vec<_> = columns.iter().map(|(name, of)| (name.as_str(), &**of)).collect();
     free_field(folder, &columns);
     told(folder).unwrap()
 }
 
 /// A history `factor` times that of the surface.
-fn times(name: impl Into<String>, factor: f64) -> (String, Box<dyn Fn(f64) -> f64>) {
+fn times(name: impl Into<String>, factor: f64) -> Given {
     (name.into(), Box::new(move |t| factor * surface(t)))
 }
 
