@@ -21,7 +21,8 @@ pub const WIDTH: f64 = 1.0;
 /// A column of ground.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// `reference` where one serves all corners, else by its corner; at the end of a slab by the slab's side and the end.
+    /// `reference` where one serves all corners, else by all corners that it serves: `reference-xmin-ymin+xmin-ymax`; at the end
+    /// of a slab by the slab's side and the end.
     pub name: String,
     /// The corners of the model that it stands for: bit 0 for the high end of x, bit 1 for that of y.
     pub corners: Vec<usize>,
@@ -61,6 +62,12 @@ pub fn corner_at(ends: [usize; 2]) -> usize {
 /// The ends of x and y at a corner.
 pub fn ends_at(corner: usize) -> [usize; 2] {
     [corner & 1, corner >> 1]
+}
+
+/// The name of a corner, `xmin-ymax`.
+pub fn corner_name(corner: usize) -> String {
+    let [x, y] = ends_at(corner);
+    format!("{}-{}", SIDES[0][x], SIDES[1][y])
 }
 
 /// Why springs of the base cannot be had.
@@ -263,10 +270,12 @@ pub fn build(
     let mut all = Reference { columns: Vec::new(), like: Vec::new() };
     for (corners, ground) in kinds {
         let corner = corners[0];
-        let [x, y] = ends_at(corner);
         let name = match one_for_all {
             true => "reference".to_owned(),
-            false => format!("reference-{}-{}", SIDES[0][x], SIDES[1][y]),
+            false => {
+                let served: Vec<String> = corners.iter().map(|&corner| corner_name(corner)).collect();
+                format!("reference-{}", served.join("+"))
+            }
         };
         // Beside the mesh, each at its own place, so that a picture with them shows them apart.
         let place = [low[0] - (high[0] - low[0]) - WIDTH, low[1] + corner as f64 * 2.0 * WIDTH];

@@ -1,6 +1,6 @@
 //! Figure of the energy balance: every line over time, and below it the error.
 
-use tremolite_results::Table;
+use tremolite_results::{Table, TrustLine};
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Figure, Section};
@@ -21,6 +21,11 @@ const OF_INTERFACES: [(&str, &str); 4] = [
 
 /// Work through sides that follow the free field, positive into the model, and what it is called on the page.
 const FREE_FIELD: (&str, &str) = ("free_field", "work through the sides");
+/// Dashpots of viscous sides and a viscous top; beside free-field sides, whose dashpots are in [`FREE_FIELD`], what they are
+/// called.
+const SIDE_DASHPOTS: (&str, &str) = ("side_dashpots", "dashpots of viscous sides and top");
+/// Of the check that takes the scheme's own part out of the error.
+const ERROR_CHECK: &str = "energy_error";
 /// The line behind which it stands: what else waves bring in.
 const INPUT: &str = "input";
 
@@ -47,9 +52,10 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
-/// What a line is called on the page; its own name where that says it.
-fn words(line: &str) -> String {
-    let known = OF_INTERFACES.iter().chain([&FREE_FIELD]).find(|(name, _)| *name == line);
+/// What a line of a table is called on the page; its own name where that says it.
+fn words(line: &str, table: &Table) -> String {
+    let beside = table.column(FREE_FIELD.0).map(|_| &SIDE_DASHPOTS);
+    let known = OF_INTERFACES.iter().chain([&FREE_FIELD]).chain(beside).find(|(name, _)| *name == line);
     known.map_or_else(|| line.replace('_', " "), |(_, words)| (*words).to_owned())
 }
 
@@ -70,11 +76,27 @@ fn through_sides(table: &Table) -> String {
     let finite = || values.iter().copied().filter(|x| x.is_finite());
     let Some(end) = finite().next_back() else { return String::new() };
     format!(
-        " Work through the sides counts into the model: {} at the end, between {} and {} over the run.",
+        " Work through the sides is that of the ground outside free-field sides on the model: of its forces, beyond those at \
+         the start, and of the dashpots between. It counts into the model: {} at the end, between {} and {} over the run. \
+         Level ground without caverns passes on next to nothing of the input; far below zero are scattered waves that leave.",
         quantity("J", end),
         quantity("J", finite().fold(f64::INFINITY, f64::min)),
         quantity("J", finite().fold(f64::NEG_INFINITY, f64::max))
     )
+}
+
+/// How the error that is drawn and that of the check differ; empty without the check.
+fn beside_check(source: &Source) -> String {
+    let facts = source.facts();
+    let check = facts.trust.iter().find(|line| line.id == ERROR_CHECK && !line.not_applicable);
+    let text = |line: &TrustLine| {
+        format!(
+            " It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check '{}' leaves that out, so its \
+             number is another.",
+            line.name
+        )
+    };
+    check.map_or(String::new(), text)
 }
 
 /// What interfaces hold and have taken at the end of the table; empty without them.
@@ -116,7 +138,7 @@ pub fn section<'a>(source: &'a Source) -> Section {
     for (title, lines) in [("energy", drawn), ("energy of interfaces", contact)] {
         let most = lines.iter().map(|(_, values)| largest(values)).fold(0.0, f64::max);
         let line = |((name, values), colour): ((&'a str, &'a [f64]), usize)| Line {
-            name: words(name),
+            name: words(name, table),
             values: values.into(),
             colour,
             stroke: Stroke::Thin,
@@ -147,8 +169,9 @@ pub fn section<'a>(source: &'a Source) -> Section {
             });
             let percent = figures(100.0 * ratio, 2);
             format!(
-                "The error is at most {}, {percent}\u{a0}% of the largest energy held.",
-                quantity("J", worst)
+                "The error is at most {}, {percent}\u{a0}% of the largest energy held.{}",
+                quantity("J", worst),
+                beside_check(source)
             )
         }
         _ => "energy.csv has no column error.".into(),
@@ -156,7 +179,7 @@ pub fn section<'a>(source: &'a Source) -> Section {
     caption.push_str(&through_sides(table));
     caption.push_str(&of_interfaces(table));
     if !idle.is_empty() {
-        let names = idle.iter().map(|(name, _)| words(name)).collect::<Vec<_>>().join(", ");
+        let names = idle.iter().map(|(name, _)| words(name, table)).collect::<Vec<_>>().join(", ");
         caption.push_str(&format!(" Zero throughout: {names}."));
     }
     let time = table.column("time").unwrap_or(&[]);

@@ -1,20 +1,22 @@
 //! What came in and what the free field made of it: the wave that was asked for, each column at its surface and base by theory
-//! and as it moved, and the model beside them.
+//! and as it moved, and the model at its corner farthest from its column.
 
 use tremolite_results::{FreeField, Station, Velocities};
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Block, Chapter, Figure, Section};
-use crate::free_field_numbers::{AXES, Drawn, Wave, apart, largest, percent};
+use crate::free_field_beside::{Drawn, farthest_from_theory, same};
+use crate::free_field_numbers::{AXES, PLACES, SAME, Wave, from_column, from_theory, largest, percent};
+use crate::free_field_tables::{of_columns, of_corners};
 use crate::scale::{Scale, figures, quantity, trimmed};
 use crate::source::Source;
-use crate::text_table::{Cell, Head, TextTable};
 
-/// What the places of a station are called.
-const PLACES: [&str; 2] = ["surface", "base"];
 const HEADING: &str = "What came in and what the free field made of it";
 /// A component this much smaller than the largest does not count as moving: the sides that hold a normal go by the same.
 const IDLE: f64 = 1e-3;
+/// A component that the model alone has, as caverns and layers that dip scatter it, is drawn from this share of the largest on:
+/// a tenth of what the check of its corners allows.
+const SCATTERED: f64 = 0.01;
 /// Share of the incident wave's peak that the rows should show, for their peaks to be those of the motion.
 const SHOWN: f64 = 0.95;
 
@@ -24,7 +26,7 @@ pub fn section(source: &Source) -> Option<Section> {
         Ok(found) => found,
         Err(why) => return Some(Section::left_out(HEADING, why)),
     };
-    let stations: Vec<&Station> = found.columns.iter().chain(&found.model).collect();
+    let stations: Vec<&Station> = found.columns.iter().chain(&found.model).chain(&found.corners).collect();
     if stations.is_empty() {
         return Some(Section::left_out(HEADING, "free_field.csv has no columns of velocities."));
     }
@@ -41,22 +43,21 @@ pub fn section(source: &Source) -> Option<Section> {
     if most == 0.0 {
         return Some(Section::left_out(HEADING, "free_field.csv holds no motion."));
     }
-    let moving: Vec<usize> = (0..3).filter(|&axis| sizes[axis] > IDLE * most).collect();
-    let first = moving.iter().copied().max_by(|&a, &b| sizes[a].total_cmp(&sizes[b])).unwrap_or(0);
-    let drawn = Drawn::of(found, &moving);
+    let first = (0..3).filter(|&axis| sizes[axis] > 0.0).max_by(|&a, &b| sizes[a].total_cmp(&sizes[b]));
+    let first = first.unwrap_or(0);
+    let drawn = Drawn::of(found);
+    let size = |axis: usize| sizes[axis].max(drawn.largest(axis));
+    let moving: Vec<usize> =
+        (0..3).filter(|&axis| sizes[axis] > IDLE * most || size(axis) > SCATTERED * most).collect();
     // One unit for all, in which what is a tenth of the largest still has its figures.
     let scale = Scale::suiting("m/s", 0.1 * most);
-    let svg = Chart {
-        title: HEADING.into(),
-        time: &found.time,
-        panels: panels(found, &wave, &drawn, (&moving, &scale)),
-    };
+    let svg =
+        Chart { title: HEADING.into(), time: &found.time, panels: panels(&wave, &drawn, (&moving, &scale)) };
     let mut caption = drawn.why.clone();
     for axis in (0..3).filter(|axis| !moving.contains(axis)) {
-        let size = if sizes[axis].is_nan() || sizes[axis] == 0.0 {
-            "zero".into()
-        } else {
-            format!("nowhere more than {}", quantity("m/s", sizes[axis]))
+        let size = match size(axis) {
+            size if size > 0.0 => format!("nowhere more than {}", quantity("m/s", size)),
+            _ => "zero".into(),
         };
         caption.push_str(&format!(" Not drawn: {}, {size}.", AXES[axis]));
     }
@@ -72,21 +73,22 @@ pub fn section(source: &Source) -> Option<Section> {
         figures: vec![figure],
         ..Block::default()
     };
-    let peaks = Block {
-        heading: "Peaks of velocity at surface and base".into(),
-        tables: vec![table(found, &drawn, &moving, &scale)],
+    let tables = [
+        ("Peaks of velocity of the columns", of_columns(found, &moving, &scale)),
+        ("Peaks of velocity of the model at its corners", of_corners(found, &drawn, &moving, &scale)),
+    ];
+    let tables = tables.into_iter().filter(|(_, table)| !table.rows.is_empty());
+    let tables = tables.map(|(heading, table)| Block {
+        heading: heading.into(),
+        tables: vec![table],
         ..Block::default()
-    };
-    Some(Section::Told(Chapter { id: "free-field", heading: HEADING.into(), blocks: vec![block, peaks] }))
+    });
+    let blocks = std::iter::once(block).chain(tables).collect();
+    Some(Section::Told(Chapter { id: "free-field", heading: HEADING.into(), blocks }))
 }
 
 /// A surface and a base for each component that moves.
-fn panels<'a>(
-    found: &'a FreeField,
-    wave: &'a Wave,
-    drawn: &Drawn<'a>,
-    (moving, scale): (&[usize], &Scale),
-) -> Vec<Panel<'a>> {
+fn panels<'a>(wave: &'a Wave, drawn: &Drawn<'a>, (moving, scale): (&[usize], &Scale)) -> Vec<Panel<'a>> {
     let mut panels = Vec::new();
     for (k, place) in PLACES.into_iter().enumerate() {
         for &axis in moving {
@@ -99,8 +101,9 @@ fn panels<'a>(
                 line(format!("{}, {what}", column.name), &of(column.places()[k])[axis], colour, stroke)
             };
             let of_model = || {
-                let values = &found.model.as_ref()?.places()[k].measured[axis];
-                line("model, as it moved".into(), values, 3, Stroke::Dashed)
+                let beside = drawn.model.as_ref()?;
+                let values = &beside.model.places()[k].measured[axis];
+                line(format!("model, {}", beside.place), values, 3, Stroke::Dashed)
             };
             // In the order in which they are drawn: what may be hidden lies broad below what hides it.
             let lines = [
@@ -139,7 +142,9 @@ fn verdict(
             scale.quantity(incident)
         ));
     }
-    for (place, of) in drawn.column.iter().flat_map(|column| PLACES.into_iter().zip(column.places())) {
+    let places = drawn.column.iter().flat_map(|column| (0..2).map(|k| (*column, k)));
+    for (column, k) in places {
+        let (place, of) = (PLACES[k], column.places()[k]);
         let (measured, theory) = (&of.measured[axis], &of.theory[axis]);
         if measured.is_empty() {
             continue;
@@ -148,24 +153,47 @@ fn verdict(
             true => format!(", {} times the incident wave", figures(largest(measured) / incident, 3)),
             false => String::new(),
         };
-        let beside = apart(measured, theory).map_or("no theory".into(), |share| {
-            format!("theory {}; they differ by at most {} of the peak", speed(theory), percent(share))
+        let beside = from_theory(column, k, axis).map_or("no theory".into(), |share| {
+            format!("theory {}; they differ by at most {} of its peak", speed(theory), percent(share))
         });
-        let name = drawn.column.map_or("", |column| &column.name);
-        parts.push(format!("the {place} of column {name} at {}{times} ({beside})", speed(measured)));
+        parts.push(format!("the {place} of column {} at {}{times} ({beside})", column.name, speed(measured)));
     }
-    for (k, of) in found.model.iter().flat_map(Station::places).enumerate() {
-        let measured = &of.measured[axis];
+    for (beside, k) in drawn.model.iter().flat_map(|beside| (0..2).map(move |k| (beside, k))) {
+        let measured = &beside.model.places()[k].measured[axis];
         if measured.is_empty() {
             continue;
         }
-        let beside = drawn.column.and_then(|column| apart(measured, &column.places()[k].measured[axis]));
-        let beside = beside.map_or(String::new(), |share| {
-            format!(" (differing from the column's by at most {})", percent(share))
+        let apart = beside.column.and_then(|column| from_column(beside.model, column, k, axis));
+        let apart = apart.map_or(String::new(), |share| {
+            format!(" (differing from the column's by at most {} of its peak)", percent(share))
         });
-        parts.push(format!("the model's own {} at {}{beside}", PLACES[k], speed(measured)));
+        parts.push(format!("the model's own {}, {}, at {}{apart}", PLACES[k], beside.place, speed(measured)));
     }
     let mut text = format!("Along {} {}.", AXES[axis], parts.join("; "));
+    if let (Some(apart), Some(beside), Some(column)) = (drawn.apart, &drawn.model, drawn.column) {
+        text.push_str(&match apart.share > SAME {
+            true => format!(
+                " The corner of the model farthest from its column is {}: by {} of the peak of column {}, along {} at the {}.",
+                beside.model.name,
+                percent(apart.share),
+                column.name,
+                AXES[apart.axis],
+                PLACES[apart.place]
+            ),
+            false => " No corner of the model differs from its column.".into(),
+        });
+    }
+    if let Some((farthest, at)) = farthest_from_theory(found)
+        && drawn.column.is_some_and(|column| !same(farthest, column))
+    {
+        text.push_str(&format!(
+            " The column farthest from theory is {}: by {} of its peak, along {} at the {}.",
+            farthest.name,
+            percent(at.share),
+            AXES[at.axis],
+            PLACES[at.place]
+        ));
+    }
     let seen = largest(&wave.at_rows[axis]);
     if seen < SHOWN * incident {
         text.push_str(&format!(
@@ -183,11 +211,21 @@ fn explained(found: &FreeField) -> String {
         _ => String::new(),
     };
     let mut text = format!(
-        "Peaks of the free field are those of the rows of free_field.csv{interval}, not of steps; differences are the largest \
-         of any row, over the larger of the two peaks. The incident wave is what comes up through the base; at the base it \
-         stands together with what comes back from above. A surface moves twice the incident wave where nothing is layered, \
-         damped or yields."
+        "Peaks and differences are those of the rows of free_field.csv{interval}, not of steps. A difference is the largest of \
+         any row, over the largest component of the column, or of its theory, at surface or base: as in the checks 'model's \
+         corners against free field', which takes every step and may find more, and 'free field against theory'. The \
+         incident wave is what comes up through the base; at the base it stands together with what comes back from above. A \
+         surface moves twice the incident wave where nothing is layered, damped or yields."
     );
+    if found.corners.is_empty() && found.model.is_some() {
+        text.push_str(
+            " This file holds the mean of the model's four corners alone, in which errors of opposite sign cancel and which \
+             no column stands for where the ground differs between corners.",
+        );
+    }
+    if found.columns.iter().any(|column| column.name.starts_with("reference-")) {
+        text.push_str(" A reference column is named by the corners of the model that it stands for.");
+    }
     let places = found.columns.iter().any(|column| column.name.starts_with(['x', 'y']));
     if places {
         text.push_str(
@@ -202,45 +240,4 @@ fn explained(found: &FreeField) -> String {
         text.push_str(&format!(" The file holds no theory for {}.", without.join(", ")));
     }
     text
-}
-
-/// Peaks of all columns, and of the model, at surface and base.
-fn table(found: &FreeField, drawn: &Drawn, moving: &[usize], scale: &Scale) -> TextTable {
-    let mut over = vec![Head::words("").over(2)];
-    over.extend(PLACES.map(|place| Head::number(place).over(3)));
-    let mut head = vec![Head::words("column"), Head::words("along")];
-    for _ in PLACES {
-        head.push(Head::number(scale.labelled("peak")));
-        head.push(Head::number(scale.labelled("theory")));
-        head.push(Head::number("differs by (% of peak)"));
-    }
-    let peak = |values: &[f64]| Cell::number(scale.number(largest(values)));
-    let share =
-        |share: Option<f64>| Cell::number(share.map_or("–".into(), |s| percent(s).replace("\u{a0}%", "")));
-    let mut rows = Vec::new();
-    for station in found.columns.iter().chain(&found.model) {
-        let is_model = found.model.as_ref().is_some_and(|model| std::ptr::eq(model, station));
-        let mut name = station.name.as_str();
-        for &axis in moving {
-            let places = station.places();
-            if places.iter().all(|of| of.measured[axis].is_empty() && of.theory[axis].is_empty()) {
-                continue;
-            }
-            let mut row = vec![Cell::words(std::mem::take(&mut name)), Cell::words(AXES[axis])];
-            let beside = drawn.column.filter(|_| is_model).map(Station::places);
-            for (k, of) in places.into_iter().enumerate() {
-                let measured = &of.measured[axis];
-                row.extend([peak(measured), peak(&of.theory[axis])]);
-                row.push(match beside {
-                    Some(of) => share(apart(measured, &of[k].measured[axis])),
-                    None => share(apart(measured, &of.theory[axis])),
-                });
-            }
-            if let Some(column) = drawn.column.filter(|_| is_model && !row[0].text.is_empty()) {
-                row[0].note = format!("against {}", column.name);
-            }
-            rows.push(row);
-        }
-    }
-    TextTable { head: vec![over, head], rows }
 }

@@ -1,12 +1,19 @@
-//! The numbers behind the section of the free field: the wave at the times of the rows, how far histories are apart, and which
-//! column is drawn.
+//! The numbers behind the section of the free field: the wave at the times of the rows, and how far histories are apart.
+//!
+//! A difference is over the largest component of what it is measured by, at surface or base: the norm of the checks 'free field
+//! against theory' and 'model's corners against free field', though of rows and not of steps.
 
-use tremolite_results::{FreeField, Station, Velocities};
+use tremolite_results::{Station, Velocities};
 
 use crate::scale::figures;
 use crate::source::Source;
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// What the places of a station are called.
+pub const PLACES: [&str; 2] = ["surface", "base"];
+
+/// By how much of their peak histories may differ and count as the same: round-off.
+pub const SAME: f64 = 1e-9;
 
 /// What was asked for (m/s): peaks of the motion given and of the incident wave, and the wave at the times of the rows.
 #[derive(Default)]
@@ -42,62 +49,37 @@ fn interpolated(time: &[f64], values: &[f64], rows: &[f64]) -> Vec<f64> {
     if values.is_empty() { Vec::new() } else { rows.iter().map(|t| at(t).unwrap_or(f64::NAN)).collect() }
 }
 
-/// The column that is drawn, and why it is that one.
-pub struct Drawn<'a> {
-    pub column: Option<&'a Station>,
-    pub why: String,
-}
-
-impl<'a> Drawn<'a> {
-    /// The one farthest from theory; without theory the one farthest from the model.
-    pub fn of(found: &'a FreeField, moving: &[usize]) -> Drawn<'a> {
-        let model = found.model.as_ref();
-        let farthest = |of: &dyn Fn(&Velocities, &Velocities, usize) -> Option<f64>| {
-            let distance = |column: &'a Station| {
-                let none = Velocities::default();
-                let beside = model.map_or([&none; 2], Station::places);
-                let places = column.places().into_iter().zip(beside);
-                let each = places
-                    .flat_map(|(own, model)| moving.iter().filter_map(move |&axis| of(own, model, axis)));
-                Some((column, each.reduce(f64::max)?))
-            };
-            // Of equal ones the first.
-            found.columns.iter().filter_map(distance).reduce(|a, b| if b.1 > a.1 { b } else { a })
-        };
-        let theory = farthest(&|own, _, axis| apart(&own.measured[axis], &own.theory[axis]));
-        let beside = || farthest(&|own, model, axis| apart(&own.measured[axis], &model.measured[axis]));
-        let (column, from) = match theory {
-            Some((column, _)) => (Some(column), "theory"),
-            None => match beside() {
-                Some((column, _)) => (Some(column), "the model"),
-                None => (found.columns.first(), ""),
-            },
-        };
-        let why = match (column, found.columns.len(), from) {
-            (Some(column), 2.., "") => format!("Of the columns the first is drawn, {}.", column.name),
-            (Some(column), n @ 2.., from) => {
-                format!("Of the {n} columns the one farthest from {from} is drawn, {}.", column.name)
-            }
-            _ => String::new(),
-        };
-        Drawn { column, why }
-    }
-}
-
 /// The largest finite size; not a number where there is none.
 pub fn largest(values: &[f64]) -> f64 {
     values.iter().filter(|x| x.is_finite()).map(|x| x.abs()).reduce(f64::max).unwrap_or(f64::NAN)
 }
 
-/// How far two histories are apart at most, over the larger of their peaks; none where they have no row in common.
-pub fn apart(a: &[f64], b: &[f64]) -> Option<f64> {
+/// The largest velocity of a station of those it had, or of those that theory has for it: any component, surface or base.
+pub fn peak(station: &Station, of: fn(&Velocities) -> &[Vec<f64>; 3]) -> f64 {
+    let histories = station.places().into_iter().flat_map(of);
+    histories.map(|values| largest(values)).fold(f64::NAN, f64::max)
+}
+
+/// How far two histories are apart at most, over a peak; none where they have no row in common.
+pub fn apart(a: &[f64], b: &[f64], peak: f64) -> Option<f64> {
     let both = a.iter().zip(b).filter(|(a, b)| a.is_finite() && b.is_finite());
     let most = both.map(|(a, b)| (a - b).abs()).reduce(f64::max)?;
-    let peak = largest(a).max(largest(b));
     Some(if most == 0.0 { 0.0 } else { most / peak })
 }
 
-/// A share in per cent.
+/// How far a column is from its theory at one of its places along an axis, over the peak of theory.
+pub fn from_theory(column: &Station, place: usize, axis: usize) -> Option<f64> {
+    let of = column.places()[place];
+    apart(&of.measured[axis], &of.theory[axis], peak(column, |of| &of.theory))
+}
+
+/// How far a station of the model is from a column at a place along an axis, over the peak of the column.
+pub fn from_column(model: &Station, column: &Station, place: usize, axis: usize) -> Option<f64> {
+    let [model, own] = [model, column].map(|station| &station.places()[place].measured[axis]);
+    apart(model, own, peak(column, |of| &of.measured))
+}
+
+/// A share in per cent; round-off is none.
 pub fn percent(share: f64) -> String {
-    format!("{}\u{a0}%", if share == 0.0 { "0".into() } else { figures(100.0 * share, 2) })
+    format!("{}\u{a0}%", if share < SAME { "0".into() } else { figures(100.0 * share, 2) })
 }

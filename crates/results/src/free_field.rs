@@ -1,4 +1,6 @@
 //! `free_field.csv`, read: velocities at the top and the base of each column of the free field, and of the model beside them.
+//!
+//! Names tell which corners of the model a column stands for: [`Station::serves`].
 
 use std::path::Path;
 
@@ -9,6 +11,9 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 /// What stands behind the component of a velocity that theory predicts.
 const THEORY: &str = "_theory";
 
+/// What stands before the name of a corner of the model.
+const CORNER: &str = "model.";
+
 /// What was recorded of the free field. What the file does not hold is empty, and columns of other names are passed over.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FreeField {
@@ -16,8 +21,10 @@ pub struct FreeField {
     pub time: Vec<f64>,
     /// The columns, in the order of the file.
     pub columns: Vec<Station>,
-    /// The model's own surface and base; no theory.
+    /// Means of the model's own surface and base over its four vertical edges; no theory.
     pub model: Option<Station>,
+    /// The model itself at its vertical edges, named `xmin-ymin` …; no theory. Empty in files of older versions.
+    pub corners: Vec<Station>,
     /// The file ended in the middle of a line: see [`Table::cut`].
     pub cut: bool,
 }
@@ -25,7 +32,7 @@ pub struct FreeField {
 /// A column of the free field, or the model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Station {
-    /// `reference`, `xmin-ymax` …; `model` of the model.
+    /// `reference`, `reference-xmin-ymin+xmin-ymax`, `xmin-ymax` …; `model` of the model's mean, of its corners their own.
     pub name: String,
     /// At the surface.
     pub top: Velocities,
@@ -47,6 +54,19 @@ impl Station {
     pub fn places(&self) -> [&Velocities; 2] {
         [&self.top, &self.base]
     }
+
+    /// Whether a column stands for the ground at a corner of the model (`xmin-ymax`): `reference` for all; `reference-` and
+    /// names of corners with `+` between for those; at the end of a slab, `ymax-xmin`, for where the two sides meet.
+    pub fn serves(&self, corner: &str) -> bool {
+        match self.name.strip_prefix("reference") {
+            Some("") => true,
+            Some(served) => served.strip_prefix('-').is_some_and(|s| s.split('+').any(|one| one == corner)),
+            None => {
+                let turned = self.name.split_once('-').map(|(side, end)| format!("{end}-{side}"));
+                self.name == corner || turned.as_deref() == Some(corner)
+            }
+        }
+    }
 }
 
 impl FreeField {
@@ -58,8 +78,8 @@ impl FreeField {
         Table::read(path).map(Self::of)
     }
 
-    /// What a table holds of the free field: columns `COLUMN.top.vx`, `COLUMN.top.vx_theory`, `COLUMN.base.vx` …, and
-    /// `model.surface.vx`, `model.base.vx` ….
+    /// What a table holds of the free field: columns `COLUMN.top.vx`, `COLUMN.top.vx_theory`, `COLUMN.base.vx` …,
+    /// `model.surface.vx`, `model.base.vx` …, and `model.xmin-ymin.surface.vx` ….
     pub fn of(table: Table) -> Self {
         let mut found = FreeField { cut: table.cut, ..FreeField::default() };
         let mut stations: Vec<Station> = Vec::new();
@@ -83,7 +103,15 @@ impl FreeField {
         }
         let model = stations.iter().position(|station| station.name == "model");
         found.model = model.map(|k| stations.remove(k));
-        found.columns = stations;
+        for mut station in stations {
+            match station.name.strip_prefix(CORNER) {
+                Some(corner) => {
+                    station.name = corner.to_owned();
+                    found.corners.push(station);
+                }
+                None => found.columns.push(station),
+            }
+        }
         found
     }
 }
@@ -138,6 +166,41 @@ mod tests {
                 && second.top.measured.iter().all(Vec::is_empty)
         );
         assert_eq!(found.model.unwrap().top.measured[0], [7.0, 8.0]);
+    }
+
+    #[test]
+    fn corners_of_the_model_are_no_columns_and_names_tell_what_stands_for_them() {
+        let found = of(&[
+            ("reference-xmin-ymin+xmax-ymax.top.vx", &[1.0]),
+            ("model.surface.vx", &[2.0]),
+            ("model.xmin-ymin.surface.vx", &[3.0]),
+            ("model.xmax-ymin.base.vy", &[4.0]),
+            ("model.xmin-ymin.base.vz", &[5.0]),
+        ]);
+        let names = |of: &[Station]| of.iter().map(|station| station.name.clone()).collect::<Vec<_>>();
+        assert_eq!(names(&found.columns), ["reference-xmin-ymin+xmax-ymax"]);
+        assert_eq!(names(&found.corners), ["xmin-ymin", "xmax-ymin"]);
+        assert_eq!(found.model.unwrap().top.measured[0], [2.0]);
+        assert_eq!(
+            (&found.corners[0].top.measured[0], &found.corners[0].base.measured[2]),
+            (&vec![3.0], &vec![5.0])
+        );
+        assert_eq!(found.corners[1].base.measured[1], [4.0]);
+
+        let corners = ["xmin-ymin", "xmax-ymin", "xmin-ymax", "xmax-ymax"];
+        for (name, served) in [
+            ("reference", &[0, 1, 2, 3][..]),
+            ("reference-xmin-ymin+xmax-ymax", &[0, 3]),
+            ("reference-xmax-ymin", &[1]),
+            ("xmin-ymax", &[2]),
+            ("ymax-xmin", &[2]),
+            ("referencexmin-ymin", &[]),
+            ("xmin", &[]),
+        ] {
+            let station = Station { name: name.into(), ..Station::default() };
+            let found: Vec<usize> = (0..4).filter(|&k| station.serves(corners[k])).collect();
+            assert_eq!(found, served, "{name}");
+        }
     }
 
     #[test]

@@ -3,8 +3,10 @@
 //!
 //! For each column the velocity at its top and base is written as it was computed, and as theory has it for its layers
 //! ([`theory`]): exact in frequency with all damping but artificial viscosity. There is none where an interface runs through the
-//! column, and none any more from the row on in which its rock has yielded or cracked. `model.surface` and `model.base` are the
-//! means over the four vertical edges of the model itself, the places farthest from what it holds.
+//! column, and none any more from the row on in which its rock has yielded or cracked. `model.xmin-ymin` …
+//! are the model itself at the upper and lower ends of its four vertical edges, the places farthest from what it holds;
+//! `model.surface` and `model.base` are the means over the four, which no single column need have: errors of opposite sign
+//! cancel in them, and unlike ground stands apart from them.
 
 mod columns;
 mod seen;
@@ -19,6 +21,7 @@ use columns::{ENDS, Watched, edges, watched};
 use seen::most;
 use std::ops::Range;
 use theory::{Layer, LayeredColumn};
+use tremolite_engine::column::corner_name;
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
 use tremolite_results::{Column, TableWriter};
@@ -98,8 +101,11 @@ fn header(columns: &[Watched], theory: &[Option<usize>]) -> Vec<Column> {
             }
         }
     }
-    for end in ["surface", "base"] {
-        header.extend(AXES.map(|axis| Column::new(format!("model.{end}.v{axis}"), "m/s")));
+    let corners = (0..4).map(|corner| format!("model.{}", corner_name(corner)));
+    for place in std::iter::once("model".to_owned()).chain(corners) {
+        for end in ["surface", "base"] {
+            header.extend(AXES.map(|axis| Column::new(format!("{place}.{end}.v{axis}"), "m/s")));
+        }
     }
     header
 }
@@ -203,6 +209,9 @@ impl Observer for FreeField {
         for nodes in &self.edges {
             let mean = |i: usize| nodes.iter().map(|&node| velocity(node)[i]).sum::<f64>() / 4.0;
             row.extend([0, 1, 2].map(mean));
+        }
+        for corner in 0..4 {
+            row.extend(self.edges.iter().flat_map(|nodes| velocity(nodes[corner])));
         }
         self.table.write(&row)?;
         seen.bytes = self.table.bytes_written();

@@ -1,6 +1,7 @@
 //! Columns of the ground along the model's vertical edges.
 
 use crate::block::{block, pulse};
+use tremolite::column::corner_name;
 use tremolite::{Base, Body, Incident, Model, Problem, Quadrature, Side, elastic};
 use tremolite_laws::Moduli;
 use tremolite_mesh::boxes::BoxSpec;
@@ -33,14 +34,24 @@ fn corners_that_differ_have_a_column_each_and_the_base_lies_between_them() {
     let left = |x: [f64; 3]| x[0] < 4.0;
     let right = |x: [f64; 3]| x[0] > 4.0;
     let behind = |x: [f64; 3]| x[1] > 4.0;
-    let all = [(&left as &dyn Fn([f64; 3]) -> bool, [0, 2]), (&right, [0, 2]), (&behind, [0, 1])];
+    let all = [
+        (&left as &dyn Fn([f64; 3]) -> bool, [0, 2], "reference-xmin-ymin+xmin-ymax"),
+        (&right, [0, 2], "reference-xmin-ymin+xmin-ymax"),
+        (&behind, [0, 1], "reference-xmin-ymin+xmax-ymin"),
+    ];
     for base in [SPRINGS, Base::Viscous] {
-        for (soft, first) in &all {
+        for (soft, first, name) in &all {
             let model = Model::new(two_rocks(base, soft)).unwrap();
             let corners: Vec<&[usize]> =
                 model.columns.iter().map(|column| column.corners.as_slice()).collect();
             assert_eq!((corners.len(), corners[0]), (2, first.as_slice()));
-            assert!(model.columns[0].name == "reference-xmin-ymin");
+            assert_eq!(model.columns[0].name, *name);
+            // Who reads free_field.csv goes by the names alone.
+            for column in &model.columns {
+                let named = tremolite_results::Station { name: column.name.clone(), ..Default::default() };
+                let served: Vec<usize> = (0..4).filter(|&k| named.serves(&corner_name(k))).collect();
+                assert_eq!(served, column.corners, "{}", column.name);
+            }
         }
     }
     // Layers are the same everywhere.
