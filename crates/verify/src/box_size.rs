@@ -117,7 +117,7 @@ pub fn shake(ground: Ground, sides: Side, widths: u32, frequency: f64) -> Result
     let (every, dt) = whole_steps(5e-3, (stable * 1e5).floor() * 1e-5);
     let mut rows = Vec::new();
     simulation.run_from_rest(dt, every * (end / 5e-3).round() as u64, |state| {
-        if state.step % every == 0 {
+        if state.step.is_multiple_of(every) {
             let mut row: Vec<([f64; 3], [f64; 3])> =
                 walls.iter().map(|&n| (simulation.position(n), state.u[n].xyz())).collect();
             // Numbers of nodes differ between boxes.

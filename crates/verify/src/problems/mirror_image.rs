@@ -121,7 +121,7 @@ fn problem(uneven: Uneven, base: Base, side: Side, mirrored: bool) -> Result<tre
             // Half of the rows along x, which lean in the one case.
             (e % ELEMENTS[0]) < ELEMENTS[0] / 2
         }
-        Uneven::SharedEdge => e % 2 == 0,
+        Uneven::SharedEdge => e.is_multiple_of(2),
     };
     let (own, other): (Vec<u32>, Vec<u32>) = (0..mesh.elements.len() as u32).partition(|&e| soft(e));
     let bodies = vec![
@@ -190,7 +190,7 @@ fn shake(simulation: &Simulation, dt: f64, steps: u64, sense: f64) -> Result<BTr
     let mut rows: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
     let model = &simulation.model;
     simulation.run_from_rest(dt, steps, |state| {
-        if state.step % 10 == 0 {
+        if state.step.is_multiple_of(10) {
             for n in model.counted.clone() {
                 let [x, y, z] = state.u[n].xyz();
                 rows.entry(model.mesh_node[n]).or_default().extend([sense * x, y, z]);
