@@ -1,8 +1,8 @@
 //! A round cavity in a space without end, under steady P waves.
 //!
-//! Pao and Mow's solution (`pao1973`, [`crate::scattering`]) concentrates the incident stress σ₀ at the wall beside the cavity by
+//! Pao and Mow's solution (`pao1973`, `scattering`) concentrates the incident stress σ₀ at the wall beside the cavity by
 //! 8/3 where the wave is long, by 2.91 at most, at ka = ωa/c_p = 0.255, and by less where it is shorter (ν = ¼). Three waves at
-//! once go through the model ([`crate::full_space`]), and σ_θ all round is found in amplitude and phase over their common
+//! once go through the model (`full_space`), and σ_θ all round is found in amplitude and phase over their common
 //! period, once all is steady.
 //!
 //! What errs is the box: sides and top know the ground without the cavity, so what it scatters meets dashpots alone. For long waves

@@ -2,7 +2,7 @@
 //!
 //! The incident stress rises from 0 to σ₀ in the time in which the wave travels a radius, by a smooth ramp. Behind the front
 //! σ_θ swings beyond the static 8/3 σ₀ at the bare wall beside the cavity, to 2.94 σ₀ (ν = ¼), and comes to it from above. The
-//! exact course is the Fourier sum of the steady solution (`pao1973`, [`crate::scattering`]).
+//! exact course is the Fourier sum of the steady solution (`pao1973`, `scattering`).
 //!
 //! Until anything can come back from the box mesh and step alone err, with order 2: the wave is delayed by ⅟₂₄(kh)² of its way, and
 //! the ramp's components go up to two waves a radius. Later the box errs, as under steady waves ([`super::cavity_sines`]).

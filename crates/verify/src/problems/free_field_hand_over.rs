@@ -1,6 +1,6 @@
 //! From stages to the shaking with free-field sides: what the rollers of the sides carried is what the slabs press with.
 //!
-//! The slice with a lined opening ([`crate::lined`]) has initial stress and weight, in rock that yields. The opening is excavated in one
+//! The slice with a lined opening (`lined`) has initial stress and weight, in rock that yields. The opening is excavated in one
 //! stage, its lining placed in the next, with part of what was out of balance still to go. Slabs and columns go through the same
 //! stages by themselves. As nothing varies along y, the slab beyond a side across y must press on it with just what its rollers
 //! carried, and so nothing is held there. Then a pulse comes, and long afterwards the slice must be at rest.

@@ -1,6 +1,6 @@
 //! A lined tunnel that reaches the sides is in their free field, as a tunnel in plane strain.
 //!
-//! A slice with a lined opening ([`crate::lined`]) does not vary along y. With free-field sides across y its slabs hold the same
+//! A slice with a lined opening (`lined`) does not vary along y. With free-field sides across y its slabs hold the same
 //! opening, lining and joint, so the model, the slab outside it, and the model with periodic sides across y must move alike. They
 //! differ by round-off alone while laws are regular; where concrete cracks and the joint opens, round-off grows with every branch
 //! that falls the other way, and the time at which that begins is told.

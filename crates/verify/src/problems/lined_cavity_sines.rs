@@ -2,7 +2,7 @@
 //!
 //! As [`super::cavity_sines`]: rock with a wall of 8.5 m, a liner half a metre thick of concrete, one ring of 2×2×2 points, whose
 //! points near the inner and the outer face are compared with what is exact there (`pao1973` has the equations, with tractions and
-//! displacements handed on between rock and liner; [`crate::scattering`]). Beside the cavity the liner has 5.8 times the incident
+//! displacements handed on between rock and liner; `scattering`). Beside the cavity the liner has 5.8 times the incident
 //! stress within and 5.1 times without.
 
 use super::cavity_sines::Series;
