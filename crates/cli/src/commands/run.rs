@@ -266,7 +266,12 @@ pub fn run(args: &Args) -> Outcome {
                 continue;
             }
             let mark = if line.pass { "ok  " } else { "LOOK" };
-            log.say(&format!("  {mark} {}: {} (limit {})", line.name, short(line.value), line.limit));
+            // What cannot be told says why.
+            let found = match line.value.is_nan() {
+                true => line.note.clone(),
+                false => format!("{} (limit {})", short(line.value), line.limit),
+            };
+            log.say(&format!("  {mark} {}: {found}", line.name));
         }
         let idle = summary.trust.iter().filter(|line| line.not_applicable).count();
         if idle > 0 {
