@@ -222,3 +222,34 @@ fn a_plan_that_is_no_rectangle_and_sides_that_are_rough_are_refused_with_what_is
     let said = refused(folder, "path = \"box.msh\"");
     assert!(said.contains("not two pairs of parallel vertical planes") && !said.contains("rotate"), "{said}");
 }
+
+/// A turned box runs as the straight one: level ground that its free-field sides leave alone, and the same histories.
+#[test]
+fn a_box_that_is_turned_back_moves_as_the_straight_one_between_free_field_sides() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let run = |degrees: f64| {
+        turned(folder, degrees, "sides = \"free-field\"");
+        if degrees != 0.0 {
+            let rotate = format!("path = \"box.msh\"\nrotate = \"{} deg\"", -degrees);
+            change(folder, "path = \"box.msh\"", &rotate);
+        }
+        let out = format!("turned-{degrees}");
+        let ran = tremolite(folder, &["run", "case.toml", "--out", &out]);
+        assert_eq!(ran.status.code(), Some(0), "{}", errors(&ran));
+        let out = folder.join(out);
+        let summary = tremolite_results::Summary::read(&out.join("summary.json")).unwrap();
+        let corners = summary.trust.iter().find(|line| line.id == "model_against_free_field").unwrap();
+        assert!(corners.pass && corners.value < 1e-9, "{degrees}: {corners:?}");
+        tremolite_results::Table::read(&out.join("free_field.csv")).unwrap()
+    };
+    let (straight, back) = (run(0.0), run(20.0));
+    let mut peak = 0.0_f64;
+    for column in &straight.columns {
+        let [a, b] = [&straight, &back].map(|table| table.column(&column.name).unwrap());
+        let scale = a.iter().fold(0.0_f64, |most, x| most.max(x.abs())).max(1e-6);
+        assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9 * scale), "{}", column.name);
+        peak = peak.max(if column.name.starts_with("model.surface") { scale } else { 0.0 });
+    }
+    assert!(peak > 1e-3, "something moved: {peak}");
+}
