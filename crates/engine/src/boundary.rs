@@ -16,7 +16,7 @@ use crate::column::{Column, SIDES, WIDTH};
 use crate::error::ModelError;
 use crate::free_field::{Slab, sheets};
 use crate::life::{Life, Stage};
-use crate::outer_faces::{OuterFaces, nodes_of};
+use crate::outer_faces::{OuterFaces, near, nodes_of};
 use crate::sheet::{Corner, Sheet, corners, faces_on};
 use base::add;
 use std::collections::BTreeMap;
@@ -139,16 +139,11 @@ impl Surroundings<'_> {
         self.body(face).map_or((0.0, 0.0), impedances)
     }
 
-    fn near(&self) -> f64 {
-        let (low, high) = self.faces.bounds;
-        1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
-    }
-
     /// Faces of a sheet on an outer plane that are there in a stage.
     fn of_sheet(&self, sheet: &Sheet, axis: usize, end: usize, stage: Stage) -> Vec<Face> {
         let level = [self.faces.bounds.0, self.faces.bounds.1][end][axis];
         let elements = sheet.elements().filter(|&e| self.stands(e as usize, stage));
-        faces_on(self.mesh, elements, axis, level, self.near())
+        faces_on(self.mesh, elements, axis, level, near(self.faces.bounds))
     }
 
     /// Faces on an outer plane, in a stage, of what stands outside the sides: of the slabs' ends, or of the bottoms and tops of

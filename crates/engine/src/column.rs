@@ -10,6 +10,7 @@ use crate::error::ModelError;
 use crate::hexahedra::hex_nodes;
 use crate::interface::Interface;
 use crate::life::Life;
+use crate::outer_faces::near;
 use crate::sheet::Sheet;
 use crate::traction::Traction;
 use std::ops::Range;
@@ -126,19 +127,12 @@ fn alike(a: &Ground, b: &Ground, bodies: &[Body], near: f64) -> bool {
         })
 }
 
-fn near(mesh: &Mesh) -> f64 {
-    let (low, high) = mesh.bounds();
-    1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
-}
-
 /// Whether two bodies are of the same stuff.
 fn same(a: &Body, b: &Body) -> bool {
     a.material.info().name == b.material.info().name
         && a.material.values() == b.material.values()
         && a.material.band() == b.material.band()
         && a.density == b.density
-        && a.quadrature == b.quadrature
-        && a.viscosity == b.viscosity
 }
 
 /// Layers along the vertical edge at a corner.
@@ -148,7 +142,7 @@ fn along(
     body_of: &[Option<usize>],
     corner: [f64; 2],
 ) -> Result<Vec<Stratum>, String> {
-    let near = near(mesh);
+    let near = near(mesh.bounds());
     let (low, _) = mesh.bounds();
     let place = format!("at the corner ({:.1}, {:.1}) m", corner[0], corner[1]);
     let on_edge = |n: u32| {
@@ -187,7 +181,7 @@ fn along(
 
 /// Refuses ground along the vertical edge at a corner that comes or goes: a reference column is the same in all stages.
 fn changes(mesh: &Mesh, lives: &[Life], [x, y]: [f64; 2]) -> Result<(), String> {
-    let near = near(mesh);
+    let near = near(mesh.bounds());
     let on_edge = |n: u32| {
         let at = mesh.nodes[n as usize];
         (at[0] - x).abs() < near && (at[1] - y).abs() < near
@@ -257,8 +251,7 @@ pub fn build(
     grounds: [Ground; 4],
     bounds: ([f64; 3], [f64; 3]),
 ) -> Reference {
-    let (low, high) = bounds;
-    let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    let ((low, high), near) = (bounds, near(bounds));
     let mut kinds: Vec<(Vec<usize>, &Ground)> = Vec::new();
     for (corner, ground) in grounds.iter().enumerate() {
         match kinds.iter_mut().find(|(_, known)| alike(known, ground, bodies, near)) {
@@ -331,10 +324,12 @@ fn one(
     }
 }
 
-/// Among the bodies from `first` on that of the same stuff as another, which is added where there is none: ground of one stuff is
-/// one body, whatever groups it lies in.
+/// Among the bodies from `first` on that of the same stuff as another in elements of the same kind, which is added where there is
+/// none: such ground is one body, whatever groups it lies in.
 pub fn own_body(bodies: &mut Vec<Body>, first: usize, of: usize, name: &str) -> usize {
-    if let Some(k) = bodies[first..].iter().position(|known| same(known, &bodies[of])) {
+    let like = &bodies[of];
+    let alike = |b: &Body| same(b, like) && b.quadrature == like.quadrature && b.viscosity == like.viscosity;
+    if let Some(k) = bodies[first..].iter().position(alike) {
         return first + k;
     }
     let name = format!("{name} ({})", bodies[of].name);

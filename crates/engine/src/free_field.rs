@@ -14,6 +14,7 @@ use crate::column::{Column, Layer, SIDES, corner_at, own_body};
 use crate::error::ModelError;
 use crate::interface::Seam;
 use crate::life::{Life, Stage};
+use crate::outer_faces::near;
 use crate::sheet::{Sheet, corners, faces_on};
 use crate::traction::Traction;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -47,8 +48,7 @@ pub struct Ground<'a> {
 
 impl Ground<'_> {
     fn near(&self) -> f64 {
-        let (low, high) = self.bounds;
-        1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
+        near(self.bounds)
     }
 
     fn level(&self, axis: usize, end: usize) -> f64 {
@@ -101,15 +101,15 @@ impl FreeField {
         }
         let standing = |e: &u32| ground.lives[self.parents[*e as usize] as usize].holds(Stage::Shaking);
         let elements: Vec<u32> = slab.sheet.elements().filter(standing).collect();
-        let near = ground.near();
-        let place = |n: u32| mesh.nodes[n as usize].map(|x| (x / near).round() as i64);
+        let apart = ground.near();
+        let place = |n: u32| mesh.nodes[n as usize].map(|x| (x / apart).round() as i64);
         let mut at: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
         for (k, &e) in elements.iter().enumerate() {
             mesh.elements[e as usize].nodes().iter().for_each(|&n| at.entry(place(n)).or_default().push(k));
         }
         let on_base = |e: u32| {
             let nodes = mesh.elements[e as usize].nodes();
-            nodes.iter().any(|&n| (mesh.nodes[n as usize][2] - ground.level(2, 0)).abs() <= near)
+            nodes.iter().any(|&n| (mesh.nodes[n as usize][2] - ground.level(2, 0)).abs() <= apart)
         };
         let mut reached: Vec<bool> = elements.iter().map(|&e| on_base(e)).collect();
         let mut next: Vec<usize> = (0..elements.len()).filter(|&k| reached[k]).collect();

@@ -7,6 +7,12 @@ use tremolite_mesh::{Face, Mesh};
 /// How far a face's nodes may lie off an outer plane, over the mesh's extent normal to it.
 pub const NEAR: f64 = 1e-6;
 
+/// Distance \[m\] within which something is at a place of a model with these bounds.
+pub fn near(bounds: ([f64; 3], [f64; 3])) -> f64 {
+    let (low, high) = bounds;
+    NEAR * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
+}
+
 /// Faces of elements on the outer planes.
 #[derive(Clone, Debug, Default)]
 pub struct OuterFaces {

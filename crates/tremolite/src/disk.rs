@@ -85,7 +85,9 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
             roles.filter(|role| position(history, *role).is_some()).count()
         })
         .sum();
-    (monitors + interfaces + 1 + Line::ALL.len() + 1 + damage) as u64
+    // Time; by column of ground top and base along three axes, measured and by theory; the model's corners and their mean.
+    let free_field = if model.incident.is_some() { 1 + 12 * model.columns.len() + 30 } else { 0 };
+    (monitors + interfaces + 1 + Line::ALL.len() + 1 + damage + free_field) as u64
 }
 
 /// Bytes of a field file before compression: of the mesh with its groups, and of values.

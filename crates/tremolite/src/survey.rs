@@ -106,16 +106,16 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     let active = bodies.iter().map(|b| b.elements).sum();
     let totals = assembly.totals();
     let row = size_of::<Row>();
-    // Of all that is ever there.
+    // Of all that is ever there, slabs and columns included.
     let geometry: usize = model
-        .user_bodies()
+        .bodies
         .iter()
         .map(|b| match b.quadrature {
             Quadrature::OnePoint => b.elements.len() * (size_of::<OnePointGeometry>() / 8 + 16),
             Quadrature::Full => b.elements.len() * (size_of::<FullGeometry>() / 8 + 16),
         })
         .sum();
-    let ever: usize = model.user_bodies().iter().map(|b| b.elements.len()).sum();
+    let ever: usize = model.bodies.iter().map(|b| b.elements.len()).sum();
     let nodes = model.mesh_node.len();
     let staged = !model.initial.is_empty() || model.lives.iter().any(|life| *life != Life::ALWAYS);
     let state = 64 * (totals.history.end + totals.overstress.end + totals.initial.end)

@@ -4,6 +4,7 @@ use super::{Side, Surroundings};
 use crate::column::SIDES;
 use crate::error::ModelError;
 use crate::free_field::sheets;
+use crate::outer_faces::near;
 use crate::sheet::{Corner, Sheet, corners};
 use crate::ties::Ties;
 use std::collections::BTreeMap;
@@ -54,8 +55,7 @@ fn fronts(mesh: &Mesh, sheet: &Sheet) -> BTreeMap<u32, Vec<u32>> {
 /// If the two sides' nodes do not match.
 pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelError> {
     let Surroundings { mesh, faces, places, sides, .. } = around;
-    let (low, high) = faces.bounds;
-    let near = 1e-6 * (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    let near = near(faces.bounds);
     for axis in 0..2 {
         if sides[axis] != Side::Periodic {
             continue;

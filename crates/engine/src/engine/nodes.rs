@@ -76,38 +76,44 @@ pub fn leads(phase: &Phase) -> Vec<Lead> {
     vec![Lead::default(); leaders.iter().map(Range::len).sum()]
 }
 
-/// Works on two columns of rows group by group, leaders first, and adds up by chunks in ascending order. `one` is given the first
-/// node of a chunk, its rows, where to leave the velocities that others follow (nowhere in the last group), and those to follow.
+/// Nodes that one thread works on, with two columns of their rows.
+struct Chunk<'c> {
+    first: usize,
+    rows: [&'c mut [Row]; 2],
+    /// Where to leave the velocities that others follow; nowhere in the last group.
+    own: &'c mut [Lead],
+    /// Those to follow.
+    follow: Leads<'c>,
+}
+
+/// Works on two columns of rows group by group, leaders first, and adds up by chunks in ascending order.
 fn by_groups(
     phase: &Phase,
     leads: &mut [Lead],
-    rows: [&mut [Row]; 2],
-    one: impl Fn(usize, [&mut [Row]; 2], &mut [Lead], Leads) -> NodeSums + Sync,
+    [a, b]: [&mut [Row]; 2],
+    one: impl Fn(Chunk) -> NodeSums + Sync,
 ) -> NodeSums {
-    let [a, b] = rows;
     let groups = &phase.groups;
     // Leaders have the numbers behind those of the last group.
     let followed = groups[groups.len() - 1].end;
     let mut total = NodeSums::default();
     for (g, group) in groups.iter().enumerate() {
+        let leads_on = g + 1 < groups.len();
         let (own, before) = leads.split_at_mut(group.end - followed);
-        let own = if g + 1 < groups.len() { &mut own[group.start - followed..] } else { &mut own[..0] };
+        let own = if leads_on { &mut own[group.start - followed..] } else { &mut own[..0] };
         let follow = Leads { first: group.end, all: before };
-        let chunks = group.len().div_ceil(CHUNK);
         let mut own: Vec<&mut [Lead]> = own.chunks_mut(CHUNK).collect();
-        own.resize_with(chunks, Default::default);
-        let jobs: Vec<_> = a[group.clone()]
-            .chunks_mut(CHUNK)
-            .zip(b[group.clone()].chunks_mut(CHUNK))
-            .zip(own)
-            .enumerate()
-            .map(|(chunk, ((a, b), own))| (group.start + chunk * CHUNK, [a, b], own))
+        own.resize_with(group.len().div_ceil(CHUNK), Default::default);
+        let rows = a[group.clone()].chunks_mut(CHUNK).zip(b[group.clone()].chunks_mut(CHUNK));
+        let chunks: Vec<Chunk> = (group.start..)
+            .step_by(CHUNK)
+            .zip(rows.zip(own))
+            .map(|(first, ((a, b), own))| Chunk { first, rows: [a, b], own, follow })
             .collect();
-        let one = |(first, rows, own): (usize, [&mut [Row]; 2], &mut [Lead])| one(first, rows, own, follow);
-        let sums: Vec<NodeSums> = if g + 1 < groups.len() && group.len() <= FEW {
-            jobs.into_iter().map(one).collect()
+        let sums: Vec<NodeSums> = if leads_on && group.len() <= FEW {
+            chunks.into_iter().map(&one).collect()
         } else {
-            jobs.into_par_iter().map(one).collect()
+            chunks.into_par_iter().map(&one).collect()
         };
         total = sums.into_iter().fold(total, NodeSums::plus);
     }
@@ -128,8 +134,7 @@ pub fn advance(
     let State { u, du, held, .. } = state;
     let wide = Isa::Avx2.available();
     let pass = Advance { phase, contributions, held, products, damping, accounts, wide };
-    let mut sums =
-        by_groups(phase, leads, [u, du], |first, [u, du], own, follow| pass.chunk(first, u, du, own, follow));
+    let mut sums = by_groups(phase, leads, [u, du], |chunk| pass.chunk(chunk));
     for &(node, master) in &phase.tied {
         let next = state.du[master as usize];
         for i in 0..4 {
@@ -154,59 +159,32 @@ struct Advance<'a> {
 }
 
 impl Advance<'_> {
-    fn chunk(
-        &self,
-        first: usize,
-        u: &mut [Row],
-        du: &mut [Row],
-        own: &mut [Lead],
-        follow: Leads,
-    ) -> NodeSums {
+    fn chunk(&self, chunk: Chunk) -> NodeSums {
         #[cfg(target_arch = "x86_64")]
         if self.wide {
             #[target_feature(enable = "avx2")]
-            unsafe fn wide(
-                pass: &Advance,
-                first: usize,
-                u: &mut [Row],
-                du: &mut [Row],
-                own: &mut [Lead],
-                follow: Leads,
-            ) -> NodeSums {
-                pass.nodes(first, u, du, own, follow)
+            unsafe fn wide(pass: &Advance, chunk: Chunk) -> NodeSums {
+                pass.nodes(chunk)
             }
             // SAFETY: `wide` says that the processor has AVX2.
-            return unsafe { wide(self, first, u, du, own, follow) };
+            return unsafe { wide(self, chunk) };
         }
         let _ = self.wide;
-        self.nodes(first, u, du, own, follow)
+        self.nodes(chunk)
     }
 
     #[inline(always)]
-    fn nodes(
-        &self,
-        first: usize,
-        u: &mut [Row],
-        du: &mut [Row],
-        own: &mut [Lead],
-        follow: Leads,
-    ) -> NodeSums {
-        match own.is_empty() {
-            true => self.nodes_of::<false>(first, u, du, own, follow),
-            false => self.nodes_of::<true>(first, u, du, own, follow),
+    fn nodes(&self, chunk: Chunk) -> NodeSums {
+        match chunk.own.is_empty() {
+            true => self.nodes_of::<false>(chunk),
+            false => self.nodes_of::<true>(chunk),
         }
     }
 
     /// With `LEADS` the nodes leave their velocities to those who follow.
     #[inline(always)]
-    fn nodes_of<const LEADS: bool>(
-        &self,
-        first: usize,
-        u: &mut [Row],
-        du: &mut [Row],
-        own: &mut [Lead],
-        follow: Leads,
-    ) -> NodeSums {
+    fn nodes_of<const LEADS: bool>(&self, chunk: Chunk) -> NodeSums {
+        let Chunk { first, rows: [u, du], own, follow } = chunk;
         let Advance { phase, contributions, held, products, damping, .. } = self;
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let counted = phase.counted_nodes.end;
@@ -286,7 +264,7 @@ pub fn measure(
         phase,
         &mut leads,
         [&mut velocity, &mut acceleration],
-        |first, [velocity, acceleration], leading, follow| {
+        |Chunk { first, rows: [velocity, acceleration], own: leading, follow }| {
             let mut dashpots = Dashpots::from(phase, first);
             let mut sums = NodeSums::default();
             let mut own = Accounts::new(phase, contributions, accounts);
