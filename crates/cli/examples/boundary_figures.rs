@@ -221,7 +221,7 @@ fn draw_boxes(all: &[Boxes]) -> String {
         title: "Difference of the walls' peak displacement from that with sides at 16 widths".into(),
         along: Quantity::new("", ""),
         time: &[],
-        planes: [("elastic", "elastic"), ("yielding layer", "a layer yields")].map(plane).into(),
+        planes: [("elastic", "elastic"), ("yielding layer", "yielding")].map(plane).into(),
         tracks: vec![],
         states: None,
     }
