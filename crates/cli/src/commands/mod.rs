@@ -19,7 +19,7 @@ use tremolite::plan::{Plan, Steps};
 use tremolite::setup::{Laws, Setup, changed, original_folder, setup};
 use tremolite::survey::{Survey, step_in_words};
 use tremolite::{Assembly, Model, ModelError, StableStep, laws};
-use tremolite_case::{Case, Fill, Problem, units};
+use tremolite_case::{Case, Fill, Problem, Side, units};
 use tremolite_laws::{Dimension, Isa, LawInfo};
 
 /// Reads a case and builds what it asks for; warnings go to the terminal.
@@ -54,7 +54,10 @@ pub fn refused(case: &Case, error: &ModelError) -> Failure {
         ModelError::Periodic { low, .. } => {
             (sides[usize::from(low.starts_with('y'))].span.clone(), "choose another kind of sides")
         }
-        ModelError::FreeField(_) => (sides[0].span.clone(), "choose another kind of sides"),
+        ModelError::FreeField(_) => {
+            let free = sides.iter().find(|side| side.value == Side::FreeField).unwrap_or(&sides[0]);
+            (free.span.clone(), "choose another kind of sides")
+        }
         ModelError::Top { .. } => (case.dynamic.top.span.clone(), "write top = \"free\""),
         _ => match error.interface().and_then(named) {
             Some(interface) => (interface.span.clone(), "see `tremolite list interfaces`"),

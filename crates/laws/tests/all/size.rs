@@ -4,7 +4,7 @@ use crate::common::Random;
 use tremolite_laws::shapes::hex8::{
     CORNERS, FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point,
 };
-use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Point, Row, Values};
+use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Octet, Parameter, Point, Row, Values};
 
 /// A law whose stress is the size tensor itself.
 struct ShowsSize;
@@ -36,7 +36,7 @@ impl Material for ShowsSize {
 }
 
 #[test]
-fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
+fn both_quadratures_hand_over_half_the_second_moment_of_the_corners_or_what_they_are_given() {
     let mut random = Random::new(31);
     for _ in 0..50 {
         let (r, sides) = (random.rotation(), [0.25, 1.2, 0.6]);
@@ -52,7 +52,15 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
         let stabilisation = Stabilisation::new(ShowsSize.moduli());
         let index: [[u16; 8]; 8] = std::array::from_fn(|k| [k as u16; 8]);
         let (rows, point) = ([Row::ZERO; 8], Point::new(0.0));
-        for points in [1, 8] {
+        // What is given in place of the elements' own, to the first of them alone.
+        let other: [Octet; 6] = std::array::from_fn(|c| {
+            let mut octet = Octet::ZERO;
+            octet.0[0] = 1.0 + c as f64;
+            octet
+        });
+        let given = Given { strain: &[], size: &other };
+        let both = [(Given::NONE, exact), (given, other.map(|octet| octet.0[0]))];
+        for ((given, exact), points) in both.into_iter().flat_map(|one| [(one, 1), (one, 8)]) {
             let mut out = [Row::ZERO; 8];
             let mut probe = Probe::ZERO;
             // SAFETY: eight rows, indices 0 to 7, and the scalar lane needs no instruction set.
@@ -69,7 +77,7 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
                         &mut [],
                         None,
                         &mut [],
-                        Given::NONE,
+                        given,
                         &mut [],
                         &rows,
                         &mut out,
@@ -87,7 +95,7 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners() {
                         &mut [],
                         None,
                         &mut [],
-                        Given::NONE,
+                        given,
                         &mut [],
                         &rows,
                         &mut out,

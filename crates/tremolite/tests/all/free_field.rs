@@ -3,11 +3,14 @@
 use crate::block::pulse;
 use crate::ready::Ready;
 use std::sync::Arc;
+use tremolite::extent::size_tensor;
+use tremolite::hexahedra::hex;
 use tremolite::{
-    AnyMaterial, Base, Body, Incident, Life, Model, Problem, Quadrature, Rayleigh, Side, Stage, elastic, laws,
+    AnyMaterial, Base, Body, Incident, Law, Life, Model, Problem, Quadrature, Rayleigh, Side, Stage, elastic,
+    laws,
 };
 use tremolite_laws::band::Band;
-use tremolite_laws::{Moduli, Values};
+use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Point, Values};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::boxes::BoxSpec;
 
@@ -234,4 +237,73 @@ fn a_slab_that_an_opening_cuts_in_two_is_refused_where_it_has_no_columns() {
     assert!(model([Side::FreeField; 2], false).is_ok());
     let refused = model([Side::FreeField; 2], true).err().unwrap().to_string();
     assert!(refused.contains("has a gap"), "{refused}");
+}
+
+/// A law whose stress is the size tensor that it is shown.
+struct ShowsSize;
+
+impl Material for ShowsSize {
+    const NAME: &'static str = "shows-size";
+    const SUMMARY: &'static str = "a test's own";
+    const SOURCE: &'static str = "";
+    const PARAMETERS: &'static [Parameter] = &[];
+    const HISTORY: &'static [Column] = &[];
+    const NEEDS_SIZE: bool = true;
+    type History<L: Lane> = [L; 0];
+
+    fn new(_: &Values) -> Result<Self, Vec<BadParameter>> {
+        Ok(ShowsSize)
+    }
+
+    fn moduli(&self) -> Moduli {
+        Moduli::from_young_poisson(1e9, 0.2)
+    }
+
+    fn scaled(&self, _: f64) -> Self {
+        ShowsSize
+    }
+
+    fn update<L: Lane>(&self, point: &Point<L>, _: [L; 6], _: [L; 0]) -> ([L; 6], [L; 0]) {
+        (point.size, [])
+    }
+}
+
+/// A slab has one thickness, the elements behind its side have several: cracks in it extend as in its parents.
+#[test]
+fn elements_outside_a_side_show_laws_the_size_of_their_parents() {
+    let mut mesh = BoxSpec::uniform([0.0; 3], [12.0, 8.0, 4.0], [6, 4, 2]).mesh().unwrap();
+    for node in mesh.nodes.iter_mut().filter(|node| node[1] == 2.0) {
+        node[1] += 0.1 * node[0];
+    }
+    for quadrature in [Quadrature::OnePoint, Quadrature::Full] {
+        let body = Body {
+            name: "rock".into(),
+            elements: (0..mesh.elements.len() as u32).collect(),
+            material: (Law::of::<ShowsSize>().build)(&Values::default()).unwrap(),
+            density: 2500.0,
+            quadrature,
+            viscosity: 0.0,
+        };
+        let mut problem = Problem::new(mesh.clone(), vec![body]);
+        problem.sides = [Side::Free, Side::FreeField];
+        let ready = Ready::new(problem);
+        let stress = ready.engine().observe(&mut ready.rest(0.5)).stress;
+        let size = |e: u32| size_tensor(&hex(&ready.model.mesh, e as usize).unwrap());
+        let mut differ = 0;
+        for (p, patch) in ready.model.patches.iter().enumerate().skip(ready.model.user_patches) {
+            let points = ready.assembly.members[p].part.elements().1;
+            for (i, &e) in patch.elements.iter().enumerate() {
+                let parent = size(ready.model.parents[e as usize]);
+                differ += usize::from((size(e)[1] - parent[1]).abs() > 0.01);
+                let first = ready.assembly.slices[p].points.start + i * points;
+                for shown in &stress[first..first + points] {
+                    assert!(
+                        shown.iter().zip(parent).all(|(a, b)| (a - b).abs() < 1e-12),
+                        "{shown:?} {parent:?}"
+                    );
+                }
+            }
+        }
+        assert!(differ > 5, "the slab must be of another thickness than its parents");
+    }
 }
