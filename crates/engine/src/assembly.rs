@@ -1,5 +1,6 @@
 //! Every part that a model will ever have, made once, with its fixed slices of the state.
 
+use crate::bolts::Bolting;
 use crate::boundary;
 use crate::boundary::base::BaseNode;
 use crate::contacts::Contacts;
@@ -73,6 +74,8 @@ pub struct Assembly {
     pub slices: Vec<Slices>,
     /// Of the model's interfaces, in their order.
     pub contacts: Vec<Contacts>,
+    /// Of the model's bolts, in their order.
+    pub bolts: Vec<Bolting>,
     /// Bodies that the balance is also drawn up for, by name: those of the user, then parts of the program's own that have
     /// elements.
     pub accounts: Vec<String>,
@@ -149,9 +152,12 @@ impl Assembly {
 
     /// The lines of the balance that this assembly can have.
     pub fn lines(&self) -> impl Iterator<Item = Line> + use<> {
-        let (interfaces, free_field) = (!self.contacts.is_empty(), self.free_field);
+        let (interfaces, bolts) = (!self.contacts.is_empty(), !self.bolts.is_empty());
+        let free_field = self.free_field;
         Line::ALL.iter().copied().filter(move |&line| {
-            (interfaces || !line.of_interfaces()) && (free_field || line != Line::FreeField)
+            (interfaces || !line.of_interfaces())
+                && (bolts || !line.of_bolts())
+                && (free_field || line != Line::FreeField)
         })
     }
 

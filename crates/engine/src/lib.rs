@@ -8,6 +8,7 @@ mod assemble;
 pub mod assembly;
 pub mod bench;
 pub mod body;
+pub mod bolts;
 pub mod boundary;
 pub mod column;
 pub mod contacts;
@@ -33,6 +34,7 @@ pub mod traction;
 
 pub use assembly::Assembly;
 pub use body::Body;
+pub use bolts::{Bar, Bolts, Bond};
 pub use boundary::{Base, Incident, Side, Top};
 pub use engine::{ContactLimit, Engine, Halt, Limit, Snapshot, StableStep, stable_step};
 pub use error::ModelError;

@@ -1,6 +1,7 @@
 //! The checked model: immutable, in the engine's numbering.
 
 use crate::body::Body;
+use crate::bolts::BoltSet;
 use crate::boundary::{Base, Incident, Side, Surroundings, Top};
 use crate::column::{self, Column, Reference};
 use crate::error::ModelError;
@@ -66,6 +67,8 @@ pub struct Model {
     pub faces: OuterFaces,
     /// Interfaces, split: those of the user, then what of them runs through slabs.
     pub seams: Vec<Seam>,
+    /// Bolts, cut where they leave an element.
+    pub bolts: Vec<BoltSet>,
     /// Node of the mesh → one for all that interfaces part at its place; of the user's nodes.
     pub places: Vec<u32>,
     pub base: Base,
@@ -274,6 +277,7 @@ impl Model {
             of_slabs,
             faces,
             seams,
+            bolts: Vec::new(),
             places,
             base: problem.base,
             sides: problem.sides,

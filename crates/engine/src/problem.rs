@@ -1,6 +1,7 @@
 //! The problem as a program states it: what a case file becomes, and what a Rust program writes directly.
 
 use crate::body::Body;
+use crate::bolts::Bolts;
 use crate::boundary::{Base, Incident, Side, Top};
 use crate::interface::Interface;
 use crate::life::Life;
@@ -67,6 +68,8 @@ pub struct Problem {
     pub rayleigh: Rayleigh,
     /// Groups of elements that touch without being joined.
     pub interfaces: Vec<Interface>,
+    /// Bolts, anchors and reinforcing bars, each group placed in its stage.
+    pub bolts: Vec<Bolts>,
     /// Forces on nodes of the mesh; where an interface splits one, on its second side.
     pub loads: Vec<Load>,
     /// Components held at single nodes of the mesh, on both sides of an interface.
@@ -99,6 +102,7 @@ impl Problem {
             incident: None,
             rayleigh: Rayleigh::default(),
             interfaces: Vec::new(),
+            bolts: Vec::new(),
             loads: Vec::new(),
             held: Vec::new(),
             ties: Vec::new(),

@@ -56,6 +56,11 @@ impl Line {
     pub const fn of_interfaces(self) -> bool {
         matches!(self, Line::Interface | Line::Friction | Line::CreatedByInterface | Line::ContactDamping)
     }
+
+    /// Whether it is a line of bolts, which a model without any has not.
+    pub const fn of_bolts(self) -> bool {
+        matches!(self, Line::Bolts | Line::BoltFriction | Line::BoltPlastic)
+    }
 }
 
 lines! {
@@ -81,6 +86,12 @@ lines! {
     CreatedByInterface = "created_by_interface", -1.0, Spent;
     /// Taken by the dashpots of closed pairs whose bond is broken.
     ContactDamping = "contact_damping", 1.0, Work;
+    /// What bolts and their bonds would give back.
+    Bolts = "bolts", 1.0, Stored;
+    /// Taken by bonds of bolts that slide.
+    BoltFriction = "bolt_friction", 1.0, Spent;
+    /// Taken by bolts that yield and break.
+    BoltPlastic = "bolt_plastic", 1.0, Spent;
     /// Taken by Rayleigh damping.
     Rayleigh = "rayleigh_damping", 1.0, Damping;
     /// Taken by the dashpots of the base.
