@@ -12,6 +12,7 @@
 pub mod pattern;
 pub mod units;
 
+mod bolts;
 mod case;
 mod check;
 mod consistency;
@@ -41,6 +42,7 @@ mod suggest;
 mod syntax;
 mod value;
 
+pub use bolts::{BoltBond, BoltPattern, BoltPlace, BoltedFaces, Bolts, Plate};
 pub use case::Case;
 pub use defaulted::Defaulted;
 pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, Top};

@@ -49,6 +49,7 @@ fn value(kind: &Kind) -> ListedValue {
         Kind::Number(dimension, _) => return ListedValue::Number(*dimension),
         Kind::Count(_) => "count",
         Kind::Text | Kind::Word(_) | Kind::Unit(_) => "word",
+        Kind::Flag => "flag",
         Kind::Name => "name",
         Kind::List(..) | Kind::Numbers(_) => "list",
         Kind::Either(kinds) => return kinds.first().map_or(ListedValue::Other("value"), value),
