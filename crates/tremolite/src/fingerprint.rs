@@ -49,6 +49,13 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
             space.numbers(pair.normal.iter().chain([&pair.normal_area]));
         }
     }
+    for set in &model.bolts {
+        space.shown(&set.kind);
+        for bolt in &set.bolts {
+            space.numbers(bolt.points.iter().flat_map(|point| &point.place));
+            space.numbers(bolt.segments.iter().map(|segment| &segment.area));
+        }
+    }
     for (member, slices) in assembly.members.iter().zip(&assembly.slices) {
         space.shown(&(&member.name, &member.life, member.counted, slices));
         space.indices(member.part.nodes());
@@ -80,6 +87,9 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     }
     for pair in &plan.pairs {
         time.shown(&(&pair.name, pair.point, pair.interface));
+    }
+    for bolt in &plan.bolts {
+        time.shown(&(&bolt.name, bolt.point, bolt.set));
     }
     time.shown(&plan.relatives);
     u64::from(space.0.finalize()) << 32 | u64::from(time.0.finalize())
