@@ -3,7 +3,8 @@
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
 use tremolite::quantities::{
-    CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE, SHARE_OF_VOLUME,
+    BOLT, BOLT_LINES, BOLTS, CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE,
+    SHARE_OF_VOLUME,
 };
 use tremolite_case::{
     BaseKind, BoltedFaces, Listed, ListedValue, Plate, Side, Top, bolt_keys, interface_keys,
@@ -164,8 +165,13 @@ fn quantities() {
     };
     table("monitors.csv, NAME.quantity", &MONITOR);
     table("monitors.csv, NAME.quantity of monitors with `interface`", &PAIR);
+    table("monitors.csv, NAME.quantity of monitors with `bolt`", &BOLT);
     table("monitors.csv, pairs FIRST-SECOND.quantity", &RELATIVE);
     table("interfaces.csv, NAME.quantity of interfaces that are not tied", &INTERFACE);
+    table(
+        "bolts.csv, behind bolt (its number in the group, from 1) and name (the group's), a row each",
+        &BOLTS,
+    );
     print("damage.csv, GROUP.quantity, of groups that are no part of another and whose law keeps it");
     for measure in &MEASURES {
         for name in names(measure) {
@@ -174,6 +180,7 @@ fn quantities() {
     }
     print(&format!("    {:22} {:6} widest crack of the group so far", "crack_opening", "m"));
     table("fields/*.vtu, always (ParaView: Find Data, element is 3404)", &CELLS);
+    table("bolts/*.vtu, a line for each segment of a bolt", &BOLT_LINES);
     print("fields/*.vtu, by the word in output.fields");
     for field in Field::ALL {
         let (name, doc) = field.description();

@@ -51,7 +51,14 @@ fn list_names_the_keys_of_every_interface_and_the_states() {
         assert!(text.contains(state), "{state}");
     }
     let quantities = list("quantities");
-    for line in ["monitors with `interface`\n    gap ", "interfaces.csv", "    ever_slid          m2 "] {
+    for line in [
+        "monitors with `interface`\n    gap ",
+        "interfaces.csv",
+        "    ever_slid          m2 ",
+        "monitors with `bolt`\n    force              N ",
+        "bolts.csv, behind bolt",
+        "    from_head          m ",
+    ] {
         assert!(quantities.contains(line), "{line}:\n{quantities}");
     }
 }

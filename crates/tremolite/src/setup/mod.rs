@@ -178,6 +178,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         checkpoint: output.checkpoint.as_ref().map(|c| c.value),
         monitors,
         pairs,
+        bolts: Vec::new(),
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
     let inputs = inputs::inputs(case);
