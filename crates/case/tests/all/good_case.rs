@@ -24,6 +24,7 @@ fn every_value_arrives_in_si() {
             "mesh.caverns.cavern[transformer].at",
             "mesh.caverns.cavern[transformer].benches",
             "mesh.caverns.cavern[transformer].lining",
+            "mesh.caverns.cavern[transformer].shotcrete",
             "monitor[free].body",
         ]
     );
@@ -38,6 +39,8 @@ fn every_value_arrives_in_si() {
     let lining = powerhouse.lining.as_ref().expect("a lining");
     assert_eq!((lining.walls.value, lining.crown.value, lining.floor.value), (0.5, 0.9, 0.3));
     assert_eq!(lining.layers.value, 2);
+    let shotcrete = powerhouse.shotcrete.as_ref().expect("shotcrete");
+    assert_eq!((shotcrete.thickness.value, shotcrete.layers.value), (0.15, 2));
     assert_eq!((transformer.at.value, &transformer.lining), ([0.0, 0.0], &None));
     assert_eq!([powerhouse.shape.value, transformer.shape.value], [CavernShape::Arch, CavernShape::Ellipse]);
     let [weathered, sound] = &mesh.layers[..] else { panic!("two layers") };
