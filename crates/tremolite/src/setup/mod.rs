@@ -10,6 +10,7 @@ mod mesh;
 mod monitors;
 mod motion;
 mod regions;
+mod reinforcement;
 mod sides;
 mod stages;
 mod warnings;
@@ -120,6 +121,8 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let interfaces =
         interfaces::build(case, &mesh, &lasting, &staged.places, &laws.interfaces, &mut problems);
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
+    let solid = staged.solid();
+    let (bars, bare) = reinforcement::build(case, &mesh, &staged.places, &solid, &mut problems);
     let (base, base_without_springs) =
         springs_or_none(case, &mesh, &lasting, &interfaces, staged.lives(), base, &mut problems);
     if !problems.is_empty() {
@@ -134,6 +137,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(sides::warnings(case));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
+    warnings.extend(bare);
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
@@ -152,6 +156,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     }
     let mut problem = Problem::new(mesh, bodies);
     problem.interfaces = interfaces;
+    problem.bolts.extend(bars);
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
     problem.top = sides::top(dynamic.top.value);
