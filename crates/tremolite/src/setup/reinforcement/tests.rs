@@ -230,7 +230,7 @@ fn what_cannot_be_reinforced_is_refused_with_what_to_do() {
             &cavern,
             steel("*.linning", "6 cm", "across", ""),
             "no group of the mesh fits",
-            "did you mean 'hall.lining'",
+            "the mesh has the groups",
         ),
         (&cavern, steel("*.lining", "25 cm", "across", ""), "half the thickness", "less than 0.2"),
         (&cavern, steel("*.lining", "0.5 m", "along", &one("extrados")), "would lie outside", "less than 0."),
