@@ -49,6 +49,13 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
             space.numbers(pair.normal.iter().chain([&pair.normal_area]));
         }
     }
+    for set in &model.bolts {
+        space.shown(&set.kind);
+        for bolt in &set.bolts {
+            space.shown(&bolt.segments);
+            space.numbers(bolt.points.iter().flat_map(|p| p.weights.iter().map(|(_, weight)| weight)));
+        }
+    }
     for (member, slices) in assembly.members.iter().zip(&assembly.slices) {
         space.shown(&(&member.name, &member.life, member.counted, slices));
         space.indices(member.part.nodes());
