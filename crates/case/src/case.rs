@@ -18,6 +18,7 @@ use crate::monitor::{MONITOR, Monitor, RELATIVE, Relative};
 use crate::motion::{MOTION, Motion};
 use crate::output::{OUTPUT, Output};
 use crate::region::{REGION, Region};
+use crate::reinforcement::{REINFORCEMENT, Reinforcement};
 use crate::stage::{STAGE, Stage, Written};
 use crate::{Problem, Report, Spanned, syntax};
 
@@ -41,6 +42,12 @@ pub(crate) static CASE: Table = Table {
             Kind::Tables(&STAGE),
             "",
             "What is excavated, installed and changed before the earthquake, in this order",
+        ),
+        Key::optional(
+            "reinforcement",
+            Kind::Tables(&REINFORCEMENT),
+            "",
+            "Bars in linings, which move with the concrete",
         ),
         Key::optional(
             "motion",
@@ -90,6 +97,8 @@ pub struct Case {
     pub initial: Initial,
     /// What happens before the earthquake, in this order; names unique.
     pub stages: Vec<Stage>,
+    /// Bars in linings.
+    pub reinforcement: Vec<Reinforcement>,
     /// The earthquake; nothing: the case ends with what comes before it.
     pub motion: Option<Motion>,
     /// The dynamic run; where it is left out, without an earthquake, its defaults between rollers.
@@ -173,6 +182,7 @@ impl Case {
         let regions = case.tables("region").map(|r| Region::read(r, &names)).collect::<Option<_>>()?;
         let stages: Vec<Stage> =
             case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
+        let reinforcement = case.tables("reinforcement").map(Reinforcement::read).collect::<Option<_>>()?;
         let motion = match case.table("motion") {
             Some(motion) => Some(Motion::read(motion)?),
             None => None,
@@ -200,6 +210,7 @@ impl Case {
             interfaces,
             initial,
             stages,
+            reinforcement,
             motion,
             dynamic: case.table("dynamic").and_then(Dynamic::read)?,
             monitors,

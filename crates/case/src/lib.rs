@@ -34,6 +34,7 @@ mod monitor;
 mod motion;
 mod output;
 mod region;
+mod reinforcement;
 mod report;
 mod schema;
 mod spanned;
@@ -54,12 +55,14 @@ pub use listing::{Listed, ListedValue, bolt_keys, interface_keys};
 pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,
+    Shotcrete,
 };
 pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
 pub use motion::{Column, Component, Direction, Motion, MotionKind, Record, Records, Window};
 pub use output::Output;
 pub use region::{Element, Fill, Region};
+pub use reinforcement::{BarDirection, BarFace, Reinforcement};
 pub use report::{Problem, Report, Severity};
 pub use schema::schema;
 pub use spanned::Spanned;

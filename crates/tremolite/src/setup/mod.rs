@@ -11,6 +11,7 @@ mod mesh;
 mod monitors;
 mod motion;
 mod regions;
+mod reinforcement;
 mod sides;
 mod stages;
 mod warnings;
@@ -122,6 +123,8 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let interfaces =
         interfaces::build(case, &mesh, &lasting, &staged.places, &laws.interfaces, &mut problems);
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
+    let solid = staged.solid();
+    let (bars, bare) = reinforcement::build(case, &mesh, &staged.places, &solid, &mut problems);
     let (base, base_without_springs) =
         springs_or_none(case, &mesh, &lasting, &interfaces, staged.lives(), base, &mut problems);
     if !problems.is_empty() {
@@ -137,6 +140,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
     warnings.extend(of_bolts);
+    warnings.extend(bare);
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
@@ -156,6 +160,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problem = Problem::new(mesh, bodies);
     problem.interfaces = interfaces;
     problem.bolts = bolts;
+    problem.bolts.extend(bars);
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
     problem.top = sides::top(dynamic.top.value);

@@ -93,6 +93,11 @@ impl Staged {
         &self.lives
     }
 
+    /// Whether each element is made of something.
+    pub fn solid(&self) -> Vec<bool> {
+        self.body_of.iter().map(Option::is_some).collect()
+    }
+
     /// Bodies with the elements that are there in the end alone.
     pub fn lasting(&self, bodies: &[Body]) -> Vec<Body> {
         let lasts = |e: &u32| self.lives[*e as usize].holds(Stage::Shaking);
