@@ -66,8 +66,8 @@ impl Bolting {
         links.iter().zip(segments).map(seen).collect()
     }
 
-    /// Largest force \[N\] along a bolt that no law answers for, as its sliders did not settle within the passes, since the stage
-    /// or the shaking began, and the most passes that they took; nothing without a bond.
+    /// Largest force \[N\] along a bolt that no law answers for, as its sliders did not settle within the passes, since it was
+    /// placed, and the most passes that they took; nothing without a bond.
     pub fn unsettled(&self, numbers: &[f64], bolt: usize) -> (f64, u32) {
         let (whole, ..) = self.read(numbers, bolt);
         (whole.rest, whole.passes as u32)

@@ -236,7 +236,6 @@ impl Bars {
             link.largest = 0.0;
             memory.set_link(k, &link);
         }
-        memory.set_whole(memory::WholeMemory::default());
         if let (Some(bond), Some(along)) = (&kind.bond, bars.first().map(|bar| bar.along)) {
             let strengths: Vec<f64> = bolt.points.clone().map(|p| self.strength(p, along, entry)).collect();
             let mut chain = Chain::default();

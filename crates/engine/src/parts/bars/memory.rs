@@ -33,7 +33,7 @@ macro_rules! remembered {
 remembered! {
     /// Of a bolt with a bond.
     WholeMemory {
-        /// Largest force \[N\] that no law answers for, as the sliders had not settled, since the stage began.
+        /// Largest force \[N\] that no law answers for, as the sliders had not settled.
         rest,
         /// Most passes that settled them.
         passes,
