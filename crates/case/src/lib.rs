@@ -50,7 +50,7 @@ pub use initial::{Initial, InitialStress, MeasuredStress, StressField};
 pub use interface::{Contact, Interface};
 pub use law_file::{LawFile, LawKind};
 pub use laws::Laws;
-pub use listing::{Listed, ListedValue, interface_keys};
+pub use listing::{Listed, ListedValue, bolt_keys, interface_keys};
 pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,

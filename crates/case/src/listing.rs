@@ -2,6 +2,7 @@
 
 use tremolite_laws::parameter::Dimension;
 
+use crate::bolts::{BOLTS, BOND};
 use crate::interface::INTERFACE;
 use crate::keys::{Key, Kind, Need};
 use crate::units;
@@ -27,6 +28,11 @@ pub enum ListedValue {
 /// The keys that every `[[interface]]` has, whatever its law.
 pub fn interface_keys() -> Vec<Listed> {
     INTERFACE.keys.iter().filter(|key| !key.is_later()).map(listed).collect()
+}
+
+/// The keys that every `[[stage.bolts]]` has, and those of its `bond`.
+pub fn bolt_keys() -> [Vec<Listed>; 2] {
+    [&BOLTS, &BOND].map(|table| table.keys.iter().map(listed).collect())
 }
 
 fn listed(key: &Key) -> Listed {

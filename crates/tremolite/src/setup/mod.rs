@@ -1,5 +1,6 @@
 //! From a checked case to a problem and a plan: reads the mesh and the records, and says all that does not fit.
 
+mod bolts;
 mod changes;
 mod groups;
 mod initial;
@@ -114,6 +115,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let mut bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
     let staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
+    let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
     let lasting = staged.lasting(&bodies);
     let monitors = monitors::build(case, &mesh, &lasting, &mut problems);
@@ -134,6 +136,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(sides::warnings(case));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
+    warnings.extend(of_bolts);
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
@@ -152,6 +155,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     }
     let mut problem = Problem::new(mesh, bodies);
     problem.interfaces = interfaces;
+    problem.bolts = bolts;
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
     problem.top = sides::top(dynamic.top.value);
@@ -182,7 +186,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
 
 /// The place of one of the case's monitors among those in elements.
 fn in_elements(case: &Case, monitor: usize) -> usize {
-    case.monitors[..monitor].iter().filter(|m| m.interface.is_none()).count()
+    case.monitors[..monitor].iter().filter(|m| m.is_in_element()).count()
 }
 
 /// The frequency \[Hz\] at which moduli are meant with damping over a band: the motion's central one unless the case
