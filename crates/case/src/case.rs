@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::bolts::{BoltPlace, Bolts};
 use crate::check::Checker;
 use crate::consistency;
 use crate::defaulted::Defaulted;
@@ -17,6 +18,7 @@ use crate::monitor::{MONITOR, Monitor, RELATIVE, Relative};
 use crate::motion::{MOTION, Motion};
 use crate::output::{OUTPUT, Output};
 use crate::region::{REGION, Region};
+use crate::reinforcement::{REINFORCEMENT, Reinforcement};
 use crate::stage::{STAGE, Stage, Written};
 use crate::{Problem, Report, Spanned, syntax};
 
@@ -40,6 +42,12 @@ pub(crate) static CASE: Table = Table {
             Kind::Tables(&STAGE),
             "",
             "What is excavated, installed and changed before the earthquake, in this order",
+        ),
+        Key::optional(
+            "reinforcement",
+            Kind::Tables(&REINFORCEMENT),
+            "",
+            "Bars in linings, which move with the concrete",
         ),
         Key::optional(
             "motion",
@@ -89,6 +97,8 @@ pub struct Case {
     pub initial: Initial,
     /// What happens before the earthquake, in this order; names unique.
     pub stages: Vec<Stage>,
+    /// Bars in linings.
+    pub reinforcement: Vec<Reinforcement>,
     /// The earthquake; nothing: the case ends with what comes before it.
     pub motion: Option<Motion>,
     /// The dynamic run; where it is left out, without an earthquake, its defaults between rollers.
@@ -138,7 +148,7 @@ impl Case {
         let mut checker = Checker::new(&CASE, laws.into());
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { mut problems, mut defaulted, .. } = checker;
-        let (found, warnings) = consistency::check(&written, Written::of(document.get_ref()));
+        let (found, warnings) = consistency::check(&written, &Written::of(document.get_ref()));
         problems.extend(found);
         let case = Case::assemble(path, source, &written);
         match case {
@@ -170,7 +180,9 @@ impl Case {
         let written = consistency::materials(case);
         let names: Vec<&str> = written.iter().map(|m| m.name.value.as_str()).collect();
         let regions = case.tables("region").map(|r| Region::read(r, &names)).collect::<Option<_>>()?;
-        let stages = case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
+        let stages: Vec<Stage> =
+            case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
+        let reinforcement = case.tables("reinforcement").map(Reinforcement::read).collect::<Option<_>>()?;
         let motion = match case.table("motion") {
             Some(motion) => Some(Motion::read(motion)?),
             None => None,
@@ -178,8 +190,10 @@ impl Case {
         let interfaces: Vec<Interface> =
             case.tables("interface").map(Interface::read).collect::<Option<_>>()?;
         let names: Vec<&str> = interfaces.iter().map(|i| i.name.value.as_str()).collect();
+        let bolts: Vec<&str> =
+            stages.iter().flat_map(|stage| &stage.bolts).map(|b| b.name.value.as_str()).collect();
         let monitors: Vec<Monitor> =
-            case.tables("monitor").map(|m| Monitor::read(m, &names)).collect::<Option<_>>()?;
+            case.tables("monitor").map(|m| Monitor::read(m, &names, &bolts)).collect::<Option<_>>()?;
         let names: Vec<&str> = monitors.iter().map(|m| m.name.value.as_str()).collect();
         let relatives = case.tables("relative").map(|r| Relative::read(r, &names)).collect::<Option<_>>()?;
         Some(Case {
@@ -196,6 +210,7 @@ impl Case {
             interfaces,
             initial,
             stages,
+            reinforcement,
             motion,
             dynamic: case.table("dynamic").and_then(Dynamic::read)?,
             monitors,
@@ -209,6 +224,11 @@ impl Case {
     /// Whether equilibrium is sought before the earthquake: there is initial stress, or a stage.
     pub fn seeks_equilibrium(&self) -> bool {
         self.initial.stress.is_some() || !self.stages.is_empty()
+    }
+
+    /// All bolts in the order of the file, each with the place of its stage in [`Case::stages`].
+    pub fn bolts(&self) -> impl Iterator<Item = (usize, &Bolts)> {
+        self.stages.iter().enumerate().flat_map(|(k, stage)| stage.bolts.iter().map(move |bolts| (k, bolts)))
     }
 
     /// A report of problems found later, to be shown in this case's text.
@@ -232,6 +252,10 @@ impl Case {
         if let Mesh::File(file) = &self.mesh {
             files.push(&file.path);
         }
+        files.extend(self.bolts().filter_map(|(_, bolts)| match &bolts.place {
+            BoltPlace::File(file) => Some(file),
+            _ => None,
+        }));
         files
     }
 

@@ -12,6 +12,7 @@
 pub mod pattern;
 pub mod units;
 
+mod bolts;
 mod case;
 mod check;
 mod consistency;
@@ -33,6 +34,7 @@ mod monitor;
 mod motion;
 mod output;
 mod region;
+mod reinforcement;
 mod report;
 mod schema;
 mod spanned;
@@ -41,6 +43,7 @@ mod suggest;
 mod syntax;
 mod value;
 
+pub use bolts::{BoltBond, BoltPattern, BoltPlace, BoltedFaces, Bolts, Plate};
 pub use case::Case;
 pub use defaulted::Defaulted;
 pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, Top};
@@ -48,16 +51,18 @@ pub use initial::{Initial, InitialStress, MeasuredStress, StressField};
 pub use interface::{Contact, Interface};
 pub use law_file::{LawFile, LawKind};
 pub use laws::Laws;
-pub use listing::{Listed, ListedValue, interface_keys};
+pub use listing::{Listed, ListedValue, bolt_keys, interface_keys};
 pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,
+    Shotcrete,
 };
 pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
 pub use motion::{Column, Component, Direction, Motion, MotionKind, Record, Records, Window};
 pub use output::Output;
 pub use region::{Element, Fill, Region};
+pub use reinforcement::{BarDirection, BarFace, Reinforcement};
 pub use report::{Problem, Report, Severity};
 pub use schema::schema;
 pub use spanned::Spanned;

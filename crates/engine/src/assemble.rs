@@ -9,6 +9,7 @@
 //! step. In K its pairs still take a few per cent of it, and a shear stiffness that is given may take more.
 
 use crate::assembly::Assembly;
+use crate::bolting;
 use crate::contacts::{Contacts, LoadedPair};
 use crate::engine::stable_step;
 use crate::error::ModelError;
@@ -38,9 +39,9 @@ impl Assembly {
     /// law refuses what was chosen for it, or a pair's nodes move as one.
     pub fn new(model: &Model) -> Result<Self, ModelError> {
         let mut assembly = Assembly::without_interfaces(model)?;
+        // Behind everything of the house.
+        let at = assembly.members.len() - model.parts.len();
         if !model.seams.is_empty() {
-            // Behind everything of the house.
-            let at = assembly.members.len() - model.parts.len();
             add(model, &mut assembly, at)?;
             assembly.settle(model);
             let Assembly { contacts, slices, .. } = &mut assembly;
@@ -52,7 +53,28 @@ impl Assembly {
                 }
             }
         }
+        if !model.bolts.is_empty() {
+            bolt(model, &mut assembly);
+        }
         Ok(assembly)
+    }
+}
+
+/// Puts in the parts of all bolts, behind those of the interfaces.
+fn bolt(model: &Model, assembly: &mut Assembly) {
+    let mut next = assembly.members.len() - model.parts.len();
+    let mut more = Vec::new();
+    for set in &model.bolts {
+        let (members, bolting) = bolting::members(model, set);
+        more.extend(members);
+        assembly.bolts.push(bolting);
+    }
+    assembly.members.splice(next..next, more);
+    assembly.settle(model);
+    let Assembly { bolts, slices, .. } = assembly;
+    for start in bolts.iter_mut().flat_map(|bolting| &mut bolting.starts) {
+        *start = slices[next].numbers.start;
+        next += 1;
     }
 }
 

@@ -1,6 +1,6 @@
 //! Every part that a model will ever have, made once, with its fixed slices of the state.
 
-use crate::bolts::Bolting;
+use crate::bolting::Bolting;
 use crate::boundary;
 use crate::boundary::base::BaseNode;
 use crate::contacts::Contacts;
@@ -12,7 +12,7 @@ use crate::member::Member;
 use crate::model::Model;
 use crate::parts::constant::Constant;
 use crate::parts::loads::Loads;
-use crate::parts::{Kept, Motion, Own, Part, StateSizes};
+use crate::parts::{Entry, Kept, Motion, Own, Part, StateSizes};
 use crate::patch_part::solid;
 use crate::state::{Ledger, State};
 use crate::traction::Traction;
@@ -176,6 +176,12 @@ impl Assembly {
             ..State::default()
         };
         self.contacts.iter().for_each(|contacts| contacts.begin(&mut state.history));
+        // Where no stage comes first, what is there from the start begins here.
+        let at_rest = vec![Row::ZERO; self.nodes];
+        for (member, slices) in self.members.iter().zip(&self.slices) {
+            let entry = Entry { stage: member.life.born, u: &at_rest, stress: &|_| None };
+            member.part.enter(&entry, slices.own(&mut state).1);
+        }
         state
     }
 

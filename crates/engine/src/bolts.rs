@@ -1,7 +1,10 @@
 //! Bolts, anchors and reinforcing bars: bars that lie in elements and share their motion, or slide along them.
 
+mod cut;
+
+pub use cut::{Ground, cut};
+
 use crate::life::Stage;
-use tremolite_mesh::Mesh;
 
 /// A bar, head first.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +39,7 @@ pub struct Bolts {
     pub young: f64,
     /// Stress \[Pa\] at which they yield in tension and in compression; infinite for never.
     pub yields: f64,
-    /// Strain beyond which they break, plastic strain included; infinite for never.
+    /// Extension beyond which they break, plastic strain included; infinite for never.
     pub breaks: f64,
     /// None: they move with what they lie in.
     pub bond: Option<Bond>,
@@ -169,17 +172,3 @@ pub enum SegmentState {
     /// What it lay in was excavated.
     CutOff = 4,
 }
-
-/// The bolts of a set as parts, ready to be looked at.
-#[derive(Clone, Debug, Default)]
-pub struct Bolting {}
-
-impl Bolting {
-    /// The segments of a bolt as they were evaluated last, from the numbers of the state.
-    pub fn seen(&self, _numbers: &[f64], _bolt: usize) -> Vec<SegmentSeen> {
-        Vec::new()
-    }
-}
-
-/// Cuts bars where they leave an element.
-pub fn cut(_mesh: &Mesh) {}

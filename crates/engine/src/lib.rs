@@ -8,6 +8,7 @@ mod assemble;
 pub mod assembly;
 pub mod bench;
 pub mod body;
+pub mod bolting;
 pub mod bolts;
 pub mod boundary;
 pub mod column;

@@ -1,13 +1,6 @@
 //! When something is there: stages before the earthquake, then the shaking.
 
-/// A stage of a model's history, in their order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Stage {
-    /// Before the earthquake, counted from 0: time stands still.
-    Before(u16),
-    /// The earthquake.
-    Shaking,
-}
+pub use tremolite_kernels::Stage;
 
 /// From which stage on something is there, and from which on it is gone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

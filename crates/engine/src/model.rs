@@ -1,7 +1,7 @@
 //! The checked model: immutable, in the engine's numbering.
 
 use crate::body::Body;
-use crate::bolts::BoltSet;
+use crate::bolts::{self, BoltSet};
 use crate::boundary::{Base, Incident, Side, Surroundings, Top};
 use crate::column::{self, Column, Reference};
 use crate::error::ModelError;
@@ -147,6 +147,13 @@ impl Model {
         let bounds = mesh.bounds();
         let faces = OuterFaces::of(&mesh, bounds, &standing);
         let user_bodies = bodies.len();
+        let bolts = if problem.bolts.is_empty() {
+            Vec::new()
+        } else {
+            let ground =
+                bolts::Ground { mesh: &mesh, body_of: &body_of, lives: &lives, successors: &successors };
+            bolts::cut(&ground, problem.bolts)
+        };
 
         let ground = Ground { bounds, body_of: &body_of, lives: &lives, sides: free_field };
         let mut outside = FreeField::beside(&mut mesh, &ground)?;
@@ -277,7 +284,7 @@ impl Model {
             of_slabs,
             faces,
             seams,
-            bolts: Vec::new(),
+            bolts,
             places,
             base: problem.base,
             sides: problem.sides,

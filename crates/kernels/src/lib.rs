@@ -12,9 +12,11 @@ pub mod material;
 pub mod part;
 pub mod quadrature;
 pub mod solid;
+pub mod stage;
 
 pub use interface::{AnyInterface, InterfaceLaw, interface_laws};
 pub use line::{Booked, Line, Lines};
 pub use material::{AnyMaterial, Law, elastic, laws};
-pub use part::{ElementEnergy, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
+pub use part::{ElementEnergy, Entry, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
 pub use quadrature::Quadrature;
+pub use stage::Stage;

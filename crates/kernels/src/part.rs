@@ -1,6 +1,7 @@
 //! Parts: everything that pushes on nodes. M a = −Σ over parts.
 
 use crate::line::Lines;
+use crate::stage::Stage;
 use tremolite_laws::{Column, Octet, Row};
 
 /// What laws and loads may know of the time, which is not the scheme's: before the earthquake time stands still for
@@ -20,6 +21,15 @@ pub struct Motion<'a> {
     pub u: &'a [Row],
     /// Increment u^n − u^(n−1) \[m\].
     pub du: &'a [Row],
+}
+
+/// Where a stage begins, as a part is told of it.
+pub struct Entry<'a> {
+    pub stage: Stage,
+    /// Displacement \[m\] of all nodes.
+    pub u: &'a [Row],
+    /// Mean stress \[Pa\] of an element of the mesh, or of what has taken over from it; none where none is known.
+    pub stress: &'a dyn Fn(u32) -> Option<[f64; 6]>,
 }
 
 /// What a part alone reads and writes of the state.
@@ -123,6 +133,9 @@ pub trait Part: Send + Sync {
     }
     /// Called once when the part's life begins later than the model's: what moved before is none of its.
     fn begin(&self, _x: &Motion, _own: Own) {}
+    /// Called where a stage begins in which the part is there, the shaking included, before anything is evaluated: what it holds
+    /// on to may change with stages.
+    fn enter(&self, _entry: &Entry, _own: Own) {}
     /// Called once when the shaking begins, after its first evaluation: books of the part's own count from here.
     fn settle(&self, _own: Own) {}
     /// Forces that resist the displacements (sign of ∫Bᵀσ), one row a node, and the work that they did on the nodes since

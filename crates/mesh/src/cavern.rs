@@ -28,6 +28,7 @@ mod profile;
 mod rings;
 mod rows;
 mod section;
+mod shell;
 mod smooth;
 mod spread;
 mod stops;
@@ -56,7 +57,7 @@ pub struct CavernSpec {
     pub overburden: f64,
     /// Rock below the lowest clear floor.
     pub below: f64,
-    /// Rock on either side of the outermost walls, measured from the outside of their linings.
+    /// Rock on either side of the outermost walls, measured from the outside of their linings and shotcrete.
     pub sides: f64,
     /// Length of the block along the caverns.
     pub length: f64,
@@ -120,6 +121,7 @@ pub struct Cavern {
     /// beside and below its centre; a horseshoe's walls reach up into its crown by half a right angle.
     pub benches: u32,
     pub lining: Lining,
+    pub shotcrete: Shotcrete,
 }
 
 /// Thickness of a lining \[m\]. With walls, crown and floor all 0 the cavern is unlined.
@@ -151,11 +153,34 @@ impl Lining {
     }
 }
 
+/// Shotcrete between rock and lining, or alone where there is no lining.
+///
+/// It lies on walls and crown, and round a closed outline also under the invert. Outside of it are, as of the lining, an
+/// arc or an ellipse through three points, where it has its thickness measured across; so round an ellipse, and round an arc
+/// of which the lining changes its thickness, it is a little thinner or thicker between them. It reaches down beside a floor
+/// slab, which lies on rock.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shotcrete {
+    /// \[m\], 0 for none.
+    pub thickness: f64,
+    /// Layers of elements through the thickness.
+    pub layers: u32,
+}
+
+impl Shotcrete {
+    /// No shotcrete at all.
+    pub const NONE: Shotcrete = Shotcrete { thickness: 0.0, layers: 0 };
+
+    pub(crate) fn is_none(&self) -> bool {
+        self.thickness == 0.0
+    }
+}
+
 impl CavernSpec {
-    /// The mesh: all hexahedra, of scaled Jacobian at least 0.3, in linings at least 0.6.
+    /// The mesh: all hexahedra, of scaled Jacobian at least 0.3, in linings and shotcrete at least 0.6.
     ///
     /// Neighbours differ in size, across the face that they share, by at most the factor 1.3 along y everywhere, and
-    /// in the section in the rock outside the transitions. These are: linings and what touches them, since their thickness
+    /// in the section in the rock outside the transitions. These are: linings, shotcrete and what touches them, since their thickness
     /// is given; openings; the rings of rock that lead from a cavern to the grid, out to about one and a half arch rises or
     /// three times `near` (up to 4); the levels of galleries' floors and roofs, where the benches leave no room (up to 2
     /// for caverns and galleries as those of Yingxiuwan, more where levels are a fraction of `near` apart); rock that is
@@ -164,11 +189,13 @@ impl CavernSpec {
     /// Groups: `rock`, and with layers `rock.NAME` of each that has elements; for each cavern `NAME.lining.crown`,
     /// `NAME.lining.walls`, `NAME.lining.floor` (if there is one) and their union `NAME.lining`; `NAME.bench1` … from the
     /// top down and their union `NAME.excavation`; `NAME.lining1` …, the lining beside each bench, the crown with the
-    /// first and the floor with the last; for each gallery `NAME.gallery` and `NAME.opening`.
+    /// first and the floor with the last; `NAME.shotcrete`, and of it `NAME.shotcrete1` … beside each bench; for each gallery
+    /// `NAME.gallery` and `NAME.opening`.
     ///
     /// Face sets: `xmin`, `xmax`, `ymin`, `ymax`, `base`, `top`; `NAME.intrados`, faces of the lining towards
-    /// the opening; `NAME.extrados`, faces of the lining towards the rock (the feet of walls without a floor
-    /// slab included). Of an unlined cavern `NAME.intrados` has the faces of the rock towards the opening.
+    /// the opening; `NAME.extrados`, faces of the lining towards the rock or the shotcrete (the feet of walls without a
+    /// floor slab included). Of a cavern with shotcrete alone both are those of the shotcrete; of one with neither,
+    /// `NAME.intrados` has the faces of the rock towards the opening.
     ///
     /// Points at y = 0, on the intrados: `NAME.crown`, `NAME.floor` (in the middle), `NAME.wall.left` (lower
     /// x) and `NAME.wall.right`, both at half the height.

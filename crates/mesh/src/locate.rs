@@ -1,7 +1,10 @@
 //! Which element contains a point, and with what weights its nodes give the point's values.
 
 mod inverse;
+mod line;
 mod nearest;
+
+pub use line::Stretch;
 
 use crate::isoparametric::{point, weights};
 use crate::{Element, Mesh};

@@ -52,8 +52,8 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     for set in &model.bolts {
         space.shown(&set.kind);
         for bolt in &set.bolts {
-            space.numbers(bolt.points.iter().flat_map(|point| &point.place));
-            space.numbers(bolt.segments.iter().map(|segment| &segment.area));
+            space.shown(&bolt.segments);
+            space.numbers(bolt.points.iter().flat_map(|p| p.weights.iter().map(|(_, weight)| weight)));
         }
     }
     for (member, slices) in assembly.members.iter().zip(&assembly.slices) {

@@ -2,6 +2,7 @@
 
 mod ends;
 mod ordered;
+mod steel;
 #[cfg(test)]
 mod tests;
 
@@ -9,6 +10,7 @@ use crate::stacks::{Stack, stacks};
 use ends::intrados_first;
 use ordered::{Ordered, cross, dot, minus, scaled};
 use std::ops::Range;
+pub use steel::Steel;
 use tremolite_laws::shapes::hex8::{gauss_point, shape_values};
 use tremolite_mesh::Mesh;
 
@@ -25,6 +27,18 @@ pub struct Station {
     pub along: [f64; 3],
     /// From extrados to intrados along the normal \[m\].
     pub thickness: f64,
+    /// Corners \[m\] of its faces, extrados and intrados, each going round, those of the two opposite each other.
+    pub faces: [[[f64; 3]; 4]; 2],
+}
+
+impl Station {
+    /// Of the mid-surface \[m²\], taken as flat.
+    fn area(&self) -> f64 {
+        let [extrados, intrados] = &self.faces;
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| [0, 1, 2].map(|i| 0.5 * (extrados[k][i] + intrados[k][i])));
+        let normal = cross(minus(c, a), minus(d, b));
+        0.5 * dot(normal, normal).sqrt()
+    }
 }
 
 /// The stations of a lining, by y and then going round: from below, up the wall of greater x, over the crown.
@@ -89,6 +103,7 @@ fn station(stack: &Ordered) -> Option<(Station, f64)> {
         normal,
         along: scaled(along, sense.signum()),
         thickness: dot(through, normal),
+        faces: [*extrados, *intrados],
     };
     Some((station, ways[0][1].abs().max(ways[1][1].abs())))
 }

@@ -23,7 +23,8 @@ fn key(mesh: &Mesh, element: u32, side: u8) -> [u32; 4] {
 }
 
 /// The stacks of a group of elements. From each hexahedron ways lead along its three natural axes, from face to
-/// opposite face, until the group ends; one that is less than half as long as the others is through the thickness.
+/// opposite face, until the group ends; one that is less than half as long as the others is through the thickness, unless it
+/// leads through elements that have a shorter one.
 /// Ways that come back, or end at a side of the model, which is a cut and no surface, are none. Where walls meet, and
 /// in other shapes, nothing is a thickness.
 pub fn stacks(mesh: &Mesh, elements: &[u32]) -> Vec<Stack> {
@@ -35,7 +36,8 @@ pub fn stacks(mesh: &Mesh, elements: &[u32]) -> Vec<Stack> {
             group.faces.entry(key(mesh, e, side)).or_default().push((e, side));
         }
     }
-    let mut found = BTreeSet::new();
+    let mut found = Vec::new();
+    let mut shortest: HashMap<u32, f64> = HashMap::new();
     for &e in elements.iter().filter(|e| group.lengths.contains_key(e)) {
         let mut ways: Vec<(f64, Stack)> = (0..3).filter_map(|axis| group.way(e, axis)).collect();
         ways.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -43,10 +45,22 @@ pub fn stacks(mesh: &Mesh, elements: &[u32]) -> Vec<Stack> {
         if let Some((length, stack)) = ways.into_iter().next()
             && length < 0.5 * next
         {
-            found.insert(stack);
+            for (e, _) in &stack {
+                let least = shortest.entry(*e).or_insert(length);
+                *least = least.min(length);
+            }
+            found.push((stack, length));
         }
     }
-    found.into_iter().collect()
+    // From a slab's corner the way along the slab is far shorter than that up the wall and over the crown.
+    let through = |(stack, length): &(Stack, f64)| stack.iter().all(|(e, _)| *length < 1.5 * shortest[e]);
+    found
+        .into_iter()
+        .filter(through)
+        .map(|(stack, _)| stack)
+        .collect::<BTreeSet<Stack>>()
+        .into_iter()
+        .collect()
 }
 
 /// The hexahedra of a group.

@@ -189,6 +189,35 @@ impl Rings {
             .collect()
     }
 
+    /// Of elements in rings between two radii \[m\], as [`Rings::between`] lists them: thrust \[N/m\] on the mean and in cos 2θ,
+    /// compression positive, and moment \[N\] in cos 2θ, tension outside positive; sums over the points of each sector.
+    pub fn section(&self, rested: &Rested, elements: &[u32], [inner, outer]: [f64; 2]) -> [f64; 3] {
+        let layers = elements.len() as u32 / self.around;
+        let layer = (outer - inner) / f64::from(layers);
+        let mut found = [0.0; 3];
+        for sector in 0..self.around {
+            let angle = self.angle(f64::from(sector) + 0.5);
+            let (mut thrust, mut moment) = (0.0, 0.0);
+            for ring in 0..layers {
+                let centre = layer * (f64::from(ring) + 0.5) - 0.5 * (outer - inner);
+                let points = rested.points(elements[(ring * self.around + sector) as usize]);
+                for (p, stress) in points.iter().enumerate() {
+                    // Bit 0 of a point's number is its side along the radius.
+                    let side = if p & 1 == 1 { 0.5 } else { -0.5 };
+                    let hoop = turned(stress, angle)[1];
+                    let area = layer / points.len() as f64;
+                    thrust -= area * hoop;
+                    moment += area * hoop * (centre + side * layer / 3f64.sqrt());
+                }
+            }
+            let (cosine, weight) = ((2.0 * angle).cos(), 1.0 / f64::from(self.around));
+            found[0] += weight * thrust;
+            found[1] += 2.0 * weight * cosine * thrust;
+            found[2] += 2.0 * weight * cosine * moment;
+        }
+        found
+    }
+
     /// Mean motion \[m\] towards the axis of the nodes at a radius, weighted for a quarter's ends, and the largest and the
     /// smallest.
     pub fn inwards(&self, rested: &Rested, radius: f64) -> [f64; 3] {

@@ -14,7 +14,7 @@ use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::{Problem, Spanned};
 
-pub use cavern::{Cavern, CavernShape, Lining};
+pub use cavern::{Cavern, CavernShape, Lining, Shotcrete};
 pub use gallery::Gallery;
 pub use site::{Ground, RockLayer};
 
@@ -27,7 +27,11 @@ pub(super) static CAVERNS: Table = Table {
     keys: &[
         Key::required("overburden", LENGTH, "rock from the ground down to the first cavern's crown"),
         Key::required("below", LENGTH, "rock from the lowest floor down to the base of the block"),
-        Key::required("sides", LENGTH, "rock from the outermost linings to the sides of the block"),
+        Key::required(
+            "sides",
+            LENGTH,
+            "rock from the outermost linings, or their shotcrete, to the sides of the block",
+        ),
         Key::required("length", LENGTH, "length of the block along the caverns"),
         Key::required("near", LENGTH, "element size at the caverns"),
         Key::required("far", LENGTH, "element size far from the caverns"),
@@ -57,7 +61,7 @@ pub struct Caverns {
     pub overburden: Spanned<f64>,
     /// From the lowest floor down to the base.
     pub below: Spanned<f64>,
-    /// From the outermost linings to the sides.
+    /// From the outermost linings, or their shotcrete, to the sides.
     pub sides: Spanned<f64>,
     /// Length of the block along y.
     pub length: Spanned<f64>,

@@ -24,6 +24,11 @@ fn every_value_arrives_in_si() {
             "mesh.caverns.cavern[transformer].at",
             "mesh.caverns.cavern[transformer].benches",
             "mesh.caverns.cavern[transformer].lining",
+            "mesh.caverns.cavern[transformer].shotcrete",
+            "reinforcement[2].face",
+            "reinforcement[2].young",
+            "reinforcement[2].yield",
+            "reinforcement[3].yield",
             "monitor[free].body",
         ]
     );
@@ -38,6 +43,8 @@ fn every_value_arrives_in_si() {
     let lining = powerhouse.lining.as_ref().expect("a lining");
     assert_eq!((lining.walls.value, lining.crown.value, lining.floor.value), (0.5, 0.9, 0.3));
     assert_eq!(lining.layers.value, 2);
+    let shotcrete = powerhouse.shotcrete.as_ref().expect("shotcrete");
+    assert_eq!((shotcrete.thickness.value, shotcrete.layers.value), (0.15, 2));
     assert_eq!((transformer.at.value, &transformer.lining), ([0.0, 0.0], &None));
     assert_eq!([powerhouse.shape.value, transformer.shape.value], [CavernShape::Arch, CavernShape::Ellipse]);
     let [weathered, sound] = &mesh.layers[..] else { panic!("two layers") };
@@ -70,6 +77,18 @@ fn every_value_arrives_in_si() {
     let expected = [Some((0, Element::OnePoint, Some(0.02))), Some((1, Element::Full, Some(0.0))), None];
     assert_eq!(fills, expected);
     assert!(case.regions[0].holds("transformer.bench3") && !case.regions[0].holds("powerhouse.bench3"));
+
+    let [rings, along, given] = &case.reinforcement[..] else { panic!("three sets of bars") };
+    assert_eq!(rings.name.as_ref().map(|n| n.value.as_str()), Some("rings"));
+    assert_eq!(rings.on.iter().map(|p| p.value.as_str()).collect::<Vec<_>>(), ["*.lining"]);
+    assert_eq!((rings.area.value, rings.cover.value), (1.57e-3, 0.05));
+    assert_eq!((rings.direction.value, rings.face.value), (BarDirection::Across, BarFace::Intrados));
+    assert_eq!(rings.young.value, 210e9);
+    assert_eq!(rings.yields.as_ref().map(|y| y.value), Some(500e6));
+    assert_eq!(rings.breaks.as_ref().map(|b| b.value), Some(0.05));
+    assert_eq!((along.area.value, along.face.value, along.young.value), (1.57e-3, BarFace::Both, 200e9));
+    assert_eq!((&along.name, &along.yields, &along.breaks), (&None, &None, &None));
+    assert_eq!((given.area.value, given.direction.value), (3e-3, BarDirection::Along));
 
     let dynamic = &case.dynamic;
     let Base::ViscousSpring { normal, tangential, distance } = &dynamic.base.value else { panic!("spring") };

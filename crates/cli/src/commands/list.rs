@@ -6,14 +6,16 @@ use tremolite::quantities::{
     BOLT, BOLT_LINES, BOLTS, CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE,
     SHARE_OF_VOLUME,
 };
-use tremolite_case::{BaseKind, ListedValue, Side, Top, interface_keys};
+use tremolite_case::{
+    BaseKind, BoltedFaces, Listed, ListedValue, Plate, Side, Top, bolt_keys, interface_keys,
+};
 use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, LawInfo, Need, PairState, Parameter};
 
 #[derive(clap::Args)]
 pub struct Args {
-    #[arg(value_parser = ["materials", "interfaces", "boundaries", "quantities", "formats"])]
+    #[arg(value_parser = ["materials", "interfaces", "bolts", "boundaries", "quantities", "formats"])]
     what: String,
 }
 
@@ -21,6 +23,7 @@ pub fn run(args: &Args) -> Outcome {
     match args.what.as_str() {
         "materials" => materials(),
         "interfaces" => interfaces(),
+        "bolts" => bolts(),
         "boundaries" => boundaries(),
         "quantities" => quantities(),
         _ => formats(),
@@ -93,13 +96,7 @@ fn materials() {
 
 fn interfaces() {
     print("every [[interface]] of a case, whatever its law\n  keys");
-    for key in interface_keys() {
-        let unit = match key.value {
-            ListedValue::Number(dimension) => unit(dimension),
-            ListedValue::Other(word) => word,
-        };
-        entry(key.name, unit, &format!("{} [{}]", key.doc, key.need));
-    }
+    keys(&interface_keys());
     for interface in INTERFACES {
         print("");
         law(interface, || {});
@@ -107,6 +104,31 @@ fn interfaces() {
     print("\nstates of a pair, in the column state of every law");
     for state in PairState::ALL {
         print(&format!("    {} {:8} {}", state.number(), state.word(), state.meaning()));
+    }
+}
+
+fn bolts() {
+    let [own, bond] = bolt_keys();
+    print("every [[stage.bolts]] of a case\n  keys");
+    keys(&own);
+    print("\n  keys of its bond");
+    keys(&bond);
+    for (heading, meanings) in [("pattern", BoltedFaces::MEANINGS), ("plate", Plate::MEANINGS)] {
+        print(&format!("\n  {heading}"));
+        for (word, meaning) in meanings {
+            print(&format!("    {word:16} {meaning}"));
+        }
+    }
+}
+
+/// A line for each key of a case.
+fn keys(keys: &[Listed]) {
+    for key in keys {
+        let unit = match key.value {
+            ListedValue::Number(dimension) => unit(dimension),
+            ListedValue::Other(word) => word,
+        };
+        entry(key.name, unit, &format!("{} [{}]", key.doc, key.need));
     }
 }
 

@@ -63,6 +63,24 @@ fn list_names_the_keys_of_every_interface_and_the_states() {
     }
 }
 
+#[test]
+fn list_names_the_keys_of_bolts_and_of_their_bond() {
+    let text = list("bolts");
+    for (name, unit, end) in [
+        ("diameter", "m", "[required]"),
+        ("spacing", "m", "[required; only beside `pattern`]"),
+        ("young", "Pa", "[default 200 GPa]"),
+        ("yield", "Pa", "[left out: never: the steel stays elastic whatever its force]"),
+        ("pretension", "N", "[left out: none]"),
+        ("strength", "N/m", "without confinement [required]"),
+        ("friction_angle", "deg, rad", "[default 0 deg]"),
+    ] {
+        let start = format!("    {name:25} {unit:10} ");
+        assert!(text.lines().any(|l| l.starts_with(&start) && l.ends_with(end)), "{name}:\n{text}");
+    }
+    assert!(text.contains("    systematic       Crown and walls."), "{text}");
+}
+
 fn list(what: &str) -> String {
     let output = Command::new(env!("CARGO_BIN_EXE_tremolite")).args(["list", what]).output().unwrap();
     assert!(output.status.success());

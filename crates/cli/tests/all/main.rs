@@ -14,6 +14,7 @@ mod layout;
 mod list;
 mod mesh;
 mod references;
+mod shotcrete;
 mod sides;
 mod stage_case;
 mod stage_refusals;

@@ -6,8 +6,10 @@
 
 use super::Engine;
 use super::gather::{dot, force};
-use crate::parts::Scratch;
+use crate::bolts::BoltSet;
+use crate::parts::{Entry, Scratch};
 use crate::state::{Ledger, State};
+use std::collections::HashMap;
 use tremolite_kernels::{Booked, Line, Lines};
 use tremolite_laws::Row;
 
@@ -24,6 +26,7 @@ impl Engine<'_> {
         state.datum = state.u.clone();
         state.ledger = Ledger::new(self.assembly.accounts.len());
         self.quiet = true;
+        self.enter(state);
         let snapshot = self.observe(state);
         self.quiet = false;
         // What is evaluated again belongs to the first step.
@@ -123,6 +126,33 @@ impl Engine<'_> {
         });
         // A displacement that is no number is the largest.
         moved.fold(0.0, |most: f64, d| if d <= most { most } else { d })
+    }
+
+    /// Tells all active parts that the phase's stage begins.
+    pub(super) fn enter(&mut self, state: &mut State) {
+        // Only bonds with friction ask for the stress, which takes an evaluation; what laws would remember of it is dropped.
+        let confined = |set: &BoltSet| set.kind.bond.is_some_and(|bond| bond.friction > 0.0);
+        let snapshot = self.model.bolts.iter().any(confined).then(|| self.observe(&mut state.clone()));
+        self.evaluated = None;
+        let Engine { model, assembly, phase, .. } = *self;
+        let later: HashMap<u32, u32> = model.successors.iter().map(|(&later, &of)| (of, later)).collect();
+        let stress = |mut element: u32| loop {
+            if let Some(slot) = phase.element_slot[element as usize] {
+                let points = slot.point as usize..slot.point as usize + usize::from(slot.points);
+                let mut mean = [0.0; 6];
+                for point in &snapshot.as_ref()?.stress[points] {
+                    (0..6).for_each(|c| mean[c] += point[c] / f64::from(slot.points));
+                }
+                return Some(mean);
+            }
+            element = *later.get(&element)?;
+        };
+        let u = state.u.clone();
+        for &m in &phase.active {
+            let entry = Entry { stage: phase.stage, u: &u, stress: &stress };
+            let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
+            member.part.enter(&entry, slices.own(state).1);
+        }
     }
 
     /// Tells the parts whose life begins with the phase's stage: they count from the displacements as they are, and so do the

@@ -180,6 +180,7 @@ impl Engine<'_> {
         self.evaluated = None;
         if state.relaxing.cycle == 0 {
             self.wake(state);
+            self.enter(state);
             self.evaluate(state, None);
             let now = |n: usize| force(self.phase, &self.contributions, n);
             state.held = (0..state.u.len()).map(now).collect();

@@ -7,7 +7,7 @@ use super::error::LEAST_JACOBIAN;
 use super::layout::Layout;
 use super::opening;
 use super::section::{Part, Section};
-use super::{CavernError, CavernSpec, Ground};
+use super::{Cavern, CavernError, CavernSpec, Ground};
 use crate::note::Note;
 
 /// Good enough not to look for better.
@@ -26,7 +26,7 @@ pub(super) fn build(spec: &CavernSpec) -> Result<Section, CavernError> {
         if worst[k][0] >= GOOD_JACOBIAN || cavern.shape.is_closed() {
             continue;
         }
-        for inset in 0..=cavern.lining.layers as usize + 2 {
+        for inset in 0..=layers(cavern) + 2 {
             let kept = insets[k].replace(inset);
             // A trial may ask for more elements than a block can have; the usual inset did not.
             match assemble(spec, &insets) {
@@ -43,6 +43,11 @@ pub(super) fn build(spec: &CavernSpec) -> Result<Section, CavernError> {
         }
     }
     Ok(section)
+}
+
+/// Layers of lining and shotcrete that a cavern may have.
+fn layers(cavern: &Cavern) -> usize {
+    (cavern.lining.layers + cavern.shotcrete.layers) as usize
 }
 
 /// Where the layout departs from what was asked for.
@@ -82,7 +87,7 @@ fn lead_rows(spec: &CavernSpec, insets: &mut [Option<usize>]) -> Result<(), Cave
             .map(|(k, _)| k)
             .collect();
         let [a, b] = pair[..] else { return Ok(()) };
-        let most = |k: usize| spec.caverns[k].lining.layers as usize + 3;
+        let most = |k: usize| layers(&spec.caverns[k]) + 3;
         let leads = |insets: &[Option<usize>]| match Layout::new(spec, insets) {
             Err(CavernError::GalleryRows { gallery: still }) => still != gallery,
             _ => true,
@@ -99,7 +104,7 @@ fn lead_rows(spec: &CavernSpec, insets: &mut [Option<usize>]) -> Result<(), Cave
     Ok(())
 }
 
-/// The section, and for each cavern the smallest scaled Jacobian in its rectangle and in its lining.
+/// The section, and for each cavern the smallest scaled Jacobian in its rectangle and in its lining and shotcrete.
 fn assemble(spec: &CavernSpec, insets: &[Option<usize>]) -> Result<(Section, Vec<[f64; 2]>), CavernError> {
     let layout = Layout::new(spec, insets)?;
     let ends = |line: &[f64]| [line[0], line[line.len() - 1]];

@@ -3,7 +3,7 @@
 use super::error::{MOST_CAVERNS, value};
 use super::profile::Profile;
 use super::tube::{HORSESHOE, Tube};
-use super::{Cavern, CavernError, CavernShape, CavernSpec, gallery, ground, name, strata};
+use super::{Cavern, CavernError, CavernShape, CavernSpec, Shotcrete, gallery, ground, name, strata};
 
 const MOST_LAYERS: u32 = 20;
 
@@ -106,7 +106,19 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
         );
         return Err(value(key("benches"), f64::from(cavern.benches), must));
     }
+    check_shotcrete(cavern, half, &key)?;
     check_lining(cavern, half, &key)
+}
+
+fn check_shotcrete(cavern: &Cavern, half: f64, key: &dyn Fn(&str) -> String) -> Result<(), CavernError> {
+    let Shotcrete { thickness, layers } = cavern.shotcrete;
+    if !(thickness >= 0.0 && thickness <= half) {
+        return Err(value(key("shotcrete"), thickness, format!("from 0 to half the width, {half} m")));
+    }
+    if thickness > 0.0 && !(1..=MOST_LAYERS).contains(&layers) {
+        return Err(value(key("shotcrete_layers"), f64::from(layers), format!("from 1 to {MOST_LAYERS}")));
+    }
+    Ok(())
 }
 
 fn check_lining(cavern: &Cavern, half: f64, key: &dyn Fn(&str) -> String) -> Result<(), CavernError> {
@@ -140,10 +152,11 @@ fn check_lining(cavern: &Cavern, half: f64, key: &dyn Fn(&str) -> String) -> Res
         return Ok(());
     }
     let profile = Profile::new(cavern);
-    let rise = profile.outer.rise;
-    if rise < 0.02 * cavern.width || rise > 1.1 * profile.outer.half {
+    // Shotcrete adds to rise and half width alike, or more to the latter.
+    let rise = profile.lined.rise;
+    if rise < 0.02 * cavern.width || rise > 1.1 * profile.lined.half {
         let least = lining.crown + 0.02 * cavern.width - rise;
-        let most = lining.crown + 1.1 * profile.outer.half - rise;
+        let most = lining.crown + 1.1 * profile.lined.half - rise;
         let must = format!(
             "from {:.3} m to {most:.3} m, so that the extrados stays an arch on walls of {} m",
             least.max(0.0),

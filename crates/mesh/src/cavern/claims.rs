@@ -6,9 +6,9 @@ use super::{CavernError, CavernSpec};
 
 /// Rectangle round a cavern while the layout is made. Axis 0 is x, axis 1 is z.
 pub(super) struct Claim {
-    /// Extrados.
+    /// The outside of lining and shotcrete.
     pub body: [[f64; 2]; 2],
-    /// Rock between extrados and rectangle, by axis and side.
+    /// Rock between it and the rectangle, by axis and side.
     pub margin: [[f64; 2]; 2],
 }
 

@@ -1,16 +1,17 @@
-//! One cavern whose outline is a closed curve in its rectangle: the opening with its benches, the lining all
-//! round, the rings of rock.
+//! One cavern whose outline is a closed curve in its rectangle: the opening with its benches, lining and shotcrete
+//! all round, the rings of rock.
 
 use super::Cavern;
 use super::plot::Plot;
 use super::rings::rings;
 use super::section::{Part, Section};
+use super::shell;
 use super::smooth::smooth;
-use super::tube::Tube;
+use super::tube::{Across, Tube};
 use super::wall::Rows;
 
 /// Fills the rectangle whose edge nodes are `rim`, clockwise from the lower left corner, with cavern `k`;
-/// returns the smallest scaled Jacobian in it, and that in the lining.
+/// returns the smallest scaled Jacobian in it, and that in lining and shotcrete.
 pub(super) fn fill(
     section: &mut Section,
     plot: &Plot,
@@ -30,22 +31,20 @@ pub(super) fn fill(
 
     let layers: Vec<Vec<u32>> = (0..=counts.layers)
         .map(|layer| {
-            let s = if counts.layers == 0 { 0.0 } else { layer as f64 / counts.layers as f64 };
-            let between =
-                |(a, b): &([f64; 2], [f64; 2])| place([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]);
-            outline.iter().map(|pair| section.point(between(pair))).collect()
+            outline.iter().map(|across| section.point(place(shell::place(&counts, layer, *across)))).collect()
         })
         .collect();
     let (wall, columns) = (counts.wall, counts.columns);
-    for pair in layers.windows(2) {
+    for (layer, pair) in layers.windows(2).enumerate() {
         for t in 0..n {
             let bench = bench_beside(t, columns, &bench_of);
-            let part = match t {
+            let lining = match t {
                 t if t < wall => Part::Walls(k, bench),
                 t if t < wall + columns => Part::Crown(k, bench),
                 t if t < 2 * wall + columns => Part::Walls(k, bench),
                 _ => Part::Floor(k, bench),
             };
+            let part = shell::part(&counts, layer, lining);
             let u = (t + 1) % n;
             section.quad([pair[1][t], pair[0][t], pair[0][u], pair[1][u]], part);
         }
@@ -69,9 +68,9 @@ fn bench_beside(t: usize, columns: usize, bench_of: &[u32]) -> u32 {
     }
 }
 
-/// Points of intrados and extrados clockwise from the lower left corner: left wall, crown, right wall, invert.
-fn outline(tube: &Tube, levels: &[f64], columns: usize) -> Vec<([f64; 2], [f64; 2])> {
-    let mirrored = |(a, b): ([f64; 2], [f64; 2])| ([-a[0], a[1]], [-b[0], b[1]]);
+/// Points of the outline clockwise from the lower left corner: left wall, crown, right wall, invert.
+fn outline(tube: &Tube, levels: &[f64], columns: usize) -> Vec<Across> {
+    let mirrored = |across: Across| across.map(|p| [-p[0], p[1]]);
     let wall = levels.len() - 1;
     let share = |i: usize| 2.0 * i as f64 / columns as f64 - 1.0;
     let left = (0..wall).map(|j| mirrored(tube.wall_point(levels[j])));

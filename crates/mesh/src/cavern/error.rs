@@ -7,7 +7,7 @@ use crate::grading::GradingError;
 
 pub(super) const MOST_CAVERNS: usize = 1000;
 
-/// No element round a cavern may have a smaller scaled Jacobian, and none of a lining.
+/// No element round a cavern may have a smaller scaled Jacobian, and none of a lining or of shotcrete.
 pub(super) const LEAST_JACOBIAN: [f64; 2] = [0.3, 0.6];
 
 /// Why no mesh could be made. `key` is the name of the value in [`CavernSpec`](super::CavernSpec), with the cavern's
@@ -88,7 +88,7 @@ impl fmt::Display for CavernError {
             }
             Self::Poor { cavern, scaled_jacobian, limit } if *limit == LEAST_JACOBIAN[1] => write!(
                 f,
-                "cavern {cavern:?}: an element of its lining has a scaled Jacobian of {scaled_jacobian:.3}, below {limit}; \
+                "cavern {cavern:?}: an element of its lining or shotcrete has a scaled Jacobian of {scaled_jacobian:.3}, below {limit}; \
                  bring `lining.walls`, `lining.crown` and `lining.floor` nearer to one another, or lower `near`"
             ),
             Self::Poor { cavern, scaled_jacobian, limit } => write!(

@@ -59,8 +59,8 @@ fn parts(spec: &CavernSpec, section: &Section) -> Vec<Part> {
             }
             let part = match section.parts[q] {
                 Part::Rock if inside(passage.x, middle[0]) => Part::Gallery(g),
-                // The wall on the side of the other cavern: from the extrados in by no more than half the opening.
-                Part::Walls(k, _) => {
+                // The wall on the side of the other cavern: from the outside in by no more than half the opening.
+                Part::Walls(k, _) | Part::Shotcrete(k, _) => {
                     let [left, right] = passage.caverns;
                     let near = |edge: f64| (middle[0] - edge).abs() < 0.5 * spec.caverns[k as usize].width;
                     let facing =
@@ -89,6 +89,10 @@ fn group(spec: &CavernSpec, parts: &[Part], mesh: &mut Mesh) {
             Part::Crown(k, _) => add(format!("{}.lining.crown", name(k))),
             Part::Walls(k, _) => add(format!("{}.lining.walls", name(k))),
             Part::Floor(k, _) => add(format!("{}.lining.floor", name(k))),
+            Part::Shotcrete(k, bench) => {
+                add(format!("{}.shotcrete", name(k)));
+                add(format!("{}.shotcrete{bench}", name(k)));
+            }
             Part::Bench(k, bench) => add(format!("{}.bench{bench}", name(k))),
             Part::Gallery(g) => add(format!("{}.gallery", spec.galleries[g as usize].name)),
             Part::Opening(g) => add(format!("{}.opening", spec.galleries[g as usize].name)),
@@ -173,10 +177,13 @@ fn faces(spec: &CavernSpec, section: &Section, parts: &[Part], mesh: &mut Mesh) 
 /// The face set of an element's face towards another element.
 fn surface(spec: &CavernSpec, mine: Part, theirs: Part) -> Option<String> {
     let cavern = |k: u32| &spec.caverns[k as usize];
-    match (mine.lining(), theirs) {
+    // Shotcrete alone has the faces of a lining.
+    let alone = |k: &u32| cavern(*k).lining.is_none();
+    let beyond = theirs == Part::Rock || mine.lining().is_some() && theirs.shotcrete().is_some();
+    match (mine.lining().or(mine.shotcrete().filter(alone)), theirs) {
         (Some(k), Part::Bench(..)) => Some(format!("{}.intrados", cavern(k).name)),
-        (Some(k), Part::Rock) => Some(format!("{}.extrados", cavern(k).name)),
-        (None, Part::Bench(k, _)) if mine == Part::Rock && cavern(k).lining.is_none() => {
+        (Some(k), _) if beyond => Some(format!("{}.extrados", cavern(k).name)),
+        (None, Part::Bench(k, _)) if mine == Part::Rock && alone(&k) && cavern(k).shotcrete.is_none() => {
             Some(format!("{}.intrados", cavern(k).name))
         }
         (_, Part::Gallery(g) | Part::Opening(g)) if mine.gallery().is_none() && mine.opening().is_none() => {

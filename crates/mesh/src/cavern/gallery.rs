@@ -11,8 +11,8 @@ pub(super) const LEAST: f64 = 0.1;
 /// A rectangular gallery across, between two neighbouring caverns with straight walls, such as a bus-bar gallery.
 /// All lengths in metres.
 ///
-/// The rock in it is the group `NAME.gallery`, the linings' elements that it passes the group `NAME.opening`; they
-/// leave `rock` and the linings' groups. Faces of what remains towards them are the face set `NAME.surface`. It is
+/// The rock in it is the group `NAME.gallery`, the elements of linings and shotcrete that it passes the group
+/// `NAME.opening`; they leave `rock`, the linings' groups and those of shotcrete. Faces of what remains towards them are the face set `NAME.surface`. It is
 /// not lined.
 ///
 /// Floor and roof are lines of the grid from wall to wall, so a cavern that a gallery meets has rows of elements that are

@@ -1,16 +1,18 @@
-//! One cavern in its rectangle: the opening with its benches, the lining, the rings of rock.
+//! One cavern in its rectangle: the opening with its benches, lining and shotcrete, the rings of rock.
 
 use super::Cavern;
 use super::closed;
 use super::plot::Plot;
-use super::profile::{Outline, Profile};
+use super::profile::{Outline, Profile, Roof};
 use super::rings::rings;
 use super::section::{Part, Section};
+use super::shell;
 use super::smooth::smooth;
+use super::tube::Across;
 
 /// Fills the rectangle whose edge nodes are `rim`, clockwise from the lower left corner, with cavern `k`;
 /// returns the smallest scaled Jacobian in
-/// it, and that in the lining.
+/// it, and that in lining and shotcrete.
 pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, rim: &[u32]) -> [f64; 2] {
     let profile = match &plot.outline {
         Outline::Walls(profile) => profile,
@@ -23,19 +25,15 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
     // From the opening outwards: the vault's layers, each from the left foot over the crown to the right one.
     let vault: Vec<Vec<u32>> = (0..=counts.layers)
         .map(|layer| {
-            let s = if counts.layers == 0 { 0.0 } else { layer as f64 / counts.layers as f64 };
-            (0..=counts.vault())
-                .map(|t| {
-                    let (a, b) = (path.inner(t), path.outer(t));
-                    section.point(path.place([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]))
-                })
-                .collect()
+            let place = |t: usize| path.place(shell::place(&counts, layer, path.across(t)));
+            (0..=counts.vault()).map(|t| section.point(place(t))).collect()
         })
         .collect();
-    for pair in vault.windows(2) {
+    for (layer, pair) in vault.windows(2).enumerate() {
         for t in 0..counts.vault() {
             let bench = path.bench(t);
-            let part = if path.is_arch(t) { Part::Crown(k, bench) } else { Part::Walls(k, bench) };
+            let lining = if path.is_arch(t) { Part::Crown(k, bench) } else { Part::Walls(k, bench) };
+            let part = shell::part(&counts, layer, lining);
             section.quad([pair[1][t], pair[0][t], pair[0][t + 1], pair[1][t + 1]], part);
         }
     }
@@ -48,7 +46,12 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
     below.extend(&floor[1..floor.len() - 1]);
     below.extend(vault.iter().map(|layer| layer[counts.vault()]));
     let mut sides: [Vec<u32>; 2] = Default::default();
-    let slab = if cavern.lining.floor > 0.0 { Part::Floor(k, path.bench(0)) } else { Part::Rock };
+    let sprayed = counts.shotcrete;
+    let slab = |column: usize, columns: usize| match cavern.lining.floor > 0.0 {
+        true if column < sprayed || column + sprayed >= columns => Part::Shotcrete(k, path.bench(0)),
+        true => Part::Floor(k, path.bench(0)),
+        false => Part::Rock,
+    };
     for row in 1..=counts.slab {
         let depth = profile.floor * row as f64 / counts.slab as f64;
         let next: Vec<u32> = below
@@ -59,14 +62,14 @@ pub(super) fn fill(section: &mut Section, plot: &Plot, cavern: &Cavern, k: u32, 
             })
             .collect();
         for i in 0..next.len() - 1 {
-            section.quad([next[i], next[i + 1], below[i + 1], below[i]], slab);
+            section.quad([next[i], next[i + 1], below[i + 1], below[i]], slab(i, next.len() - 1));
         }
         sides[0].push(below[0]);
         sides[1].push(below[below.len() - 1]);
         below = next;
     }
 
-    // The outside of the lining as a closed path, clockwise, from the point tied to the lower left corner.
+    // The outside of lining and shotcrete as a closed path, clockwise, from the point tied to the lower left corner.
     let outside = &vault[counts.layers];
     let inset = counts.inset;
     let right = below.len() - 1;
@@ -122,16 +125,13 @@ impl Path<'_> {
         }
     }
 
-    fn inner(&self, t: usize) -> [f64; 2] {
-        let arc = &self.profile.inner;
-        self.locate(t)
-            .map_or_else(|(row, side)| [side * arc.half, self.plot.wall.levels[row]], |s| arc.point(s))
-    }
-
-    fn outer(&self, t: usize) -> [f64; 2] {
-        let arc = &self.profile.outer;
-        self.locate(t)
-            .map_or_else(|(row, side)| [side * arc.half, self.plot.wall.levels[row]], |s| arc.point(s))
+    fn across(&self, t: usize) -> Across {
+        let located = self.locate(t);
+        let on = |roof: &Roof| match located {
+            Ok(s) => roof.point(s),
+            Err((row, side)) => [side * roof.half, self.plot.wall.levels[row]],
+        };
+        [on(&self.profile.inner), on(&self.profile.lined), on(&self.profile.outer)]
     }
 
     /// The edge of the core where a ring lies between it and the intrados: the intrados shrunk sideways by
@@ -139,7 +139,7 @@ impl Path<'_> {
     fn shrunk(&self, t: usize) -> [f64; 2] {
         let arc = &self.profile.inner;
         let share = 1.0 - 2.0 / self.plot.counts.floor() as f64;
-        let p = self.inner(t);
+        let [p, ..] = self.across(t);
         let lift = (p[1] - arc.springing).max(0.0);
         [share * p[0], p[1] - (1.0 - share) * lift]
     }

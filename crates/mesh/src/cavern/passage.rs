@@ -15,7 +15,7 @@ use super::{CavernError, CavernSpec};
 pub(super) struct Passage {
     /// The cavern on the left and the one on the right.
     pub caverns: [usize; 2],
-    /// From extrados to extrados.
+    /// From the outside of one's lining and shotcrete to that of the other's.
     pub x: [f64; 2],
     pub z: [f64; 2],
 }

@@ -34,7 +34,7 @@ pub(super) struct Plot {
     pub stops: Option<Stops>,
     /// The walls' nodes at the galleries' levels.
     pub pins: Vec<Pin>,
-    /// Where the rings of rock lie between extrados (0) and rectangle (1), both included.
+    /// Where the rings of rock lie between the outside of lining and shotcrete (0) and rectangle (1), both included.
     pub rings: Vec<f64>,
 }
 

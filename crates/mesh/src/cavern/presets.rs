@@ -1,6 +1,6 @@
 //! Sites that are known well enough to start from.
 
-use super::{Cavern, CavernShape, CavernSpec, Ground, Lining};
+use super::{Cavern, CavernShape, CavernSpec, Ground, Lining, Shotcrete};
 
 impl CavernSpec {
     /// Main powerhouse and transformer cavern of the Yingxiuwan hydropower station, as a coarse mesh of about
@@ -30,6 +30,7 @@ impl CavernSpec {
                     arch_rise: 4.5,
                     benches: 6,
                     lining: lining.clone(),
+                    shotcrete: Shotcrete::NONE,
                 },
                 Cavern {
                     name: "transformer".to_owned(),
@@ -40,6 +41,7 @@ impl CavernSpec {
                     arch_rise: 2.2,
                     benches: 4,
                     lining,
+                    shotcrete: Shotcrete::NONE,
                 },
             ],
             layers: Vec::new(),

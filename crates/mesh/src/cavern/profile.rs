@@ -1,5 +1,5 @@
-//! The outline of a cavern with a flat floor and straight walls, clear (intrados) and outside its lining
-//! (extrados).
+//! The outline of a cavern with a flat floor and straight walls: clear (intrados), outside its lining (extrados), and
+//! outside its shotcrete.
 //!
 //! Local coordinates: u across from the centre line, v up from the clear floor.
 
@@ -45,6 +45,20 @@ impl Roof {
         Roof { half, rise: 0.0, springing: level, angle: 0.0, bend: Bend::Flat }
     }
 
+    /// The roof round this one, so much farther out at its walls and its crown.
+    fn around(&self, walls: f64, crown: f64) -> Self {
+        match self.bend {
+            Bend::Ellipse => Roof::ellipse(self.half + walls, self.rise + crown, self.springing),
+            Bend::Flat => Roof::flat(self.half + walls, self.springing + crown),
+            Bend::Circle => {
+                // Where wall and arch meet at an angle, the outside has its corner on the bisector: both parts
+                // then have the thickness of the wall there.
+                let corner = walls * ((FRAC_PI_2 - self.angle) / 2.0).tan();
+                Roof::arc(self.half + walls, self.rise + crown - corner, self.springing + corner)
+            }
+        }
+    }
+
     fn radius(&self) -> f64 {
         self.half / self.angle.sin()
     }
@@ -88,7 +102,9 @@ impl Roof {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Profile {
     pub inner: Roof,
-    /// The same as `inner` if the cavern is unlined.
+    /// Outside of the lining; the same as `inner` if the cavern is unlined.
+    pub lined: Roof,
+    /// Outside of the shotcrete; the same as `lined` if there is none.
     pub outer: Roof,
     /// Thickness of the floor slab, or of the row of rock in its place; 0 if none.
     pub floor: f64,
@@ -104,24 +120,13 @@ impl Profile {
             CavernShape::Rectangle => Roof::flat(half, cavern.height),
             _ => Roof::arc(half, rise, cavern.height - rise),
         };
-        if lining.is_none() {
-            return Profile { inner, outer: inner, floor: 0.0 };
-        }
-        let (half, rise) = (half + lining.walls, rise + lining.crown);
-        let outer = match cavern.shape {
-            CavernShape::Ellipse => Roof::ellipse(half, rise, inner.springing),
-            CavernShape::Rectangle => Roof::flat(half, inner.springing + lining.crown),
-            _ => {
-                // Where wall and arch meet at an angle, the extrados has its corner on the bisector: both parts
-                // then have the thickness of the wall there.
-                let corner = lining.walls * ((FRAC_PI_2 - inner.angle) / 2.0).tan();
-                Roof::arc(half, rise - corner, inner.springing + corner)
-            }
-        };
-        Profile { inner, outer, floor: lining.floor }
+        let lined = if lining.is_none() { inner } else { inner.around(lining.walls, lining.crown) };
+        let sprayed = cavern.shotcrete.thickness;
+        let outer = if cavern.shotcrete.is_none() { lined } else { lined.around(sprayed, sprayed) };
+        Profile { inner, lined, outer, floor: lining.floor }
     }
 
-    /// Lowest and highest coordinates of the extrados: \[u, v\] each.
+    /// Lowest and highest coordinates of the outside: \[u, v\] each.
     pub fn bounds(&self) -> ([f64; 2], [f64; 2]) {
         // An arc of more than a semicircle is a little wider than its chord.
         let half = if self.outer.angle > FRAC_PI_2 { self.outer.radius() } else { self.outer.half };
@@ -145,7 +150,7 @@ impl Outline {
         }
     }
 
-    /// Lowest and highest coordinates of the extrados: \[u, v\] each.
+    /// Lowest and highest coordinates of the outside: \[u, v\] each.
     pub fn bounds(&self) -> ([f64; 2], [f64; 2]) {
         match self {
             Outline::Walls(profile) => profile.bounds(),

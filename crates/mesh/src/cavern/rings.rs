@@ -3,7 +3,7 @@
 use super::plot::Plot;
 use super::section::{Part, Section};
 
-/// The rings of rock between the outside of the lining and the rectangle's rim.
+/// The rings of rock between the outside of lining and shotcrete and the rectangle's rim.
 pub(super) fn rings(section: &mut Section, plot: &Plot, outline: &[u32], rim: &[u32], free: &mut Vec<u32>) {
     let n = rim.len();
     let mut inner = outline.to_vec();

@@ -15,8 +15,10 @@ pub(super) struct Counts {
     pub flank: usize,
     /// Rings between core and intrados; 1 for a steep arch, else 0.
     pub ring: usize,
-    /// Layers of the lining, 0 if none.
+    /// Layers of lining and shotcrete, 0 if none.
     pub layers: usize,
+    /// Of them the outermost, which are shotcrete.
+    pub shotcrete: usize,
     /// Rows of the floor slab, or of rock in its place where a gallery's floor is at the foot; 0 if none.
     pub slab: usize,
     /// Edges below the cavern from the foot of the lining (or of its slab) to the point that is tied to the
@@ -33,21 +35,34 @@ impl Counts {
     /// A flat arch meets the walls at a marked angle, which serves as a corner of the core. A steep one runs
     /// smoothly into them: the core then has its corners half-way up the arch, inside a ring.
     pub fn new(cavern: &Cavern, outline: &Outline, near: f64) -> Self {
-        let layers = if cavern.lining.is_none() { 0 } else { cavern.lining.layers as usize };
+        let lining = if cavern.lining.is_none() { 0 } else { cavern.lining.layers as usize };
+        let shotcrete = if cavern.shotcrete.is_none() { 0 } else { cavern.shotcrete.layers as usize };
+        let layers = lining + shotcrete;
         let profile = match outline {
             Outline::Walls(profile) => profile,
             // Corner is tied to corner: a row of the rectangle for each of the walls, a column for each of the
             // crown.
             Outline::Closed(_) => {
                 let (columns, wall, slab, inset) = (0, 0, 0, 0);
-                return Counts { columns, wall, flank: 0, ring: 0, layers, slab, inset, closed: true };
+                return Counts {
+                    columns,
+                    wall,
+                    flank: 0,
+                    ring: 0,
+                    layers,
+                    shotcrete,
+                    slab,
+                    inset,
+                    closed: true,
+                };
             }
         };
         let steep = profile.inner.angle > 70f64.to_radians();
         let flank = if steep { ((0.2 * profile.inner.length() / near).round() as usize).max(1) } else { 0 };
-        let slab = if cavern.lining.floor > 0.0 { layers } else { 0 };
+        let slab = if cavern.lining.floor > 0.0 { lining } else { 0 };
         let ring = usize::from(steep);
-        Counts { columns: 0, wall: 0, flank, ring, layers, slab, inset: layers + ring, closed: false }
+        let inset = layers + ring;
+        Counts { columns: 0, wall: 0, flank, ring, layers, shotcrete, slab, inset, closed: false }
     }
 
     /// Rows of the rectangle round the cavern beyond those of the straight walls. With the usual inset the

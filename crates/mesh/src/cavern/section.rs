@@ -11,6 +11,8 @@ pub(super) enum Part {
     Crown(u32, u32),
     Walls(u32, u32),
     Floor(u32, u32),
+    /// Shotcrete, with the bench that it is beside.
+    Shotcrete(u32, u32),
     /// Bench, counted from 1 at the top.
     Bench(u32, u32),
     /// Rock in a gallery; here the number is the gallery's.
@@ -24,14 +26,26 @@ impl Part {
     pub fn lining(self) -> Option<u32> {
         match self {
             Part::Crown(k, _) | Part::Walls(k, _) | Part::Floor(k, _) => Some(k),
-            Part::Rock | Part::Bench(..) | Part::Gallery(_) | Part::Opening(_) => None,
+            Part::Rock | Part::Shotcrete(..) | Part::Bench(..) | Part::Gallery(_) | Part::Opening(_) => None,
         }
     }
 
-    /// The bench that this is, or that it is beside as a part of a lining.
+    /// The cavern whose shotcrete this is.
+    pub fn shotcrete(self) -> Option<u32> {
+        match self {
+            Part::Shotcrete(k, _) => Some(k),
+            _ => None,
+        }
+    }
+
+    /// The bench that this is, or that it is beside as a part of a lining or shotcrete.
     pub fn bench(self) -> Option<u32> {
         match self {
-            Part::Crown(_, b) | Part::Walls(_, b) | Part::Floor(_, b) | Part::Bench(_, b) => Some(b),
+            Part::Crown(_, b)
+            | Part::Walls(_, b)
+            | Part::Floor(_, b)
+            | Part::Shotcrete(_, b)
+            | Part::Bench(_, b) => Some(b),
             Part::Rock | Part::Gallery(_) | Part::Opening(_) => None,
         }
     }
@@ -99,7 +113,7 @@ impl Section {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// Smallest scaled Jacobian of the quadrilaterals from `first` on, and of those of linings among them.
+    /// Smallest scaled Jacobian of the quadrilaterals from `first` on, and of those of linings and shotcrete among them.
     pub fn worst(&self, first: usize) -> [f64; 2] {
         let mut worst = [f64::INFINITY; 2];
         for (quad, part) in self.quads[first..].iter().zip(&self.parts[first..]) {
@@ -107,7 +121,7 @@ impl Section {
             // Without a shape: worse than any other.
             let jacobian = if jacobian.is_nan() { -1.0 } else { jacobian };
             worst[0] = worst[0].min(jacobian);
-            if part.lining().is_some() {
+            if part.lining().or(part.shotcrete()).is_some() {
                 worst[1] = worst[1].min(jacobian);
             }
         }

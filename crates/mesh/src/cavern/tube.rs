@@ -15,6 +15,9 @@ use super::{Cavern, CavernShape, Lining};
 /// Height of a horseshoe over its width, from and to: lower it has no walls, higher its invert gets narrow.
 pub(super) const HORSESHOE: [f64; 2] = [0.75, 1.1];
 
+/// A point of an outline: on the intrados, outside the lining, outside the shotcrete.
+pub(super) type Across = [[f64; 2]; 3];
+
 /// Outline of a cavern.
 #[derive(Clone, Debug)]
 pub(super) struct Tube {
@@ -27,6 +30,8 @@ pub(super) struct Tube {
     foot: [f64; 2],
     horseshoe: bool,
     lining: Lining,
+    /// Thickness of the shotcrete.
+    shotcrete: f64,
 }
 
 impl Tube {
@@ -39,7 +44,8 @@ impl Tube {
         } else {
             (2.0 * radius, [radius * FRAC_1_SQRT_2, radius * (1.0 - FRAC_1_SQRT_2)])
         };
-        Tube { radius, height, centre: height - radius, foot, horseshoe, lining: cavern.lining.clone() }
+        let (centre, lining) = (height - radius, cavern.lining.clone());
+        Tube { radius, height, centre, foot, horseshoe, lining, shotcrete: cavern.shotcrete.thickness }
     }
 
     /// Lowest and highest level of the walls.
@@ -56,7 +62,7 @@ impl Tube {
     pub fn wall_length(&self) -> f64 {
         let [low, high] = self.wall();
         let n = 32;
-        let point = |i: usize| self.wall_point(low + (high - low) * i as f64 / n as f64).0;
+        let point = |i: usize| self.wall_point(low + (high - low) * i as f64 / n as f64)[0];
         (0..n).map(|i| (point(i + 1)[0] - point(i)[0]).hypot(point(i + 1)[1] - point(i)[1])).sum()
     }
 
@@ -70,51 +76,52 @@ impl Tube {
         }
     }
 
-    /// Points of intrados and extrados on the right wall, by the level of the former.
-    pub fn wall_point(&self, v: f64) -> ([f64; 2], [f64; 2]) {
+    /// The outline on the right wall, by the level of the intrados.
+    pub fn wall_point(&self, v: f64) -> Across {
         let inner = [self.half_width(v), v];
         let up = v - self.centre;
-        if !self.horseshoe {
-            return (inner, self.round(inner));
-        }
-        if up >= 0.0 {
-            return (inner, self.round(inner));
+        if !self.horseshoe || up >= 0.0 {
+            return self.round(inner);
         }
         let width = 2.0 * self.radius;
         let normal = [(inner[0] + self.radius) / width, up / width];
         if v <= self.foot[1] {
             // On the bisector both parts have the thickness of the walls.
             let down = self.invert_normal(1.0);
-            let share = self.lining.walls / (1.0 + normal[0] * down[0] + normal[1] * down[1]);
-            let offset = [0, 1].map(|c| share * (normal[c] + down[c]));
-            return (inner, [inner[0] + offset[0], inner[1] + offset[1]]);
+            let share = 1.0 / (1.0 + normal[0] * down[0] + normal[1] * down[1]);
+            let bisector = [0, 1].map(|c| share * (normal[c] + down[c]));
+            return self.out(inner, bisector, self.lining.walls);
         }
-        let t = self.lining.walls;
-        (inner, [inner[0] + t * normal[0], inner[1] + t * normal[1]])
+        self.out(inner, normal, self.lining.walls)
     }
 
-    /// Points of intrados and extrados on the crown, −1 left corner, 1 right.
-    pub fn crown_point(&self, s: f64) -> ([f64; 2], [f64; 2]) {
+    /// The outline on the crown, −1 left corner, 1 right.
+    pub fn crown_point(&self, s: f64) -> Across {
         let (sin, cos) = (s * FRAC_PI_4).sin_cos();
-        let inner = [self.radius * sin, self.centre + self.radius * cos];
-        (inner, self.round(inner))
+        self.round([self.radius * sin, self.centre + self.radius * cos])
     }
 
-    /// Points of intrados and extrados on the invert, −1 left corner, 1 right.
-    pub fn invert_point(&self, s: f64) -> ([f64; 2], [f64; 2]) {
+    /// The outline on the invert, −1 left corner, 1 right.
+    pub fn invert_point(&self, s: f64) -> Across {
         if !self.horseshoe {
             let (sin, cos) = (s * FRAC_PI_4).sin_cos();
-            let inner = [self.radius * sin, self.centre - self.radius * cos];
-            return (inner, self.round(inner));
+            return self.round([self.radius * sin, self.centre - self.radius * cos]);
         }
         let n = self.invert_normal(s);
         let inner = [self.height * n[0], self.height * (1.0 + n[1])];
         if s.abs() >= 1.0 {
-            let (_, outer) = self.wall_point(self.foot[1]);
-            return (inner, [s.signum() * outer[0], outer[1]]);
+            let [_, lined, outer] = self.wall_point(self.foot[1]);
+            let here = |p: [f64; 2]| [s.signum() * p[0], p[1]];
+            return [inner, here(lined), here(outer)];
         }
         let t = self.lining.floor + (self.lining.walls - self.lining.floor) * s * s;
-        (inner, [inner[0] + t * n[0], inner[1] + t * n[1]])
+        self.out(inner, n, t)
+    }
+
+    /// From a point of the intrados along a way of which one metre is a metre of thickness: the lining, then the shotcrete.
+    fn out(&self, inner: [f64; 2], way: [f64; 2], lining: f64) -> Across {
+        let at = |t: f64| [inner[0] + t * way[0], inner[1] + t * way[1]];
+        [inner, at(lining), at(lining + self.shotcrete)]
     }
 
     /// Outward normal of a horseshoe's invert.
@@ -124,20 +131,20 @@ impl Tube {
         [sin, -cos]
     }
 
-    /// The extrados over a point of the circle: the thickness goes from that of the walls at mid-height to that
+    /// The outline over a point of the circle: the lining's thickness goes from that of the walls at mid-height to that
     /// of crown and floor with the square of the sine of the angle.
-    fn round(&self, inner: [f64; 2]) -> [f64; 2] {
+    fn round(&self, inner: [f64; 2]) -> Across {
         let normal = [inner[0] / self.radius, (inner[1] - self.centre) / self.radius];
         let end = if normal[1] >= 0.0 { self.lining.crown } else { self.lining.floor };
         let t = self.lining.walls + (end - self.lining.walls) * normal[1] * normal[1];
-        [inner[0] + t * normal[0], inner[1] + t * normal[1]]
+        self.out(inner, normal, t)
     }
 
-    /// Lowest and highest coordinates of the extrados: \[u, v\] each.
+    /// Lowest and highest coordinates of the outside: \[u, v\] each.
     pub fn bounds(&self) -> ([f64; 2], [f64; 2]) {
         let l = &self.lining;
-        let half = self.radius + l.walls;
-        ([-half, -l.floor], [half, self.height + l.crown])
+        let half = self.radius + l.walls + self.shotcrete;
+        ([-half, -l.floor - self.shotcrete], [half, self.height + l.crown + self.shotcrete])
     }
 }
 
@@ -160,10 +167,12 @@ fn foot(radius: f64, height: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cavern::Shotcrete;
 
     fn cavern(shape: CavernShape, height: f64) -> Cavern {
         let lining = Lining { walls: 0.4, crown: 0.6, floor: 0.5, layers: 1 };
-        Cavern { width: 10.0, height, shape, lining, ..Cavern::default() }
+        let shotcrete = Shotcrete { thickness: 0.15, layers: 1 };
+        Cavern { width: 10.0, height, shape, lining, shotcrete, ..Cavern::default() }
     }
 
     #[test]
@@ -173,8 +182,8 @@ mod tests {
         // r (√7 − 1)/2, from (√(4r² − d²) − r)² + (d + r)² = 4r².
         let exact = 5.0 * (7.0_f64.sqrt() - 1.0) / 2.0;
         assert!((tube.foot[0] - exact).abs() < 1e-12 && (tube.foot[1] - (5.0 - exact)).abs() < 1e-12);
-        assert_eq!(tube.invert_point(0.0).0, [0.0, 0.0]);
-        let corner = tube.invert_point(1.0).0;
+        assert_eq!(tube.invert_point(0.0)[0], [0.0, 0.0]);
+        let [corner, ..] = tube.invert_point(1.0);
         assert!((corner[0] - tube.foot[0]).abs() < 1e-12 && (corner[1] - tube.foot[1]).abs() < 1e-12);
     }
 
@@ -184,16 +193,23 @@ mod tests {
             [(CavernShape::Circle, 10.0), (CavernShape::Horseshoe, 8.0), (CavernShape::Horseshoe, 10.8)]
         {
             let tube = Tube::new(&cavern(shape, height));
-            let near = |a: ([f64; 2], [f64; 2]), b: ([f64; 2], [f64; 2])| {
-                let far = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
-                assert!(far(a.0, b.0) < 1e-9 && far(a.1, b.1) < 1e-9, "{shape:?} {a:?} {b:?}");
+            let far = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
+            let near = |a: Across, b: Across| {
+                assert!((0..3).all(|i| far(a[i], b[i]) < 1e-9), "{shape:?} {a:?} {b:?}");
             };
             near(tube.wall_point(tube.wall()[1]), tube.crown_point(1.0));
             near(tube.wall_point(tube.wall()[0]), tube.invert_point(1.0));
-            assert!((tube.crown_point(0.0).1[1] - height - 0.6).abs() < 1e-12);
-            assert!((tube.invert_point(0.0).1[1] + 0.5).abs() < 1e-12);
-            let (inner, outer) = tube.wall_point(tube.centre);
-            assert!((inner[0] - 5.0).abs() < 1e-12 && (outer[0] - 5.4).abs() < 1e-12);
+            assert!((tube.crown_point(0.0)[1][1] - height - 0.6).abs() < 1e-12);
+            assert!((tube.invert_point(0.0)[1][1] + 0.5).abs() < 1e-12);
+            let [inner, lined, outer] = tube.wall_point(tube.centre).map(|p| p[0]);
+            assert!(
+                (inner - 5.0).abs() < 1e-12 && (lined - 5.4).abs() < 1e-12 && (outer - 5.55).abs() < 1e-12
+            );
+            for v in [0.3, 0.6, 0.9] {
+                let [low, high] = tube.wall();
+                let [_, lined, outer] = tube.wall_point(low + v * (high - low));
+                assert!((far(lined, outer) - 0.15).abs() < 1e-12, "{shape:?} {v}");
+            }
         }
     }
 }

@@ -131,3 +131,69 @@ fn nothing_is_found_in_an_empty_mesh_or_at_no_number() {
     assert_eq!(locator.locate([f64::INFINITY, 0.5, 0.5], 1.0), None);
     assert_eq!(locator.locate([0.5, 0.5, 9.0], f64::NAN), None);
 }
+
+/// Lines at random through warped elements: stretches follow one another without gaps, each in its element, and shape functions at
+/// their ends give a linear field.
+#[test]
+fn a_line_is_cut_where_it_leaves_an_element() {
+    let mesh = distorted_box(4);
+    let locator = Locator::new(&mesh, None);
+    let field = |x: [f64; 3]| 2.0 + x[0] - 3.0 * x[1] + 0.5 * x[2];
+    let mut random = Random(5);
+    let mut many = 0;
+    for _ in 0..200 {
+        let from = [0; 3].map(|_| 4.0 * random.next());
+        let to = [0; 3].map(|_| 4.0 * random.next());
+        let length = (0..3).map(|i| (to[i] - from[i]).powi(2)).sum::<f64>().sqrt();
+        let at = |s: f64| [0, 1, 2].map(|i| from[i] + s / length * (to[i] - from[i]));
+        let stretches = locator.stretches(from, to);
+        let mut last = 0.0;
+        for stretch in &stretches {
+            assert!((stretch.from - last).abs() < 1e-6 * length, "{stretches:?}");
+            last = stretch.to;
+            for k in 1..10 {
+                let within = at(stretch.from + 0.1 * f64::from(k) * (stretch.to - stretch.from));
+                assert!(locator.weights_in(stretch.element, within).is_some(), "{stretch:?}");
+            }
+            for end in [stretch.from, stretch.to] {
+                let (weights, place) = locator.weights_in(stretch.element, at(end)).expect("at its end");
+                let nodes = &mesh.elements[stretch.element as usize].nodes;
+                let value: f64 =
+                    nodes.iter().zip(weights).map(|(&n, w)| w * field(mesh.nodes[n as usize])).sum();
+                assert!((value - field(at(end))).abs() < 1e-9);
+                assert!((value - field(place)).abs() < 1e-13);
+            }
+        }
+        assert!((last - length).abs() < 1e-6 * length);
+        many = many.max(stretches.len());
+    }
+    assert!(many >= 6, "no line ran through more than {many} elements");
+}
+
+#[test]
+fn a_line_along_edges_and_one_through_a_hole_have_the_stretches_that_one_sees() {
+    let mesh = crate::boxes::BoxSpec::uniform([0.0; 3], [4.0; 3], [4; 3]).mesh().expect("a box");
+    let locator = Locator::new(&mesh, None);
+    // Along an inner edge, in a face, and askew through corners.
+    for (from, to) in [
+        ([2.0, 2.0, -1.0], [2.0, 2.0, 5.0]),
+        ([2.0, 0.3, 0.5], [2.0, 3.7, 0.5]),
+        ([0.0, 0.0, 0.0], [4.0, 4.0, 4.0]),
+    ] {
+        let stretches = locator.stretches(from, to);
+        assert_eq!(stretches.len(), 4, "{stretches:?}");
+        let inside = if from[2] < 0.0 { 1.0 } else { 0.0 };
+        assert!((stretches[0].from - inside).abs() < 1e-9);
+        assert!(stretches.windows(2).all(|w| w[0].to == w[1].from));
+    }
+    let others: Vec<u32> = (0..64).filter(|e| *e != 21).collect();
+    let holed = Locator::new(&mesh, Some(&others));
+    let stretches = holed.stretches([-1.0, 1.4, 1.6], [5.0, 1.4, 1.6]);
+    let ends: Vec<[f64; 2]> = stretches.iter().map(|s| [s.from, s.to]).collect();
+    assert_eq!(ends, [[1.0, 2.0], [3.0, 4.0], [4.0, 5.0]]);
+    // A point on a face has nodes of the face alone.
+    let (weights, _) = locator.weights_in(21, [1.0, 1.25, 1.5]).expect("on its face");
+    assert_eq!(weights.iter().filter(|w| **w != 0.0).count(), 4);
+    assert!(locator.stretches([1.0; 3], [1.0; 3]).is_empty());
+    assert!(locator.stretches([1.0; 3], [f64::NAN; 3]).is_empty());
+}

@@ -4,8 +4,10 @@ use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::groups::all_groups;
 use crate::plan::Plan;
-use crate::sections::{Station, forces, stations};
+use crate::sections::{Station, Steel, forces, stations};
 use std::collections::HashMap;
+use tremolite_engine::bolts::SegmentSeen;
+use tremolite_engine::phase::ElementSlot;
 use tremolite_engine::state::Memory;
 use tremolite_engine::{Model, Stage};
 use tremolite_results::{ResultFolder, SectionRow, write_sections};
@@ -15,11 +17,14 @@ const STAGES: &str = "section forces of stages";
 /// By station and force over the shaking: largest with its time, smallest with its time.
 const EXTREMES: &str = "section forces";
 
-/// The stations of a model's linings, followed row by row.
+/// The stations of a model's linings, followed row by row. Their forces are those of the concrete and of bars in it that move
+/// with it.
 pub struct SectionForces {
     schedule: Schedule,
     /// Each with the group that it is in.
     stations: Vec<(String, Station)>,
+    /// The bars in each.
+    steel: Vec<Vec<Steel>>,
 }
 
 impl SectionForces {
@@ -41,7 +46,8 @@ impl SectionForces {
                 all.extend(found.into_iter().map(|station| (group.name.to_owned(), station)));
             }
         }
-        SectionForces { schedule: Schedule { every: 1, last: None }, stations: all }
+        let steel = steel(model, &all);
+        SectionForces { schedule: Schedule { every: 1, last: None }, stations: all, steel }
     }
 
     /// Whether there are any.
@@ -51,17 +57,30 @@ impl SectionForces {
 
     /// Forces of every station at a time; not a number where it does not stand.
     pub fn at(&self, view: &View) -> Vec<[f64; 3]> {
-        let points = |e: u32| match view.phase.element_slot[e as usize] {
-            Some(slot) => &view.snapshot.stress[slot.point as usize..][..slot.points as usize],
-            None => &[],
+        let points = |e: u32| {
+            let slot = slot_of(view, e)?;
+            Some(&view.snapshot.stress[slot.point as usize..][..slot.points as usize])
         };
         let of_station = |station: &Station| {
-            if station.stack.iter().any(|(e, _)| view.phase.element_slot[*e as usize].is_none()) {
+            if station.stack.iter().any(|(e, _)| points(*e).is_none()) {
                 return [f64::NAN; 3];
             }
-            forces(&view.model.mesh, station, points)
+            forces(&view.model.mesh, station, |e| points(e).unwrap_or_default())
         };
-        self.stations.iter().map(|(_, station)| of_station(station)).collect()
+        let mut seen: HashMap<[usize; 2], Vec<SegmentSeen>> = HashMap::new();
+        let mut tension = |[set, bolt, segment]: [usize; 3]| {
+            let look = || view.assembly.bolts[set].seen(view.numbers, bolt);
+            seen.entry([set, bolt]).or_insert_with(look).get(segment).map_or(0.0, |s| s.force)
+        };
+        let both = |((_, station), steel): (&(String, Station), &Vec<Steel>)| {
+            let mut sums = of_station(station);
+            for bar in steel {
+                let force = tension(bar.segment);
+                sums.iter_mut().zip(bar.shares).for_each(|(sum, share)| *sum += share * force);
+            }
+            sums
+        };
+        self.stations.iter().zip(&self.steel).map(both).collect()
     }
 
     /// Keeps the forces at the end of a stage.
@@ -125,6 +144,37 @@ impl SectionForces {
         }
         Ok(write_sections(&folder.sections(), &rows)?)
     }
+}
+
+/// Segments of bars that move with what they lie in, by the station they lie in.
+fn steel(model: &Model, stations: &[(String, Station)]) -> Vec<Vec<Steel>> {
+    let mut found = vec![Vec::new(); stations.len()];
+    let mut station_of: HashMap<u32, Vec<usize>> = HashMap::new();
+    for (k, (_, station)) in stations.iter().enumerate() {
+        for &(e, _) in &station.stack {
+            // What the element was before its material changed is in its place.
+            let same = std::iter::successors(Some(e), |e| model.successors.get(e).copied());
+            same.for_each(|e| station_of.entry(e).or_default().push(k));
+        }
+    }
+    for (s, set) in model.bolts.iter().enumerate().filter(|(_, set)| set.kind.bond.is_none()) {
+        for (b, bolt) in set.bolts.iter().enumerate() {
+            for (i, segment) in bolt.segments.iter().enumerate().filter(|(_, segment)| !segment.free) {
+                let ends = segment.points.map(|p| &bolt.points[p as usize]);
+                for &k in station_of.get(&ends[0].host).into_iter().flatten() {
+                    let shares = Steel::shares(&stations[k].1, ends.map(|end| end.place));
+                    found[k].push(Steel { segment: [s, b, i], shares });
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Where an element has its place, or what it was before its material changed; none where neither stands.
+fn slot_of<'v>(view: &View<'v>, element: u32) -> Option<&'v ElementSlot> {
+    let earlier = |e: &u32| view.model.successors.get(e).copied();
+    std::iter::successors(Some(element), earlier).find_map(|e| view.phase.element_slot[e as usize].as_ref())
 }
 
 impl Observer for SectionForces {

@@ -4,7 +4,9 @@ use std::ops::Range;
 use std::path::Path;
 use tremolite_case::{self as case, Problem};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
-use tremolite_mesh::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer};
+use tremolite_mesh::cavern::{
+    Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer, Shotcrete,
+};
 use tremolite_mesh::note::Note;
 use tremolite_mesh::placement::Placement;
 use tremolite_mesh::{Mesh, read_with_notes};
@@ -64,13 +66,15 @@ fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
     let subject = subject.strip_prefix("layer ").unwrap_or(subject);
     let (name, key) = subject.split_once('.').unwrap_or((subject, ""));
     if let Some(cavern) = c.caverns.iter().find(|cavern| cavern.name.value == name) {
-        let lining = cavern.lining.as_ref();
+        let (lining, sprayed) = (cavern.lining.as_ref(), cavern.shotcrete.as_ref());
         return match key {
             "at" => cavern.at.span.clone(),
             "width" => cavern.width.span.clone(),
             "height" => cavern.height.span.clone(),
             "arch_rise" => cavern.arch_rise.span.clone(),
             "benches" => cavern.benches.span.clone(),
+            "shotcrete" => sprayed.map_or(cavern.span.clone(), |s| s.thickness.span.clone()),
+            "shotcrete_layers" => sprayed.map_or(cavern.span.clone(), |s| s.layers.span.clone()),
             "lining.walls" => lining.map_or(cavern.span.clone(), |l| l.walls.span.clone()),
             "lining.crown" => lining.map_or(cavern.span.clone(), |l| l.crown.span.clone()),
             "lining.floor" => lining.map_or(cavern.span.clone(), |l| l.floor.span.clone()),
@@ -128,6 +132,10 @@ fn spec(c: &case::Caverns) -> CavernSpec {
             floor: l.floor.value,
             layers: l.layers.value,
         }),
+        shotcrete: c
+            .shotcrete
+            .as_ref()
+            .map_or(Shotcrete::NONE, |s| Shotcrete { thickness: s.thickness.value, layers: s.layers.value }),
     };
     let layer = |l: &case::RockLayer| RockLayer {
         name: l.name.value.clone(),
@@ -205,6 +213,7 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
     fn what_the_generator_refuses_is_shown_where_it_is_written() {
         for (from, to, marked, remedy) in [
             ("crown = \"0.9 m\"", "crown = \"9 m\"", "\"9 m\"", "half the width"),
+            ("crown = \"0.9 m\" }", "crown = \"0.9 m\" }\nshotcrete = \"7 m\"", "\"7 m\"", "half the width"),
             ("overburden = \"60 m\"", "overburden = \"0.1 m\"", "\"hall\"", "`overburden`"),
             ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "[mesh.caverns]", "raise `near`"),
         ] {

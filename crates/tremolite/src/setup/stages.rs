@@ -1,5 +1,6 @@
 //! Stages of a case: what stands when, in whose place, under what.
 
+mod exposed;
 mod faces;
 mod lives;
 mod pressures;
@@ -92,6 +93,11 @@ impl Staged {
         &self.lives
     }
 
+    /// Whether each element is made of something.
+    pub fn solid(&self) -> Vec<bool> {
+        self.body_of.iter().map(Option::is_some).collect()
+    }
+
     /// Bodies with the elements that are there in the end alone.
     pub fn lasting(&self, bodies: &[Body]) -> Vec<Body> {
         let lasts = |e: &u32| self.lives[*e as usize].holds(Stage::Shaking);
@@ -126,6 +132,7 @@ impl Staged {
             release: release(stage.release.value, k + 1),
             excavated: names(&stage.excavate),
             installed: names(&stage.install),
+            placed: stage.bolts.iter().map(|bolts| bolts.name.value.clone()).collect(),
             changed: changes(case, stage),
             ..PlannedStage::new(stage.name.value.clone())
         });

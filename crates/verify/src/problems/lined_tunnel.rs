@@ -16,7 +16,7 @@ use crate::convergence::order;
 use crate::joints::joint;
 use crate::michell::{Lining, Opening};
 use crate::models::Solid;
-use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release, turned};
+use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release};
 use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::Traction;
@@ -183,31 +183,7 @@ fn release_with(tunnel: &Tunnel, [around, layers]: [u32; 2], share: f64) -> Resu
     ];
     let rested = Rested::new(problem, &[release(1.0), release(share), release(1.0)])?;
 
-    // By sector, at its middle.
-    let mut found = [0.0; 3];
+    let found = rings.section(&rested, &lining, [inner, outer]);
     let per_radius = PRESSURE * tunnel.middle;
-    let layer = tunnel.thick / f64::from(layers);
-    for sector in 0..around {
-        let angle = rings.angle(f64::from(sector) + 0.5);
-        let (mut thrust, mut moment) = (0.0, 0.0);
-        for ring in 0..layers {
-            let element = lining[(ring * around + sector) as usize];
-            let centre = layer * (f64::from(ring) + 0.5) - 0.5 * tunnel.thick;
-            let points = rested.points(element);
-            for (p, stress) in points.iter().enumerate() {
-                // Bit 0 of a point's number is its side along the radius.
-                let side = if p & 1 == 1 { 0.5 } else { -0.5 };
-                let hoop = turned(stress, angle)[1];
-                let area = layer / points.len() as f64;
-                thrust -= area * hoop;
-                moment += area * hoop * (centre + side * layer / 3f64.sqrt());
-            }
-        }
-        let cosine = (2.0 * angle).cos();
-        let weight = 1.0 / f64::from(around);
-        found[0] += weight * thrust / per_radius;
-        found[1] += 2.0 * weight * cosine * thrust / per_radius;
-        found[2] += 2.0 * weight * cosine * moment / (per_radius * tunnel.middle);
-    }
-    Ok(found)
+    Ok([found[0] / per_radius, found[1] / per_radius, found[2] / (per_radius * tunnel.middle)])
 }

@@ -77,6 +77,7 @@ problems! {
     kirsch_hole Test,
     excavated_opening Verify,
     lined_tunnel Verify,
+    shotcrete_ring Verify,
     free_field_hand_over Test,
     release_ramp Verify,
 }

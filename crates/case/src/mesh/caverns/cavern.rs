@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::super::{COORDINATE, LENGTH};
 use super::NOT_NEGATIVE;
 use crate::fields::Fields;
-use crate::keys::{Key, Kind, Table, words};
+use crate::keys::{Key, Kind, Table, When, words};
 use crate::{Problem, Spanned};
 
 pub(super) static CAVERN: Table = Table {
@@ -41,9 +41,22 @@ pub(super) static CAVERN: Table = Table {
             "benches",
             Kind::Count(50),
             "1",
-            "Benches the excavation is cut into, each a group NAME.bench1 … from the top down, with the lining beside it in NAME.lining1 …",
+            "Benches the excavation is cut into, each a group NAME.bench1 … from the top down, with the lining beside it in NAME.lining1 … and the shotcrete in NAME.shotcrete1 …",
         ),
         Key::optional("lining", Kind::Table(&LINING), "no lining", "Concrete lining"),
+        Key::optional(
+            "shotcrete",
+            LENGTH,
+            "no shotcrete",
+            "Thickness of the shotcrete, the group NAME.shotcrete between rock and lining, or alone: on walls and crown, and under the invert of a closed outline",
+        ),
+        Key::default(
+            "shotcrete_layers",
+            Kind::Count(20),
+            "1",
+            "Elements through the thickness of the shotcrete",
+        )
+        .when(When::Beside("shotcrete")),
     ],
     choice: &[],
 };
@@ -103,10 +116,12 @@ pub struct Cavern {
     pub arch_rise: Spanned<f64>,
     /// Centre line in x and floor in z, both from the first cavern's.
     pub at: Spanned<[f64; 2]>,
-    /// Benches of the excavation, each a group, and so is the lining beside each.
+    /// Benches of the excavation, each a group, and so are lining and shotcrete beside each.
     pub benches: Spanned<u32>,
     /// Nothing: no lining.
     pub lining: Option<Lining>,
+    /// Nothing: no shotcrete.
+    pub shotcrete: Option<Shotcrete>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -124,6 +139,15 @@ pub struct Lining {
     pub layers: Spanned<u32>,
 }
 
+/// Shotcrete between rock and lining, or alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shotcrete {
+    /// m
+    pub thickness: Spanned<f64>,
+    /// Elements through the thickness.
+    pub layers: Spanned<u32>,
+}
+
 impl Cavern {
     pub(super) fn read(f: &Fields) -> Option<Self> {
         let lining = f.table("lining").map(Lining::read);
@@ -137,6 +161,10 @@ impl Cavern {
             benches: f.count("benches")?,
             lining: match lining {
                 Some(lining) => Some(lining?),
+                None => None,
+            },
+            shotcrete: match f.number("shotcrete") {
+                Some(thickness) => Some(Shotcrete { thickness, layers: f.count("shotcrete_layers")? }),
                 None => None,
             },
             span: f.span.clone(),

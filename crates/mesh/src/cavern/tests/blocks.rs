@@ -1,6 +1,6 @@
 //! Descriptions that the tests share.
 
-use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Lining};
+use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Lining, Shotcrete};
 
 pub fn lining(walls: f64, crown: f64, floor: f64, layers: u32) -> Lining {
     Lining { walls, crown, floor, layers }
@@ -25,6 +25,12 @@ pub fn gallery(name: &str, at: [f64; 2]) -> Gallery {
     Gallery { name: name.to_owned(), between, at, width: 3.0, height: 3.4 }
 }
 
+/// With so much shotcrete, of so many layers, all round its caverns.
+fn sprayed(mut spec: CavernSpec, thickness: f64, layers: u32) -> CavernSpec {
+    spec.caverns.iter_mut().for_each(|c| c.shotcrete = Shotcrete { thickness, layers });
+    spec
+}
+
 pub fn block(near: f64, caverns: Vec<Cavern>) -> CavernSpec {
     let along = Some(3.0);
     CavernSpec {
@@ -40,7 +46,7 @@ pub fn block(near: f64, caverns: Vec<Cavern>) -> CavernSpec {
     }
 }
 
-/// Blocks that between them take every path: flat and steep arches, with and without slab, unlined, several
+/// Blocks that between them take every path: flat and steep arches, with and without slab, unlined, shotcreted, several
 /// layers, caverns beside and above one another, rectangles that share a line.
 pub fn blocks() -> Vec<(&'static str, CavernSpec)> {
     let horseshoe = cavern("t", [10.0, 8.0, 5.0], 2, [0.0, 0.0], lining(0.4, 0.5, 0.6, 2));
@@ -67,14 +73,15 @@ pub fn blocks() -> Vec<(&'static str, CavernSpec)> {
     // On the floor, on a slab and without one, and beside that at a level of its own.
     let mut floors = with_galleries(vec![gallery("adit", [-8.0, 0.0]), gallery("bus", [8.0, 19.1])]);
     floors.caverns[0].lining.floor = 0.6;
+    let alone = |shape: CavernShape, size: [f64; 3]| block(1.2, vec![shaped(shape, size, 2, Lining::NONE)]);
     vec![
         ("galleries", galleries),
-        ("galleries on the floor", floors),
+        ("galleries on the floor", floors.clone()),
         ("yingxiuwan", CavernSpec::yingxiuwan()),
         ("horseshoe", block(1.0, vec![horseshoe.clone()])),
-        ("horseshoe, coarse", block(2.5, vec![horseshoe])),
+        ("horseshoe, coarse", block(2.5, vec![horseshoe.clone()])),
         ("unlined", block(1.5, vec![cavern("t", [10.0, 12.0, 5.0], 1, [0.0, 0.0], Lining::NONE)])),
-        ("three", block(1.3, three)),
+        ("three", block(1.3, three.clone())),
         ("tight", block(1.5, tight)),
         (
             "elliptic",
@@ -105,7 +112,27 @@ pub fn blocks() -> Vec<(&'static str, CavernSpec)> {
             "low horseshoe",
             block(1.5, vec![shaped(CavernShape::Horseshoe, [12.0, 9.5, 0.0], 1, lining(0.4, 0.6, 0.8, 1))]),
         ),
-        ("shapes", block(1.2, shapes)),
+        ("shapes", block(1.2, shapes.clone())),
         ("thick", block(3.0, vec![cavern("t", [12.0, 18.0, 4.0], 3, [0.0, 0.0], lining(0.9, 0.8, 0.5, 3))])),
+        ("sprayed yingxiuwan", sprayed(CavernSpec::yingxiuwan(), 0.15, 1)),
+        ("sprayed horseshoe", sprayed(block(1.0, vec![horseshoe]), 0.15, 2)),
+        ("sprayed three", sprayed(block(1.3, three), 0.1, 1)),
+        ("sprayed galleries", sprayed(floors, 0.2, 1)),
+        ("sprayed arch alone", sprayed(alone(CavernShape::Arch, [12.0, 15.0, 3.0]), 0.12, 1)),
+        ("sprayed ellipse alone", sprayed(alone(CavernShape::Ellipse, [14.0, 20.0, 4.0]), 0.15, 1)),
+        ("sprayed rectangle alone", sprayed(alone(CavernShape::Rectangle, [8.0, 6.0, 0.0]), 0.15, 1)),
+        ("sprayed circle alone", sprayed(alone(CavernShape::Circle, [9.0, 9.0, 0.0]), 0.15, 1)),
+        (
+            "sprayed rectangle",
+            sprayed(
+                block(
+                    1.0,
+                    vec![shaped(CavernShape::Rectangle, [8.0, 6.0, 0.0], 2, lining(0.5, 0.6, 0.5, 2))],
+                ),
+                0.1,
+                1,
+            ),
+        ),
+        ("sprayed shapes", sprayed(block(1.2, shapes), 0.15, 1)),
     ]
 }

@@ -10,7 +10,7 @@ use crate::mesh::{Face, Mesh};
 /// Where a pair of neighbours lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Zone {
-    /// One is a lining's or touches one, or lies in an opening.
+    /// One is a lining's or of shotcrete, or touches such, or lies in an opening.
     Lining,
     /// One lies in the rock round a cavern that leads over to the grid.
     Surroundings,
@@ -36,13 +36,13 @@ fn length(mesh: &Mesh, face: Face) -> f64 {
     (0..3).map(|c| (b[c] - a[c]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Elements that touch a lining or lie in an opening, and those that lie in a cavern's surroundings.
+/// Elements that touch a lining or shotcrete, or lie in an opening, and those that lie in a cavern's surroundings.
 fn marks(mesh: &Mesh, spec: &CavernSpec) -> (Vec<bool>, Vec<bool>) {
     let mut touched = vec![false; mesh.nodes.len()];
     let mut lining = vec![false; mesh.elements.len()];
     for (group, list) in &mesh.groups {
         let hollow = group.ends_with(".excavation");
-        if hollow || group.ends_with(".lining") || group.ends_with(".opening") {
+        if hollow || [".lining", ".shotcrete", ".opening"].iter().any(|end| group.ends_with(end)) {
             for &e in list {
                 lining[e as usize] = true;
                 if !hollow {

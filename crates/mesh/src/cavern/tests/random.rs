@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::{corners, is_union};
-use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer};
+use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer, Shotcrete};
 use crate::coincident::coincident_nodes;
 use crate::mesh::{Face, Mesh};
 use crate::quality;
@@ -65,11 +65,17 @@ fn cavern(dice: &mut Dice, k: usize, near: f64, x: f64) -> (Cavern, f64) {
         let floor = if shape.is_closed() || dice.often(0.5) { walls * dice.real(0.6, 1.6) } else { 0.0 };
         Lining { walls, crown, floor, layers: 1 + dice.below(4) as u32 }
     };
-    let half = 0.5 * width + lining.walls;
+    // From a skin to as much as a lining.
+    let shotcrete = if dice.often(0.6) {
+        Shotcrete::NONE
+    } else {
+        Shotcrete { thickness: near * dice.real(0.01, 0.4), layers: 1 + dice.below(3) as u32 }
+    };
+    let half = 0.5 * width + lining.walls + shotcrete.thickness;
     let at = [x + half, if k == 0 { 0.0 } else { dice.real(-0.5, 0.5) * height }];
     let name = format!("c{k}");
     let benches = 1 + dice.below(5) as u32;
-    (Cavern { name, shape, at, width, height, arch_rise, benches, lining }, x + 2.0 * half)
+    (Cavern { name, shape, at, width, height, arch_rise, benches, lining, shotcrete }, x + 2.0 * half)
 }
 
 fn random(seed: u64) -> CavernSpec {
@@ -135,7 +141,7 @@ fn check(seed: u64, spec: &CavernSpec, mesh: &Mesh) {
     let whole = quality::summary(mesh);
     assert!(whole.min_scaled_jacobian >= 0.3 - 1e-9, "{seed}: {}", whole.min_scaled_jacobian);
     let groups = quality::by_group(mesh);
-    for (group, summary) in groups.iter().filter(|(g, _)| g.contains("lining")) {
+    for (group, summary) in groups.iter().filter(|(g, _)| g.contains("lining") || g.contains("shotcrete")) {
         assert!(summary.min_scaled_jacobian >= 0.6 - 1e-9, "{seed} {group}: {}", summary.min_scaled_jacobian);
     }
     let tolerance = 1e-6 * whole.shortest_edge;
@@ -171,6 +177,10 @@ fn check(seed: u64, spec: &CavernSpec, mesh: &Mesh) {
         wanted.extend((1..=c.benches).map(|bench| format!("{}.bench{bench}", c.name)));
         wanted.push(format!("{}.excavation", c.name));
         assert!(!mesh.faces[&format!("{}.intrados", c.name)].is_empty(), "{seed}");
+        if c.shotcrete != Shotcrete::NONE {
+            wanted.push(format!("{}.shotcrete", c.name));
+            wanted.extend((1..=c.benches).map(|bench| format!("{}.shotcrete{bench}", c.name)));
+        }
         if c.lining != Lining::NONE {
             wanted.extend(["", ".crown", ".walls"].map(|part| format!("{}.lining{part}", c.name)));
             assert!(!mesh.faces[&format!("{}.extrados", c.name)].is_empty(), "{seed}");
@@ -185,7 +195,7 @@ fn check(seed: u64, spec: &CavernSpec, mesh: &Mesh) {
     }
     for g in &spec.galleries {
         let [a, b] = g.between.each_ref().map(|name| spec.caverns.iter().find(|c| c.name == *name).unwrap());
-        let half = |c: &Cavern| 0.5 * c.width + c.lining.walls;
+        let half = |c: &Cavern| 0.5 * c.width + c.lining.walls + c.shotcrete.thickness;
         let exact = ((b.at[0] - a.at[0]).abs() - half(a) - half(b)) * g.width * g.height;
         let volume = groups[format!("{}.gallery", g.name).as_str()].volume;
         assert!((volume / exact - 1.0).abs() < 1e-6, "{seed} {}: {volume} {exact}", g.name);

@@ -3,7 +3,7 @@ use crate::cavern::{CavernError, CavernSpec};
 #[test]
 fn impossible_input_is_refused_with_the_key_and_the_remedy() {
     type Change = fn(&mut CavernSpec);
-    let cases: [(&str, Change); 22] = [
+    let cases: [(&str, Change); 24] = [
         ("overburden is -1", |s| s.overburden = -1.0),
         ("near is 0", |s| s.near = 0.0),
         ("near is NaN", |s| s.near = f64::NAN),
@@ -19,6 +19,8 @@ fn impossible_input_is_refused_with_the_key_and_the_remedy() {
         ("powerhouse.benches is 4294967295", |s| s.caverns[0].benches = u32::MAX),
         ("powerhouse.lining.walls is 20", |s| s.caverns[0].lining.walls = 20.0),
         ("powerhouse.lining.crown is 0", |s| s.caverns[0].lining.crown = 0.0),
+        ("powerhouse.shotcrete is -0.1", |s| s.caverns[0].shotcrete.thickness = -0.1),
+        ("powerhouse.shotcrete_layers is 0", |s| s.caverns[0].shotcrete.thickness = 0.1),
         ("powerhouse.lining.layers is 0", |s| s.caverns[0].lining.layers = 0),
         ("be used once", |s| s.caverns[1].name = "powerhouse".to_owned()),
         ("be a word", |s| s.caverns[1].name = "a.b".to_owned()),

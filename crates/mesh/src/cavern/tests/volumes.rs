@@ -44,7 +44,7 @@ fn groups_have_their_exact_volumes() {
                 );
             };
             let profile = Profile::new(c);
-            let (inner, outer) = (profile.inner, profile.outer);
+            let (inner, lined, outer) = (profile.inner, profile.lined, profile.outer);
             let layers = (mesh.faces["ymin"].len() as f64 / mesh.elements.len() as f64).recip();
             let columns = if c.lining.is_none() {
                 // All faces of the intrados less those of the walls and the floor.
@@ -66,17 +66,19 @@ fn groups_have_their_exact_volumes() {
             for k in 2..=c.benches {
                 equal(&format!("bench{k}"), bench);
             }
-            equal("lining.floor", profile.floor * 2.0 * outer.half);
-            let over = polygon(c.shape, outer.half, outer.rise, columns);
+            equal("lining.floor", profile.floor * 2.0 * lined.half);
+            let over = polygon(c.shape, lined.half, lined.rise, columns);
             // The joint of wall and arch runs from the inner springing to the outer one.
-            let joint = 2.0 * c.lining.walls * (outer.springing - walls) / 2.0;
-            let shell = 2.0 * outer.half * outer.springing + over - c.width * walls - arch;
+            let joint = 2.0 * c.lining.walls * (lined.springing - walls) / 2.0;
+            let shell = 2.0 * lined.half * lined.springing + over - c.width * walls - arch;
             let wall = 2.0 * c.lining.walls * walls + joint;
             equal("lining.walls", wall);
             equal("lining.crown", shell - wall);
-            equal("lining", shell + profile.floor * 2.0 * outer.half);
-            rock -=
-                (2.0 * outer.half * outer.springing + over + profile.floor * 2.0 * outer.half) * spec.length;
+            equal("lining", shell + profile.floor * 2.0 * lined.half);
+            let arch = polygon(c.shape, outer.half, outer.rise, columns);
+            let whole = 2.0 * outer.half * (outer.springing + profile.floor) + arch;
+            equal("shotcrete", whole - 2.0 * lined.half * (lined.springing + profile.floor) - over);
+            rock -= whole * spec.length;
         }
         assert!((volume["rock"] - rock).abs() < 1e-10 * rock, "{name}: {} {rock}", volume["rock"]);
     }
