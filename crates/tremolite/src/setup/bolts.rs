@@ -10,13 +10,14 @@ mod wall;
 use super::changes::before;
 use super::groups::nothing_fits;
 use super::stages::Staged;
+use crate::plan::BoltMonitor;
 use heads::Heads;
 use listed::{Ground, Listed, Outside};
 use opening::{Opening, openings};
 use pattern::{Laid, lay};
 use std::f64::consts::PI;
 use std::path::Path;
-use tremolite_case::{self as case, BoltPattern, BoltPlace, Case, Problem, Spanned, units};
+use tremolite_case::{self as case, BoltPattern, BoltPlace, Case, Place, Problem, Spanned, units};
 use tremolite_engine::{Bar, Bolts, Bond, Stage};
 use tremolite_laws::Dimension;
 use tremolite_mesh::Mesh;
@@ -86,6 +87,22 @@ pub fn build(case: &Case, mesh: &Mesh, staged: &Staged, problems: &mut Vec<Probl
         placed.bolts.push(made(written, ends, before(k)));
     }
     placed
+}
+
+/// Monitors at bolts that could be placed; the others are among the problems.
+pub fn monitors(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) -> Vec<BoltMonitor> {
+    let mut monitors = Vec::new();
+    for monitor in &case.monitors {
+        let Some(bolt) = &monitor.bolt else { continue };
+        let point = match &monitor.at.value {
+            Place::Point(point) => Some(*point),
+            Place::Named(name) => super::monitors::named(mesh, name, &monitor.at.span, problems),
+        };
+        if let Some(point) = point {
+            monitors.push(BoltMonitor { name: monitor.name.value.clone(), point, set: bolt.value });
+        }
+    }
+    monitors
 }
 
 /// Bolts that are to keep apart are those of one spacing and length, whatever entry they are of. Longer ones may stand among

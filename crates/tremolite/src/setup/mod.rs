@@ -123,6 +123,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let interfaces =
         interfaces::build(case, &mesh, &lasting, &staged.places, &laws.interfaces, &mut problems);
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
+    let at_bolts = bolts::monitors(case, &mesh, &mut problems);
     let solid = staged.solid();
     let (bars, bare) = reinforcement::build(case, &mesh, &staged.places, &solid, &mut problems);
     let (base, base_without_springs) =
@@ -183,7 +184,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         checkpoint: output.checkpoint.as_ref().map(|c| c.value),
         monitors,
         pairs,
-        bolts: Vec::new(),
+        bolts: at_bolts,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
     let inputs = inputs::inputs(case);
