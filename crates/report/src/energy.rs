@@ -19,6 +19,13 @@ const OF_INTERFACES: [(&str, &str); 4] = [
     ("contact_damping", "contact damping"),
 ];
 
+/// Lines of bolts, likewise.
+const OF_BOLTS: [(&str, &str); 3] = [
+    ("bolts", "held by bolts and their bonds"),
+    ("bolt_friction", "bonds of bolts that slide"),
+    ("bolt_plastic", "bolts that yield and break"),
+];
+
 /// Work through sides that follow the free field, positive into the model, and what it is called on the page.
 const FREE_FIELD: (&str, &str) = ("free_field", "work through the sides");
 /// Dashpots of viscous sides and a viscous top; beside free-field sides, whose dashpots are in [`FREE_FIELD`], what they are
@@ -57,7 +64,12 @@ fn largest(values: &[f64]) -> f64 {
 /// What a line of a table is called on the page; its own name where that says it.
 fn words(line: &str, table: &Table) -> String {
     let beside = table.column(FREE_FIELD.0).map(|_| &SIDE_DASHPOTS);
-    let known = OF_INTERFACES.iter().chain([&FREE_FIELD]).chain(beside).find(|(name, _)| *name == line);
+    let known = OF_INTERFACES
+        .iter()
+        .chain(&OF_BOLTS)
+        .chain([&FREE_FIELD])
+        .chain(beside)
+        .find(|(name, _)| *name == line);
     known.map_or_else(|| line.replace('_', " "), |(_, words)| (*words).to_owned())
 }
 
@@ -120,6 +132,16 @@ fn of_interfaces(table: &Table) -> String {
     text
 }
 
+/// What bolts hold and have taken at the end of the table; empty without them.
+fn of_bolts(table: &Table) -> String {
+    let last = |line: &str| table.column(line).and_then(|values| values.last()).copied();
+    let [Some(held), Some(friction), Some(plastic)] = OF_BOLTS.map(|(line, _)| last(line)) else {
+        return String::new();
+    };
+    let [held, friction, plastic] = [held, friction, plastic].map(|x| quantity("J", x));
+    format!(" At the end bolts hold {held}; their bonds have taken {friction}, their yield {plastic}.")
+}
+
 /// The section of the page.
 pub fn section<'a>(source: &'a Source) -> Section {
     let table = match &source.energy {
@@ -132,12 +154,14 @@ pub fn section<'a>(source: &'a Source) -> Section {
     }
     let (drawn, idle): (Vec<_>, Vec<_>) =
         in_order(table).into_iter().partition(|(_, values)| largest(values) > 0.0);
-    // Those of interfaces are small beside what goes through the model, and want a scale of their own.
+    // Those of interfaces and bolts are small beside what goes through the model, and want scales of their own.
+    let is_of = |lines: &[(&str, &str)], name: &str| lines.iter().any(|(line, _)| *line == name);
     let (contact, drawn): (Vec<_>, Vec<_>) =
-        drawn.into_iter().partition(|(name, _)| OF_INTERFACES.iter().any(|(line, _)| line == name));
+        drawn.into_iter().partition(|(name, _)| is_of(&OF_INTERFACES, name));
+    let (bolts, drawn): (Vec<_>, Vec<_>) = drawn.into_iter().partition(|(name, _)| is_of(&OF_BOLTS, name));
     let mut colours = (0..).filter(|k| *k != ERROR_COLOUR);
     let mut panels = Vec::new();
-    for (title, lines) in [("energy", drawn), ("energy of interfaces", contact)] {
+    for (title, lines) in [("energy", drawn), ("energy of interfaces", contact), ("energy of bolts", bolts)] {
         let most = lines.iter().map(|(_, values)| largest(values)).fold(0.0, f64::max);
         let line = |((name, values), colour): ((&'a str, &'a [f64]), usize)| Line {
             name: words(name, table),
@@ -180,6 +204,7 @@ pub fn section<'a>(source: &'a Source) -> Section {
     };
     caption.push_str(&through_sides(table));
     caption.push_str(&of_interfaces(table));
+    caption.push_str(&of_bolts(table));
     if !idle.is_empty() {
         let names = idle.iter().map(|(name, _)| words(name, table)).collect::<Vec<_>>().join(", ");
         caption.push_str(&format!(" Zero throughout: {names}."));

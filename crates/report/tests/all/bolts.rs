@@ -333,3 +333,27 @@ fn what_is_missing_is_said_and_what_is_cut_off_is_not_drawn() {
     fs::remove_file(folder.summary()).unwrap();
     assert!(!page(&folder).contains("<h2>Bolts</h2>"), "nothing tells of bolts");
 }
+
+#[test]
+fn lines_of_bolts_in_the_energy_balance_have_words_and_a_scale_of_their_own() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let lines = ["kinetic", "strain", "bolts", "bolt_friction", "bolt_plastic", "error"];
+    let columns = lines.map(|name| Column::new(name, "J"));
+    let columns = [vec![Column::new("time", "s")], columns.to_vec()].concat();
+    let mut table = TableWriter::create(&folder.energy(), &columns).unwrap();
+    (0..100)
+        .map(f64::from)
+        .for_each(|k| table.write(&[0.12 * k, 1e6, 1e6 * k, 20.0 * k, 5.0 * k, 0.0, 1.0]).unwrap());
+    let page = page(&folder);
+    let svg = figure(&folder, "energy.svg");
+    for text in
+        ["energy (MJ)", "energy of bolts (kJ)", "held by bolts and their bonds", "bonds of bolts that slide"]
+    {
+        assert!(svg.contains(text), "{text}");
+    }
+    assert!(page.contains(
+        "At the end bolts hold 1.98\u{a0}kJ; their bonds have taken 495\u{a0}J, their yield 0\u{a0}J."
+    ));
+    assert!(page.contains("Zero throughout: bolts that yield and break."));
+}

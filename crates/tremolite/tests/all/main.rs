@@ -2,6 +2,7 @@
 
 mod block;
 mod bolt_patterns;
+mod bolt_results;
 mod bolts;
 mod consistency;
 mod contact;
