@@ -2,6 +2,7 @@
 
 mod block;
 mod bolts;
+mod bolts_bits;
 mod consistency;
 mod contact;
 mod cracked_damping;
