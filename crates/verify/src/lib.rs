@@ -17,6 +17,7 @@
 //! ```
 
 mod bessel;
+mod bolted;
 pub mod box_size;
 mod check;
 mod concrete;

@@ -4,6 +4,7 @@ mod block;
 mod bolt_patterns;
 mod bolt_results;
 mod bolts;
+mod bolts_bits;
 mod consistency;
 mod contact;
 mod cracked_damping;

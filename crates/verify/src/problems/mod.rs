@@ -7,7 +7,7 @@ macro_rules! problems {
         $(pub mod $name;)*
 
         /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws, interfaces,
-        /// stages.
+        /// stages, bolts.
         pub const PROBLEMS: &[Problem] = &[$($name::PROBLEM),*];
 
         #[cfg(test)]
@@ -80,4 +80,9 @@ problems! {
     shotcrete_ring Verify,
     free_field_hand_over Test,
     release_ramp Verify,
+    bolt_pull_out Test,
+    bolt_across_interface Test,
+    bolt_pretension Test,
+    bolted_tunnel Test,
+    bolted_wave Test,
 }
