@@ -13,7 +13,7 @@ use indexmap::IndexMap;
 use tremolite_engine::Halt;
 use tremolite_engine::engine::Relaxed;
 use tremolite_results::{
-    Finding, GroupStress, ModelFacts, MotionFacts as MotionSummary, Status, Summary, TrustLine,
+    BoltSummary, Finding, GroupStress, ModelFacts, MotionFacts as MotionSummary, Status, Summary, TrustLine,
     peaks_by_monitor,
 };
 
@@ -68,7 +68,7 @@ pub fn summary(evidence: Evidence) -> Summary {
     Summary {
         title: plan.title.clone(),
         status,
-        verdict: verdict(&run, &findings),
+        verdict: verdict(&run, &findings, &bolts),
         outcome: run,
         findings,
         wall_seconds: evidence.wall_seconds,
@@ -112,10 +112,12 @@ pub fn summary(evidence: Evidence) -> Summary {
     }
 }
 
-/// The run's outcome and that of each structure, in one text.
-fn verdict(run: &str, findings: &[Finding]) -> String {
+/// The run's outcome and that of each structure, in one text; of many groups of bolts that of all together.
+fn verdict(run: &str, findings: &[Finding], bolts: &IndexMap<String, BoltSummary>) -> String {
     let mut text = run.to_owned();
-    for finding in findings {
+    let all_bolts = support::together(bolts);
+    let others = |finding: &&Finding| all_bolts.is_none() || !bolts.contains_key(&finding.group);
+    for finding in findings.iter().filter(others).chain(&all_bolts) {
         text += &format!(" {}: {}.", finding.group, finding.headline);
         if !finding.text.is_empty() {
             text += &format!(" {}", finding.text);

@@ -2,7 +2,7 @@
 
 mod told;
 
-pub use told::{bolts, findings, monitors, warnings};
+pub use told::{bolts, findings, monitors, together, warnings};
 
 use tremolite_engine::bolts::{Bolt, BoltSet, SegmentSeen, SegmentState};
 use tremolite_engine::{Assembly, Stage};

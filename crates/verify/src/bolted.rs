@@ -71,7 +71,8 @@ impl Bonded {
             return pull - self.strength * x;
         }
         let beta = self.beta();
-        (pull - self.strength * slid) * (beta * (self.length - x)).sinh() / (beta * (self.length - slid)).sinh()
+        (pull - self.strength * slid) * (beta * (self.length - x)).sinh()
+            / (beta * (self.length - slid)).sinh()
     }
 
     /// Bar ahead of the rock against the pull \[m\].
@@ -79,7 +80,8 @@ impl Bonded {
         let (slid, beta) = (self.slid(pull), self.beta());
         let elastic = |x: f64| {
             let force = pull - self.strength * slid;
-            force * (beta * (self.length - x)).cosh() / (self.bar * beta * (beta * (self.length - slid)).sinh())
+            force * (beta * (self.length - x)).cosh()
+                / (self.bar * beta * (beta * (self.length - slid)).sinh())
         };
         if x >= slid {
             return elastic(x);

@@ -132,7 +132,6 @@ impl Staged {
             release: release(stage.release.value, k + 1),
             excavated: names(&stage.excavate),
             installed: names(&stage.install),
-            placed: stage.bolts.iter().map(|bolts| bolts.name.value.clone()).collect(),
             changed: changes(case, stage),
             ..PlannedStage::new(stage.name.value.clone())
         });
@@ -240,7 +239,8 @@ fn changes(case: &Case, stage: &case::Stage) -> Vec<String> {
     let pressure = |p: f64| case::units::format(p, Dimension::PRESSURE);
     let pressures =
         stage.pressures.iter().map(|(face, p)| format!("{} on {}", pressure(p.value), face.value));
-    materials.chain(pressures).collect()
+    let bolts = stage.bolts.iter().map(|bolts| format!("bolts '{}' placed", bolts.name.value));
+    materials.chain(pressures).chain(bolts).collect()
 }
 
 /// Name of what comes before all stages of a case.

@@ -124,6 +124,36 @@ pub fn findings(groups: &IndexMap<String, BoltSummary>) -> Vec<Finding> {
     there.map(|(name, group)| finding(name, group)).collect()
 }
 
+/// Groups beyond which they are told as one.
+const MANY: usize = 2;
+
+/// What became of all groups that are there, where they are many.
+pub fn together(groups: &IndexMap<String, BoltSummary>) -> Option<Finding> {
+    let there = || groups.values().filter(|group| group.there && group.bolts > 0);
+    if there().count() <= MANY {
+        return None;
+    }
+    let mut all = BoltSummary { yield_force: f64::NAN, ..BoltSummary::default() };
+    let (mut over, mut largest) = (0.0, 0.0);
+    for group in there() {
+        all.bolts += group.bolts;
+        all.yielded += group.yielded;
+        all.broken += group.broken;
+        all.slid += group.slid;
+        all.cut += group.cut;
+        all.gone += group.gone;
+        all.yield_force = all.yield_force.min(group.yield_force);
+        all.max_slip = group.max_slip.max(all.max_slip);
+        over = group.force_over_yield.max(over);
+        if group.largest.force > largest {
+            largest = group.largest.force;
+            all.largest = group.largest.clone();
+        }
+    }
+    all.force_over_yield = over;
+    Some(finding(&format!("all {} groups of bolts", there().count()), &all))
+}
+
 fn finding(name: &str, group: &BoltSummary) -> Finding {
     let BoltSummary { bolts, yielded, broken, slid, cut, gone, .. } = *group;
     let (headline, text) = (headline(group), text(group));
