@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::bolts::{BoltPlace, Bolts};
 use crate::check::Checker;
 use crate::consistency;
 use crate::defaulted::Defaulted;
@@ -147,7 +148,7 @@ impl Case {
         let mut checker = Checker::new(&CASE, laws.into());
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { mut problems, mut defaulted, .. } = checker;
-        let (found, warnings) = consistency::check(&written, Written::of(document.get_ref()));
+        let (found, warnings) = consistency::check(&written, &Written::of(document.get_ref()));
         problems.extend(found);
         let case = Case::assemble(path, source, &written);
         match case {
@@ -179,7 +180,8 @@ impl Case {
         let written = consistency::materials(case);
         let names: Vec<&str> = written.iter().map(|m| m.name.value.as_str()).collect();
         let regions = case.tables("region").map(|r| Region::read(r, &names)).collect::<Option<_>>()?;
-        let stages = case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
+        let stages: Vec<Stage> =
+            case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
         let reinforcement = case.tables("reinforcement").map(Reinforcement::read).collect::<Option<_>>()?;
         let motion = match case.table("motion") {
             Some(motion) => Some(Motion::read(motion)?),
@@ -188,8 +190,10 @@ impl Case {
         let interfaces: Vec<Interface> =
             case.tables("interface").map(Interface::read).collect::<Option<_>>()?;
         let names: Vec<&str> = interfaces.iter().map(|i| i.name.value.as_str()).collect();
+        let bolts: Vec<&str> =
+            stages.iter().flat_map(|stage| &stage.bolts).map(|b| b.name.value.as_str()).collect();
         let monitors: Vec<Monitor> =
-            case.tables("monitor").map(|m| Monitor::read(m, &names)).collect::<Option<_>>()?;
+            case.tables("monitor").map(|m| Monitor::read(m, &names, &bolts)).collect::<Option<_>>()?;
         let names: Vec<&str> = monitors.iter().map(|m| m.name.value.as_str()).collect();
         let relatives = case.tables("relative").map(|r| Relative::read(r, &names)).collect::<Option<_>>()?;
         Some(Case {
@@ -222,6 +226,11 @@ impl Case {
         self.initial.stress.is_some() || !self.stages.is_empty()
     }
 
+    /// All bolts in the order of the file, each with the place of its stage in [`Case::stages`].
+    pub fn bolts(&self) -> impl Iterator<Item = (usize, &Bolts)> {
+        self.stages.iter().enumerate().flat_map(|(k, stage)| stage.bolts.iter().map(move |bolts| (k, bolts)))
+    }
+
     /// A report of problems found later, to be shown in this case's text.
     pub fn report(&self, problems: Vec<Problem>) -> Report {
         Report::new(&self.path, &self.source, problems)
@@ -243,6 +252,10 @@ impl Case {
         if let Mesh::File(file) = &self.mesh {
             files.push(&file.path);
         }
+        files.extend(self.bolts().filter_map(|(_, bolts)| match &bolts.place {
+            BoltPlace::File(file) => Some(file),
+            _ => None,
+        }));
         files
     }
 

@@ -183,6 +183,7 @@ fn applies(when: When, given: &Given<'_>) -> bool {
         When::Beside(key) => given.contains_key(key),
         When::BesideAny(keys) => keys.iter().any(|key| given.contains_key(key)),
         When::Without(key) => !given.contains_key(key),
+        When::WithoutAny(keys) => !keys.iter().any(|key| given.contains_key(key)),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::bolts;
 use crate::fields::{Fields, Item, Material};
 use crate::initial::Initial;
 use crate::interface::{self, TIED};
@@ -24,7 +25,7 @@ pub(crate) fn materials(case: &Fields) -> &[Material] {
 ///
 /// Works on the checked tables rather than on the finished parts, so that a problem in one part hides nothing here; `written`
 /// tells of parts that were refused.
-pub(crate) fn check(case: &Fields, written: Written) -> (Vec<Problem>, Vec<Problem>) {
+pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Problem>, Vec<Problem>) {
     let (mut problems, mut warnings) = (Vec::new(), Vec::new());
     if let Some(mesh) = case.table("mesh") {
         Mesh::check(mesh, &mut problems);
@@ -48,7 +49,9 @@ pub(crate) fn check(case: &Fields, written: Written) -> (Vec<Problem>, Vec<Probl
     reference(case, written, &mut problems);
     regions(case, &mut problems, &mut warnings);
     interfaces(case, &mut problems);
-    monitors(case, &mut problems);
+    let bolts = bolts::check(case, &written.excavates, &mut problems);
+    monitors(case, &bolts, bolts.len() == written.bolts, &mut problems);
+    unique(bolts, "bolts", "give each its own name", &mut problems);
     if let Some(output) = case.table("output") {
         unique(output.texts("fields"), "field", "name each field once", &mut problems);
     }
@@ -137,7 +140,7 @@ fn weights(case: &Fields, problems: &mut Vec<Problem>) {
 }
 
 /// With damping over a band moduli go by the frequency, and what comes before the earthquake is computed at rest.
-fn reference(case: &Fields, written: Written, problems: &mut Vec<Problem>) {
+fn reference(case: &Fields, written: &Written, problems: &mut Vec<Problem>) {
     let Some(damping) = case.table("dynamic").and_then(|d| d.table("damping")) else { return };
     if let (Some(band), true, false) = (damping.get("band"), written.equilibrium, written.reference) {
         problems.push(Problem::new(
@@ -181,14 +184,20 @@ fn interfaces(case: &Fields, problems: &mut Vec<Problem>) {
     unique(names, "interface", "give each interface its own name", problems);
 }
 
-fn monitors(case: &Fields, problems: &mut Vec<Problem>) {
+/// `bolts` are the names of bolts, `all_bolts` whether they are those of all.
+fn monitors(case: &Fields, bolts: &[Spanned<String>], all_bolts: bool, problems: &mut Vec<Problem>) {
     let (names, all_known) = names(case, "monitor");
-    let at_interface: BTreeSet<String> = case
-        .tables("monitor")
-        .filter(|m| m.text("interface").is_some())
-        .filter_map(|m| Some(m.text("name")?.value))
-        .collect();
+    let with = |key: &'static str| -> BTreeSet<String> {
+        let monitors = case.tables("monitor").filter(|m| m.text(key).is_some());
+        monitors.filter_map(|m| Some(m.text("name")?.value)).collect()
+    };
+    let (at_interface, at_bolt) = (with("interface"), with("bolt"));
     looked_at(case, problems);
+    for name in case.tables("monitor").filter_map(|m| m.text("bolt")) {
+        if all_bolts && !bolts.iter().any(|b| b.value == name.value) {
+            problems.push(no_bolts(&name, bolts));
+        }
+    }
     for relative in case.tables("relative") {
         let between = relative.texts("between");
         for name in &between {
@@ -197,6 +206,12 @@ fn monitors(case: &Fields, problems: &mut Vec<Problem>) {
                     name,
                     format!("monitor `{}` keeps gap and slip of an interface, no displacement", name.value),
                     "name two monitors without `interface`",
+                ));
+            } else if at_bolt.contains(&name.value) {
+                problems.push(Problem::at(
+                    name,
+                    format!("monitor `{}` keeps the force of a bolt, no displacement", name.value),
+                    "name two monitors without `bolt`",
                 ));
             } else if all_known && !names.iter().any(|n| n.value == name.value) {
                 problems.push(unknown("monitor", name, &names));
@@ -228,6 +243,17 @@ fn looked_at(case: &Fields, problems: &mut Vec<Problem>) {
             _ => {}
         }
     }
+}
+
+/// The problem of a name that no bolts have.
+fn no_bolts(name: &Spanned<String>, bolts: &[Spanned<String>]) -> Problem {
+    let known = || bolts.iter().map(|b| b.value.as_str());
+    let remedy = match suggest::nearest(name, known()) {
+        Some(meant) => format!("did you mean \"{meant}\"?"),
+        None if bolts.is_empty() => "add [[stage.bolts]] of that name to a stage".to_owned(),
+        None => format!("known bolts: {}", known().collect::<Vec<_>>().join(", ")),
+    };
+    Problem::at(name, format!("there are no bolts `{}`", name.value), remedy)
 }
 
 /// The names of the entries of a list of tables, and whether all have one. One that was refused may be the one that is

@@ -21,6 +21,7 @@ pub(crate) enum Item {
     Number(f64),
     Count(u32),
     Text(String),
+    Flag(bool),
     List(Vec<Node>),
     Table(Fields),
     /// Values by free keys, in the order of the file.
@@ -100,9 +101,14 @@ impl Fields {
         }
     }
 
-    /// An array of tables.
+    /// An array of tables, or the one table in its place.
     pub fn tables(&self, key: &'static str) -> impl Iterator<Item = &Fields> {
-        self.list(key).iter().filter_map(Node::table)
+        let nodes = match self.get(key) {
+            Some(node) if node.table().is_some() => std::slice::from_ref(node),
+            Some(node) => node.list(),
+            None => &[],
+        };
+        nodes.iter().filter_map(Node::table)
     }
 
     /// A list of exactly N numbers.
@@ -154,7 +160,7 @@ impl Node {
     }
 
     /// The values of a list; none if it is no list.
-    fn list(&self) -> &[Node] {
+    pub fn list(&self) -> &[Node] {
         match &self.item {
             Item::List(nodes) => nodes,
             _ => &[],

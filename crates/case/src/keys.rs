@@ -51,6 +51,8 @@ pub enum Kind {
     Text,
     /// Text that can stand in a column name or a group name: no blanks or quotes, and none of `. , [ ] * ?`.
     Name,
+    /// true or false.
+    Flag,
     /// A unit alone, read as its SI value.
     Unit(Dimension),
     /// One of these words.
@@ -143,6 +145,8 @@ pub enum When {
     BesideAny(&'static [&'static str]),
     /// Only where this key of the same table is not given.
     Without(&'static str),
+    /// Only where none of these keys of the same table is given.
+    WithoutAny(&'static [&'static str]),
 }
 
 impl When {
@@ -155,6 +159,7 @@ impl When {
             When::Beside(key) => Some(format!("beside `{key}`")),
             When::BesideAny(keys) => Some(format!("beside one of `{}`", keys.join("`, `"))),
             When::Without(key) => Some(format!("without `{key}`")),
+            When::WithoutAny(keys) => Some(format!("without `{}`", keys.join("` and `"))),
         }
     }
 }

@@ -12,6 +12,7 @@
 pub mod pattern;
 pub mod units;
 
+mod bolts;
 mod case;
 mod check;
 mod consistency;
@@ -42,6 +43,7 @@ mod suggest;
 mod syntax;
 mod value;
 
+pub use bolts::{BoltBond, BoltPattern, BoltPlace, BoltedFaces, Bolts, Plate};
 pub use case::Case;
 pub use defaulted::Defaulted;
 pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, Top};
@@ -49,7 +51,7 @@ pub use initial::{Initial, InitialStress, MeasuredStress, StressField};
 pub use interface::{Contact, Interface};
 pub use law_file::{LawFile, LawKind};
 pub use laws::Laws;
-pub use listing::{Listed, ListedValue, interface_keys};
+pub use listing::{Listed, ListedValue, bolt_keys, interface_keys};
 pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,

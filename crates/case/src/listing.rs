@@ -2,6 +2,7 @@
 
 use tremolite_laws::parameter::Dimension;
 
+use crate::bolts::{BOLTS, BOND};
 use crate::interface::INTERFACE;
 use crate::keys::{Key, Kind, Need};
 use crate::units;
@@ -29,6 +30,11 @@ pub fn interface_keys() -> Vec<Listed> {
     INTERFACE.keys.iter().filter(|key| !key.is_later()).map(listed).collect()
 }
 
+/// The keys that every `[[stage.bolts]]` has, and those of its `bond`.
+pub fn bolt_keys() -> [Vec<Listed>; 2] {
+    [&BOLTS, &BOND].map(|table| table.keys.iter().map(listed).collect())
+}
+
 fn listed(key: &Key) -> Listed {
     let need = match (key.need, key.kind) {
         (Need::Required, _) => "required".to_owned(),
@@ -49,6 +55,7 @@ fn value(kind: &Kind) -> ListedValue {
         Kind::Number(dimension, _) => return ListedValue::Number(*dimension),
         Kind::Count(_) => "count",
         Kind::Text | Kind::Word(_) | Kind::Unit(_) => "word",
+        Kind::Flag => "flag",
         Kind::Name => "name",
         Kind::List(..) | Kind::Numbers(_) => "list",
         Kind::Either(kinds) => return kinds.first().map_or(ListedValue::Other("value"), value),

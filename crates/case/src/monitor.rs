@@ -27,13 +27,20 @@ pub(crate) static MONITOR: Table = Table {
             "any body at that place",
             "The body it lies in: \"lining\" is every group called lining, or with .lining in its name",
         )
-        .when(When::Without("interface")),
+        .when(When::WithoutAny(&["interface", "bolt"])),
         Key::optional(
             "interface",
             Kind::Text,
             "",
             "The interface at whose nearest pair it is: gap, slip, pressure and shear are kept, no motion",
         ),
+        Key::optional(
+            "bolt",
+            Kind::Text,
+            "",
+            "The bolts, by their name, at whose nearest segment it is: its force and slip are kept, no motion",
+        )
+        .when(When::Without("interface")),
     ],
     choice: &[],
 };
@@ -56,6 +63,9 @@ pub struct Monitor {
     pub body: Option<Spanned<String>>,
     /// Index into [`Case::interfaces`](crate::Case::interfaces) of the one it looks at, not tied; then there is no body.
     pub interface: Option<Spanned<usize>>,
+    /// Which of [`Case::bolts`](crate::Case::bolts) it looks at, counted through all stages; then there is no body and no
+    /// interface.
+    pub bolt: Option<Spanned<usize>>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -72,7 +82,7 @@ pub enum Place {
 /// Two monitors whose difference of displacement is kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relative {
-    /// Indices into [`Case::monitors`](crate::Case::monitors), not equal; neither looks at an interface.
+    /// Indices into [`Case::monitors`](crate::Case::monitors), not equal; neither looks at an interface or a bolt.
     pub between: [usize; 2],
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
@@ -88,13 +98,19 @@ impl Monitor {
         })
     }
 
-    /// `names` are those of all interfaces, in order.
-    pub(crate) fn read(f: &Fields, names: &[&str]) -> Option<Self> {
+    /// Whether it is in an element, whose motion and stress it keeps: at no interface and at no bolt.
+    pub fn is_in_element(&self) -> bool {
+        self.interface.is_none() && self.bolt.is_none()
+    }
+
+    /// `interfaces` and `bolts` are the names of all of them, in order.
+    pub(crate) fn read(f: &Fields, interfaces: &[&str], bolts: &[&str]) -> Option<Self> {
         let body = f.text("body");
-        let interface = match f.text("interface") {
-            Some(name) => Some(Spanned::new(names.iter().position(|n| *n == *name)?, name.span)),
-            None => None,
+        let one_of = |key: &'static str, names: &[&str]| match f.text(key) {
+            Some(name) => Some(Some(Spanned::new(names.iter().position(|n| *n == *name)?, name.span))),
+            None => Some(None),
         };
+        let (interface, bolt) = (one_of("interface", interfaces)?, one_of("bolt", bolts)?);
         let at = f.get("at")?;
         let place = match at.text() {
             Some(name) => Place::Named(name.value),
@@ -105,6 +121,7 @@ impl Monitor {
             at: Spanned::new(place, at.span.clone()),
             body,
             interface,
+            bolt,
             span: f.span.clone(),
         })
     }

@@ -1,5 +1,7 @@
 //! The JSON schema of the case file, for completion and checks in editors.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value, json};
 use toml::de::DeValue;
 use tremolite_laws::parameter::{Dimension, LawInfo};
@@ -34,14 +36,18 @@ fn object(
 ) -> Map<String, Value> {
     let mut properties = Map::new();
     let mut required: Vec<&str> = Vec::new();
-    let mut beside: Map<String, Value> = Map::new();
+    let mut beside: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for key in keys.filter(|k| !k.is_later()) {
         properties.insert(key.name.to_owned(), property(&key, laws));
         if matches!((key.need, key.when), (Need::Required, When::Always)) {
             required.push(key.name);
         }
-        if let Need::RequiredBeside(other, _) = key.need {
-            beside.insert(other.to_owned(), json!([key.name]));
+        let other = match (key.need, key.when) {
+            (Need::RequiredBeside(other, _), _) | (Need::Required, When::Beside(other)) => Some(other),
+            _ => None,
+        };
+        if let Some(other) = other {
+            beside.entry(other).or_default().push(key.name);
         }
     }
     let mut schema = Map::new();
@@ -53,7 +59,7 @@ fn object(
         schema.insert("required".into(), json!(required));
     }
     if !beside.is_empty() {
-        schema.insert("dependentRequired".into(), Value::Object(beside));
+        schema.insert("dependentRequired".into(), json!(beside));
     }
     if !choice.is_empty() {
         let any = |keys: &[&str]| {
@@ -104,6 +110,7 @@ fn kind(key: &str, kind: &Kind, laws: Laws<'_>) -> Map<String, Value> {
         Kind::Number(dimension, limit) => return number(key, *dimension, *limit),
         Kind::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
         Kind::Text => json!({ "type": "string", "minLength": 1 }),
+        Kind::Flag => json!({ "type": "boolean" }),
         Kind::Name => json!({ "type": "string", "pattern": r#"^[^\s.,\[\]*?"']+$"# }),
         Kind::Unit(dimension) => {
             let like = units::example(key, *dimension);

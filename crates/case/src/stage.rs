@@ -5,6 +5,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 use tremolite_laws::parameter::Dimension;
 
+use crate::bolts::{BOLTS_KIND, Bolts};
 use crate::fields::Fields;
 use crate::initial::STRESSES;
 use crate::keys::{Key, Kind, Limit, Table};
@@ -45,7 +46,12 @@ pub(crate) static STAGE: Table = Table {
             "",
             "Pressure from here on, on the faces between the void and a group on either side of them, or on the \"top\"",
         ),
-        Key::later("bolts", "leave it out: the stages are computed without rock bolts"),
+        Key::optional(
+            "bolts",
+            BOLTS_KIND,
+            "",
+            "Rock bolts and anchors that are placed: entries, or one in braces",
+        ),
     ],
     choice: &[],
 };
@@ -67,6 +73,8 @@ pub struct Stage {
     /// Groups, likewise, on either side of faces that bound the void, or "top"; and the pressure there from here on, Pa, 0
     /// or more.
     pub pressures: Vec<(Spanned<String>, Spanned<f64>)>,
+    /// Rock bolts and anchors that are placed.
+    pub bolts: Vec<Bolts>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -79,8 +87,10 @@ impl Stage {
         };
         let materials = f.entries("material").iter();
         let pressures = f.entries("pressure").iter();
+        let name = f.text("name")?;
         Some(Stage {
-            name: f.text("name")?,
+            bolts: f.tables("bolts").map(|bolts| Bolts::read(bolts, &name)).collect::<Option<_>>()?,
+            name,
             excavate: f.texts("excavate"),
             install: f.texts("install"),
             release: f.number("release")?,
@@ -95,7 +105,7 @@ impl Stage {
     }
 
     /// What lies between the stages.
-    pub(crate) fn check(case: &Fields, written: Written, problems: &mut Vec<Problem>) {
+    pub(crate) fn check(case: &Fields, written: &Written, problems: &mut Vec<Problem>) {
         if let Some(first) = case.tables("stage").nth(MOST_STAGES) {
             problems.push(Problem::new(
                 first.span.clone(),
@@ -123,7 +133,7 @@ impl Stage {
 }
 
 /// What a case has, whether or not it is good; what is refused is reported, and not missed as well.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Written {
     /// An earthquake.
     pub motion: bool,
@@ -131,6 +141,10 @@ pub(crate) struct Written {
     pub equilibrium: bool,
     /// A stage that installs something.
     pub installs: bool,
+    /// Of each stage whether it excavates something.
+    pub excavates: Vec<bool>,
+    /// Entries of bolts in all stages.
+    pub bolts: usize,
     /// The frequency at which moduli are meant.
     pub reference: bool,
 }
@@ -148,6 +162,15 @@ impl Written {
             equilibrium: stages.is_some() || stress,
             installs: stages.is_some()
                 && each.is_none_or(|all| all.iter().any(|v| table(v.get_ref(), &["install"]))),
+            excavates: each
+                .into_iter()
+                .flat_map(|all| all.iter().map(|v| table(v.get_ref(), &["excavate"])))
+                .collect(),
+            bolts: each
+                .into_iter()
+                .flat_map(|all| all.iter().filter_map(|v| v.get_ref().as_table()?.get("bolts")))
+                .map(|v| v.get_ref().as_array().map_or(1, |entries| entries.len()))
+                .sum(),
             reference: document
                 .get("dynamic")
                 .and_then(|v| v.get_ref().as_table()?.get("damping"))

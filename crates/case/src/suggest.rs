@@ -98,6 +98,7 @@ pub(crate) fn describe(key: &str, kind: &Kind) -> String {
         Kind::Count(most) => format!("a whole number from 1 to {most}"),
         Kind::Text => "a text".to_owned(),
         Kind::Name => "a name".to_owned(),
+        Kind::Flag => "true or false".to_owned(),
         Kind::Unit(_) => "a unit".to_owned(),
         Kind::Word(words) => format!("one of \"{}\"", words.join("\", \"")),
         Kind::List(kind, least, most) if least == most => {
@@ -135,6 +136,7 @@ fn sample_value(name: &str, kind: &Kind) -> String {
             format!("\"… {}\"", like.split_once(' ').map_or("", |(_, unit)| unit))
         }
         Kind::Text | Kind::Name => "\"…\"".to_owned(),
+        Kind::Flag => "true".to_owned(),
         Kind::Unit(dimension) => {
             let like = units::example(name, *dimension);
             format!("\"{}\"", like.split_once(' ').map_or(like.as_str(), |(_, unit)| unit))

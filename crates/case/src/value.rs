@@ -33,6 +33,7 @@ impl Checker<'_> {
                 }
             }
             (Kind::Text, DeValue::String(text)) if !text.trim().is_empty() => Item::Text(text.to_string()),
+            (Kind::Flag, DeValue::Boolean(flag)) => Item::Flag(*flag),
             (Kind::Name, DeValue::String(text)) => self.name(text, &span, path)?,
             (Kind::Unit(dimension), DeValue::String(text)) => match units::parse_unit(text, *dimension) {
                 Ok(x) => Item::Number(x),
@@ -296,6 +297,7 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
     match kind {
         Kind::Number(..) => matches!(value, DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)),
         Kind::Count(_) => value.is_integer(),
+        Kind::Flag => matches!(value, DeValue::Boolean(_)),
         Kind::Text | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
         Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) | Kind::Interfaces(_) => value.is_array(),
         Kind::Table(_) | Kind::Map(..) | Kind::Columns(_) | Kind::Materials(_) => value.is_table(),

@@ -84,8 +84,10 @@ pub struct Phase {
     /// Contributions of node n are `slot[start[n] .. start[n + 1]]`, in the order of members.
     pub start: Vec<u32>,
     pub slot: Vec<u32>,
-    /// The account ([`Assembly::accounts`]) that alone pushes a node; [`SEVERAL`] where there are more, or other parts.
+    /// The account ([`Assembly::accounts`]) whose elements alone are at a node; [`SEVERAL`] where there are more.
     pub account: Vec<u16>,
+    /// How many of a node's contributions, the last ones, are of parts without an account, where it has one.
+    pub others: Vec<u8>,
     /// Of each slot, [`NO_ACCOUNT`] for parts that have none.
     pub slot_account: Vec<u16>,
     /// (tied node, master), ascending.
@@ -180,15 +182,22 @@ impl Phase {
         };
 
         let (start, slot, slot_account) = sources(assembly, &active, &master);
-        let account = (0..master.len())
+        let (account, others) = (0..master.len())
             .map(|n| {
-                let own = &slot_account[start[n] as usize..start[n + 1] as usize];
-                match own {
-                    [first, rest @ ..] if rest.iter().all(|a| a == first) => *first,
-                    _ => SEVERAL,
+                let all = &slot_account[start[n] as usize..start[n + 1] as usize];
+                // Elements come first.
+                let own = all.iter().take_while(|account| **account != NO_ACCOUNT).count();
+                let (own, others) = all.split_at(own);
+                match (own, u8::try_from(others.len())) {
+                    ([first, rest @ ..], Ok(count))
+                        if rest.iter().all(|a| a == first) && others.iter().all(|a| *a == NO_ACCOUNT) =>
+                    {
+                        (*first, count)
+                    }
+                    _ => (SEVERAL, 0),
                 }
             })
-            .collect();
+            .unzip();
         let counted = || active.iter().map(there).filter(|member| member.counted);
         Ok(Phase {
             stage,
@@ -205,6 +214,7 @@ impl Phase {
             start,
             slot,
             account,
+            others,
             slot_account,
             tied,
             dashpots: dashpots.into_iter().collect(),

@@ -31,8 +31,10 @@ const INPUT: &str = "input";
 
 /// The largest error of the balance, and its ratio to the largest energy held by motion and elements, both over all times.
 pub fn worst_error(table: &Table) -> Option<(f64, f64)> {
-    let held: Vec<&[f64]> =
-        ["kinetic", "strain", "hourglass", "interface"].into_iter().filter_map(|c| table.column(c)).collect();
+    let held: Vec<&[f64]> = ["kinetic", "strain", "hourglass", "interface", "bolts"]
+        .into_iter()
+        .filter_map(|c| table.column(c))
+        .collect();
     let error = table.column("error")?.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let most = (0..table.rows())
         .map(|row| held.iter().map(|column| column[row]).sum::<f64>())

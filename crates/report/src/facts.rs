@@ -4,6 +4,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use tremolite_results::{Bound, Finding, Peaks, Severity, Status, Summary, Table, TrustLine};
 
+use crate::bolt_card;
 use crate::damage::opening;
 use crate::energy::worst_error;
 use crate::interfaces;
@@ -104,6 +105,9 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     }
     let extremes = interfaces::extremes(&facts).into_iter();
     cards.extend(extremes.map(|(label, value, note)| card(label, value, &note)));
+    cards.extend(
+        bolt_card::hardest(&facts).map(|(value, note)| card("Largest force of a bolt", value, &note)),
+    );
     // As the check has it; summaries of other versions leave it to the table.
     let checked = facts.trust.iter().find(|line| line.id == "energy_error");
     let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));

@@ -119,6 +119,26 @@ impl Frame {
         self.levels[level].push(outline);
     }
 
+    /// A straight line of one value, so many units wide whatever the scale; one that is seen from its end is a dot.
+    pub fn stroke(&mut self, ends: [[f64; 2]; 2], width: f64, value: f64) {
+        let [a, b] = ends.map(|p| self.place(p));
+        let (along, across) = (b.0 - a.0, b.1 - a.1);
+        let length = along.hypot(across);
+        let half = 0.5 * width;
+        let (t, n) = match length {
+            // What is shorter than a tenth of a unit is not drawn to its length.
+            l if l < 0.1 => ((half, 0.0), (0.0, half)),
+            l => ((0.0, 0.0), (-across / l * half, along / l * half)),
+        };
+        let outline = vec![
+            (a.0 - t.0 + n.0, a.1 - t.1 + n.1),
+            (b.0 + t.0 + n.0, b.1 + t.1 + n.1),
+            (b.0 + t.0 - n.0, b.1 + t.1 - n.1),
+            (a.0 - t.0 - n.0, a.1 - t.1 - n.1),
+        ];
+        self.levels[colours::level(value, (self.low, self.high))].push(outline);
+    }
+
     /// An area that has no value but is of a kind, which has a colour of its own and stands beside the map.
     pub fn kind(&mut self, outline: &[[f64; 2]], (name, colour): (&'static str, &'static str)) {
         let outline = outline.iter().map(|&p| self.place(p)).collect();

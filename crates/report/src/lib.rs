@@ -8,6 +8,10 @@
 
 mod axes;
 mod before;
+mod bolt_card;
+mod bolt_force;
+mod bolt_map;
+mod bolts;
 mod chart;
 mod colours;
 mod contact_history;
@@ -93,7 +97,10 @@ pub enum Error {
 pub fn write(dir: &Path) -> Result<PathBuf, Error> {
     let source = Source::read(dir)?;
     let chapters: Vec<Chapter> =
-        [before::chapter(&source), forces::chapter(&source)].into_iter().flatten().collect();
+        [before::chapter(&source), forces::chapter(&source), bolts::chapter(&source)]
+            .into_iter()
+            .flatten()
+            .collect();
     let mut sections: Vec<Section> = Vec::new();
     if source.shakes() {
         sections.extend(input::section(&source));

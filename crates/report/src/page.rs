@@ -154,10 +154,11 @@ fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
                 "stages.csv",
                 "relaxation.csv",
                 "sections.csv",
+                "bolts.csv",
                 "summary.json",
             ][..],
         ),
-        ("Fields for ParaView", &["fields.pvd", "interfaces.pvd", "stages.pvd"]),
+        ("Fields for ParaView", &["fields.pvd", "interfaces.pvd", "bolts.pvd", "stages.pvd"]),
         ("The case as it was read", &["case.toml"]),
     ];
     let root = source.folder.root();

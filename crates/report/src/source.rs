@@ -4,7 +4,7 @@ use std::path::Path;
 
 use indexmap::IndexMap;
 use tremolite_results::{
-    FreeField, ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_sections,
+    BoltRow, FreeField, ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_bolts, read_sections,
 };
 
 use crate::pairs::is_pair;
@@ -28,6 +28,8 @@ pub struct Source {
     pub relaxation: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no lining of which section forces were taken.
     pub sections: Option<Result<Vec<SectionRow>, String>>,
+    /// Nothing where the folder has no such file: the run has no bolts, or an older version ran.
+    pub bolts: Option<Result<Vec<BoltRow>, String>>,
 }
 
 impl Source {
@@ -54,6 +56,7 @@ impl Source {
         let free_field = free_field.exists().then(|| table(&free_field, "time").map(FreeField::of));
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
         let sections = folder.sections().exists().then(|| sections(&folder.sections()));
+        let bolts = folder.bolts().exists().then(|| read_bolts(&folder.bolts()).map_err(|e| format!("{e}.")));
         Ok(Source {
             folder,
             summary,
@@ -65,6 +68,7 @@ impl Source {
             free_field,
             relaxation,
             sections,
+            bolts,
         })
     }
 

@@ -164,6 +164,8 @@ impl ResultFolder {
             self.stages_pvd(),
             self.relaxation(),
             self.sections(),
+            self.bolts(),
+            self.bolts_pvd(),
             self.report(),
         ] {
             remove(&file, |path| fs::remove_file(path))?;
@@ -173,6 +175,7 @@ impl ResultFolder {
             (self.fields(), "vtu"),
             (self.interface_fields(), "vtu"),
             (self.stage_fields(), "vtu"),
+            (self.bolt_fields(), "vtu"),
             (self.figures(), "svg"),
         ] {
             let Ok(entries) = fs::read_dir(&folder) else { continue };
@@ -271,6 +274,21 @@ impl ResultFolder {
     /// `sections.csv`: section forces of linings.
     pub fn sections(&self) -> PathBuf {
         self.root.join("sections.csv")
+    }
+
+    /// `bolts.csv`: what bolts do at the end of stages and in the shaking; only of runs with bolts.
+    pub fn bolts(&self) -> PathBuf {
+        self.root.join("bolts.csv")
+    }
+
+    /// `bolts.pvd`, the times of the bolts' files.
+    pub fn bolts_pvd(&self) -> PathBuf {
+        self.root.join("bolts.pvd")
+    }
+
+    /// `bolts/`, the segments of all bolts at those times.
+    pub fn bolt_fields(&self) -> PathBuf {
+        self.root.join("bolts")
     }
 
     /// `figures/`, the report's figures.

@@ -13,13 +13,18 @@
 //! | `stages.csv` | [`stages`] | stages before the earthquake, a row each |
 //! | `relaxation.csv` | [`table`] | how the stages came to rest |
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |
-//! | `fields.pvd`, `interfaces.pvd`, `stages.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/` and `stages/` |
+//! | `bolts.csv` | [`bolts`] | forces, slip and state of bolts, a row a bolt and time |
+//! | `fields.pvd`, `interfaces.pvd`, `stages.pvd`, `bolts.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/`, `stages/` and `bolts/` |
 //! | `fields/*.vtu` | [`cut`] | cuts through them; `tremolite_mesh::vtu` reads and writes the files themselves |
 //! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
+//! | `bolts/*.vtu` | [`bolt_lines`] | the segments of bolts with what they did |
 //!
 //! Histories grow while the run goes on and can be read at any moment. Small files are replaced
 //! whole, so a reader sees the old one or the new one, never half of one.
 
+pub mod bolt_group;
+pub mod bolt_lines;
+pub mod bolts;
 pub mod cut;
 pub mod damage;
 pub mod error;
@@ -39,6 +44,9 @@ pub mod table;
 pub mod table_writer;
 pub mod trust;
 
+pub use bolt_group::{BoltPeak, BoltPlace, BoltSummary};
+pub use bolt_lines::{BoltLine, BoltLines};
+pub use bolts::{BoltRow, BoltWriter, EARTHQUAKE, read_bolts};
 pub use cut::{Cut, CutCell};
 pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;

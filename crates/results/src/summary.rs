@@ -7,8 +7,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Error, Fact, Finding, GroupDamage, GroupStress, InterfaceSummary, MaterialFacts, PairPlace, Peaks,
-    StageSummary, TrustLine, number, replace_file,
+    BoltPlace, BoltSummary, Error, Fact, Finding, GroupDamage, GroupStress, InterfaceSummary, MaterialFacts,
+    PairPlace, Peaks, StageSummary, TrustLine, number, replace_file,
 };
 
 /// How a run ended.
@@ -72,6 +72,10 @@ pub struct Summary {
     pub interfaces: IndexMap<String, InterfaceSummary>,
     /// Monitor on an interface → its pair.
     pub pairs: IndexMap<String, PairPlace>,
+    /// Group of bolts → what became of them.
+    pub bolts: IndexMap<String, BoltSummary>,
+    /// Monitor on a bolt → its segment.
+    pub bolt_monitors: IndexMap<String, BoltPlace>,
     /// Line of the energy balance → its value at the end (J).
     #[serde(deserialize_with = "number::deserialize_map")]
     pub energy: IndexMap<String, f64>,

@@ -41,36 +41,7 @@ impl TableWriter {
     /// [`Error::Format`] if the file is shorter, has other columns, or does not break after a row
     /// there: it is not the file of that checkpoint. It is then left as it is. [`Error::Io`].
     pub fn resume(path: &Path, columns: &[Column], bytes: u64) -> Result<Self, Error> {
-        let header = header(path, columns)?;
-        let mut file = fs::OpenOptions::new()
-            .read(true)
-            .write(true)
-            .open(path)
-            .map_err(Error::io(path, "open this file to go on with it"))?;
-        let found = file.metadata().map_err(Error::io(path, "read this file"))?.len();
-        if found < bytes {
-            let what = format!(
-                "{found} bytes long, but the checkpoint was made at {bytes}; put the file of that run back, or \
-                 start the run anew"
-            );
-            return Err(Error::format(path, None, what));
-        }
-        let foreign = "not the table of the run that made the checkpoint; put that file back, or start anew";
-        if bytes < header.len() as u64 {
-            return Err(Error::format(path, None, foreign));
-        }
-        let mut start = vec![0; header.len()];
-        let mut end = [0];
-        file.read_exact(&mut start)
-            .and_then(|()| file.seek(SeekFrom::Start(bytes - 1)))
-            .and_then(|_| file.read_exact(&mut end))
-            .map_err(Error::io(path, "read this file"))?;
-        if start != header.as_bytes() || end != *b"\n" {
-            return Err(Error::format(path, None, foreign));
-        }
-        file.set_len(bytes)
-            .and_then(|()| file.seek(SeekFrom::End(0)))
-            .map_err(Error::io(path, "cut this file at the checkpoint"))?;
+        let file = reopen(path, &header(path, columns)?, bytes)?;
         Ok(TableWriter { file, path: path.to_owned(), columns: columns.len(), bytes, text: String::new() })
     }
 
@@ -115,6 +86,43 @@ impl TableWriter {
         self.text.clear();
         Ok(())
     }
+}
+
+/// Opens a table of these headers (with their line end) behind its first `bytes` bytes, and cuts off what was written later.
+///
+/// # Errors
+/// As [`TableWriter::resume`].
+pub(crate) fn reopen(path: &Path, header: &str, bytes: u64) -> Result<fs::File, Error> {
+    let mut file = fs::OpenOptions::new()
+        .read(true)
+        .write(true)
+        .open(path)
+        .map_err(Error::io(path, "open this file to go on with it"))?;
+    let found = file.metadata().map_err(Error::io(path, "read this file"))?.len();
+    if found < bytes {
+        let what = format!(
+            "{found} bytes long, but the checkpoint was made at {bytes}; put the file of that run back, or \
+             start the run anew"
+        );
+        return Err(Error::format(path, None, what));
+    }
+    let foreign = "not the table of the run that made the checkpoint; put that file back, or start anew";
+    if bytes < header.len() as u64 {
+        return Err(Error::format(path, None, foreign));
+    }
+    let mut start = vec![0; header.len()];
+    let mut end = [0];
+    file.read_exact(&mut start)
+        .and_then(|()| file.seek(SeekFrom::Start(bytes - 1)))
+        .and_then(|_| file.read_exact(&mut end))
+        .map_err(Error::io(path, "read this file"))?;
+    if start != header.as_bytes() || end != *b"\n" {
+        return Err(Error::format(path, None, foreign));
+    }
+    file.set_len(bytes)
+        .and_then(|()| file.seek(SeekFrom::End(0)))
+        .map_err(Error::io(path, "cut this file at the checkpoint"))?;
+    Ok(file)
 }
 
 fn header(path: &Path, columns: &[Column]) -> Result<String, Error> {

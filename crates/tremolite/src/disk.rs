@@ -1,9 +1,11 @@
 //! What the results of a run will take on disk.
 
 use crate::groups::groups;
+use crate::observers::{BoltGrid, bolt_rows};
 use crate::plan::{Plan, Steps};
-use crate::quantities::{Field, INTERFACE, MEASURES, MONITOR, PAIR, RELATIVE};
+use crate::quantities::{BOLT, Field, INTERFACE, MEASURES, MONITOR, PAIR, RELATIVE};
 use std::collections::BTreeSet;
+use tremolite_engine::Stage;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
@@ -13,6 +15,10 @@ use tremolite_laws::parameter::position;
 
 /// Bytes of a number in a table with its comma, about: of 20.1 to 20.8 in monitors.csv of two cases.
 const NUMBER: u64 = 21;
+/// Bytes of a row of bolts.csv without the names of group and stage: eight numbers with their commas, two short ones and a word.
+const BOLT_ROW: u64 = 8 * NUMBER + 16;
+/// Bytes that a file has for each array beside its numbers: 203 in one of two bolts.
+const HEADERS: u64 = 220;
 /// What compression leaves of a field file: of its mesh a quarter (0.15 to 0.2 in two generated ones), of values that
 /// have no pattern 0.93. Where a model is the same along an axis so are its values, and less than half of them is left.
 const MESH_LEFT: f64 = 0.25;
@@ -28,13 +34,18 @@ pub struct Disk {
     pub stage_files: u64,
     /// Of monitors.csv, energy.csv, damage.csv and interfaces.csv.
     pub histories: u64,
+    /// Of bolts.csv and the files of bolts, of stages and of the shaking.
+    pub bolts: u64,
     /// Of the checkpoint, which is there while the run goes on and after a stop, and of the rest that another run may begin with.
     pub checkpoint: u64,
 }
 
 impl Disk {
     pub fn total(&self) -> u64 {
-        (self.field_files + self.stage_files) * self.field_file + self.histories + self.checkpoint
+        (self.field_files + self.stage_files) * self.field_file
+            + self.histories
+            + self.bolts
+            + self.checkpoint
     }
 }
 
@@ -64,8 +75,38 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
         histories: NUMBER
             * (plan.stages.len() as u64 + if shaken { rows(steps.histories) } else { 0 })
             * columns(model, plan),
+        bolts: bolts(model, plan, steps),
         checkpoint: 8 * (kept + more + rest + remembered * totals.elements.end as u64),
     }
+}
+
+/// Bytes of all that is written of bolts.
+fn bolts(model: &Model, plan: &Plan, steps: Steps) -> u64 {
+    if model.bolts.is_empty() {
+        return 0;
+    }
+    let name = model.bolts.iter().map(|set| set.kind.name.len()).max().unwrap_or(0) as u64;
+    let stage = plan.stages.iter().map(|stage| stage.name.len()).max().unwrap_or(0).max(10) as u64;
+    let file = |stage: Stage| bolt_file(&BoltGrid::of(&model.bolts, stage));
+    let row = BOLT_ROW + name + stage;
+    let table = |stage: Stage| row * bolt_rows(&model.bolts, stage) as u64;
+    let before = (0..plan.stages.len()).map(|k| Stage::Before(k as u16));
+    let before: u64 = before.map(|stage| file(stage) + table(stage)).sum();
+    if plan.duration == 0.0 {
+        return before;
+    }
+    let looks = steps.total.div_ceil(steps.snapshots.unwrap_or(steps.total)) + 1;
+    let files = if steps.snapshots.is_some() { looks } else { 0 };
+    before + files * file(Stage::Shaking) + looks * table(Stage::Shaking)
+}
+
+/// Bytes of a file of bolts; of none where nothing is placed.
+fn bolt_file(grid: &BoltGrid) -> u64 {
+    if grid.is_empty() {
+        return 0;
+    }
+    let (pattern, values) = grid.bytes();
+    HEADERS * grid.arrays() + (MESH_LEFT * pattern as f64 + VALUES_LEFT * values as f64) as u64
 }
 
 /// Columns of all tables.
@@ -73,7 +114,8 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
     let monitors = 1
         + MONITOR.len() * plan.monitors.len()
         + RELATIVE.len() * plan.relatives.len()
-        + PAIR.len() * plan.pairs.len();
+        + PAIR.len() * plan.pairs.len()
+        + BOLT.len() * plan.bolts.len();
     let interfaces =
         if model.user_seams().is_empty() { 0 } else { 1 + INTERFACE.len() * model.user_seams().len() };
     let damage: usize = groups(model)
@@ -115,4 +157,49 @@ pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field]) -> (u64, u64)
     let nodes = model.counted.len() as u64;
     let groups = model.mesh.groups.values().filter(|elements| elements.iter().any(active)).count() as u64;
     (24 * nodes + (8 * 8 + 8 + 1 + 8 + 4 + groups) * cells, 4 * (of_node * nodes + of_cell * cells))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::support::tests::{set, under};
+    use tremolite_engine::bolts::{BoltSet, SegmentSeen};
+
+    /// Bolts that point this way and that, as in a vault, under forces without a pattern.
+    fn vault(bolts: u32) -> Vec<BoltSet> {
+        let mut sets =
+            vec![set("crown", bolts, Stage::Before(0), 4e8), set("walls", 1, Stage::Before(0), 4e8)];
+        for (b, bolt) in sets[0].bolts.iter_mut().enumerate() {
+            let (angle, along) = (0.37 * b as f64, 1.5 * (b / 20) as f64);
+            for point in &mut bolt.points {
+                let r = 10.0 + point.at;
+                point.place = [r * angle.sin(), along, r * angle.cos()];
+            }
+        }
+        sets
+    }
+
+    #[test]
+    fn files_of_bolts_take_no_more_than_was_foretold() {
+        let folder = tempfile::tempdir().unwrap();
+        let noise = |k: usize| (k as f64 * 12.9898).sin() * 43_758.545 % 1.0;
+        for bolts in [1, 30, 2400] {
+            let sets = vault(bolts);
+            let grid = BoltGrid::of(&sets, Stage::Shaking);
+            let look = |_: usize, bolt: usize| -> Vec<SegmentSeen> {
+                let of = |s: usize| SegmentSeen {
+                    slip: noise(bolt * 7 + s),
+                    largest_slip: noise(bolt * 5 + s),
+                    ..under(1e5 * noise(bolt * 3 + s))
+                };
+                (0..3).map(of).collect()
+            };
+            let filled =
+                grid.filled(&sets, &look, |point| point.place.map(|x| 1e-3 * noise((1e4 * x) as usize)));
+            let path = folder.path().join("a.vtu");
+            filled.write(&path).unwrap();
+            let (real, told) = (std::fs::metadata(&path).unwrap().len(), bolt_file(&grid));
+            assert!(real <= told && real > told / 2, "{bolts} bolts: {real} bytes, foretold {told}");
+        }
+    }
 }

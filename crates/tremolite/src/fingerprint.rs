@@ -88,6 +88,9 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     for pair in &plan.pairs {
         time.shown(&(&pair.name, pair.point, pair.interface));
     }
+    for bolt in &plan.bolts {
+        time.shown(&(&bolt.name, bolt.point, bolt.set));
+    }
     time.shown(&plan.relatives);
     u64::from(space.0.finalize()) << 32 | u64::from(time.0.finalize())
 }

@@ -24,6 +24,7 @@ pub mod stacks;
 pub mod stages;
 pub mod stress;
 pub mod summary;
+pub mod support;
 pub mod survey;
 mod trust;
 mod units;

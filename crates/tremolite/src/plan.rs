@@ -24,6 +24,16 @@ pub struct PairMonitor {
     pub interface: usize,
 }
 
+/// A segment of a bolt whose histories are kept: the nearest to a point.
+#[derive(Clone, Debug)]
+pub struct BoltMonitor {
+    pub name: String,
+    /// Where it was asked for \[m\].
+    pub point: [f64; 3],
+    /// Index among the problem's bolts.
+    pub set: usize,
+}
+
 /// Times and outputs of a run.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -43,6 +53,8 @@ pub struct Plan {
     pub monitors: Vec<Monitor>,
     /// Behind them in monitors.csv.
     pub pairs: Vec<PairMonitor>,
+    /// Behind these.
+    pub bolts: Vec<BoltMonitor>,
     /// Pairs of monitors whose relative displacement is kept.
     pub relatives: Vec<[usize; 2]>,
 }

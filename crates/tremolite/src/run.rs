@@ -21,7 +21,7 @@ use tremolite_engine::hexahedra::centroid;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
-use tremolite_engine::{Engine, Halt, Snapshot, StableStep, stable_step};
+use tremolite_engine::{Engine, Halt, Snapshot, StableStep, Stage, stable_step};
 use tremolite_kernels::Lines;
 use tremolite_results::{ResultFolder, StageSummary};
 
@@ -93,6 +93,14 @@ impl Outcome {
     /// Element updates a second of the steps.
     pub fn updates_per_second(&self, elements: usize) -> f64 {
         self.taken_here as f64 * elements as f64 / self.step_seconds.max(1e-9)
+    }
+
+    /// The last stage that was come to its end, or the shaking; none before the first.
+    pub fn stage(&self) -> Option<Stage> {
+        match (self.shaken, self.stages.len().checked_sub(1)) {
+            (true, _) => Some(Stage::Shaking),
+            (false, last) => Some(Stage::Before(u16::try_from(last?).ok()?)),
+        }
     }
 
     /// What laws remember at the end.

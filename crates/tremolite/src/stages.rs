@@ -11,6 +11,8 @@ pub struct PlannedStage {
     /// What changes, for people: groups that go, groups that begin, and a phrase for each other change.
     pub excavated: Vec<String>,
     pub installed: Vec<String>,
+    /// Bolts that are placed, by the names of their entries.
+    pub placed: Vec<String>,
     pub changed: Vec<String>,
 }
 
@@ -22,6 +24,7 @@ impl PlannedStage {
             release: Release::default(),
             excavated: Vec::new(),
             installed: Vec::new(),
+            placed: Vec::new(),
             changed: Vec::new(),
         }
     }

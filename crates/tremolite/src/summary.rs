@@ -3,9 +3,10 @@
 use crate::damage;
 use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
-use crate::observers::Extremes;
+use crate::observers::{BoltForces, Extremes};
 use crate::run::Ending;
 use crate::stress::stresses;
+use crate::support;
 use crate::survey::step_in_words;
 use crate::trust::{facts, trust};
 use indexmap::IndexMap;
@@ -38,11 +39,20 @@ pub fn summary(evidence: Evidence) -> Summary {
     let stress = stresses(model, phase, &outcome.state.observers);
     let run = run_in_words(&evidence, &trust, &stress);
     let interfaces = interfaces(model, assembly, &outcome.state.history);
+    let memory = &outcome.state.observers;
+    let bolts = support::bolts(
+        &model.bolts,
+        plan,
+        outcome.stage(),
+        &support::look(assembly, &outcome.state.numbers),
+        &BoltForces::peaks(&model.bolts, plan, memory),
+    );
     // Of what was stopped on its way to rest nothing is judged.
     let judged = outcome.shaken || !matches!(outcome.ending, Ending::Stopped);
     let mut findings = if judged { damage::findings(model, &damage) } else { Vec::new() };
     if judged {
         findings.extend(interfaces::findings(&interfaces));
+        findings.extend(support::findings(&bolts));
     }
     let status = match outcome.ending {
         Ending::Done => Status::Done,
@@ -89,6 +99,8 @@ pub fn summary(evidence: Evidence) -> Summary {
         damage,
         interfaces,
         pairs: interfaces::monitors(model, plan),
+        bolts,
+        bolt_monitors: support::monitors(&model.bolts, plan),
         energy: assembly.lines().map(|line| (line.name().to_owned(), outcome.balance[line])).collect(),
         facts,
         trust,

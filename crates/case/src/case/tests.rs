@@ -38,6 +38,8 @@ fn cases() -> Vec<String> {
         with_mesh("[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\"\nrotate = \"20 deg\""),
         with_stress("stress = { at = [1, 2, 3], zz = \"-1 MPa\", gradient = { zz = \"27 kN/m3\" } }"),
         with_stress("measured = [{ at = [1, 2, 3], xx = 1, yy = 2, zz = 3, xy = 4, yz = 5, zx = 6 }]"),
+        EVERY_KEY
+            .replace("points = [[[\"0 m\", \"1 m\", \"-210 m\"], [0, 1, -204.5]]]", "file = \"bolts.csv\""),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
     ]
 }

@@ -86,7 +86,8 @@ pub fn example(key: &str, dimension: Dimension) -> String {
 
 fn named(key: &str, dimension: Dimension) -> Option<&'static Named> {
     let mut all = NAMED.iter().filter(|n| n.dimension == dimension);
-    if key.contains("stiffness") { all.next_back() } else { all.next() }
+    let of_two = key.contains("stiffness") || key == "strength";
+    if of_two { all.next_back() } else { all.next() }
 }
 
 /// A dimension as a product of SI units, to be read back by [`parse_unit`].

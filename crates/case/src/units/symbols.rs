@@ -135,6 +135,13 @@ pub(super) const NAMED: &[Named] = &[
         example: "130 N/m",
         units: &[("N/m", 1.0, 0.0), ("kN/m", 1e3, 1e4)],
     },
+    // Energy per area and force per length have one dimension as well.
+    Named {
+        dimension: Dimension::FRACTURE_ENERGY,
+        name: "a force per length",
+        example: "300 kN/m",
+        units: &[("N/m", 1.0, 0.0), ("kN/m", 1e3, 1e3), ("MN/m", 1e6, 1e6)],
+    },
     Named {
         dimension: Dimension::ANGLE,
         name: "an angle",

@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod bolts;
 mod files;
 mod good_case;
 mod hostile_input;

@@ -117,7 +117,6 @@ const BAD: &[Bad] = &[
     bad("groups = [\"*.lining\"]", "groups = \"*.lining\"", "\"*.lining\"", "should be a list", "groups = [\"…\"]"),
     bad("[[relative]]", "[relative]", "[relative]", "should be a list of tables", "[[relative]]"),
     // What later versions bring
-    bad("release = 0.6", "release = 0.6\nbolts = { pattern = \"crown\" }", "bolts", "`bolts` is not available yet", "leave it out"),
     bad("[initial]", "[report]\nlanguage = \"zh\"\n[initial]", "report", "`report` is not available yet", "English"),
     bad("damping = { rayleigh", "damping = { ratio = 0.03, rayleigh", "ratio", "`ratio` has a meaning only beside `band`", "leave it out"),
     // TOML

@@ -1,12 +1,13 @@
 //! `tremolite check`: what will happen, before it happens.
 
+mod bolts;
 mod json;
 mod stages;
 mod text;
 
 use super::defaulted::{Known, defaulted};
 use super::pieces::check_pieces;
-use super::{check_length, check_pairs, check_step, check_waves, load, pool, refused};
+use super::{check_bolts, check_length, check_pairs, check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::print;
@@ -18,11 +19,12 @@ use tremolite::outlook::{Outlook, StressAt, outlook, stress_at_start};
 use tremolite::plan::Steps;
 use tremolite::run::{choose_step, time_step_cost};
 use tremolite::setup::MotionFacts;
+use tremolite::support;
 use tremolite::survey::{Survey, impacts_in_words, limit_in_words, survey};
 use tremolite::{Assembly, Body, Model, Phase, Stage, stable_step};
 use tremolite_case::{Case, Problem};
 use tremolite_laws::Isa;
-use tremolite_results::{Defaulted, InterfaceSummary, MaterialFacts, PairPlace};
+use tremolite_results::{BoltPlace, BoltSummary, Defaulted, InterfaceSummary, MaterialFacts, PairPlace};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -56,6 +58,9 @@ struct Checked<'a> {
     interfaces: IndexMap<String, InterfaceSummary>,
     /// Monitors on interfaces.
     pairs: IndexMap<String, PairPlace>,
+    bolts: IndexMap<String, BoltSummary>,
+    /// Monitors on bolts.
+    bolt_monitors: IndexMap<String, BoltPlace>,
     /// Stable step \[s\], what sets it, and the step used \[s\].
     stable: f64,
     set_by: String,
@@ -136,6 +141,7 @@ pub fn run(args: &Args) -> Outcome {
         warnings.extend(check_step(&case, &stable));
         warnings.extend(check_waves(&case, &model, &survey));
         warnings.extend(check_pairs(&case, &model, &plan));
+        warnings.extend(check_bolts(&case, &model, &plan));
         let failed = args.strict && !warnings.is_empty();
         let (dt, steps) = choose_step(&model, &plan, &stable);
         check_length(&model, &assembly, &stable, steps)?;
@@ -159,6 +165,8 @@ pub fn run(args: &Args) -> Outcome {
             survey,
             interfaces: interfaces(&model, &assembly, &assembly.rest().history),
             pairs: monitors(&model, &plan),
+            bolts: support::bolts(&model.bolts, &plan, None, &|_, _| Vec::new(), &[]),
+            bolt_monitors: support::monitors(&model.bolts, &plan),
             stable: stable.dt,
             set_by: limit_in_words(&model, &assembly, &stable),
             impacts: impacts_in_words(&model, &stable),

@@ -3,16 +3,19 @@
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
 use tremolite::quantities::{
-    CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE, SHARE_OF_VOLUME,
+    BOLT, BOLT_LINES, BOLTS, CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE,
+    SHARE_OF_VOLUME,
 };
-use tremolite_case::{BaseKind, ListedValue, Side, Top, interface_keys};
+use tremolite_case::{
+    BaseKind, BoltedFaces, Listed, ListedValue, Plate, Side, Top, bolt_keys, interface_keys,
+};
 use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, LawInfo, Need, PairState, Parameter};
 
 #[derive(clap::Args)]
 pub struct Args {
-    #[arg(value_parser = ["materials", "interfaces", "boundaries", "quantities", "formats"])]
+    #[arg(value_parser = ["materials", "interfaces", "bolts", "boundaries", "quantities", "formats"])]
     what: String,
 }
 
@@ -20,6 +23,7 @@ pub fn run(args: &Args) -> Outcome {
     match args.what.as_str() {
         "materials" => materials(),
         "interfaces" => interfaces(),
+        "bolts" => bolts(),
         "boundaries" => boundaries(),
         "quantities" => quantities(),
         _ => formats(),
@@ -92,13 +96,7 @@ fn materials() {
 
 fn interfaces() {
     print("every [[interface]] of a case, whatever its law\n  keys");
-    for key in interface_keys() {
-        let unit = match key.value {
-            ListedValue::Number(dimension) => unit(dimension),
-            ListedValue::Other(word) => word,
-        };
-        entry(key.name, unit, &format!("{} [{}]", key.doc, key.need));
-    }
+    keys(&interface_keys());
     for interface in INTERFACES {
         print("");
         law(interface, || {});
@@ -106,6 +104,31 @@ fn interfaces() {
     print("\nstates of a pair, in the column state of every law");
     for state in PairState::ALL {
         print(&format!("    {} {:8} {}", state.number(), state.word(), state.meaning()));
+    }
+}
+
+fn bolts() {
+    let [own, bond] = bolt_keys();
+    print("every [[stage.bolts]] of a case\n  keys");
+    keys(&own);
+    print("\n  keys of its bond");
+    keys(&bond);
+    for (heading, meanings) in [("pattern", BoltedFaces::MEANINGS), ("plate", Plate::MEANINGS)] {
+        print(&format!("\n  {heading}"));
+        for (word, meaning) in meanings {
+            print(&format!("    {word:16} {meaning}"));
+        }
+    }
+}
+
+/// A line for each key of a case.
+fn keys(keys: &[Listed]) {
+    for key in keys {
+        let unit = match key.value {
+            ListedValue::Number(dimension) => unit(dimension),
+            ListedValue::Other(word) => word,
+        };
+        entry(key.name, unit, &format!("{} [{}]", key.doc, key.need));
     }
 }
 
@@ -142,8 +165,13 @@ fn quantities() {
     };
     table("monitors.csv, NAME.quantity", &MONITOR);
     table("monitors.csv, NAME.quantity of monitors with `interface`", &PAIR);
+    table("monitors.csv, NAME.quantity of monitors with `bolt`", &BOLT);
     table("monitors.csv, pairs FIRST-SECOND.quantity", &RELATIVE);
     table("interfaces.csv, NAME.quantity of interfaces that are not tied", &INTERFACE);
+    table(
+        "bolts.csv, behind bolt (its number in the group, from 1) and name (the group's), a row each",
+        &BOLTS,
+    );
     print("damage.csv, GROUP.quantity, of groups that are no part of another and whose law keeps it");
     for measure in &MEASURES {
         for name in names(measure) {
@@ -152,6 +180,7 @@ fn quantities() {
     }
     print(&format!("    {:22} {:6} widest crack of the group so far", "crack_opening", "m"));
     table("fields/*.vtu, always (ParaView: Find Data, element is 3404)", &CELLS);
+    table("bolts/*.vtu, a line for each segment of a bolt", &BOLT_LINES);
     print("fields/*.vtu, by the word in output.fields");
     for field in Field::ALL {
         let (name, doc) = field.description();

@@ -17,10 +17,12 @@ use crate::exit::Failure;
 use std::path::Path;
 use tremolite::plan::{Plan, Steps};
 use tremolite::setup::{Laws, Setup, changed, original_folder, setup};
+use tremolite::support;
 use tremolite::survey::{Survey, step_in_words};
-use tremolite::{Assembly, Model, ModelError, StableStep, laws};
+use tremolite::{Assembly, Model, ModelError, StableStep, Stage, laws};
 use tremolite_case::{Case, Fill, Problem, Side, units};
 use tremolite_laws::{Dimension, Isa, LawInfo};
+use tremolite_results::BoltPlace;
 
 /// Reads a case and builds what it asks for; warnings go to the terminal.
 pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
@@ -118,7 +120,61 @@ pub fn check_pairs(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
     problems
 }
 
-/// Distance \[m\] of a monitor from its pair that goes without saying: less than a lining's thickness or an element.
+/// Warns of groups of bolts that are not whole, and of monitors that lie far from their bolt. Returns what it said.
+pub fn check_bolts(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
+    // A group is placed by a stage; the first of the model's is the initial equilibrium.
+    let stage = |name: &str| {
+        let set = model.bolts.iter().find(|set| set.kind.name == name)?;
+        match set.kind.born {
+            Stage::Before(k) => {
+                case.stages.get(usize::from(k).checked_sub(1)?).map(|stage| stage.span.clone())
+            }
+            Stage::Shaking => None,
+        }
+    };
+    let span = |name: &str| stage(name).unwrap_or_else(|| case.title.span.clone());
+    let groups = support::bolts(&model.bolts, plan, None, &|_, _| Vec::new(), &[]);
+    let warnings = support::warnings(&groups).into_iter();
+    let mut problems: Vec<Problem> =
+        warnings.map(|(name, message, remedy)| Problem::new(span(&name), message, remedy)).collect();
+    let places = support::monitors(&model.bolts, plan);
+    for monitor in &plan.bolts {
+        let Some(written) = case.monitors.iter().find(|written| written.name.value == monitor.name) else {
+            continue;
+        };
+        let (message, remedy) = match places.get(&monitor.name) {
+            None => (
+                format!(
+                    "monitor {} has no bolt: there is none in '{}'",
+                    monitor.name, model.bolts[monitor.set].kind.name
+                ),
+                "leave it out, or see why there is none",
+            ),
+            Some(BoltPlace { bolt, group, at: [x, y, z], .. }) => {
+                let away =
+                    [x, y, z].iter().zip(monitor.point).map(|(a, b)| (*a - b).powi(2)).sum::<f64>().sqrt();
+                if away <= FAR {
+                    continue;
+                }
+                (
+                    format!(
+                        "monitor {} is {away:.1} m from '{group}': it takes bolt {bolt} at ({x:.1}, {y:.1}, {z:.1}) m",
+                        monitor.name
+                    ),
+                    "give a point on the bolt, if another is meant",
+                )
+            }
+        };
+        problems.push(Problem::at(&written.at, message, remedy));
+    }
+    if !problems.is_empty() {
+        let report = case.report(problems.clone()).as_warnings();
+        crate::terminal::say(&report.render(crate::terminal::colour()));
+    }
+    problems
+}
+
+/// Distance \[m\] of a monitor from its pair or its segment that goes without saying: less than a lining's thickness or an element.
 const FAR: f64 = 1.0;
 
 /// Warns of a given time step above the stable one: the run will be stopped as soon as energy appears. Returns what it

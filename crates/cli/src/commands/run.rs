@@ -2,7 +2,7 @@
 
 use super::defaulted::{Known, defaulted};
 use super::pieces::check_pieces;
-use super::{check_length, check_pairs, check_step, check_waves, load, pool, refused};
+use super::{check_bolts, check_length, check_pairs, check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{ProgressLine, bytes, duration, say};
@@ -110,6 +110,7 @@ pub fn run(args: &Args) -> Outcome {
         warnings.extend(check_step(&case, &stable));
         warnings.extend(check_waves(&case, &model, &survey));
         warnings.extend(check_pairs(&case, &model, &plan));
+        warnings.extend(check_bolts(&case, &model, &plan));
         let sentence = |p: &Problem| format!("{}; {}", p.message, p.remedy);
         let mut said: Vec<String> = warnings.iter().map(sentence).collect();
         said.extend(changed(&args.case, &setup.inputs));

@@ -329,6 +329,7 @@ fn lists_name_what_a_case_may_say() {
     for (what, word) in [
         ("materials", "young"),
         ("interfaces", "max_closure"),
+        ("bolts", "spacing"),
         ("boundaries", "viscous-spring"),
         ("quantities", "s1"),
         ("formats", "Gmsh"),

@@ -51,9 +51,34 @@ fn list_names_the_keys_of_every_interface_and_the_states() {
         assert!(text.contains(state), "{state}");
     }
     let quantities = list("quantities");
-    for line in ["monitors with `interface`\n    gap ", "interfaces.csv", "    ever_slid          m2 "] {
+    for line in [
+        "monitors with `interface`\n    gap ",
+        "interfaces.csv",
+        "    ever_slid          m2 ",
+        "monitors with `bolt`\n    force              N ",
+        "bolts.csv, behind bolt",
+        "    from_head          m ",
+    ] {
         assert!(quantities.contains(line), "{line}:\n{quantities}");
     }
+}
+
+#[test]
+fn list_names_the_keys_of_bolts_and_of_their_bond() {
+    let text = list("bolts");
+    for (name, unit, end) in [
+        ("diameter", "m", "[required]"),
+        ("spacing", "m", "[required; only beside `pattern`]"),
+        ("young", "Pa", "[default 200 GPa]"),
+        ("yield", "Pa", "[left out: never: the steel stays elastic whatever its force]"),
+        ("pretension", "N", "[left out: none]"),
+        ("strength", "N/m", "without confinement [required]"),
+        ("friction_angle", "deg, rad", "[default 0 deg]"),
+    ] {
+        let start = format!("    {name:25} {unit:10} ");
+        assert!(text.lines().any(|l| l.starts_with(&start) && l.ends_with(end)), "{name}:\n{text}");
+    }
+    assert!(text.contains("    systematic       Crown and walls."), "{text}");
 }
 
 fn list(what: &str) -> String {

@@ -26,10 +26,24 @@ impl<'a> Accounts<'a> {
         if account != self.current {
             self.turn(account);
         }
-        self.sum += 0.5 * dot(force, twice);
+        let others = self.phase.others[node];
+        let own = if others > 0 { self.own(node, force, others) } else { force };
+        self.sum += 0.5 * dot(own, twice);
         if account == SEVERAL {
             self.book_several(node, twice);
         }
+    }
+
+    /// What of a node's force is of elements, where so many other parts push it as well.
+    #[inline]
+    fn own(&self, node: usize, force: Row, others: u8) -> Row {
+        let end = self.phase.start[node + 1] as usize;
+        let others = &self.phase.slot[end - usize::from(others)..end];
+        others.iter().fold(force, |mut own, &slot| {
+            let row = &self.contributions[slot as usize];
+            (0..3).for_each(|i| own.0[i] -= row.0[i]);
+            own
+        })
     }
 
     #[cold]

@@ -19,7 +19,7 @@ use link::Link;
 use memory::{BoltMemory, CUT_OFF, Layout};
 use std::sync::Arc;
 use tremolite_kernels::{Line, Lines};
-use tremolite_laws::Row;
+use tremolite_laws::{Isa, Row};
 
 /// A segment among the points of its part.
 #[derive(Clone, Debug)]
@@ -71,7 +71,33 @@ impl Bars {
         BoltMemory::of(&layout, &mut numbers[bolt.at..bolt.at + layout.numbers()])
     }
 
+    /// Forces on the nodes at displacements of these. No operation is fused, so the bits are the same with and without AVX2.
+    fn respond(&self, u: &[Row], points: &mut Vec<Row>, out: &mut [Row], numbers: &mut [f64]) {
+        #[cfg(target_arch = "x86_64")]
+        if Isa::Avx2.available() {
+            #[target_feature(enable = "avx2")]
+            unsafe fn wide(
+                bars: &Bars,
+                u: &[Row],
+                points: &mut Vec<Row>,
+                out: &mut [Row],
+                numbers: &mut [f64],
+            ) {
+                bars.gather(u, points);
+                bars.pull(points, numbers);
+                bars.scatter(points, out);
+            }
+            // SAFETY: the processor has AVX2.
+            unsafe { wide(self, u, points, out, numbers) };
+            return;
+        }
+        self.gather(u, points);
+        self.pull(points, numbers);
+        self.scatter(points, out);
+    }
+
     /// Displacement of every point.
+    #[inline(always)]
     fn gather(&self, u: &[Row], points: &mut Vec<Row>) {
         points.clear();
         points.extend(self.start.windows(2).map(|range| {
@@ -87,6 +113,7 @@ impl Bars {
     }
 
     /// Forces of points on the nodes.
+    #[inline(always)]
     fn scatter(&self, points: &[Row], out: &mut [Row]) {
         out.fill(Row::ZERO);
         for (force, range) in points.iter().zip(self.start.windows(2)) {
@@ -100,22 +127,26 @@ impl Bars {
     }
 
     /// How far the points of a segment have parted along it \[m\].
+    #[inline(always)]
     fn elongation(&self, bar: &Bar, points: &[Row]) -> f64 {
         let [a, b] = bar.points.map(|p| &points[p as usize].0);
         (0..3).map(|i| bar.along[i] * (b[i] - a[i])).sum()
     }
 
-    /// Every bolt's forces at the displacements of its points, which are left in their place.
-    fn respond(&self, points: &mut [Row], numbers: &mut [f64]) {
+    /// Every bolt's forces at the displacements of its points, left in their place.
+    #[inline(always)]
+    fn pull(&self, points: &mut [Row], numbers: &mut [f64]) {
         let mut chain = Chain::default();
+        let mut elongations = Vec::new();
         for bolt in &self.bolts {
             let mut memory = self.memory(bolt, numbers);
             let bars = &self.bars[bolt.bars.clone()];
             match &self.kind.bond {
                 None => {
-                    let elongations: Vec<f64> = bars.iter().map(|bar| self.elongation(bar, points)).collect();
+                    elongations.clear();
+                    elongations.extend(bars.iter().map(|bar| self.elongation(bar, points)));
                     points[bolt.points.clone()].fill(Row::ZERO);
-                    for (k, (bar, elongation)) in bars.iter().zip(elongations).enumerate() {
+                    for (k, (bar, &elongation)) in bars.iter().zip(&elongations).enumerate() {
                         let mut link = memory.link(k);
                         let force = Link::of(bar, &self.kind).update(&mut link, elongation);
                         memory.set_link(k, &link);
@@ -228,6 +259,7 @@ fn confinement(stress: &[f64; 6], t: [f64; 3]) -> f64 {
 }
 
 /// Adds the forces with which a segment under tension resists to those of its points.
+#[inline(always)]
 fn pull(bar: &Bar, force: f64, points: &mut [Row]) {
     let [a, b] = bar.points;
     for i in 0..3 {
@@ -255,9 +287,7 @@ impl Part for Bars {
     }
 
     fn forces(&self, _: &Tick, x: &Motion, own: Own, out: &mut [Row], scratch: &mut Scratch) -> Lines {
-        self.gather(x.u, &mut scratch.rows);
-        self.respond(&mut scratch.rows, own.numbers);
-        self.scatter(&scratch.rows, out);
+        self.respond(x.u, &mut scratch.rows, out, own.numbers);
         Lines::default()
     }
 

@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod bolts;
 mod free_field;
 mod further_quantities;
 mod interface_results;

@@ -5,8 +5,9 @@
 
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
-use crate::plan::{Monitor, PairMonitor, Plan};
-use crate::quantities::{MONITOR, PAIR, RELATIVE, nearest_stress, stress_at};
+use crate::plan::{BoltMonitor, Monitor, PairMonitor, Plan};
+use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE, nearest_stress, stress_at};
+use crate::support::{look, over_yield};
 use tremolite_engine::model::Model;
 use tremolite_engine::state::{Memory, State};
 use tremolite_kernels::contact::PairSeen;
@@ -25,6 +26,8 @@ pub struct Histories {
     table: TableWriter,
     /// Interface and pair of each of the plan's.
     pairs: Vec<(usize, usize)>,
+    /// Bolt and segment of each of the plan's; none where its group has no bolt.
+    bolts: Vec<Option<(usize, usize)>>,
 }
 
 /// The columns of monitors.csv.
@@ -39,6 +42,9 @@ pub fn columns(plan: &Plan) -> Vec<Column> {
     }
     for pair in &plan.pairs {
         columns.extend(PAIR.iter().map(|q| Column::new(format!("{}.{}", pair.name, q.name), q.unit)));
+    }
+    for bolt in &plan.bolts {
+        columns.extend(BOLT.iter().map(|q| Column::new(format!("{}.{}", bolt.name, q.name), q.unit)));
     }
     columns
 }
@@ -58,7 +64,8 @@ impl Histories {
             (pair.interface, setting.model.seams[pair.interface].nearest(&setting.model.mesh, pair.point))
         };
         let pairs = setting.plan.pairs.iter().map(nearest).collect();
-        Ok(Histories { schedule: setting.rows(), table, pairs })
+        let bolts = setting.plan.bolts.iter().map(|bolt| segment(setting.model, bolt)).collect();
+        Ok(Histories { schedule: setting.rows(), table, pairs, bolts })
     }
 }
 
@@ -122,7 +129,26 @@ pub fn at_rest(view: &View, state: &State) -> Vec<f64> {
             row.extend([f64::NAN; PAIR.len()]);
         }
     }
+    for monitor in &plan.bolts {
+        row.extend(of_bolt(view, monitor, segment(model, monitor)));
+    }
     row
+}
+
+/// The bolt and the segment that a monitor looks at.
+fn segment(model: &Model, monitor: &BoltMonitor) -> Option<(usize, usize)> {
+    model.bolts[monitor.set].nearest(monitor.point)
+}
+
+/// The columns of a segment; not a number where none is placed yet.
+fn of_bolt(view: &View, monitor: &BoltMonitor, segment: Option<(usize, usize)>) -> [f64; BOLT.len()] {
+    let placed = view.model.bolts[monitor.set].kind.born <= view.phase.stage;
+    let seen = segment.filter(|_| placed).and_then(|(bolt, segment)| {
+        look(view.assembly, view.numbers)(monitor.set, bolt).get(segment).copied()
+    });
+    seen.map_or([f64::NAN; BOLT.len()], |seen| {
+        [seen.force, over_yield(seen.force, &seen), seen.slip, f64::from(seen.state as u8)]
+    })
 }
 
 /// The columns of pairs of monitors.
@@ -185,6 +211,9 @@ impl Observer for Histories {
         for (pair, &(seam, nearest)) in plan.pairs.iter().zip(&self.pairs) {
             debug_assert_eq!(pair.interface, seam);
             row.extend(of_pair(assembly.contacts[seam].seen(history.octets, nearest)));
+        }
+        for (monitor, segment) in plan.bolts.iter().zip(&self.bolts) {
+            row.extend(of_bolt(view, monitor, *segment));
         }
         self.table.write(&row)?;
         kept[0] = self.table.bytes_written() as f64;

@@ -1,5 +1,7 @@
 //! What looks at a run: when (a schedule in steps) is apart from what (an observer).
 
+mod bolt_fields;
+mod bolts;
 mod cracks;
 mod energy;
 mod envelopes;
@@ -12,6 +14,8 @@ mod onsets;
 mod section_forces;
 mod steps;
 
+pub use bolt_fields::{BoltFields, BoltGrid};
+pub use bolts::{BoltForces, count as bolt_rows};
 pub use cracks::Cracks;
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
@@ -146,6 +150,8 @@ pub const OBSERVERS: &[Make] = &[
     |s| Ok(SectionForces::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Interfaces::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(InterfaceFields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(BoltForces::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(BoltFields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
 ];
 
 /// Observers of a program's own, which look behind those of [`OBSERVERS`].

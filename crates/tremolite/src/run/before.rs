@@ -5,7 +5,9 @@ use super::{Control, Progress, TELL};
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
-use crate::observers::{FieldGrid, InterfaceGrid, SectionForces, View, at_rest, columns};
+use crate::observers::{
+    BoltForces, BoltGrid, FieldGrid, InterfaceGrid, SectionForces, View, at_rest, columns,
+};
 use crate::plan::Plan;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
@@ -139,6 +141,7 @@ impl Stages<'_> {
         let rested = Rested { rest, plastic_volume: plastic_volume(&view), monitors, walls };
         let sections = SectionForces::of(model);
         let forces = sections.at(&view);
+        let bolts = BoltForces::at(&view);
         let beginning = (stage == 0).then(|| kept::Beginning::of(&view));
         self.fields(stage, &view, &state.observers, &[])?;
         kept::remember(model, self.plan, &mut state.observers, &rested);
@@ -146,6 +149,7 @@ impl Stages<'_> {
             beginning.remember(&mut state.observers);
         }
         sections.remember(&mut state.observers, forces);
+        BoltForces::remember(&mut state.observers, stage, &bolts);
         Ok(())
     }
 
@@ -190,6 +194,15 @@ impl Stages<'_> {
             // The list begins anew with the earthquake.
             list(&self.folder.interfaces_pvd(), stage, &format!("interfaces/{name}"))?;
         }
+        let bolts = BoltGrid::of(&self.model.bolts, view.phase.stage);
+        if !bolts.is_empty() {
+            let folder = self.folder.bolt_fields();
+            std::fs::create_dir_all(&folder)
+                .map_err(|source| RunError::Io { path: folder.clone(), source })?;
+            let name = format!("stage-{stage:03}.vtu");
+            bolts.write(&folder.join(&name), stage as f64, view)?;
+            list(&self.folder.bolts_pvd(), stage, &format!("bolts/{name}"))?;
+        }
         Ok(())
     }
 
@@ -204,6 +217,7 @@ impl Stages<'_> {
         for row in rows.chunks_exact(columns.len()) {
             table.write(row)?;
         }
+        BoltForces::write(model, folder, plan, &state.observers)?;
         SectionForces::of(model).write(folder, plan, &state.observers)
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::observers::{View, columns};
 use crate::plan::Plan;
-use crate::quantities::{MONITOR, PAIR, RELATIVE, mean};
+use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE, mean};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 use tremolite_engine::Model;
@@ -55,9 +55,11 @@ fn keys(plan: &Plan) -> Vec<String> {
     let of_relatives =
         plan.relatives.iter().map(|[a, b]| (format!("{:?} {:?}", at(*a), at(*b)), RELATIVE.len()));
     let of_pairs = plan.pairs.iter().map(|pair| (format!("{:?} {}", pair.point, pair.interface), PAIR.len()));
+    let of_bolts = plan.bolts.iter().map(|bolt| (format!("{:?} bolts {}", bolt.point, bolt.set), BOLT.len()));
     let places = of_monitors
         .chain(of_relatives)
         .chain(of_pairs)
+        .chain(of_bolts)
         .flat_map(|(place, count)| std::iter::repeat_n(place, count));
     let columns = &columns(plan)[1..];
     columns.iter().zip(places).map(|(column, place)| format!("{MEMORY} {} {place}", column.name)).collect()

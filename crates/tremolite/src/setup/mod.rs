@@ -1,5 +1,6 @@
 //! From a checked case to a problem and a plan: reads the mesh and the records, and says all that does not fit.
 
+mod bolts;
 mod changes;
 mod groups;
 mod initial;
@@ -115,12 +116,14 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let mut bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
     let staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
+    let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
     let lasting = staged.lasting(&bodies);
     let monitors = monitors::build(case, &mesh, &lasting, &mut problems);
     let interfaces =
         interfaces::build(case, &mesh, &lasting, &staged.places, &laws.interfaces, &mut problems);
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
+    let at_bolts = bolts::monitors(case, &mesh, &mut problems);
     let solid = staged.solid();
     let (bars, bare) = reinforcement::build(case, &mesh, &staged.places, &solid, &mut problems);
     let (base, base_without_springs) =
@@ -137,6 +140,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(sides::warnings(case));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
+    warnings.extend(of_bolts);
     warnings.extend(bare);
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
@@ -156,6 +160,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     }
     let mut problem = Problem::new(mesh, bodies);
     problem.interfaces = interfaces;
+    problem.bolts = bolts;
     problem.bolts.extend(bars);
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
@@ -179,6 +184,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         checkpoint: output.checkpoint.as_ref().map(|c| c.value),
         monitors,
         pairs,
+        bolts: at_bolts,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
     let inputs = inputs::inputs(case);
@@ -187,7 +193,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
 
 /// The place of one of the case's monitors among those in elements.
 fn in_elements(case: &Case, monitor: usize) -> usize {
-    case.monitors[..monitor].iter().filter(|m| m.interface.is_none()).count()
+    case.monitors[..monitor].iter().filter(|m| m.is_in_element()).count()
 }
 
 /// The frequency \[Hz\] at which moduli are meant with damping over a band: the motion's central one unless the case

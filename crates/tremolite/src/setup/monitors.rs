@@ -42,7 +42,7 @@ pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Probl
     let mut monitors = Vec::new();
     // Monitors mostly share their bodies: one locator for each set of groups.
     let mut locators: Vec<(Vec<&str>, Locator)> = Vec::new();
-    for monitor in case.monitors.iter().filter(|monitor| monitor.interface.is_none()) {
+    for monitor in case.monitors.iter().filter(|monitor| monitor.is_in_element()) {
         let point = match &monitor.at.value {
             Place::Point(point) => *point,
             Place::Named(name) => match named(mesh, name, &monitor.at.span, problems) {

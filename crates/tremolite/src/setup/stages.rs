@@ -1,5 +1,6 @@
 //! Stages of a case: what stands when, in whose place, under what.
 
+mod exposed;
 mod faces;
 mod lives;
 mod pressures;
@@ -131,6 +132,7 @@ impl Staged {
             release: release(stage.release.value, k + 1),
             excavated: names(&stage.excavate),
             installed: names(&stage.install),
+            placed: stage.bolts.iter().map(|bolts| bolts.name.value.clone()).collect(),
             changed: changes(case, stage),
             ..PlannedStage::new(stage.name.value.clone())
         });

@@ -2,6 +2,7 @@
 //! construction is a fact and no check.
 
 mod before;
+mod bolts;
 mod energy;
 mod interface;
 mod material;
@@ -23,6 +24,7 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
         lines.extend(energy::lines(evidence));
     }
     lines.extend(interface::lines(evidence));
+    lines.extend(bolts::lines(evidence));
     lines.extend(material::lines(evidence));
     tell_apart(lines.iter_mut().map(|line| &mut line.id));
     lines

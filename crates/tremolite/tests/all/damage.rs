@@ -96,6 +96,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
             checkpoint: None,
             monitors,
             pairs: Vec::new(),
+            bolts: Vec::new(),
             relatives: Vec::new(),
         };
         let ready = Ready::new(problem);

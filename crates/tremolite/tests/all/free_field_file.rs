@@ -55,6 +55,7 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
         checkpoint: None,
         monitors: Vec::new(),
         pairs: Vec::new(),
+        bolts: Vec::new(),
         relatives: Vec::new(),
     };
     let Ready { model, assembly, phase } = Ready::new(problem);

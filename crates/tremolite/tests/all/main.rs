@@ -1,6 +1,7 @@
 //! All tests of the engine and of runs: one binary, since each links the whole engine.
 
 mod block;
+mod bolt_patterns;
 mod bolts;
 mod consistency;
 mod contact;

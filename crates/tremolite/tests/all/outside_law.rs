@@ -234,6 +234,7 @@ fn told(problem: Problem) -> Summary {
         checkpoint: None,
         monitors: vec![Monitor { name: "slab".into(), point: [6.0, 5.0, 7.0], location }],
         pairs: Vec::new(),
+        bolts: Vec::new(),
         relatives: Vec::new(),
     };
     let motion = problem.incident.clone().unwrap().motion;

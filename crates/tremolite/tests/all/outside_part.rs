@@ -170,6 +170,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
         checkpoint: None,
         monitors: Vec::new(),
         pairs: Vec::new(),
+        bolts: Vec::new(),
         relatives: Vec::new(),
     };
     let results = ResultFolder::create(Some(folder.path()), "springs", true).unwrap();

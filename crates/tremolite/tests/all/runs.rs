@@ -35,6 +35,7 @@ fn plan(problem: &Problem) -> Plan {
         pairs: (0..problem.interfaces.len())
             .map(|interface| PairMonitor { name: "pair".into(), point: [6.0, 5.0, 6.0], interface })
             .collect(),
+        bolts: Vec::new(),
         relatives: vec![[0, 1]],
     }
 }

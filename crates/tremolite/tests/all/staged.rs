@@ -24,8 +24,8 @@ const BANDIS: &[(&str, f64)] = &[
 ];
 
 /// The stage from which on the opening is there, and that of the lining.
-const OPENED: Stage = Stage::Before(1);
-const LINED: Stage = Stage::Before(2);
+pub const OPENED: Stage = Stage::Before(1);
+pub const LINED: Stage = Stage::Before(2);
 
 fn close() -> PlannedStage {
     let release = Release { tolerance: [1e-9, 1e-6], ..Release::default() };
@@ -45,7 +45,7 @@ fn body(name: &str, elements: Vec<u32>, young: f64, nu: f64, quadrature: Quadrat
 
 /// A block of 12 × 4 × 12 m, with an opening of 4 × 4 m along y in its middle whose outer ring of elements becomes a lining.
 /// Under its weight with K₀ = 0.5; `parted` puts an interface around the lining.
-fn lined(parted: bool) -> Problem {
+pub fn lined(parted: bool) -> Problem {
     let mut mesh = BoxSpec::uniform([0.0; 3], [12.0, 4.0, DEPTH], [12, 2, 12]).mesh().unwrap();
     let far = |e: u32| {
         let [x, _, z] = tremolite::hexahedra::centroid(&mesh, e);

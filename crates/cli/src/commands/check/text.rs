@@ -29,6 +29,7 @@ impl Checked<'_> {
         self.print_materials();
         self.print_interfaces();
         self.print_pairs();
+        self.print_bolts();
         self.print_stages();
         if let Some(motion) = self.motion {
             self.print_boundaries();
@@ -131,11 +132,12 @@ impl Checked<'_> {
         let disk = self.disk;
         let bytes = |n: u64| bytes(usize::try_from(n).unwrap_or(usize::MAX));
         print(&format!(
-            "           at most {} on disk: {} field files of {}, histories of {}, a checkpoint of {} while it runs",
+            "           at most {} on disk: {} field files of {}, histories of {}{}, a checkpoint of {} while it runs",
             bytes(disk.total()),
             disk.field_files + disk.stage_files,
             bytes(disk.field_file),
             bytes(disk.histories),
+            if disk.bolts > 0 { format!(", bolts {}", bytes(disk.bolts)) } else { String::new() },
             bytes(disk.checkpoint)
         ));
     }

@@ -56,6 +56,10 @@ pub struct Chain {
     residual: Vec<f64>,
     diagonal: Vec<f64>,
     slopes: Vec<f64>,
+    /// A step, where it began, and what eliminates for it.
+    step: Vec<f64>,
+    from: Vec<f64>,
+    upper: Vec<f64>,
 }
 
 impl Chain {
@@ -206,55 +210,65 @@ impl Chain {
 
     /// Newton's step, as far along it as the energy falls.
     fn improve(&mut self, memory: &BoltMemory, fixed: [bool; 2]) {
-        let step = self.newton(memory, fixed);
-        let from = self.bar.clone();
-        // The slope of the energy along the step, downwards positive.
-        let downhill = |chain: &mut Self, share: f64| -> f64 {
-            for ((bar, from), step) in chain.bar.iter_mut().zip(&from).zip(&step) {
-                *bar = from + share * step;
-            }
-            chain.evaluate(memory, fixed);
-            chain.residual.iter().zip(&step).map(|(r, s)| r * s).sum()
-        };
-        let start: f64 = self.residual.iter().zip(&step).map(|(r, s)| r * s).sum();
+        self.newton(memory, fixed);
+        self.from.clone_from(&self.bar);
+        let start = self.downhill();
         let flat = FLAT * start.abs();
-        let mut slope = downhill(self, 1.0);
         let (mut low, mut high) = (0.0, 1.0);
+        self.go(high, memory, fixed);
         // Where nothing held the bar, it goes on until something does.
-        while slope > flat && high < FARTHEST {
+        while self.downhill() > flat && high < FARTHEST {
             (low, high) = (high, 2.0 * high);
-            slope = downhill(self, high);
+            self.go(high, memory, fixed);
         }
-        if slope >= -flat {
+        if self.downhill() >= -flat {
             return;
         }
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
-            slope = downhill(self, middle);
+            self.go(middle, memory, fixed);
+            let slope = self.downhill();
             if slope.abs() <= flat {
                 return;
             }
-            if slope > 0.0 { low = middle } else { high = middle }
+            if slope > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
+    }
+
+    /// By how much the energy falls along the step where the bar is \[J\].
+    fn downhill(&self) -> f64 {
+        self.residual.iter().zip(&self.step).map(|(r, s)| r * s).sum()
+    }
+
+    /// To a share of the step.
+    fn go(&mut self, share: f64, memory: &BoltMemory, fixed: [bool; 2]) {
+        for ((bar, from), step) in self.bar.iter_mut().zip(&self.from).zip(&self.step) {
+            *bar = from + share * step;
+        }
+        self.evaluate(memory, fixed);
     }
 
     /// The step that would bring balance if forces changed as they do now. What nothing holds is held by what its bond is when it
     /// does not slide.
-    fn newton(&mut self, memory: &BoltMemory, fixed: [bool; 2]) -> Vec<f64> {
+    fn newton(&mut self, memory: &BoltMemory, fixed: [bool; 2]) {
         let last = self.links.len();
-        let mut upper = Vec::with_capacity(last + 1);
-        let mut right: Vec<f64> = Vec::with_capacity(last + 1);
+        self.upper.clear();
+        self.step.clear();
         for i in 0..=last {
             if (i == 0 && fixed[0]) || (i == last && fixed[1]) {
-                upper.push(0.0);
-                right.push(0.0);
+                self.upper.push(0.0);
+                self.step.push(0.0);
                 continue;
             }
             let before = if i > 0 { self.slopes[i - 1] } else { 0.0 };
             let (mut diagonal, mut load) = (self.diagonal[i], self.residual[i]);
-            if let (Some(up), Some(r)) = (upper.last(), right.last()) {
+            if let (Some(up), Some(step)) = (self.upper.last(), self.step.last()) {
                 diagonal += before * up;
-                load += before * r;
+                load += before * step;
             }
             let bonds = self.nodes[i].into_iter().flatten().map(|p| memory.point(p).stiffness);
             let firm = before + self.slopes[i] + bonds.sum::<f64>();
@@ -265,15 +279,14 @@ impl Chain {
                 // Nothing is there, not even a bond.
                 (diagonal, load) = (1.0, 0.0);
             }
-            upper.push(-self.slopes[i] / diagonal);
-            right.push(load / diagonal);
+            self.upper.push(-self.slopes[i] / diagonal);
+            self.step.push(load / diagonal);
         }
         let mut next = 0.0;
         for i in (0..=last).rev() {
-            next = right[i] - upper[i] * next;
-            right[i] = next;
+            next = self.step[i] - self.upper[i] * next;
+            self.step[i] = next;
         }
-        right
     }
 
     fn elongation(&self, link: usize) -> f64 {

@@ -16,6 +16,7 @@ pub struct Link {
 }
 
 impl Link {
+    #[inline(always)]
     pub fn of(bar: &Bar, kind: &Bolts) -> Self {
         Link { stiffness: bar.stiffness, yields: bar.yields, breaks: kind.breaks * bar.length }
     }
@@ -26,6 +27,7 @@ impl Link {
     }
 
     /// Tension \[N\] at an elongation \[m\], before anything is remembered.
+    #[inline(always)]
     pub fn trial(&self, link: &LinkMemory, elongation: f64) -> f64 {
         if link.status >= BROKEN {
             0.0
@@ -43,6 +45,7 @@ impl Link {
 
     /// Moves it to an elongation \[m\], and tells its tension \[N\]. What it dissipates is booked by the trapezoidal rule of the
     /// equations of motion, so that the balance closes in every step.
+    #[inline(always)]
     pub fn update(&self, link: &mut LinkMemory, elongation: f64) -> f64 {
         if self.is_broken_by(link, elongation) {
             link.status = BROKEN;

@@ -1,0 +1,28 @@
+//! The bolt that carries most, as a key result.
+
+use tremolite_results::{BoltSummary, Summary};
+
+use crate::scale::{count, figures, quantity};
+
+/// The bolt nearest to yield of all groups, or where none yields the one with the largest force: the value and what it is.
+pub fn hardest(facts: &Summary) -> Option<(String, String)> {
+    let there = facts.bolts.iter().filter(|(_, group)| group.largest.bolt > 0);
+    let load = |group: &BoltSummary| (group.force_over_yield, group.largest.force);
+    let more = |a: &BoltSummary, b: &BoltSummary| {
+        let ((over_a, force_a), (over_b, force_b)) = (load(a), load(b));
+        over_a.total_cmp(&over_b).then(force_a.total_cmp(&force_b))
+    };
+    let (name, group) = there.max_by(|a, b| more(a.1, b.1))?;
+    let over = match group.yield_force.is_finite() {
+        true => format!("{} of yield, in ", figures(group.force_over_yield, 2)),
+        false => String::new(),
+    };
+    let yielded: u64 = facts.bolts.values().map(|group| group.yielded).sum();
+    let all: u64 = facts.bolts.values().map(|group| group.bolts).sum();
+    let lost = if yielded > 0 {
+        format!("; {} of {} bolts yielded", count(yielded), count(all))
+    } else {
+        String::new()
+    };
+    Some((quantity("N", group.largest.force), format!("{over}{name}, bolt {}{lost}", group.largest.bolt)))
+}

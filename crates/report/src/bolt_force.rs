@@ -1,0 +1,120 @@
+//! Figure of the force along the bolt of each group that carries most.
+
+use tremolite_results::{BoltLine, BoltLines, Summary};
+
+use crate::axes::Axes;
+use crate::figure::{Block, Figure};
+use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::scale::{Scale, quantity};
+use crate::svg::{Anchor, LINES, Style, Svg};
+use crate::ticks::Ticks;
+
+const HEADING: &str = "Force along the bolts that carry most";
+
+/// The block; nothing where no bolt carries anything.
+pub fn block(lines: &BoltLines, facts: &Summary, when: &str) -> Option<Block> {
+    let (mut curves, mut named) = (Vec::new(), Vec::new());
+    for (group, name) in lines.groups.iter().enumerate() {
+        let Some(bolt) = hardest(lines, group) else { continue };
+        let own: Vec<&BoltLine> =
+            lines.lines.iter().filter(|line| line.group == group && line.bolt == bolt).collect();
+        let colour = named.len();
+        let label = format!("{name}, bolt {bolt}");
+        curves.push(Curve::new(label, colour, Pen::Line, steps(&own, |line| line.force)));
+        // Its size: the sign of the largest is not kept.
+        let sign = own.iter().map(|line| line.force).sum::<f64>().signum();
+        curves.push(Curve::new("", colour, Pen::Dashed, steps(&own, |line| sign * line.force_max)));
+        let yields = facts.bolts.get(name).map(|group| group.yield_force).filter(|force| force.is_finite());
+        named.push(yields.map(|force| format!("{name} at {}", quantity("N", force))));
+        if named.len() == LINES.len() {
+            break;
+        }
+    }
+    if curves.is_empty() {
+        return None;
+    }
+    let ((_, far), (low, high)) = plot::ranges(&curves);
+    let scale = Scale::suiting("N", low.abs().max(high.abs()));
+    for point in curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()) {
+        point.1 *= scale.factor;
+    }
+    let title = scale.labelled("force, tension positive");
+    let mut svg = Svg::new(WIDTH);
+    let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &curves) + 6.0;
+    let axes = Axes {
+        left: LEFT,
+        right: WIDTH - RIGHT,
+        top,
+        bottom: top + 240.0,
+        across: Ticks::within(0.0, far.max(1e-9), 10),
+        up: Ticks::around((low * scale.factor).min(0.0), (high * scale.factor).max(0.0), 6),
+    };
+    plot::draw(&mut svg, &axes, &curves);
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, "from the head (m)");
+    let yields: Vec<String> = named.into_iter().flatten().collect();
+    let yields = if yields.is_empty() { String::new() } else { format!(" Yield: {}.", yields.join("; ")) };
+    let since = if when.contains("stages") { "stage" } else { "earthquake" };
+    let caption = format!(
+        "Of each group the bolt that came nearest to yield, or carries most where none yields: full line {when}, dashed the \
+         largest size in any step since the {since} began, in the sense of the full line. A force that falls to nothing at both \
+         ends is carried by the bond; one that is large at the head hangs on the plate.{yields}"
+    );
+    let svg = svg.finish(axes.bottom + 42.0, &title, "force over the distance from the head");
+    let figure = Figure { heading: HEADING.into(), file: "bolts-force.svg".into(), svg, caption };
+    Some(Block { heading: HEADING.into(), figures: vec![figure], ..Block::default() })
+}
+
+/// The number of the bolt of a group that came nearest to yield, or carried most; none where all carry nothing.
+fn hardest(lines: &BoltLines, group: usize) -> Option<u32> {
+    let own = lines.lines.iter().filter(|line| line.group == group && line.force_max > 0.0);
+    let load = |line: &BoltLine| (line.force_over_yield_max, line.force_max);
+    let most = own.max_by(|a, b| {
+        let ((over_a, force_a), (over_b, force_b)) = (load(a), load(b));
+        over_a.total_cmp(&over_b).then(force_a.total_cmp(&force_b))
+    });
+    most.map(|line| line.bolt)
+}
+
+/// A force that is constant in each segment; broken where segments do not follow one another.
+fn steps(own: &[&BoltLine], force: impl Fn(&BoltLine) -> f64) -> Vec<(f64, f64)> {
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    let mut end = f64::NAN;
+    for line in own {
+        let value = if line.state == 4 { f64::NAN } else { force(line) };
+        if !points.is_empty() && (line.at[0] - end).abs() > 1e-3 {
+            points.push((end, f64::NAN));
+        }
+        points.extend(line.at.map(|at| (at, value)));
+        end = line.at[1];
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(at: [f64; 2], force: f64, state: u8) -> BoltLine {
+        BoltLine { at, force, force_max: force.abs(), state, ..BoltLine::default() }
+    }
+
+    #[test]
+    fn a_force_is_level_in_a_segment_and_breaks_where_something_is_missing() {
+        let all = [
+            line([0.0, 1.0], 5.0, 0),
+            line([1.0, 2.0], 7.0, 1),
+            line([3.0, 4.0], 2.0, 0),
+            line([4.0, 5.0], 9.0, 4),
+        ];
+        let points = steps(&all.iter().collect::<Vec<_>>(), |line| line.force);
+        let drawn: Vec<_> = points.iter().filter(|p| p.1.is_finite()).copied().collect();
+        assert_eq!(drawn, [(0.0, 5.0), (1.0, 5.0), (1.0, 7.0), (2.0, 7.0), (3.0, 2.0), (4.0, 2.0)]);
+        assert!(points[4].1.is_nan() && points[7].1.is_nan());
+    }
+
+    #[test]
+    fn a_group_that_carries_nothing_has_no_curve() {
+        let lines = BoltLines { groups: vec!["idle".into()], lines: vec![line([0.0, 1.0], 0.0, 0)] };
+        assert!(block(&lines, &Summary::default(), "at 1 s").is_none());
+    }
+}

@@ -1,0 +1,240 @@
+//! bolts.csv: what each bolt carries and how it stands, at the end of stages and in the shaking.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use crate::stages::write_rows;
+use crate::table_writer::reopen;
+use crate::{Error, number};
+
+/// What stands in the column `stage` in the shaking.
+pub const EARTHQUAKE: &str = "earthquake";
+
+/// A bolt at one time: the whole of it, but for what was cut off it by an excavation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BoltRow {
+    /// Its number in its group, from 1, in the order in which they were given.
+    pub bolt: u32,
+    /// Of the group.
+    pub name: String,
+    /// Time in the shaking (s); not a number at the end of a stage.
+    pub time: f64,
+    /// Its force of largest size (N), tension positive, and the size of that over what it yields at, at most along the bolt;
+    /// 0 where it never yields.
+    pub max_force: f64,
+    pub force_over_yield: f64,
+    /// Largest size of its slip (m) in any step so far.
+    pub max_slip: f64,
+    /// `elastic`, `slid`, `yielded`, `broken`: the worst of what is left of it; `cut-off` where nothing is.
+    pub state: String,
+    /// The stage's name, or [`EARTHQUAKE`].
+    pub stage: String,
+    /// Where the force is largest (m).
+    pub place: [f64; 3],
+    /// Largest size of the force (N) in any step since the stage, or the shaking, began.
+    pub largest_force: f64,
+    /// Length of it (m) that excavations have cut off.
+    pub cut_off: f64,
+}
+
+const HEADERS: [&str; 13] = [
+    "bolt",
+    "name",
+    "time [s]",
+    "max_force [N]",
+    "force_over_yield [1]",
+    "max_slip [m]",
+    "state",
+    "stage",
+    "x [m]",
+    "y [m]",
+    "z [m]",
+    "largest_force [N]",
+    "cut_off [m]",
+];
+
+fn lines(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
+    let mut out = csv::Writer::from_writer(Vec::new());
+    write_rows(&mut out, rows);
+    out.into_inner().unwrap_or_default()
+}
+
+fn line(row: &BoltRow) -> Vec<String> {
+    let text = |x: f64| {
+        let mut text = String::new();
+        number::push(&mut text, x);
+        text
+    };
+    let [x, y, z] = row.place.map(text);
+    vec![
+        row.bolt.to_string(),
+        row.name.clone(),
+        text(row.time),
+        text(row.max_force),
+        text(row.force_over_yield),
+        text(row.max_slip),
+        row.state.clone(),
+        row.stage.clone(),
+        x,
+        y,
+        z,
+        text(row.largest_force),
+        text(row.cut_off),
+    ]
+}
+
+fn header() -> Vec<u8> {
+    lines([HEADERS.map(str::to_owned).to_vec()])
+}
+
+/// Writes the file; it grows while the ground shakes.
+#[derive(Debug)]
+pub struct BoltWriter {
+    file: fs::File,
+    path: PathBuf,
+    bytes: u64,
+}
+
+impl BoltWriter {
+    /// Starts the file with what is known so far, replacing one of that name.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn create(path: &Path, rows: &[BoltRow]) -> Result<Self, Error> {
+        let file = fs::File::create(path).map_err(Error::io(path, "write this file"))?;
+        let mut writer = BoltWriter { file, path: path.to_owned(), bytes: 0 };
+        writer.put(&header())?;
+        writer.write(rows)?;
+        Ok(writer)
+    }
+
+    /// Opens it to go on after its first `bytes` bytes, as [`BoltWriter::bytes_written`] told at a checkpoint. What was
+    /// written later is cut off.
+    ///
+    /// # Errors
+    /// As [`crate::TableWriter::resume`].
+    pub fn resume(path: &Path, bytes: u64) -> Result<Self, Error> {
+        let file = reopen(path, &String::from_utf8_lossy(&header()), bytes)?;
+        Ok(BoltWriter { file, path: path.to_owned(), bytes })
+    }
+
+    /// Adds rows.
+    ///
+    /// # Errors
+    /// [`Error::Io`], a full disk for one.
+    pub fn write(&mut self, rows: &[BoltRow]) -> Result<(), Error> {
+        self.put(&lines(rows.iter().map(line)))
+    }
+
+    /// Bytes in the file so far.
+    pub fn bytes_written(&self) -> u64 {
+        self.bytes
+    }
+
+    fn put(&mut self, text: &[u8]) -> Result<(), Error> {
+        self.file.write_all(text).map_err(Error::io(&self.path, "write this file"))?;
+        self.bytes += text.len() as u64;
+        Ok(())
+    }
+}
+
+/// Reads the file. A last line without its line end is left out: it is being written, or was cut.
+///
+/// # Errors
+/// [`Error::Io`]; [`Error::Format`] with the line where a row is not of this form.
+pub fn read_bolts(path: &Path) -> Result<Vec<BoltRow>, Error> {
+    let bytes = fs::read(path).map_err(Error::io(path, "read this file"))?;
+    let whole = bytes.iter().rposition(|b| *b == b'\n').map_or(0, |end| end + 1);
+    let mut reader = csv::Reader::from_reader(&bytes[..whole]);
+    let mut rows = Vec::new();
+    for (k, record) in reader.records().enumerate() {
+        let fault = |what: String| Error::format(path, Some(k + 2), what);
+        let record = record.map_err(|e| fault(e.to_string()))?;
+        let field = |i: usize| record.get(i).ok_or_else(|| fault(format!("'{}' is missing", HEADERS[i])));
+        let value = |i: usize| -> Result<f64, Error> {
+            field(i)?.parse().map_err(|_| fault(format!("'{}' is not a number", HEADERS[i])))
+        };
+        rows.push(BoltRow {
+            bolt: field(0)?.parse().map_err(|_| fault("'bolt' is not a number".into()))?,
+            name: field(1)?.to_owned(),
+            time: value(2)?,
+            max_force: value(3)?,
+            force_over_yield: value(4)?,
+            max_slip: value(5)?,
+            state: field(6)?.to_owned(),
+            stage: field(7)?.to_owned(),
+            place: [value(8)?, value(9)?, value(10)?],
+            largest_force: value(11)?,
+            cut_off: value(12)?,
+        });
+    }
+    Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(bolt: u32) -> BoltRow {
+        BoltRow {
+            bolt,
+            name: "crown, \"north\"".into(),
+            time: 0.5,
+            max_force: -1.25e5,
+            force_over_yield: 0.0,
+            max_slip: 2.5e-7,
+            state: "cut-off".into(),
+            stage: "bench 1, lower".into(),
+            place: [1.0, 2.5, -200.25],
+            largest_force: 1.5e5,
+            cut_off: 0.75,
+        }
+    }
+
+    #[test]
+    fn rows_come_back_as_they_were_written_whatever_their_names() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("bolts.csv");
+        let mut writer = BoltWriter::create(&path, &[row(1)]).unwrap();
+        writer.write(&[row(2), row(3)]).unwrap();
+        assert_eq!(read_bolts(&path).unwrap(), [row(1), row(2), row(3)]);
+        let text = fs::read_to_string(&path).unwrap();
+        // The first columns are a contract with scripts.
+        assert!(text.starts_with(
+            "bolt,name,time [s],max_force [N],force_over_yield [1],max_slip [m],state,stage,x [m],"
+        ));
+    }
+
+    #[test]
+    fn a_resumed_file_is_cut_at_the_checkpoint_and_a_foreign_one_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("bolts.csv");
+        let mut writer = BoltWriter::create(&path, &[row(1)]).unwrap();
+        let at = writer.bytes_written();
+        writer.write(&[row(2)]).unwrap();
+        let whole = fs::read(&path).unwrap();
+        // A line that was being written when the run was killed is not read, and is cut off.
+        fs::write(&path, [&whole[..], b"3,cro"].concat()).unwrap();
+        assert_eq!(read_bolts(&path).unwrap(), [row(1), row(2)]);
+        let mut writer = BoltWriter::resume(&path, at).unwrap();
+        assert_eq!(read_bolts(&path).unwrap(), [row(1)]);
+        writer.write(&[row(2)]).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), whole);
+        assert_eq!(writer.bytes_written(), whole.len() as u64);
+
+        for bytes in [at - 1, whole.len() as u64 + 1, 3] {
+            assert!(BoltWriter::resume(&path, bytes).is_err(), "{bytes}");
+        }
+        fs::write(&path, "time [s]\n".repeat(100)).unwrap();
+        assert!(BoltWriter::resume(&path, 180).is_err(), "another table");
+    }
+
+    #[test]
+    fn no_bolts_leave_a_file_without_rows() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("bolts.csv");
+        BoltWriter::create(&path, &[]).unwrap();
+        assert_eq!(read_bolts(&path).unwrap(), []);
+    }
+}

@@ -1,0 +1,332 @@
+//! Where bolts come from: patterns on what a stage lays bare, points, files.
+
+mod heads;
+mod listed;
+mod opening;
+mod pattern;
+mod slice;
+mod wall;
+
+use super::changes::before;
+use super::groups::nothing_fits;
+use super::stages::Staged;
+use crate::plan::BoltMonitor;
+use heads::Heads;
+use listed::{Ground, Listed, Outside};
+use opening::{Opening, openings};
+use pattern::{Laid, lay};
+use std::f64::consts::PI;
+use std::path::Path;
+use tremolite_case::{self as case, BoltPattern, BoltPlace, Case, Place, Problem, Spanned, units};
+use tremolite_engine::{Bar, Bolts, Bond, Stage};
+use tremolite_laws::Dimension;
+use tremolite_mesh::Mesh;
+use tremolite_mesh::locate::Locator;
+use wall::{minus, norm};
+
+/// Bolts of a pattern beyond which its spacing is a slip in the unit.
+const MOST_BOLTS: f64 = 200_000.0;
+/// Segments beyond which the longest one is.
+const MOST_SEGMENTS: f64 = 5e6;
+/// Heads apart over the smaller spacing, at least.
+const APART: f64 = 0.5;
+/// Length of a segment over that on which the bond passes force on, beyond which ends are not resolved: a chain of such segments
+/// passes force on over a length 12 % too long (arcosh(1 + h²/2)/h at h = 2).
+const COARSE: f64 = 2.0;
+/// Bolts of which the segments are looked at.
+const LOOKED_AT: usize = 50;
+
+/// The bolts of a case.
+pub struct Placed {
+    /// In the order of [`Case::bolts`]; a pattern that found no face has no bars.
+    pub bolts: Vec<Bolts>,
+    pub warnings: Vec<Problem>,
+}
+
+/// Makes the bolts of a case. Those that cannot be placed are among the problems.
+pub fn build(case: &Case, mesh: &Mesh, staged: &Staged, problems: &mut Vec<Problem>) -> Placed {
+    let mut placed = Placed { bolts: Vec::new(), warnings: Vec::new() };
+    let listed: Vec<Vec<Listed>> = case.bolts().map(|(_, bolts)| listed(case, bolts, problems)).collect();
+    let patterns = case.bolts().filter_map(|(_, bolts)| match &bolts.place {
+        BoltPlace::Pattern(pattern) => Some(pattern),
+        _ => None,
+    });
+    for written in patterns.flat_map(|pattern| &pattern.on) {
+        if !mesh.groups.keys().any(|name| case::pattern::matches(written, name)) {
+            problems.push(nothing_fits(mesh, written));
+        }
+    }
+    // Who stands when is not known before all stages are good.
+    if listed.is_empty() || !problems.is_empty() {
+        return placed;
+    }
+    let mut systems: Vec<(System, Heads)> = Vec::new();
+    let mut bare: Option<(usize, Vec<Opening>)> = None;
+    let mut standing: Option<(usize, Locator)> = None;
+    for ((k, written), listed) in case.bolts().zip(listed) {
+        if standing.as_ref().is_none_or(|(of, _)| *of != k) {
+            let elements: Vec<u32> =
+                (0..mesh.elements.len() as u32).filter(|&e| staged.stands(e, before(k))).collect();
+            standing = Some((k, Locator::new(mesh, Some(&elements))));
+        }
+        let Some((_, locator)) = &standing else { continue };
+        let ground = Ground { locator };
+        let ends = match &written.place {
+            BoltPlace::Pattern(pattern) => {
+                if bare.as_ref().is_none_or(|(of, _)| *of != k) {
+                    bare = Some((k, openings(mesh, staged, k)));
+                }
+                let openings = bare.as_ref().map_or(&[][..], |(_, openings)| openings);
+                let heads = heads_of(&mut systems, pattern);
+                patterned(mesh, pattern, openings, heads, problems, &mut placed.warnings)
+            }
+            _ => pointed(&ground, written, &case.stages[k].name, listed, problems),
+        };
+        placed.warnings.extend(coarse(&ground, written, &ends));
+        too_many(written, &ends, problems);
+        placed.bolts.push(made(written, ends, before(k)));
+    }
+    placed
+}
+
+/// Monitors at bolts that could be placed; the others are among the problems.
+pub fn monitors(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) -> Vec<BoltMonitor> {
+    let mut monitors = Vec::new();
+    for monitor in &case.monitors {
+        let Some(bolt) = &monitor.bolt else { continue };
+        let point = match &monitor.at.value {
+            Place::Point(point) => Some(*point),
+            Place::Named(name) => super::monitors::named(mesh, name, &monitor.at.span, problems),
+        };
+        if let Some(point) = point {
+            monitors.push(BoltMonitor { name: monitor.name.value.clone(), point, set: bolt.value });
+        }
+    }
+    monitors
+}
+
+/// Bolts that are to keep apart are those of one spacing and length, whatever entry they are of. Longer ones may stand among
+/// shorter ones.
+#[derive(Clone, PartialEq)]
+struct System {
+    spacing: [f64; 2],
+    length: f64,
+}
+
+/// The heads that a pattern has to keep away from: those of its system, of this stage and earlier ones.
+fn heads_of<'a>(systems: &'a mut Vec<(System, Heads)>, pattern: &BoltPattern) -> &'a mut Heads {
+    let system = System { spacing: pattern.spacing.value, length: pattern.length.value };
+    let at = systems.iter().position(|(other, _)| *other == system).unwrap_or_else(|| {
+        let apart = APART * system.spacing[0].min(system.spacing[1]);
+        systems.push((system, Heads::new(apart)));
+        systems.len() - 1
+    });
+    &mut systems[at].1
+}
+
+fn patterned(
+    mesh: &Mesh,
+    pattern: &BoltPattern,
+    openings: &[Opening],
+    heads: &mut Heads,
+    problems: &mut Vec<Problem>,
+    warnings: &mut Vec<Problem>,
+) -> Vec<[[f64; 3]; 2]> {
+    let mut on = vec![pattern.on.is_empty(); mesh.elements.len()];
+    for (name, elements) in &mesh.groups {
+        if pattern.on.iter().any(|written| case::pattern::matches(written, name)) {
+            elements.iter().for_each(|&e| on[e as usize] = true);
+        }
+    }
+    let [along, around] = pattern.spacing.value;
+    let area: f64 = openings.iter().flat_map(|opening| &opening.walls).map(|wall| wall.area).sum();
+    if area / along / around > MOST_BOLTS {
+        problems.push(Problem::at(
+            &pattern.spacing,
+            format!("the pattern would place some {:.1e} bolts on {area:.0} m2", area / along / around),
+            "look at the unit of the spacing; 1 m to 3 m is usual",
+        ));
+        return Vec::new();
+    }
+    let mut laid = Laid::default();
+    let mut faces = 0;
+    for opening in openings {
+        let chosen: Vec<bool> =
+            opening.sides.iter().map(|sides| sides.iter().any(|&e| on[e as usize])).collect();
+        faces += chosen.iter().filter(|&&chosen| chosen).count();
+        lay(pattern, &opening.walls, &chosen, heads, &mut laid);
+    }
+    let word = pattern.faces.value.word();
+    if laid.bolts.is_empty() {
+        let (message, remedy) = if faces == 0 {
+            (
+                "no bolts are placed: the stage lays none of these faces bare",
+                "name in `on` what it excavates, or leave it out",
+            )
+        } else if laid.along > 0 {
+            (
+                "no bolts are placed: the direction runs along the wall everywhere",
+                "give another direction, or \"normal\"",
+            )
+        } else {
+            (
+                "no bolts are placed: what the stage lays bare does not look that way, or is bolted",
+                "take another pattern, or a smaller spacing",
+            )
+        };
+        warnings.push(Problem::at(&pattern.faces, format!("{word}: {message}"), remedy));
+    } else if let (true, Some(direction)) = (laid.along > 0, &pattern.direction) {
+        warnings.push(Problem::at(
+            direction,
+            format!(
+                "{} places have no bolt, since it would run along the wall there, within 5 degrees",
+                laid.along
+            ),
+            "bolt them by an entry of its own, with another direction",
+        ));
+    }
+    laid.bolts
+}
+
+/// The bolts that a case or its file lists, those of a pattern not among them.
+fn listed(case: &Case, written: &case::Bolts, problems: &mut Vec<Problem>) -> Vec<Listed> {
+    match &written.place {
+        BoltPlace::Pattern(_) => Vec::new(),
+        BoltPlace::Points(points) => points
+            .iter()
+            .enumerate()
+            .map(|(k, ends)| Listed { name: format!("bolt {}", k + 1), ends: ends.value })
+            .collect(),
+        BoltPlace::File(file) => match read(&case.resolve(&file.value), &file.value) {
+            Ok(bolts) => bolts,
+            Err(message) => {
+                let remedy = "a bolt a row: x1,y1,z1,x2,y2,z2 in m, its head at the wall first";
+                problems.push(Problem::at(file, message, remedy));
+                Vec::new()
+            }
+        },
+    }
+}
+
+fn read(path: &Path, file: &Path) -> Result<Vec<Listed>, String> {
+    let name = file.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|e| format!("{name} cannot be read: {e}"))?;
+    listed::parse(&name, &text)
+}
+
+/// Listed bolts, refused where they lie in nothing that stands.
+fn pointed(
+    ground: &Ground,
+    written: &case::Bolts,
+    stage: &Spanned<String>,
+    listed: Vec<Listed>,
+    problems: &mut Vec<Problem>,
+) -> Vec<[[f64; 3]; 2]> {
+    let free = written.free_length.as_ref().map_or(0.0, |free| free.value);
+    let mut bars = Vec::new();
+    for (k, bolt) in listed.into_iter().enumerate() {
+        let span = match &written.place {
+            BoltPlace::Points(points) => points.get(k).map_or(written.span.clone(), |p| p.span.clone()),
+            BoltPlace::File(file) => file.span.clone(),
+            BoltPlace::Pattern(_) => written.span.clone(),
+        };
+        let whole = norm(minus(bolt.ends[1], bolt.ends[0]));
+        if free >= whole && !written.plate.value.ends()[1] {
+            let length = |x: f64| units::format(x, Dimension::LENGTH);
+            problems.push(Problem::new(
+                span,
+                format!(
+                    "{} is {} long, all of it free: nothing holds its other end",
+                    bolt.name,
+                    length(whole)
+                ),
+                "make the free length shorter, or write plate = \"both\"",
+            ));
+            continue;
+        }
+        let place = |[x, y, z]: [f64; 3]| format!("({x:.3}, {y:.3}, {z:.3}) m");
+        match ground.place(bolt.ends, free) {
+            Ok(ends) => bars.push(ends),
+            Err(Outside::End(end, at)) => problems.push(Problem::new(
+                span,
+                format!(
+                    "{}: {end} at {} lies in nothing that stands in '{}'",
+                    bolt.name,
+                    place(at),
+                    stage.value
+                ),
+                "put it into the rock, or on the wall to a centimetre; what the stage excavates is gone",
+            )),
+            Err(Outside::Leaves(at, distance)) => problems.push(Problem::new(
+                span,
+                format!(
+                    "{} leaves what stands in '{}' at {}, {distance:.3} m from its head",
+                    bolt.name,
+                    stage.value,
+                    place(at)
+                ),
+                "let it end there, or let a free length, with a plate, reach beyond the void",
+            )),
+        }
+    }
+    bars
+}
+
+/// That the bond passes force on over less than a segment.
+fn coarse(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Problem> {
+    let bond = written.bond.as_ref()?;
+    let transfer = (written.young.value * written.area() / bond.stiffness.value).sqrt();
+    let step = ends.len().div_ceil(LOOKED_AT).max(1);
+    let pieces: Vec<f64> = ends.iter().step_by(step).filter_map(|&ends| ground.piece(ends)).collect();
+    let mean = pieces.iter().sum::<f64>() / pieces.len().max(1) as f64;
+    let segment = bond.segment.as_ref().map_or(mean, |longest| longest.value.min(mean));
+    let length = |x: f64| units::format(x, Dimension::LENGTH);
+    (segment > COARSE * transfer).then(|| {
+        Problem::at(
+            bond.segment.as_ref().unwrap_or(&bond.stiffness),
+            format!(
+                "the bond passes force on over {}, a segment is some {} long: forces at ends and joints are smeared over it",
+                length(transfer),
+                length(segment)
+            ),
+            format!("write segment = \"{}\" in `bond` where pull-out matters; else leave it", length(0.5 * transfer)),
+        )
+    })
+}
+
+fn too_many(written: &case::Bolts, ends: &[[[f64; 3]; 2]], problems: &mut Vec<Problem>) {
+    let Some(segment) = written.bond.as_ref().and_then(|bond| bond.segment.as_ref()) else { return };
+    let length: f64 = ends.iter().map(|[a, b]| norm(minus(*b, *a))).sum();
+    if length / segment.value > MOST_SEGMENTS {
+        problems.push(Problem::at(
+            segment,
+            format!("{length:.0} m of bolts would be cut into some {:.1e} segments", length / segment.value),
+            "give a longer segment: half of √(EA/stiffness) resolves the bond",
+        ));
+    }
+}
+
+/// The bolts as the engine takes them.
+fn made(written: &case::Bolts, ends: Vec<[[f64; 3]; 2]>, born: Stage) -> Bolts {
+    let given = |value: &Option<Spanned<f64>>, otherwise: f64| value.as_ref().map_or(otherwise, |x| x.value);
+    let area = written.area();
+    let bar = |ends: [[f64; 3]; 2]| Bar { points: ends.to_vec(), areas: vec![area] };
+    Bolts {
+        name: written.name.value.clone(),
+        bars: ends.into_iter().map(bar).collect(),
+        young: written.young.value,
+        yields: given(&written.yields, f64::INFINITY),
+        breaks: given(&written.breaking_strain, f64::INFINITY),
+        bond: written.bond.as_ref().map(|bond| Bond {
+            stiffness: bond.stiffness.value,
+            strength: bond.strength.value,
+            friction: bond.friction_angle.value.tan(),
+            perimeter: PI * written.diameter.value,
+            segment: given(&bond.segment, f64::INFINITY),
+        }),
+        pretension: given(&written.pretension, 0.0),
+        free_length: given(&written.free_length, 0.0),
+        plates: written.plate.value.ends(),
+        born,
+    }
+}
