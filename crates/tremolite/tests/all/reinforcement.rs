@@ -122,6 +122,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
         checkpoint: None,
         monitors: Vec::new(),
         pairs: Vec::new(),
+        bolts: Vec::new(),
         relatives: Vec::new(),
     };
     let view = View {
