@@ -32,6 +32,7 @@ pub fn build(
         let Some(groups) = groups(steel, mesh, solid, problems) else { continue };
         let mut legs: BTreeMap<Stage, Vec<Leg>> = BTreeMap::new();
         let (mut count, mut without) = (0, 0);
+        let before = problems.len();
         for (name, elements) in &groups {
             let stations = stations(mesh, elements, &standing);
             let inside: HashSet<u32> =
@@ -46,6 +47,9 @@ pub fn build(
                 let born = station.stack.iter().map(|(e, _)| lives[*e as usize].born).max();
                 legs.entry(born.unwrap_or(Stage::Before(0))).or_default().push(leg);
             }
+        }
+        if problems.len() > before {
+            continue;
         }
         if legs.is_empty() {
             let names: Vec<&str> = groups.iter().map(|(name, _)| *name).collect();
