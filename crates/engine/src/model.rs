@@ -136,6 +136,7 @@ impl Model {
             &place_lives(&lives, &successors),
             &initial,
         )?;
+        seams::keep_sides(&mut mesh, &successors);
         let (user_nodes, user_elements) = (mesh.nodes.len(), mesh.elements.len());
         let copies = copies(&origin);
         let held = problem.held.into_iter().flat_map(|(node, held)| {
@@ -177,6 +178,7 @@ impl Model {
                     &initial,
                 )?);
             }
+            seams::keep_sides(&mut mesh, &successors);
             outside.mark_parted(&more);
             for seam in &more {
                 let own = seam.of.map(|of| &mut seams[of].pressure);

@@ -31,6 +31,18 @@ pub fn place_lives(lives: &[Life], successors: &HashMap<u32, u32>) -> Vec<Life> 
     lives.iter().enumerate().map(|(e, life)| Life { born: lives[first(e)].born, gone: life.gone }).collect()
 }
 
+/// Gives elements that others take over from the nodes of those: what is split goes by what stands in the end, and what an element
+/// was before its material changed lies on the same side of an interface.
+pub fn keep_sides(mesh: &mut Mesh, successors: &HashMap<u32, u32>) {
+    let earlier: BTreeSet<u32> = successors.values().copied().collect();
+    for last in successors.keys().filter(|later| !earlier.contains(later)) {
+        let nodes = mesh.elements[*last as usize].nodes;
+        let chain = std::iter::successors(Some(*last), |e| successors.get(e).copied());
+        // No chain is longer than all of them, whatever a program states.
+        chain.skip(1).take(successors.len()).for_each(|e| mesh.elements[e as usize].nodes = nodes);
+    }
+}
+
 /// Splits the nodes of interfaces and makes their pairs.
 pub fn of_problem(
     mesh: &mut Mesh,

@@ -73,8 +73,8 @@ pub fn figure(lining: &Lining, section: &[&Station], suffix: &str) -> Option<Fig
         }
     };
     let caption = format!(
-        "All {} stations of the lining, all sections.{shaken} Right of N = 0 a section is pulled. Lines of strength are not drawn: \
-         they need thickness, concrete and reinforcement, which the files of section forces do not hold.",
+        "All {} stations of the lining, all sections.{shaken} Right of N = 0 a section is pulled. N and M are those of the concrete and of bars in it together. Lines of strength are not \
+         drawn: they need thickness, concrete and reinforcement, which the files of section forces do not hold.",
         lining.stations.len()
     );
     let svg = svg.finish(axes.bottom + 42.0, &title, "moment over thrust at each station");

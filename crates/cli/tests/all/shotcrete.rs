@@ -99,10 +99,10 @@ fn thrust(folder: &Path, out: &str, group: &str, stage: &str) -> [f64; 2] {
 }
 
 /// Compression \[N/m\] of a thin ring that stands while all of the pressure is let go, in plane strain: it takes p/(1 + 2G c) of
-/// it, c = (1 − ν²) R/(E t).
-fn thin_ring(young: f64) -> f64 {
+/// it, c = R/(E t/(1 − ν²) + E_s a), a its steel per metre.
+fn thin_ring(young: f64, bars: f64) -> f64 {
     let shear = ROCK[0] / (2.0 * (1.0 + ROCK[1]));
-    let compliance = (1.0 - POISSON * POISSON) * RADIUS / (young * THICK);
+    let compliance = RADIUS / (young * THICK / (1.0 - POISSON * POISSON) + bars);
     PRESSURE * RADIUS / (1.0 + 2.0 * shear * compliance)
 }
 
@@ -116,7 +116,7 @@ fn shotcrete_takes_each_share_by_the_modulus_it_has_then_and_the_lining_after_it
     assert_eq!(code(&done), 0, "{}", errors(&done));
     let after = |stage: &str| thrust(folder, "out", "hall.shotcrete", stage);
     let [placed, hardened, rest, lined] = ["spray", "hardened", "rest", "lining"].map(after);
-    let shares = MODULI.map(|young| 0.3 * thin_ring(young));
+    let shares = MODULI.map(|young| 0.3 * thin_ring(young, 0.0));
     for (found, exact) in [(placed, -shares[0]), (rest, -shares[0] - shares[1])] {
         assert!((found[0] / exact - 1.0).abs() < 0.05, "{} {exact}", found[0]);
         assert!(found[1] < 0.05 * exact.abs(), "{found:?}");
@@ -155,8 +155,29 @@ fn interfaces_lie_between_lining_and_shotcrete_and_between_shotcrete_and_rock() 
         };
         assert_eq!(faces(none), 0);
         assert!(faces(stage) > 40, "{between} {}", faces(stage));
-        let exact = MODULI.map(|young| 0.3 * thin_ring(young));
+        let exact = MODULI.map(|young| 0.3 * thin_ring(young, 0.0));
         let [found, _] = thrust(folder, "out", "hall.shotcrete", "lining");
         assert!((found / -(exact[0] + exact[1]) - 1.0).abs() < 0.05, "{between} {found}");
+    }
+}
+
+/// Bars go on through the change of the concrete's modulus, and their part of the thrust is in the table.
+#[test]
+fn bars_round_a_ring_take_their_part_of_the_thrust_while_it_hardens() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder);
+    let bars = "[[reinforcement]]\non = [\"*.shotcrete\"]\narea = \"1570 mm2/m\"\ncover = \"5 cm\"\ndirection = \"across\"\n[initial]";
+    change(folder, "[initial]", bars);
+    let done = run(folder, "out", &[]);
+    assert_eq!(code(&done), 0, "{}", errors(&done));
+    let [plain, with] =
+        [0.0, 2.0 * 200e9 * 1.57e-3].map(|bars| MODULI.map(|young| 0.3 * thin_ring(young, bars)));
+    for (stage, parts) in [("spray", 1), ("rest", 2)] {
+        let [found, apart] = thrust(folder, "out", "hall.shotcrete", stage);
+        let [plain, exact] = [plain, with].map(|shares| shares[..parts].iter().sum::<f64>());
+        assert!((-found / exact - 1.0).abs() < 0.05, "{stage} {found} {exact}");
+        assert!(apart < 0.05 * exact, "{stage} {apart}");
+        assert!(exact > 1.2 * plain, "the check can tell bars from none: {exact} {plain}");
     }
 }

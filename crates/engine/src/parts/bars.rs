@@ -3,7 +3,7 @@
 //! A bar carries along its axis alone. Its points see the motion of what they lie in by the shape functions there, and give their
 //! force to the same nodes with the same weights: so forces do the work that the bar takes up, and any uniform strain is seen
 //! exactly, whatever strain the elements assume. Without a bond a segment strains as its two points part. With one the bar has a
-//! displacement of its own along its axis ([`chain`]).
+//! displacement of its own along its axis.
 //!
 //! What is remembered lies bolt by bolt among the numbers of the part ([`memory`]).
 

@@ -55,7 +55,12 @@ impl SectionForces {
         self.stations.is_empty()
     }
 
-    /// Forces of every station at a time; not a number where it does not stand.
+    /// Middle of the mid-surface of every station \[m\].
+    pub fn places(&self) -> impl Iterator<Item = [f64; 3]> {
+        self.stations.iter().map(|(_, station)| station.place)
+    }
+
+    /// Forces of every station at a time, in the order of the stations; not a number where it does not stand.
     pub fn at(&self, view: &View) -> Vec<[f64; 3]> {
         let points = |e: u32| {
             let slot = slot_of(view, e)?;
@@ -149,19 +154,27 @@ impl SectionForces {
 /// Segments of bars that move with what they lie in, by the station they lie in.
 fn steel(model: &Model, stations: &[(String, Station)]) -> Vec<Vec<Steel>> {
     let mut found = vec![Vec::new(); stations.len()];
-    let mut station_of: HashMap<u32, Vec<usize>> = HashMap::new();
+    let mut station_of: HashMap<u32, usize> = HashMap::new();
     for (k, (_, station)) in stations.iter().enumerate() {
         for &(e, _) in &station.stack {
             // What the element was before its material changed is in its place.
             let same = std::iter::successors(Some(e), |e| model.successors.get(e).copied());
-            same.for_each(|e| station_of.entry(e).or_default().push(k));
+            station_of.extend(same.map(|e| (e, k)));
         }
     }
     for (s, set) in model.bolts.iter().enumerate().filter(|(_, set)| set.kind.bond.is_none()) {
         for (b, bolt) in set.bolts.iter().enumerate() {
             for (i, segment) in bolt.segments.iter().enumerate().filter(|(_, segment)| !segment.free) {
                 let ends = segment.points.map(|p| &bolt.points[p as usize]);
-                for &k in station_of.get(&ends[0].host).into_iter().flatten() {
+                // A point between two elements may be counted to either: the segment is in the one around its middle.
+                let middle = bolt.middle(i);
+                let off = |k: &usize| {
+                    let station = &stations[*k].1;
+                    let off = |c: usize| (middle[c] - station.place[c]) * station.along[c];
+                    (off(0) + off(1) + off(2)).abs()
+                };
+                let near = ends.iter().filter_map(|end| station_of.get(&end.host));
+                if let Some(&k) = near.min_by(|a, b| off(a).total_cmp(&off(b))) {
                     let shares = Steel::shares(&stations[k].1, ends.map(|end| end.place));
                     found[k].push(Steel { segment: [s, b, i], shares });
                 }

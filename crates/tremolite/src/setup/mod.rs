@@ -162,6 +162,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     problem.interfaces = interfaces;
     problem.bolts = bolts;
     problem.bolts.extend(bars);
+    reinforcement::tell_apart(&mut problem.bolts);
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
     problem.top = sides::top(dynamic.top.value);

@@ -2,7 +2,7 @@
 
 use super::groups::nothing_fits;
 use crate::sections::{Station, stations};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use tremolite_case::{BarDirection, BarFace, Case, Problem, Reinforcement, pattern};
 use tremolite_engine::{Bar, Bolts, Life, Stage};
 use tremolite_mesh::{Mesh, Shape};
@@ -32,6 +32,7 @@ pub fn build(
         let Some(groups) = groups(steel, mesh, solid, problems) else { continue };
         let mut legs: BTreeMap<Stage, Vec<Leg>> = BTreeMap::new();
         let (mut count, mut without) = (0, 0);
+        let before = problems.len();
         for (name, elements) in &groups {
             let stations = stations(mesh, elements, &standing);
             let inside: HashSet<u32> =
@@ -46,6 +47,9 @@ pub fn build(
                 let born = station.stack.iter().map(|(e, _)| lives[*e as usize].born).max();
                 legs.entry(born.unwrap_or(Stage::Before(0))).or_default().push(leg);
             }
+        }
+        if problems.len() > before {
+            continue;
         }
         if legs.is_empty() {
             let names: Vec<&str> = groups.iter().map(|(name, _)| *name).collect();
@@ -69,8 +73,9 @@ pub fn build(
             Some(name) => name.value.clone(),
             None => groups.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", "),
         };
+        let several = legs.len() > 1;
         all.extend(legs.into_iter().map(|(born, legs)| Bolts {
-            name: name.clone(),
+            name: if several { format!("{name} {}", when(case, born)) } else { name.clone() },
             bars: chains(&legs),
             young: steel.young.value,
             yields: steel.yields.as_ref().map_or(f64::INFINITY, |y| y.value),
@@ -83,6 +88,30 @@ pub fn build(
         }));
     }
     (all, warnings)
+}
+
+/// From when on bars are there.
+fn when(case: &Case, born: Stage) -> String {
+    match born {
+        Stage::Before(k) => match usize::from(k).checked_sub(1).and_then(|k| case.stages.get(k)) {
+            Some(stage) => format!("of {}", stage.name.value),
+            None => "from the start".to_owned(),
+        },
+        Stage::Shaking => "of the earthquake".to_owned(),
+    }
+}
+
+/// Gives groups of bolts that share a name a number behind it: tables go by names.
+pub fn tell_apart(all: &mut [Bolts]) {
+    let mut known: BTreeSet<String> = BTreeSet::new();
+    for bolts in all {
+        let name = bolts.name.clone();
+        let mut next = 2;
+        while !known.insert(bolts.name.clone()) {
+            bolts.name = format!("{name} {next}");
+            next += 1;
+        }
+    }
 }
 
 /// The groups that are reinforced, each with its elements, without those that a larger one holds; none if they do not fit.

@@ -17,6 +17,7 @@ mod history;
 mod outside_law;
 mod outside_part;
 mod ready;
+mod reinforcement;
 mod relax;
 mod runs;
 mod setup_materials;
