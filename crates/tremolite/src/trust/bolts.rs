@@ -1,84 +1,87 @@
-//! Checks of bolts.
+//! Checks of bolts that slide, each of all groups together.
 
 use crate::evidence::Evidence;
 use crate::support::{look, seen};
-use tremolite_engine::bolts::BoltSet;
 use tremolite_engine::hexahedra::hex;
-use tremolite_results::{TrustLine, snake};
+use tremolite_results::TrustLine;
 
 /// Slip over the size of the element beside it: a bolt's direction and the elements it lies in do not change.
 const SLIP: f64 = 0.1;
-const NAME: &str = "largest slip of bolts over element size";
-const ID: &str = "bolt_slip";
-/// Out of balance along a bolt over its largest force: a thousandth of what an engineer reads off, far above round-off.
+const SLIP_NAME: &str = "largest slip of bolts over element size";
+const SLIP_ID: &str = "bolt_slip";
+/// Out of balance along a bolt over its group's largest force: a thousandth of what an engineer reads off, far above round-off.
 const BALANCED: f64 = 1e-6;
-const BALANCE_NAME: &str = "force along bolts without a law over their largest";
+const BALANCE_NAME: &str = "force along bolts that no law answers for over the largest";
 const BALANCE_ID: &str = "bolt_balance";
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
-    let Evidence { model, assembly, outcome, .. } = evidence;
-    let bonded = model.bolts.iter().enumerate().filter(|(_, set)| set.kind.bond.is_some());
-    let Some(stage) = outcome.stage() else { return Vec::new() };
-    let seen = seen(&model.bolts, stage, &look(assembly, &outcome.state.numbers));
-    let line = |(s, set): (usize, &BoltSet)| {
-        let mut worst = (0.0_f64, 0.0_f64, 0);
-        for (bolt, seen) in set.bolts.iter().zip(&seen[s]) {
-            let hosts = bolt.points.iter().filter_map(|point| hex(&model.mesh, point.host as usize).ok());
-            let size = hosts.map(|hex| hex.volume.cbrt()).fold(f64::INFINITY, f64::min);
-            let share = seen.slip / size;
-            if share > worst.0 || share.is_nan() {
-                worst = (share, seen.slip, bolt.bar + 1);
-            }
-        }
-        let (share, slip, bolt) = worst;
-        let line = TrustLine::at_most(
-            format!("{ID}_{}", snake(&set.kind.name)),
-            &format!("{NAME}, {}", set.kind.name),
-            share,
-            SLIP,
-            "",
-        );
-        let note =
-            "a bolt stays in the elements it was cut by and keeps its direction, so slip must stay small";
-        let at =
-            if bolt > 0 { format!("smallest element that bolt {bolt} lies in; ") } else { String::new() };
-        line.with("slip", slip).with_note(format!("{at}{note}"))
-    };
-    let mut lines: Vec<TrustLine> = bonded.clone().map(line).collect();
-    if lines.is_empty() {
+    let bonded = evidence.model.bolts.iter().any(|set| set.kind.bond.is_some() && !set.bolts.is_empty());
+    if !bonded {
         let none = |id, name| TrustLine::not_applicable(id, name, "no bolts with a bond");
-        return vec![none(ID, NAME), none(BALANCE_ID, BALANCE_NAME)];
+        return vec![none(SLIP_ID, SLIP_NAME), none(BALANCE_ID, BALANCE_NAME)];
     }
-    lines.extend(bonded.map(|(s, set)| balance(evidence, s, set)));
-    lines
+    vec![slip(evidence), balance(evidence)]
 }
 
-/// What of a bolt's force no law answers for, where its sliders did not settle.
-fn balance(evidence: &Evidence, s: usize, set: &BoltSet) -> TrustLine {
-    let Evidence { assembly, outcome, .. } = evidence;
-    let (bolting, numbers) = (&assembly.bolts[s], &outcome.state.numbers);
-    let (mut rest, mut passes, mut force) = ((0.0_f64, 0), 0, 0.0_f64);
-    for (b, bolt) in set.bolts.iter().enumerate() {
-        let (of_bolt, most) = bolting.unsettled(numbers, b);
-        if of_bolt > rest.0 || of_bolt.is_nan() {
-            rest = (of_bolt, bolt.bar + 1);
+/// The largest of some shares, with what else is to be said of it and the bolt: group and number.
+#[derive(Default)]
+struct Worst {
+    share: f64,
+    value: f64,
+    bolt: Option<(String, u32)>,
+}
+
+impl Worst {
+    fn take(&mut self, share: f64, value: f64, group: &str, bar: u32) {
+        // A share that is no number is the worst.
+        if share > self.share || share.is_nan() {
+            *self = Worst { share, value, bolt: Some((group.to_owned(), bar + 1)) };
         }
-        passes = passes.max(most);
-        let forces =
-            bolting.seen(numbers, b).into_iter().map(|seen| seen.largest_force.max(seen.force.abs()));
-        force = forces.fold(force, f64::max);
     }
-    let share = if rest.0 == 0.0 { 0.0 } else { rest.0 / force };
-    let line = TrustLine::at_most(
-        format!("{BALANCE_ID}_{}", snake(&set.kind.name)),
-        &format!("{BALANCE_NAME}, {}", set.kind.name),
-        share,
-        BALANCED,
-        "",
-    );
-    let at = if rest.1 > 0 { format!("most at bolt {}; ", rest.1) } else { String::new() };
-    line.with("force", rest.0).with("passes", f64::from(passes)).with_note(format!(
-        "{at}what sliders carry beyond their strength where {passes} passes did not settle them, in any step since they were \
-         placed, over the largest force of the group; smaller steps, or a lower release a stage, settle them"
+
+    fn place(&self) -> String {
+        self.bolt.as_ref().map(|(group, bolt)| format!("bolt {bolt} of {group}; ")).unwrap_or_default()
+    }
+}
+
+fn slip(evidence: &Evidence) -> TrustLine {
+    let Evidence { model, assembly, outcome, .. } = evidence;
+    let mut worst = Worst::default();
+    let stage = outcome.stage();
+    let seen = stage.map(|stage| seen(&model.bolts, stage, &look(assembly, &outcome.state.numbers)));
+    for (s, set) in model.bolts.iter().enumerate().filter(|(_, set)| set.kind.bond.is_some()) {
+        for (bolt, seen) in set.bolts.iter().zip(seen.iter().flat_map(|seen| &seen[s])) {
+            let hosts = bolt.points.iter().filter_map(|point| hex(&model.mesh, point.host as usize).ok());
+            let size = hosts.map(|hex| hex.volume.cbrt()).fold(f64::INFINITY, f64::min);
+            worst.take(seen.slip / size, seen.slip, &set.kind.name, bolt.bar);
+        }
+    }
+    let at = worst.place();
+    TrustLine::at_most(SLIP_ID.to_owned(), SLIP_NAME, worst.share, SLIP, "").with("slip", worst.value).with_note(format!(
+        "{at}of any step, over the smallest element that the bolt lies in: a bolt stays in the elements it was cut by and keeps \
+         its direction, so slip must stay small"
+    ))
+}
+
+/// What of bolts' forces no law answers for, where their sliders did not settle.
+fn balance(evidence: &Evidence) -> TrustLine {
+    let Evidence { model, assembly, outcome, .. } = evidence;
+    let numbers = &outcome.state.numbers;
+    let (mut worst, mut passes) = (Worst::default(), 0);
+    for (set, bolting) in model.bolts.iter().zip(&assembly.bolts).filter(|(set, _)| set.kind.bond.is_some()) {
+        let of_bolt =
+            |b: usize| bolting.seen(numbers, b).into_iter().map(|s| s.largest_force.max(s.force.abs()));
+        let force = (0..set.bolts.len()).flat_map(of_bolt).fold(0.0, f64::max);
+        for (b, bolt) in set.bolts.iter().enumerate() {
+            let (rest, most) = bolting.unsettled(numbers, b);
+            passes = passes.max(most);
+            worst.take(if rest == 0.0 { 0.0 } else { rest / force }, rest, &set.kind.name, bolt.bar);
+        }
+    }
+    let at = worst.place();
+    let line = TrustLine::at_most(BALANCE_ID.to_owned(), BALANCE_NAME, worst.share, BALANCED, "");
+    line.with("force", worst.value).with("passes", f64::from(passes)).with_note(format!(
+        "{at}what sliders carry beyond their strength where {passes} passes at most did not settle them, in any step since the \
+         bolt was placed, over the largest force of its group"
     ))
 }
