@@ -1,6 +1,8 @@
-//! Bolts of several problems, and a bar that is pulled out of its bond.
+//! Bolts of several problems, a bar that is pulled out of its bond, and bolts followed from outside.
 
-use tremolite::{Bar, Bolts, Bond, Stage};
+use crate::simulation::Simulation;
+use tremolite::bolts::Bolt;
+use tremolite::{Bar, Bolts, Bond, Stage, State};
 
 /// Young's modulus of steel \[Pa\], and the area of a bar of 25 mm \[m²\].
 pub const STEEL: f64 = 200e9;
@@ -75,6 +77,12 @@ impl Bonded {
             / (beta * (self.length - slid)).sinh()
     }
 
+    /// Largest error \[N\] of forces cut into segments \[m\] where a front falls between points: there the force per length bends by Sβ
+    /// at most, which sums of it over a segment miss by h²/8 of that.
+    pub fn front_error(&self, segment: f64) -> f64 {
+        segment * segment / 8.0 * self.strength * self.beta()
+    }
+
     /// Bar ahead of the rock against the pull \[m\].
     pub fn slip(&self, pull: f64, x: f64) -> f64 {
         let (slid, beta) = (self.slid(pull), self.beta());
@@ -98,6 +106,91 @@ pub fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
         if holds(middle) { low = middle } else { high = middle }
     }
     0.5 * (low + high)
+}
+
+/// A bolt followed from outside.
+pub struct Watched {
+    bolt: Bolt,
+    /// Force on the rock \[N\] and slip \[m\] at its points.
+    seen: Vec<[f64; 2]>,
+    /// ∫F ds and ½F²/k of all points \[J\].
+    work: f64,
+    stored: f64,
+    /// Force \[N\] and plastic strain of its segments, and ∫N dε_p ℓ \[J\].
+    segments: Vec<[f64; 2]>,
+    plastic: f64,
+}
+
+impl Watched {
+    pub fn new(bolt: &Bolt) -> Self {
+        Watched {
+            bolt: bolt.clone(),
+            seen: vec![[0.0; 2]; bolt.points.len()],
+            work: 0.0,
+            stored: 0.0,
+            segments: vec![[0.0; 2]; bolt.segments.len()],
+            plastic: 0.0,
+        }
+    }
+
+    /// What friction took \[J\]: work on slips less what bonds store.
+    pub fn friction(&self) -> f64 {
+        self.work - self.stored
+    }
+
+    /// What yield took \[J\].
+    pub fn plastic(&self) -> f64 {
+        self.plastic
+    }
+
+    /// Takes in a step, of the bolt `b` of the only set; the largest force of its segments \[N\].
+    pub fn look(&mut self, simulation: &Simulation, state: &State, b: usize) -> f64 {
+        let (bolt, model) = (&self.bolt, &simulation.model);
+        let seen = simulation.assembly.bolts[0].seen(&state.numbers, b);
+        let largest = seen.iter().map(|seen| seen.force.abs()).fold(0.0, f64::max);
+        for ((segment, seen), then) in bolt.segments.iter().zip(&seen).zip(&mut self.segments) {
+            let now = [seen.force, seen.plastic_strain];
+            self.plastic += 0.5 * (now[0] + then[0]) * (now[1] - then[1]) * segment.length;
+            *then = now;
+        }
+        let Some(bond) = model.bolts[0].kind.bond else { return largest };
+        let rock = |p: u32| {
+            let point = &bolt.points[p as usize];
+            let u = |n: u32| state.u[model.engine_node[n as usize] as usize].xyz();
+            let t = bolt.segments[0].along;
+            point.weights.iter().map(|&(n, w)| w * (0..3).map(|i| t[i] * u(n)[i]).sum::<f64>()).sum::<f64>()
+        };
+        // By how much the slip grows along each segment.
+        let grows: Vec<f64> = bolt
+            .segments
+            .iter()
+            .zip(&seen)
+            .map(|(segment, seen)| {
+                let [from, to] = segment.points;
+                segment.length * (seen.force / (STEEL * segment.area) + seen.plastic_strain)
+                    - (rock(to) - rock(from))
+            })
+            .collect();
+        // The larger of both ends' is told: of the first segment it is the second's if it grows on its way from none.
+        let told = seen[0].slip;
+        let mut slip = if told * grows[0] > 0.0 { told - grows[0] } else { told };
+        let (mut before, mut stored) = (0.0, 0.0);
+        for i in 0..=seen.len() {
+            let after = seen.get(i).map_or(0.0, |seen| seen.force);
+            let beside =
+                |k: Option<usize>| k.and_then(|k| bolt.segments.get(k)).map_or(0.0, |s| 0.5 * s.length);
+            let (force, stiffness) =
+                (after - before, bond.stiffness * (beside(i.checked_sub(1)) + beside(Some(i))));
+            let [then, was] = self.seen[i];
+            self.work += 0.5 * (force + then) * (slip - was);
+            stored += 0.5 * force * force / stiffness;
+            self.seen[i] = [force, slip];
+            slip += grows.get(i).copied().unwrap_or(0.0);
+            before = after;
+        }
+        self.stored = stored;
+        largest
+    }
 }
 
 #[cfg(test)]

@@ -226,6 +226,33 @@ fn a_pull_out_within_the_strength_of_the_bond_is_the_elastic_solution() {
     assert!(errors.windows(2).all(|e| e[1] < 0.35 * e[0]), "{errors:?}");
 }
 
+/// The rock of a bond moves at once by more than all of its sliders hold, and the free length before it yields: how many passes
+/// that takes grows with the segments.
+#[test]
+fn a_bond_of_many_segments_that_slides_all_at_once_settles() {
+    for segment in [0.1, 0.02] {
+        let mut problem = cube(6, Quadrature::OnePoint);
+        let mut kind = bolts(&[[[3.1, 2.9, 0.1], [3.1, 2.9, 5.9]]]);
+        kind.bond = Some(bond(segment));
+        (kind.free_length, kind.plates, kind.yields) = (2.0, [true, false], 80e6);
+        problem.bolts = vec![kind];
+        let built = Built::new(problem);
+        let seen = built.observed(&mut built.displaced(|_| [0.0; 3]));
+        for by in [0.6e-3, 1.5e-3, 5e-3] {
+            let mut state = built.displaced(|x| [0.0, 0.0, if x[2] > 1.5 { by } else { 0.0 }]);
+            let now = built.observed(&mut state);
+            let (rest, passes) = built.assembly.bolts[0].unsettled(&state.numbers, 0);
+            assert!(
+                rest < 1e-3,
+                "{segment} m, {by} m: {rest} N after {passes} passes of {} segments",
+                seen.len()
+            );
+            let yields = now[0].yields_at;
+            assert!(now.iter().all(|seen| seen.force <= yields) && now[0].force <= yields);
+        }
+    }
+}
+
 /// Rock strained at random by what a shaking would do: bonds slide, the bar yields, and every step's work is in a line.
 #[test]
 fn work_on_a_sliding_yielding_and_breaking_bolt_is_in_its_lines() {

@@ -82,7 +82,7 @@ problems! {
     release_ramp Verify,
     bolt_pull_out Test,
     bolt_across_interface Test,
-    bolt_pretension Test,
+    bolt_pretension Verify,
     bolted_tunnel Test,
     bolted_wave Test,
 }

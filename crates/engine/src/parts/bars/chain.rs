@@ -17,7 +17,8 @@ use crate::bolts::Bolts;
 use std::ops::Range;
 use tremolite_laws::Row;
 
-/// Passes after which the bar is taken where it is.
+/// Passes after which the bar is taken where it is, besides one for each of its segments: where all of a bond begins to slide at once,
+/// a pass settles few of its sliders.
 const MOST_PASSES: u32 = 30;
 /// Out of balance over the largest force, and over what forces displacements have in them, that is round-off.
 const BALANCED: f64 = 1e-11;
@@ -131,9 +132,9 @@ impl Chain {
             self.bar[last] = self.ground[p] - memory.point(p).reference;
         }
         let fixed = [head, tail];
-        let mut passes = 0;
+        let (mut passes, most) = (0, MOST_PASSES + last as u32);
         self.evaluate(memory, fixed);
-        while passes < MOST_PASSES {
+        while passes < most {
             if self.unbalanced {
                 passes += 1;
                 self.improve(memory, fixed);
