@@ -14,6 +14,10 @@ const SAME: f64 = 1e-8;
 /// would be so stiff that it bounds the step.
 const REACH: f64 = 0.25;
 
+/// Share of an element's size below which a piece is no segment of its own: it would tell the strain of an element that it hardly
+/// reaches.
+const TIP: f64 = 0.05;
+
 /// What bars lie in.
 pub struct Ground<'a> {
     pub mesh: &'a Mesh,
@@ -186,7 +190,8 @@ impl Saw<'_> {
         bolt.segments.push(segment);
     }
 
-    /// Pieces that make one segment: each by itself, but for those that an interface parts where nothing slides along the bar.
+    /// Pieces that make one segment: each by itself, but for those that an interface parts where nothing slides along the bar, and
+    /// for the tip of a bar in the next element.
     fn clusters<'p>(&self, pieces: &'p [Piece]) -> Vec<&'p [Piece]> {
         let mut joined = vec![false; pieces.len()];
         let at = |k: usize| &pieces[k];
@@ -205,6 +210,13 @@ impl Saw<'_> {
                 right += 1;
                 joined[right] = true;
                 reached += at(right).length;
+            }
+        }
+        if self.kind.bond.is_none() {
+            for k in (0..pieces.len()).filter(|&k| at(k).length < TIP * self.ground.size(at(k).host)) {
+                if let Some(joined) = joined.get_mut(k.max(1)) {
+                    *joined = true;
+                }
             }
         }
         let mut clusters = Vec::new();
