@@ -89,7 +89,15 @@ mod tests {
         ] {
             assert!(text.contains(part), "{part}: {text}");
         }
-        let whole = BoltSummary { bolts: 4, given: 4, length: 24.0, segments: 40, ..BoltSummary::default() };
+        let whole = BoltSummary {
+            bolts: 4,
+            given: 4,
+            length: 24.0,
+            segments: 40,
+            yield_force: f64::NAN,
+            pretension: 0.0,
+            ..BoltSummary::default()
+        };
         let lines = group_in_words("bars", &whole);
         assert_eq!(lines.len(), 2);
         assert!(
