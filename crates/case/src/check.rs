@@ -49,7 +49,7 @@ impl<'a> Checker<'a> {
         if more.is_some() {
             for (name, (at, _)) in given.iter().filter(|(name, _)| !keys().any(|k| k.name == **name)) {
                 let here = keys().filter(|k| !k.is_later() && !ruled_out(k.when, &given));
-                let remedy = suggest::key(self.case, name, here.map(|k| k.name));
+                let remedy = suggest::key(self.case, table.path, name, here.map(|k| k.name));
                 self.problem(at.clone(), format!("`{name}` is no key of {}", place(path)), remedy);
             }
         }

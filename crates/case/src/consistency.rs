@@ -51,7 +51,9 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Problem>, Vec<Prob
     interfaces(case, &mut problems);
     let bolts = bolts::check(case, &written.excavates, &mut problems);
     monitors(case, &bolts, bolts.len() == written.bolts, &mut problems);
-    unique(bolts, "bolts", "give each its own name", &mut problems);
+    // Reinforcement is told of beside them, so it has names of its own as well.
+    let bars = case.tables("reinforcement").filter_map(|steel| steel.text("name"));
+    unique(bolts.into_iter().chain(bars).collect(), "bolts", "give each its own name", &mut problems);
     if let Some(output) = case.table("output") {
         unique(output.texts("fields"), "field", "name each field once", &mut problems);
     }

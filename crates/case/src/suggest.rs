@@ -21,6 +21,7 @@ pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
 /// What to write for an unknown key; `case` is the table of all tables, one of which may have it.
 pub(crate) fn key<'a>(
     case: &'static Table,
+    path: &str,
     name: &str,
     here: impl Iterator<Item = &'a str> + Clone,
 ) -> String {
@@ -29,18 +30,40 @@ pub(crate) fn key<'a>(
     }
     let keys: Vec<&str> = here.collect();
     let list = format!("keys here: {}", keys.join(", "));
-    match owner(case, name) {
+    // A key behind the header of a table within a table is that table's: its own comes before.
+    let around = path.rsplit_once('.').map(|(around, _)| around);
+    let in_it = around.and_then(|around| named(case, around)).filter(|table| has(table, name));
+    match in_it.or_else(|| owner(case, name)) {
+        Some(table) if Some(table.path) == around => {
+            format!("`{name}` belongs to [[{}]], above its [[{path}]]; {list}", table.path)
+        }
         Some(table) if table.path.is_empty() => {
-            format!("`{name}` belongs above all tables, at the top of the file; {list}")
+            let of = table.keys.iter().find(|k| k.name == name);
+            match of.map(|k| sample(k.name, &k.kind)).filter(|sample| sample.starts_with('[')) {
+                Some(header) => format!("{header} is a table of its own; {list}"),
+                None => format!("`{name}` belongs above all tables, at the top of the file; {list}"),
+            }
         }
         Some(table) => format!("`{name}` belongs to [{}]; {list}", table.path),
         None => list,
     }
 }
 
+fn has(table: &Table, name: &str) -> bool {
+    table.keys.iter().any(|k| k.name == name && !k.is_later())
+}
+
+/// The table of a path, this one or below it.
+fn named(table: &'static Table, path: &str) -> Option<&'static Table> {
+    if table.path == path {
+        return Some(table);
+    }
+    table.keys.iter().flat_map(|k| tables(&k.kind)).find_map(|t| named(t, path))
+}
+
 /// The first table below this one that has such a key.
 fn owner(table: &'static Table, name: &str) -> Option<&'static Table> {
-    if table.keys.iter().any(|k| k.name == name && !k.is_later()) {
+    if has(table, name) {
         return Some(table);
     }
     table.keys.iter().flat_map(|k| tables(&k.kind)).find_map(|t| owner(t, name))

@@ -60,6 +60,7 @@ impl Bolting {
                 plastic_strain: link.plastic / length,
                 slip: of(elastic),
                 largest_slip: of(|point| point.largest),
+                slid,
                 state,
             }
         };
@@ -150,7 +151,7 @@ impl Maker {
                 bars.weight.push(weight);
             }
             bars.start.push(bars.place.len() as u32);
-            bars.hosts.push(point.host);
+            bars.hosts.push([point.host, point.beside]);
         }
         let of = bars.bars.len();
         for segment in &bolt.segments {

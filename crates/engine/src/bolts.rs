@@ -74,8 +74,9 @@ pub struct BoltPoint {
     pub place: [f64; 3],
     /// Nodes of the mesh with their shape functions, whose sum is 1.
     pub weights: Vec<(u32, f64)>,
-    /// The element it lies in.
+    /// The element it lies in, and that beside it where the bolt goes on there: the same at an end.
     pub host: u32,
+    pub beside: u32,
 }
 
 /// A segment between two points of a bolt.
@@ -111,6 +112,14 @@ impl Bolt {
         self.segments.iter().map(|segment| segment.length).sum()
     }
 
+    /// Distance \[m\] of a point from a segment.
+    fn away(&self, segment: usize, point: [f64; 3]) -> f64 {
+        let Segment { points: [first, _], along, length, .. } = self.segments[segment];
+        let from = [0, 1, 2].map(|i| point[i] - self.points[first as usize].place[i]);
+        let at = (from[0] * along[0] + from[1] * along[1] + from[2] * along[2]).clamp(0.0, length);
+        (0..3).map(|i| (from[i] - at * along[i]).powi(2)).sum::<f64>().sqrt()
+    }
+
     /// Middle of a segment \[m\].
     pub fn middle(&self, segment: usize) -> [f64; 3] {
         let [a, b] = self.segments[segment].points.map(|p| self.points[p as usize].place);
@@ -130,13 +139,14 @@ pub struct BoltSet {
 impl BoltSet {
     /// The segment nearest to a point, as (bolt, segment); none without bolts.
     pub fn nearest(&self, point: [f64; 3]) -> Option<(usize, usize)> {
-        let square = |&(b, s): &(usize, usize)| {
-            let x = self.bolts[b].middle(s);
-            (0..3).map(|i| (x[i] - point[i]).powi(2)).sum::<f64>()
-        };
         let all = self.bolts.iter().enumerate();
         all.flat_map(|(b, bolt)| (0..bolt.segments.len()).map(move |s| (b, s)))
-            .min_by(|a, b| square(a).total_cmp(&square(b)))
+            .min_by(|a, b| self.bolts[a.0].away(a.1, point).total_cmp(&self.bolts[b.0].away(b.1, point)))
+    }
+
+    /// Distance \[m\] of a point from the nearest bolt; infinite without bolts.
+    pub fn distance(&self, point: [f64; 3]) -> f64 {
+        self.nearest(point).map_or(f64::INFINITY, |(b, s)| self.bolts[b].away(s, point))
     }
 }
 
@@ -145,7 +155,7 @@ impl BoltSet {
 pub struct SegmentSeen {
     /// Tension \[N\].
     pub force: f64,
-    /// Its largest size \[N\] in any step since the stage, or the shaking, began.
+    /// That of largest size \[N\] in any step since the stage, or the shaking, began.
     pub largest_force: f64,
     /// Force at which it yields \[N\]; infinite for never.
     pub yields_at: f64,
@@ -155,6 +165,8 @@ pub struct SegmentSeen {
     pub slip: f64,
     /// Largest size of its slip \[m\] since the bolt was placed.
     pub largest_slip: f64,
+    /// Whether its bond ever slid, whatever else became of it.
+    pub slid: bool,
     pub state: SegmentState,
 }
 

@@ -126,7 +126,11 @@ fn monitors(facts: &Summary) -> Option<Block> {
             }));
             row
         };
-    let rows = last.monitors.iter().map(row).collect();
+    // Those at interfaces and bolts have none of these.
+    let has = |of: &indexmap::IndexMap<String, Option<f64>>| {
+        columns.iter().any(|&i| of.contains_key(quantities[i].0))
+    };
+    let rows = last.monitors.iter().filter(|(_, of)| has(of)).map(row).collect();
     Some(Block {
         heading: "Monitors when the stages are done".into(),
         text: format!(

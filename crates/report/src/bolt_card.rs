@@ -7,7 +7,7 @@ use crate::scale::{count, figures, quantity};
 /// The bolt nearest to yield of all groups, or where none yields the one with the largest force: the value and what it is.
 pub fn hardest(facts: &Summary) -> Option<(String, String)> {
     let there = facts.bolts.iter().filter(|(_, group)| group.largest.bolt > 0);
-    let load = |group: &BoltSummary| (group.force_over_yield, group.largest.force);
+    let load = |group: &BoltSummary| (group.force_over_yield, group.largest.force.abs());
     let more = |a: &BoltSummary, b: &BoltSummary| {
         let ((over_a, force_a), (over_b, force_b)) = (load(a), load(b));
         over_a.total_cmp(&over_b).then(force_a.total_cmp(&force_b))

@@ -106,7 +106,8 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     let extremes = interfaces::extremes(&facts).into_iter();
     cards.extend(extremes.map(|(label, value, note)| card(label, value, &note)));
     cards.extend(
-        bolt_card::hardest(&facts).map(|(value, note)| card("Largest force of a bolt", value, &note)),
+        bolt_card::hardest(&facts)
+            .map(|(value, note)| card("Force of the bolt nearest to yield", value, &note)),
     );
     // As the check has it; summaries of other versions leave it to the table.
     let checked = facts.trust.iter().find(|line| line.id == "energy_error");

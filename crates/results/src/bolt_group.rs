@@ -51,7 +51,7 @@ pub struct BoltSummary {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct BoltPeak {
-    /// Size (N).
+    /// N, tension positive.
     #[serde(with = "number", default = "number::absent")]
     pub force: f64,
     /// The bolt's number in its group, from 1; 0 where none carried anything. Its place (m).

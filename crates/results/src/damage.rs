@@ -14,7 +14,7 @@ pub enum Severity {
     Undamaged,
     /// Something cracked or yielded.
     Damaged,
-    /// Cracks run through its thickness.
+    /// Cracks run through its thickness; of bolts, some broke.
     Through,
 }
 

@@ -37,7 +37,7 @@ pub struct BoltSeen {
     pub place: [f64; 3],
     /// Size of the force over what it yields at, at most along the bolt; 0 where it never yields.
     pub over_yield: f64,
-    /// The same as largest sizes in any step since the stage, or the shaking, began.
+    /// The same of any step since the stage, or the shaking, began.
     pub largest_force: f64,
     pub largest_place: [f64; 3],
     pub largest_over_yield: f64,
@@ -73,14 +73,14 @@ impl BoltSeen {
             if !left || more(seen.force.abs(), all.force.abs()) {
                 (all.force, all.place) = (seen.force, bolt.middle(k));
             }
-            if !left || more(seen.largest_force, all.largest_force) {
+            if !left || more(seen.largest_force.abs(), all.largest_force.abs()) {
                 (all.largest_force, all.largest_place) = (seen.largest_force, bolt.middle(k));
             }
             all.over_yield = all.over_yield.max(over_yield(seen.force, seen));
             all.largest_over_yield = all.largest_over_yield.max(over_yield(seen.largest_force, seen));
             all.slip = all.slip.max(seen.largest_slip);
             all.state = all.state.max(seen.state);
-            all.slid |= seen.state == SegmentState::Slid;
+            all.slid |= seen.slid;
             all.yielded |= seen.state == SegmentState::Yielded || seen.plastic_strain != 0.0;
             all.broken |= seen.state == SegmentState::Broken;
             left = true;

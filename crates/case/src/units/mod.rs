@@ -81,6 +81,10 @@ pub fn name_for(key: &str, dimension: Dimension) -> String {
 
 /// A value of this dimension as one might write it for a key.
 pub fn example(key: &str, dimension: Dimension) -> String {
+    // Steel per metre of lining.
+    if key == "area" && dimension == Dimension::LENGTH {
+        return "1570 mm2/m".to_owned();
+    }
     named(key, dimension).map_or_else(|| format!("1 {}", si(dimension)), |n| n.example.to_owned())
 }
 

@@ -151,8 +151,7 @@ pub fn check_bolts(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
                 "leave it out, or see why there is none",
             ),
             Some(BoltPlace { bolt, group, at: [x, y, z], .. }) => {
-                let away =
-                    [x, y, z].iter().zip(monitor.point).map(|(a, b)| (*a - b).powi(2)).sum::<f64>().sqrt();
+                let away = model.bolts[monitor.set].distance(monitor.point);
                 if away <= FAR {
                     continue;
                 }

@@ -157,6 +157,9 @@ impl Saw<'_> {
                 let shared = pieces.last().map(|last| last.points[1]);
                 let same = shared.filter(|&p| see_the_same(&points[p as usize], &first));
                 let crosses = shared.is_some() && same.is_none();
+                if let Some(shared) = same {
+                    points[shared as usize].beside = lain.element;
+                }
                 let first = same.unwrap_or_else(|| push(points, first));
                 let second = push(points, second);
                 let area = bar.areas[lain.leg];
@@ -262,7 +265,7 @@ impl Saw<'_> {
         for (&node, weight) in nodes.iter().zip(shapes).filter(|(_, weight)| *weight != 0.0) {
             weights.push((node, weight));
         }
-        Some(BoltPoint { at, place, weights, host: lain.element })
+        Some(BoltPoint { at, place, weights, host: lain.element, beside: lain.element })
     }
 }
 

@@ -54,8 +54,8 @@ pub struct Bars {
     pub start: Vec<u32>,
     pub place: Vec<u32>,
     pub weight: Vec<f64>,
-    /// The element that each point lies in.
-    pub hosts: Vec<u32>,
+    /// The elements that each point lies in, where it is on a face between them.
+    pub hosts: Vec<[u32; 2]>,
     pub bars: Vec<Bar>,
     pub bolts: Vec<Bolt>,
     pub numbers: usize,
@@ -190,10 +190,14 @@ impl Bars {
     /// Force per length \[N/m\] at which the bond of a point slides: with the pressure on its host across the bar.
     fn strength(&self, point: usize, along: [f64; 3], entry: &Entry) -> f64 {
         let Some(bond) = &self.kind.bond else { return 0.0 };
-        let confinement = match bond.friction > 0.0 {
-            true => (entry.stress)(self.hosts[point]).map_or(0.0, |stress| confinement(&stress, along)),
-            false => 0.0,
-        };
+        let mut confinement = 0.0;
+        if bond.friction > 0.0 {
+            // Of what stands there: an excavation may have taken one of them.
+            let pressures =
+                self.hosts[point].map(|host| Some(pressure_across(&(entry.stress)(host)?, along)));
+            let standing = pressures.iter().flatten().count().max(1) as f64;
+            confinement = pressures.iter().flatten().sum::<f64>() / standing;
+        }
         bond.strength + bond.perimeter * bond.friction * confinement
     }
 
@@ -248,7 +252,7 @@ impl Bars {
 }
 
 /// Mean pressure \[Pa\] across a direction, 0 in tension.
-fn confinement(stress: &[f64; 6], t: [f64; 3]) -> f64 {
+fn pressure_across(stress: &[f64; 6], t: [f64; 3]) -> f64 {
     let [xx, yy, zz, xy, yz, zx] = *stress;
     let along = xx * t[0] * t[0]
         + yy * t[1] * t[1]

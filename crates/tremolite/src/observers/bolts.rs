@@ -115,7 +115,7 @@ fn follow(seen: &[Vec<BoltSeen>], stage: f64, time: f64, memory: &mut Memory) {
     for (bolts, kept) in seen.iter().zip(kept.chunks_exact_mut(PEAK)) {
         for (b, bolt) in bolts.iter().enumerate() {
             kept[1] = kept[1].max(bolt.largest_over_yield);
-            if bolt.largest_force > kept[0] {
+            if bolt.largest_force.abs() > kept[0].abs() {
                 let [x, y, z] = bolt.largest_place;
                 let over = kept[1];
                 kept.copy_from_slice(&[bolt.largest_force, over, stage, time, b as f64, x, y, z]);

@@ -1,5 +1,6 @@
 //! Where bolts come from: patterns on what a stage lays bare, points, files.
 
+mod doubtful;
 mod heads;
 mod listed;
 mod opening;
@@ -30,12 +31,6 @@ const MOST_BOLTS: f64 = 200_000.0;
 const MOST_SEGMENTS: f64 = 5e6;
 /// Heads apart over the smaller spacing, at least.
 const APART: f64 = 0.5;
-/// Length of a segment over that on which the bond passes force on, beyond which ends are not resolved: a chain of such segments
-/// passes force on over a length 12 % too long (arcosh(1 + h²/2)/h at h = 2).
-const COARSE: f64 = 2.0;
-/// Bolts of which the segments are looked at.
-const LOOKED_AT: usize = 50;
-
 /// The bolts of a case.
 pub struct Placed {
     /// In the order of [`Case::bolts`]; a pattern that found no face has no bars.
@@ -78,11 +73,14 @@ pub fn build(case: &Case, mesh: &Mesh, staged: &Staged, problems: &mut Vec<Probl
                 }
                 let openings = bare.as_ref().map_or(&[][..], |(_, openings)| openings);
                 let heads = heads_of(&mut systems, pattern);
-                patterned(mesh, pattern, openings, heads, problems, &mut placed.warnings)
+                patterned(mesh, &written.name, pattern, openings, heads, problems, &mut placed.warnings)
             }
             _ => pointed(&ground, written, &case.stages[k].name, listed, problems),
         };
-        placed.warnings.extend(coarse(&ground, written, &ends));
+        problems.extend(doubtful::pulled_out(written, &ends));
+        placed.warnings.extend(doubtful::units(written));
+        placed.warnings.extend(doubtful::coarse(&ground, written, &ends));
+        placed.warnings.extend(doubtful::buried(&ground, written, &ends));
         too_many(written, &ends, problems);
         placed.bolts.push(made(written, ends, before(k)));
     }
@@ -126,6 +124,7 @@ fn heads_of<'a>(systems: &'a mut Vec<(System, Heads)>, pattern: &BoltPattern) ->
 
 fn patterned(
     mesh: &Mesh,
+    name: &str,
     pattern: &BoltPattern,
     openings: &[Opening],
     heads: &mut Heads,
@@ -156,7 +155,6 @@ fn patterned(
         faces += chosen.iter().filter(|&&chosen| chosen).count();
         lay(pattern, &opening.walls, &chosen, heads, &mut laid);
     }
-    let word = pattern.faces.value.word();
     if laid.bolts.is_empty() {
         let (message, remedy) = if faces == 0 {
             (
@@ -174,7 +172,7 @@ fn patterned(
                 "take another pattern, or a smaller spacing",
             )
         };
-        warnings.push(Problem::at(&pattern.faces, format!("{word}: {message}"), remedy));
+        warnings.push(Problem::at(&pattern.faces, format!("'{name}': {message}"), remedy));
     } else if let (true, Some(direction)) = (laid.along > 0, &pattern.direction) {
         warnings.push(Problem::at(
             direction,
@@ -270,28 +268,6 @@ fn pointed(
         }
     }
     bars
-}
-
-/// That the bond passes force on over less than a segment.
-fn coarse(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Problem> {
-    let bond = written.bond.as_ref()?;
-    let transfer = (written.young.value * written.area() / bond.stiffness.value).sqrt();
-    let step = ends.len().div_ceil(LOOKED_AT).max(1);
-    let pieces: Vec<f64> = ends.iter().step_by(step).filter_map(|&ends| ground.piece(ends)).collect();
-    let mean = pieces.iter().sum::<f64>() / pieces.len().max(1) as f64;
-    let segment = bond.segment.as_ref().map_or(mean, |longest| longest.value.min(mean));
-    let length = |x: f64| units::format(x, Dimension::LENGTH);
-    (segment > COARSE * transfer).then(|| {
-        Problem::at(
-            bond.segment.as_ref().unwrap_or(&bond.stiffness),
-            format!(
-                "the bond passes force on over {}, a segment is some {} long: forces at ends and joints are smeared over it",
-                length(transfer),
-                length(segment)
-            ),
-            format!("write segment = \"{}\" in `bond` where pull-out matters; else leave it", length(0.5 * transfer)),
-        )
-    })
 }
 
 fn too_many(written: &case::Bolts, ends: &[[[f64; 3]; 2]], problems: &mut Vec<Problem>) {

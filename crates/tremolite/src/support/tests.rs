@@ -12,6 +12,7 @@ pub(crate) fn set(name: &str, bolts: u32, born: Stage, yields: f64) -> BoltSet {
         place: [f64::from(bar), 0.0, f64::from(k)],
         weights: vec![(0, 0.25), (1, 0.75)],
         host: 0,
+        beside: 0,
     };
     let segment = |k: u32| Segment {
         points: [k, k + 1],

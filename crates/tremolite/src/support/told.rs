@@ -46,7 +46,8 @@ fn given(set: &BoltSet, plan: &Plan) -> BoltSummary {
         shortened: set.cuts.shortened as u64,
         left_out: set.cuts.left_out as u64,
         crossings: set.cuts.crossings as u64,
-        length: segments().map(|segment| segment.length).sum(),
+        // Of nothing, 0 and not −0.
+        length: segments().map(|segment| segment.length).sum::<f64>() + 0.0,
         segments: segments().count() as u64,
         placed: placed(set.kind.born, plan),
         bonded: set.kind.bond.is_some(),
@@ -129,13 +130,14 @@ const MANY: usize = 2;
 
 /// What became of all groups that are there, where they are many.
 pub fn together(groups: &IndexMap<String, BoltSummary>) -> Option<Finding> {
-    let there = || groups.values().filter(|group| group.there && group.bolts > 0);
+    let there = || groups.iter().filter(|(_, group)| group.there && group.bolts > 0);
     if there().count() <= MANY {
         return None;
     }
     let mut all = BoltSummary { yield_force: f64::NAN, ..BoltSummary::default() };
-    let (mut over, mut largest) = (0.0, 0.0);
-    for group in there() {
+    let (mut over, mut largest): (f64, f64) = (0.0, 0.0);
+    let mut of = String::new();
+    for (name, group) in there() {
         all.bolts += group.bolts;
         all.yielded += group.yielded;
         all.broken += group.broken;
@@ -145,13 +147,17 @@ pub fn together(groups: &IndexMap<String, BoltSummary>) -> Option<Finding> {
         all.yield_force = all.yield_force.min(group.yield_force);
         all.max_slip = group.max_slip.max(all.max_slip);
         over = group.force_over_yield.max(over);
-        if group.largest.force > largest {
+        if group.largest.force.abs() > largest.abs() {
             largest = group.largest.force;
             all.largest = group.largest.clone();
+            of = name.clone();
         }
     }
     all.force_over_yield = over;
-    Some(finding(&format!("all {} groups of bolts", there().count()), &all))
+    let mut all = finding(&format!("All {} groups of bolts and bars", there().count()), &all);
+    // Bolts are numbered in their groups.
+    all.text = all.text.replacen(" at (", &format!(" of '{of}' at ("), 1);
+    Some(all)
 }
 
 fn finding(name: &str, group: &BoltSummary) -> Finding {
@@ -172,7 +178,11 @@ fn finding(name: &str, group: &BoltSummary) -> Finding {
     Finding {
         id: format!("bolts_{}", snake(name)),
         group: name.to_owned(),
-        severity: if whole { Severity::Undamaged } else { Severity::Damaged },
+        severity: match (whole, broken) {
+            (true, _) => Severity::Undamaged,
+            (_, 0) => Severity::Damaged,
+            _ => Severity::Through,
+        },
         headline,
         text,
         numbers: numbers.map(|(name, value)| (name.to_owned(), value)).into_iter().collect(),
@@ -183,18 +193,23 @@ fn finding(name: &str, group: &BoltSummary) -> Finding {
 fn headline(group: &BoltSummary) -> String {
     let BoltSummary { bolts, yielded, broken, gone, .. } = *group;
     if gone == bolts {
-        return format!("nothing is left of its {bolts} bolts, which excavations took");
+        return match bolts {
+            1 => "nothing is left of its one bolt, which excavations took".to_owned(),
+            _ => format!("nothing is left of its {bolts} bolts, which excavations took"),
+        };
     }
     let some = |count: u64| if count == 0 { "none".to_owned() } else { count.to_string() };
     let lost = match (group.yield_force.is_finite(), broken) {
+        (true, _) if bolts == 1 && yielded + broken == 0 => "its one bolt did not yield".to_owned(),
         (true, _) if yielded + broken == 0 => format!("none of {bolts} bolts yielded"),
+        (false, 0) if bolts == 1 => "its one bolt never yields".to_owned(),
         (true, _) => format!("{} of {bolts} bolts yielded, {} broke", some(yielded), some(broken)),
         (false, 0) => format!("{bolts} bolts, which never yield"),
         (false, _) => format!("{broken} of {bolts} bolts broke"),
     };
     let most = match group.yield_force.is_finite() {
         true => format!("{:.2} of yield", group.force_over_yield),
-        false => newtons(group.largest.force),
+        false => signed(group.largest.force),
     };
     format!("{lost}; largest force {most}")
 }
@@ -208,8 +223,7 @@ fn text(group: &BoltSummary) -> String {
             EARTHQUAKE => format!(" at {time:.2} s"),
             stage => format!(" in the stage '{stage}'"),
         };
-        text =
-            format!("Largest force {} in bolt {bolt} at ({x:.1}, {y:.1}, {z:.1}) m{when}.", newtons(force));
+        text = format!("Largest force {} in bolt {bolt} at ({x:.1}, {y:.1}, {z:.1}) m{when}.", signed(force));
     }
     if group.slid > 0 {
         text += &format!(" The bond of {} slid; largest slip {}.", group.slid, metres(group.max_slip));
@@ -221,7 +235,13 @@ fn text(group: &BoltSummary) -> String {
     text.trim_start().to_owned()
 }
 
-/// A force as one says it.
+/// A force with its sense, where it is not the usual one.
+fn signed(force: f64) -> String {
+    let sense = if force < 0.0 { " of compression" } else { "" };
+    format!("{}{sense}", newtons(force.abs()))
+}
+
+/// The size of a force as one says it.
 fn newtons(force: f64) -> String {
     match force.abs() {
         size if size >= 1e6 => format!("{:.2} MN", force / 1e6),

@@ -1,6 +1,7 @@
 //! Checks of bolts that slide, each of all groups together.
 
 use crate::evidence::Evidence;
+use crate::observers::BoltForces;
 use crate::support::{look, seen};
 use tremolite_engine::hexahedra::hex;
 use tremolite_results::TrustLine;
@@ -11,8 +12,10 @@ const SLIP_NAME: &str = "largest slip of bolts over element size";
 const SLIP_ID: &str = "bolt_slip";
 /// Out of balance along a bolt over its group's largest force: a thousandth of what an engineer reads off, far above round-off.
 const BALANCED: f64 = 1e-6;
-const BALANCE_NAME: &str = "force along bolts that no law answers for over the largest";
+const BALANCE_NAME: &str = "force of bonds beyond their strength over the largest of bolts";
 const BALANCE_ID: &str = "bolt_balance";
+/// A largest force \[N\] below which none is meant.
+const LEAST: f64 = 1.0;
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let bonded = evidence.model.bolts.iter().any(|set| set.kind.bond.is_some() && !set.bolts.is_empty());
@@ -63,25 +66,24 @@ fn slip(evidence: &Evidence) -> TrustLine {
     ))
 }
 
-/// What of bolts' forces no law answers for, where their sliders did not settle.
+/// What of bolts' forces no law answers for: there was no balance along the bolt.
 fn balance(evidence: &Evidence) -> TrustLine {
-    let Evidence { model, assembly, outcome, .. } = evidence;
+    let Evidence { model, assembly, plan, outcome, .. } = evidence;
     let numbers = &outcome.state.numbers;
-    let (mut worst, mut passes) = (Worst::default(), 0);
-    for (set, bolting) in model.bolts.iter().zip(&assembly.bolts).filter(|(set, _)| set.kind.bond.is_some()) {
-        let of_bolt =
-            |b: usize| bolting.seen(numbers, b).into_iter().map(|s| s.largest_force.max(s.force.abs()));
-        let force = (0..set.bolts.len()).flat_map(of_bolt).fold(0.0, f64::max);
+    let peaks = BoltForces::peaks(&model.bolts, plan, &outcome.state.observers);
+    let mut worst = Worst::default();
+    let sets = model.bolts.iter().zip(&assembly.bolts).zip(&peaks);
+    for ((set, bolting), (peak, _)) in sets.filter(|((set, _), _)| set.kind.bond.is_some()) {
+        let force = peak.force.abs().max(LEAST);
         for (b, bolt) in set.bolts.iter().enumerate() {
-            let (rest, most) = bolting.unsettled(numbers, b);
-            passes = passes.max(most);
-            worst.take(if rest == 0.0 { 0.0 } else { rest / force }, rest, &set.kind.name, bolt.bar);
+            let (rest, _) = bolting.unsettled(numbers, b);
+            worst.take(rest / force, rest, &set.kind.name, bolt.bar);
         }
     }
     let at = worst.place();
     let line = TrustLine::at_most(BALANCE_ID.to_owned(), BALANCE_NAME, worst.share, BALANCED, "");
-    line.with("force", worst.value).with("passes", f64::from(passes)).with_note(format!(
-        "{at}what sliders carry beyond their strength where {passes} passes at most did not settle them, in any step since the \
-         bolt was placed, over the largest force of its group"
+    line.with("force", worst.value).with_note(format!(
+        "{at}what bonds carried beyond their strength, in any step since the bolt was placed, over the largest force of its group \
+         in any: beyond round-off there was no balance, as where a bolt is drawn out"
     ))
 }

@@ -493,21 +493,27 @@ fn a_listed_bolt_must_lie_in_what_stands_but_for_its_free_length() {
 
 #[test]
 fn a_bond_that_acts_over_less_than_a_segment_is_warned_of() {
-    let with = |bond: &str| {
-        let bolts = pattern("walls", "2").replace("diameter", &format!("bond = {{ {bond} }}, diameter"));
+    let with = |bond: &str, plate: &str| {
+        let bolts =
+            pattern("walls", "2").replace("diameter", &format!("bond = {{ {bond} }}, {plate}diameter"));
         let (bolts, warnings) = placed(&block([0.0, 30.0], None), &stages(&["hall.bench1"], &bolts));
         assert!(!bolts[0].bars.is_empty());
         warnings
     };
     // √(200 GPa · 491 mm² / 10 GPa) = 99 mm; elements are 2 m.
-    let text = with("stiffness = \"10 GPa\", strength = 3e5");
+    let text = with("stiffness = \"10 GPa\", strength = 3e5", "plate = true, ");
     assert!(
-        text.contains("over 99.0832 mm, a segment is some 2 m long") && text.contains("segment = \"49.5"),
+        text.contains("over 0.10 m, a segment is some 2.00 m long") && text.contains("\"0.05 m\""),
         "{text}"
     );
-    assert!(with("stiffness = \"10 GPa\", strength = 3e5, segment = 0.3").contains("some 0.3 m long"));
-    assert!(!with("stiffness = \"10 GPa\", strength = 3e5, segment = 0.1").contains("bond"));
-    assert!(!with("stiffness = \"30 MPa\", strength = 3e5").contains("bond"));
+    let finer = "stiffness = \"10 GPa\", strength = 3e5, segment = 0.3";
+    assert!(with(finer, "plate = true, ").contains("some 0.30 m long"));
+    assert!(
+        !with("stiffness = \"10 GPa\", strength = 3e5, segment = 0.1", "plate = true, ").contains("bond")
+    );
+    assert!(!with("stiffness = \"30 MPa\", strength = 3e5", "plate = true, ").contains("bond"));
+    // Where nothing ends that matters, it is the rule.
+    assert!(!with("stiffness = \"10 GPa\", strength = 3e5", "").contains("bond"));
     let bolts = pattern("walls", "2")
         .replace("diameter", "bond = { stiffness = 1e10, strength = 1e5, segment = 1e-5 }, diameter");
     let refused =

@@ -260,9 +260,12 @@ fn work_on_a_sliding_yielding_and_breaking_bolt_is_in_its_lines() {
     for seed in 1..40u64 {
         let mut problem = cube(3, Quadrature::OnePoint);
         let mut kind = bolts(&[[HEAD, TAIL]]);
-        kind.bond = Some(bond(0.15));
+        // From stiff to soft, from strong to weak, coarse and fine.
+        let segment = if seed % 4 == 0 { 0.04 } else { 0.15 };
+        let strength = [50e3, 300e3, 2e3][seed as usize % 3];
+        kind.bond = Some(Bond { strength, stiffness: [1e8, 1e10][seed as usize % 2], ..bond(segment) });
         kind.plates = [seed % 2 == 0, seed % 3 == 0];
-        kind.yields = 120e6;
+        kind.yields = [120e6, 20e6, 400e6][seed as usize % 3];
         kind.breaks = if seed % 5 == 0 { 4e-3 } else { f64::INFINITY };
         problem.bolts = vec![kind];
         let built = Built::new(problem);
@@ -313,13 +316,13 @@ fn work_on_a_sliding_yielding_and_breaking_bolt_is_in_its_lines() {
             }
             broken = now_broken;
             let (rest, passes) = built.assembly.bolts[0].unsettled(&state.numbers, 0);
-            assert!(rest < 1e-3, "step {step}: {rest} N after {passes} passes");
+            assert!(rest < 1e-4, "step {step}: {rest} N after {passes} passes");
             most_passes = most_passes.max(passes);
         }
-        assert!(spent[0] > 0.0);
+        assert!(spent[0] + spent[1] > 0.0);
     }
     eprintln!("{most_passes} passes at most");
-    assert!(most_passes < 30);
+    assert!(most_passes > 7, "the sweep was never asked");
 }
 
 fn motion_of(state: &State) -> tremolite_kernels::Motion<'_> {
@@ -512,4 +515,30 @@ fn a_bond_with_friction_slides_at_what_presses_on_it_across_the_bar() {
         }
     }
     assert!(slid > 10, "{slid}");
+}
+
+/// Cut by an excavation, with a bond by friction alone: at the cut the rock that is left presses on it, whichever end is the head.
+#[test]
+fn a_bolt_is_the_same_from_either_end() {
+    let (above, below) = ([6.3, 2.1, 11.7], [6.4, 1.9, 6.6]);
+    let forces = |ends: [[f64; 3]; 2]| {
+        let mut problem = lined(false);
+        let mut kind = bolts(&[ends]);
+        kind.bond = Some(Bond { strength: 100.0, friction: 0.7, ..bond(f64::INFINITY) });
+        problem.bolts = vec![kind];
+        let built = Built::new(problem);
+        let (state, _) = settle(&built.model, &built.assembly, &[close(), close()]).unwrap();
+        let seen = built.assembly.bolts[0].seen(&state.numbers, 0);
+        (0..seen.len()).map(|k| (built.model.bolts[0].bolts[0].middle(k)[2], seen[k])).collect::<Vec<_>>()
+    };
+    let (down, mut up) = (forces([above, below]), forces([below, above]));
+    up.reverse();
+    assert_eq!(down.len(), up.len());
+    let most = down.iter().fold(0.0f64, |most, (_, seen)| most.max(seen.force.abs()));
+    assert!(most > 100.0 && down.iter().any(|(_, seen)| seen.state == SegmentState::CutOff));
+    for ((z, a), (other, b)) in down.iter().zip(&up) {
+        assert!((z - other).abs() < 1e-9);
+        assert!((a.force - b.force).abs() < 1e-6 * most, "{z}: {a:?} {b:?}");
+        assert_eq!((a.state, a.slid), (b.state, b.slid), "{z}");
+    }
 }

@@ -4,22 +4,24 @@
 //! grows with the slip and ends at its strength. By nodes, N_i − N_{i−1} = Σ b, with N the tension of the segments and b the
 //! sliders of half a segment on either side; where an interface crosses there are two sliders, one for each side's ground. There
 //! is no mass, so w follows u in every evaluation, and the step is not bound by it. w makes a convex energy smallest: Newton's
-//! method finds it, with a tridiagonal system a pass, in as many passes as sets of what slides and yields are met; a pass goes
-//! along its step as far as the energy falls, so that it cannot turn in circles. Mostly one pass does.
+//! method finds it, with a tridiagonal system a pass, which goes along its step as far as the energy falls. Mostly one pass does;
+//! where eight do not, as much slides and yields at once, the [`sweep`] finds it without iteration.
 //!
-//! Where the passes do not settle, the nodes that are not in balance give what is left to their sliders, beyond their strength: no
-//! force is lost, what it does is booked with friction, and its largest size is kept to be reported.
+//! Where there is no balance, as a bolt is drawn out by more than its bond holds, nodes give what is left to their sliders, beyond their
+//! strength: no force is lost, what it does is booked with friction, and its largest size is kept to be reported.
+
+mod sweep;
 
 use super::Bar;
 use super::link::Link;
 use super::memory::{BROKEN, BoltMemory, CUT_OFF, LinkMemory, PointMemory};
 use crate::bolts::Bolts;
 use std::ops::Range;
+use sweep::Curve;
 use tremolite_laws::Row;
 
-/// Passes after which the bar is taken where it is, besides one for each of its segments: where all of a bond begins to slide at once,
-/// a pass settles few of its sliders.
-const MOST_PASSES: u32 = 30;
+/// Passes after which all is found in one sweep.
+const MOST_PASSES: u32 = 8;
 /// Out of balance over the largest force, and over what forces displacements have in them, that is round-off.
 const BALANCED: f64 = 1e-11;
 const ROUND_OFF: f64 = 1e-14;
@@ -27,8 +29,7 @@ const ROUND_OFF: f64 = 1e-14;
 const LOOSE: f64 = 1e-12;
 /// The slope of the energy along a step, over that at its start, that is none.
 const FLAT: f64 = 1e-9;
-/// How often a step is doubled at most where nothing holds the bar, as a factor; and how often its end is then bisected.
-const FARTHEST: f64 = 1e9;
+/// How often the end of a step is bisected at most.
 const BISECTIONS: u32 = 40;
 /// Forces this near to a bound are at it.
 const NEARLY: f64 = 1.0 - 1e-9;
@@ -61,6 +62,11 @@ pub struct Chain {
     step: Vec<f64>,
     from: Vec<f64>,
     upper: Vec<f64>,
+}
+
+/// The larger size; what is not a number is larger than all, so that it shows.
+fn larger(so_far: f64, now: f64) -> f64 {
+    if now.abs() > so_far || now.is_nan() { now.abs() } else { so_far }
 }
 
 impl Chain {
@@ -132,15 +138,21 @@ impl Chain {
             self.bar[last] = self.ground[p] - memory.point(p).reference;
         }
         let fixed = [head, tail];
-        let (mut passes, most) = (0, MOST_PASSES + last as u32);
-        self.evaluate(memory, fixed);
-        while passes < most {
-            if self.unbalanced {
-                passes += 1;
+        let mut passes = 0;
+        loop {
+            let mut tried = 0;
+            self.evaluate(memory, fixed);
+            while self.unbalanced && tried < MOST_PASSES {
+                tried += 1;
                 self.improve(memory, fixed);
-            } else if self.break_links(memory) {
-                self.evaluate(memory, fixed);
-            } else {
+            }
+            // Without bounds all is linear, and round-off is all that is left.
+            if self.unbalanced && memory.points.iter().all(|p| PointMemory::read(p).strength.is_finite()) {
+                self.sweep(memory, fixed);
+            }
+            passes = tried.max(passes);
+            // What breaks leaves its load to the others; no more can break than there are.
+            if !self.break_links(memory) {
                 break;
             }
         }
@@ -215,16 +227,11 @@ impl Chain {
         self.from.clone_from(&self.bar);
         let start = self.downhill();
         let flat = FLAT * start.abs();
-        let (mut low, mut high) = (0.0, 1.0);
-        self.go(high, memory, fixed);
-        // Where nothing held the bar, it goes on until something does.
-        while self.downhill() > flat && high < FARTHEST {
-            (low, high) = (high, 2.0 * high);
-            self.go(high, memory, fixed);
-        }
+        self.go(1.0, memory, fixed);
         if self.downhill() >= -flat {
             return;
         }
+        let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
             self.go(middle, memory, fixed);
@@ -238,6 +245,51 @@ impl Chain {
                 high = middle;
             }
         }
+    }
+
+    /// The same at once, by curves of what each side of a node needs.
+    fn sweep(&mut self, memory: &BoltMemory, fixed: [bool; 2]) {
+        let last = self.links.len();
+        let [first, end] = [self.bar[0], self.bar[last]];
+        // Of each node, from the link before it and with its own bonds.
+        let mut curves: Vec<[Curve; 2]> = Vec::with_capacity(last + 1);
+        for i in 0..=last {
+            let from = match i.checked_sub(1) {
+                None => Curve::constant(0.0),
+                Some(k) => {
+                    let (link, memory) = (&self.links[k], memory.link(k));
+                    let none = memory.reference + memory.plastic;
+                    if !Link::is_live(&memory) {
+                        Curve::constant(link.trial(&memory, 0.0))
+                    } else if k == 0 && fixed[0] {
+                        Curve::held(first + none, link.stiffness, link.yields)
+                    } else {
+                        let mut curve = curves[k][1].clone();
+                        curve.link(link.stiffness, none, link.yields);
+                        curve
+                    }
+                }
+            };
+            let mut whole = from.clone();
+            for p in self.nodes[i].into_iter().flatten() {
+                let point = memory.point(p);
+                whole.bond(self.ground[p] - point.reference + point.slip, point.stiffness, point.strength);
+            }
+            curves.push([from, whole]);
+        }
+        self.bar[last] = if fixed[1] { end } else { curves[last][1].inverse(0.0, end) };
+        for i in (0..last).rev() {
+            let (link, of) = (&self.links[i], memory.link(i));
+            let force = curves[i + 1][0].at(self.bar[i + 1]);
+            self.bar[i] = if i == 0 && fixed[0] {
+                first
+            } else if Link::is_live(&of) && force.abs() < NEARLY * link.yields {
+                self.bar[i + 1] - of.reference - of.plastic - force / link.stiffness
+            } else {
+                curves[i][1].inverse(force, self.bar[i])
+            };
+        }
+        self.evaluate(memory, fixed);
     }
 
     /// By how much the energy falls along the step where the bar is \[J\].
@@ -345,7 +397,7 @@ impl Chain {
                 self.forces[points[0].unwrap_or(0)] = given;
             } else {
                 let bonded = points.map(|p| p.is_some_and(|p| memory.point(p).stiffness > 0.0));
-                whole.rest = whole.rest.max(rest.abs());
+                whole.rest = larger(whole.rest, rest);
                 let sharing = bonded.iter().filter(|b| **b).count().max(1) as f64;
                 for (k, p) in points.into_iter().enumerate().filter_map(|(k, p)| Some((k, p?))) {
                     if bonded[k] {
@@ -372,7 +424,7 @@ impl Chain {
             point.slid = 1.0;
         }
         (point.slip, point.force) = (slip, force);
-        point.largest = point.largest.max(ahead.abs());
+        point.largest = larger(point.largest, ahead);
     }
 
     /// Writes the forces with which the bolt resists over the displacements of its points.

@@ -63,7 +63,10 @@ impl Link {
             }
         }
         (link.elongation, link.force) = (elongation, force);
-        link.largest = link.largest.max(force.abs());
+        // What is not a number is the largest, so that it shows.
+        if force.abs() > link.largest.abs() || force.is_nan() {
+            link.largest = force;
+        }
         force
     }
 }

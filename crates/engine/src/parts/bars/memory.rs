@@ -51,7 +51,7 @@ remembered! {
         plastic,
         /// Tension \[N\].
         force,
-        /// Its largest size since the stage began.
+        /// That of largest size since the stage began.
         largest,
         /// J
         dissipated,
