@@ -15,8 +15,9 @@ use super::{Entry, Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
 use crate::bolts::Bolts;
 use crate::life::Stage;
 use chain::Chain;
+use chain::elastic::{self, Elastic};
 use link::Link;
-use memory::{BoltMemory, CUT_OFF, Layout};
+use memory::{BoltMemory, CUT_OFF, FACTORED, Layout};
 use std::sync::Arc;
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::{Isa, Row};
@@ -137,7 +138,7 @@ impl Bars {
     #[inline(always)]
     fn pull(&self, points: &mut [Row], numbers: &mut [f64]) {
         let mut chain = Chain::default();
-        let mut elongations = Vec::new();
+        let (mut elastic, mut elongations) = (Elastic::default(), Vec::new());
         for bolt in &self.bolts {
             let mut memory = self.memory(bolt, numbers);
             let bars = &self.bars[bolt.bars.clone()];
@@ -154,9 +155,18 @@ impl Bars {
                     }
                 }
                 Some(_) => {
-                    chain.set(bars, bolt.points.clone(), &self.kind, points);
-                    chain.respond(&mut memory);
-                    chain.push(points);
+                    let plates = self.kind.plates;
+                    if memory.whole().factored == 0.0 {
+                        elastic::factor(bars, bolt.points.start, plates, &mut memory);
+                    }
+                    let of = bolt.points.clone();
+                    let simple = memory.whole().factored == FACTORED
+                        && elastic.respond(bars, of, plates, self.kind.breaks, &mut memory, points);
+                    if !simple {
+                        chain.set(bars, bolt.points.clone(), &self.kind, points);
+                        chain.respond(&mut memory);
+                        chain.push(points);
+                    }
                 }
             }
         }
@@ -247,6 +257,7 @@ impl Bars {
             let mut next = strengths.into_iter();
             chain
                 .tributaries(memory, |length| [bond.stiffness * length, length * next.next().unwrap_or(0.0)]);
+            memory.set_factored(0.0);
         }
     }
 }

@@ -80,7 +80,9 @@ pub fn build(case: &Case, mesh: &Mesh, staged: &Staged, problems: &mut Vec<Probl
         problems.extend(doubtful::pulled_out(written, &ends));
         placed.warnings.extend(doubtful::units(written));
         placed.warnings.extend(doubtful::coarse(&ground, written, &ends));
-        placed.warnings.extend(doubtful::buried(&ground, written, &ends));
+        placed
+            .warnings
+            .extend(doubtful::buried(&ground, written, &ends, |e| staged.places[e as usize].is_later()));
         too_many(written, &ends, problems);
         placed.bolts.push(made(written, ends, before(k)));
     }

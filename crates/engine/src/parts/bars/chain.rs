@@ -10,6 +10,7 @@
 //! Where there is no balance, as a bolt is drawn out by more than its bond holds, nodes give what is left to their sliders, beyond their
 //! strength: no force is lost, what it does is booked with friction, and its largest size is kept to be reported.
 
+pub mod elastic;
 mod sweep;
 
 use super::Bar;
@@ -332,8 +333,9 @@ impl Chain {
                 // Nothing is there, not even a bond.
                 (diagonal, load) = (1.0, 0.0);
             }
-            self.upper.push(-self.slopes[i] / diagonal);
-            self.step.push(load / diagonal);
+            let inverse = 1.0 / diagonal;
+            self.upper.push(-self.slopes[i] * inverse);
+            self.step.push(load * inverse);
         }
         let mut next = 0.0;
         for i in (0..=last).rev() {
@@ -360,6 +362,7 @@ impl Chain {
                 // Booked with the force that it had.
                 link.status = BROKEN;
                 memory.set_link(k, &link);
+                memory.set_factored(0.0);
                 any = true;
             }
         }
@@ -398,6 +401,8 @@ impl Chain {
             } else {
                 let bonded = points.map(|p| p.is_some_and(|p| memory.point(p).stiffness > 0.0));
                 whole.rest = larger(whole.rest, rest);
+                // Round-off stays with nobody.
+                let rest = if self.unbalanced { rest } else { 0.0 };
                 let sharing = bonded.iter().filter(|b| **b).count().max(1) as f64;
                 for (k, p) in points.into_iter().enumerate().filter_map(|(k, p)| Some((k, p?))) {
                     if bonded[k] {
@@ -418,13 +423,17 @@ impl Chain {
     /// Moves the slider of a point to where it has this force.
     fn slide(&self, node: usize, p: usize, force: f64, point: &mut PointMemory) {
         let ahead = self.ahead(node, p, point);
+        point.largest = larger(point.largest, ahead);
+        if force == point.stiffness * (ahead - point.slip) {
+            point.force = force;
+            return;
+        }
         let slip = ahead - force / point.stiffness;
         point.dissipated += 0.5 * (force + point.force) * (slip - point.slip);
         if force.abs() >= NEARLY * point.strength && slip != point.slip {
             point.slid = 1.0;
         }
         (point.slip, point.force) = (slip, force);
-        point.largest = larger(point.largest, ahead);
     }
 
     /// Writes the forces with which the bolt resists over the displacements of its points.

@@ -52,14 +52,13 @@ impl Link {
         }
         let trial = self.trial(link, elongation);
         let force = trial.clamp(-self.yields, self.yields);
-        if link.kept == 0.0 && link.status <= BROKEN {
+        let broken = link.status == BROKEN;
+        if link.kept == 0.0 && (force != trial || broken) {
             let plastic = elongation - link.elongation - (force - link.force) / self.stiffness;
             link.dissipated += 0.5 * (force + link.force) * plastic;
-            if force != trial && link.status < YIELDED {
+            link.plastic = elongation - link.reference - force / self.stiffness;
+            if link.status < YIELDED {
                 link.status = YIELDED;
-            }
-            if force != trial || link.status == BROKEN {
-                link.plastic = elongation - link.reference - force / self.stiffness;
             }
         }
         (link.elongation, link.force) = (elongation, force);

@@ -6,6 +6,10 @@ pub const CUT_OFF: f64 = 4.0;
 pub const BROKEN: f64 = 3.0;
 pub const YIELDED: f64 = 2.0;
 
+/// What of the chain's matrix is remembered: it is eliminated; it has nothing that holds it.
+pub const FACTORED: f64 = 1.0;
+pub const NOT_LINEAR: f64 = 2.0;
+
 macro_rules! remembered {
     ($(#[doc = $of:literal])+ $name:ident { $($(#[doc = $doc:literal])+ $field:ident,)+ }) => {
         $(#[doc = $of])+
@@ -37,6 +41,8 @@ remembered! {
         rest,
         /// Most passes that settled them.
         passes,
+        /// [`FACTORED`], [`NOT_LINEAR`], or 0 if its matrix is to be eliminated first.
+        factored,
     }
 }
 
@@ -100,7 +106,7 @@ impl Layout {
     pub fn numbers(&self) -> usize {
         let links = self.links * LinkMemory::NUMBERS;
         match self.bonded {
-            true => WholeMemory::NUMBERS + links + self.points * PointMemory::NUMBERS + self.links + 1,
+            true => WholeMemory::NUMBERS + links + self.points * PointMemory::NUMBERS + 3 * (self.links + 1),
             false => links,
         }
     }
@@ -122,6 +128,8 @@ pub struct BoltMemory<'n> {
     pub points: &'n mut [[f64; PointMemory::NUMBERS]],
     /// Displacement \[m\] of the bar along its axis at the nodes of its chain since it was placed; none without a bond.
     pub bar: &'n mut [f64],
+    /// Of each node, what couples it to the next after the elimination, and one over its pivot; none without a bond.
+    pub factors: &'n mut [[f64; 2]],
 }
 
 impl<'n> BoltMemory<'n> {
@@ -129,8 +137,10 @@ impl<'n> BoltMemory<'n> {
         let (whole, numbers) = numbers.split_at_mut(if layout.bonded { WholeMemory::NUMBERS } else { 0 });
         let (links, numbers) = numbers.split_at_mut(layout.links * LinkMemory::NUMBERS);
         let bonded = if layout.bonded { layout.points } else { 0 };
-        let (points, bar) = numbers.split_at_mut(bonded * PointMemory::NUMBERS);
-        BoltMemory { whole, links: links.as_chunks_mut().0, points: points.as_chunks_mut().0, bar }
+        let (points, nodes) = numbers.split_at_mut(bonded * PointMemory::NUMBERS);
+        let (bar, factors) = nodes.split_at_mut(nodes.len() / 3);
+        let (links, points) = (links.as_chunks_mut().0, points.as_chunks_mut().0);
+        BoltMemory { whole, links, points, bar, factors: factors.as_chunks_mut().0 }
     }
 
     pub fn clear(&mut self) {
@@ -148,6 +158,11 @@ impl<'n> BoltMemory<'n> {
         if let Some(numbers) = self.whole.first_chunk_mut() {
             whole.write(numbers);
         }
+    }
+
+    pub fn set_factored(&mut self, factored: f64) {
+        let whole = WholeMemory { factored, ..self.whole() };
+        self.set_whole(whole);
     }
 
     pub fn link(&self, k: usize) -> LinkMemory {

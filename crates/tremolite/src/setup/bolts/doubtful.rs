@@ -94,15 +94,20 @@ pub fn coarse(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) ->
     })
 }
 
-/// Plates that press on no wall: ground stands in front of them.
-pub fn buried(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Problem> {
+/// Plates that press on no wall: ground stands in front of them, and nothing that was installed there.
+pub fn buried(
+    ground: &Ground,
+    written: &case::Bolts,
+    ends: &[[[f64; 3]; 2]],
+    installed: impl Fn(u32) -> bool,
+) -> Option<Problem> {
     let plates = written.plate.value.ends();
     let stands = |k: usize, &[head, tail]: &[[f64; 3]; 2]| {
         let [from, to] = if k == 0 { [tail, head] } else { [head, tail] };
         let way = minus(to, from);
         let size = norm(way);
         let beyond = [0, 1, 2].map(|i| to[i] + BEFORE_PLATE * way[i] / size);
-        ground.locator.locate(beyond, 0.0).is_some()
+        ground.locator.locate(beyond, 0.0).is_some_and(|found| !installed(found.element))
     };
     let buried = |ends: &[[f64; 3]; 2]| (0..2).find(|&k| plates[k] && stands(k, ends));
     let (k, first) = ends.iter().find_map(|ends| buried(ends).map(|k| (k, ends)))?;
