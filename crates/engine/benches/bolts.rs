@@ -25,15 +25,24 @@ fn main() {
     let threads = std::env::args().find_map(|arg| arg.parse().ok()).unwrap_or(2);
     rayon::ThreadPoolBuilder::new().num_threads(threads).build_global().expect("threads");
     let mesh = CavernSpec::yingxiuwan_fine().mesh().expect("the preset");
-    let standing: Vec<u32> = {
-        let mut void = vec![false; mesh.elements.len()];
-        let excavated =
-            mesh.groups.iter().filter(|(name, _)| name.contains("bench") || name.contains("lining"));
-        excavated.flat_map(|(_, elements)| elements).for_each(|&e| void[e as usize] = true);
-        (0..mesh.elements.len() as u32).filter(|&e| !void[e as usize]).collect()
+    // The lining's groups by part are in that of all of it.
+    let of = |words: &[&str]| -> Vec<u32> {
+        let mut is = vec![false; mesh.elements.len()];
+        let groups = mesh.groups.iter().filter(|(name, _)| words.iter().any(|word| name.contains(word)));
+        groups.flat_map(|(_, elements)| elements).for_each(|&e| is[e as usize] = true);
+        (0..mesh.elements.len() as u32).filter(|&e| is[e as usize]).collect()
     };
+    let (void, lining) = (of(&["bench"]), of(&["lining"]));
+    let mut gone = vec![false; mesh.elements.len()];
+    void.iter().chain(&lining).for_each(|&e| gone[e as usize] = true);
+    let standing: Vec<u32> = (0..mesh.elements.len() as u32).filter(|&e| !gone[e as usize]).collect();
     let bars = bars(&mesh, &standing);
-    println!("{} elements, {} bolts, {threads} threads", standing.len(), bars.len());
+    println!(
+        "{} elements of rock, {} of linings, {} bolts, {threads} threads",
+        standing.len(),
+        lining.len(),
+        bars.len()
+    );
     let bond =
         Bond { stiffness: 1e9, strength: 200e3, friction: 0.0, perimeter: 0.0785, segment: f64::INFINITY };
     for (law, material) in
@@ -41,7 +50,10 @@ fn main() {
     {
         for (what, bond) in [("following", None), ("bonded", Some(bond))] {
             let [bare, bolted] = [Vec::new(), bars.clone()].map(|bars| {
-                let mut problem = Problem::new(mesh.clone(), vec![body(&standing, material.clone())]);
+                let mut problem = Problem::new(
+                    mesh.clone(),
+                    vec![body("rock", &standing, material.clone()), concrete(&lining)],
+                );
                 problem.base = Base::Fixed;
                 problem.sides = [Side::Free; 2];
                 if !bars.is_empty() {
@@ -78,9 +90,15 @@ fn rock() -> Arc<dyn AnyMaterial> {
     (law.build)(&values).expect("rock")
 }
 
-fn body(elements: &[u32], material: Arc<dyn AnyMaterial>) -> Body {
+/// Elastic, which costs least.
+fn concrete(elements: &[u32]) -> Body {
+    let material = elastic(Moduli::from_young_poisson(25e9, 0.17));
+    Body { quadrature: Quadrature::Full, ..body("lining", elements, material) }
+}
+
+fn body(name: &str, elements: &[u32], material: Arc<dyn AnyMaterial>) -> Body {
     Body {
-        name: "rock".into(),
+        name: name.into(),
         elements: elements.to_vec(),
         material,
         density: 2700.0,

@@ -12,7 +12,7 @@ use tremolite_kernels::Line;
 use tremolite_mesh::order::hilbert_order;
 
 /// Points that one thread works on together.
-const CHUNK: usize = 512;
+const CHUNK: usize = 256;
 
 /// The bolts of a set, ready to be looked at.
 #[derive(Clone, Debug, Default)]
