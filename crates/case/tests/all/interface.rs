@@ -129,7 +129,7 @@ const BAD: &[Bad] = &[
     bad("law = \"tied\"", "law = \"tied\"\nshear_stiffness = \"1 GPa/m\"", "shear_stiffness", "only where `law` is not \"tied\"", "leave it out"),
     bad("law = \"tied\"", "law = \"tied\"\ncorner = \"45 deg\"", "corner", "only where `law` is not \"tied\"", "leave it out"),
     bad("law = \"tied\"", "law = \"tied\"\nsize = 3", "size", "no key of `interface[bench]`", "keys here: name, between, law"),
-    bad("[initial]", "[initial]\ninterface = 3", "interface", "no key of `initial`", "belongs above all tables"),
+    bad("[initial]", "[initial]\ninterface = 3", "interface", "no key of `initial`", "[[interface]] is a table of its own"),
     // Values
     bad("law = \"bandis\"", "law = \"bandi\"", "\"bandi\"", "`law` cannot be \"bandi\"", "did you mean \"bandis\"?"),
     bad("law = \"tied\"", "law = \"glued\"", "\"glued\"", "`law` cannot be \"glued\"", "write one of \"bandis\", \"coulomb\", \"tied\""),

@@ -245,7 +245,7 @@ fn the_table_has_every_group_with_what_became_of_it() {
         "by up to 3.10\u{a0}mm",
         "no bond",
         "1 wholly",
-        "Largest force of a bolt",
+        "Force of the bolt nearest to yield",
         "Force over yield, stage by stage",
         "earthquake, largest of its rows",
         "bolts.csv",

@@ -1,7 +1,10 @@
 //! Reinforcement of a case: bars laid into the stacks of a lining, edge to edge, and joined to chains.
 
+mod doubtful;
+
 use super::groups::nothing_fits;
 use crate::sections::{Station, stations};
+use doubtful::{Laid, too_much, too_thick, too_thin, twice};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use tremolite_case::{BarDirection, BarFace, Case, Problem, Reinforcement, pattern};
 use tremolite_engine::{Bar, Bolts, Life, Stage};
@@ -178,73 +181,6 @@ fn groups<'m>(
 }
 
 /// That the cover leaves no room for the bars in the thinnest station.
-fn too_thin(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Problem> {
-    let thinnest = stations.iter().map(|s| s.thickness).min_by(f64::total_cmp)?;
-    let (least, why) = match steel.face.value {
-        BarFace::Both => {
-            (0.5 * thinnest, "half the thickness, so bars of both faces would meet or pass each other")
-        }
-        BarFace::Intrados | BarFace::Extrados => (thinnest, "the thickness, so bars would lie outside"),
-    };
-    (steel.cover.value >= least).then(|| {
-        Problem::at(
-            &steel.cover,
-            format!("'{group}' is {thinnest:.3} m thick; a cover of {} m reaches {why}", steel.cover.value),
-            format!("give less than {least:.3} m, from the concrete's face to the bars' axis"),
-        )
-    })
-}
-
-/// Thicker \[m\] than linings are.
-const THICKEST: f64 = 5.0;
-/// Steel over concrete beyond which a unit is wrong.
-const MOST_STEEL: f64 = 0.1;
-
-fn too_thick(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Problem> {
-    let thickest = stations.iter().map(|s| s.thickness).max_by(f64::total_cmp).filter(|t| *t > THICKEST)?;
-    let on = steel.on.first()?;
-    Some(Problem::at(
-        on,
-        format!("'{group}' is {thickest:.1} m thick in places, so it is no lining"),
-        "name the groups of the lining",
-    ))
-}
-
-fn too_much(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Problem> {
-    let thinnest = stations.iter().map(|s| s.thickness).min_by(f64::total_cmp)?;
-    let faces = if steel.face.value == BarFace::Both { 2.0 } else { 1.0 };
-    let share = faces * steel.area.value / thinnest;
-    (share > MOST_STEEL).then(|| {
-        Problem::at(
-            &steel.area,
-            format!("'{group}' would be {:.0} % of steel where it is {thinnest:.2} m thick", 100.0 * share),
-            "look at the unit: a bare number is in m2/m; \"1570 mm2/m\" is 20 mm every 20 cm",
-        )
-    })
-}
-
-/// What bars lie in so far, with their direction, face and cover \[m\].
-type Laid = HashMap<u32, Vec<(BarDirection, BarFace, f64)>>;
-
-/// Bars of one table where those of another lie.
-fn twice(steel: &Reinforcement, group: &str, elements: &[u32], laid: &mut Laid) -> Option<Problem> {
-    let (direction, face, cover) = (steel.direction.value, steel.face.value, steel.cover.value);
-    let meets = |&(d, f, c): &(BarDirection, BarFace, f64)| {
-        d == direction
-            && (f == face || f == BarFace::Both || face == BarFace::Both)
-            && (c - cover).abs() < 1e-6
-    };
-    let again = elements.iter().any(|e| laid.get(e).is_some_and(|known| known.iter().any(meets)));
-    elements.iter().for_each(|&e| laid.entry(e).or_default().push((direction, face, cover)));
-    again.then(|| {
-        Problem::new(
-            steel.span.clone(),
-            format!("'{group}' has bars of another [[reinforcement]] at the same place already"),
-            "give the whole area once, or another cover or direction",
-        )
-    })
-}
-
 /// The way from the middle of one edge to that of the opposite one, between corners of a face that lie so.
 fn way(station: &Station, k: usize, face: usize) -> [Point; 2] {
     let corners = &station.faces[face];

@@ -297,7 +297,8 @@ fn groups_on_either_side_choose_the_faces() {
     let (bolts, warnings) = placed(&mesh, &text);
     assert_eq!(bolts[0].bars.len(), 0, "it stays among the bolts, so that their order is the case's");
     assert!(
-        warnings.contains("walls: no bolts are placed: the stage lays none of these faces bare"),
+        warnings
+            .contains("'walls of hall.bench1': no bolts are placed: the stage lays none of these faces bare"),
         "{warnings}"
     );
 }
@@ -565,4 +566,36 @@ fn a_shaft_has_rings_and_its_corners_are_bolted_once() {
         assert!(ring.windows(2).all(|s| (s[1] - s[0] - 48.0 / 23.0).abs() < 1e-6), "{ring:?}");
     }
     assert!(bolts.iter().all(|&ends| direction(ends)[2].abs() < 1e-12));
+}
+
+#[test]
+fn what_can_hardly_be_meant_is_refused_or_warned_of() {
+    let with = |place: &str, more: &str| {
+        let text = format!("bolts = {{ points = [{place}], diameter = 0.025{more} }}");
+        points(&stages(&["hall.bench1"], &text), &[])
+            .map(|(case, made)| case.report(made.warnings).to_string())
+    };
+    let wall = "[[6, 15, -2], [12, 15, -2]]";
+    let bonded = |strength: &str| {
+        let bond = format!("bond = {{ stiffness = \"1 GPa\", strength = \"{strength}\" }}");
+        with(wall, &format!(", free_length = 2, plate = true, pretension = \"60 kN\", {bond}"))
+    };
+    // Four metres hold 60 kN at 15 kN/m.
+    let text = bonded("14.9 kN/m").unwrap_err();
+    assert!(text.contains("holds 59.6 kN") && text.contains("drawn out"), "{text}");
+    assert!(bonded("15.1 kN/m").is_ok());
+    for (more, says) in [
+        (", yield = 400", "the yield stress of a bolt is 400 Pa"),
+        (", young = 200", "Young's modulus of a bolt is 200 Pa"),
+        (", pretension = 60", "the pretension is 60 N"),
+    ] {
+        let text = with(wall, more).unwrap();
+        assert!(text.contains(says) && text.contains("look at the unit"), "{text}");
+    }
+    // Swapped ends, and a plate behind ground that goes later; none where the wall is bare.
+    let swapped = with("[[12, 15, -2], [6, 15, -2]]", ", plate = true").unwrap();
+    assert!(swapped.contains("1 of 1 bolts") && swapped.contains("give the head first"), "{swapped}");
+    let early = with("[[0, 15, -4.5], [6, 15, -10]]", ", plate = true").unwrap();
+    assert!(early.contains("in the stage that lays the wall bare"), "{early}");
+    assert!(!with(wall, ", plate = true").unwrap().contains("plate"));
 }

@@ -10,7 +10,9 @@
 //! Where there is no balance, as a bolt is drawn out by more than its bond holds, nodes give what is left to their sliders, beyond their
 //! strength: no force is lost, what it does is booked with friction, and its largest size is kept to be reported.
 
+mod curve;
 pub mod elastic;
+mod newton;
 mod sweep;
 
 use super::Bar;
@@ -18,7 +20,6 @@ use super::link::Link;
 use super::memory::{BROKEN, BoltMemory, CUT_OFF, LinkMemory, PointMemory};
 use crate::bolts::Bolts;
 use std::ops::Range;
-use sweep::Curve;
 use tremolite_laws::Row;
 
 /// Passes after which all is found in one sweep.
@@ -26,12 +27,6 @@ const MOST_PASSES: u32 = 8;
 /// Out of balance over the largest force, and over what forces displacements have in them, that is round-off.
 const BALANCED: f64 = 1e-11;
 const ROUND_OFF: f64 = 1e-14;
-/// A pivot below this share of what could hold a node holds it no more.
-const LOOSE: f64 = 1e-12;
-/// The slope of the energy along a step, over that at its start, that is none.
-const FLAT: f64 = 1e-9;
-/// How often the end of a step is bisected at most.
-const BISECTIONS: u32 = 40;
 /// Forces this near to a bound are at it.
 const NEARLY: f64 = 1.0 - 1e-9;
 
@@ -220,128 +215,6 @@ impl Chain {
         }
         let force = trial.clamp(-link.yields, link.yields);
         (force, if force == trial { link.stiffness } else { 0.0 })
-    }
-
-    /// Newton's step, as far along it as the energy falls.
-    fn improve(&mut self, memory: &BoltMemory, fixed: [bool; 2]) {
-        self.newton(memory, fixed);
-        self.from.clone_from(&self.bar);
-        let start = self.downhill();
-        let flat = FLAT * start.abs();
-        self.go(1.0, memory, fixed);
-        if self.downhill() >= -flat {
-            return;
-        }
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            self.go(middle, memory, fixed);
-            let slope = self.downhill();
-            if slope.abs() <= flat {
-                return;
-            }
-            if slope > 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-    }
-
-    /// The same at once, by curves of what each side of a node needs.
-    fn sweep(&mut self, memory: &BoltMemory, fixed: [bool; 2]) {
-        let last = self.links.len();
-        let [first, end] = [self.bar[0], self.bar[last]];
-        // Of each node, from the link before it and with its own bonds.
-        let mut curves: Vec<[Curve; 2]> = Vec::with_capacity(last + 1);
-        for i in 0..=last {
-            let from = match i.checked_sub(1) {
-                None => Curve::constant(0.0),
-                Some(k) => {
-                    let (link, memory) = (&self.links[k], memory.link(k));
-                    let none = memory.reference + memory.plastic;
-                    if !Link::is_live(&memory) {
-                        Curve::constant(link.trial(&memory, 0.0))
-                    } else if k == 0 && fixed[0] {
-                        Curve::held(first + none, link.stiffness, link.yields)
-                    } else {
-                        let mut curve = curves[k][1].clone();
-                        curve.link(link.stiffness, none, link.yields);
-                        curve
-                    }
-                }
-            };
-            let mut whole = from.clone();
-            for p in self.nodes[i].into_iter().flatten() {
-                let point = memory.point(p);
-                whole.bond(self.ground[p] - point.reference + point.slip, point.stiffness, point.strength);
-            }
-            curves.push([from, whole]);
-        }
-        self.bar[last] = if fixed[1] { end } else { curves[last][1].inverse(0.0, end) };
-        for i in (0..last).rev() {
-            let (link, of) = (&self.links[i], memory.link(i));
-            let force = curves[i + 1][0].at(self.bar[i + 1]);
-            self.bar[i] = if i == 0 && fixed[0] {
-                first
-            } else if Link::is_live(&of) && force.abs() < NEARLY * link.yields {
-                self.bar[i + 1] - of.reference - of.plastic - force / link.stiffness
-            } else {
-                curves[i][1].inverse(force, self.bar[i])
-            };
-        }
-        self.evaluate(memory, fixed);
-    }
-
-    /// By how much the energy falls along the step where the bar is \[J\].
-    fn downhill(&self) -> f64 {
-        self.residual.iter().zip(&self.step).map(|(r, s)| r * s).sum()
-    }
-
-    /// To a share of the step.
-    fn go(&mut self, share: f64, memory: &BoltMemory, fixed: [bool; 2]) {
-        for ((bar, from), step) in self.bar.iter_mut().zip(&self.from).zip(&self.step) {
-            *bar = from + share * step;
-        }
-        self.evaluate(memory, fixed);
-    }
-
-    /// The step that would bring balance if forces changed as they do now. What nothing holds is held by what its bond is when it
-    /// does not slide.
-    fn newton(&mut self, memory: &BoltMemory, fixed: [bool; 2]) {
-        let last = self.links.len();
-        self.upper.clear();
-        self.step.clear();
-        for i in 0..=last {
-            if (i == 0 && fixed[0]) || (i == last && fixed[1]) {
-                self.upper.push(0.0);
-                self.step.push(0.0);
-                continue;
-            }
-            let before = if i > 0 { self.slopes[i - 1] } else { 0.0 };
-            let (mut diagonal, mut load) = (self.diagonal[i], self.residual[i]);
-            if let (Some(up), Some(step)) = (self.upper.last(), self.step.last()) {
-                diagonal += before * up;
-                load += before * step;
-            }
-            let bonds = self.nodes[i].into_iter().flatten().map(|p| memory.point(p).stiffness);
-            let firm = before + self.slopes[i] + bonds.sum::<f64>();
-            if diagonal <= LOOSE * firm {
-                diagonal += firm;
-            }
-            if diagonal == 0.0 {
-                // Nothing is there, not even a bond.
-                (diagonal, load) = (1.0, 0.0);
-            }
-            let inverse = 1.0 / diagonal;
-            self.upper.push(-self.slopes[i] * inverse);
-            self.step.push(load * inverse);
-        }
-        let mut next = 0.0;
-        for i in (0..=last).rev() {
-            next = self.step[i] - self.upper[i] * next;
-            self.step[i] = next;
-        }
     }
 
     fn elongation(&self, link: usize) -> f64 {

@@ -236,12 +236,28 @@ fn what_cannot_be_reinforced_is_refused_with_what_to_do() {
         (&cavern, steel("*.lining", "0.5 m", "along", &one("extrados")), "would lie outside", "less than 0."),
         (&block, steel("cube", "6 cm", "across", ""), "cube has no thickness", "thin one way"),
         (&wedge, steel("*.lining", "6 cm", "across", ""), "is no hexahedron", "with them"),
+        (
+            &cavern,
+            steel("rock", "6 cm", "across", ""),
+            "thick in places, so it is no lining",
+            "of the lining",
+        ),
     ] {
         let (bolts, problems, _) = built(&text, mesh, None);
         let [problem] = &problems[..] else { panic!("{what}: {problems:?}") };
         assert!(problem.message.contains(what) && problem.remedy.contains(remedy), "{problem:?}");
         assert!(bolts.is_empty() && !problem.span.is_empty());
     }
+    let again =
+        format!("{}{}", steel("*.lining", "6 cm", "across", ""), steel("*.lining", "6 cm", "across", ""));
+    let (_, problems, _) = built(&again, &cavern, None);
+    assert!(problems.len() == 1 && problems[0].message.contains("bars of another"), "{problems:?}");
+    let meant =
+        format!("{}{}", steel("*.lining", "6 cm", "across", ""), steel("*.lining", "12 cm", "across", ""));
+    assert!(built(&meant, &cavern, None).1.is_empty());
+    let (_, _, warnings) =
+        built(&steel("*.lining", "6 cm", "across", "").replace("\"1570 mm2/m\"", "1570"), &cavern, None);
+    assert!(warnings.iter().any(|w| w.message.contains("% of steel")), "{warnings:?}");
     let mut overlapping = cavern;
     let crown = overlapping.groups["hall.lining.crown"].clone();
     let more = [crown, overlapping.groups["hall.bench1"].clone()].concat();
