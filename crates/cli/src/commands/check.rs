@@ -39,6 +39,9 @@ pub struct Args {
     /// Print one JSON object, numbers in SI
     #[arg(long)]
     json: bool,
+    /// Write where bolts will be into this folder, a file a group, as a case's `file` reads them
+    #[arg(long, value_name = "DIR")]
+    bolts: Option<PathBuf>,
     /// End with status 1 where there is a warning
     #[arg(long)]
     strict: bool,
@@ -130,6 +133,9 @@ pub fn run(args: &Args) -> Outcome {
         let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(|e| refused(&case, &e))?;
         // Without an earthquake every wave is long.
         let highest = motion.as_ref().map_or(0.0, |motion| motion.highest_frequency);
+        if let Some(folder) = &args.bolts {
+            bolts::write(folder, &model.bolts).map_err(Failure::failed)?;
+        }
         let survey = survey(&model, &assembly, highest).map_err(Failure::input)?;
         let stable = stable_step(&model, &assembly, &phase);
         let mut warnings = [case.warnings.clone(), setup.warnings].concat();

@@ -78,3 +78,21 @@ fn results_take_no_more_than_the_disk_that_was_foretold() {
     let total = (told("field_files") + told("stage_files")) * told("field_file_bytes");
     assert_eq!(told("disk_bytes"), total + told("histories_bytes") + told("checkpoint_bytes"));
 }
+
+#[test]
+fn bolts_of_a_pattern_are_written_so_that_a_case_reads_them() {
+    let temp = tempfile::tempdir().unwrap();
+    let of = |place: &str, folder: &str| {
+        let steel =
+            "diameter = 0.025, plate = true, free_length = 1, bond = { stiffness = 1e9, strength = 1e5 }";
+        let bolts = format!("release = 0.6\nbolts = {{ name = \"b/1\", {place}, {steel} }}");
+        let stages = crate::stage_case::STAGES.replace("release = 0.6", &bolts);
+        crate::stage_case::case(temp.path(), crate::stage_case::LATERAL, &stages, "");
+        let output = crate::stage_case::tremolite(temp.path(), &["check", "case.toml", "--bolts", folder]);
+        assert_eq!(crate::stage_case::code(&output), 0, "{}", crate::stage_case::errors(&output));
+        std::fs::read_to_string(temp.path().join(folder).join("b_1.csv")).unwrap()
+    };
+    let pattern = of("pattern = \"walls\", spacing = 1.5, length = 3", "first");
+    assert!(pattern.starts_with("x1,y1,z1,x2,y2,z2\n") && pattern.lines().count() > 5, "{pattern}");
+    assert_eq!(of("file = \"first/b_1.csv\"", "second"), pattern);
+}

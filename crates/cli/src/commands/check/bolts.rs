@@ -2,7 +2,33 @@
 
 use super::Checked;
 use crate::terminal::print;
+use std::path::Path;
+use tremolite::bolts::BoltSet;
 use tremolite_results::{BoltSummary, EARTHQUAKE};
+
+/// Writes the straight bolts of each group, as they were cut: x1,y1,z1,x2,y2,z2 in m to a
+/// micrometre, head first.
+pub(super) fn write(folder: &Path, sets: &[BoltSet]) -> Result<(), String> {
+    let said = |path: &Path, e: std::io::Error| format!("{} cannot be written: {e}", path.display());
+    std::fs::create_dir_all(folder).map_err(|e| said(folder, e))?;
+    for set in sets {
+        let mut text = String::from("x1,y1,z1,x2,y2,z2\n");
+        for bolt in &set.bolts {
+            let along = || bolt.points.iter();
+            let head = along().min_by(|a, b| a.at.total_cmp(&b.at));
+            let tail = along().max_by(|a, b| a.at.total_cmp(&b.at));
+            let (Some(head), Some(tail)) = (head, tail) else { continue };
+            let numbers: Vec<String> =
+                head.place.iter().chain(&tail.place).map(|x| format!("{x:.6}")).collect();
+            text += &(numbers.join(",") + "\n");
+        }
+        let plain = |c: char| if c.is_alphanumeric() || "-_ .".contains(c) { c } else { '_' };
+        let name: String = set.kind.name.chars().map(plain).collect();
+        let path = folder.join(format!("{name}.csv"));
+        std::fs::write(&path, text).map_err(|e| said(&path, e))?;
+    }
+    Ok(())
+}
 
 impl Checked<'_> {
     pub(super) fn print_bolts(&self) {
