@@ -23,7 +23,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     if facts.bolts.is_empty() {
         first.notes.push("No table of groups: the summary does not hold them yet.".into());
     } else {
-        first.text = "Of each group over the whole run. Forces are sizes, the largest of any stage and step; a bolt counts under \
+        first.text = "Of each group over the whole run. Forces are those of largest size of any stage and step, tension positive; a bolt counts under \
                       every heading it comes under, and what an excavation has taken of it counts no more. Places in m."
             .into();
         first.tables = vec![groups(&facts), deeds(&facts)];

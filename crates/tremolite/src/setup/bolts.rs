@@ -255,7 +255,11 @@ fn pointed(
                     place(at),
                     stage.value
                 ),
-                "put it into the rock, or on the wall to a centimetre; what the stage excavates is gone",
+                if free >= whole {
+                    "a tie across an opening has its ends a few centimetres inside the ground"
+                } else {
+                    "put it into the rock, or on the wall to a centimetre; what the stage excavates is gone"
+                },
             )),
             Err(Outside::Leaves(at, distance)) => problems.push(Problem::new(
                 span,

@@ -297,6 +297,11 @@ fn work_on_a_sliding_yielding_and_breaking_bolt_is_in_its_lines() {
             for ((a, b), d) in before.iter().zip(&out).zip(&increments) {
                 work += (0..3).map(|i| 0.5 * (a.0[i] + b.0[i]) * d.0[i]).sum::<f64>();
             }
+            // Whichever way the chain was balanced: no resultant, and what bonds give is what tension loses.
+            let size: f64 = out.iter().flat_map(|row| row.xyz()).map(f64::abs).sum();
+            let resultant =
+                (0..3).map(|i| out.iter().map(|row| row.0[i]).sum::<f64>().abs()).fold(0.0, f64::max);
+            assert!(resultant <= 1e-9 * size.max(1.0), "step {step}: {resultant} of {size} N");
             before = out;
             let lines = member.part.energy(&motion_of(&state), slices.kept(&state));
             let held: f64 =
