@@ -11,27 +11,61 @@ use crate::ticks::Ticks;
 
 const HEADING: &str = "Force along the bolts that carry most";
 
+/// Bolts that are longer than this many times another are drawn apart: anchors and bars of a lining would hide the others.
+const ALIKE: f64 = 3.0;
+
+/// The worst bolt of a group.
+struct Worst<'a> {
+    name: &'a str,
+    bolt: u32,
+    own: Vec<&'a BoltLine>,
+}
+
+impl Worst<'_> {
+    fn length(&self) -> f64 {
+        self.own.iter().map(|line| line.at[1]).fold(0.0, f64::max)
+    }
+}
+
 /// The block; nothing where no bolt carries anything.
 pub fn block(lines: &BoltLines, facts: &Summary, when: &str) -> Option<Block> {
-    let (mut curves, mut named) = (Vec::new(), Vec::new());
-    for (group, name) in lines.groups.iter().enumerate() {
-        let Some(bolt) = hardest(lines, group) else { continue };
-        let own: Vec<&BoltLine> =
-            lines.lines.iter().filter(|line| line.group == group && line.bolt == bolt).collect();
-        let colour = named.len();
-        let label = format!("{name}, bolt {bolt}");
-        curves.push(Curve::new(label, colour, Pen::Line, steps(&own, |line| line.force)));
-        // Its size: the sign of the largest is not kept.
-        let sign = own.iter().map(|line| line.force).sum::<f64>().signum();
-        curves.push(Curve::new("", colour, Pen::Dashed, steps(&own, |line| sign * line.force_max)));
-        let yields = facts.bolts.get(name).map(|group| group.yield_force).filter(|force| force.is_finite());
-        named.push(yields.map(|force| format!("{name} at {}", quantity("N", force))));
-        if named.len() == LINES.len() {
-            break;
+    let worst = |(group, name)| {
+        let bolt = hardest(lines, group)?;
+        let own = lines.lines.iter().filter(|line| line.group == group && line.bolt == bolt).collect();
+        Some(Worst { name, bolt, own })
+    };
+    let names = lines.groups.iter().map(String::as_str).enumerate();
+    let mut families: Vec<Vec<Worst>> = Vec::new();
+    for worst in names.filter_map(worst) {
+        let length = worst.length();
+        let alike = |family: &&mut Vec<Worst>| {
+            let other = family[0].length();
+            family.len() < LINES.len() && length <= ALIKE * other && other <= ALIKE * length
+        };
+        match families.iter_mut().find(alike) {
+            Some(family) => family.push(worst),
+            None => families.push(vec![worst]),
         }
     }
-    if curves.is_empty() {
+    if families.is_empty() {
         return None;
+    }
+    let figures = families.iter().take(MOST).enumerate();
+    let figures = figures.map(|(k, family)| figure(family, facts, when, k)).collect();
+    Some(Block { heading: HEADING.into(), figures, ..Block::default() })
+}
+
+/// Figures beyond these say nothing new.
+const MOST: usize = 3;
+
+fn figure(family: &[Worst], facts: &Summary, when: &str, number: usize) -> Figure {
+    let (mut curves, mut named) = (Vec::new(), Vec::new());
+    for (colour, Worst { name, bolt, own }) in family.iter().enumerate() {
+        let label = format!("{name}, bolt {bolt}");
+        curves.push(Curve::new(label, colour, Pen::Line, steps(own, |line| line.force)));
+        curves.push(Curve::new("", colour, Pen::Dashed, steps(own, |line| line.force_max)));
+        let yields = facts.bolts.get(*name).map(|group| group.yield_force).filter(|force| force.is_finite());
+        named.extend(yields.map(|force| format!("{name} at {}", quantity("N", force))));
     }
     let ((_, far), (low, high)) = plot::ranges(&curves);
     let scale = Scale::suiting("N", low.abs().max(high.abs()));
@@ -51,23 +85,25 @@ pub fn block(lines: &BoltLines, facts: &Summary, when: &str) -> Option<Block> {
     };
     plot::draw(&mut svg, &axes, &curves);
     svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, "from the head (m)");
-    let yields: Vec<String> = named.into_iter().flatten().collect();
-    let yields = if yields.is_empty() { String::new() } else { format!(" Yield: {}.", yields.join("; ")) };
+    let yields = if named.is_empty() { String::new() } else { format!(" Yield: {}.", named.join("; ")) };
     let since = if when.contains("stages") { "stage" } else { "earthquake" };
-    let caption = format!(
-        "Of each group the bolt that came nearest to yield, or carries most where none yields: full line {when}, dashed the \
-         largest size in any step since the {since} began, in the sense of the full line. A force that falls to nothing at both \
-         ends is carried by the bond; one that is large at the head hangs on the plate.{yields}"
-    );
+    let caption = match number {
+        0 => format!(
+            "Of each group the bolt that came nearest to yield, or carries most where none yields: full line {when}, dashed that of \
+             largest size in any step since the {since} began. A force that falls to nothing at \
+             both ends is carried by the bond; one that is large at the head hangs on the plate.{yields}"
+        ),
+        _ => format!("The same of those of another length.{yields}"),
+    };
     let svg = svg.finish(axes.bottom + 42.0, &title, "force over the distance from the head");
-    let figure = Figure { heading: HEADING.into(), file: "bolts-force.svg".into(), svg, caption };
-    Some(Block { heading: HEADING.into(), figures: vec![figure], ..Block::default() })
+    let file = if number == 0 { "bolts-force.svg".into() } else { format!("bolts-force-{}.svg", number + 1) };
+    Figure { heading: HEADING.into(), file, svg, caption }
 }
 
 /// The number of the bolt of a group that came nearest to yield, or carried most; none where all carry nothing.
 fn hardest(lines: &BoltLines, group: usize) -> Option<u32> {
-    let own = lines.lines.iter().filter(|line| line.group == group && line.force_max > 0.0);
-    let load = |line: &BoltLine| (line.force_over_yield_max, line.force_max);
+    let own = lines.lines.iter().filter(|line| line.group == group && line.force_max != 0.0);
+    let load = |line: &BoltLine| (line.force_over_yield_max, line.force_max.abs());
     let most = own.max_by(|a, b| {
         let ((over_a, force_a), (over_b, force_b)) = (load(a), load(b));
         over_a.total_cmp(&over_b).then(force_a.total_cmp(&force_b))

@@ -28,7 +28,7 @@ pub fn block(source: &Source, lines: &BoltLines, when: &str) -> Option<Block> {
     }
     // As a share of yield where any group yields, else as a force.
     let share = left().any(|line| line.force_over_yield_max > 0.0);
-    let value = |line: &BoltLine| if share { line.force_over_yield_max } else { line.force_max };
+    let value = |line: &BoltLine| if share { line.force_over_yield_max } else { line.force_max.abs() };
     let finite = || left().filter(|line| value(line).is_finite());
     let worst = finite().max_by(|a, b| value(a).total_cmp(&value(b)))?;
     let most = value(worst);

@@ -132,7 +132,11 @@ pub const BOLT_LINES: [Quantity; 12] = [
     q("slip", "m", "of the bond beside it"),
     q("plastic_strain", "", "of the bar"),
     q("state", "", "as in monitors.csv"),
-    q("force_max", "N", "largest size of the force in any step since the stage, or the earthquake, began"),
+    q(
+        "force_max",
+        "N",
+        "force of largest size in any step since the stage, or the earthquake, began, tension positive",
+    ),
     q("force_over_yield_max", "", "the same over what it yields at"),
     q("slip_max", "m", "largest size of the slip in any step since it was placed"),
 ];

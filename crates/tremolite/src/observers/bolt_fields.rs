@@ -164,7 +164,7 @@ impl BoltGrid {
             scalar("slip", "m", &|s| s.slip),
             scalar("plastic_strain", "", &|s| s.plastic_strain),
             Array::new("state", "", 1, Values::UInt8(seen.iter().map(|s| s.state as u8).collect())),
-            scalar("force_max", "N", &|s| s.largest_force.abs()),
+            scalar("force_max", "N", &|s| s.largest_force),
             scalar("force_over_yield_max", "", &|s| over_yield(s.largest_force, s)),
             scalar("slip_max", "m", &|s| s.largest_slip),
         ]);
