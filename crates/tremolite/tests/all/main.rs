@@ -5,6 +5,7 @@ mod bolt_patterns;
 mod bolt_results;
 mod bolts;
 mod bolts_bits;
+mod bolts_staged;
 mod consistency;
 mod contact;
 mod cracked_damping;

@@ -65,6 +65,12 @@ fn larger(so_far: f64, now: f64) -> f64 {
     if now.abs() > so_far || now.is_nan() { now.abs() } else { so_far }
 }
 
+/// Whether a plate holds the head, the other end, of a bolt of so many segments: not where an excavation took what it pressed on.
+fn held(links: usize, plates: [bool; 2], memory: &BoltMemory) -> [bool; 2] {
+    let stands = |k: usize| memory.link(k).status < CUT_OFF;
+    [plates[0] && stands(0), plates[1] && stands(links - 1)]
+}
+
 impl Chain {
     /// Takes a bolt with the displacements of all points of its part.
     pub fn set(&mut self, bars: &[Bar], of: Range<usize>, kind: &Bolts, points: &[Row]) {
@@ -125,7 +131,7 @@ impl Chain {
     pub fn respond(&mut self, memory: &mut BoltMemory) {
         self.bar.clear();
         self.bar.extend_from_slice(memory.bar);
-        let [head, tail] = self.held(memory);
+        let [head, tail] = held(self.links.len(), self.plates, memory);
         if let (true, Some(p)) = (head, self.nodes[0][0]) {
             self.bar[0] = self.ground[p] - memory.point(p).reference;
         }
@@ -159,12 +165,6 @@ impl Chain {
     pub fn respond_elastically(&mut self, memory: &mut BoltMemory) {
         self.links.iter_mut().for_each(|link| (link.yields, link.breaks) = (f64::INFINITY, f64::INFINITY));
         self.respond(memory);
-    }
-
-    /// Whether a plate holds the head, the other end.
-    fn held(&self, memory: &BoltMemory) -> [bool; 2] {
-        let stands = |k: usize| self.links.len() > k && memory.link(k).status < CUT_OFF;
-        [self.plates[0] && stands(0), self.plates[1] && stands(self.links.len().saturating_sub(1))]
     }
 
     /// What is out of balance at every node, and how the forces there change.

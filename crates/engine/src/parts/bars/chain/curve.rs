@@ -37,7 +37,7 @@ impl Curve {
             return force + self.behind * (w - w0);
         }
         let [w1, next] = self.points[k];
-        force + (w - w0) / (w1 - w0) * (next - force)
+        (force + (w - w0) / (w1 - w0) * (next - force)).min(next)
     }
 
     /// Where the tension is `force`; of several places the one nearest to `near`, and the nearest end where it never is.
@@ -66,7 +66,8 @@ impl Curve {
                 if below == 0 && self.before == 0.0 { f64::NEG_INFINITY } else { self.points[below][0] };
             let high =
                 if upto > last && self.behind == 0.0 { f64::INFINITY } else { self.points[upto - 1][0] };
-            return near.clamp(low, high);
+            // Not `clamp`, which would panic where round-off puts two places the wrong way round.
+            return near.max(low).min(high);
         }
         let ([w0, n0], [w1, n1]) = (self.points[below - 1], self.points[below]);
         w0 + (force - n0) / (n1 - n0) * (w1 - w0)

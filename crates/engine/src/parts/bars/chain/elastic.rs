@@ -6,8 +6,8 @@
 
 use super::super::Bar;
 use super::super::link::Link;
-use super::super::memory::{BoltMemory, CUT_OFF, FACTORED, LinkMemory, NOT_LINEAR, PointMemory};
-use super::larger;
+use super::super::memory::{BoltMemory, FACTORED, LinkMemory, NOT_LINEAR, PointMemory};
+use super::{held, larger};
 use tremolite_laws::Row;
 
 /// Room for one bolt.
@@ -41,15 +41,9 @@ fn linear(bar: &Bar, link: &LinkMemory) -> (f64, f64) {
     }
 }
 
-/// Ends that plates hold.
-fn held(bars: &[Bar], plates: [bool; 2], memory: &BoltMemory) -> [bool; 2] {
-    let stands = |k: usize| memory.link(k).status < CUT_OFF;
-    [plates[0] && stands(0), plates[1] && stands(bars.len() - 1)]
-}
-
 /// Eliminates the matrix of a bolt as it stands.
 pub fn factor(bars: &[Bar], first: usize, plates: [bool; 2], memory: &mut BoltMemory) {
-    let fixed = held(bars, plates, memory);
+    let fixed = held(bars.len(), plates, memory);
     let (mut before, mut upper) = (0.0, 0.0);
     for i in 0..=bars.len() {
         let after = bars.get(i).map_or(0.0, |bar| linear(bar, &memory.link(i)).0);
@@ -82,7 +76,7 @@ impl Elastic {
         points: &mut [Row],
     ) -> bool {
         let (first, last, along) = (of.start, bars.len(), bars[0].along);
-        let fixed = held(bars, plates, memory);
+        let fixed = held(bars.len(), plates, memory);
         self.none.clear();
         self.none.extend(points[of.clone()].iter().zip(&*memory.points).map(|(row, point)| {
             let point = PointMemory::read(point);
