@@ -17,6 +17,7 @@ use crate::mesh::{MESH, Mesh};
 use crate::monitor::{MONITOR, Monitor, RELATIVE, Relative};
 use crate::motion::{MOTION, Motion};
 use crate::output::{OUTPUT, Output};
+use crate::page::{Page, REPORT};
 use crate::region::{REGION, Region};
 use crate::reinforcement::{REINFORCEMENT, Reinforcement};
 use crate::stage::{STAGE, Stage, Written};
@@ -65,7 +66,11 @@ pub(crate) static CASE: Table = Table {
         Key::optional("monitor", Kind::Tables(&MONITOR), "no monitors", "Points whose histories are kept"),
         Key::optional("relative", Kind::Tables(&RELATIVE), "", "Pairs of monitors whose difference is kept"),
         Key::default("output", Kind::Table(&OUTPUT), "{}", "What is written, and when"),
-        Key::later("report", "remove the table: the report is in English"),
+        Key::later(
+            "water",
+            "remove the table: there is no pore water yet; give strengths and unit weights that allow for it",
+        ),
+        Key::default("report", Kind::Table(&REPORT), "{}", "How the page of the run is set"),
     ],
     choice: &[],
 };
@@ -109,6 +114,8 @@ pub struct Case {
     pub relatives: Vec<Relative>,
     /// What is written, and when.
     pub output: Output,
+    /// How the page of the run is set.
+    pub page: Page,
     /// What is allowed but hardly meant.
     pub warnings: Vec<Problem>,
     /// Keys that were left out, with what is used instead.
@@ -216,6 +223,7 @@ impl Case {
             monitors,
             relatives,
             output: case.table("output").and_then(Output::read)?,
+            page: case.table("report").and_then(Page::read)?,
             warnings: Vec::new(),
             defaulted: Vec::new(),
         })

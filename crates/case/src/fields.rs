@@ -79,6 +79,13 @@ impl Fields {
         Some(Spanned::new(from(&word)?, word.span))
     }
 
+    pub fn flag(&self, key: &'static str) -> Option<bool> {
+        match self.get(key)?.item {
+            Item::Flag(flag) => Some(flag),
+            _ => None,
+        }
+    }
+
     pub fn table(&self, key: &'static str) -> Option<&Fields> {
         self.get(key)?.table()
     }

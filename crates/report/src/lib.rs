@@ -13,6 +13,7 @@ mod bolt_force;
 mod bolt_map;
 mod bolts;
 mod chart;
+pub mod chinese;
 mod colours;
 mod contact_history;
 mod contact_map;
@@ -37,6 +38,7 @@ mod growth;
 mod histories;
 mod input;
 mod interfaces;
+pub mod language;
 mod lining;
 pub mod loops;
 mod materials;
@@ -58,6 +60,7 @@ mod thin;
 mod thrust_moment;
 mod ticks;
 mod unfold;
+mod view;
 
 use std::fs;
 use std::io;
@@ -66,6 +69,7 @@ use std::path::{Path, PathBuf};
 use tremolite_results::replace_file;
 
 use crate::figure::{Chapter, Section};
+pub use crate::language::Language;
 use crate::source::Source;
 
 /// Why no report could be written.
@@ -95,25 +99,35 @@ pub enum Error {
 /// # Errors
 /// If `dir` holds no results or cannot be written to.
 pub fn write(dir: &Path) -> Result<PathBuf, Error> {
-    let source = Source::read(dir)?;
-    let chapters: Vec<Chapter> =
-        [before::chapter(&source), forces::chapter(&source), bolts::chapter(&source)]
-            .into_iter()
-            .flatten()
-            .collect();
+    set(&Source::read(dir, None)?)
+}
+
+/// As [`write()`], in another language than the case asks for.
+///
+/// # Errors
+/// As of [`write()`].
+pub fn write_in(dir: &Path, language: Language) -> Result<PathBuf, Error> {
+    set(&Source::read(dir, Some(language))?)
+}
+
+fn set(source: &Source) -> Result<PathBuf, Error> {
+    let chapters: Vec<Chapter> = [before::chapter(source), forces::chapter(source), bolts::chapter(source)]
+        .into_iter()
+        .flatten()
+        .collect();
     let mut sections: Vec<Section> = Vec::new();
     if source.shakes() {
-        sections.extend(input::section(&source));
-        sections.extend(free_field::section(&source));
-        sections.extend(contact_map::section(&source));
-        sections.extend(contact_history::section(&source));
-        sections.extend(growth::section(&source));
-        sections.push(cut_figure::section(&source));
-        sections.extend(histories::sections(&source));
-        sections.extend(contact_monitors::section(&source));
-        sections.push(energy::section(&source));
+        sections.extend(input::section(source));
+        sections.extend(free_field::section(source));
+        sections.extend(contact_map::section(source));
+        sections.extend(contact_history::section(source));
+        sections.extend(growth::section(source));
+        sections.push(cut_figure::section(source));
+        sections.extend(histories::sections(source));
+        sections.extend(contact_monitors::section(source));
+        sections.push(energy::section(source));
     } else {
-        sections.extend(contact_map::section(&source));
+        sections.extend(contact_map::section(source));
     }
     let folder = source.folder.figures();
     fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;

@@ -15,13 +15,20 @@ use crate::peaks::{self, PeakTable};
 use crate::source::Source;
 use crate::svg::escape;
 use crate::text_table::TextTable;
+use crate::view;
 
 const TEMPLATE: &str = include_str!("../template/report.html");
 const STYLE: &str = include_str!("../template/report.css");
+/// Built from `page/src`, checked in.
+const SCRIPT: &str = include_str!("../page/dist/page.js");
 
 #[derive(Serialize)]
 struct Page {
+    language: &'static str,
     style: Value,
+    /// The blocks of the view in three dimensions.
+    view: Value,
+    script: Value,
     title: String,
     outcome: Outcome,
     findings: Vec<Outcome>,
@@ -35,7 +42,7 @@ struct Page {
     interfaces: Option<InterfaceTable>,
     chapters: Vec<Leaf>,
     /// What to say in the place of the shaking; nothing where there is one.
-    still: Option<&'static str>,
+    still: Option<String>,
     sections: Vec<Part>,
     peaks: Vec<PeakTable>,
     interval: Option<String>,
@@ -95,6 +102,9 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
         summary.title.clone()
     };
     let page = Page {
+        language: source.language.code(),
+        view: Value::from_safe_string(view::embedded(source)),
+        script: Value::from_safe_string(SCRIPT.into()),
         style: Value::from_safe_string(STYLE.into()),
         title,
         outcome: facts::outcome(source),
@@ -130,6 +140,8 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
     environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
     environment.add_filter("dots", dots);
+    let language = source.language;
+    environment.add_function("t", move |english: &str| language.pattern(english).to_owned());
     environment.add_template("report.html", TEMPLATE)?;
     environment.get_template("report.html")?.render(Serde(&page))
 }

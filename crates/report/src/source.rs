@@ -7,10 +7,13 @@ use tremolite_results::{
     BoltRow, FreeField, ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_bolts, read_sections,
 };
 
+use crate::language::{Language, say};
 use crate::pairs::is_pair;
 
 /// The content of a result folder; for each file that could not be read, a sentence that says why.
 pub struct Source {
+    /// Of the page.
+    pub language: Language,
     pub folder: ResultFolder,
     pub summary: Result<Summary, String>,
     pub monitors: Result<Table, String>,
@@ -33,11 +36,11 @@ pub struct Source {
 }
 
 impl Source {
-    /// Reads the folder's files.
+    /// Reads the folder's files. Without a `language` the page's is that which the case asked for.
     ///
     /// # Errors
     /// If the folder holds no results at all.
-    pub fn read(root: &Path) -> Result<Self, tremolite_results::Error> {
+    pub fn read(root: &Path, language: Option<Language>) -> Result<Self, tremolite_results::Error> {
         let folder = ResultFolder::open_existing(root)?;
         let mut summary = if folder.summary().exists() {
             Summary::read(&folder.summary()).map_err(|e| e.to_string())
@@ -57,7 +60,10 @@ impl Source {
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
         let sections = folder.sections().exists().then(|| sections(&folder.sections()));
         let bolts = folder.bolts().exists().then(|| read_bolts(&folder.bolts()).map_err(|e| format!("{e}.")));
+        let asked = || summary.as_ref().ok()?.report.language.parse().ok();
+        let language = language.or_else(asked).unwrap_or_default();
         Ok(Source {
+            language,
             folder,
             summary,
             monitors,
@@ -84,15 +90,21 @@ impl Source {
     }
 
     /// What to say in the place of the shaking where there is nothing of it.
-    pub fn still(&self) -> Option<&'static str> {
+    pub fn still(&self) -> Option<String> {
         let asked = match &self.summary {
             Ok(summary) => !summary.motion.kind.is_empty(),
             Err(_) => true,
         };
         (!self.shakes()).then_some(if asked {
-            "The run has not come to the earthquake: it ended in the stages before it, or is still in them."
+            say!(
+                self.language,
+                "The run has not come to the earthquake: it ended in the stages before it, or is still in them."
+            )
         } else {
-            "None: the case has no [motion]. This is a static study, and the stages are all of it."
+            say!(
+                self.language,
+                "None: the case has no [motion]. This is a static study, and the stages are all of it."
+            )
         })
     }
 

@@ -81,6 +81,8 @@ pub struct Summary {
     pub energy: IndexMap<String, f64>,
     /// Each a number against its limit; every check is here, those that do not apply with the reason.
     pub trust: Vec<TrustLine>,
+    /// How the page is to be set.
+    pub report: PageWish,
     /// What was unusual about the case before the run, a sentence each with what to do.
     pub before: Vec<String>,
     /// What is true by construction, for people to know.
@@ -129,6 +131,22 @@ pub struct MotionFacts {
     pub peak_acceleration: IndexMap<String, f64>,
     /// Axis of the model → where its record came from, in words.
     pub source: IndexMap<String, String>,
+}
+
+/// How the case wants its page set.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct PageWish {
+    /// `en` or `zh`.
+    pub language: String,
+    /// Whether the page holds the model in three dimensions.
+    pub view: bool,
+}
+
+impl Default for PageWish {
+    fn default() -> Self {
+        PageWish { language: "en".into(), view: true }
+    }
 }
 
 /// A file that the run read.

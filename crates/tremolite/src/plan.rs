@@ -3,6 +3,7 @@
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
 use tremolite_mesh::locate::Location;
+use tremolite_results::PageWish;
 
 /// A point whose histories are kept.
 #[derive(Clone, Debug)]
@@ -38,6 +39,8 @@ pub struct BoltMonitor {
 #[derive(Clone, Debug)]
 pub struct Plan {
     pub title: String,
+    /// How the page is to be set.
+    pub page: PageWish,
     /// Before the earthquake: the equilibrium of what is there at the start, then what is changed; none for a run from rest
     /// without stress.
     pub stages: Vec<PlannedStage>,

@@ -105,6 +105,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         facts,
         trust,
         inputs: evidence.inputs,
+        report: plan.page.clone(),
         before: evidence.before,
         version: env!("CARGO_PKG_VERSION").to_owned(),
         run: evidence.run,

@@ -117,7 +117,8 @@ const BAD: &[Bad] = &[
     bad("groups = [\"*.lining\"]", "groups = \"*.lining\"", "\"*.lining\"", "should be a list", "groups = [\"…\"]"),
     bad("[[relative]]", "[relative]", "[relative]", "should be a list of tables", "[[relative]]"),
     // What later versions bring
-    bad("[initial]", "[report]\nlanguage = \"zh\"\n[initial]", "report", "`report` is not available yet", "English"),
+    bad("[initial]", "[water]\nlevel = \"3 m\"\n[initial]", "water", "`water` is not available yet", "no pore water"),
+    bad("language = \"zh\"", "language = \"fr\"", "\"fr\"", "`language`", "zh"),
     bad("damping = { rayleigh", "damping = { ratio = 0.03, rayleigh", "ratio", "`ratio` has a meaning only beside `band`", "leave it out"),
     // TOML
     bad("near = \"120 cm\"", "near = 120 cm", "120 cm", "not in quotes", "\"120 cm\""),
@@ -174,7 +175,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
         .replace("kind = \"within\"\n", "")
         .replace("safety = 0.8", "safety = 7")
         .replace("between = [\"free\", \"A\"]", "between = [\"free\", \"Q\"]")
-        .replace("[output]", "[report]\n[output]");
+        .replace("[output]", "[water]\n[output]");
     let report = report(&source);
     let found: Vec<(usize, &str)> =
         report.problems.iter().map(|p| (report.position(p).0, p.message.as_str())).collect();
@@ -189,7 +190,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
             (line("[motion]"), "`kind` is missing in `motion`"),
             (line("safety"), "`safety` must be above 0 and at most 1"),
             (line("\"Q\""), "there is no monitor `Q`"),
-            (line("[report]"), "`report` is not available yet"),
+            (line("[water]"), "`water` is not available yet"),
         ]
     );
 }

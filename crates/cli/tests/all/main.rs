@@ -3,6 +3,7 @@
 mod boundary_figures;
 mod check;
 mod checks;
+mod chinese;
 mod circles;
 mod commands;
 mod every_law;

@@ -29,7 +29,7 @@ use tremolite_engine::{Base, Body, Incident, Interface, Life, Problem, Rayleigh,
 use tremolite_kernels::{InterfaceLaw, Law, interface_laws, laws};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
-use tremolite_results::{Input, MaterialFacts};
+use tremolite_results::{Input, MaterialFacts, PageWish};
 
 /// All a run needs, and what of the input is worth reporting.
 pub struct Setup {
@@ -177,6 +177,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let output = &case.output;
     let plan = Plan {
         title: case.title.value.clone(),
+        page: PageWish { language: case.page.language.word().into(), view: case.page.view },
         stages: Staged::plan(case),
         duration,
         histories: output.histories.value,

@@ -3,7 +3,7 @@ use crate::plan::{BoltMonitor, Plan};
 use crate::stages::PlannedStage;
 use tremolite_engine::Bolts;
 use tremolite_engine::bolts::{BoltPoint, Cuts, Segment};
-use tremolite_results::{BoltPeak, BoltSummary, Severity};
+use tremolite_results::{BoltPeak, BoltSummary, PageWish, Severity};
 
 /// A set of so many bolts of three segments of 1 m that go up from z = 0, at x = 0, 1, 2 …
 pub(crate) fn set(name: &str, bolts: u32, born: Stage, yields: f64) -> BoltSet {
@@ -52,6 +52,7 @@ pub(crate) fn under(force: f64) -> SegmentSeen {
 
 pub(crate) fn plan(stages: &[&str]) -> Plan {
     Plan {
+        page: PageWish::default(),
         title: String::new(),
         stages: stages.iter().map(|name| PlannedStage::new(*name)).collect(),
         duration: 1.0,

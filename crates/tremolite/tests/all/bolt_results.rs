@@ -39,6 +39,7 @@ fn plan() -> Plan {
     let monitor =
         |name: &str, x: f64, set: usize| BoltMonitor { name: name.into(), point: [x, 5.1, 7.0], set };
     Plan {
+        page: tremolite_results::PageWish::default(),
         title: "bolts".into(),
         stages: ["start", "bench 1"].map(PlannedStage::new).into(),
         duration: 0.12,

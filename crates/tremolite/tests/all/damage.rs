@@ -87,6 +87,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
             monitor("wall", [6.0, 1.5, 7.0]),
         ];
         let plan = Plan {
+            page: tremolite_results::PageWish::default(),
             title: "hall".into(),
             stages: Vec::new(),
             duration: 0.3,

@@ -46,6 +46,7 @@ fn soil(law: &str, values: &Values, band: Option<Band>) -> std::sync::Arc<dyn An
 /// free_field.csv of a run, and what was seen.
 fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
     let plan = Plan {
+        page: tremolite_results::PageWish::default(),
         title: "ground".into(),
         stages: Vec::new(),
         duration: 0.7,

@@ -225,6 +225,7 @@ fn told(problem: Problem) -> Summary {
     let folder = tempfile::tempdir().unwrap();
     let location = Locator::new(&problem.mesh, None).locate([6.0, 5.0, 7.0], 1e-6).unwrap();
     let plan = Plan {
+        page: tremolite_results::PageWish::default(),
         title: "metal".into(),
         stages: Vec::new(),
         duration: 0.3,

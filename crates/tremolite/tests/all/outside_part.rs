@@ -161,6 +161,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
     problem.incident = block([1; 3]).incident;
     let Ready { model, assembly, phase } = Ready::new(problem);
     let plan = Plan {
+        page: tremolite_results::PageWish::default(),
         title: "springs".into(),
         stages: Vec::new(),
         duration: 0.1,

@@ -113,6 +113,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
     let phase = Phase::of(&model, &assembly, PLACED).unwrap();
     let snapshot = Engine::new(&model, &assembly, &phase).observe(&mut state);
     let plan = Plan {
+        page: tremolite_results::PageWish::default(),
         title: String::new(),
         stages,
         duration: 0.0,

@@ -24,6 +24,7 @@ fn plan(problem: &Problem) -> Plan {
         location: locator.locate(point, 1e-6).unwrap(),
     };
     Plan {
+        page: tremolite_results::PageWish::default(),
         title: "block".into(),
         stages: Vec::new(),
         duration: 0.12,
