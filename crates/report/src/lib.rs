@@ -8,6 +8,7 @@
 
 mod axes;
 mod before;
+mod blocks;
 mod bolt_card;
 mod bolt_force;
 mod bolt_map;
@@ -136,6 +137,6 @@ fn set(source: &Source) -> Result<PathBuf, Error> {
         replace_file(&folder.join(&figure.file), figure.svg.as_bytes())?;
     }
     let path = source.folder.report();
-    replace_file(&path, page::html(&source, &chapters, &sections)?.as_bytes())?;
+    replace_file(&path, page::html(source, &chapters, &sections)?.as_bytes())?;
     Ok(path)
 }

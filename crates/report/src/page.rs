@@ -6,6 +6,7 @@ use minijinja::{AutoEscape, Environment, Value};
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
+use crate::blocks::Blocks;
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
 use crate::figure::{Block, Chapter, Section};
@@ -101,9 +102,11 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
     } else {
         summary.title.clone()
     };
+    let mut blocks = Blocks::default();
+    let view = view::embedded(source, &mut blocks) + &blocks.elements();
     let page = Page {
         language: source.language.code(),
-        view: Value::from_safe_string(view::embedded(source)),
+        view: Value::from_safe_string(view),
         script: Value::from_safe_string(SCRIPT.into()),
         style: Value::from_safe_string(STYLE.into()),
         title,

@@ -1,1 +1,1 @@
-/* built from crates/report/page/src by esbuild: see README.md there */
+"use strict";(()=>{})();
