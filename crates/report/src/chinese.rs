@@ -2,6 +2,12 @@
 //!
 //! Terms follow GB/T 50279 (hydraulic engineering) and GB/T 50083 (structures) where they have one.
 
+mod before;
+mod bolts;
+mod contact;
+mod damage;
+mod forces;
+mod free_field;
 mod page;
 mod source;
 
@@ -9,4 +15,13 @@ mod source;
 pub type Texts = &'static [(&'static str, &'static str)];
 
 /// All of them.
-pub const TABLES: &[Texts] = &[page::TEXTS, source::TEXTS];
+pub const TABLES: &[Texts] = &[
+    before::TEXTS,
+    bolts::TEXTS,
+    contact::TEXTS,
+    damage::TEXTS,
+    forces::TEXTS,
+    free_field::TEXTS,
+    page::TEXTS,
+    source::TEXTS,
+];

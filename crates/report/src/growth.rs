@@ -5,6 +5,7 @@ use tremolite_results::Table;
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::damage::heading;
 use crate::figure::{Figure, Section};
+use crate::language::Language;
 use crate::scale::Scale;
 use crate::source::Source;
 
@@ -17,7 +18,7 @@ pub fn section(source: &Source) -> Option<Section> {
         Err(why) => return Some(Section::left_out(HEADING, why)),
     };
     let time = table.column("time").unwrap_or(&[]);
-    let panels = panels(table);
+    let panels = panels(source.language, table);
     if panels.is_empty() {
         return Some(Section::left_out(HEADING, "Nothing was damaged."));
     }
@@ -29,7 +30,7 @@ pub fn section(source: &Source) -> Option<Section> {
 }
 
 /// A panel for each measure that rose in some group; a group keeps its colour.
-fn panels(table: &Table) -> Vec<Panel<'_>> {
+fn panels(language: Language, table: &Table) -> Vec<Panel<'_>> {
     let mut groups: Vec<&str> = Vec::new();
     let mut panels: Vec<(&str, Panel)> = Vec::new();
     for (column, values) in table.columns.iter().zip(&table.values) {
@@ -52,7 +53,8 @@ fn panels(table: &Table) -> Vec<Panel<'_>> {
         match panels.iter_mut().find(|(name, _)| *name == measure) {
             Some((_, panel)) => panel.lines.push(line),
             None => {
-                let title = if column.unit == "m" { "widest crack".into() } else { heading(measure) };
+                let title =
+                    if column.unit == "m" { "widest crack".into() } else { heading(language, measure) };
                 panels.push((measure, Panel { title, scale, lines: vec![line], mark: Mark::Highest }));
             }
         }
