@@ -4,13 +4,14 @@ use tremolite_results::{StageSummary, Summary};
 
 use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
+use crate::pairs::is_pair;
 use crate::scale::{Scale, count, figures, quantity, trimmed};
 use crate::source::Source;
-use crate::stage_name::called;
+use crate::stage_name::{called, name};
 use crate::text_table::{Cell, Head, TextTable};
 use crate::{convergence, reaction, relaxation, stage_maps};
 
-/// Σ|R|/Σ|contributions| below this is round-off of sums, not something that is held.
+/// A sum over the sum of the sizes of its parts, or a value over the largest of its kind, below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
 
 /// The chapter; nothing for a run without stages.
@@ -59,7 +60,7 @@ fn table(language: Language, facts: &Summary) -> Block {
         let held = if stage.held.abs() <= ROUND_OFF { "0".into() } else { figures(stage.held, 2) };
         vec![
             Cell::number(k.to_string()),
-            Cell::words(&stage.name),
+            Cell::words(name(language, &stage.name)),
             Cell::words(changes(language, k, stage)),
             Cell::number(release),
             Cell::number(count(stage.cycles)),
@@ -124,27 +125,38 @@ fn monitors(language: Language, facts: &Summary) -> Option<Block> {
     }
     let mut head = vec![Head::words(say!(language, "monitor"))];
     head.extend(columns.iter().map(|&i| Head::number(scales[i].labelled(quantities[i].0))));
-    let row =
-        |(name, of): (&String, &indexmap::IndexMap<String, Option<f64>>)| {
-            let mut row = vec![Cell::words(name)];
-            row.extend(columns.iter().map(|&i| {
-                Cell::number(value(of, quantities[i].0).map_or("–".into(), |x| scales[i].number(x)))
-            }));
-            row
-        };
+    let number = |i: usize, x: f64| match x.abs() <= ROUND_OFF * largest(quantities[i].1) {
+        true => "0".into(),
+        false => scales[i].number(x),
+    };
+    let row = |(name, of): (&String, &indexmap::IndexMap<String, Option<f64>>)| {
+        let mut row = vec![Cell::words(name)];
+        let values =
+            columns.iter().map(|&i| value(of, quantities[i].0).map_or("–".into(), |x| number(i, x)));
+        row.extend(values.map(Cell::number));
+        row
+    };
     // Those at interfaces and bolts have none of these.
     let has = |of: &indexmap::IndexMap<String, Option<f64>>| {
         columns.iter().any(|&i| of.contains_key(quantities[i].0))
     };
     let rows = last.monitors.iter().filter(|(_, of)| has(of)).map(row).collect();
+    let names: Vec<String> = last.monitors.keys().cloned().collect();
+    let mut text = say!(
+        language,
+        "After {stage}. Displacements since the initial equilibrium, of a lining since its installation; tension is positive. \
+             All stages are in stages.csv.",
+        stage = called(language, k, last)
+    );
+    if names.iter().any(|name| is_pair(name, &names)) {
+        text.push_str(&say!(
+            language,
+            " A pair shows how much more the first monitor moved than the second."
+        ));
+    }
     Some(Block {
         heading: say!(language, "Monitors when the stages are done"),
-        text: say!(
-            language,
-            "After {stage}. Displacements since the initial equilibrium, of a lining since its installation; tension is positive. \
-             All stages are in stages.csv.",
-            stage = called(language, k, last)
-        ),
+        text,
         tables: vec![TextTable { head: vec![head], rows }],
         ..Block::default()
     })

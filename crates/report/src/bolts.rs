@@ -8,7 +8,7 @@ use crate::language::{Language, say};
 use crate::scale::{count, figures, moment, quantity, trimmed};
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
-use crate::{bolt_force, bolt_map};
+use crate::{bolt_force, bolt_map, stage_name};
 
 const ID: &str = "bolts";
 /// Groups side by side in one table.
@@ -176,7 +176,9 @@ fn place(language: Language, peak: &BoltPeak, duration: f64) -> Cell {
         EARTHQUAKE => {
             say!(language, "{at}, at\u{a0}{time}\u{a0}s", at = at, time = moment(peak.time, duration))
         }
-        stage => say!(language, "{at}, in {stage}", at = at, stage = stage),
+        stage => {
+            say!(language, "{at}, in {stage}", at = at, stage = stage_name::name(language, stage))
+        }
     };
     Cell::words(say!(language, "bolt\u{a0}{number}", number = peak.bolt)).with(place)
 }
@@ -205,7 +207,7 @@ fn by_stage(language: Language, rows: &[BoltRow], facts: &Summary) -> Option<Blo
         let row = |(stage, groups): (&&str, &IndexMap<&str, (f64, f64)>)| {
             let stage = match *stage {
                 EARTHQUAKE => say!(language, "earthquake, largest of its rows"),
-                stage => stage.to_owned(),
+                stage => stage_name::name(language, stage),
             };
             std::iter::once(Cell::words(stage))
                 .chain(names.iter().map(|name| cell(groups.get(name))))

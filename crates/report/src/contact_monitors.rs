@@ -101,6 +101,7 @@ fn path(language: Language, table: &Table, monitor: &str, file: String) -> Figur
     let states = states(language).into_iter().zip(STATES);
     let states: Vec<(String, usize)> = states.map(|(name, (_, colour))| (name, colour)).collect();
     let drawing = Path {
+        language,
         title: say!(language, "{monitor}: shear over pressure", monitor = monitor),
         pressure: column("pressure"),
         shear: &shear,

@@ -8,7 +8,7 @@ use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::Scale;
-use crate::stage_name::called;
+use crate::stage_name::{called, name};
 use crate::svg::{Anchor, Style, Svg};
 use crate::text_table::{Cell, Head, TextTable};
 use crate::ticks::Ticks;
@@ -190,7 +190,8 @@ fn figure(
     } else {
         say!(language, "{name}: motion towards the opening", name = cavern)
     });
-    let names: Vec<&str> = stages.iter().map(|stage| stage.name.as_str()).collect();
+    let names: Vec<String> = stages.iter().map(|stage| name(language, &stage.name)).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let mut svg = Svg::new(WIDTH);
     let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &heading, &curves);
     let axes = Axes {

@@ -8,6 +8,7 @@ use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::{figures, superscript, trimmed};
 use crate::source::Source;
+use crate::stage_name::name;
 use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::ticks::Ticks;
 
@@ -148,7 +149,7 @@ fn draw(
             svg.rule((x, top - if k == 0 { 14.0 } else { 0.0 }), (x, top + height), true);
         }
         if k == 0 {
-            names(&mut svg, &axes, spans, facts);
+            names(language, &mut svg, &axes, spans, facts);
         }
         plot::draw(&mut svg, &axes, curves);
         top += height + 26.0;
@@ -160,11 +161,11 @@ fn draw(
 }
 
 /// Names of the stages above their parts of the axis; numbers, or nothing, where there is no room.
-fn names(svg: &mut Svg, axes: &Axes, spans: &[Span], facts: &Summary) {
+fn names(language: Language, svg: &mut Svg, axes: &Axes, spans: &[Span], facts: &Summary) {
     for span in spans {
         let (from, to) = (axes.point(span.from, 0.0).0, axes.point(span.to, 0.0).0);
         let number = span.stage.to_string();
-        let name = facts.stages.get(span.stage).map_or("", |s| s.name.as_str());
+        let name = facts.stages.get(span.stage).map_or_else(String::new, |s| name(language, &s.name));
         let full = format!("{number} {name}");
         let fitting =
             [full.trim(), number.as_str()].into_iter().find(|t| text_width(t, 11.0) + 6.0 <= to - from);

@@ -42,6 +42,10 @@ pub const TEXTS: Texts = &[
          is positive. All stages are in stages.csv.",
         "{stage}之后。位移自初始平衡起算，衬砌自其施作起算；拉为正。各阶段的数值见 stages.csv。",
     ),
+    (
+        " A pair shows how much more the first monitor moved than the second.",
+        "成对的监测点为前者减后者的相对位移。",
+    ),
     ("Left out. {why}", "未列出。{why}"),
     ("How the model came to rest", "模型趋于平衡的过程"),
     (

@@ -61,14 +61,14 @@ pub const TEXTS: Texts = &[
         "Of each group the bolt that came nearest to yield, or carries most where none yields: full line {when}, \
          dashed that of largest size in any step since the earthquake began. A force that falls to nothing at \
          both ends is carried by the bond; one that is large at the head hangs on the plate.",
-        "各组中最接近屈服的锚杆；不会屈服的组取受力最大者。实线为{when}的轴力，虚线为地震开始以来各时步中绝对值最\
+        "各组中最接近屈服的锚杆；不会屈服的组取受力最大者。实线：{when}的轴力；虚线：地震开始以来各时步中绝对值最\
          大的轴力。两端降为零的轴力由粘结承担；锚头处较大的轴力由垫板承担。",
     ),
     (
         "Of each group the bolt that came nearest to yield, or carries most where none yields: full line {when}, \
          dashed that of largest size in any step since the stage began. A force that falls to nothing at both \
          ends is carried by the bond; one that is large at the head hangs on the plate.",
-        "各组中最接近屈服的锚杆；不会屈服的组取受力最大者。实线为{when}的轴力，虚线为本阶段开始以来各步中绝对值最\
+        "各组中最接近屈服的锚杆；不会屈服的组取受力最大者。实线：{when}的轴力；虚线：本阶段开始以来各步中绝对值最\
          大的轴力。两端降为零的轴力由粘结承担；锚头处较大的轴力由垫板承担。",
     ),
     ("The same of those of another length.", "其他长度锚杆的同类图。"),
