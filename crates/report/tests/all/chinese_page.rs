@@ -3,7 +3,7 @@
 use std::fs;
 
 use tremolite_report::{Language, write_in};
-use tremolite_results::{ResultFolder, Summary};
+use tremolite_results::{EARTHQUAKE, Pvd, ResultFolder, Summary};
 
 use super::interface_results::{self, fault, pairs, tunnel};
 use super::{bolts, free_field, report, stages};
@@ -86,6 +86,18 @@ fn stages_and_section_forces_are_told_in_chinese() {
             other => other,
         });
         assert_chinese(&page, &headings.collect::<Vec<_>>(), &own);
+        let mut summary = Summary::read(&folder.summary()).unwrap();
+        for stage in &mut summary.stages {
+            stage.tolerance = f64::NAN;
+            stage.walls.retain(|name, _| !name.starts_with("tunnel"));
+            stage.walls.insert("pillar".into(), [1e-3; 3]);
+            stage.walls.insert("store.rib".into(), [1e-3; 3]);
+        }
+        let values = summary.stages[5].monitors["A"].clone();
+        summary.stages[5].monitors.extend(["B", "A-B"].map(|name| (name.to_owned(), values.clone())));
+        summary.write(&folder.summary()).unwrap();
+        let headings: Vec<_> = STAGES[1..5].iter().copied().filter(|h| *h != "围岩特征曲线").collect();
+        assert_chinese(&self::page(&folder), &headings, &own);
         fs::write(folder.relaxation(), "stage []\n1\n").unwrap();
         fs::write(folder.sections(), "lining\n").unwrap();
         let page = self::page(&folder);
@@ -99,6 +111,15 @@ fn bolts_are_told_in_chinese() {
     let temp = tempfile::tempdir().unwrap();
     let folder = bolts::results(temp.path());
     assert_chinese(&page(&folder), BOLTS, &[]);
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.bolts["toe"].there = false;
+    (summary.bolts["walls"].placed, summary.bolts["walls"].largest.stage) =
+        (EARTHQUAKE.into(), "bench 1".into());
+    summary.write(&folder.summary()).unwrap();
+    let lines = folder.bolt_fields();
+    fs::rename(lines.join("000012.vtu"), lines.join("stage-3.vtu")).unwrap();
+    Pvd::create(&folder.bolts_pvd()).unwrap().add(3.0, "bolts/stage-3.vtu").unwrap();
+    assert_chinese(&page(&folder), BOLTS, &[]);
     fs::remove_file(folder.bolts()).unwrap();
     fs::remove_file(folder.bolts_pvd()).unwrap();
     assert_chinese(&page(&folder), &BOLTS[..1], &[]);
@@ -109,25 +130,32 @@ fn the_free_field_is_told_in_chinese() {
     let temp = tempfile::tempdir().unwrap();
     let folder = free_field::results(temp.path());
     free_field::motion(&folder);
-    let corner = "model.xmin-ymin.surface.vx";
-    let all: [(&str, &dyn Fn(f64) -> f64); 5] = [
+    let small = |t| 1e-9 * free_field::surface(t);
+    let all: [(&str, &dyn Fn(f64) -> f64); 9] = [
         ("reference-xmin-ymin.top.vx", &free_field::too_much),
-        ("reference-xmin-ymin.top.theory.vx", &free_field::surface),
+        ("reference-xmin-ymin.top.vx_theory", &free_field::surface),
         ("reference-xmin-ymin.base.vx", &free_field::base),
+        ("reference-xmin-ymin.top.vz", &small),
         ("xmin-ymax.top.vx", &free_field::base),
-        (corner, &free_field::surface),
+        ("xmin-ymax.top.vx_theory", &free_field::surface),
+        ("xmax-ymax.top.vx", &free_field::base),
+        ("model.xmin-ymin.surface.vx", &free_field::surface),
+        ("model.xmin-ymax.surface.vx", &free_field::surface),
     ];
-    // With theory and corners, without one of them, without any motion.
-    for columns in [&all[..], &all[..4], &all[2..], &all[4..]] {
+    // With everything, without corners, with one column, without columns, with the mean of the corners.
+    let mean: [(&str, &dyn Fn(f64) -> f64); 3] =
+        [all[4], all[6], ("model.surface.vx", &free_field::too_much)];
+    for columns in [&all[..], &all[..7], &all[5..], &all[7..], &mean] {
         free_field::free_field(&folder, columns);
         let page = page(&folder);
-        assert_chinese(&page, &FREE_FIELD[..1], &[]);
-        if columns.len() == all.len() {
-            assert_chinese(&page, FREE_FIELD, &[]);
-        }
+        let parts = if columns.len() == all.len() { FREE_FIELD } else { &FREE_FIELD[..1] };
+        assert_chinese(&page, parts, &[]);
     }
+    fs::remove_file(folder.motion()).unwrap();
+    free_field::free_field(&folder, &all);
+    assert_chinese(&page(&folder), FREE_FIELD, &[]);
     free_field::free_field(&folder, &[("model.surface.vx", &|_| 0.0)]);
-    assert_chinese(&page(&folder), &FREE_FIELD[..1], &[]);
+    assert!(below(&page(&folder), FREE_FIELD[0]).contains("free_field.csv 中没有运动。"));
 }
 
 #[test]
