@@ -13,6 +13,8 @@ use crate::{convergence, reaction, relaxation, stage_maps};
 
 /// A sum over the sum of the sizes of its parts, or a value over the largest of its kind, below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
+/// Characters.
+const SHORT: usize = 12;
 
 /// The chapter; nothing for a run without stages.
 pub fn chapter(source: &Source) -> Option<Chapter> {
@@ -60,7 +62,7 @@ fn table(language: Language, facts: &Summary) -> Block {
         let held = if stage.held.abs() <= ROUND_OFF { "0".into() } else { figures(stage.held, 2) };
         vec![
             Cell::number(k.to_string()),
-            Cell::words(name(language, &stage.name)),
+            Cell::words(kept(&name(language, &stage.name))),
             Cell::words(changes(language, k, stage)),
             Cell::number(release),
             Cell::number(count(stage.cycles)),
@@ -85,6 +87,11 @@ fn table(language: Language, facts: &Summary) -> Block {
                 100\u{a0}% has not let go, over the same contributions; it should be 0 at the end."
     );
     Block { text, tables: vec![TextTable { head: vec![head], rows }], ..Block::default() }
+}
+
+/// A name that is short stays on one line beside the long texts of the next column.
+fn kept(name: &str) -> String {
+    if name.chars().count() <= SHORT { name.replace(' ', "\u{a0}") } else { name.into() }
 }
 
 /// What a stage did, in words.
