@@ -4,11 +4,13 @@
 
 mod before;
 mod bolts;
+mod compare;
 mod contact;
 mod damage;
 mod forces;
 mod free_field;
 mod page;
+mod section_strength;
 mod source;
 
 /// English pattern and Chinese.
@@ -18,10 +20,12 @@ pub type Texts = &'static [(&'static str, &'static str)];
 pub const TABLES: &[Texts] = &[
     before::TEXTS,
     bolts::TEXTS,
+    compare::TEXTS,
     contact::TEXTS,
     damage::TEXTS,
     forces::TEXTS,
     free_field::TEXTS,
     page::TEXTS,
+    section_strength::TEXTS,
     source::TEXTS,
 ];

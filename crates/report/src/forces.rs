@@ -7,7 +7,7 @@ use crate::lining::{self, Extreme, Lining, Station, kilo, linings};
 use crate::scale::{moment, trimmed};
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
-use crate::{force_chart, force_shape, thrust_moment};
+use crate::{force_chart, force_shape, section_strength, thrust_moment};
 
 /// The chapter; nothing for a run that wrote no section forces.
 pub fn chapter(source: &Source) -> Option<Chapter> {
@@ -56,6 +56,10 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         block.figures.extend(force_shape::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(force_chart::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(thrust_moment::figure(language, lining, &section, &suffix));
+        match section_strength::figure(lining, &facts, &suffix, source.language) {
+            Ok(figure) => block.figures.push(figure),
+            Err(why) => block.notes.push(why),
+        }
         if block.figures.is_empty() {
             block.notes.push(say!(language, "No figure: fewer than two stations have numbers."));
         }

@@ -16,6 +16,7 @@ mod bolts;
 mod chart;
 pub mod chinese;
 mod colours;
+mod compare;
 mod contact_history;
 mod contact_map;
 mod contact_monitors;
@@ -52,6 +53,8 @@ mod plot;
 mod reaction;
 mod relaxation;
 mod scale;
+mod section_strength;
+mod setting;
 mod source;
 mod stage_maps;
 mod stage_name;
@@ -70,6 +73,7 @@ use std::path::{Path, PathBuf};
 
 use tremolite_results::replace_file;
 
+pub use crate::compare::compare;
 use crate::figure::{Chapter, Section};
 pub use crate::language::Language;
 use crate::source::Source;

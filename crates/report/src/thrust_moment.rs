@@ -73,8 +73,7 @@ pub fn figure(language: Language, lining: &Lining, section: &[&Station], suffix:
     let caption = say!(
         language,
         "All {number} stations of the lining, all sections.{shaken} Right of N = 0 a section is pulled. N and M are those of \
-         the concrete and of bars in it together. Lines of strength are not \
-         drawn: they need thickness, concrete and reinforcement, which the files of section forces do not hold.",
+         the concrete and of bars in it together.",
         number = lining.stations.len(),
         shaken = shaken
     );

@@ -73,10 +73,8 @@ pub const TEXTS: Texts = &[
     ),
     (
         "All {number} stations of the lining, all sections.{shaken} Right of N = 0 a section is pulled. N and M \
-         are those of the concrete and of bars in it together. Lines of strength are not drawn: they need \
-         thickness, concrete and reinforcement, which the files of section forces do not hold.",
-        "衬砌所有断面的全部 {number} 个测站。{shaken}N = 0 以右截面受拉。N、M 为混凝土及其中钢筋的合力。未画承载\
-         力曲线：它需要厚度、混凝土和配筋，而内力文件中没有这些数据。",
+         are those of the concrete and of bars in it together.",
+        "衬砌所有断面的全部 {number} 个测站。{shaken}N = 0 以右截面受拉。N、M 为混凝土及其中钢筋的合力。",
     ),
     ("moment over thrust at each station", "各测站的弯矩与轴力"),
 ];

@@ -2,6 +2,7 @@
 
 mod bolts;
 mod chinese_page;
+mod compare;
 mod free_field;
 mod further_quantities;
 mod interface_results;
