@@ -9,6 +9,7 @@ pub const INK: &str = "#1f2933";
 /// Text of lesser weight.
 pub const MUTED: &str = "#5b6773";
 const GRID: &str = "#e2e6ea";
+const VEIL: &str = "#d3dae1";
 const AXIS: &str = "#8b95a1";
 const FONTS: &str =
     "system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,'Noto Sans CJK SC',sans-serif";
@@ -132,6 +133,13 @@ impl Svg {
         for outline in outlines {
             self.trace(outline, true);
         }
+        self.put("\"/>");
+    }
+
+    /// A pale area under lines, in the page's colour.
+    pub fn veil(&mut self, outline: &[(f64, f64)]) {
+        self.put(format_args!("<path class=\"veil\" fill=\"{VEIL}\" d=\""));
+        self.trace(outline, true);
         self.put("\"/>");
     }
 
