@@ -40,10 +40,7 @@ pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Ve
     let rows = rows(&panels);
     let sheets = rows.len().div_ceil(ROWS).max(1);
     let each = rows.len().div_ceil(sheets).max(1);
-    let alone = say!(
-        language,
-        "Each line stands alone; grey is the range of all of them, and the ring its largest value."
-    );
+    let alone = say!(language, "Each line stands alone; grey is the range of all of them.");
     let caption = match titles.caption {
         "" => alone,
         caption => say!(language, "{first} {second}", first = caption, second = alone),

@@ -2,11 +2,11 @@
 
 use tremolite_results::{Cut, Pvd};
 
-use crate::cut_figure::{on_plane, plane, points, window};
+use crate::cut_figure::{plane, points, window};
 use crate::figure::{Figure, Section};
 use crate::frame::Frame;
 use crate::language::say;
-use crate::scale::count;
+use crate::scale::{count, trimmed};
 use crate::source::Source;
 
 /// Room around what is to be seen, as a part of its extent.
@@ -40,9 +40,9 @@ pub fn section(source: &Source) -> Option<Section> {
     let heading = say!(language, "The section and its monitors");
     let caption = say!(
         language,
-        "Elements {plane}: {shown} of the {all} that the plane meets are shown. Dark is what is not rock. Places of the \
+        "Elements on the plane y = {y}\u{a0}m: {shown} of the {all} that the plane meets are shown. Dark is what is not rock. Places of the \
          monitors are under 'Model'. Are the elements small where stresses change fast, round the openings and at the corners?",
-        plane = on_plane(&cut),
+        y = trimmed(&format!("{:.2}", cut.y).replace('-', "−")),
         shown = count(shown().count() as u64),
         all = count(cut.cells.len() as u64)
     );

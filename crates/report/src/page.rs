@@ -9,13 +9,13 @@ use tremolite_results::Defaulted;
 use crate::contents::{Content, Placed};
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
-use crate::figure::{Block, Section};
+use crate::figure::{Block, Figure, Section};
 use crate::interfaces::{self, InterfaceTable};
 use crate::language::say;
 use crate::materials::{self, MaterialTable};
 use crate::peaks::{self, PeakTable};
 use crate::source::Source;
-use crate::svg::escape;
+use crate::svg::{self, escape};
 use crate::text_table::TextTable;
 use crate::verdict::{self, Verdict};
 
@@ -88,6 +88,8 @@ struct Part {
 #[derive(Serialize)]
 struct Drawing {
     svg: Value,
+    /// Whether it wants a page of paper for itself.
+    tall: bool,
     caption: String,
 }
 
@@ -225,6 +227,10 @@ fn part(placed: &Placed) -> Part {
     }
 }
 
-fn drawing(figure: &crate::figure::Figure) -> Drawing {
-    Drawing { svg: Value::from_safe_string(figure.svg.clone()), caption: figure.caption.clone() }
+/// Height over width from which on a figure has a page of its own: shrunk to half a page its texts could not be read.
+const TALL: f64 = 0.75;
+
+fn drawing(figure: &Figure) -> Drawing {
+    let tall = svg::proportion(&figure.svg).is_some_and(|proportion| proportion > TALL);
+    Drawing { svg: Value::from_safe_string(figure.svg.clone()), tall, caption: figure.caption.clone() }
 }

@@ -243,6 +243,13 @@ impl Svg {
     }
 }
 
+/// Height over width of a drawing made here.
+pub fn proportion(drawing: &str) -> Option<f64> {
+    let (size, _) = drawing.split_once("viewBox=\"0 0 ")?.1.split_once('"')?;
+    let (width, height) = size.split_once(' ')?;
+    Some(height.parse::<f64>().ok()? / width.parse::<f64>().ok()?)
+}
+
 /// How a text is set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Style {

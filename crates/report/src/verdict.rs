@@ -195,6 +195,7 @@ fn opening(source: &Source, value: f64) -> String {
 /// A share; a small one does not become zero.
 fn percent(share: f64) -> String {
     match share {
+        0.0 => "0".into(),
         s if s > 0.0 && s < 1e-3 => "<\u{a0}0.1\u{a0}%".into(),
         s => format!("{:.1}\u{a0}%", 100.0 * s),
     }
@@ -249,7 +250,7 @@ fn around(source: &Source, facts: &Summary) -> Option<Line> {
         let tension = number(rock, "share_yielded_in_tension").unwrap_or(0.0);
         let text = say!(
             language,
-            "Rock {name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
+            "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
             name = rock.group,
             shear = percent(shear),
             tension = percent(tension)
