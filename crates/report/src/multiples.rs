@@ -6,19 +6,20 @@ use crate::axes::{Axes, drawable};
 use crate::chart::{Line, Panel};
 use crate::language::{Language, say};
 use crate::scale::moment;
-use crate::svg::{Anchor, Style, Svg};
+use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::thin::thin;
 use crate::ticks::Ticks;
 
 const WIDTH: f64 = 940.0;
-/// Between the left edge of a column and its axis: the numbers.
+/// Between the left edge of a column and its axis, at least: the numbers.
 const LEFT: f64 = 46.0;
 const RIGHT: f64 = 10.0;
 /// Room for the headings of the columns.
 const HEADING: f64 = 26.0;
 /// Room above a cell for its name and its marked value.
-const NAME: f64 = 20.0;
-const CELL: f64 = 66.0;
+const NAME: f64 = 18.0;
+/// With six rows half a page of paper.
+const CELL: f64 = 57.0;
 /// The dark one, light on a dark page.
 const INK: usize = 3;
 
@@ -40,6 +41,8 @@ impl Multiples<'_> {
         let mut svg = Svg::new(WIDTH);
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(1).max(1);
         let width = WIDTH / columns as f64;
+        let labels = self.rows.iter().flatten().flatten().flat_map(|(panel, _)| ticks(panel).marks);
+        let indent = labels.map(|(_, label)| text_width(&label, 12.0) + 11.0).fold(LEFT, f64::max);
         let finite = || self.time.iter().copied().filter(|t| drawable(*t));
         let (from, to) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let across = Ticks::within(from, to, (width / 75.0) as usize);
@@ -60,7 +63,7 @@ impl Multiples<'_> {
                     }
                     let heading = panel.scale.labelled(&panel.title);
                     svg.text(
-                        (k as f64 * width + LEFT, top + 16.0),
+                        (k as f64 * width + indent, top + 16.0),
                         Anchor::Start,
                         13.0,
                         Style::Bold,
@@ -74,7 +77,7 @@ impl Multiples<'_> {
                 let left = k as f64 * width;
                 let up = ticks(cell.0);
                 let axes = Axes {
-                    left: left + LEFT,
+                    left: left + indent,
                     right: left + width - RIGHT,
                     top: top + NAME,
                     bottom: top + NAME + CELL,
@@ -87,7 +90,7 @@ impl Multiples<'_> {
         }
         for k in 0..columns {
             for (t, label) in &across.marks {
-                let x = k as f64 * width + LEFT + across.fraction(*t) * (width - LEFT - RIGHT);
+                let x = k as f64 * width + indent + across.fraction(*t) * (width - indent - RIGHT);
                 svg.text((x, top + 16.0), Anchor::Middle, 12.0, Style::Muted, label);
             }
         }
@@ -107,7 +110,9 @@ impl Multiples<'_> {
         let Some((time, value)) = panel.mark.of(self.time, line) else { return String::new() };
         let at = moment(time, self.time.last().copied().unwrap_or(f64::NAN));
         let remark = say!(language, "{value} at {time}\u{a0}s", value = panel.scale.number(value), time = at);
-        svg.text((axes.right, axes.top - 6.0), Anchor::End, 12.0, Style::Muted, &remark);
+        let room = axes.right - axes.left - text_width(&line.name, 12.5) - text_width(&remark, 12.0);
+        let y = if room > 8.0 { axes.top - 6.0 } else { axes.top + 12.0 };
+        svg.text((axes.right, y), Anchor::End, 12.0, Style::Muted, &remark);
         svg.ring(axes.point(time, value * panel.scale.factor), INK);
         format!("{}: {remark}", line.name)
     }

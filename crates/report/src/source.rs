@@ -72,7 +72,13 @@ impl Source {
         let case = std::fs::read(root.join("case.toml")).ok();
         let case = case.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
         let facts = facts(&summary, &monitors);
-        let units = Units::of(&facts, energy.as_ref().map_or(0.0, largest));
+        let of_ground = [energy.as_ref().ok(), motion.as_ref().and_then(|table| table.as_ref().ok())];
+        let of_joints = [&damage, &interfaces].map(|table| table.as_ref()?.as_ref().ok());
+        let of_joints = of_joints.into_iter().flatten().flat_map(kinds).map(|(kind, size)| match kind {
+            Kind::Displacement => (Kind::Opening, size),
+            other => (other, size),
+        });
+        let units = Units::of(&facts, of_ground.into_iter().flatten().flat_map(kinds).chain(of_joints));
         Ok(Source {
             language,
             folder,
@@ -148,10 +154,13 @@ fn facts(summary: &Result<Summary, String>, monitors: &Result<Table, String>) ->
     })
 }
 
-/// The largest value of a table by size, times apart.
-fn largest(table: &Table) -> f64 {
-    let columns = table.columns.iter().zip(&table.values).filter(|(column, _)| column.name != "time");
-    columns.flat_map(|(_, values)| values).filter(|x| x.is_finite()).fold(0.0, |most, x| most.max(x.abs()))
+/// What the columns of a table are, each with its largest value by size.
+fn kinds(table: &Table) -> impl Iterator<Item = (Kind, f64)> {
+    let columns = table.columns.iter().zip(&table.values);
+    columns.filter_map(|(column, values)| {
+        let finite = values.iter().filter(|x| x.is_finite());
+        Some((Kind::of_unit(&column.unit)?, finite.fold(0.0, |most, x| f64::max(most, x.abs()))))
+    })
 }
 
 /// Fills in peaks that the summary lacks from the histories.

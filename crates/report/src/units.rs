@@ -60,25 +60,28 @@ impl Kind {
     /// The unit for sizes up to `largest`, in SI.
     fn scale(self, largest: f64) -> Scale {
         match self {
-            // Millimetres as long as they can be read: metres would show nothing of what strains a lining.
-            Kind::Displacement if (1e-4..10.0).contains(&largest) => Scale::suiting("m", 1e-2),
+            // Millimetres as long as they can be read: metres would show nothing of what strains a lining, and widths of
+            // cracks are set beside limits in millimetres.
+            Kind::Displacement | Kind::Opening if (1e-4..10.0).contains(&largest) => {
+                Scale::suiting("m", 1e-2)
+            }
             Kind::Displacement | Kind::Opening => Scale::suiting("m", largest),
             Kind::Velocity => Scale::suiting("m/s", largest),
             Kind::Acceleration => Scale::suiting("m/s2", largest),
             Kind::Stress => Scale::suiting("Pa", largest),
             Kind::Force => Scale::suiting("N", largest),
             // The error of the balance, and what joints and bolts hold, are small beside the largest line.
-            Kind::Energy => Scale::suiting("J", 1e-2 * largest),
+            Kind::Energy => Scale::suiting("J", 0.1 * largest),
         }
     }
 }
 
-/// The page's units, fixed once from the largest of each kind that the summary knows.
+/// The page's units, fixed once from the largest of each kind that the summary and the tables know.
 pub struct Units([Scale; Kind::ALL.len()]);
 
 impl Units {
-    /// From a summary; `energy` is the largest of any line of the balance at any time (J).
-    pub fn of(facts: &Summary, energy: f64) -> Self {
+    /// From a summary and what tables hold beyond it, by kind.
+    pub fn of(facts: &Summary, tables: impl Iterator<Item = (Kind, f64)>) -> Self {
         let mut largest = [0.0_f64; Kind::ALL.len()];
         let mut meet = |kind: Kind, value: f64| {
             if value.is_finite() {
@@ -116,7 +119,8 @@ impl Units {
             meet(Kind::Opening, bolts.max_slip);
             [bolts.largest.force, bolts.yield_force].into_iter().for_each(|x| meet(Kind::Force, x));
         }
-        facts.energy.values().chain([&energy]).for_each(|x| meet(Kind::Energy, *x));
+        facts.energy.values().for_each(|x| meet(Kind::Energy, *x));
+        tables.for_each(|(kind, value)| meet(kind, value));
         Units(Kind::ALL.map(|kind| kind.scale(largest[kind as usize])))
     }
 
@@ -142,7 +146,7 @@ mod tests {
         assert_eq!(unit(Kind::Displacement, 4e-4), "mm");
         assert_eq!(unit(Kind::Displacement, 4e-6), "µm");
         assert_eq!(unit(Kind::Displacement, 40.0), "m");
-        assert_eq!(unit(Kind::Opening, 4e-4), "µm");
+        assert_eq!(unit(Kind::Opening, 4e-4), "mm");
         assert_eq!(unit(Kind::Energy, 3.4e9), "MJ");
         assert_eq!(unit(Kind::Stress, 0.0), "Pa");
     }
