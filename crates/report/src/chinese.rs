@@ -2,9 +2,11 @@
 //!
 //! Terms follow GB/T 50279 (hydraulic engineering) and GB/T 50083 (structures) where they have one.
 
+mod compare;
 mod energy;
 mod histories;
 mod page;
+mod section_strength;
 mod source;
 mod verdict;
 
@@ -12,4 +14,12 @@ mod verdict;
 pub type Texts = &'static [(&'static str, &'static str)];
 
 /// All of them.
-pub const TABLES: &[Texts] = &[energy::TEXTS, histories::TEXTS, page::TEXTS, source::TEXTS, verdict::TEXTS];
+pub const TABLES: &[Texts] = &[
+    compare::TEXTS,
+    energy::TEXTS,
+    histories::TEXTS,
+    page::TEXTS,
+    section_strength::TEXTS,
+    source::TEXTS,
+    verdict::TEXTS,
+];

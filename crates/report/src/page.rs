@@ -1,8 +1,7 @@
 //! The page: the template filled in.
 
-use minijinja::syntax::SyntaxConfig;
+use minijinja::Value;
 use minijinja::value::Serde;
-use minijinja::{AutoEscape, Environment, Value};
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
@@ -14,13 +13,13 @@ use crate::interfaces::{self, InterfaceTable};
 use crate::language::say;
 use crate::materials::{self, MaterialTable};
 use crate::peaks::{self, PeakTable};
+use crate::setting::{STYLE, environment, markup};
 use crate::source::Source;
-use crate::svg::{self, escape};
+use crate::svg;
 use crate::text_table::TextTable;
 use crate::verdict::{self, Verdict};
 
 const TEMPLATE: &str = include_str!("../template/report.html");
-const STYLE: &str = include_str!("../template/report.css");
 /// Built from `page/src`, checked in.
 const SCRIPT: &str = include_str!("../page/dist/page.js");
 
@@ -106,9 +105,9 @@ pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String
     };
     let page = Page {
         language: language.code(),
-        view: Value::from_safe_string(data),
-        script: Value::from_safe_string(SCRIPT.into()),
-        style: Value::from_safe_string(STYLE.into()),
+        view: markup(&data),
+        script: markup(SCRIPT),
+        style: markup(STYLE),
         title,
         verdict: verdict::verdict(source),
         outcome: facts::outcome(source),
@@ -140,18 +139,9 @@ pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String
         files: files(source),
         case: source.case.clone(),
     };
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
-    environment.add_filter("dots", dots);
-    environment.add_function("t", move |english: &str| language.pattern(english).to_owned());
+    let mut environment = environment(language)?;
     environment.add_template("report.html", TEMPLATE)?;
     environment.get_template("report.html")?.render(Serde(&page))
-}
-
-/// A name of several parts, which may break behind its dots and nowhere else.
-fn dots(name: String) -> Value {
-    Value::from_safe_string(escape(&name).replace('.', ".<wbr>"))
 }
 
 /// What peaks are taken from.
@@ -232,5 +222,5 @@ const TALL: f64 = 0.75;
 
 fn drawing(figure: &Figure) -> Drawing {
     let tall = svg::proportion(&figure.svg).is_some_and(|proportion| proportion > TALL);
-    Drawing { svg: Value::from_safe_string(figure.svg.clone()), tall, caption: figure.caption.clone() }
+    Drawing { svg: markup(&figure.svg), tall, caption: figure.caption.clone() }
 }

@@ -69,8 +69,6 @@ pub const TEXTS: Texts = &[
     ("Check", "检查项"),
     ("Found", "结果"),
     ("Limit", "限值"),
-    ("pass", "通过"),
-    ("warn", "警告"),
     ("The run recorded no checks.", "本次计算没有记录任何检查。"),
     ("Without a summary there are no checks.", "没有摘要，因此没有检查结果。"),
     ("The summary says nothing of the model.", "摘要中没有模型信息。"),
