@@ -9,8 +9,8 @@ use crate::multiples::{Cell, Multiples};
 const TOGETHER: usize = 4;
 /// Cells abreast: more are too narrow to be read on paper.
 const ABREAST: usize = 3;
-/// Rows of cells that fit on a page of paper with the caption.
-const ROWS: usize = 12;
+/// Rows of cells that fit on a page of paper with heading and caption. What is left over is less and shares a page.
+const ROWS: usize = 14;
 
 /// What the figures are called.
 pub struct Titles<'a> {
@@ -38,14 +38,13 @@ pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Ve
         return vec![figure(0, svg, titles.caption.into())];
     }
     let rows = rows(&panels);
-    let sheets = rows.len().div_ceil(ROWS).max(1);
-    let each = rows.len().div_ceil(sheets).max(1);
+    let sheets = rows.len().div_ceil(ROWS);
     let alone = say!(language, "Each line stands alone; grey is the range of all of them.");
     let caption = match titles.caption {
         "" => alone,
         caption => say!(language, "{first} {second}", first = caption, second = alone),
     };
-    let drawn = rows.chunks(each).enumerate().map(|(number, rows)| {
+    let drawn = rows.chunks(ROWS).enumerate().map(|(number, rows)| {
         let svg = Multiples { title: titles.heading, time, rows: rows.to_vec() }.draw(language);
         // Said once, below the last.
         let caption = if number + 1 == sheets { caption.clone() } else { String::new() };

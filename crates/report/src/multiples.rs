@@ -84,7 +84,7 @@ impl Multiples<'_> {
                     across: across.clone(),
                     up,
                 };
-                said.push(self.cell(&mut svg, cell, &axes, language));
+                said.extend(self.cell(&mut svg, cell, &axes, language));
             }
             top += NAME + CELL;
         }
@@ -98,8 +98,14 @@ impl Multiples<'_> {
         svg.finish(top + 41.0, self.title, &said.join("; "))
     }
 
-    /// One cell; returns what its marked point is, in words.
-    fn cell(&self, svg: &mut Svg, (panel, line): &Cell<'_>, axes: &Axes, language: Language) -> String {
+    /// One cell; returns what its marked point is, in words, if it has one.
+    fn cell(
+        &self,
+        svg: &mut Svg,
+        (panel, line): &Cell<'_>,
+        axes: &Axes,
+        language: Language,
+    ) -> Option<String> {
         svg.veil(&range(self.time, panel, axes));
         axes.draw(svg);
         svg.text((axes.left, axes.top - 6.0), Anchor::Start, 12.0, Style::Bold, &line.name);
@@ -107,20 +113,20 @@ impl Multiples<'_> {
         let points = self.time.iter().zip(line.values.iter());
         let points = points.map(|(&t, &x)| axes.point(shown(t), shown(x) * panel.scale.factor));
         svg.lines(INK, 1.2, &thin(points, 0.12));
-        let Some((time, value)) = panel.mark.of(self.time, line) else { return String::new() };
+        let (time, value) = panel.mark.of(self.time, line)?;
         let at = moment(time, self.time.last().copied().unwrap_or(f64::NAN));
         let remark = say!(language, "{value} at {time}\u{a0}s", value = panel.scale.number(value), time = at);
         let room = axes.right - axes.left - text_width(&line.name, 12.5) - text_width(&remark, 12.0);
         let y = if room > 8.0 { axes.top - 6.0 } else { axes.top + 12.0 };
         svg.text((axes.right, y), Anchor::End, 12.0, Style::Muted, &remark);
         svg.ring(axes.point(time, value * panel.scale.factor), INK);
-        format!("{}: {remark}", line.name)
+        Some(format!("{}: {remark}", line.name))
     }
 }
 
 fn ticks(panel: &Panel<'_>) -> Ticks {
     let (low, high) = panel.range();
-    Ticks::around(low * panel.scale.factor, high * panel.scale.factor, 3)
+    Ticks::around(low * panel.scale.factor, high * panel.scale.factor, 4)
 }
 
 /// The area between the lowest and the highest of a panel's lines, to a unit of the figure.

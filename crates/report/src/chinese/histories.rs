@@ -4,7 +4,7 @@ use super::Texts;
 
 pub const TEXTS: Texts = &[
     ("Each line stands alone; grey is the range of all of them.", "每条曲线单独绘出；灰色为全部曲线的范围。"),
-    ("{value} at {time}\u{a0}s", "{value}（{time}\u{a0}s）"),
+    ("{value} at {time}\u{a0}s", "{time}\u{a0}s 时 {value}"),
     ("no values", "无数值"),
     ("largest: {name}, {value} at {time}\u{a0}s", "最大：{name}，{value}（{time}\u{a0}s）"),
     ("highest: {name}, {value} at {time}\u{a0}s", "最高：{name}，{value}（{time}\u{a0}s）"),
