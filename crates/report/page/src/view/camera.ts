@@ -55,16 +55,29 @@ export function cameraOn(canvas: HTMLCanvasElement, box: Box, first: { low: Vect
   canvas.addEventListener("focus", () => (controls.enableZoom = true));
   canvas.addEventListener("blur", () => (controls.enableZoom = false));
 
+  /** Half the angle that the shorter side of the picture spans. */
+  const narrow = () => {
+    const half = ((camera.fov / 2) * Math.PI) / 180;
+    return Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
+  };
+  /** Takes over how wide the picture is for its height, and still shows what it showed. */
+  const aim = (aspect: number) => {
+    if (aspect === camera.aspect) return;
+    const before = narrow();
+    camera.aspect = aspect;
+    camera.updateProjectionMatrix();
+    const nearer = Math.sin(before) / Math.sin(narrow());
+    camera.position.sub(controls.target).multiplyScalar(nearer).add(controls.target);
+    controls.update();
+  };
   const far = new Vector3(...box.high).sub(new Vector3(...box.centre));
   /** Looks from a direction, so that the ball about what matters, or about everything, fits with a margin. */
   const look = (from: From) => {
     const [low, high] = from === "whole" ? [far.clone().negate(), far] : [first.low, first.high];
     const way = from === "whole" || from === "oblique" ? OBLIQUE[along] : FROM[from];
-    const radius = (low.distanceTo(high) / 2) * (from === "whole" ? 1 : 1.1);
-    const half = ((camera.fov / 2) * Math.PI) / 180;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
+    const radius = (low.distanceTo(high) / 2) * (from === "whole" ? 0.95 : 0.98);
     controls.target.copy(low).add(high).divideScalar(2);
-    camera.position.copy(way).normalize().multiplyScalar(radius / Math.sin(narrow)).add(controls.target);
+    camera.position.copy(way).normalize().multiplyScalar(radius / Math.sin(narrow())).add(controls.target);
     // Straight down, north would be undefined: a hair of tilt puts y upwards.
     if (from === "z") camera.position.y -= 1e-4 * radius;
     controls.update();
@@ -99,5 +112,5 @@ export function cameraOn(canvas: HTMLCanvasElement, box: Box, first: { low: Vect
     act();
     event.preventDefault();
   });
-  return { camera, look };
+  return { camera, look, aim };
 }

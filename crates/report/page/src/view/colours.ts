@@ -17,9 +17,6 @@ const MAGMA = [
   [183, 55, 121], [140, 41, 129], [100, 26, 128], [59, 15, 112],
 ];
 
-/** The colour of what has no value. */
-export const NOTHING = [158, 163, 168] as const;
-
 /** Lightness falls evenly from the middle to both ends, blue below and red above (OKLab hues 255 and 30 degrees). */
 function diverging(t: number): number[] {
   const away = Math.abs(2 * t - 1);

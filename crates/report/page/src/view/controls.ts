@@ -45,8 +45,7 @@ export function controls(held: Manifest, box: Box, state: State, fields: Choice[
     state.field = name;
     changed();
   });
-  const kinds = Object.entries(words.ranges).filter(([kind]) => !kind.startsWith("lining") || held.parts.some((p) => p.kind === "lining"));
-  const range = choice(words.range, kinds, state.range, (kind) => {
+  const range = choice(words.range, Object.entries(words.ranges), state.range, (kind) => {
     state.range = kind as RangeKind;
     changed();
   });
@@ -59,6 +58,10 @@ export function controls(held: Manifest, box: Box, state: State, fields: Choice[
   const low = limit(words.lowest, "low");
   const high = limit(words.highest, "high");
   const unit = el("span", { class: "view-unit" });
+  const rock = check(words.colourRock, state.colourRock, (on) => {
+    state.colourRock = on;
+    changed();
+  });
 
   const names = timeWords(held);
   const times = [0, 1].map((side) =>
@@ -92,6 +95,7 @@ export function controls(held: Manifest, box: Box, state: State, fields: Choice[
     }
     play.textContent = playing ? words.stop : words.play;
   });
+  const both = held.parts.some((part) => part.kind === "rock") && held.parts.some((part) => part.kind !== "rock");
   const many = held.times.length > 1;
 
   const scale = slider(words.deformation, scales.length - 1, scales.indexOf(state.scale), (at) => `×\u00a0${scales[at]}`, (at) => {
@@ -100,11 +104,12 @@ export function controls(held: Manifest, box: Box, state: State, fields: Choice[
   });
 
   const cuts = cutControls(box, state, changed);
+  const shown = shownControls(held, state, changed);
   return {
     element: el(
       "form",
       { class: "view-controls" },
-      fold(words.field, true, field.row, range.row, el("div", { class: "view-row view-limits" }, el("span", {}, words.lowest), low, el("span", {}, words.highest), high, unit)),
+      fold(words.field, true, field.row, range.row, el("div", { class: "view-row view-limits" }, el("span", {}, words.lowest), low, el("span", {}, words.highest), high, unit), both ? rock.row : null),
       fold(
         names.one,
         true,
@@ -113,13 +118,15 @@ export function controls(held: Manifest, box: Box, state: State, fields: Choice[
         held.displacementStep > 0 ? el("p", { class: "note" }, words.deformationNote) : null,
       ),
       fold(words.cuts, wide, ...cuts.rows),
-      fold(words.shown, wide, ...shownControls(held, state, changed)),
+      fold(words.shown, wide, ...shown.rows),
     ),
     /** Shows what the state has become, and the limits of the bar in its unit. */
     tell(limits: { low: number; high: number; unit: string }) {
       field.input.value = state.field;
+      shown.tell();
       range.input.value = state.range;
       beside.input.checked = state.beside;
+      rock.input.checked = state.colourRock;
       asBeside();
       times.forEach((time, side) => time.set(state.times[side]));
       cuts.tell();
@@ -170,15 +177,18 @@ function cutControls(box: Box, state: State, changed: () => void) {
     state.cutAll = on;
     changed();
   });
+  tells.push(() => (all.input.checked = state.cutAll));
   return { rows: [...rows, all.row], tell: () => tells.forEach((show) => show()) };
 }
 
-function shownControls(held: Manifest, state: State, changed: () => void): HTMLElement[] {
+function shownControls(held: Manifest, state: State, changed: () => void) {
+  const tells: (() => void)[] = [];
   const parts = held.parts.map((part, p) => {
     const shown = check(part.name, state.shown[p], (on) => {
       state.shown[p] = on;
       changed();
     });
+    tells.push(() => (shown.input.checked = state.shown[p]));
     if (part.groups.length < 2) return shown.row;
     const groups = part.groups.map(({ name }) =>
       check(name, true, (on) => {
@@ -207,5 +217,6 @@ function shownControls(held: Manifest, state: State, changed: () => void): HTMLE
     changed();
   });
   const rock = held.parts.some((part) => part.kind === "rock");
-  return [...parts, ...(rock ? [style.row] : []), openings.row, edges.row];
+  tells.push(() => (style.input.value = state.rock));
+  return { rows: [...parts, ...(rock ? [style.row] : []), openings.row, edges.row], tell: () => tells.forEach((show) => show()) };
 }

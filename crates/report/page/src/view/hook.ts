@@ -26,6 +26,7 @@ export interface Show {
   cutAll?: boolean;
   scale?: number;
   rock?: State["rock"];
+  colourRock?: boolean;
   range?: State["range"];
   /** Names of the parts to show. */
   parts?: string[];
@@ -62,6 +63,7 @@ export function take(state: State, what: Show, parts: string[]) {
   if (what.cutAll !== undefined) state.cutAll = what.cutAll;
   if (what.scale !== undefined) state.scale = what.scale;
   if (what.rock !== undefined) state.rock = what.rock;
+  if (what.colourRock !== undefined) state.colourRock = what.colourRock;
   if (what.range !== undefined) state.range = what.range;
   if (what.parts !== undefined) state.shown = parts.map((name) => what.parts!.includes(name));
 }

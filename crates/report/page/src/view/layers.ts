@@ -33,20 +33,20 @@ export function layering(parts: Part[], box: Box) {
       const faces = (kinds: number[], opacity: number, lines: number) =>
         add(`${named} faces ${kinds}`, () => surface(part, shown, kinds), cut, opacity, lines);
       if (!state.shown[p]) {
-        if (state.openings) faces([FaceKind.opening], 1, edges(0.3));
+        if (state.openings) faces([FaceKind.opening], 1, edges(0.2));
         return;
       }
-      if (!rock) faces([FaceKind.side, FaceKind.against, FaceKind.opening], 1, edges(0.45));
+      if (!rock) faces([FaceKind.side, FaceKind.against, FaceKind.opening], 1, edges(0.4));
       else {
-        if (state.rock === "solid") faces([FaceKind.side, FaceKind.against, FaceKind.opening], 1, edges(0.25));
-        else if (state.openings) faces([FaceKind.opening], 1, edges(0.3));
+        if (state.rock === "solid") faces([FaceKind.side, FaceKind.against, FaceKind.opening], 1, edges(0.16));
+        else if (state.openings) faces([FaceKind.opening], 1, edges(0.2));
         if (state.rock === "translucent") faces([FaceKind.side], 0.25, edges(0.12));
       }
       if (!cut) return;
       state.cuts.forEach(({ on, keep }, axis) => {
         if (!on) return;
         const at = drawnAt(state, box, axis);
-        add(`${named} cut ${axis} ${at} ${keep}`, () => cutters[p](axis, at, keep, shown), cut, 1, edges(rock ? 0.28 : 0.45));
+        add(`${named} cut ${axis} ${at} ${keep}`, () => cutters[p](axis, at, keep, shown), cut, 1, edges(rock ? 0.16 : 0.4));
       });
     });
     kept = next;

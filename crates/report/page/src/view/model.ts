@@ -1,4 +1,5 @@
 // The model on the page: from what the reader chose to a picture of it.
+import { Color } from "three";
 import { cameraOn, subject } from "./camera";
 import { type Range, schemeOf } from "./colours";
 import { AXES, controls, toolbar } from "./controls";
@@ -12,7 +13,7 @@ import { emptyPanel, fill, gather } from "./panel";
 import { groupsOf, loadPart, modelBox } from "./part";
 import { type Hit, locate, pick } from "./pick";
 import { keep, savePicture } from "./picture";
-import { rangeNow, spanning } from "./span";
+import { coloured, rangeNow, spanning } from "./span";
 import type { Stage } from "./stage";
 import { alongAxis, firstState, scalesOf } from "./start";
 import { followPointer, hitLines, valueText } from "./tip";
@@ -54,13 +55,14 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
       used().map((panel) => gather(held, parts, needed, outlined, state.field, state.times[panels.indexOf(panel)], state.scale > 0)),
     );
     if (mine !== asked) return;
-    used().forEach((panel, i) => fill(panel, layers, got[i], paint));
+    const colours = coloured(parts, state);
+    used().forEach((panel, i) => fill(panel, layers, got[i], colours, paint));
     const span = await spanOf(state, used());
     if (mine !== asked) return;
     range = span ?? { low: 0, high: 1 };
     if (!(range.high > range.low)) range = { low: range.low, high: range.low + (Math.abs(range.low) || 1) * 1e-6 };
-    seen = rangeNow(used(), parts.filter((_, p) => needed[p]), state);
-    anyNothing = used().some((panel) => panel.drawn.some(({ layer, level }) => layer.opacity > 0 && level.some((known, i) => i % 2 === 1 && !known)));
+    seen = rangeNow(used(), colours, state);
+    anyNothing = used().some((panel) => panel.drawn.some(({ layer, level }) => layer.opacity > 0 && colours.includes(layer.sheet.part) && level.some((known, i) => i % 2 === 1 && !known)));
     paint.colours(schemeOf(range), range);
     paint.shared.deform.value = state.scale;
     state.cuts.forEach(({ on, keep: side }, axis) => {
@@ -84,6 +86,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
       ink: colour("--ink"),
       muted: colour("--muted"),
       paper: colour("--paper"),
+      nothing: `#${new Color(colour("--paper")).lerp(new Color(colour("--ink")), 0.32).getHexString()}`,
       bar: field() && {
         range,
         scheme: schemeOf(range),
@@ -109,8 +112,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
 
   const aim = () => {
     const { width, height } = stage.places(used().length)[0];
-    eye.camera.aspect = width / height;
-    eye.camera.updateProjectionMatrix();
+    eye.aim(width / height);
   };
   let waiting = 0;
   const render = () => {
@@ -120,6 +122,8 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
     aim();
     const over = overlay();
     paint.shared.ink.value.set(over.ink);
+    paint.shared.nothing.value.set(over.nothing);
+    paint.shared.plainColour.value.set(over.paper).lerp(paint.shared.ink.value, 0.13);
     stage.render(used().map((panel) => panel.scene), eye.camera, over.paper);
     const pen = stage.over.getContext("2d")!;
     pen.setTransform(size.fine, 0, 0, size.fine, 0, 0);

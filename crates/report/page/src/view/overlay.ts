@@ -1,6 +1,6 @@
 // What is written over the picture: colour bar, captions, axes. Drawn alike on the page and in the PNG.
 import { Vector3, type Camera } from "three";
-import { NOTHING, placing, type Range, type Scheme, table } from "./colours";
+import { placing, type Range, type Scheme, table } from "./colours";
 import { minus } from "./units";
 import { ticks } from "./ticks";
 import type { Shown } from "./units";
@@ -12,6 +12,8 @@ export interface Overlay {
   ink: string;
   muted: string;
   paper: string;
+  /** The colour of what has no value. */
+  nothing: string;
   /** In SI, with the unit to show it in. */
   bar: { range: Range; scheme: Scheme; shown: Shown; beyond: { below: boolean; above: boolean }; nothing: boolean } | null;
   /** By panel: where it is, and its lines of text. */
@@ -35,8 +37,11 @@ export function drawOverlay(pen: CanvasRenderingContext2D, over: Overlay) {
     }
     const room = panel.width - 24 - (panel.left + panel.width === over.width && over.bar ? 70 : 0);
     let y = panel.top + 16;
-    panel.lines.flatMap((line) => wrapped(pen, line, room)).forEach((line, n) => {
-      text(pen, over, line, panel.left + 12, y, n === 0 ? over.ink : over.muted, n === 0);
+    const lines = panel.lines.flatMap((line) => wrapped(pen, line, room));
+    const wide = Math.max(...lines.map((line, n) => widthOf(pen, line, n === 0)));
+    ground(pen, over, panel.left + 6, panel.top + 5, wide + 14, 17 * lines.length + 6);
+    lines.forEach((line, n) => {
+      text(pen, line, panel.left + 12, y, n === 0 ? over.ink : over.muted, n === 0);
       y += 17;
     });
   });
@@ -45,12 +50,23 @@ export function drawOverlay(pen: CanvasRenderingContext2D, over: Overlay) {
   drawAxes(pen, over, corner.left + 38, corner.top + corner.height - 38);
 }
 
-/** Text with a rim in the ground's colour, so that it can be read over anything. */
-function text(pen: CanvasRenderingContext2D, over: Overlay, line: string, x: number, y: number, colour: string, bold = false) {
+function widthOf(pen: CanvasRenderingContext2D, line: string, bold: boolean): number {
   pen.font = bold ? `600 ${FONT}` : FONT;
-  pen.strokeStyle = over.paper;
-  pen.lineWidth = 3.5;
-  pen.strokeText(line, x, y);
+  return pen.measureText(line).width;
+}
+
+/** A ground on which text can be read over anything. */
+function ground(pen: CanvasRenderingContext2D, over: Overlay, x: number, y: number, width: number, height: number) {
+  pen.globalAlpha = 0.82;
+  pen.fillStyle = over.paper;
+  pen.beginPath();
+  pen.roundRect(x, y, width, height, 4);
+  pen.fill();
+  pen.globalAlpha = 1;
+}
+
+function text(pen: CanvasRenderingContext2D, line: string, x: number, y: number, colour: string, bold = false) {
+  pen.font = bold ? `600 ${FONT}` : FONT;
   pen.fillStyle = colour;
   pen.fillText(line, x, y);
 }
@@ -71,8 +87,9 @@ export function wrapped(pen: CanvasRenderingContext2D, line: string, room: numbe
 
 function drawBar(pen: CanvasRenderingContext2D, over: Overlay, bar: NonNullable<Overlay["bar"]>) {
   const { range, scheme, shown, beyond } = bar;
-  const height = Math.min(260, over.height * 0.55);
-  const top = Math.max(34, (over.height - height) / 2);
+  const last = over.panels[over.panels.length - 1];
+  const height = Math.min(260, last.height * 0.55);
+  const top = last.top + (last.height - height) / 2;
   const left = over.width - 66;
   const wide = 14;
   const colours = table(scheme);
@@ -82,6 +99,7 @@ function drawBar(pen: CanvasRenderingContext2D, over: Overlay, bar: NonNullable<
     const i = 4 * Math.round(255 * Math.min(1, Math.max(0, place)));
     return `rgb(${colours[i]},${colours[i + 1]},${colours[i + 2]})`;
   };
+  ground(pen, over, left - 12, top - 30, 78 - 4, height + 46);
   for (let y = 0; y < height; y++) {
     pen.fillStyle = colourAt(1 - (y + 0.5) / height);
     pen.fillRect(left, top + y, wide, 1.5);
@@ -110,19 +128,23 @@ function drawBar(pen: CanvasRenderingContext2D, over: Overlay, bar: NonNullable<
     pen.moveTo(left + wide, y);
     pen.lineTo(left + wide + 4, y);
     pen.stroke();
-    text(pen, over, tickLabel(value, marks.decimals), left + wide + 7, y, over.ink);
+    text(pen, tickLabel(value, marks.decimals), left + wide + 7, y, over.ink);
   }
   if (shown.unit) {
     pen.textAlign = "center";
-    text(pen, over, shown.unit, left + wide / 2, top - (beyond.above ? 20 : 12), over.ink);
+    text(pen, shown.unit, left + wide / 2, top - (beyond.above ? 20 : 12), over.ink);
     pen.textAlign = "start";
   }
   if (bar.nothing) {
-    const y = top + height + 26;
-    pen.fillStyle = `rgb(${NOTHING})`;
+    const y = top + height + 30;
+    pen.strokeStyle = over.muted;
+    pen.lineWidth = 1;
+    const room = pen.measureText(words.nothing).width;
+    ground(pen, over, left - room - 14, y - 10, room + wide + 20, 20);
+    pen.fillStyle = over.nothing;
     pen.fillRect(left, y - 6, wide, 12);
-    pen.font = FONT;
-    text(pen, over, words.nothing, Math.min(left + wide + 6, over.width - 4 - pen.measureText(words.nothing).width), y + (over.width < 500 ? 16 : 0), over.muted);
+    pen.strokeRect(left + 0.5, y - 5.5, wide - 1, 11);
+    text(pen, words.nothing, left - room - 8, y, over.ink);
   }
 }
 
@@ -149,7 +171,7 @@ function drawAxes(pen: CanvasRenderingContext2D, over: Overlay, x: number, y: nu
     pen.moveTo(x, y);
     pen.lineTo(x + 22 * way.x, y - 22 * way.y);
     pen.stroke();
-    text(pen, over, name, x + 30 * way.x, y - 30 * way.y, colour, true);
+    text(pen, name, x + 30 * way.x, y - 30 * way.y, colour, true);
   }
   pen.textAlign = "start";
 }

@@ -2,7 +2,7 @@
 import {
   BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, LinearFilter, LineSegments, Mesh, ShaderMaterial, Vector3,
 } from "three";
-import { NOTHING, placing, type Range, type Scheme, table } from "./colours";
+import { placing, type Range, type Scheme, table } from "./colours";
 import { type Sheet, spread } from "./sheet";
 import type { Values } from "./values";
 
@@ -36,6 +36,8 @@ uniform sampler2D map;
 uniform float placeScale;
 uniform float placeShift;
 uniform vec3 nothing;
+uniform vec3 plainColour;
+uniform float plain;
 uniform float lit;
 uniform float opacity;
 varying vec3 vView;
@@ -44,8 +46,9 @@ void main() {
   cut();
   float place = clamp(placeScale * vLevel.x + placeShift, 0.0, 1.0);
   vec3 colour = vLevel.y > 0.999 ? texture2D(map, vec2((255.0 * place + 0.5) / 256.0, 0.5)).rgb : nothing;
+  colour = mix(colour, plainColour, plain);
   vec3 normal = normalize(cross(dFdx(vView), dFdy(vView)));
-  float light = mix(1.0, 0.72 + 0.28 * abs(normal.z), lit);
+  float light = mix(1.0, 0.84 + 0.16 * abs(normal.z), lit);
   gl_FragColor = vec4(colour * light, opacity);
 }`;
 
@@ -66,8 +69,9 @@ export function paints(diagonal: number) {
     placeScale: { value: 1 },
     placeShift: { value: 0 },
     deform: { value: 0 },
-    nothing: { value: new Vector3(...NOTHING).divideScalar(255) },
+    nothing: { value: new Color() },
     ink: { value: new Color() },
+    plainColour: { value: new Color() },
     cutGap: { value: 1e-5 * diagonal },
   };
   const planes = { cutAt: { value: new Vector3() }, cutKeep: { value: new Vector3() } };
@@ -88,7 +92,7 @@ export function paints(diagonal: number) {
     },
     fill: (cut: boolean, flat: boolean, opacity: number) =>
       new ShaderMaterial({
-        uniforms: { ...shared, ...(cut ? planes : none), lit: { value: flat ? 0 : 1 }, opacity: { value: opacity } },
+        uniforms: { ...shared, ...(cut ? planes : none), lit: { value: flat ? 0 : 1 }, plain: { value: 0 }, opacity: { value: opacity } },
         vertexShader: VERTEX,
         fragmentShader: FILL,
         side: DoubleSide,
@@ -178,6 +182,11 @@ export function setValues({ layer: { sheet }, level, fill }: Drawn, values: Valu
     level[2 * i + 1] = known ? 1 : 0;
   }
   fill.geometry.attributes.level.needsUpdate = true;
+}
+
+/** Sets whether a layer stays without the colours of its values. */
+export function setPlain({ fill }: Drawn, plain: boolean) {
+  (fill.material as ShaderMaterial).uniforms.plain.value = plain ? 1 : 0;
 }
 
 /** Sets the displacement of a layer, in m. */

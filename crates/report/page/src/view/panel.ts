@@ -1,7 +1,7 @@
 // One picture of the model: its layers with the values of one time.
 import { Scene } from "three";
 import type { Manifest } from "./manifest";
-import { draw, type Drawn, drop, type Layer, type Paints, setMoved, setValues } from "./paint";
+import { draw, type Drawn, drop, type Layer, type Paints, setMoved, setPlain, setValues } from "./paint";
 import type { Part } from "./part";
 import { relativeDisplacement, type Values, valuesOf } from "./values";
 
@@ -27,7 +27,7 @@ export async function gather(held: Manifest, parts: Part[], needed: boolean[], m
 }
 
 /** Puts layers and values into the panel, keeping what it has of them. */
-export function fill(panel: Panel, layers: Layer[], of: Awaited<ReturnType<typeof gather>>, paint: Paints) {
+export function fill(panel: Panel, layers: Layer[], of: Awaited<ReturnType<typeof gather>>, colours: Part[], paint: Paints) {
   const had = new Map(panel.drawn.map((drawn) => [drawn.layer.key, drawn]));
   panel.drawn = layers.map((layer) => {
     const found = had.get(layer.key);
@@ -47,6 +47,7 @@ export function fill(panel: Panel, layers: Layer[], of: Awaited<ReturnType<typeo
   for (const drawn of panel.drawn) {
     const p = drawn.layer.sheet.part.index;
     setValues(drawn, of.values[p]);
+    setPlain(drawn, !colours.includes(drawn.layer.sheet.part));
     setMoved(drawn, of.moved[p]);
   }
 }

@@ -6,11 +6,11 @@ import { type Part, shownCells } from "./part";
 import type { State } from "./state";
 import { hasField, rangeOf, rangeOverTimes, union } from "./values";
 
-/** The parts whose values count: the linings where asked for and able, else all that are shown and have the field. */
-function counted(parts: Part[], state: State): Part[] {
-  const shown = parts.filter((part, p) => state.shown[p] && hasField(part, state.field));
-  const linings = shown.filter((part) => part.held.kind === "lining");
-  return state.range.startsWith("lining") && linings.length ? linings : shown;
+/** The parts that take colours: those seen that have the field, the rock among them where asked for or alone. */
+export function coloured(parts: Part[], state: State): Part[] {
+  const able = parts.filter((part, p) => (state.shown[p] || state.openings) && hasField(part, state.field));
+  const others = able.filter((part) => part.held.kind !== "rock");
+  return others.length && !state.colourRock ? others : able;
 }
 
 /** The range shown now by these parts in all panels. */
@@ -30,8 +30,8 @@ export function spanning(held: Manifest, parts: Part[]) {
   const known = new Map<string, Promise<Range | null>>();
   return async (state: State, panels: Panel[]): Promise<Range | null> => {
     if (state.range === "own") return state.own;
-    const of = counted(parts, state);
-    if (state.range.endsWith("now")) return rangeNow(panels, of, state);
+    const of = coloured(parts, state);
+    if (state.range === "now") return rangeNow(panels, of, state);
     const key = `${state.field} ${of.map((part) => part.index)}`;
     if (!known.has(key)) known.set(key, rangeOverTimes(held, of, state.field));
     return known.get(key)!;

@@ -28,7 +28,6 @@ export function alongAxis(box: Box, subject: { low: Vector3; high: Vector3 }): 0
 export function firstState(held: Manifest, box: Box, fields: Choice[], along: number): State {
   const last = held.times.length - 1;
   const cut = (axis: number): Cut => ({ on: axis === along, at: box.centre[axis], keep: axis === 1 ? 1 : -1 });
-  const linings = held.parts.some((part) => part.kind === "lining");
   return {
     field: fields[0]?.name ?? "",
     times: [0, last],
@@ -42,7 +41,8 @@ export function firstState(held: Manifest, box: Box, fields: Choice[], along: nu
     hidden: held.parts.map(() => new Set()),
     openings: true,
     edges: true,
-    range: linings ? "lining-all" : "shown-all",
+    colourRock: false,
+    range: "all",
     own: { low: 0, high: 1 },
   };
 }

@@ -13,8 +13,8 @@ export interface Cut {
 /** How the rock is drawn. */
 export type RockStyle = "section" | "translucent" | "solid";
 
-/** Whose values, and of which times, set the ends of the bar. */
-export type RangeKind = "lining-all" | "lining-now" | "shown-all" | "shown-now" | "own";
+/** What sets the ends of the bar: the coloured parts at all times, or at the time shown, or the reader. */
+export type RangeKind = "all" | "now" | "own";
 
 export interface State {
   field: string;
@@ -26,6 +26,8 @@ export interface State {
   cutAll: boolean;
   scale: number;
   rock: RockStyle;
+  /** Whether the rock takes colours too where the lining has the field: its values would span the bar. */
+  colourRock: boolean;
   /** By part. */
   shown: boolean[];
   hidden: Set<string>[];

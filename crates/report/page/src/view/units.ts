@@ -13,10 +13,13 @@ const LADDERS: Record<string, [number, number, string][]> = {
   Pa: [[1e9, 1e-9, "GPa"], [1e5, 1e-6, "MPa"], [1e2, 1e-3, "kPa"], [0.1, 1, "Pa"]],
 };
 
-/** The unit that suits sizes up to the largest. */
+/** The unit that suits sizes up to the largest; a power of ten where none does. */
 export function suiting(unit: string, largest: number): Shown {
   const step = LADDERS[unit]?.find(([from]) => largest >= from);
-  return step ? { factor: step[1], unit: step[2] } : { factor: 1, unit };
+  if (step && largest * step[1] < 1e5) return { factor: step[1], unit: step[2] };
+  if (!(largest > 0) || !Number.isFinite(largest) || (largest >= 1e-2 && largest < 1e5)) return { factor: 1, unit };
+  const power = 3 * Math.floor(Math.log10(largest) / 3 + 1e-9);
+  return { factor: 10 ** -power, unit: `×10${superscript(power)} ${unit}`.trim() };
 }
 
 /** A number to so many figures, without an exponent where it can be read without one. */
