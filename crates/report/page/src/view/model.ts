@@ -70,6 +70,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
       paint.planes.cutKeep.value.setComponent(axis, on ? side : 0);
     });
     const { factor, unit } = shown();
+    filled = true;
     form.tell({ low: range.low * factor, high: range.high * factor, unit });
     render();
   };
@@ -115,9 +116,11 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
     eye.aim(width / height);
   };
   let waiting = 0;
+  let filled = false;
   const render = () => {
     cancelAnimationFrame(waiting);
     waiting = 0;
+    if (!filled) return;
     const size = stage.size();
     aim();
     const over = overlay();
