@@ -4,9 +4,10 @@
 
 mod page;
 mod source;
+mod view;
 
 /// English pattern and Chinese.
 pub type Texts = &'static [(&'static str, &'static str)];
 
 /// All of them.
-pub const TABLES: &[Texts] = &[page::TEXTS, source::TEXTS];
+pub const TABLES: &[Texts] = &[page::TEXTS, source::TEXTS, view::TEXTS];
