@@ -1,4 +1,5 @@
 // What tests of the page ask the view: window.tremolite.view.
+import type { From } from "./camera";
 import type { State } from "./state";
 
 /** What lies at a place; the value and half a step of it in the field's SI unit. */
@@ -28,6 +29,8 @@ export interface Show {
   rock?: State["rock"];
   colourRock?: boolean;
   range?: State["range"];
+  /** Where to look from. */
+  look?: From;
   /** Names of the parts to show. */
   parts?: string[];
 }

@@ -214,6 +214,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
     show: async (what: Show) => {
       take(state, what, held.parts.map((part) => part.name));
       stage.fit(state.beside);
+      if (what.look) eye.look(what.look);
       await refresh();
     },
     locate: (element) => {

@@ -3,7 +3,7 @@ import { el } from "./inputs";
 import { groupsOf, type Box } from "./part";
 import type { Hit } from "./pick";
 import type { Stage } from "./stage";
-import { figures, minus, type Shown, withUnit } from "./units";
+import { figures, fixed, minus, type Shown, withUnit } from "./units";
 import { words } from "./words";
 
 /** A value with half the step of what the page holds, to the decimals that this step leaves. */
@@ -13,13 +13,13 @@ export function valueText(hit: Hit, shown: Shown): string {
   const value = hit.value * shown.factor;
   if (!(half > 0)) return withUnit(figures(value, 4), shown.unit);
   const decimals = Math.max(0, 1 - Math.floor(Math.log10(half)));
-  const text = decimals > 8 || Math.abs(value) >= 1e6 ? figures(value, 4) : minus(value.toFixed(decimals));
+  const text = decimals > 8 || Math.abs(value) >= 1e6 ? figures(value, 4) : minus(fixed(value, decimals));
   return withUnit(words.halfLevel(text, figures(half, 2)), shown.unit);
 }
 
 /** Lines about a hit: the value, the element, its groups, where it is. */
 export function hitLines(hit: Hit, label: string, shown: Shown, box: Box): string[] {
-  const at = hit.place.map((x, k) => minus((x + box.centre[k]).toFixed(2))).join(", ");
+  const at = hit.place.map((x, k) => minus(fixed(x + box.centre[k], 2))).join(", ");
   const groups = groupsOf(hit.part, hit.cell);
   return [
     valueText(hit, shown),
@@ -63,8 +63,15 @@ export function followPointer(stage: Stage, says: HTMLElement, linesAt: (x: numb
   });
   canvas.addEventListener("pointerleave", hide);
   canvas.addEventListener("blur", hide);
-  canvas.addEventListener("click", (event) => say(event.offsetX, event.offsetY));
-  canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
+  let down = { x: 0, y: 0 };
+  canvas.addEventListener("pointerdown", ({ offsetX, offsetY }) => {
+    down = { x: offsetX, y: offsetY };
+    canvas.focus({ preventScroll: true });
+  });
+  // A click that ends a turn asks for nothing.
+  canvas.addEventListener("click", ({ offsetX, offsetY }) => {
+    if (Math.hypot(offsetX - down.x, offsetY - down.y) < 5) say(offsetX, offsetY);
+  });
   canvas.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hide();
     if (event.key !== "Enter") return;

@@ -34,6 +34,12 @@ export function figures(value: number, count: number): string {
   return minus(value.toFixed(Math.min(decimals, 8)));
 }
 
+/** To so many decimals, and no minus before nothing but zeros. */
+export function fixed(value: number, decimals: number): string {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : text;
+}
+
 /** With a true minus sign. */
 export const minus = (text: string): string => text.replace("-", "−");
 

@@ -17,11 +17,21 @@ const NOTHING: Omit<ViewHook, "ready"> = {
   picture: async () => null,
 };
 
+/** A section behind the page's head, where the page has none for the view. */
+function ownPlace(): HTMLElement {
+  const host = el("div", { id: "view" });
+  const section = el("section", { id: "model-view" }, el("h2", {}, words.view), host);
+  const head = document.querySelector("header");
+  if (head) head.after(section);
+  else document.body.prepend(section);
+  return host;
+}
+
 /** Shows the model in three dimensions where the page holds it. */
 export function showView(): void {
-  const host = document.getElementById("view");
   const held = manifest<Manifest>("view-data");
-  if (!host || !held) return;
+  if (!held) return;
+  const host = document.getElementById("view") ?? ownPlace();
   document.head.append(el("style", {}, css));
   host.classList.add("view");
   const tell = (text: string) => host.replaceChildren(el("p", { class: "view-message", role: "status" }, text));

@@ -3,6 +3,7 @@ import { texts } from "../language";
 
 export const words = texts(
   {
+    view: "The model in three dimensions",
     canvas: "The model. Drag to turn, right button or two fingers to shift, arrow keys and + − to turn and come nearer, Enter for the value in the middle.",
     hint: "Drag to turn, click for the value under the pointer; once the model has been clicked, the wheel zooms.",
     noGraphics: "This browser shows no WebGL 2 graphics, so the model cannot be turned here; the figures of this page do not need it.",
@@ -58,6 +59,7 @@ export const words = texts(
     notMoved: (part: string) => `${part}: drawn without displacement, which this page leaves out at this time`,
   },
   {
+    view: "三维模型",
     canvas: "模型。拖动旋转,右键或双指平移,方向键与 + − 旋转和缩放,回车键显示画面中心处的数值。",
     hint: "拖动旋转,单击显示指针处的数值;单击模型后可用滚轮缩放。",
     noGraphics: "此浏览器不支持 WebGL 2 图形,因此这里不能旋转模型;本页其他图不受影响。",
