@@ -132,12 +132,16 @@ export function controls(held: Manifest, box: Box, state: State, fields: Choice[
       cuts.tell();
       scale.set(scales.indexOf(state.scale));
       for (const [input, value] of [[low, limits.low], [high, limits.high]] as const) {
-        if (document.activeElement !== input) input.value = String(Number(value.toPrecision(4)));
+        if (document.activeElement !== input) input.value = rounded(value, limits.high - limits.low);
       }
       unit.textContent = limits.unit;
     },
   };
 }
+
+/** A limit to a thousandth of the span. */
+const rounded = (value: number, span: number): string =>
+  String(Number(value.toFixed(Math.min(12, Math.max(0, 3 - Math.floor(Math.log10(span)))))));
 
 function cutControls(box: Box, state: State, changed: () => void) {
   const steps = 240;

@@ -9,12 +9,13 @@ import { drawnAt, layering } from "./layers";
 import type { Manifest } from "./manifest";
 import { drawOverlay, type Overlay } from "./overlay";
 import { paints } from "./paint";
-import { emptyPanel, fill, gather } from "./panel";
+import { emptyPanel, fill, gather, type Panel } from "./panel";
 import { groupsOf, loadPart, modelBox } from "./part";
 import { type Hit, locate, pick } from "./pick";
 import { keep, savePicture } from "./picture";
 import { coloured, rangeNow, spanning } from "./span";
 import type { Stage } from "./stage";
+import { standings } from "./standing";
 import { alongAxis, firstState, scalesOf } from "./start";
 import { followPointer, hitLines, valueText } from "./tip";
 import { minus, suiting } from "./units";
@@ -32,6 +33,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
   const state = firstState(held, box, fields, along);
   const paint = paints(box.diagonal);
   const layersOf = layering(parts, box);
+  const stands = parts.map(standings);
   const spanOf = spanning(held, parts);
   const panels = [emptyPanel(), emptyPanel()];
   let range: Range = { low: 0, high: 1 };
@@ -40,6 +42,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
 
   const field = () => fields.find((f) => f.name === state.field);
   const shown = () => suiting(field()?.unit ?? "", Math.max(Math.abs(range.low), Math.abs(range.high)));
+  const timeOf = (panel: Panel) => state.times[panels.indexOf(panel)];
   const used = () => (state.beside ? panels : panels.slice(1));
 
   // --- from the state to the picture
@@ -48,15 +51,17 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
   /** Brings the picture to the state; of several asked for at once, the last one counts. */
   const refresh = async () => {
     const mine = ++asked;
-    const layers = layersOf(state);
-    const needed = parts.map((part) => layers.some((layer) => layer.sheet.part === part && layer.opacity > 0));
+    const standing = await Promise.all(used().map((panel) => Promise.all(stands.map((of) => of(timeOf(panel))))));
+    if (mine !== asked) return;
+    const layers = layersOf(state, standing);
+    const needed = parts.map((part) => layers.flat().some((layer) => layer.sheet.part === part && layer.opacity > 0));
     const outlined = needed.map((is, p) => is || held.parts[p].kind === "rock");
     const got = await Promise.all(
-      used().map((panel) => gather(held, parts, needed, outlined, state.field, state.times[panels.indexOf(panel)], state.scale > 0)),
+      used().map((panel) => gather(held, parts, needed, outlined, state.field, timeOf(panel), state.scale > 0)),
     );
     if (mine !== asked) return;
     const colours = coloured(parts, state);
-    used().forEach((panel, i) => fill(panel, layers, got[i], colours, paint));
+    used().forEach((panel, i) => fill(panel, layers[i], got[i], colours, paint));
     const span = await spanOf(state, used());
     if (mine !== asked) return;
     range = span ?? { low: 0, high: 1 };
@@ -180,7 +185,8 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
   const form = controls(held, box, state, fields, scales, acts);
   const says = el("p", { class: "view-says", "aria-live": "polite" }, words.hint);
   const notes = [words.halfLevelNote, ...held.notes].map((note) => el("p", { class: "note" }, note));
-  host.replaceChildren(toolbar(acts), stage.element, says, form.element, ...notes);
+  const about = el("details", { class: "view-about" }, el("summary", {}, words.about), ...notes);
+  host.replaceChildren(toolbar(acts), stage.element, says, form.element, about);
   const eye = cameraOn(stage.canvas, box, first, along, renderSoon);
   const tip = followPointer(stage, says, linesAt);
   stage.fit(state.beside);

@@ -90,7 +90,7 @@ export function paints(diagonal: number) {
       shared.placeScale.value = scale;
       shared.placeShift.value = shift;
     },
-    fill: (cut: boolean, flat: boolean, opacity: number) =>
+    fill: (cut: boolean, flat: boolean, opacity: number, behind: boolean) =>
       new ShaderMaterial({
         uniforms: { ...shared, ...(cut ? planes : none), lit: { value: flat ? 0 : 1 }, plain: { value: 0 }, opacity: { value: opacity } },
         vertexShader: VERTEX,
@@ -98,10 +98,10 @@ export function paints(diagonal: number) {
         side: DoubleSide,
         transparent: opacity < 1,
         depthWrite: opacity === 1,
-        // Room for the lines in front.
+        // Room for the lines in front; and the rock's walls lie behind the lining that leans on them.
         polygonOffset: true,
-        polygonOffsetFactor: 1,
-        polygonOffsetUnits: 1,
+        polygonOffsetFactor: behind ? 2 : 1,
+        polygonOffsetUnits: behind ? 2 : 1,
       }),
     lines: (cut: boolean, opacity: number) =>
       new ShaderMaterial({
@@ -153,7 +153,7 @@ export function draw(layer: Layer, paint: Paints): Drawn {
     made.setIndex(new BufferAttribute(index, 1));
     return made;
   };
-  const fill = new Mesh(geometry(sheet.triangles), paint.fill(cut, sheet.flat, opacity));
+  const fill = new Mesh(geometry(sheet.triangles), paint.fill(cut, sheet.flat, opacity, sheet.part.held.kind === "rock"));
   const lines = new LineSegments(geometry(sheet.lines), paint.lines(cut, layer.lines));
   // Nothing is out of sight as a whole that is worth the test, and displacements move what the test would measure.
   fill.frustumCulled = lines.frustumCulled = false;

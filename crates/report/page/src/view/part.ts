@@ -74,11 +74,13 @@ export async function loadPart(held: Manifest, index: number, box: Box): Promise
   return { held: part, index, points, cells, count: part.cells.count, corners, elements, faces, faceKinds, groups };
 }
 
-/** The cells in none of the hidden groups, one byte a cell; nothing where all are shown. */
-export function shownCells(part: Part, hidden: ReadonlySet<string>): Uint8Array | null {
+/** The standing cells in none of the hidden groups, one byte a cell; nothing where all are shown. */
+export function shownCells(part: Part, hidden: ReadonlySet<string>, standing: Uint8Array | null = null): Uint8Array | null {
   const of = part.held.groups.flatMap((group, g) => (hidden.has(group.name) ? [part.groups[g]] : []));
-  if (of.length === 0) return null;
+  if (of.length === 0) return standing;
   const shown = new Uint8Array(part.count);
-  for (let c = 0; c < part.count; c++) shown[c] = of.some((bits) => (bits[c >> 3] >> (c & 7)) & 1) ? 0 : 1;
+  for (let c = 0; c < part.count; c++) {
+    shown[c] = (standing && !standing[c]) || of.some((bits) => (bits[c >> 3] >> (c & 7)) & 1) ? 0 : 1;
+  }
   return shown;
 }

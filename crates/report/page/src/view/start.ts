@@ -24,12 +24,12 @@ export function alongAxis(box: Box, subject: { low: Vector3; high: Vector3 }): 0
   return share[0] > share[1] * 1.01 ? 0 : 1;
 }
 
-/** The lining's first field at the last time, the rock cut in the middle. */
+/** The damage, else the lining's first field, at the last time, the rock cut in the middle. */
 export function firstState(held: Manifest, box: Box, fields: Choice[], along: number): State {
   const last = held.times.length - 1;
   const cut = (axis: number): Cut => ({ on: axis === along, at: box.centre[axis], keep: axis === 1 ? 1 : -1 });
   return {
-    field: fields[0]?.name ?? "",
+    field: (fields.find((f) => /^d_b/.test(f.name)) ?? fields[0])?.name ?? "",
     times: [0, last],
     beside: false,
     cuts: [cut(0), cut(1), cut(2)],

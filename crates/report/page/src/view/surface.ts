@@ -13,11 +13,15 @@ function facePoints(part: Part, cell: number, face: number): number[] {
 function bared(part: Part, shown: Uint8Array): number[] {
   if (part.corners === 4) return [];
   const outer = new Set(part.faces);
-  const waiting = new Map<string, number>();
+  const waiting = new Map<number, number>();
+  const total = part.points.length / 3;
   for (let cell = 0; cell < part.count; cell++) {
     for (let face = 0; face < 6; face++) {
       if (outer.has(cell * 6 + face)) continue;
-      const key = facePoints(part, cell, face).sort((p, q) => p - q).join();
+      // The least point and the one across from it tell a face from all others.
+      const points = FACES[face].map((corner) => part.cells[corner * part.count + cell]);
+      const least = points.indexOf(Math.min(...points));
+      const key = points[least] * total + points[(least + 2) % 4];
       const other = waiting.get(key);
       if (other === undefined) waiting.set(key, cell * 6 + face);
       else if (shown[cell] === shown[Math.floor(other / 6)]) waiting.delete(key);
@@ -43,13 +47,13 @@ export function surface(part: Part, shown: Uint8Array | null, kinds: readonly nu
 }
 
 /** Edges of the model's sides where they meet at more than 30 degrees or end. */
-export function outline(part: Part): Sheet {
+export function outline(part: Part, shown: Uint8Array | null): Sheet {
   const gather = gatherer(part, false);
   const total = part.points.length / 3;
   const met = new Map<number, { cell: number; normal: number[]; sharp: boolean; ends: [number, number] }>();
   part.faces.forEach((entry, i) => {
-    if (part.faceKinds[i] !== FaceKind.side) return;
     const cell = Math.floor(entry / 6);
+    if (part.faceKinds[i] !== FaceKind.side || (shown && !shown[cell])) return;
     const points = facePoints(part, cell, entry % 6);
     const normal = normalOf(part, points);
     points.forEach((p, j) => {
