@@ -9,6 +9,7 @@ mod page;
 mod section_strength;
 mod source;
 mod verdict;
+mod view;
 
 /// English pattern and Chinese.
 pub type Texts = &'static [(&'static str, &'static str)];
@@ -22,4 +23,5 @@ pub const TABLES: &[Texts] = &[
     section_strength::TEXTS,
     source::TEXTS,
     verdict::TEXTS,
+    view::TEXTS,
 ];
