@@ -7,11 +7,15 @@ mod bolts;
 mod compare;
 mod contact;
 mod damage;
+mod energy;
 mod forces;
 mod free_field;
+mod histories;
 mod page;
 mod section_strength;
 mod source;
+mod verdict;
+mod view;
 
 /// English pattern and Chinese.
 pub type Texts = &'static [(&'static str, &'static str)];
@@ -23,9 +27,13 @@ pub const TABLES: &[Texts] = &[
     compare::TEXTS,
     contact::TEXTS,
     damage::TEXTS,
+    energy::TEXTS,
     forces::TEXTS,
     free_field::TEXTS,
+    histories::TEXTS,
     page::TEXTS,
     section_strength::TEXTS,
     source::TEXTS,
+    verdict::TEXTS,
+    view::TEXTS,
 ];

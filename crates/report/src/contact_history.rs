@@ -113,7 +113,7 @@ fn figure(language: Language, table: &Table, name: &str, area: f64) -> Option<Fi
         which = which
     );
     let time = table.column("time").unwrap_or(&[]);
-    let svg =
-        Chart { title: say!(language, "Interfaces over time: {name}", name = name), time, panels }.draw();
+    let svg = Chart { title: say!(language, "Interfaces over time: {name}", name = name), time, panels }
+        .draw(language);
     Some(Figure { heading: say!(language, "Interfaces over time"), file: String::new(), svg, caption })
 }

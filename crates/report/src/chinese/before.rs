@@ -107,7 +107,6 @@ pub const TEXTS: Texts = &[
         "Most at the end ({end}): {point}, {size} towards the opening.",
         "最终（{end}）位移最大：{point}，向洞内 {size}。",
     ),
-    ("z, up", "z（向上）"),
     ("closer by", "靠近量"),
     ("Ground reaction", "围岩特征曲线"),
     ("{drawn} of {all} such excavations are drawn.", "共有 {all} 次分步释放的开挖，图中给出 {drawn} 次。"),

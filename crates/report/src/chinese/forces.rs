@@ -30,8 +30,6 @@ pub const TEXTS: Texts = &[
     ("when the stages are done", "施工阶段结束时"),
     ("while the ground shakes", "地震过程中"),
     ("lining", "衬砌"),
-    ("largest", "最大"),
-    ("smallest", "最小"),
     ("{lining}: forces along the lining", "{lining}：内力沿衬砌的分布"),
     ("largest while the ground shakes", "地震过程中最大值"),
     ("smallest while the ground shakes", "地震过程中最小值"),

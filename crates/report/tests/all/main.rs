@@ -7,5 +7,6 @@ mod free_field;
 mod further_quantities;
 mod interface_results;
 mod interfaces;
+mod page;
 mod report;
 mod stages;
