@@ -7,3 +7,5 @@ mod interface_results;
 mod interfaces;
 mod report;
 mod stages;
+mod view;
+mod view_files;
