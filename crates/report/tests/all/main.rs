@@ -1,11 +1,14 @@
 //! The tests of this crate, one binary.
 
 mod bolts;
+mod compare;
 mod free_field;
 mod further_quantities;
 mod interface_results;
 mod interfaces;
+mod page;
 mod report;
 mod stages;
 mod view;
+mod view_blocks;
 mod view_files;

@@ -1,124 +1,14 @@
 //! The model in three dimensions: what the page's blocks hold is what the field files hold.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::io::Read;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use flate2::read::ZlibDecoder;
 use serde_json::Value;
 use tremolite_mesh::vtu::Grid;
-use tremolite_report::{Language, write, write_in};
-use tremolite_results::{GroupDamage, ResultFolder, SectionRow, Summary, write_sections};
+use tremolite_report::{Language, write_in};
+use tremolite_results::{GroupDamage, SectionRow, Summary, write_sections};
 
+use super::view_blocks::Page;
 use super::view_files::{self, INTERFACE, TIMES, place};
-
-/// The page taken apart.
-struct Page {
-    manifest: Value,
-    blocks: BTreeMap<usize, Vec<u8>>,
-}
-
-impl Page {
-    fn of(folder: &ResultFolder) -> Option<Page> {
-        Self::of_text(&fs::read_to_string(write(folder.root()).unwrap()).unwrap())
-    }
-
-    fn of_text(text: &str) -> Option<Page> {
-        let (_, rest) = text.split_once(r#"<script type="application/json" id="view-data">"#)?;
-        let (json, rest) = rest.split_once("</script>").unwrap();
-        let mut blocks = BTreeMap::new();
-        for block in rest.split(r#"<script type="text/plain" id="block-"#).skip(1) {
-            let (number, rest) = block.split_once("\">").unwrap();
-            let packed = STANDARD.decode(rest.split_once("</script>").unwrap().0).unwrap();
-            let mut bytes = Vec::new();
-            ZlibDecoder::new(&packed[..]).read_to_end(&mut bytes).unwrap();
-            blocks.insert(number.parse().unwrap(), bytes);
-        }
-        Some(Page { manifest: serde_json::from_str(json).unwrap(), blocks })
-    }
-
-    fn bytes(&self, block: &Value) -> &[u8] {
-        &self.blocks[&(block.as_u64().unwrap() as usize)]
-    }
-
-    /// Sums of differences, anew in each of `runs` equal pieces.
-    fn u16s(&self, block: &Value, runs: usize) -> Vec<Vec<u16>> {
-        let numbers: Vec<u16> =
-            self.bytes(block).chunks_exact(2).map(|b| u16::from_le_bytes([b[0], b[1]])).collect();
-        let sum = |run: &[u16]| {
-            run.iter()
-                .scan(0u16, |sum, d| {
-                    *sum = sum.wrapping_add(*d);
-                    Some(*sum)
-                })
-                .collect()
-        };
-        numbers.chunks_exact(numbers.len() / runs).map(sum).collect()
-    }
-
-    fn u32s(&self, block: &Value, runs: usize) -> Vec<Vec<u32>> {
-        let numbers: Vec<u32> =
-            self.bytes(block).chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
-        let sum = |run: &[u32]| {
-            run.iter()
-                .scan(0u32, |sum, d| {
-                    *sum = sum.wrapping_add(*d);
-                    Some(*sum)
-                })
-                .collect()
-        };
-        numbers.chunks_exact(numbers.len() / runs).map(sum).collect()
-    }
-
-    fn parts(&self) -> &Vec<Value> {
-        self.manifest["parts"].as_array().unwrap()
-    }
-
-    fn notes(&self) -> String {
-        self.manifest["notes"].as_array().unwrap().iter().map(|n| n.as_str().unwrap()).collect()
-    }
-
-    fn three(&self, key: &str) -> [f64; 3] {
-        [0, 1, 2].map(|i| self.manifest[key][i].as_f64().unwrap())
-    }
-
-    fn places(&self, part: &Value) -> Vec<[f64; 3]> {
-        let (origin, step) = (self.three("origin"), self.three("step"));
-        let planes = self.u16s(&part["points"]["block"], 3);
-        assert_eq!(planes[0].len() as u64, part["points"]["count"].as_u64().unwrap());
-        (0..planes[0].len())
-            .map(|k| [0, 1, 2].map(|i| origin[i] + step[i] * f64::from(planes[i][k])))
-            .collect()
-    }
-
-    /// The corners of each cell.
-    fn cells(&self, part: &Value) -> Vec<Vec<u32>> {
-        let per = part["cells"]["corners"].as_u64().unwrap() as usize;
-        let corners = self.u32s(&part["cells"]["block"], per);
-        assert_eq!(corners[0].len() as u64, part["cells"]["count"].as_u64().unwrap());
-        (0..corners[0].len()).map(|cell| corners.iter().map(|run| run[cell]).collect()).collect()
-    }
-
-    fn elements(&self, part: &Value) -> Vec<u32> {
-        self.u32s(&part["elements"], 1).remove(0)
-    }
-
-    /// Faces with their kinds.
-    fn faces(&self, part: &Value) -> Vec<(u32, u8)> {
-        let faces = self.u32s(&part["faces"]["block"], 1).remove(0);
-        assert_eq!(faces.len() as u64, part["faces"]["count"].as_u64().unwrap());
-        assert!(faces.windows(2).all(|pair| pair[0] < pair[1]));
-        faces.into_iter().zip(self.bytes(&part["faces"]["kind"]).iter().copied()).collect()
-    }
-
-    fn displacement(&self, part: &Value, time: usize) -> Vec<[f64; 3]> {
-        let step = self.manifest["displacementStep"].as_f64().unwrap();
-        let planes = self.u16s(&part["displacement"][time], 3);
-        (0..planes[0].len()).map(|k| [0, 1, 2].map(|i| step * f64::from(planes[i][k] as i16))).collect()
-    }
-}
 
 fn field<'a>(part: &'a Value, name: &str) -> Option<&'a Value> {
     part["fields"].as_array().unwrap().iter().find(|field| field["name"] == name)
@@ -322,6 +212,8 @@ fn parts_have_names_kinds_and_groups_whatever_these_are_called() {
         when: "lining".into(),
         time: [0.0; 3],
         forces: [0.0; 3],
+        thickness: 0.5,
+        thrust_at_moment: 0.0,
     };
     write_sections(&folder.sections(), &[row]).unwrap();
     assert_eq!(said(&Page::of(&folder).unwrap()), pairs([("rock", "rock"), ("hall.lining", "lining")]));
