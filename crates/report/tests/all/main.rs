@@ -10,3 +10,6 @@ mod interfaces;
 mod page;
 mod report;
 mod stages;
+mod view;
+mod view_blocks;
+mod view_files;
