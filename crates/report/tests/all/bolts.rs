@@ -253,7 +253,7 @@ fn the_table_has_every_group_with_what_became_of_it() {
     ] {
         assert!(page.contains(text), "{text}");
     }
-    assert!(!page.contains("NaN"));
+    assert!(!page.split_once("</main>").unwrap().0.contains("NaN"));
 }
 
 #[test]
