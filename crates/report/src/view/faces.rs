@@ -27,9 +27,9 @@ struct Bare {
     low: [f64; 3],
     high: [f64; 3],
     centre: [f64; 3],
-    /// The axis along which it looks before all, and whether along its positive direction.
+    /// Outward, of any length; and the axis along which it looks before all.
+    normal: [f64; 3],
     axis: usize,
-    positive: bool,
 }
 
 /// The outer faces of each part, ascending: those at which one cell of the part stands. Parts touch where corners lie at the
@@ -117,8 +117,8 @@ impl Bare {
             low: [0, 1, 2].map(|i| corners.iter().map(|c| c[i]).fold(f64::INFINITY, f64::min)),
             high: [0, 1, 2].map(|i| corners.iter().map(|c| c[i]).fold(f64::NEG_INFINITY, f64::max)),
             centre: [0, 1, 2].map(|i| corners.iter().map(|c| c[i]).sum::<f64>() / 4.0),
+            normal,
             axis,
-            positive: normal[axis] > 0.0,
         }
     }
 }
@@ -141,7 +141,9 @@ fn openings(bare: &[Bare]) -> Vec<&Bare> {
             (((x - low) / (high - low) * CUTS as f64) as usize).min(CUTS - 1)
         };
         let mut fields: Vec<Vec<&Bare>> = vec![Vec::new(); CUTS * CUTS];
-        for face in bare.iter().filter(|face| face.axis == axis) {
+        // A floor beside a wall sees the steep springing of the crown, which looks sideways before all.
+        let looks_along = |face: &&Bare| face.normal[axis].abs() > 1e-6 * face.normal[face.axis].abs();
+        for face in bare.iter().filter(looks_along) {
             for a in field(0, face.low[plane[0]])..=field(0, face.high[plane[0]]) {
                 for b in field(1, face.low[plane[1]])..=field(1, face.high[plane[1]]) {
                     fields[a * CUTS + b].push(face);
@@ -152,8 +154,8 @@ fn openings(bare: &[Bare]) -> Vec<&Bare> {
             let [a, b] = [0, 1].map(|side| field(side, face.centre[plane[side]]));
             fields[a * CUTS + b].iter().any(|other| {
                 let beyond = other.centre[axis] - face.centre[axis];
-                other.positive != face.positive
-                    && (beyond > 0.0) == face.positive
+                other.normal[axis] * face.normal[axis] < 0.0
+                    && beyond * face.normal[axis] > 0.0
                     && plane.iter().all(|&i| (other.low[i]..=other.high[i]).contains(&face.centre[i]))
             })
         };
