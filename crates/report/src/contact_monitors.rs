@@ -4,6 +4,7 @@ use tremolite_results::Table;
 
 use crate::contact_path::Path;
 use crate::figure::{Figure, Section};
+use crate::language::Language;
 use crate::loops::{Course, Loops, Quantity, Track};
 use crate::source::Source;
 use crate::strips::Strip;
@@ -26,7 +27,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let monitors = crate::pairs::names(table).into_iter().filter(|name| is_on_interface(table, name));
     let both = |(k, name): (usize, String)| {
         let file = |what: &str| format!("interface-{what}-{}.svg", k + 1);
-        [figure(table, &name, file("monitor")), path(table, &name, file("path"))]
+        [figure(table, &name, file("monitor")), path(source.language, table, &name, file("path"))]
     };
     let figures: Vec<Figure> = monitors.enumerate().flat_map(both).collect();
     (!figures.is_empty()).then_some(Section::Drawn(figures))
@@ -73,13 +74,14 @@ fn figure(table: &Table, monitor: &str, file: String) -> Figure {
 }
 
 /// Shear over pressure, each row in the colour of its state.
-fn path(table: &Table, monitor: &str, file: String) -> Figure {
+fn path(language: Language, table: &Table, monitor: &str, file: String) -> Figure {
     let column = |quantity: &str| table.column(&format!("{monitor}.{quantity}")).unwrap_or(&[]);
     let (along, across) = (column("shear1"), column("shear2"));
     let of_row = |row: usize| along[row].hypot(across.get(row).copied().unwrap_or(0.0));
     let shear: Vec<f64> = (0..along.len()).map(of_row).collect();
     let state = column("state");
     let drawing = Path {
+        language,
         title: format!("{monitor}: shear over pressure"),
         pressure: column("pressure"),
         shear: &shear,

@@ -1,9 +1,9 @@
 //! The chapter on section forces of linings: after the last stage, and between which values they went while the ground shook.
 
-use crate::cut_figure::plane;
 use crate::figure::{Block, Chapter};
 use crate::lining::{Extreme, FORCES, Lining, Station, kilo, linings};
 use crate::scale::{moment, trimmed};
+use crate::section_view::plane;
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
 use crate::{force_chart, force_shape, thrust_moment};

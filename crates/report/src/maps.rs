@@ -1,0 +1,93 @@
+//! The section maps of the page, in the order in which a reader asks: how far linings are damaged, where they came off the
+//! rock, what stresses them, how they deform, and where rock yielded.
+
+use crate::contact_map;
+use crate::cut_figure::Map;
+use crate::damage_maps;
+use crate::deformed;
+use crate::figure::Section;
+use crate::language::say;
+use crate::plastic_zones::{Files, Zones};
+use crate::section_view::plane;
+use crate::snapshots::Snapshots;
+use crate::source::Source;
+
+/// Room around linings, as a part of their extent.
+const MARGIN: f64 = 0.25;
+
+/// All of them. Of a run without shaking those of interfaces alone: what else stages leave has a chapter of its own.
+pub fn sections(source: &Source) -> Vec<Section> {
+    let interfaces = contact_map::section(source);
+    if !source.shakes() {
+        return interfaces.into_iter().collect();
+    }
+    let snapshots = match Snapshots::of(source) {
+        Ok(snapshots) => snapshots,
+        Err(why) => {
+            let heading = say!(source.language, "Section through the caverns");
+            return std::iter::once(Section::left_out(&heading, why)).chain(interfaces).collect();
+        }
+    };
+    let mut sections = damage_maps::sections(source, &snapshots);
+    sections.extend(interfaces);
+    sections.push(stress(source, &snapshots));
+    sections.push(deformed::section(source, &snapshots));
+    sections.push(yielding(source, &snapshots));
+    sections
+}
+
+/// The largest principal stress over the run.
+fn stress(source: &Source, snapshots: &Snapshots) -> Section {
+    let language = source.language;
+    let heading = say!(language, "Largest principal stress on the section");
+    let fields = match snapshots.read(snapshots.last()) {
+        Ok(fields) => fields,
+        Err(why) => return Section::left_out(&heading, why),
+    };
+    let positions = source.facts().positions;
+    let slice = fields.slice(plane(&positions));
+    let cut = fields.cut(&slice, &["s1_max", "s1"]);
+    let Some(cut) = cut.filter(|cut| cut.cells.iter().any(|cell| cell.value.is_finite())) else {
+        return Section::left_out(&heading, say!(language, "The last field file has no field s1_max or s1."));
+    };
+    let smooth = fields.smooth(&slice, &cut.field);
+    let when = match cut.field.as_str() {
+        "s1_max" => say!(language, "of each element the largest over the run"),
+        _ => snapshots.at(snapshots.last().time),
+    };
+    let map = Map {
+        language,
+        cut: &cut,
+        smooth: smooth.as_deref(),
+        heading: &heading,
+        when: &when,
+        title: &say!(language, "largest principal stress s1, tension positive"),
+        look: &say!(
+            language,
+            "Tension is positive. Look for where a lining came near its tensile strength, and whether the rock behind it is drawn apart \
+             as well; a cracked element has shed its stress, so that light spots in a dark lining may be cracks."
+        ),
+        file: "section-s1.svg",
+        lowest: false,
+        margin: MARGIN,
+    };
+    Section::Drawn(vec![map.figure(&positions)])
+}
+
+/// Where rock had yielded before the shaking and has after it.
+fn yielding(source: &Source, snapshots: &Snapshots) -> Section {
+    let language = source.language;
+    let heading = say!(language, "Plastic zones before and after the earthquake");
+    let (first, last) = match (snapshots.read(snapshots.first()), snapshots.read(snapshots.last())) {
+        (Ok(first), Ok(last)) => (first, last),
+        (Err(why), _) | (_, Err(why)) => return Section::left_out(&heading, why),
+    };
+    let positions = source.facts().positions;
+    let y = plane(&positions);
+    let before = Zones::of(&first, &first.slice(y), snapshots.before());
+    let after = Zones::of(&last, &last.slice(y), snapshots.after());
+    let earlier = (snapshots.first() != snapshots.last()).then_some(&before);
+    let files = Files { zones: "section-plastic.svg", strain: "section-plastic-strain.svg" };
+    let (figures, notes) = after.figures(language, earlier, &heading, files, &positions);
+    if figures.is_empty() { Section::left_out(&heading, notes.join(" ")) } else { Section::Drawn(figures) }
+}
