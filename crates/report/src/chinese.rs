@@ -2,6 +2,7 @@
 //!
 //! Terms follow GB/T 50279 (hydraulic engineering) and GB/T 50083 (structures) where they have one.
 
+mod maps;
 mod page;
 mod source;
 
@@ -9,4 +10,4 @@ mod source;
 pub type Texts = &'static [(&'static str, &'static str)];
 
 /// All of them.
-pub const TABLES: &[Texts] = &[page::TEXTS, source::TEXTS];
+pub const TABLES: &[Texts] = &[maps::TEXTS, page::TEXTS, source::TEXTS];

@@ -115,11 +115,11 @@ impl Scene {
             "d_tension" => say!(language, "Damage in tension D⁺ (field d_tension): 0 sound, 1 broken."),
             "d_b" => say!(
                 language,
-                "D_b, the mean of the damage in three directions (field d_b), as it is at the time: 0 sound, 1 broken all round."
+                "D_b, the mean of the damage in the three principal directions (field d_b), as it is at the time: 0 sound, 1 broken."
             ),
             _ => say!(
                 language,
-                "D_b, the mean of damage in tension and in shear, the largest so far (field d_b_max): 0 sound, 1 broken."
+                "D_b, the mean of the damage in the three principal directions, at each point the largest so far (field d_b_max): 0 sound, 1 broken."
             ),
         };
         said.insert(0, what);
@@ -134,7 +134,10 @@ impl Scene {
             );
             said.push(look);
         }
-        let title = say!(language, "damage D_b of linings");
+        let title = match field {
+            "d_tension" => say!(language, "damage of the linings in tension, D⁺"),
+            _ => say!(language, "damage of the linings, D_b"),
+        };
         self.drawn(language, &heading, &title, "lining-damage", &maps, said)
     }
 
@@ -161,13 +164,13 @@ impl Scene {
             say!(
                 language,
                 "Tension opens cracks, which may close again and then carry pressure; shear takes what carries pressure. Look for \
-                 shear where a lining is thin or bears most, at the crown and the feet: a lining cracked in tension alone can stand, one \
-                 sheared through cannot. Largest mean of an element: D⁺ {tension}, D⁻ {shear}.",
+                 shear where a lining is thin or bears most, at the crown and the feet: a lining cracked in tension alone can still carry thrust, where \
+                 it is sheared or crushed through it has its residual strength alone. Largest mean of an element: D⁺ {tension}, D⁻ {shear}.",
                 tension = self.most(&maps[0]),
                 shear = self.most(&maps[1])
             ),
         ];
-        let title = say!(language, "damage of linings by kind");
+        let title = say!(language, "damage of the linings by kind");
         self.drawn(language, &heading, &title, "lining-damage-kinds", &maps, said)
     }
 
@@ -226,10 +229,11 @@ impl Scene {
         let mut drawn = cut.cells.clone();
         own.iter().for_each(|&k| drawn[k].outline = thick.outline(&drawn[k].outline));
         let lining: Vec<_> = own.iter().map(|&k| drawn[k].clone()).collect();
+        let ground = cut.cells.iter().zip(&inside).filter(|(_, inside)| !**inside);
+        let ground: Vec<_> = ground.map(|(cell, _)| cell.clone()).collect();
         let frame = |map: &Damage| {
             let mut frame = row.frame(RANGE.0, RANGE.1);
-            for (k, cell) in cut.cells.iter().enumerate().filter(|(k, _)| !inside[*k]) {
-                debug_assert!(!inside[k]);
+            for cell in &ground {
                 frame.kind(&cell.outline, &say!(language, "rock"), ROCK);
             }
             for &k in &own {
@@ -238,14 +242,14 @@ impl Scene {
                     frame.cell(&drawn[k].outline, value);
                 }
             }
-            frame.outlines(&borders(&cut.cells));
+            frame.outlines(&borders(&ground));
             frame.outlines(&borders(&lining));
             for (name, [x, y, z]) in &self.positions {
                 if (y - cut.y).abs() < 0.01 {
                     frame.point(name, thick.point([*x, *z]));
                 }
             }
-            (format!("{}: {}", map.title, say!(language, "up to {most}", most = self.most(map))), frame)
+            (say!(language, "{title}: up to {most}", title = map.title, most = self.most(map)), frame)
         };
         let maps: Vec<_> = maps.iter().map(frame).collect();
         let svg = row.draw(title, &maps, &say!(language, "a section coloured by element"));

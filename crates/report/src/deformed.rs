@@ -131,14 +131,12 @@ fn figure(
         .collect();
     frame.shapes(&deformed);
     points(&mut frame, cut, positions);
-    let title = say!(
-        language,
-        "displacement less the common motion; shape × {factor}",
-        factor = trimmed(&figures(factor, 3))
-    );
+    let title = say!(language, "displacement less the common motion");
+    let name =
+        say!(language, "shape of linings and openings × {factor}", factor = trimmed(&figures(factor, 3)));
     let svg = row.draw(
         &scale.labelled(&title),
-        &[(String::new(), frame)],
+        &[(name, frame)],
         &say!(language, "a section with filled contours and the deformed shape"),
     );
     let common = Scale::suiting("m", rigid.shift());

@@ -59,8 +59,10 @@ impl Frame {
         ((x - self.window.low[0]) * self.zoom, (self.window.high[1] - z) * self.zoom)
     }
 
+    /// What of edges is seen.
     fn placed(&self, edges: &[[[f64; 2]; 2]]) -> Vec<Vec<(f64, f64)>> {
-        edges.iter().map(|[a, b]| vec![self.place(*a), self.place(*b)]).collect()
+        let seen = edges.iter().filter(|edge| self.window.meets(*edge));
+        seen.map(|[a, b]| vec![self.place(*a), self.place(*b)]).collect()
     }
 
     /// Its width and height in units.
@@ -71,13 +73,18 @@ impl Frame {
 
     /// An area of one value.
     pub fn cell(&mut self, outline: &[[f64; 2]], value: f64) {
-        let level = colours::level(value, self.range);
-        let outline = outline.iter().map(|&p| self.place(p)).collect();
-        self.levels[level].push(outline);
+        if self.window.meets(outline) {
+            let level = colours::level(value, self.range);
+            let outline = outline.iter().map(|&p| self.place(p)).collect();
+            self.levels[level].push(outline);
+        }
     }
 
     /// An area with a value at each corner, as filled contours; with a line where the value is zero.
     pub fn contours(&mut self, outline: &[[f64; 2]], values: &[f64]) {
+        if !self.window.meets(outline) {
+            return;
+        }
         let (low, high) = self.range;
         let corners: Vec<([f64; 2], f64)> = outline.iter().copied().zip(values.iter().copied()).collect();
         let from = |level: usize| low + (high - low) * level as f64 / LEVELS as f64;
@@ -115,6 +122,9 @@ impl Frame {
     /// An area that has no value but is of a kind, which has a colour of its own and stands beside the map by its name,
     /// unless that is empty.
     pub fn kind(&mut self, outline: &[[f64; 2]], name: &str, colour: &'static str) {
+        if !self.window.meets(outline) {
+            return;
+        }
         let outline = outline.iter().map(|&p| self.place(p)).collect();
         match self.kinds.iter_mut().find(|(known, of, _)| known == name && *of == colour) {
             Some((.., outlines)) => outlines.push(outline),
@@ -171,7 +181,7 @@ impl Frame {
         }
         svg.borders(&self.borders);
         if !self.shapes.is_empty() {
-            svg.hatching(&self.shapes);
+            svg.shapes(&self.shapes);
         }
         for (name, at) in &self.points {
             svg.label(*at, name);

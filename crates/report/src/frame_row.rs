@@ -25,7 +25,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// The way in which so many maps are drawn largest.
+    /// Beside each other, unless maps of this window are drawn much larger above each other.
     pub fn of(window: Window, maps: usize) -> Self {
         let n = maps.max(1) as f64;
         let across = WIDTH - LEFT - BAR;
@@ -33,7 +33,8 @@ impl Row {
         let above = (across, (1.5 * TALLEST - (n - 1.0) * (BELOW + LINE)) / n);
         let [width, height] = window.size();
         let zoom = |room: (f64, f64)| (room.0 / width).min(room.1 / height);
-        let best = maps < 2 || zoom(beside) >= zoom(above);
+        // Above each other they leave a page half empty, unless they are long.
+        let best = maps < 2 || 1.4 * zoom(beside) >= zoom(above);
         Row { window, beside: best, room: if best { beside } else { above } }
     }
 
@@ -98,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_stand_as_they_are_drawn_largest() {
+    fn long_maps_stand_above_each_other() {
         let window = |width: f64, height: f64| Window { low: [0.0; 2], high: [width, height] };
         assert!(Row::of(window(60.0, 55.0), 2).beside);
         assert!(!Row::of(window(200.0, 40.0), 2).beside);

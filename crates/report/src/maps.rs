@@ -21,7 +21,9 @@ pub fn sections(source: &Source) -> Vec<Section> {
     if !source.shakes() {
         return interfaces.into_iter().collect();
     }
-    let snapshots = match Snapshots::of(source) {
+    // What costs all maps is said once.
+    let readable = Snapshots::of(source).and_then(|all| all.read(all.last()).map(|_| all));
+    let snapshots = match readable {
         Ok(snapshots) => snapshots,
         Err(why) => {
             let heading = say!(source.language, "Section through the caverns");
@@ -52,7 +54,9 @@ fn stress(source: &Source, snapshots: &Snapshots) -> Section {
     };
     let smooth = fields.smooth(&slice, &cut.field);
     let when = match cut.field.as_str() {
-        "s1_max" => say!(language, "of each element the largest over the run"),
+        "s1_max" => {
+            say!(language, "of each element the largest over the run, of intact 2×2×2 elements at the fibre")
+        }
         _ => snapshots.at(snapshots.last().time),
     };
     let map = Map {
@@ -64,8 +68,8 @@ fn stress(source: &Source, snapshots: &Snapshots) -> Section {
         title: &say!(language, "largest principal stress s1, tension positive"),
         look: &say!(
             language,
-            "Tension is positive. Look for where a lining came near its tensile strength, and whether the rock behind it is drawn apart \
-             as well; a cracked element has shed its stress, so that light spots in a dark lining may be cracks."
+            "Tension is positive. Look for where a lining came near its tensile strength, and whether the rock behind it is drawn apart as \
+             well."
         ),
         file: "section-s1.svg",
         lowest: false,

@@ -74,6 +74,6 @@ impl<'a> Snapshots<'a> {
     /// What the last file stands for.
     pub fn after(&self) -> String {
         let time = moment(self.last().time, duration(self.source));
-        say!(self.source.language, "after it, t = {time}\u{a0}s", time = time)
+        say!(self.source.language, "after the earthquake, t = {time}\u{a0}s", time = time)
     }
 }

@@ -55,7 +55,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
             say!(language, "largest principal stress s1, tension positive"),
             say!(
                 language,
-                "Look for tension in the rock at crowns and walls: there it loosens, and bolts have to hold it."
+                "Look for tension in the rock at crowns and walls: there it may loosen, and support has to hold it."
             ),
             "stage-s1.svg",
             false,

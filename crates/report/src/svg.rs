@@ -155,6 +155,19 @@ impl Svg {
         }
     }
 
+    /// Strong dark lines with a light edge on a map.
+    pub fn shapes(&mut self, lines: &[Vec<(f64, f64)>]) {
+        for (colour, width) in [("#fff", "4"), ("#1f2933", "2")] {
+            self.put(format_args!(
+                "<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\" d=\""
+            ));
+            for line in lines {
+                self.trace(line, false);
+            }
+            self.put("\"/>");
+        }
+    }
+
     /// Hatching on a map, dark with a light edge so that it is seen on any colour.
     pub fn hatching(&mut self, lines: &[Vec<(f64, f64)>]) {
         for (colour, width) in [("#fff", "2.2"), ("#1f2933", "0.9")] {

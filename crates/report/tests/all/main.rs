@@ -5,5 +5,6 @@ mod free_field;
 mod further_quantities;
 mod interface_results;
 mod interfaces;
+mod maps;
 mod report;
 mod stages;
