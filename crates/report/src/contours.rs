@@ -116,7 +116,14 @@ mod tests {
         let own: Vec<[f64; 2]> = leaning().iter().map(|(at, _)| *at).collect();
         let total: f64 = bands.iter().map(|(_, outline)| area(outline)).sum();
         assert!((total - area(&own)).abs() < 1e-12, "{total}");
-        assert!(bands.iter().any(|(k, _)| *k == 1) && bands.iter().any(|(k, _)| *k == 8));
+        // From 0 to 14 by twos, and each band goes from one of its limits to the other.
+        for k in 2..=8 {
+            let own = bands.iter().filter(|(band, _)| *band == k).flat_map(|(_, outline)| outline);
+            let values = own.map(|[x, z]| 2.0 * x + z);
+            let (low, high) =
+                values.fold((99.0, -99.0), |(low, high), x| (f64::min(low, x), f64::max(high, x)));
+            assert!((low - from(k)).abs() < 1e-12 && (high - from(k + 1)).abs() < 1e-12, "{k} {low} {high}");
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The section when linings are strained most: displacement without the common motion, and the deformed shape.
 
-use tremolite_results::{Peaks, Slice};
+use tremolite_results::{Peaks, Slice, Snapshot};
 
 use crate::figure::{Figure, Section};
 use crate::frame_row::Row;
@@ -23,7 +23,9 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
     let heading = say!(language, "Deformed shape when the linings are strained most");
     let facts = source.facts();
     let strained = strained_most(source);
-    let snapshot = strained.as_ref().map_or(snapshots.last(), |(_, time, _)| snapshots.nearest(*time));
+    let seen = widest_seen(source, snapshots);
+    let nearest = || strained.as_ref().map(|(_, time, _)| snapshots.nearest(*time));
+    let snapshot = seen.as_ref().map(|(snapshot, ..)| *snapshot).or_else(nearest).unwrap_or(snapshots.last());
     let fields = match snapshots.read(snapshot) {
         Ok(fields) => fields,
         Err(why) => return Section::left_out(&heading, why),
@@ -38,16 +40,28 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
     };
     let time = snapshots.at(snapshot.time);
     let duration = crate::facts::duration(source);
-    let why = match &strained {
-        Some((pair, at, size)) => say!(
+    let length = |size: f64| Scale::suiting("m", size).quantity(size);
+    let why = match (&seen, &strained) {
+        (Some((_, pair, size)), Some((most_pair, at, most))) => say!(
+            language,
+            "Of all field files that {when}: in it monitors have moved most against each other, {pair} by {size}. The most over the run \
+             is {most} of {most_pair} at {time}\u{a0}s.",
+            when = time,
+            pair = pair,
+            size = length(*size),
+            most = length(*most),
+            most_pair = most_pair,
+            time = moment(*at, duration)
+        ),
+        (_, Some((pair, at, most))) => say!(
             language,
             "The file {when} is the nearest to {time}\u{a0}s, when monitors moved most against each other: {pair} by {size}.",
             when = time,
             time = moment(*at, duration),
             pair = pair,
-            size = Scale::suiting("m", *size).quantity(*size)
+            size = length(*most)
         ),
-        None => say!(
+        (_, None) => say!(
             language,
             "The file {when}, the last: the case compares no monitors ([[relative]]), so that nothing says when linings are strained most.",
             when = time
@@ -73,6 +87,30 @@ fn strained_most(source: &Source) -> Option<(String, f64, f64)> {
     all.max_by(|a, b| a.2.total_cmp(&b.2))
 }
 
+/// The file in which a pair of monitors has moved most against each other, that pair, and how far; nothing where the
+/// histories do not say.
+fn widest_seen<'a>(source: &Source, snapshots: &'a Snapshots) -> Option<(&'a Snapshot, String, f64)> {
+    let table = source.monitors.as_ref().ok()?;
+    let times = table.column("time")?;
+    let step = times.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    let facts = source.facts();
+    let mut widest: Option<(&Snapshot, String, f64)> = None;
+    for pair in facts.relative.keys() {
+        let parts = ["ux", "uy", "uz"].map(|name| table.column(&format!("{pair}.{name}")));
+        let parts: Vec<&[f64]> = parts.into_iter().flatten().collect();
+        for snapshot in snapshots.all().iter().filter(|_| !parts.is_empty()) {
+            let far = |row: &usize| (times[*row] - snapshot.time).abs();
+            let Some(row) = (0..times.len()).min_by(|a, b| far(a).total_cmp(&far(b))) else { continue };
+            let size = parts.iter().map(|part| part[row] * part[row]).sum::<f64>().sqrt();
+            if far(&row) <= step && size.is_finite() && widest.as_ref().is_none_or(|(.., most)| size > *most)
+            {
+                widest = Some((snapshot, pair.clone(), size));
+            }
+        }
+    }
+    widest
+}
+
 fn figure(
     language: Language,
     heading: &str,
@@ -96,7 +134,12 @@ fn figure(
     };
     let size = |[x, z]: [f64; 2]| x.hypot(z);
     let sizes = |k: usize| (0..cut.cells[k].outline.len()).map(move |corner| size(rest(k, corner)));
-    let most = seen.iter().flat_map(|&k| sizes(k)).filter(|x| x.is_finite()).fold(0.0, f64::max);
+    // Cells at the rim reach beyond the window, where nobody sees what they do.
+    let shown = |k: usize| {
+        let corners = cut.cells[k].outline.iter().zip(sizes(k));
+        corners.filter(|(at, _)| window.meets(&[**at])).map(|(_, size)| size).collect::<Vec<_>>()
+    };
+    let most = seen.iter().flat_map(|&k| shown(k)).filter(|x| x.is_finite()).fold(0.0, f64::max);
 
     let borders = border_sides(&cut.cells);
     let [width, height] = window.size();

@@ -32,7 +32,8 @@ impl<'a> Snapshots<'a> {
         Ok(Snapshots { source, pvd })
     }
 
-    fn all(&self) -> &[Snapshot] {
+    /// All of them, as they were written.
+    pub fn all(&self) -> &[Snapshot] {
         self.pvd.snapshots()
     }
 

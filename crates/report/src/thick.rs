@@ -34,14 +34,18 @@ impl Thick {
             });
         }
         let room = ROOM * smallest(cells, inside);
+        let mut thickest = 0.0_f64;
         let mut ends: BTreeMap<Key, ([f64; 2], Vec<[f64; 2]>)> = BTreeMap::new();
         for sides in all.iter().filter(|sides| sides.len() == 1 && inside[sides[0].cell]) {
             for way in through(cells, inside, &all, &edge_of, sides[0]) {
                 let Some((end, way)) = way.split_last() else { continue };
+                let Some(first) = way.first() else { continue };
                 // From a wall's free end the way goes along it, not through it.
-                if way.first().is_none_or(|first| 2.0 * (first[0] - end[0]).hypot(first[1] - end[1]) > room) {
+                let length = (first[0] - end[0]).hypot(first[1] - end[1]);
+                if 2.0 * length > room {
                     continue;
                 }
+                thickest = thickest.max(length);
                 for point in way {
                     let (_, known) = ends.entry(key(point)).or_insert((*point, Vec::new()));
                     if !known.iter().any(|other| key(other) == key(end)) {
@@ -55,7 +59,6 @@ impl Thick {
             [0, 1].map(|i| ends.iter().map(|end| point[i] - end[i]).sum::<f64>())
         };
         let moves: HashMap<Key, [f64; 2]> = ends.iter().map(|(k, found)| (*k, inwards(found))).collect();
-        let thickest = moves.values().map(|[x, z]| x.hypot(*z)).fold(0.0, f64::max);
         let factor = FACTORS.into_iter().find(|factor| factor * thickest <= room);
         let factor = if moves.is_empty() { 1.0 } else { factor.unwrap_or(1.0) };
         Thick { factor, moves }

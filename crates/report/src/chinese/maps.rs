@@ -171,6 +171,10 @@ pub const TEXTS: Texts = &[
     ("The field files have no displacement with three components.", "场文件没有三分量的位移。"),
     ("The plane of the section meets no element.", "断面不经过任何单元。"),
     (
+        "Of all field files that {when}: in it monitors have moved most against each other, {pair} by {size}. The most over the run is {most} of {most_pair} at {time}\u{a0}s.",
+        "取全部场文件中{when}者：其中监测点间相对位移最大，{pair} 为 {size}。全程最大为 {most_pair} 在 {time}\u{a0}s 的 {most}。",
+    ),
+    (
         "The file {when} is the nearest to {time}\u{a0}s, when monitors moved most against each other: {pair} by {size}.",
         "{when}的文件最接近 {time}\u{a0}s，此时监测点间相对位移最大：{pair} 为 {size}。",
     ),
