@@ -16,6 +16,7 @@ mod bolts;
 mod chart;
 pub mod chinese;
 mod colours;
+mod compare;
 mod contact_history;
 mod contact_map;
 mod contact_monitors;
@@ -60,8 +61,10 @@ mod reaction;
 mod relative_motion;
 mod relaxation;
 mod scale;
+mod section_strength;
 mod section_view;
 mod sentences;
+mod setting;
 mod sheet_words;
 mod snapshots;
 mod source;
@@ -84,6 +87,7 @@ use std::path::{Path, PathBuf};
 
 use tremolite_results::replace_file;
 
+pub use crate::compare::compare;
 use crate::figure::{Chapter, Section};
 pub use crate::language::Language;
 use crate::source::Source;

@@ -1,8 +1,7 @@
 //! The page: the template filled in.
 
-use minijinja::syntax::SyntaxConfig;
+use minijinja::Value;
 use minijinja::value::Serde;
-use minijinja::{AutoEscape, Environment, Value};
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
@@ -13,13 +12,12 @@ use crate::figure::{Block, Chapter, Section};
 use crate::interfaces::{self, InterfaceTable};
 use crate::materials::{self, MaterialTable};
 use crate::peaks::{self, PeakTable};
+use crate::setting::{STYLE, environment, markup};
 use crate::source::Source;
-use crate::svg::escape;
 use crate::text_table::TextTable;
 use crate::view;
 
 const TEMPLATE: &str = include_str!("../template/report.html");
-const STYLE: &str = include_str!("../template/report.css");
 /// Built from `page/src`, checked in.
 const SCRIPT: &str = include_str!("../page/dist/page.js");
 
@@ -106,9 +104,9 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
     let view = view::embedded(source, &mut blocks) + &blocks.elements();
     let page = Page {
         language: source.language.code(),
-        view: Value::from_safe_string(view),
-        script: Value::from_safe_string(SCRIPT.into()),
-        style: Value::from_safe_string(STYLE.into()),
+        view: markup(&view),
+        script: markup(SCRIPT),
+        style: markup(STYLE),
         title,
         outcome: facts::outcome(source),
         findings: facts::findings(&summary),
@@ -139,19 +137,9 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
             || matches!(&source.free_field, Some(Ok(found)) if found.cut),
         files: files(source),
     };
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
-    environment.add_filter("dots", dots);
-    let language = source.language;
-    environment.add_function("t", move |english: &str| language.pattern(english).to_owned());
+    let mut environment = environment(source.language)?;
     environment.add_template("report.html", TEMPLATE)?;
     environment.get_template("report.html")?.render(Serde(&page))
-}
-
-/// A name of several parts, which may break behind its dots and nowhere else.
-fn dots(name: String) -> Value {
-    Value::from_safe_string(escape(&name).replace('.', ".<wbr>"))
 }
 
 /// The result files that are there.
@@ -221,5 +209,5 @@ fn part(section: &Section) -> Part {
 }
 
 fn drawing(figure: &crate::figure::Figure) -> Drawing {
-    Drawing { svg: Value::from_safe_string(figure.svg.clone()), caption: figure.caption.clone() }
+    Drawing { svg: markup(&figure.svg), caption: figure.caption.clone() }
 }

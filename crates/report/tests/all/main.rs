@@ -1,6 +1,7 @@
 //! The tests of this crate, one binary.
 
 mod bolts;
+mod compare;
 mod free_field;
 mod further_quantities;
 mod interface_results;

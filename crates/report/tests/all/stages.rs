@@ -182,6 +182,8 @@ fn sections(folder: &ResultFolder, shaken: bool) {
                 when: "lining".into(),
                 time: [f64::NAN; 3],
                 forces,
+                thrust_at_moment: forces[0],
+                thickness: LINING,
             };
             rows.push(SectionRow { forces: forces.map(|f| 0.05 * f), ..row.clone() });
             rows.push(SectionRow { when: "bench, rest".into(), ..row.clone() });
@@ -224,6 +226,8 @@ fn hall(rows: &mut Vec<SectionRow>, first: u32, shaken: bool) {
             when: when.into(),
             time: [time; 3],
             forces: [forces[0] + share * 4e5, forces[1] + share * 9e4, forces[2] + share * 4e4],
+            thrust_at_moment: forces[0] + share * 2e5,
+            thickness: 1.0,
         };
         rows.push(row("bench, rest", f64::NAN, 0.0));
         if shaken {
