@@ -157,7 +157,7 @@ impl Scene {
         let said = vec![
             say!(
                 language,
-                "Damage in tension D⁺ and in shear D⁻ {when}, fields d_tension and d_shear, of each element the mean over its points, \
+                "Damage in tension D⁺ and in shear D⁻ ({when}; fields d_tension and d_shear), of each element the mean over its points, \
                  both from 0 sound to 1 broken.",
                 when = snapshots.after()
             ),

@@ -44,8 +44,7 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
     let why = match (&seen, &strained) {
         (Some((_, pair, size)), Some((most_pair, at, most))) => say!(
             language,
-            "Of all field files that {when}: in it monitors have moved most against each other, {pair} by {size}. The most over the run \
-             is {most} of {most_pair} at {time}\u{a0}s.",
+            "Drawn is the field file {when}, in which of all files monitors have moved most against each other, {pair} by {size}. The most over the run is {most} of {most_pair} at {time}\u{a0}s.",
             when = time,
             pair = pair,
             size = length(*size),
@@ -196,8 +195,7 @@ fn figure(
         say!(
             language,
             "Thick lines: linings and openings with that displacement {factor} times enlarged, over their shape at rest in thin lines. Look \
-             for walls that come together or bow inwards and for a crown that is pushed to one side: there the lining is bent. Where two \
-             thick lines part, lining and rock do.",
+             for walls that come together or bow inwards and for a crown that is pushed to one side: there the lining is bent. Where the outer line of a lining is double, it has come off the rock.",
             factor = trimmed(&figures(factor, 3))
         ),
     ];

@@ -119,7 +119,7 @@ impl Zones {
         };
         let mut said = vec![say!(
             language,
-            "Elements in which any point has yielded up to now, in shear, in tension or both, {when}, {plane}: {shear}\u{a0}m² of the \
+            "Elements in which any point has yielded up to now, in shear, in tension or both ({when}, {plane}): {shear}\u{a0}m² of the \
              section in shear, {tension}\u{a0}m² in tension.",
             when = self.when,
             plane = on_plane(language, cut.y),
@@ -130,7 +130,7 @@ impl Zones {
             maps.insert(0, (when.to_owned(), frame(cut)));
             said.push(say!(
                 language,
-                "Beside it {when}: {shear}\u{a0}m² in shear, {tension}\u{a0}m² in tension. What is coloured on the right alone yielded in \
+                "For comparison, {when}: {shear}\u{a0}m² in shear, {tension}\u{a0}m² in tension. What is coloured on the right alone yielded in \
                  the earthquake.",
                 when = when,
                 shear = shared(cut, 5),

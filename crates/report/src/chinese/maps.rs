@@ -147,8 +147,8 @@ pub const TEXTS: Texts = &[
     ("in tension, D⁺", "受拉损伤 D⁺"),
     ("in shear or crushing, D⁻", "受剪或压碎损伤 D⁻"),
     (
-        "Damage in tension D⁺ and in shear D⁻ {when}, fields d_tension and d_shear, of each element the mean over its points, both from 0 sound to 1 broken.",
-        "{when}的受拉损伤 D⁺ 与受剪损伤 D⁻（变量 d_tension、d_shear），各单元取其积分点的平均值，均为 0 完好至 1 完全破坏。",
+        "Damage in tension D⁺ and in shear D⁻ ({when}; fields d_tension and d_shear), of each element the mean over its points, both from 0 sound to 1 broken.",
+        "受拉损伤 D⁺ 与受剪损伤 D⁻（{when}；变量 d_tension、d_shear），各单元取其积分点的平均值，均为 0 完好至 1 完全破坏。",
     ),
     (
         "Tension opens cracks, which may close again and then carry pressure; shear takes what carries pressure. Look for shear where a lining is thin or bears most, at the crown and the feet: a lining cracked in tension alone can still carry thrust, where it is sheared or crushed through it has its residual strength alone. Largest mean of an element: D⁺ {tension}, D⁻ {shear}.",
@@ -171,12 +171,12 @@ pub const TEXTS: Texts = &[
     ("The field files have no displacement with three components.", "场文件没有三分量的位移。"),
     ("The plane of the section meets no element.", "断面不经过任何单元。"),
     (
-        "Of all field files that {when}: in it monitors have moved most against each other, {pair} by {size}. The most over the run is {most} of {most_pair} at {time}\u{a0}s.",
-        "取全部场文件中{when}者：其中监测点间相对位移最大，{pair} 为 {size}。全程最大为 {most_pair} 在 {time}\u{a0}s 的 {most}。",
+        "Drawn is the field file {when}, in which of all files monitors have moved most against each other, {pair} by {size}. The most over the run is {most} of {most_pair} at {time}\u{a0}s.",
+        "图为场文件（{when}），全部文件中此时监测点间相对位移最大：{pair} 为 {size}。全程最大为 {most_pair} 在 {time}\u{a0}s 的 {most}。",
     ),
     (
         "The file {when} is the nearest to {time}\u{a0}s, when monitors moved most against each other: {pair} by {size}.",
-        "{when}的文件最接近 {time}\u{a0}s，此时监测点间相对位移最大：{pair} 为 {size}。",
+        "所取场文件（{when}）最接近 {time}\u{a0}s，此时监测点间相对位移最大：{pair} 为 {size}。",
     ),
     (
         "The file {when}, the last: the case compares no monitors ([[relative]]), so that nothing says when linings are strained most.",
@@ -187,11 +187,11 @@ pub const TEXTS: Texts = &[
     ("a section with filled contours and the deformed shape", "断面等值线云图与变形形状"),
     (
         "Colours: length of the displacement in the plane, {plane}, less the mean motion ({shift}) and the mean turn of all that is drawn, which strain nothing; up to {most}. Motion along y is not in it. Interpolated between nodes.",
-        "颜色：{plane}面内位移的大小，已扣除图中全部范围的平均平动（{shift}）和平均转动，二者不引起变形；最大 {most}。不含沿 y 的运动。节点间插值。",
+        "颜色：面内位移的大小（{plane}），已扣除图中全部范围的平均平动（{shift}）和平均转动，二者不引起变形；最大 {most}。不含沿 y 的运动。节点间插值。",
     ),
     (
-        "Thick lines: linings and openings with that displacement {factor} times enlarged, over their shape at rest in thin lines. Look for walls that come together or bow inwards and for a crown that is pushed to one side: there the lining is bent. Where two thick lines part, lining and rock do.",
-        "粗线：上述位移放大 {factor} 倍后的衬砌与洞室轮廓；细线：静止时的轮廓。应注意边墙相互靠拢或向内弯曲、拱顶侧移之处：该处衬砌受弯。两条粗线分开处，衬砌与围岩脱开。",
+        "Thick lines: linings and openings with that displacement {factor} times enlarged, over their shape at rest in thin lines. Look for walls that come together or bow inwards and for a crown that is pushed to one side: there the lining is bent. Where the outer line of a lining is double, it has come off the rock.",
+        "粗线：上述位移放大 {factor} 倍后的衬砌与洞室轮廓；细线：静止时的轮廓。应注意边墙相互靠拢或向内弯曲、拱顶侧移之处：该处衬砌受弯。衬砌外轮廓线成双之处，衬砌已与围岩脱开。",
     ),
     (
         "Of the elements one behind the other through the thickness the largest is shown.",
@@ -219,11 +219,11 @@ pub const TEXTS: Texts = &[
     ("both", "两者"),
     ("elastic", "弹性"),
     (
-        "Elements in which any point has yielded up to now, in shear, in tension or both, {when}, {plane}: {shear}\u{a0}m² of the section in shear, {tension}\u{a0}m² in tension.",
-        "截至{when}有任一点曾屈服（剪切、受拉或两者）的单元，{plane}：断面上剪切屈服 {shear}\u{a0}m²，受拉屈服 {tension}\u{a0}m²。",
+        "Elements in which any point has yielded up to now, in shear, in tension or both ({when}, {plane}): {shear}\u{a0}m² of the section in shear, {tension}\u{a0}m² in tension.",
+        "截至此时任一点曾屈服（剪切、受拉或两者）的单元（{when}，{plane}）：断面上剪切屈服 {shear}\u{a0}m²，受拉屈服 {tension}\u{a0}m²。",
     ),
     (
-        "Beside it {when}: {shear}\u{a0}m² in shear, {tension}\u{a0}m² in tension. What is coloured on the right alone yielded in the earthquake.",
+        "For comparison, {when}: {shear}\u{a0}m² in shear, {tension}\u{a0}m² in tension. What is coloured on the right alone yielded in the earthquake.",
         "对照图为{when}：剪切屈服 {shear}\u{a0}m²，受拉屈服 {tension}\u{a0}m²。仅在右图着色者在地震中屈服。",
     ),
     (

@@ -15,23 +15,32 @@ const GAMMA: f64 = 1e-3;
 
 /// A hall of 8 m by 8 m with a lining of 1 m in a block of 30 m by 30 m, without any field but its bodies and groups.
 fn hall(time: f64) -> (Grid, Vec<bool>) {
+    let (grid, lining, _) = hall_of(&LINES, time);
+    (grid, lining)
+}
+
+/// The same with elements between other lines, and how far each is from the hall's middle, the larger of x and z.
+fn hall_of(lines: &[f64], time: f64) -> (Grid, Vec<bool>, Vec<f64>) {
     let mut mesh = Mesh::default();
-    let id = |i: usize, j: usize, k: usize| (i + 6 * (j + 3 * k)) as u32;
-    for z in LINES {
+    let n = lines.len();
+    let id = |i: usize, j: usize, k: usize| (i + n * (j + 3 * k)) as u32;
+    for z in lines {
         for y in [0.0, 5.0, 10.0] {
-            mesh.nodes.extend(LINES.map(|x| [x, y, z]));
+            mesh.nodes.extend(lines.iter().map(|x| [*x, y, *z]));
         }
     }
-    let mut lining = Vec::new();
-    for k in 0..5 {
-        for (j, i) in [(0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 0), (1, 1), (1, 2), (1, 3), (1, 4)] {
-            if (i, k) != (2, 2) {
+    let far = |i: usize| (0.5 * (lines[i] + lines[i + 1]) - 15.0).abs();
+    let mut away = Vec::new();
+    for k in 0..n - 1 {
+        for (j, i) in (0..2).flat_map(|j| (0..n - 1).map(move |i| (j, i))) {
+            if far(i).max(far(k)) > 4.0 {
                 let face = |k| [id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k)];
                 mesh.elements.push(Element::new(Shape::Hex8, &[face(k), face(k + 1)].concat()));
-                lining.push((1..4).contains(&i) && (1..4).contains(&k));
+                away.push(far(i).max(far(k)));
             }
         }
     }
+    let lining: Vec<bool> = away.iter().map(|far| *far < 5.0).collect();
     let (mut grid, _) = Grid::from_mesh(&mesh, None);
     grid.time = Some(time);
     let flags: Vec<u8> = lining.iter().map(|l| u8::from(*l)).collect();
@@ -40,7 +49,7 @@ fn hall(time: f64) -> (Grid, Vec<bool>) {
     grid.cell_data.push(Array::new("element", "", 1, Values::Int64(numbers)));
     grid.cell_data.push(Array::new("body", "", 1, Values::Int32(bodies)));
     grid.cell_data.push(Array::new("group:hall.lining", "", 1, Values::UInt8(flags)));
-    (grid, lining)
+    (grid, lining, away)
 }
 
 /// Adds fields: damage of the lining, displacement that shears (γ = 10⁻³) on top of a common motion, the rest.
@@ -145,6 +154,26 @@ fn a_lining_is_unrolled_with_what_is_worst_through_its_thickness() {
 }
 
 #[test]
+fn what_is_damaged_behind_the_outermost_elements_is_unrolled_too() {
+    let temp = tempfile::tempdir().unwrap();
+    // Two elements through the thickness, of which the inner ones are damaged.
+    let (mut grid, lining, away) = hall_of(&[0.0, 10.0, 10.5, 11.0, 19.0, 19.5, 20.0, 30.0], 1.0);
+    let damage =
+        away.iter().zip(&lining).map(|(far, own)| if *own && *far < 4.5 { 0.9 } else { 0.0 }).collect();
+    grid.cell_data.push(Array::new("d_tension", "", 1, Values::Float64(damage)));
+    let folder = folder(temp.path(), &[grid]);
+    assert!(page(&folder).contains("through the thickness the largest is shown"));
+    let text = figure(&folder, "lining-damage-unrolled.svg");
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let fills: Vec<&str> =
+        document.root_element().children().filter_map(|node| node.attribute("fill")).collect();
+    // The bar has each colour once; corners have no way into the open and show what they are themselves.
+    let twice =
+        fills.iter().filter(|fill| fill.len() == 7 && fills.iter().filter(|f| f == fill).count() == 2);
+    assert_eq!(twice.count(), 2 * 2, "{fills:?}");
+}
+
+#[test]
 fn stress_stands_flat_beside_smooth_and_the_number_is_the_cells() {
     let temp = tempfile::tempdir().unwrap();
     let folder = folder(temp.path(), &[complete(1.0, 0.0, 0)]);
@@ -207,7 +236,7 @@ fn of_all_files_that_is_drawn_in_which_monitors_moved_most() {
     }
     drop(table);
     let page = page(&folder);
-    assert!(page.contains("Of all field files that at 1.000\u{a0}s: in it"), "which");
+    assert!(page.contains("Drawn is the field file at 1.000\u{a0}s, in which"), "which");
     assert!(
         page.contains("A-B by 1.00\u{a0}mm. The most over the run is 2.00\u{a0}mm of A-B at 0.450\u{a0}s.")
     );
@@ -249,5 +278,6 @@ fn what_files_lack_leaves_a_sentence() {
             || lost.contains("Highest value shown: 1.40")
     );
     fs::remove_file(folder.fields().join("1.vtu")).unwrap();
-    assert_eq!(page(&folder).matches("1.vtu").count(), 1, "said once");
+    let none = page(&folder);
+    assert_eq!((none.matches("1.vtu").count(), none.matches("0.vtu").count()), (1, 0), "said once");
 }
