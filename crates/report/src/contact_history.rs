@@ -44,7 +44,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let mut idle = Vec::new();
     for (k, name) in names(source).iter().enumerate() {
         let area = facts.interfaces.get(name).map_or(f64::NAN, |own| own.area);
-        match figure(table, name, area) {
+        match figure(source, table, name, area) {
             Some(figure) => {
                 figures.push(Figure { file: format!("interface-history-{}.svg", k + 1), ..figure })
             }
@@ -62,7 +62,7 @@ pub fn section(source: &Source) -> Option<Section> {
 }
 
 /// One interface; none where nothing slid or opened.
-fn figure(table: &Table, name: &str, area: f64) -> Option<Figure> {
+fn figure(source: &Source, table: &Table, name: &str, area: f64) -> Option<Figure> {
     let column = |quantity: &str| table.column(&format!("{name}.{quantity}"));
     let most = |values: &[f64]| values.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     let line = |&(quantity, title, colour): &(&str, &str, usize)| {
@@ -91,6 +91,6 @@ fn figure(table: &Table, name: &str, area: f64) -> Option<Figure> {
          so far; below, the largest slip and gap so far of pairs whose bond is broken, slip while they are closed."
     );
     let time = table.column("time").unwrap_or(&[]);
-    let svg = Chart { title: format!("{HEADING}: {name}"), time, panels }.draw();
+    let svg = Chart { title: format!("{HEADING}: {name}"), time, panels }.draw(source.language);
     Some(Figure { heading: HEADING.into(), file: String::new(), svg, caption })
 }

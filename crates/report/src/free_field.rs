@@ -64,7 +64,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let figure = Figure {
         heading: String::new(),
         file: "free_field.svg".into(),
-        svg: svg.draw(),
+        svg: svg.draw(source.language),
         caption: caption.trim().into(),
     };
     let block = Block {

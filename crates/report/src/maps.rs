@@ -1,7 +1,6 @@
-//! The section maps of the page, in the order in which a reader asks: how far linings are damaged, where they came off the
-//! rock, what stresses them, how they deform, and where rock yielded.
+//! The section maps of the page, in the order in which a reader asks: how far linings are damaged, what stresses them, how they
+//! deform, and where rock yielded. Where linings came off the rock is in [`contact_map`](crate::contact_map).
 
-use crate::contact_map;
 use crate::cut_figure::Map;
 use crate::damage_maps;
 use crate::deformed;
@@ -15,27 +14,24 @@ use crate::source::Source;
 /// Room around linings, as a part of their extent.
 const MARGIN: f64 = 0.25;
 
-/// All of them. Of a run without shaking those of interfaces alone: what else stages leave has a chapter of its own.
-pub fn sections(source: &Source) -> Vec<Section> {
-    let interfaces = contact_map::section(source);
-    if !source.shakes() {
-        return interfaces.into_iter().collect();
+/// Damage of the linings, before and after the shaking and by kind; or why there are no maps at all.
+pub fn damage(source: &Source) -> Vec<Section> {
+    match readable(source) {
+        Ok(snapshots) => damage_maps::sections(source, &snapshots),
+        Err(why) => vec![Section::left_out(&say!(source.language, "Section through the caverns"), why)],
     }
-    // What costs all maps is said once.
-    let readable = Snapshots::of(source).and_then(|all| all.read(all.last()).map(|_| all));
-    let snapshots = match readable {
-        Ok(snapshots) => snapshots,
-        Err(why) => {
-            let heading = say!(source.language, "Section through the caverns");
-            return std::iter::once(Section::left_out(&heading, why)).chain(interfaces).collect();
-        }
-    };
-    let mut sections = damage_maps::sections(source, &snapshots);
-    sections.extend(interfaces);
-    sections.push(stress(source, &snapshots));
-    sections.push(deformed::section(source, &snapshots));
-    sections.push(yielding(source, &snapshots));
-    sections
+}
+
+/// Stress, deformed shape and plastic zones; nothing where [`damage`] says why there is none.
+pub fn sections(source: &Source) -> Vec<Section> {
+    let Ok(snapshots) = readable(source) else { return Vec::new() };
+    vec![stress(source, &snapshots), deformed::section(source, &snapshots), yielding(source, &snapshots)]
+}
+
+/// The field files, of which the last can be read.
+fn readable(source: &Source) -> Result<Snapshots<'_>, String> {
+    let snapshots = Snapshots::of(source)?;
+    snapshots.read(snapshots.last()).map(|_| snapshots)
 }
 
 /// The largest principal stress over the run.

@@ -7,5 +7,6 @@ mod further_quantities;
 mod interface_results;
 mod interfaces;
 mod maps;
+mod page;
 mod report;
 mod stages;

@@ -126,16 +126,17 @@ impl SectionForces {
         }
         let mut rows = Vec::new();
         let mut number = HashMap::<&str, u32>::new();
-        let row = |lining: &str, number: u32, station: &Station, when: &str, time, forces, thrust| SectionRow {
-            lining: lining.to_owned(),
-            station: number,
-            place: station.place,
-            thickness: station.thickness,
-            thrust_at_moment: thrust,
-            when: when.to_owned(),
-            time,
-            forces,
-        };
+        let row =
+            |lining: &str, number: u32, station: &Station, when: &str, time, forces, thrust| SectionRow {
+                lining: lining.to_owned(),
+                station: number,
+                place: station.place,
+                thickness: station.thickness,
+                thrust_at_moment: thrust,
+                when: when.to_owned(),
+                time,
+                forces,
+            };
         for (k, (lining, station)) in self.stations.iter().enumerate() {
             let next = number.entry(lining).or_default();
             *next += 1;
@@ -231,8 +232,11 @@ mod tests {
     #[test]
     fn the_thrust_of_the_largest_moment_is_that_of_its_time() {
         let stations = [1.0, 2.0].map(|x| ("hall".to_owned(), station(x))).to_vec();
-        let all =
-            SectionForces { schedule: Schedule { every: 1, last: None }, stations, steel: vec![Vec::new(); 2] };
+        let all = SectionForces {
+            schedule: Schedule { every: 1, last: None },
+            stations,
+            steel: vec![Vec::new(); 2],
+        };
         let mut memory = Memory::new();
         // N, M, Q of both stations at three times; the second station's moments swing the other way.
         let rows = [
