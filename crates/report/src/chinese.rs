@@ -2,8 +2,14 @@
 //!
 //! Terms follow GB/T 50279 (hydraulic engineering) and GB/T 50083 (structures) where they have one.
 
+mod before;
+mod bolts;
 mod compare;
+mod contact;
+mod damage;
 mod energy;
+mod forces;
+mod free_field;
 mod histories;
 mod maps;
 mod page;
@@ -17,8 +23,14 @@ pub type Texts = &'static [(&'static str, &'static str)];
 
 /// All of them.
 pub const TABLES: &[Texts] = &[
+    before::TEXTS,
+    bolts::TEXTS,
     compare::TEXTS,
+    contact::TEXTS,
+    damage::TEXTS,
     energy::TEXTS,
+    forces::TEXTS,
+    free_field::TEXTS,
     histories::TEXTS,
     maps::TEXTS,
     page::TEXTS,

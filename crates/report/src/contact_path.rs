@@ -21,7 +21,7 @@ pub struct Path<'a> {
     /// Which of the states a row has.
     pub state: &'a dyn Fn(usize) -> Option<usize>,
     /// Name and colour.
-    pub states: &'a [(&'static str, usize)],
+    pub states: &'a [(String, usize)],
 }
 
 impl Path<'_> {

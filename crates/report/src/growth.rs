@@ -58,8 +58,11 @@ fn panels<'a>(source: &Source, table: &'a Table) -> Vec<Panel<'a>> {
         match panels.iter_mut().find(|(name, _)| *name == measure) {
             Some((_, panel)) => panel.lines.push(line),
             None => {
-                let title =
-                    if column.unit == "m" { say!(language, "widest crack") } else { heading(measure) };
+                let title = if column.unit == "m" {
+                    say!(language, "widest crack")
+                } else {
+                    heading(language, measure)
+                };
                 panels.push((measure, Panel { title, scale, lines: vec![line], mark: Mark::Highest }));
             }
         }

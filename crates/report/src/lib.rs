@@ -43,6 +43,7 @@ mod free_field;
 mod free_field_beside;
 mod free_field_numbers;
 mod free_field_tables;
+mod free_field_words;
 mod growth;
 mod histories;
 mod input;

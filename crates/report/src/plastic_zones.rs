@@ -101,9 +101,9 @@ impl Zones {
             let mut frame = row.frame(0.0, 1.0);
             // In this order beside the map.
             for (wanted, name, colour) in [
-                (Kind::Shear, say!(language, "shear"), SHEAR),
-                (Kind::Tension, say!(language, "tension"), TENSION),
-                (Kind::Both, say!(language, "both"), BOTH),
+                (Kind::Shear, say!(language, "in shear"), SHEAR),
+                (Kind::Tension, say!(language, "in tension"), TENSION),
+                (Kind::Both, say!(language, "in both"), BOTH),
                 (Kind::Elastic, say!(language, "elastic"), ELASTIC),
             ] {
                 for cell in cut.cells.iter().filter(|cell| kind(cell.value) == Some(wanted)) {

@@ -35,7 +35,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     };
     let number = last.time.max(0.0) as usize;
     let stage = match facts.stages.get(number) {
-        Some(stage) => called(number, stage),
+        Some(stage) => called(language, number, stage),
         None => say!(language, "stage {k}", k = number),
     };
     let when = say!(language, "after {stage}", stage = stage);

@@ -16,6 +16,8 @@ mod mesh;
 mod names;
 mod notes;
 mod part;
+#[cfg(test)]
+mod tests;
 
 use tremolite_results::{FieldFile, Pvd, SectionRow};
 

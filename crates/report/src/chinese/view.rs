@@ -14,7 +14,7 @@ pub const TEXTS: Texts = &[
         "下列场量在 {part} 中处处、时时为同一值，故未列出：{fields}。值为 0 也可能表示其材料没有该量。",
     ),
     (
-        "To keep the page small the ground is shown at every {every}th time only, the last included; linings and interfaces at all times.",
+        "To keep the page small the ground is shown at one time in {every} only, the last included; linings and interfaces at all times.",
         "为控制页面大小，围岩每 {every} 个时刻只显示一个（含最后时刻）；衬砌和接触面显示全部时刻。",
     ),
     (

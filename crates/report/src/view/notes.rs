@@ -27,7 +27,7 @@ pub fn left_out(language: Language, left: &LeftOut, budget: usize) -> Vec<String
     if left.every > 1 {
         notes.push(say!(
             language,
-            "To keep the page small the ground is shown at every {every}th time only, the last included; linings and interfaces at all times.",
+            "To keep the page small the ground is shown at one time in {every} only, the last included; linings and interfaces at all times.",
             every = left.every,
         ));
     }

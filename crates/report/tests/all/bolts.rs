@@ -204,7 +204,7 @@ fn rows(all: &[Made]) -> Vec<BoltRow> {
 }
 
 /// A result folder as a run with bolts leaves it.
-fn results(root: &Path) -> ResultFolder {
+pub fn results(root: &Path) -> ResultFolder {
     let folder = ResultFolder::create(Some(root), "bolts", true).unwrap();
     let all = bolts();
     summary(&all).write(&folder.summary()).unwrap();

@@ -1,6 +1,7 @@
 //! The tests of this crate, one binary.
 
 mod bolts;
+mod chinese_page;
 mod compare;
 mod free_field;
 mod further_quantities;
@@ -10,3 +11,6 @@ mod maps;
 mod page;
 mod report;
 mod stages;
+mod view;
+mod view_blocks;
+mod view_files;

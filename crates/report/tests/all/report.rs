@@ -13,7 +13,7 @@ use tremolite_results::{
 };
 
 /// A small but complete result folder: monitors with the given names, one second of a swinging motion.
-fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
+pub fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
     let folder = ResultFolder::create(Some(root), "case", false).unwrap();
     let quantities =
         [("ux", "m"), ("uy", "m"), ("uz", "m"), ("vx", "m/s"), ("ax", "m/s2"), ("s1", "Pa"), ("d_b", "")];
@@ -279,7 +279,7 @@ fn a_field_file_gives_a_section_and_a_broken_one_a_reason() {
 }
 
 /// A lining of 80 m³ with two measures of damage.
-fn cracked() -> GroupDamage {
+pub fn cracked() -> GroupDamage {
     let measure = |beyond: &[(&str, f64)], first| Damaged {
         beyond: beyond.iter().map(|(t, v)| ((*t).to_owned(), *v)).collect(),
         largest: 0.95,

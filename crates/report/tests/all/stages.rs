@@ -237,7 +237,7 @@ fn hall(rows: &mut Vec<SectionRow>, first: u32, shaken: bool) {
 }
 
 /// All that a run of stages alone writes.
-fn example(root: &Path, shaken: bool) -> ResultFolder {
+pub fn example(root: &Path, shaken: bool) -> ResultFolder {
     let folder = ResultFolder::create(Some(root), "case", false).unwrap();
     let stages = stages();
     write_stages(&folder.stages(), &[Column::new("A.uz", "m")], &stages).unwrap();
