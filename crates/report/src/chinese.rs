@@ -11,6 +11,7 @@ mod energy;
 mod forces;
 mod free_field;
 mod histories;
+mod maps;
 mod page;
 mod section_strength;
 mod source;
@@ -31,6 +32,7 @@ pub const TABLES: &[Texts] = &[
     forces::TEXTS,
     free_field::TEXTS,
     histories::TEXTS,
+    maps::TEXTS,
     page::TEXTS,
     section_strength::TEXTS,
     source::TEXTS,

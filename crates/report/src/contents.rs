@@ -5,8 +5,8 @@ use crate::histories::Recorded;
 use crate::language::say;
 use crate::source::Source;
 use crate::{
-    before, bolts, contact_history, contact_map, contact_monitors, cut_figure, damage, energy, forces,
-    free_field, growth, input, interfaces, materials, mesh_figure,
+    before, bolts, contact_history, contact_map, contact_monitors, damage, energy, forces, free_field,
+    growth, input, interfaces, maps, materials, mesh_figure,
 };
 
 /// A section in its place.
@@ -82,11 +82,12 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.put("displacement-less-mean", recorded.as_ref().and_then(Recorded::beside_mean));
     page.put("relative", recorded.as_ref().map(Recorded::relative));
     page.put("stress", recorded.as_ref().map(Recorded::stress));
-    page.put("section", shakes.then(|| cut_figure::section(source)));
+    page.put("damage-map", if shakes { maps::damage(source) } else { Vec::new() });
     page.put("damage-history", when(shakes, growth::section));
     page.put("interface-map", contact_map::section(source));
     page.put("interface-history", when(shakes, contact_history::section));
     page.put("interface-monitors", when(shakes, contact_monitors::section));
+    page.put("section", if shakes { maps::sections(source) } else { Vec::new() });
 
     page.tell(forces::chapter(source));
     page.tell(before::chapter(source));

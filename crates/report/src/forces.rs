@@ -1,10 +1,10 @@
 //! The chapter on section forces of linings: after the last stage, and between which values they went while the ground shook.
 
-use crate::cut_figure::plane;
 use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
 use crate::lining::{self, Extreme, Lining, Station, kilo, linings};
 use crate::scale::{moment, trimmed};
+use crate::section_view::plane;
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
 use crate::{force_chart, force_shape, section_strength, thrust_moment};

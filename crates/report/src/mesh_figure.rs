@@ -2,11 +2,11 @@
 
 use tremolite_results::{Cut, Pvd};
 
-use crate::cut_figure::{plane, points, window};
 use crate::figure::{Figure, Section};
-use crate::frame::Frame;
+use crate::frame_row::Row;
 use crate::language::say;
 use crate::scale::{count, trimmed};
+use crate::section_view::{area, plane, points, window};
 use crate::source::Source;
 
 /// Room around what is to be seen, as a part of its extent.
@@ -21,15 +21,17 @@ pub fn section(source: &Source) -> Option<Section> {
     let of_file = |path: &std::path::Path| {
         let pvd = Pvd::read(path).ok()?;
         let last = pvd.snapshots().last()?;
-        Cut::read(&pvd.locate(last), plane(&positions), &["body"]).ok().flatten()
+        let file = source.fields.at(&pvd, last).ok()?;
+        file.cut(&file.slice(plane(&positions)), &["body"])
     };
     let cut = of_file(&source.folder.pvd()).or_else(|| of_file(&source.folder.stages_pvd()))?;
     let window = window(&cut, &positions, MARGIN, |_| false);
     let shown = || cut.cells.iter().filter(|cell| window.meets(&cell.outline));
     let rock = largest_body(&cut)?;
-    let mut frame = Frame::new(window.clone(), 0.0, 1.0);
+    let row = Row::of(window.clone(), 1);
+    let mut frame = row.frame(0.0, 1.0);
     for cell in shown() {
-        frame.kind(&cell.outline, ("", if cell.group == rock { ROCK } else { LINING }));
+        frame.kind(&cell.outline, "", if cell.group == rock { ROCK } else { LINING });
     }
     let edges = shown().flat_map(|cell| {
         let next = cell.outline.iter().cycle().skip(1);
@@ -46,7 +48,8 @@ pub fn section(source: &Source) -> Option<Section> {
         shown = count(shown().count() as u64),
         all = count(cut.cells.len() as u64)
     );
-    let svg = frame.draw(&say!(language, "mesh of the section"));
+    let description = say!(language, "the elements of a section");
+    let svg = row.draw(&say!(language, "mesh of the section"), &[(String::new(), frame)], &description);
     Some(Section::Drawn(vec![Figure { heading, file: "section-mesh.svg".into(), svg, caption }]))
 }
 
@@ -54,7 +57,7 @@ pub fn section(source: &Source) -> Option<Section> {
 fn largest_body(cut: &Cut) -> Option<i64> {
     let mut areas: std::collections::BTreeMap<i64, f64> = std::collections::BTreeMap::new();
     for cell in &cut.cells {
-        *areas.entry(cell.group).or_default() += crate::cut_figure::area(&cell.outline);
+        *areas.entry(cell.group).or_default() += area(&cell.outline);
     }
     areas.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(group, _)| group)
 }

@@ -7,6 +7,7 @@ use tremolite_results::{
     BoltRow, FreeField, ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_bolts, read_sections,
 };
 
+use crate::field_files::FieldFiles;
 use crate::language::{Language, say};
 use crate::pairs::is_pair;
 use crate::scale::Scale;
@@ -35,6 +36,8 @@ pub struct Source {
     pub sections: Option<Result<Vec<SectionRow>, String>>,
     /// Nothing where the folder has no such file: the run has no bolts, or an older version ran.
     pub bolts: Option<Result<Vec<BoltRow>, String>>,
+    /// Field files that figures are cut out of, read when one wants them.
+    pub fields: FieldFiles,
     /// The case as it was read; nothing where the folder has no such file.
     pub case: Option<String>,
     /// One unit for one quantity.
@@ -92,6 +95,7 @@ impl Source {
             relaxation,
             sections,
             bolts,
+            fields: FieldFiles::default(),
             case,
             units,
         })

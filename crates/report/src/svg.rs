@@ -152,6 +152,30 @@ impl Svg {
         self.put("\"/>");
     }
 
+    /// Blue lines with a light edge on a map.
+    pub fn marked(&mut self, lines: &[Vec<(f64, f64)>]) {
+        for (colour, width) in [("#fff", "2.6"), (LINES[0], "1.3")] {
+            self.put(format_args!("<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" d=\""));
+            for line in lines {
+                self.trace(line, false);
+            }
+            self.put("\"/>");
+        }
+    }
+
+    /// Strong dark lines with a light edge on a map.
+    pub fn shapes(&mut self, lines: &[Vec<(f64, f64)>]) {
+        for (colour, width) in [("#fff", "4"), ("#1f2933", "2")] {
+            self.put(format_args!(
+                "<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\" d=\""
+            ));
+            for line in lines {
+                self.trace(line, false);
+            }
+            self.put("\"/>");
+        }
+    }
+
     /// Hatching on a map, dark with a light edge so that it is seen on any colour.
     pub fn hatching(&mut self, lines: &[Vec<(f64, f64)>]) {
         for (colour, width) in [("#fff", "2.2"), ("#1f2933", "0.9")] {

@@ -108,4 +108,5 @@ pub const TEXTS: Texts = &[
         "平面 y = {y}\u{a0}m 上的单元：该平面切到 {all} 个，图示 {shown} 个。深色为围岩以外的部分。监测点坐标见“模型”一节。请看应力变化剧烈处（洞周与转角）的单元是否足够小。",
     ),
     ("mesh of the section", "断面网格"),
+    ("the elements of a section", "断面上的单元"),
 ];

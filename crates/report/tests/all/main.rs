@@ -7,6 +7,7 @@ mod free_field;
 mod further_quantities;
 mod interface_results;
 mod interfaces;
+mod maps;
 mod page;
 mod report;
 mod stages;

@@ -140,7 +140,7 @@ fn sections_come_in_their_order_and_the_contents_list_each_once() {
             "displacement-less-mean",
             "relative",
             "stress",
-            "section",
+            "damage-map",
             "damage-history",
             "velocity",
             "acceleration",
