@@ -97,7 +97,7 @@ fn figure(family: &[Worst], facts: &Summary, when: &str, number: usize) -> Figur
     };
     let svg = svg.finish(axes.bottom + 42.0, &title, "force over the distance from the head");
     let file = if number == 0 { "bolts-force.svg".into() } else { format!("bolts-force-{}.svg", number + 1) };
-    Figure { heading: HEADING.into(), file, svg, caption }
+    Figure { heading: HEADING.into(), file, svg, caption, curves: None }
 }
 
 /// The number of the bolt of a group that came nearest to yield, or carried most; none where all carry nothing.

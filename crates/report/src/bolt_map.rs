@@ -76,7 +76,7 @@ pub fn block(source: &Source, lines: &BoltLines, when: &str) -> Option<Block> {
         }
         None => caption.push_str(" No field file gives the openings."),
     }
-    let figure = Figure { heading: HEADING.into(), file: "bolts-map.svg".into(), svg, caption };
+    let figure = Figure { heading: HEADING.into(), file: "bolts-map.svg".into(), svg, caption, curves: None };
     Some(Block { heading: HEADING.into(), figures: vec![figure], ..Block::default() })
 }
 

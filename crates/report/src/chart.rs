@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use serde::Serialize;
+
 use crate::axes::{Axes, drawable};
 use crate::scale::{Scale, moment};
 use crate::svg::{Anchor, LINES, Style, Svg, text_width};
@@ -15,7 +17,8 @@ const RIGHT: f64 = 16.0;
 const HEADING: f64 = 32.0;
 
 /// How a line is drawn: where several lie on one another, all are to be seen.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Stroke {
     #[default]
     Thin,
@@ -177,7 +180,7 @@ impl Chart<'_> {
     }
 
     /// Names the marked point of a panel.
-    fn remark(&self, panel: &Panel<'_>) -> String {
+    pub fn remark(&self, panel: &Panel<'_>) -> String {
         let Some(peak) = panel.peak(self.time) else { return "no values".into() };
         let what = match panel.mark {
             Mark::Largest => "largest",

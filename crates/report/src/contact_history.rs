@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use tremolite_results::Table;
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::curves::Curves;
 use crate::figure::{Figure, Section};
 use crate::scale::{Scale, quantity};
 use crate::source::Source;
@@ -91,6 +92,12 @@ fn figure(table: &Table, name: &str, area: f64) -> Option<Figure> {
          so far; below, the largest slip and gap so far of pairs whose bond is broken, slip while they are closed."
     );
     let time = table.column("time").unwrap_or(&[]);
-    let svg = Chart { title: format!("{HEADING}: {name}"), time, panels }.draw();
-    Some(Figure { heading: HEADING.into(), file: String::new(), svg, caption })
+    let chart = Chart { title: format!("{HEADING}: {name}"), time, panels };
+    Some(Figure {
+        heading: HEADING.into(),
+        file: String::new(),
+        svg: chart.draw(),
+        caption,
+        curves: Some(Curves::of_chart(&chart)),
+    })
 }

@@ -53,6 +53,7 @@ pub fn section(source: &Source) -> Option<Section> {
             file: format!("interface-map-{number}.svg"),
             svg,
             caption: format!("{caption} {when}"),
+            curves: None,
         });
     }
     if let (Some(last), false) = (figures.last_mut(), idle.is_empty()) {

@@ -69,7 +69,7 @@ fn figure(table: &Table, monitor: &str, file: String) -> Figure {
          joint. Slip of the second side against the first, and shear along the slip that causes it: along e1, horizontal, \
          and e2, up the dip (x and y on a level interface)."
     );
-    Figure { heading: HEADING.into(), file, svg: loops.draw(), caption }
+    Figure { heading: HEADING.into(), file, svg: loops.draw(), caption, curves: None }
 }
 
 /// Shear over pressure, each row in the colour of its state.
@@ -90,5 +90,5 @@ fn path(table: &Table, monitor: &str, file: String) -> Figure {
         "Monitor {monitor}: size of the shear over the pressure, a dot a row of monitors.csv. Pairs that slide lie on a \
          line through the origin whose slope is the friction μ; above it only the bond holds."
     );
-    Figure { heading: HEADING.into(), file, svg: drawing.draw(), caption }
+    Figure { heading: HEADING.into(), file, svg: drawing.draw(), caption, curves: None }
 }

@@ -194,7 +194,7 @@ fn figure(stages: &[StageSummary], cavern: &str, points: &[Point], number: usize
         )
     });
     let svg = svg.finish(axes.bottom + 42.0, &heading, &caption);
-    Figure { heading: HEADING.into(), file, svg, caption }
+    Figure { heading: HEADING.into(), file, svg, caption, curves: None }
 }
 
 /// Both components of each point, by stage.

@@ -108,7 +108,7 @@ impl Map<'_> {
             caption.push_str(&format!(" {word} value shown: {value} in the element at {place}."));
         }
         let svg = frame.draw(&scale.labelled(self.title));
-        Figure { heading: HEADING.into(), file: self.file.into(), svg, caption }
+        Figure { heading: HEADING.into(), file: self.file.into(), svg, caption, curves: None }
     }
 }
 

@@ -3,6 +3,7 @@
 use tremolite_results::{Table, TrustLine};
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::curves::Curves;
 use crate::figure::{Figure, Section};
 use crate::scale::{Scale, figures, quantity};
 use crate::source::Source;
@@ -210,6 +211,12 @@ pub fn section<'a>(source: &'a Source) -> Section {
         caption.push_str(&format!(" Zero throughout: {names}."));
     }
     let time = table.column("time").unwrap_or(&[]);
-    let svg = Chart { title: HEADING.into(), time, panels }.draw();
-    Section::Drawn(vec![Figure { heading: HEADING.into(), file: "energy.svg".into(), svg, caption }])
+    let chart = Chart { title: HEADING.into(), time, panels };
+    Section::Drawn(vec![Figure {
+        heading: HEADING.into(),
+        file: "energy.svg".into(),
+        svg: chart.draw(),
+        caption,
+        curves: Some(Curves::of_chart(&chart)),
+    }])
 }

@@ -63,7 +63,7 @@ pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -
         section.len()
     );
     let svg = svg.finish(top + 16.0, &title, "thrust, moment and shear over the length along the lining");
-    Some(Figure { heading: title, file: format!("lining-forces{suffix}.svg"), svg, caption })
+    Some(Figure { heading: title, file: format!("lining-forces{suffix}.svg"), svg, caption, curves: None })
 }
 
 /// What is drawn of a force: after the stages, largest, smallest.

@@ -53,7 +53,7 @@ pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -
         trimmed(&format!("{y:.2}").replace('-', "−"))
     );
     let svg = svg.finish(TOP + height + 4.0, &title, "thrust, moment and shear on the section of the lining");
-    Some(Figure { heading: title, file: format!("lining-shape{suffix}.svg"), svg, caption })
+    Some(Figure { heading: title, file: format!("lining-shape{suffix}.svg"), svg, caption, curves: None })
 }
 
 fn legend(svg: &mut Svg, lining: &Lining) {

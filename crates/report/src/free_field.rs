@@ -4,6 +4,7 @@
 use tremolite_results::{FreeField, Station, Velocities};
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::curves::Curves;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::free_field_beside::{Drawn, farthest_from_theory, same};
 use crate::free_field_numbers::{AXES, PLACES, SAME, Wave, from_column, from_theory, largest, percent};
@@ -51,7 +52,7 @@ pub fn section(source: &Source) -> Option<Section> {
         (0..3).filter(|&axis| sizes[axis] > IDLE * most || size(axis) > SCATTERED * most).collect();
     // One unit for all, in which what is a tenth of the largest still has its figures.
     let scale = Scale::suiting("m/s", 0.1 * most);
-    let svg =
+    let chart =
         Chart { title: HEADING.into(), time: &found.time, panels: panels(&wave, &drawn, (&moving, &scale)) };
     let mut caption = drawn.why.clone();
     for axis in (0..3).filter(|axis| !moving.contains(axis)) {
@@ -64,8 +65,9 @@ pub fn section(source: &Source) -> Option<Section> {
     let figure = Figure {
         heading: String::new(),
         file: "free_field.svg".into(),
-        svg: svg.draw(),
+        svg: chart.draw(),
         caption: caption.trim().into(),
+        curves: Some(Curves::of_chart(&chart)),
     };
     let block = Block {
         lead: verdict(source, found, &wave, &drawn, (first, &scale)),

@@ -3,6 +3,7 @@
 use tremolite_results::Table;
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::curves::Curves;
 use crate::damage::heading;
 use crate::figure::{Figure, Section};
 use crate::scale::Scale;
@@ -23,8 +24,14 @@ pub fn section(source: &Source) -> Option<Section> {
     }
     let caption = "Share of each group's volume that is cracked or crushed (damage above 0.5) or has yielded, and the \
                    widest crack so far.";
-    let svg = Chart { title: HEADING.into(), time, panels }.draw();
-    let figure = Figure { heading: HEADING.into(), file: "damage.svg".into(), svg, caption: caption.into() };
+    let chart = Chart { title: HEADING.into(), time, panels };
+    let figure = Figure {
+        heading: HEADING.into(),
+        file: "damage.svg".into(),
+        svg: chart.draw(),
+        caption: caption.into(),
+        curves: Some(Curves::of_chart(&chart)),
+    };
     Some(Section::Drawn(vec![figure]))
 }
 

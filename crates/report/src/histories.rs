@@ -7,6 +7,7 @@ use tremolite_results::Table;
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::contact_monitors::is_on_interface;
+use crate::curves::Curves;
 use crate::figure::{Figure, Section};
 use crate::pairs::{difference, is_pair, names};
 use crate::scale::{Scale, quantity};
@@ -178,11 +179,13 @@ fn figures(table: &Table, heading: &str, file: &str, caption: &str, panels: Vec<
             panels.iter().map(|panel| panel.with(names)).filter(|panel| !panel.lines.is_empty()).collect();
         let time = table.column("time").unwrap_or(&[]);
         let suffix = if number == 0 { String::new() } else { format!("-{}", number + 1) };
+        let chart = Chart { title: heading.into(), time, panels };
         Figure {
             heading: if number == 0 { heading.into() } else { format!("{heading}, continued") },
             file: format!("{file}{suffix}.svg"),
-            svg: Chart { title: heading.into(), time, panels }.draw(),
+            svg: chart.draw(),
             caption: caption.into(),
+            curves: Some(Curves::of_chart(&chart)),
         }
     });
     figures.collect()

@@ -22,6 +22,7 @@ mod contact_monitors;
 mod contact_panel;
 mod contact_path;
 mod convergence;
+mod curves;
 mod cut_figure;
 mod damage;
 mod energy;

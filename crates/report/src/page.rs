@@ -7,6 +7,7 @@ use serde::Serialize;
 use tremolite_results::Defaulted;
 
 use crate::blocks::Blocks;
+use crate::curves;
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
 use crate::figure::{Block, Chapter, Section};
@@ -27,8 +28,8 @@ const SCRIPT: &str = include_str!("../page/dist/page.js");
 struct Page {
     language: &'static str,
     style: Value,
-    /// The blocks of the view in three dimensions.
-    view: Value,
+    /// What the script draws: manifests, and blocks of numbers.
+    data: Value,
     script: Value,
     title: String,
     outcome: Outcome,
@@ -88,6 +89,8 @@ struct Part {
 
 #[derive(Serialize)]
 struct Drawing {
+    /// The name by which the manifest of the curves knows it; empty for a figure without.
+    curves: String,
     svg: Value,
     caption: String,
 }
@@ -103,10 +106,13 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
         summary.title.clone()
     };
     let mut blocks = Blocks::default();
-    let view = view::embedded(source, &mut blocks) + &blocks.elements();
+    let figures =
+        chapters.iter().flat_map(Chapter::figures).chain(sections.iter().flat_map(Section::figures));
+    let manifests = curves::embedded(figures, &mut blocks) + &view::embedded(source, &mut blocks);
+    let data = manifests + &blocks.elements();
     let page = Page {
         language: source.language.code(),
-        view: Value::from_safe_string(view),
+        data: Value::from_safe_string(data),
         script: Value::from_safe_string(SCRIPT.into()),
         style: Value::from_safe_string(STYLE.into()),
         title,
@@ -221,5 +227,9 @@ fn part(section: &Section) -> Part {
 }
 
 fn drawing(figure: &crate::figure::Figure) -> Drawing {
-    Drawing { svg: Value::from_safe_string(figure.svg.clone()), caption: figure.caption.clone() }
+    Drawing {
+        curves: figure.curves.as_ref().map(|_| figure.file.clone()).unwrap_or_default(),
+        svg: Value::from_safe_string(figure.svg.clone()),
+        caption: figure.caption.clone(),
+    }
 }

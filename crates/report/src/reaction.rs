@@ -160,7 +160,7 @@ fn figure(stages: &[StageSummary], steps: &Steps, points: &[(String, Point)]) ->
     let installed: Vec<String> = installed.collect();
     let caption = if installed.is_empty() { String::new() } else { format!("{}.", installed.join("; ")) };
     let svg = svg.finish(axes.bottom + 42.0, &heading, "motion over the share of forces let go");
-    Some(Figure { heading: HEADING.into(), file: String::new(), svg, caption })
+    Some(Figure { heading: HEADING.into(), file: String::new(), svg, caption, curves: None })
 }
 
 #[cfg(test)]

@@ -60,7 +60,8 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         caption.push_str(" The motion left should end far below the stage's own motion.");
     }
     let svg = draw(&panels, &spans, facts);
-    let figure = Figure { heading: HEADING.into(), file: "relaxation.svg".into(), svg, caption };
+    let figure =
+        Figure { heading: HEADING.into(), file: "relaxation.svg".into(), svg, caption, curves: None };
     Some(Block { heading: HEADING.into(), figures: vec![figure], ..Block::default() })
 }
 

@@ -141,7 +141,7 @@ fn states(cut: &Cut, when: &str, positions: &Positions) -> Figure {
         section(|flags| flags & 10 != 0)
     );
     let svg = frame.draw("plastic zones");
-    Figure { heading: HEADING.into(), file: "stage-plastic.svg".into(), svg, caption }
+    Figure { heading: HEADING.into(), file: "stage-plastic.svg".into(), svg, caption, curves: None }
 }
 
 fn strain_map(cut: &Cut, when: &str, positions: &Positions) -> Figure {
@@ -168,7 +168,7 @@ fn strain_map(cut: &Cut, when: &str, positions: &Positions) -> Figure {
         caption.push_str(&format!(" Highest value: {value} in the element at {}.", place(peak)));
     }
     let svg = frame.draw(&scale.labelled("plastic shear strain Γ"));
-    Figure { heading: HEADING.into(), file: "stage-plastic-strain.svg".into(), svg, caption }
+    Figure { heading: HEADING.into(), file: "stage-plastic-strain.svg".into(), svg, caption, curves: None }
 }
 
 #[cfg(test)]

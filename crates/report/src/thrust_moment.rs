@@ -78,5 +78,5 @@ pub fn figure(lining: &Lining, section: &[&Station], suffix: &str) -> Option<Fig
         lining.stations.len()
     );
     let svg = svg.finish(axes.bottom + 42.0, &title, "moment over thrust at each station");
-    Some(Figure { heading: title, file: format!("thrust-moment{suffix}.svg"), svg, caption })
+    Some(Figure { heading: title, file: format!("thrust-moment{suffix}.svg"), svg, caption, curves: None })
 }
