@@ -28,6 +28,7 @@ export function browser({ graphics = true } = {}) {
 /** Opens the page of a result folder; `act` gets it. Fails on any message of the console, error or request. */
 export async function withPage(running, folder, act, options = {}) {
   const context = await running.newContext({ viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
+  context.setDefaultTimeout(15_000);
   const page = await context.newPage();
   const said = [];
   page.on("console", (message) => said.push(`console: ${message.text()}`));

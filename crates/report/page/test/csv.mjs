@@ -3,11 +3,10 @@
 /** Column by name; units in square brackets are left out of names, and kept beside. */
 export function table(text) {
   const [head, ...rows] = text.trim().split("\n");
-  // Names of these tests hold no comma within quotes.
-  const heads = head.split(",").map((name) => name.replace(/^"|"$/g, ""));
+  const heads = [...head.matchAll(/("(?:[^"]|"")*"|[^,]*)(?:,|$)/g)].map(([, name]) => name.replace(/^"|"$/g, "").replaceAll('""', '"'));
   const numbers = rows.map((row) => row.split(",").map(Number));
   const columns = new Map();
-  heads.forEach((name, k) => {
+  heads.slice(0, numbers[0].length).forEach((name, k) => {
     const [, bare, unit] = name.match(/^(.*?)(?: \[(.*)\])?$/);
     columns.set(bare, { unit: unit ?? "", values: numbers.map((row) => row[k]) });
   });

@@ -93,10 +93,10 @@ function english(page, names) {
   }, names);
 }
 
-/** Every name that a case gives: what is in quotes in its file. */
+/** What the case names: its title, stages, monitors and the rest. */
 function names() {
-  const quoted = [...result("chinese", "case.toml").matchAll(/"([^"\n]*)"/g)].map((match) => match[1]);
-  return quoted.filter((name) => /[a-z]/.test(name)).sort((a, b) => b.length - a.length);
+  const named = [...result("chinese", "case.toml").matchAll(/^ *(?:name|title) *= *"([^"\n]*)"/gm)].map((match) => match[1]);
+  return named.sort((a, b) => b.length - a.length);
 }
 
 test("a Chinese page has no text left in English", async () => {
