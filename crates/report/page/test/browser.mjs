@@ -56,30 +56,37 @@ export async function answering(page, file) {
   return figure;
 }
 
-/** Picture in PNG → width, height, and RGBA by pixel, decoded by an empty page. */
-export async function pixels(page, png) {
+/**
+ * What a picture in PNG looks like, found by an empty page: its size, how many colours it has, which its first pixel has,
+ * how many pixels have the colours of `sought`, and which share of pixels differs from another picture of equal size.
+ */
+export async function look(page, png, { other, sought = [] } = {}) {
   const empty = await page.context().newPage();
   try {
-    return await empty.evaluate(async (data) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${data}`;
-      await image.decode();
-      const canvas = new OffscreenCanvas(image.width, image.height);
-      const context = canvas.getContext("2d");
-      context.drawImage(image, 0, 0);
-      const bytes = new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
-      return { width: image.width, height: image.height, values: Array.from(bytes) };
-    }, png.toString("base64"));
+    return await empty.evaluate(
+      async ([data, otherData, sought]) => {
+        const decoded = async (base64) => {
+          const image = new Image();
+          image.src = `data:image/png;base64,${base64}`;
+          await image.decode();
+          const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+          context.drawImage(image, 0, 0);
+          return { width: image.width, all: new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer) };
+        };
+        const { width, all } = await decoded(data);
+        const before = otherData && (await decoded(otherData)).all;
+        const differing = before && all.reduce((sum, value, k) => sum + (value !== before[k]), 0);
+        return {
+          width,
+          colours: new Set(all).size,
+          first: all[0],
+          counts: sought.map((colour) => all.reduce((sum, value) => sum + (value === colour), 0)),
+          differing: before && (before.length === all.length ? differing / all.length : 1),
+        };
+      },
+      [png.toString("base64"), other?.toString("base64"), sought],
+    );
   } finally {
     await empty.close();
   }
 }
-
-/** How many pixels differ between two pictures of equal size, as a share. */
-export function difference(a, b) {
-  assert.equal(a.values.length, b.values.length);
-  return a.values.filter((value, k) => value !== b.values[k]).length / a.values.length;
-}
-
-/** How many colours a picture has. */
-export const colours = (picture) => new Set(picture.values).size;

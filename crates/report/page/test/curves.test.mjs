@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { agree, SI, table } from "./csv.mjs";
-import { answering, browser, colours, pixels, result, withPage } from "./browser.mjs";
+import { answering, browser, look, result, withPage } from "./browser.mjs";
 
 let running;
 // The model would take its time where graphics are software, and is not looked at here.
@@ -177,12 +177,11 @@ on("the PNG of a figure is a picture on white, in the dark as well", async (page
   const figure = await answering(page, FIGURE);
   const { name, bytes } = await saved(page, figure, "PNG");
   assert.equal(name, "velocity.png");
-  const picture = await pixels(page, bytes);
-  assert.equal(picture.width, 1880);
-  assert.ok(colours(picture) > 50, `${colours(picture)} colours`);
-  assert.equal(picture.values[0], 0xffffffff);
-  const blue = picture.values.filter((value) => value >>> 0 === 0xffb27200).length;
-  assert.ok(blue > 300, `${blue} pixels of the first line`);
+  const { width, colours, first, counts } = await look(page, bytes, { sought: [0xffb27200] });
+  assert.equal(width, 1880);
+  assert.ok(colours > 50, `${colours} colours`);
+  assert.equal(first, 0xffffffff);
+  assert.ok(counts[0] > 1200, `${counts[0]} pixels of the first line`);
 }, { colorScheme: "dark" });
 
 on("the keyboard reaches the names, the buttons and the cursor", async (page) => {

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { browser, colours, difference, pixels, RESULTS, withPage } from "./browser.mjs";
+import { browser, look, RESULTS, withPage } from "./browser.mjs";
 import { elements, filesOf, readVtu } from "./vtu.mjs";
 
 /** Fields of elements that are looked at. */
@@ -34,27 +34,25 @@ async function drawn(page) {
   await page.evaluate(`${hide} = 'hidden'`);
   const picture = await page.locator("#view canvas").first().screenshot();
   await page.evaluate(`${hide} = ''`);
-  return pixels(page, picture);
+  return picture;
 }
 
 on("the canvas shows a model", async (page) => {
-  const picture = await drawn(page);
-  assert.ok(colours(picture) > 30, `${colours(picture)} colours`);
+  const { colours } = await look(page, await drawn(page));
+  assert.ok(colours > 30, `${colours} colours`);
 });
 
 on("the picture changes with the time, the field, the cut and the scale", async (page) => {
   await show(page, { field: "s1", time: 0, cut: null, scale: 0 });
-  const changes = { time: { time: Math.round(last / 2) }, field: { field: "displacement" }, cut: { cut: { axis: 0, at: 3 } } };
+  const changes = { time: { time: Math.round(last / 2) }, field: { field: "displacement" }, cut: { cut: { axis: 0, at: 3 } }, scale: { scale: 500 } };
   let before = await drawn(page);
   for (const [name, what] of Object.entries(changes)) {
     await show(page, what);
     const after = await drawn(page);
-    const share = difference(before, after);
-    assert.ok(share > 0.005, `${name} changes ${(100 * share).toFixed(2)} % of the picture`);
+    const { differing } = await look(page, after, { other: before });
+    assert.ok(differing > 0.005, `${name} changes ${(100 * differing).toFixed(2)} % of the picture`);
     before = after;
   }
-  await show(page, { scale: 500 });
-  assert.ok(difference(before, await drawn(page)) > 0.005, "the scale changes nothing");
 });
 
 /** The first of these elements that is seen, looked for at strides; not all, since each look takes its time. */
@@ -124,7 +122,8 @@ on("a cut through an element within the rock shows it", async (page) => {
   await show(page, { field: "s1", time: last, cut: null, scale: 0 });
   const rock = elements(files[last]).filter((element) => element.groups.includes("rock"));
   // Below the caverns, where no opening shows it.
-  const within = rock.filter(({ middle }) => Math.abs(middle[0]) < 20 && middle[2] < -62);
+  const depth = ({ middle }) => Math.abs(middle[0]) - middle[2];
+  const within = rock.filter(({ middle }) => middle[2] < -62).sort((a, b) => depth(a) - depth(b));
   const hidden = await page.evaluate((own) => own.find((element) => !window.tremolite.view.locate(element)), within.map((e) => e.element));
   assert.notEqual(hidden, undefined, "no element of the rock is hidden");
   const { element, middle, row } = within.find((other) => other.element === hidden);
@@ -159,8 +158,8 @@ on("the view's picture is not blank", async (page) => {
     const bytes = new Uint8Array(await blob.arrayBuffer());
     return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
   });
-  const picture = await pixels(page, Buffer.from(data, "base64"));
-  assert.ok(colours(picture) > 30, `${colours(picture)} colours`);
+  const { colours } = await look(page, Buffer.from(data, "base64"));
+  assert.ok(colours > 30, `${colours} colours`);
 });
 
 test("groups with names that are markup are shown with these names", () =>
