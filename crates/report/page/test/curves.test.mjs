@@ -89,8 +89,13 @@ on("a stretch is enlarged by dragging in all panels of a figure and in no other,
   const end = time[time.length - 1];
   for (const panel of [0, 1]) {
     await hover(figure, 0.02, panel);
-    const { time: t } = await read(figure);
+    const { time: t, panels } = await read(figure);
     assert.ok(Math.abs(t - 0.505 * end) < 0.02 * end, `panel ${panel} begins at ${t} s`);
+    for (const { title, lines } of panels) {
+      for (const { name, value } of lines) {
+        assert.ok(agree(Number(value) * SI[unitOf(title)], column(title, name)[rowAt(t)]), `${title} is elsewhere than ${t} s`);
+      }
+    }
   }
   const other = await answering(page, "acceleration.svg");
   await hover(other, 0.02);
