@@ -45,7 +45,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let mut idle = Vec::new();
     for (k, name) in names(source).iter().enumerate() {
         let area = facts.interfaces.get(name).map_or(f64::NAN, |own| own.area);
-        match figure(table, name, area) {
+        match figure(source, table, name, area) {
             Some(figure) => {
                 figures.push(Figure { file: format!("interface-history-{}.svg", k + 1), ..figure })
             }
@@ -63,7 +63,7 @@ pub fn section(source: &Source) -> Option<Section> {
 }
 
 /// One interface; none where nothing slid or opened.
-fn figure(table: &Table, name: &str, area: f64) -> Option<Figure> {
+fn figure(source: &Source, table: &Table, name: &str, area: f64) -> Option<Figure> {
     let column = |quantity: &str| table.column(&format!("{name}.{quantity}"));
     let most = |values: &[f64]| values.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     let line = |&(quantity, title, colour): &(&str, &str, usize)| {
@@ -96,8 +96,8 @@ fn figure(table: &Table, name: &str, area: f64) -> Option<Figure> {
     Some(Figure {
         heading: HEADING.into(),
         file: String::new(),
-        svg: chart.draw(),
+        svg: chart.draw(source.language),
         caption,
-        curves: Some(Curves::of_chart(&chart)),
+        curves: Some(Curves::of_chart(&chart, source.language)),
     })
 }

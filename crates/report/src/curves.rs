@@ -12,6 +12,7 @@ use serde::Serialize;
 use crate::blocks::{Blocks, json_element};
 use crate::chart::{Chart, Panel as Drawn, Stroke};
 use crate::figure::Figure;
+use crate::language::Language;
 
 /// More rows than this are thinned: at 0.005 s it is 40 s, at four bytes a number 32 kB a line.
 const ROWS: usize = 8000;
@@ -82,7 +83,7 @@ struct Entry<'a> {
 
 impl Curves {
     /// Those of a chart.
-    pub fn of_chart(chart: &Chart<'_>) -> Curves {
+    pub fn of_chart(chart: &Chart<'_>, language: Language) -> Curves {
         let panel = |panel: &Drawn<'_>| {
             let factor = panel.scale.factor;
             let peak = panel.peak(chart.time);
@@ -100,7 +101,7 @@ impl Curves {
                 title: panel.title.clone(),
                 unit: panel.scale.unit.clone(),
                 log: false,
-                remark: chart.remark(panel),
+                remark: chart.remark(panel, language),
                 mark,
                 lines: panel.lines.iter().map(line).collect(),
             }

@@ -6,7 +6,7 @@ use crate::lining::{Extreme, FORCES, Lining, Station, kilo, linings};
 use crate::scale::{moment, trimmed};
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
-use crate::{force_chart, force_shape, thrust_moment};
+use crate::{force_chart, force_shape, section_strength, thrust_moment};
 
 /// The chapter; nothing for a run that wrote no section forces.
 pub fn chapter(source: &Source) -> Option<Chapter> {
@@ -45,6 +45,10 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         block.figures.extend(force_shape::figure(lining, (y, &section), &suffix));
         block.figures.extend(force_chart::figure(lining, (y, &section), &suffix));
         block.figures.extend(thrust_moment::figure(lining, &section, &suffix));
+        match section_strength::figure(lining, &facts, &suffix, source.language) {
+            Ok(figure) => block.figures.push(figure),
+            Err(why) => block.notes.push(why),
+        }
         if block.figures.is_empty() {
             block.notes.push("No figure: fewer than two stations have numbers.".into());
         }

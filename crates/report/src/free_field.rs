@@ -65,9 +65,9 @@ pub fn section(source: &Source) -> Option<Section> {
     let figure = Figure {
         heading: String::new(),
         file: "free_field.svg".into(),
-        svg: chart.draw(),
+        svg: chart.draw(source.language),
         caption: caption.trim().into(),
-        curves: Some(Curves::of_chart(&chart)),
+        curves: Some(Curves::of_chart(&chart, source.language)),
     };
     let block = Block {
         lead: verdict(source, found, &wave, &drawn, (first, &scale)),

@@ -72,8 +72,8 @@ pub fn section(source: &Source) -> Option<Section> {
     Some(Section::Drawn(vec![Figure {
         heading: HEADING.into(),
         file: "input.svg".into(),
-        svg: chart.draw(),
+        svg: chart.draw(source.language),
         caption,
-        curves: Some(Curves::of_chart(&chart)),
+        curves: Some(Curves::of_chart(&chart, source.language)),
     }]))
 }

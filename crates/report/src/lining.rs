@@ -25,6 +25,8 @@ pub const KILO: f64 = 1e-3;
 pub struct Station {
     pub number: u32,
     pub place: [f64; 3],
+    /// m; not a number in files of older versions.
+    pub thickness: f64,
     /// N, M, Q when the stages are done; not a number without.
     pub after: [f64; 3],
     /// Smallest and largest while the ground shakes, with their times.
@@ -37,6 +39,8 @@ pub struct Station {
 pub struct Extreme {
     pub forces: [f64; 3],
     pub time: [f64; 3],
+    /// N at the time of M.
+    pub thrust: f64,
 }
 
 /// A lining: its stations in their order.
@@ -106,11 +110,12 @@ fn lining(name: &str, rows: &[&SectionRow], facts: &Summary) -> Lining {
         let station = stations.entry(row.station).or_insert(Station {
             number: row.station,
             place: row.place,
+            thickness: row.thickness,
             after: [f64::NAN; 3],
             least: None,
             most: None,
         });
-        let extreme = Extreme { forces: row.forces, time: row.time };
+        let extreme = Extreme { forces: row.forces, time: row.time, thrust: row.thrust_at_moment };
         match (is_extreme(row), row.when.as_str()) {
             (true, "min") => station.least = Some(extreme),
             (true, _) => station.most = Some(extreme),
@@ -172,6 +177,8 @@ mod tests {
             when: when.into(),
             time: [time; 3],
             forces: [n, 0.0, 0.0],
+            thrust_at_moment: n,
+            thickness: 0.5,
         }
     }
 

@@ -1,8 +1,9 @@
-"use strict";(()=>{var fo='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji";line-height: 1.5;width: min-content;}.u-title {text-align: center;font-size: 18px;font-weight: bold;}.u-wrap {position: relative;user-select: none;}.u-over, .u-under {position: absolute;}.u-under {overflow: hidden;}.uplot canvas {display: block;position: relative;width: 100%;height: 100%;}.u-axis {position: absolute;}.u-legend {font-size: 14px;margin: auto;text-align: center;}.u-inline {display: block;}.u-inline * {display: inline-block;}.u-inline tr {margin-right: 16px;}.u-legend th {font-weight: 600;}.u-legend th > * {vertical-align: middle;display: inline-block;}.u-legend .u-marker {width: 1em;height: 1em;margin-right: 4px;background-clip: padding-box !important;}.u-inline.u-live th::after {content: ":";vertical-align: middle;}.u-inline:not(.u-live) .u-value {display: none;}.u-series > * {padding: 4px;}.u-series th {cursor: pointer;}.u-legend .u-off > * {opacity: 0.3;}.u-select {background: rgba(0,0,0,0.07);position: absolute;pointer-events: none;}.u-cursor-x, .u-cursor-y {position: absolute;left: 0;top: 0;pointer-events: none;will-change: transform;}.u-hz .u-cursor-x, .u-vt .u-cursor-y {height: 100%;border-right: 1px dashed #607D8B;}.u-hz .u-cursor-y, .u-vt .u-cursor-x {width: 100%;border-bottom: 1px dashed #607D8B;}.u-cursor-pt {position: absolute;top: 0;left: 0;border-radius: 50%;border: 0 solid;pointer-events: none;will-change: transform;/*this has to be !important since we set inline "background" shorthand */background-clip: padding-box !important;}.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';function Mr(e){let t=document.getElementById(`block-${e}`);if(!t)throw new Error(`block ${e} is missing`);return t.textContent??""}async function Tr(e){let t=Uint8Array.from(atob(Mr(e)),l=>l.charCodeAt(0)),s=new Blob([t]).stream().pipeThrough(new DecompressionStream("deflate"));return new Response(s).arrayBuffer()}async function Xn(e){let t=new Uint8Array(await Tr(e)),s=t.length/4,l=new DataView(new ArrayBuffer(t.length));for(let o=0;o<s;o++)for(let a=0;a<4;a++)l.setUint8(4*o+a,t[a*s+o]);return Float32Array.from({length:s},(o,a)=>l.getFloat32(4*a,!0))}function po(e){let t=document.getElementById(e);return t?JSON.parse(t.textContent??""):void 0}var ho=`@media screen { figure.answers > svg { display: none; } }
+"use strict";(()=>{var Jf='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji";line-height: 1.5;width: min-content;}.u-title {text-align: center;font-size: 18px;font-weight: bold;}.u-wrap {position: relative;user-select: none;}.u-over, .u-under {position: absolute;}.u-under {overflow: hidden;}.uplot canvas {display: block;position: relative;width: 100%;height: 100%;}.u-axis {position: absolute;}.u-legend {font-size: 14px;margin: auto;text-align: center;}.u-inline {display: block;}.u-inline * {display: inline-block;}.u-inline tr {margin-right: 16px;}.u-legend th {font-weight: 600;}.u-legend th > * {vertical-align: middle;display: inline-block;}.u-legend .u-marker {width: 1em;height: 1em;margin-right: 4px;background-clip: padding-box !important;}.u-inline.u-live th::after {content: ":";vertical-align: middle;}.u-inline:not(.u-live) .u-value {display: none;}.u-series > * {padding: 4px;}.u-series th {cursor: pointer;}.u-legend .u-off > * {opacity: 0.3;}.u-select {background: rgba(0,0,0,0.07);position: absolute;pointer-events: none;}.u-cursor-x, .u-cursor-y {position: absolute;left: 0;top: 0;pointer-events: none;will-change: transform;}.u-hz .u-cursor-x, .u-vt .u-cursor-y {height: 100%;border-right: 1px dashed #607D8B;}.u-hz .u-cursor-y, .u-vt .u-cursor-x {width: 100%;border-bottom: 1px dashed #607D8B;}.u-cursor-pt {position: absolute;top: 0;left: 0;border-radius: 50%;border: 0 solid;pointer-events: none;will-change: transform;/*this has to be !important since we set inline "background" shorthand */background-clip: padding-box !important;}.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';function U0(n){let e=document.getElementById(`block-${n}`);if(!e)throw new Error(`block ${n} is missing`);return e.textContent??""}async function gr(n){let e=Uint8Array.from(atob(U0(n)),i=>i.charCodeAt(0)),t=new Blob([e]).stream().pipeThrough(new DecompressionStream("deflate"));return new Response(t).arrayBuffer()}async function rh(n){let e=new Uint8Array(await gr(n)),t=e.length/4,i=new DataView(new ArrayBuffer(e.length));for(let s=0;s<t;s++)for(let r=0;r<4;r++)i.setUint8(4*s+r,e[r*t+s]);return Float32Array.from({length:t},(s,r)=>i.getFloat32(4*r,!0))}function xa(n){let e=document.getElementById(n);return e?JSON.parse(e.textContent??""):void 0}var jf=`@media screen { figure.answers > svg { display: none; } }
 @media print { .curves { display: none; } }
 figure.answers { overflow-x: visible; }
 .curves { container-type: inline-size; font-size: 13px; line-height: 1.35; }
 .curves .uplot { font: inherit; }
+.curves-probe { display: none; }
 .curves-bar { display: flex; align-items: center; gap: 6px; min-height: 26px; }
 .curves-bar output { flex: none; min-width: 8em; font-variant-numeric: tabular-nums; font-weight: 600; }
 .curves-hint { flex: 1; overflow: hidden; color: var(--muted); font-size: 12px; text-align: right; text-overflow: ellipsis; white-space: nowrap; opacity: 0; }
@@ -30,7 +31,4324 @@ figure.answers { overflow-x: visible; }
   .curves-heading, .curves-below { padding-left: 8px; }
   .curves-legend { padding-left: 4px; }
 }
-`;function mo(e,t){return document.documentElement.lang.startsWith("zh")?t:e}var at=mo({time:"time",csv:"Save the numbers of this figure as CSV",png:"Save this figure as PNG",whole:"whole length",wholeHint:"Show the whole length again",hint:"drag: enlarge · double-click: whole length · name: off and on",line:e=>`${e}: off and on; with Shift alone`,axes:e=>`${e}. Left and right move the cursor, plus and minus enlarge and reduce, Escape shows all.`,thinned:(e,t)=>`Shown are ${e} of ${t} rows: in every stretch of the history those in which a curve is largest or smallest.`},{time:"时间",csv:"将本图数据存为 CSV",png:"将本图存为 PNG",whole:"全程",wholeHint:"恢复显示全程",hint:"拖动放大 · 双击复原 · 点名称开关曲线",line:e=>`${e}：点击开关，按住 Shift 只看此线`,axes:e=>`${e}。左右键移动光标，加减键缩放，Esc 键复原。`,thinned:(e,t)=>`显示 ${t} 行中的 ${e} 行：各时段内任一曲线取最大值或最小值的行。`});function kl(e,t){return t?`${e} (${t})`:e}function Zt(e){return e.across.name||at.time}async function go(e){let[t,s]=await Promise.all([Xn(e.across_block),Xn(e.block)]),l=0,o=()=>{let a=s.subarray(l*e.rows,++l*e.rows);return Array.from(a,u=>Number.isFinite(u)?u:null)};return{across:Array.from(t),panels:e.panels.map(a=>a.lines.map(o))}}function es(e,t){let s=document.createElement("a");s.href=URL.createObjectURL(t),s.download=e,s.click(),setTimeout(()=>URL.revokeObjectURL(s.href),1e4)}function wo(e,t){let s=t?`${e} [${t}]`:e;return/[",\n]/.test(s)?`"${s.replaceAll('"','""')}"`:s}function bo(e){return e==null?"":String(Number(e.toPrecision(7)))}function vo(e,{across:t,panels:s}){let l=e.panels.length>1,o=e.panels.flatMap(f=>f.lines.map(m=>wo(l||!m.name?`${f.title}: ${m.name}`:m.name,f.unit))),a=s.flat(),u=t.map((f,m)=>[bo(f),...a.map(h=>bo(h[m]))].join(","));return[[wo(Zt(e),e.across.unit),...o].join(","),...u,""].join(`
-`)}function cn(e,t=4){if(e==null)return"–";if(e===0)return"0";let s=Math.abs(e),l=e<0?"−":"";if(s>=1e6||s<1e-4)return l+xo(s,t);let o=Math.max(0,t-1-Math.floor(Math.log10(s)));return l+s.toFixed(o)}function xo(e,t){let[s,l]=e.toExponential(t-1).split("e");return`${s} × 10${Lr(Number(l))}`}function Lr(e){let t=[...String(Math.abs(e))].map(s=>"⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(s)]).join("");return(e<0?"⁻":"")+t}function ts(e,t){let s=e.filter(u=>u!=null),l=s.length>1?Math.min(...s.slice(1).map((u,f)=>Math.abs(u-s[f]))):Math.abs(s[0]??1),o=Math.min(12,Math.max(0,-Math.floor(Math.log10(l||1)+1e-9))),a=u=>{if(u===0)return"0";let f=Math.abs(u),m=u<0?"−":"";return f>=1e6||f<1e-4?m+xo(f,2).replace(/\.0(?= )/,"").replace(/^1 × /,""):m+(t?String(Number(f.toPrecision(6))):f.toFixed(o))};return e.map(u=>u==null?"":a(u))}var fn=class{constructor(t){this.drawing=t;matchMedia("(prefers-color-scheme: dark)").addEventListener("change",()=>this.known.clear())}drawing;onPaper=!1;known=new Map;of(t,s){let l=`${t} ${s} ${this.onPaper}`,o=this.known.get(l);if(o===void 0){let a=this.drawing.querySelector(`.${t}`),u=a?.getAttribute(s)??"#333333";o=this.onPaper||!a?u:getComputedStyle(a)[s],this.known.set(l,o)}return o}line=t=>this.of(`s${t%7}`,"stroke");ink=()=>this.of("ink","fill");muted=()=>this.of("muted","fill");grid=()=>this.of("grid","stroke");axis=()=>this.of("axis","stroke");paper=()=>this.of("paper","fill")};function _l(e,t){let s=e==="broad"?4.2:1.4;return e==="dashed"||t>=7?{width:s,dash:[6,3]}:{width:s}}var pn=class{constructor(t,s,l){this.lines=t;this.element.className="curves-legend",this.element.setAttribute("role","group"),this.buttons=t.map((o,a)=>this.entry(o,s(o),a,l)),this.element.append(...this.buttons),this.element.addEventListener("keydown",o=>this.moved(o))}lines;element=document.createElement("div");buttons;values=[];entry(t,s,l,o){let a=document.createElement("button");a.type="button",a.title=at.line(t.name),a.tabIndex=l===0?0:-1;let u=document.createElement("data");a.append(Dr(t,s),t.name,u),this.values.push(u),a.addEventListener("click",f=>o.toggled(t.name,f.shiftKey));for(let f of["pointerenter","focus"])a.addEventListener(f,()=>o.lifted(t.name));for(let f of["pointerleave","blur"])a.addEventListener(f,()=>o.lifted(null));return a}moved(t){let s={ArrowRight:1,ArrowDown:1,ArrowLeft:-1,ArrowUp:-1}[t.key],l=this.buttons.indexOf(document.activeElement);if(!s||l<0)return;t.preventDefault();let o=this.buttons[(l+s+this.buttons.length)%this.buttons.length];for(let a of this.buttons)a.tabIndex=a===o?0:-1;o.focus()}show(t){this.lines.forEach((s,l)=>this.buttons[l].setAttribute("aria-pressed",String(!t.has(s.name))))}at(t){this.values.forEach((s,l)=>{s.textContent=t?cn(t[l]):"",s.value=t?.[l]==null?"":String(Number(t[l].toPrecision(7)))})}};function Dr(e,t){let s="http://www.w3.org/2000/svg",l=document.createElementNS(s,"svg");l.setAttribute("viewBox","0 0 18 8"),l.setAttribute("aria-hidden","true");let o=document.createElementNS(s,"path"),{width:a,dash:u}=_l(e.stroke,e.colour);return o.setAttribute("class",`s${e.colour%7}`),o.setAttribute("stroke",t),o.setAttribute("stroke-width",String(Math.max(a,2.4))),u&&o.setAttribute("stroke-dasharray",u.join(" ")),o.setAttribute("d","M0 4h18"),l.append(o),l}var Cr="uplot",Nr="u-hz",Vr="u-vt",zr="u-title",Rr="u-wrap",Fr="u-under",Hr="u-over",Or="u-axis",el="u-off",Wr="u-select",Ir="u-cursor-x",Gr="u-cursor-y",Br="u-cursor-pt",$r="u-legend",Ur="u-live",Yr="u-inline",jr="u-series",Kr="u-marker",yo="u-label",qr="u-value",$l="width",Ul="height";var So="bottom",El="left",ls="right",vs="#000",ko=vs+"0",ns="mousemove",_o="mousedown",ss="mouseup",Eo="mouseenter",Ao="mouseleave",Mo="dblclick",Jr="resize",Zr="scroll",To="change",wn="dppxchange",xs="--",Cl=typeof window<"u",us=Cl?document:null,Ml=Cl?window:null,Qr=Cl?navigator:null,oe,hn;function cs(){let e=devicePixelRatio;oe!=e&&(oe=e,hn&&ps(To,hn,cs),hn=matchMedia(`(min-resolution: ${oe-.001}dppx) and (max-resolution: ${oe+.001}dppx)`),tl(To,hn,cs),Ml.dispatchEvent(new CustomEvent(wn)))}function Xe(e,t){if(t!=null){let s=e.classList;!s.contains(t)&&s.add(t)}}function fs(e,t){let s=e.classList;s.contains(t)&&s.remove(t)}function ge(e,t,s){e.style[t]=s+"px"}function gt(e,t,s,l){let o=us.createElement(e);return t!=null&&Xe(o,t),s?.insertBefore(o,l),o}function ut(e,t){return gt("div",e,t)}var Po=new WeakMap;function At(e,t,s,l,o){let a="translate("+t+"px,"+s+"px)",u=Po.get(e);a!=u&&(e.style.transform=a,Po.set(e,a),t<0||s<0||t>l||s>o?Xe(e,el):fs(e,el))}var Lo=new WeakMap;function Do(e,t,s){let l=t+s,o=Lo.get(e);l!=o&&(Lo.set(e,l),e.style.background=t,e.style.borderColor=s)}var Co=new WeakMap;function No(e,t,s,l){let o=t+""+s,a=Co.get(e);o!=a&&(Co.set(e,o),e.style.height=s+"px",e.style.width=t+"px",e.style.marginLeft=l?-t/2+"px":0,e.style.marginTop=l?-s/2+"px":0)}var ys={passive:!0},Xr={...ys,capture:!0};function tl(e,t,s,l){t.addEventListener(e,s,l?Xr:ys)}function ps(e,t,s,l){t.removeEventListener(e,s,ys)}Cl&&cs();function wt(e,t,s,l){let o;s=s||0,l=l||t.length-1;let a=l<=2147483647;for(;l-s>1;)o=a?s+l>>1:et((s+l)/2),t[o]<e?s=o:l=o;return e-t[s]<=t[l]-e?s:l}function ri(e){return(s,l,o)=>{let a=-1,u=-1;for(let f=l;f<=o;f++)if(e(s[f])){a=f;break}for(let f=o;f>=l;f--)if(e(s[f])){u=f;break}return[a,u]}}var ai=e=>e!=null,ui=e=>e!=null&&e>0,xn=ri(ai),ea=ri(ui);function ta(e,t,s,l=0,o=!1){let a=o?ea:xn,u=o?ui:ai;[t,s]=a(e,t,s);let f=e[t],m=e[t];if(t>-1)if(l==1)f=e[t],m=e[s];else if(l==-1)f=e[s],m=e[t];else for(let h=t;h<=s;h++){let b=e[h];u(b)&&(b<f?f=b:b>m&&(m=b))}return[f??ce,m??-ce]}function yn(e,t,s,l){let o=Ro(e),a=Ro(t);e==t&&(o==-1?(e*=s,t/=s):(e/=s,t*=s));let u=s==10?Dt:ci,f=o==1?et:ct,m=a==1?ct:et,h=f(u(Te(e))),b=m(u(Te(t))),d=Tl(s,h),w=Tl(s,b);return s==10&&(h<0&&(d=fe(d,-h)),b<0&&(w=fe(w,-b))),l||s==2?(e=d*o,t=w*a):(e=mi(e,d),t=Sn(t,w)),[e,t]}function Ss(e,t,s,l){let o=yn(e,t,s,l);return e==0&&(o[0]=0),t==0&&(o[1]=0),o}var ks=.1,Vo={mode:3,pad:ks},jl={pad:0,soft:null,mode:0},la={min:jl,max:jl};function bn(e,t,s,l){return kn(s)?zo(e,t,s):(jl.pad=s,jl.soft=l?0:null,jl.mode=l?3:0,zo(e,t,la))}function ne(e,t){return e??t}function na(e,t,s){for(t=ne(t,0),s=ne(s,e.length-1);t<=s;){if(e[t]!=null)return!0;t++}return!1}function zo(e,t,s){let l=s.min,o=s.max,a=ne(l.pad,0),u=ne(o.pad,0),f=ne(l.hard,-ce),m=ne(o.hard,ce),h=ne(l.soft,ce),b=ne(o.soft,-ce),d=ne(l.mode,0),w=ne(o.mode,0),P=t-e,k=Dt(P),C=$e(Te(e),Te(t)),O=Dt(C),I=Te(O-k);(P<1e-24||I>10)&&(P=0,(e==0||t==0)&&(P=1e-24,d==2&&h!=ce&&(a=0),w==2&&b!=-ce&&(u=0)));let S=P||C||1e3,H=Dt(S),_=Tl(10,et(H)),K=S*(P==0?e==0?.1:1:a),D=fe(mi(e-K,_/10),24),q=e>=h&&(d==1||d==3&&D<=h||d==2&&D>=h)?h:ce,U=$e(f,D<q&&e>=q?q:bt(q,D)),Q=S*(P==0?t==0?.1:1:u),$=fe(Sn(t+Q,_/10),24),E=t<=b&&(w==1||w==3&&$>=b||w==2&&$<=b)?b:-ce,j=bt(m,$>E&&t<=E?E:$e(E,$));return U==j&&U==0&&(j=100),[U,j]}var sa=new Intl.NumberFormat(Cl?Qr.language:"en-US"),_s=e=>sa.format(e),tt=Math,gn=tt.PI,Te=tt.abs,et=tt.floor,Me=tt.round,ct=tt.ceil,bt=tt.min,$e=tt.max,Tl=tt.pow,Ro=tt.sign,Dt=tt.log10,ci=tt.log2,oa=(e,t=1)=>tt.sinh(e)*t,os=(e,t=1)=>tt.asinh(e/t),ce=1/0;function Fo(e){return(Dt((e^e>>31)-(e>>31))|0)+1}function hs(e,t,s){return bt($e(e,t),s)}function fi(e){return typeof e=="function"}function X(e){return fi(e)?e:()=>e}var ia=()=>{},pi=e=>e,hi=(e,t)=>t,ra=e=>null,Ho=e=>!0,Oo=(e,t)=>e==t,aa=/\.\d*?(?=9{6,}|0{6,})/gm,ll=e=>{if(gi(e)||Wt.has(e))return e;let t=`${e}`,s=t.match(aa);if(s==null)return e;let l=s[0].length-1;if(t.indexOf("e-")!=-1){let[o,a]=t.split("e");return+`${ll(o)}e${a}`}return fe(e,l)};function Qt(e,t){return ll(fe(ll(e/t))*t)}function Sn(e,t){return ll(ct(ll(e/t))*t)}function mi(e,t){return ll(et(ll(e/t))*t)}function fe(e,t=0){if(gi(e))return e;let s=10**t,l=e*s*(1+Number.EPSILON);return Me(l)/s}var Wt=new Map;function di(e){return((""+e).split(".")[1]||"").length}function ql(e,t,s,l){let o=[],a=l.map(di);for(let u=t;u<s;u++){let f=Te(u),m=fe(Tl(e,u),f);for(let h=0;h<l.length;h++){let b=e==10?+`${l[h]}e${u}`:l[h]*m,d=(u>=0?0:f)+(u>=a[h]?0:a[h]),w=e==10?b:fe(b,d);o.push(w),Wt.set(w,d)}}return o}var Kl={},Es=[],Pl=[null,null],Ot=Array.isArray,gi=Number.isInteger,ua=e=>e===void 0;function Wo(e){return typeof e=="string"}function kn(e){let t=!1;if(e!=null){let s=e.constructor;t=s==null||s==Object}return t}function ca(e){return e!=null&&typeof e=="object"}var fa=Object.getPrototypeOf(Uint8Array),wi="__proto__";function Ll(e,t=kn){let s;if(Ot(e)){let l=e.find(o=>o!=null);if(Ot(l)||t(l)){s=Array(e.length);for(let o=0;o<e.length;o++)s[o]=Ll(e[o],t)}else s=e.slice()}else if(e instanceof fa)s=e.slice();else if(t(e)){s={};for(let l in e)l!=wi&&(s[l]=Ll(e[l],t))}else s=e;return s}function _e(e){let t=arguments;for(let s=1;s<t.length;s++){let l=t[s];for(let o in l)o!=wi&&(kn(e[o])?_e(e[o],Ll(l[o])):e[o]=Ll(l[o]))}return e}var pa=0,ha=1,ma=2;function da(e,t,s){for(let l=0,o,a=-1;l<t.length;l++){let u=t[l];if(u>a){for(o=u-1;o>=0&&e[o]==null;)e[o--]=null;for(o=u+1;o<s&&e[o]==null;)e[a=o++]=null}}}function ga(e,t){if(va(e)){let u=e[0].slice();for(let f=1;f<e.length;f++)u.push(...e[f].slice(1));return xa(u[0])||(u=ba(u)),u}let s=new Set;for(let u=0;u<e.length;u++){let m=e[u][0],h=m.length;for(let b=0;b<h;b++)s.add(m[b])}let l=[Array.from(s).sort((u,f)=>u-f)],o=l[0].length,a=new Map;for(let u=0;u<o;u++)a.set(l[0][u],u);for(let u=0;u<e.length;u++){let f=e[u],m=f[0];for(let h=1;h<f.length;h++){let b=f[h],d=Array(o).fill(void 0),w=t?t[u][h]:ha,P=[];for(let k=0;k<b.length;k++){let C=b[k],O=a.get(m[k]);C===null?w!=pa&&(d[O]=C,w==ma&&P.push(O)):d[O]=C}da(d,P,o),l.push(d)}}return l}var wa=typeof queueMicrotask>"u"?e=>Promise.resolve().then(e):queueMicrotask;function ba(e){let t=e[0],s=t.length,l=Array(s);for(let a=0;a<l.length;a++)l[a]=a;l.sort((a,u)=>t[a]-t[u]);let o=[];for(let a=0;a<e.length;a++){let u=e[a],f=Array(s);for(let m=0;m<s;m++)f[m]=u[l[m]];o.push(f)}return o}function va(e){let t=e[0][0],s=t.length;for(let l=1;l<e.length;l++){let o=e[l][0];if(o.length!=s)return!1;if(o!=t){for(let a=0;a<s;a++)if(o[a]!=t[a])return!1}}return!0}function xa(e,t=100){let s=e.length;if(s<=1)return!0;let l=0,o=s-1;for(;l<=o&&e[l]==null;)l++;for(;o>=l&&e[o]==null;)o--;if(o<=l)return!0;let a=$e(1,et((o-l+1)/t));for(let u=e[l],f=l+a;f<=o;f+=a){let m=e[f];if(m!=null){if(m<=u)return!1;u=m}}return!0}var bi=["January","February","March","April","May","June","July","August","September","October","November","December"],vi=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function xi(e){return e.slice(0,3)}var ya=vi.map(xi),Sa=bi.map(xi),ka={MMMM:bi,MMM:Sa,WWWW:vi,WWW:ya};function Bl(e){return(e<10?"0":"")+e}function _a(e){return(e<10?"00":e<100?"0":"")+e}var Ea={YYYY:e=>e.getFullYear(),YY:e=>(e.getFullYear()+"").slice(2),MMMM:(e,t)=>t.MMMM[e.getMonth()],MMM:(e,t)=>t.MMM[e.getMonth()],MM:e=>Bl(e.getMonth()+1),M:e=>e.getMonth()+1,DD:e=>Bl(e.getDate()),D:e=>e.getDate(),WWWW:(e,t)=>t.WWWW[e.getDay()],WWW:(e,t)=>t.WWW[e.getDay()],HH:e=>Bl(e.getHours()),H:e=>e.getHours(),h:e=>{let t=e.getHours();return t==0?12:t>12?t-12:t},AA:e=>e.getHours()>=12?"PM":"AM",aa:e=>e.getHours()>=12?"pm":"am",a:e=>e.getHours()>=12?"p":"a",mm:e=>Bl(e.getMinutes()),m:e=>e.getMinutes(),ss:e=>Bl(e.getSeconds()),s:e=>e.getSeconds(),fff:e=>_a(e.getMilliseconds())};function As(e,t){t=t||ka;let s=[],l=/\{([a-z]+)\}|[^{]+/gi,o;for(;o=l.exec(e);)s.push(o[0][0]=="{"?Ea[o[1]]:o[0]);return a=>{let u="";for(let f=0;f<s.length;f++)u+=typeof s[f]=="string"?s[f]:s[f](a,t);return u}}var Aa=new Intl.DateTimeFormat().resolvedOptions().timeZone;function Ma(e,t){let s;return t=="UTC"||t=="Etc/UTC"?s=new Date(+e+e.getTimezoneOffset()*6e4):t==Aa?s=e:(s=new Date(e.toLocaleString("en-US",{timeZone:t})),s.setMilliseconds(e.getMilliseconds())),s}var yi=e=>e%1==0,vn=[1,2,2.5,5],Ta=ql(10,-32,0,vn),Si=ql(10,0,32,vn),Pa=Si.filter(yi),Xt=Ta.concat(Si),Ms=`
-`,ki="{YYYY}",Io=Ms+ki,_i="{M}/{D}",Yl=Ms+_i,mn=Yl+"/{YY}",Ei="{aa}",La="{h}:{mm}",Al=La+Ei,Go=Ms+Al,Bo=":{ss}",re=null;function Ai(e){let t=e*1e3,s=t*60,l=s*60,o=l*24,a=o*30,u=o*365,m=(e==1?ql(10,0,3,vn).filter(yi):ql(10,-3,0,vn)).concat([t,t*5,t*10,t*15,t*30,s,s*5,s*10,s*15,s*30,l,l*2,l*3,l*4,l*6,l*8,l*12,o,o*2,o*3,o*4,o*5,o*6,o*7,o*8,o*9,o*10,o*15,a,a*2,a*3,a*4,a*6,u,u*2,u*5,u*10,u*25,u*50,u*100]),h=[[u,ki,re,re,re,re,re,re,1],[o*28,"{MMM}",Io,re,re,re,re,re,1],[o,_i,Io,re,re,re,re,re,1],[l,"{h}"+Ei,mn,re,Yl,re,re,re,1],[s,Al,mn,re,Yl,re,re,re,1],[t,Bo,mn+" "+Al,re,Yl+" "+Al,re,Go,re,1],[e,Bo+".{fff}",mn+" "+Al,re,Yl+" "+Al,re,Go,re,1]];function b(d){return(w,P,k,C,O,I)=>{let S=[],H=O>=u,_=O>=a&&O<u,K=d(k),D=fe(K*e,3),q=is(K.getFullYear(),H?0:K.getMonth(),_||H?1:K.getDate()),U=fe(q*e,3);if(_||H){let Q=_?O/a:0,$=H?O/u:0,E=D==U?D:fe(is(q.getFullYear()+$,q.getMonth()+Q,1)*e,3),j=new Date(Me(E/e)),N=j.getFullYear(),G=j.getMonth();for(let F=0;E<=C;F++){let ee=is(N+$*F,G+Q*F,1),R=ee-d(fe(ee*e,3));E=fe((+ee+R)*e,3),E<=C&&S.push(E)}}else{let Q=O>=o?o:O,$=et(k)-et(D),E=U+$+Sn(D-U,Q);S.push(E);let j=d(E),N=j.getHours()+j.getMinutes()/s+j.getSeconds()/l,G=O/l,F=w.axes[P]._space,ee=I/F;for(;E=fe(E+O,e==1?0:3),!(E>C);)if(G>1){let R=et(fe(N+G,6))%24,te=d(E).getHours()-R;te>1&&(te=-1),E-=te*l,N=(N+G)%24;let ae=S[S.length-1];fe((E-ae)/O,3)*ee>=.7&&S.push(E)}else S.push(E)}return S}}return[m,h,b]}var[Da,Ca,Na]=Ai(1),[Va,za,Ra]=Ai(.001);ql(2,-53,53,[1]);function $o(e,t){return e.map(s=>s.map((l,o)=>o==0||o==8||l==null?l:t(o==1||s[8]==0?l:s[1]+l)))}function Uo(e,t){return(s,l,o,a,u)=>{let f=t.find(k=>u>=k[0])||t[t.length-1],m,h,b,d,w,P;return l.map(k=>{let C=e(k),O=C.getFullYear(),I=C.getMonth(),S=C.getDate(),H=C.getHours(),_=C.getMinutes(),K=C.getSeconds(),D=O!=m&&f[2]||I!=h&&f[3]||S!=b&&f[4]||H!=d&&f[5]||_!=w&&f[6]||K!=P&&f[7]||f[1];return m=O,h=I,b=S,d=H,w=_,P=K,D(C)})}}function Fa(e,t){let s=As(t);return(l,o,a,u,f)=>o.map(m=>s(e(m)))}function is(e,t,s){return new Date(e,t,s)}function Yo(e,t){return t(e)}var Ha="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function jo(e,t){return(s,l,o,a)=>a==null?xs:t(e(l))}function Oa(e,t){let s=e.series[t];return s.width?s.stroke(e,t):s.points.width?s.points.stroke(e,t):null}function Wa(e,t){return e.series[t].fill(e,t)}var Ia={show:!0,live:!0,isolate:!1,mount:ia,markers:{show:!0,width:2,stroke:Oa,fill:Wa,dash:"solid"},idx:null,idxs:null,values:[]};function Ga(e,t){let s=e.cursor.points,l=ut(),o=s.size(e,t);ge(l,$l,o),ge(l,Ul,o);let a=o/-2;ge(l,"marginLeft",a),ge(l,"marginTop",a);let u=s.width(e,t,o);return u&&ge(l,"borderWidth",u),l}function Ba(e,t){let s=e.series[t].points;return s._fill||s._stroke}function $a(e,t){let s=e.series[t].points;return s._stroke||s._fill}function Ua(e,t){return e.series[t].points.size}var rs=[0,0];function Ya(e,t,s){return rs[0]=t,rs[1]=s,rs}function dn(e,t,s,l=!0){return o=>{o.button==0&&(!l||o.target==t)&&s(o)}}function as(e,t,s,l=!0){return o=>{(!l||o.target==t)&&s(o)}}var ja={show:!0,x:!0,y:!0,lock:!1,move:Ya,points:{one:!1,show:Ga,size:Ua,width:0,stroke:$a,fill:Ba},bind:{mousedown:dn,mouseup:dn,click:dn,dblclick:dn,mousemove:as,mouseleave:as,mouseenter:as},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(e,t)=>{t.stopPropagation(),t.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(e,t,s,l,o)=>l-o,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},Mi={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Ts=_e({},Mi,{filter:hi}),Ti=_e({},Ts,{size:10}),Pi=_e({},Mi,{show:!1}),Ps='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',Li="bold "+Ps,Di=1.5,Ko={show:!0,scale:"x",stroke:vs,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Li,side:2,grid:Ts,ticks:Ti,border:Pi,font:Ps,lineGap:Di,rotate:0},Ka="Value",qa="Time",qo={show:!0,scale:"x",auto:!1,sorted:1,min:ce,max:-ce,idxs:[]};function Ja(e,t,s,l,o){return t.map(a=>a==null?"":_s(a))}function Za(e,t,s,l,o,a,u){let f=[],m=Wt.get(o)||0;s=u?s:fe(Sn(s,o),m);for(let h=s;h<=l;h=fe(h+o,m))f.push(Object.is(h,-0)?0:h);return f}function ms(e,t,s,l,o,a,u){let f=[],m=e.scales[e.axes[t].scale].log,h=m==10?Dt:ci,b=et(h(s));o=Tl(m,b),m==10&&(o=Xt[wt(o,Xt)]);let d=s,w=o*m;m==10&&(w=Xt[wt(w,Xt)]);do f.push(d),d=d+o,m==10&&!Wt.has(d)&&(d=fe(d,Wt.get(o))),d>=w&&(o=d,w=o*m,m==10&&(w=Xt[wt(w,Xt)]));while(d<=l);return f}function Qa(e,t,s,l,o,a,u){let m=e.scales[e.axes[t].scale].asinh,h=l>m?ms(e,t,$e(m,s),l,o):[m],b=l>=0&&s<=0?[0]:[];return(s<-m?ms(e,t,$e(m,-l),-s,o):[m]).reverse().map(w=>-w).concat(b,h)}var Ci=/./,Xa=/[12357]/,eu=/[125]/,Jo=/1/,ds=(e,t,s,l)=>e.map((o,a)=>t==4&&o==0||a%l==0&&s.test(o.toExponential()[o<0?1:0])?o:null);function tu(e,t,s,l,o){let a=e.axes[s],u=a.scale,f=e.scales[u],m=e.valToPos,h=a._space,b=m(10,u),d=m(9,u)-b>=h?Ci:m(7,u)-b>=h?Xa:m(5,u)-b>=h?eu:Jo;if(d==Jo){let w=Te(m(1,u)-b);if(w<h)return ds(t.slice().reverse(),f.distr,d,ct(h/w)).reverse()}return ds(t,f.distr,d,1)}function lu(e,t,s,l,o){let a=e.axes[s],u=a.scale,f=a._space,m=e.valToPos,h=Te(m(1,u)-m(2,u));return h<f?ds(t.slice().reverse(),3,Ci,ct(f/h)).reverse():t}function nu(e,t,s,l){return l==null?xs:t==null?"":_s(t)}var Zo={show:!0,scale:"y",stroke:vs,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Li,side:3,grid:Ts,ticks:Ti,border:Pi,font:Ps,lineGap:Di,rotate:0};function su(e,t){let s=3+(e||1)*2;return fe(s*t,3)}function ou(e,t){let{scale:s,idxs:l}=e.series[0],o=e._data[0],a=e.valToPos(o[l[0]],s,!0),u=e.valToPos(o[l[1]],s,!0),f=Te(u-a),m=e.series[t],h=f/(m.points.space*oe);return l[1]-l[0]<=h}var Qo={scale:null,auto:!0,sorted:0,min:ce,max:-ce},Ni=(e,t,s,l,o)=>o,Xo={show:!0,auto:!0,sorted:0,gaps:Ni,alpha:1,facets:[_e({},Qo,{scale:"x"}),_e({},Qo,{scale:"y"})]},ei={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Ni,alpha:1,points:{show:ou,filter:null},values:null,min:ce,max:-ce,idxs:[],path:null,clip:null};function iu(e,t,s,l,o){return s/10}var Vi={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},ru=_e({},Vi,{time:!1,ori:1}),ti={};function zi(e,t){let s=ti[e];return s||(s={key:e,plots:[],sub(l){s.plots.push(l)},unsub(l){s.plots=s.plots.filter(o=>o!=l)},pub(l,o,a,u,f,m,h){for(let b=0;b<s.plots.length;b++)s.plots[b]!=o&&s.plots[b].pub(l,o,a,u,f,m,h)}},e!=null&&(ti[e]=s)),s}var Dl=1,gs=2;function nl(e,t,s){let l=e.mode,o=e.series[t],a=l==2?e._data[t]:e._data,u=e.scales,f=e.bbox,m=a[0],h=l==2?a[1]:a[t],b=l==2?u[o.facets[0].scale]:u[e.series[0].scale],d=l==2?u[o.facets[1].scale]:u[o.scale],w=f.left,P=f.top,k=f.width,C=f.height,O=e.valToPosH,I=e.valToPosV;return b.ori==0?s(o,m,h,b,d,O,I,w,P,k,C,En,Nl,Mn,Fi,Oi):s(o,m,h,b,d,I,O,P,w,C,k,An,Vl,Cs,Hi,Wi)}function Ls(e,t){let s=0,l=0,o=ne(e.bands,Es);for(let a=0;a<o.length;a++){let u=o[a];u.series[0]==t?s=u.dir:u.series[1]==t&&(u.dir==1?l|=1:l|=2)}return[s,l==1?-1:l==2?1:l==3?2:0]}function au(e,t,s,l,o){let a=e.mode,u=e.series[t],f=a==2?u.facets[1].scale:u.scale,m=e.scales[f];return o==-1?m.min:o==1?m.max:m.distr==3?m.dir==1?m.min:m.max:0}function Ct(e,t,s,l,o,a){return nl(e,t,(u,f,m,h,b,d,w,P,k,C,O)=>{let I=u.pxRound,S=h.dir*(h.ori==0?1:-1),H=h.ori==0?Nl:Vl,_,K;S==1?(_=s,K=l):(_=l,K=s);let D=I(d(f[_],h,C,P)),q=I(w(m[_],b,O,k)),U=I(d(f[K],h,C,P)),Q=I(w(a==1?b.max:b.min,b,O,k)),$=new Path2D(o);return H($,U,Q),H($,D,Q),H($,D,q),$})}function _n(e,t,s,l,o,a){let u=null;if(e.length>0){u=new Path2D;let f=t==0?Mn:Cs,m=s;for(let d=0;d<e.length;d++){let w=e[d];if(w[1]>w[0]){let P=w[0]-m;P>0&&f(u,m,l,P,l+a),m=w[1]}}let h=s+o-m,b=10;h>0&&f(u,m,l-b/2,h,l+a+b)}return u}function uu(e,t,s){let l=e[e.length-1];l&&l[0]==t?l[1]=s:e.push([t,s])}function Ds(e,t,s,l,o,a,u){let f=[],m=e.length;for(let h=o==1?s:l;h>=s&&h<=l;h+=o)if(t[h]===null){let d=h,w=h;if(o==1)for(;++h<=l&&t[h]===null;)w=h;else for(;--h>=s&&t[h]===null;)w=h;let P=a(e[d]),k=w==d?P:a(e[w]),C=d-o;P=u<=0&&C>=0&&C<m?a(e[C]):P;let I=w+o;k=u>=0&&I>=0&&I<m?a(e[I]):k,k>=P&&f.push([P,k])}return f}function li(e){return e==0?pi:e==1?Me:t=>Qt(t,e)}function Ri(e){let t=e==0?En:An,s=e==0?(o,a,u,f,m,h)=>{o.arcTo(a,u,f,m,h)}:(o,a,u,f,m,h)=>{o.arcTo(u,a,m,f,h)},l=e==0?(o,a,u,f,m)=>{o.rect(a,u,f,m)}:(o,a,u,f,m)=>{o.rect(u,a,m,f)};return(o,a,u,f,m,h=0,b=0)=>{h==0&&b==0?l(o,a,u,f,m):(h=bt(h,f/2,m/2),b=bt(b,f/2,m/2),t(o,a+h,u),s(o,a+f,u,a+f,u+m,h),s(o,a+f,u+m,a,u+m,b),s(o,a,u+m,a,u,b),s(o,a,u,a+f,u,h),o.closePath())}}var En=(e,t,s)=>{e.moveTo(t,s)},An=(e,t,s)=>{e.moveTo(s,t)},Nl=(e,t,s)=>{e.lineTo(t,s)},Vl=(e,t,s)=>{e.lineTo(s,t)},Mn=Ri(0),Cs=Ri(1),Fi=(e,t,s,l,o,a)=>{e.arc(t,s,l,o,a)},Hi=(e,t,s,l,o,a)=>{e.arc(s,t,l,o,a)},Oi=(e,t,s,l,o,a,u)=>{e.bezierCurveTo(t,s,l,o,a,u)},Wi=(e,t,s,l,o,a,u)=>{e.bezierCurveTo(s,t,o,l,u,a)};function Ii(e){return(t,s,l,o,a)=>nl(t,s,(u,f,m,h,b,d,w,P,k,C,O)=>{let{pxRound:I,points:S}=u,H,_;h.ori==0?(H=En,_=Fi):(H=An,_=Hi);let K=fe(S.width*oe,3),D=(S.size-S.width)/2*oe,q=fe(D*2,3),U=new Path2D,Q=new Path2D,{left:$,top:E,width:j,height:N}=t.bbox;Mn(Q,$-q,E-q,j+q*2,N+q*2);let G=F=>{if(m[F]!=null){let ee=I(d(f[F],h,C,P)),R=I(w(m[F],b,O,k));H(U,ee+D,R),_(U,ee,R,D,0,gn*2)}};if(a)a.forEach(G);else for(let F=l;F<=o;F++)G(F);return{stroke:K>0?U:null,fill:U,clip:Q,flags:Dl|gs}})}function Gi(e){return(t,s,l,o,a,u)=>{l!=o&&(a!=l&&u!=l&&e(t,s,l),a!=o&&u!=o&&e(t,s,o),e(t,s,u))}}var cu=Gi(Nl),fu=Gi(Vl);function Bi(e){let t=ne(e?.alignGaps,0);return(s,l,o,a)=>nl(s,l,(u,f,m,h,b,d,w,P,k,C,O)=>{[o,a]=xn(m,o,a);let I=u.pxRound,S=N=>I(d(N,h,C,P)),H=N=>I(w(N,b,O,k)),_,K;h.ori==0?(_=Nl,K=cu):(_=Vl,K=fu);let D=h.dir*(h.ori==0?1:-1),q={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Dl},U=q.stroke,Q=!1;if(a-o>=C*4){let N=V=>s.posToVal(V,h.key,!0),G=null,F=null,ee,R,Ue,we=S(f[D==1?o:a]),te=S(f[o]),ae=S(f[a]),J=N(D==1?te+1:ae-1);for(let V=D==1?o:a;V>=o&&V<=a;V+=D){let Ee=f[V],be=(D==1?Ee<J:Ee>J)?we:S(Ee),ie=m[V];be==we?ie!=null?(R=ie,G==null?(_(U,be,H(R)),ee=G=F=R):R<G?G=R:R>F&&(F=R)):ie===null&&(Q=!0):(G!=null&&K(U,we,H(G),H(F),H(ee),H(R)),ie!=null?(R=ie,_(U,be,H(R)),G=F=ee=R):(G=F=null,ie===null&&(Q=!0)),we=be,J=N(we+D))}G!=null&&G!=F&&Ue!=we&&K(U,we,H(G),H(F),H(ee),H(R))}else for(let N=D==1?o:a;N>=o&&N<=a;N+=D){let G=m[N];G===null?Q=!0:G!=null&&_(U,S(f[N]),H(G))}let[E,j]=Ls(s,l);if(u.fill!=null||E!=0){let N=q.fill=new Path2D(U),G=u.fillTo(s,l,u.min,u.max,E),F=H(G),ee=S(f[o]),R=S(f[a]);D==-1&&([R,ee]=[ee,R]),_(N,R,F),_(N,ee,F)}if(!u.spanGaps){let N=[];Q&&N.push(...Ds(f,m,o,a,D,S,t)),q.gaps=N=u.gaps(s,l,o,a,N),q.clip=_n(N,h.ori,P,k,C,O)}return j!=0&&(q.band=j==2?[Ct(s,l,o,a,U,-1),Ct(s,l,o,a,U,1)]:Ct(s,l,o,a,U,j)),q})}function pu(e){let t=ne(e.align,1),s=ne(e.ascDesc,!1),l=ne(e.alignGaps,0),o=ne(e.extend,!1);return(a,u,f,m)=>nl(a,u,(h,b,d,w,P,k,C,O,I,S,H)=>{[f,m]=xn(d,f,m);let _=h.pxRound,{left:K,width:D}=a.bbox,q=te=>_(k(te,w,S,O)),U=te=>_(C(te,P,H,I)),Q=w.ori==0?Nl:Vl,$={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Dl},E=$.stroke,j=w.dir*(w.ori==0?1:-1),N=U(d[j==1?f:m]),G=q(b[j==1?f:m]),F=G,ee=G;o&&t==-1&&(ee=K,Q(E,ee,N)),Q(E,G,N);for(let te=j==1?f:m;te>=f&&te<=m;te+=j){let ae=d[te];if(ae==null)continue;let J=q(b[te]),V=U(ae);t==1?Q(E,J,N):Q(E,F,V),Q(E,J,V),N=V,F=J}let R=F;o&&t==1&&(R=K+D,Q(E,R,N));let[Ue,we]=Ls(a,u);if(h.fill!=null||Ue!=0){let te=$.fill=new Path2D(E),ae=h.fillTo(a,u,h.min,h.max,Ue),J=U(ae);Q(te,R,J),Q(te,ee,J)}if(!h.spanGaps){let te=[];te.push(...Ds(b,d,f,m,j,q,l));let ae=h.width*oe/2,J=s||t==1?ae:-ae,V=s||t==-1?-ae:ae;te.forEach(Ee=>{Ee[0]+=J,Ee[1]+=V}),$.gaps=te=h.gaps(a,u,f,m,te),$.clip=_n(te,w.ori,O,I,S,H)}return we!=0&&($.band=we==2?[Ct(a,u,f,m,E,-1),Ct(a,u,f,m,E,1)]:Ct(a,u,f,m,E,we)),$})}function ni(e,t,s,l,o,a,u=ce){if(e.length>1){let f=null;for(let m=0,h=1/0;m<e.length;m++)if(t[m]!==void 0){if(f!=null){let b=Te(e[m]-e[f]);b<h&&(h=b,u=Te(s(e[m],l,o,a)-s(e[f],l,o,a)))}f=m}}return u}function hu(e){e=e||Kl;let t=ne(e.size,[.6,ce,1]),s=e.align||0,l=e.gap||0,o=e.radius;o=o==null?[0,0]:typeof o=="number"?[o,0]:o;let a=X(o),u=1-t[0],f=ne(t[1],ce),m=ne(t[2],1),h=ne(e.disp,Kl),b=ne(e.each,P=>{}),{fill:d,stroke:w}=h;return(P,k,C,O)=>nl(P,k,(I,S,H,_,K,D,q,U,Q,$,E)=>{let j=I.pxRound,N=s,G=l*oe,F=f*oe,ee=m*oe,R,Ue;_.ori==0?[R,Ue]=a(P,k):[Ue,R]=a(P,k);let we=_.dir*(_.ori==0?1:-1),te=_.ori==0?Mn:Cs,ae=_.ori==0?b:(T,pe,Ae,rl,Bt,xt,$t)=>{b(T,pe,Ae,Bt,rl,$t,xt)},J=ne(P.bands,Es).find(T=>T.series[0]==k),V=J!=null?J.dir:0,Ee=I.fillTo(P,k,I.min,I.max,V),Oe=j(q(Ee,K,E,Q)),be,ie,ft,Ke=$,xe=j(I.width*oe),vt=!1,Tt=null,lt=null,Nt=null,sl=null;d!=null&&(xe==0||w!=null)&&(vt=!0,Tt=d.values(P,k,C,O),lt=new Map,new Set(Tt).forEach(T=>{T!=null&&lt.set(T,new Path2D)}),xe>0&&(Nt=w.values(P,k,C,O),sl=new Map,new Set(Nt).forEach(T=>{T!=null&&sl.set(T,new Path2D)})));let{x0:ol,size:zl}=h;if(ol!=null&&zl!=null){N=1,S=ol.values(P,k,C,O),ol.unit==2&&(S=S.map(Ae=>P.posToVal(U+Ae*$,_.key,!0)));let T=zl.values(P,k,C,O);zl.unit==2?ie=T[0]*$:ie=D(T[0],_,$,U)-D(0,_,$,U),Ke=ni(S,H,D,_,$,U,Ke),ft=Ke-ie+G}else Ke=ni(S,H,D,_,$,U,Ke),ft=Ke*u+G,ie=Ke-ft;ft<1&&(ft=0),xe>=ie/2&&(xe=0),ft<5&&(j=pi);let Xl=ft>0,It=Ke-ft-(Xl?xe:0);ie=j(hs(It,ee,F)),be=(N==0?ie/2:N==we?0:ie)-N*we*((N==0?G/2:0)+(Xl?xe/2:0));let We={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},il=vt?null:new Path2D,Pt=null;if(J!=null)Pt=P.data[J.series[1]];else{let{y0:T,y1:pe}=h;T!=null&&pe!=null&&(H=pe.values(P,k,C,O),Pt=T.values(P,k,C,O))}let Gt=R*ie,Y=Ue*ie;for(let T=we==1?C:O;T>=C&&T<=O;T+=we){let pe=H[T];if(pe==null)continue;if(Pt!=null){let Ye=Pt[T]??0;if(pe-Ye==0)continue;Oe=q(Ye,K,E,Q)}let Ae=_.distr!=2||h!=null?S[T]:T,rl=D(Ae,_,$,U),Bt=q(ne(pe,Ee),K,E,Q),xt=j(rl-be),$t=j($e(Bt,Oe)),qe=j(bt(Bt,Oe)),nt=$t-qe;if(pe!=null){let Ye=pe<0?Y:Gt,pt=pe<0?Gt:Y;vt?(xe>0&&Nt[T]!=null&&te(sl.get(Nt[T]),xt,qe+et(xe/2),ie,$e(0,nt-xe),Ye,pt),Tt[T]!=null&&te(lt.get(Tt[T]),xt,qe+et(xe/2),ie,$e(0,nt-xe),Ye,pt)):te(il,xt,qe+et(xe/2),ie,$e(0,nt-xe),Ye,pt),ae(P,k,T,xt-xe/2,qe,ie+xe,nt)}}return xe>0?We.stroke=vt?sl:il:vt||(We._fill=I.width==0?I._fill:I._stroke??I._fill,We.width=0),We.fill=vt?lt:il,We})}function mu(e,t){let s=ne(t?.alignGaps,0);return(l,o,a,u)=>nl(l,o,(f,m,h,b,d,w,P,k,C,O,I)=>{[a,u]=xn(h,a,u);let S=f.pxRound,H=R=>S(w(R,b,O,k)),_=R=>S(P(R,d,I,C)),K,D,q;b.ori==0?(K=En,q=Nl,D=Oi):(K=An,q=Vl,D=Wi);let U=b.dir*(b.ori==0?1:-1),Q=H(m[U==1?a:u]),$=Q,E=[],j=[];for(let R=U==1?a:u;R>=a&&R<=u;R+=U)if(h[R]!=null){let we=m[R],te=H(we);E.push($=te),j.push(_(h[R]))}let N={stroke:e(E,j,K,q,D,S),fill:null,clip:null,band:null,gaps:null,flags:Dl},G=N.stroke,[F,ee]=Ls(l,o);if(f.fill!=null||F!=0){let R=N.fill=new Path2D(G),Ue=f.fillTo(l,o,f.min,f.max,F),we=_(Ue);q(R,$,we),q(R,Q,we)}if(!f.spanGaps){let R=[];R.push(...Ds(m,h,a,u,U,H,s)),N.gaps=R=f.gaps(l,o,a,u,R),N.clip=_n(R,b.ori,k,C,O,I)}return ee!=0&&(N.band=ee==2?[Ct(l,o,a,u,G,-1),Ct(l,o,a,u,G,1)]:Ct(l,o,a,u,G,ee)),N})}function du(e){return mu(gu,e)}function gu(e,t,s,l,o,a){let u=e.length;if(u<2)return null;let f=new Path2D;if(s(f,e[0],t[0]),u==2)l(f,e[1],t[1]);else{let m=Array(u),h=Array(u-1),b=Array(u-1),d=Array(u-1);for(let w=0;w<u-1;w++)b[w]=t[w+1]-t[w],d[w]=e[w+1]-e[w],h[w]=b[w]/d[w];m[0]=h[0];for(let w=1;w<u-1;w++)h[w]===0||h[w-1]===0||h[w-1]>0!=h[w]>0?m[w]=0:(m[w]=3*(d[w-1]+d[w])/((2*d[w]+d[w-1])/h[w-1]+(d[w]+2*d[w-1])/h[w]),isFinite(m[w])||(m[w]=0));m[u-1]=h[u-2];for(let w=0;w<u-1;w++)o(f,e[w]+d[w]/3,t[w]+m[w]*d[w]/3,e[w+1]-d[w]/3,t[w+1]-m[w+1]*d[w]/3,e[w+1],t[w+1])}return f}var ws=new Set;function si(){for(let e of ws)e.syncRect(!0)}Cl&&(tl(Jr,Ml,si),tl(Zr,Ml,si,!0),tl(wn,Ml,()=>{Fe.pxRatio=oe}));var wu=Bi(),bu=Ii();function oi(e,t,s,l){return(l?[e[0],e[1]].concat(e.slice(2)):[e[0]].concat(e.slice(1))).map((a,u)=>bs(a,u,t,s))}function vu(e,t){return e.map((s,l)=>l==0?{}:_e({},t,s))}function bs(e,t,s,l){return _e({},t==0?s:l,e)}function $i(e,t,s){return t==null?Pl:[t,s]}var xu=$i;function yu(e,t,s){return t==null?Pl:bn(t,s,ks,!0)}function Ui(e,t,s,l){return t==null?Pl:yn(t,s,e.scales[l].log,!1)}var Su=Ui;function Yi(e,t,s,l){return t==null?Pl:Ss(t,s,e.scales[l].log,!1)}var ku=Yi;function _u(e,t,s,l,o){let a=$e(Fo(e),Fo(t)),u=t-e,f=wt(o/l*u,s);do{let m=s[f],h=l*m/u;if(h>=o&&a+(m<5?Wt.get(m):0)<=17)return[m,h]}while(++f<s.length);return[0,0]}function ii(e){let t,s;return e=e.replace(/(\d+)px/,(l,o)=>(t=Me((s=+o)*oe))+"px"),[e,t,s]}function Eu(e){e.show&&[e.font,e.labelFont].forEach(t=>{let s=fe(t[2]*oe,1);t[0]=t[0].replace(/[0-9.]+px/,s+"px"),t[1]=s})}function Fe(e,t,s){let l={mode:ne(e.mode,1)},o=l.mode;function a(n,i,r,c){let p=i.valToPct(n);return c+r*(i.dir==-1?1-p:p)}function u(n,i,r,c){let p=i.valToPct(n);return c+r*(i.dir==-1?p:1-p)}function f(n,i,r,c){return i.ori==0?a(n,i,r,c):u(n,i,r,c)}l.valToPosH=a,l.valToPosV=u;let m=!1;l.status=0;let h=l.root=ut(Cr);if(e.id!=null&&(h.id=e.id),Xe(h,e.class),e.title){let n=ut(zr,h);n.textContent=e.title}let b=gt("canvas"),d=l.ctx=b.getContext("2d"),w=ut(Rr,h);tl("click",w,n=>{n.target===k&&(he!=bl||ve!=vl)&&Re.click(l,n)},!0);let P=l.under=ut(Fr,w);w.appendChild(b);let k=l.over=ut(Hr,w);e=Ll(e);let C=+ne(e.pxAlign,1),O=li(C);(e.plugins||[]).forEach(n=>{n.opts&&(e=n.opts(l,e)||e)});let I=e.ms||.001,S=l.series=o==1?oi(e.series||[],qo,ei,!1):vu(e.series||[null],Xo),H=l.axes=oi(e.axes||[],Ko,Zo,!0),_=l.scales={},K=l.bands=e.bands||[];K.forEach(n=>{n.fill=X(n.fill||null),n.dir=ne(n.dir,-1)});let D=o==2?S[1].facets[0].scale:S[0].scale,q={axes:fr,series:ir},U=(e.drawOrder||["axes","series"]).map(n=>q[n]);function Q(n){let i=n.distr==3?r=>Dt(r>0?r:n.clamp(l,r,n.min,n.max,n.key)):n.distr==4?r=>os(r,n.asinh):n.distr==100?r=>n.fwd(r):r=>r;return r=>{let c=i(r),{_min:p,_max:g}=n,v=g-p;return(c-p)/v}}function $(n){let i=_[n];if(i==null){let r=(e.scales||Kl)[n]||Kl;if(r.from!=null){$(r.from);let c=_e({},_[r.from],r,{key:n});c.valToPct=Q(c),_[n]=c}else{i=_[n]=_e({},n==D?Vi:ru,r),i.key=n;let c=i.time,p=i.range,g=Ot(p);if((n!=D||o==2&&!c)&&(g&&(p[0]==null||p[1]==null)&&(p={min:p[0]==null?Vo:{mode:1,hard:p[0],soft:p[0]},max:p[1]==null?Vo:{mode:1,hard:p[1],soft:p[1]}},g=!1),!g&&kn(p))){let v=p;p=(x,y,A)=>y==null?Pl:bn(y,A,v)}i.range=X(p||(c?xu:n==D?i.distr==3?Su:i.distr==4?ku:$i:i.distr==3?Ui:i.distr==4?Yi:yu)),i.auto=X(g?!1:i.auto),i.clamp=X(i.clamp||iu),i._min=i._max=null,i.valToPct=Q(i)}}}$("x"),$("y"),o==1&&S.forEach(n=>{$(n.scale)}),H.forEach(n=>{$(n.scale)});for(let n in e.scales)$(n);let E=_[D],j=E.distr,N,G;E.ori==0?(Xe(h,Nr),N=a,G=u):(Xe(h,Vr),N=u,G=a);let F={};for(let n in _){let i=_[n];(i.min!=null||i.max!=null)&&(F[n]={min:i.min,max:i.max},i.min=i.max=null)}let ee=e.tzDate||(n=>new Date(Me(n/I))),R=e.fmtDate||As,Ue=I==1?Na(ee):Ra(ee),we=Uo(ee,$o(I==1?Ca:za,R)),te=jo(ee,Yo(Ha,R)),ae=[],J=l.legend=_e({},Ia,e.legend),V=l.cursor=_e({},ja,{drag:{y:o==2}},e.cursor),Ee=J.show,Oe=V.show,be=J.markers;J.idxs=ae,be.width=X(be.width),be.dash=X(be.dash),be.stroke=X(be.stroke),be.fill=X(be.fill);let ie,ft,Ke,xe=[],vt=[],Tt,lt=!1,Nt={};if(J.live){let n=S[1]?S[1].values:null;lt=n!=null,Tt=lt?n(l,1,0):{_:0};for(let i in Tt)Nt[i]=xs}if(Ee)if(ie=gt("table",$r,h),Ke=gt("tbody",null,ie),J.mount(l,ie),lt){ft=gt("thead",null,ie,Ke);let n=gt("tr",null,ft);gt("th",null,n);for(var sl in Tt)gt("th",yo,n).textContent=sl}else Xe(ie,Yr),J.live&&Xe(ie,Ur);let ol={show:!0},zl={show:!1};function Xl(n,i){if(i==0&&(lt||!J.live||o==2))return Pl;let r=[],c=gt("tr",jr,Ke,Ke.childNodes[i]);Xe(c,n.class),n.show||Xe(c,el);let p=gt("th",null,c);if(be.show){let x=ut(Kr,p);if(i>0){let y=be.width(l,i);y&&(x.style.border=y+"px "+be.dash(l,i)+" "+be.stroke(l,i)),x.style.background=be.fill(l,i)}}let g=ut(yo,p);n.label instanceof HTMLElement?g.appendChild(n.label):g.textContent=n.label,i>0&&(be.show||(g.style.color=n.width>0?be.stroke(l,i):be.fill(l,i)),We("click",p,x=>{if(V._lock)return;Yt(x);let y=S.indexOf(n);if((x.ctrlKey||x.metaKey)!=J.isolate){let A=S.some((M,L)=>L>0&&L!=y&&M.show);S.forEach((M,L)=>{L>0&&St(L,A?L==y?ol:zl:ol,!0,ke.setSeries)})}else St(y,{show:!n.show},!0,ke.setSeries)},!1),ul&&We(Eo,p,x=>{V._lock||(Yt(x),St(S.indexOf(n),yl,!0,ke.setSeries))},!1));for(var v in Tt){let x=gt("td",qr,c);x.textContent="--",r.push(x)}return[c,r]}let It=new Map;function We(n,i,r,c=!0){let p=It.get(i)||{},g=V.bind[n](l,i,r,c);g&&(tl(n,i,p[n]=g),It.set(i,p))}function il(n,i,r){let c=It.get(i)||{};for(let p in c)(n==null||p==n)&&(ps(p,i,c[p]),delete c[p]);n==null&&It.delete(i)}let Pt=0,Gt=0,Y=0,T=0,pe=0,Ae=0,rl=pe,Bt=Ae,xt=Y,$t=T,qe=0,nt=0,Ye=0,pt=0;l.bbox={};let Ln=!1,en=!1,al=!1,Ut=!1,tn=!1,st=!1;function Dn(n,i,r){(r||n!=l.width||i!=l.height)&&zs(n,i),ml(!1),al=!0,en=!0,dl()}function zs(n,i){l.width=Pt=Y=n,l.height=Gt=T=i,pe=Ae=0,Xi(),er();let r=l.bbox;qe=r.left=Qt(pe*oe,.5),nt=r.top=Qt(Ae*oe,.5),Ye=r.width=Qt(Y*oe,.5),pt=r.height=Qt(T*oe,.5)}let Ji=3;function Zi(){let n=!1,i=0;for(;!n;){i++;let r=ur(i),c=cr(i);n=i==Ji||r&&c,n||(zs(l.width,l.height),en=!0)}}function Qi({width:n,height:i}){Dn(n,i)}l.setSize=Qi;function Xi(){let n=!1,i=!1,r=!1,c=!1;H.forEach((p,g)=>{if(p.show&&p._show){let{side:v,_size:x}=p,y=v%2,A=p.label!=null?p.labelSize:0,M=x+A;M>0&&(y?(Y-=M,v==3?(pe+=M,c=!0):r=!0):(T-=M,v==0?(Ae+=M,n=!0):i=!0))}}),jt[0]=n,jt[1]=r,jt[2]=i,jt[3]=c,Y-=Vt[1]+Vt[3],pe+=Vt[3],T-=Vt[2]+Vt[0],Ae+=Vt[0]}function er(){let n=pe+Y,i=Ae+T,r=pe,c=Ae;function p(g,v){switch(g){case 1:return n+=v,n-v;case 2:return i+=v,i-v;case 3:return r-=v,r+v;case 0:return c-=v,c+v}}H.forEach((g,v)=>{if(g.show&&g._show){let x=g.side;g._pos=p(x,g._size),g.label!=null&&(g._lpos=p(x,g.labelSize))}})}if(V.dataIdx==null){let n=V.hover,i=n.skip=new Set(n.skip??[]);i.add(void 0);let r=n.prox=X(n.prox),c=n.bias??=0;V.dataIdx=(p,g,v,x)=>{if(g==0)return v;let y=v,A=r(p,g,v,x)??ce,M=A>=0&&A<ce,L=E.ori==0?Y:T,B=V.left,se=t[0],le=t[g];if(i.has(le[v])){y=null;let Z=null,W=null,z;if(c==0||c==-1)for(z=v;Z==null&&z-- >0;)i.has(le[z])||(Z=z);if(c==0||c==1)for(z=v;W==null&&z++<le.length;)i.has(le[z])||(W=z);if(Z!=null||W!=null)if(M){let de=Z==null?-1/0:N(se[Z],E,L,0),ye=W==null?1/0:N(se[W],E,L,0),Ve=B-de,ue=ye-B;Ve<=ue?Ve<=A&&(y=Z):ue<=A&&(y=W)}else y=W==null?Z:Z==null?W:v-Z<=W-v?Z:W}else M&&Te(B-N(se[v],E,L,0))>A&&(y=null);return y}}let Yt=n=>{V.event=n};V.idxs=ae,V._lock=!1;let He=V.points;He.show=X(He.show),He.size=X(He.size),He.stroke=X(He.stroke),He.width=X(He.width),He.fill=X(He.fill);let yt=l.focus=_e({},e.focus||{alpha:.3},V.focus),ul=yt.prox>=0,cl=ul&&He.one,ot=[],fl=[],pl=[];function Rs(n,i){let r=He.show(l,i);if(r instanceof HTMLElement)return Xe(r,Br),Xe(r,n.class),At(r,-10,-10,Y,T),k.insertBefore(r,ot[i]),r}function Fs(n,i){if(o==1||i>0){let r=o==1&&_[n.scale].time,c=n.value;n.value=r?Wo(c)?jo(ee,Yo(c,R)):c||te:c||nu,n.label=n.label||(r?qa:Ka)}if(cl||i>0){n.width=n.width==null?1:n.width,n.paths=n.paths||wu||ra,n.fillTo=X(n.fillTo||au),n.pxAlign=+ne(n.pxAlign,C),n.pxRound=li(n.pxAlign),n.stroke=X(n.stroke||null),n.fill=X(n.fill||null),n._stroke=n._fill=n._paths=n._focus=null;let r=su($e(1,n.width),1),c=n.points=_e({},{size:r,width:$e(1,r*.2),stroke:n.stroke,space:r*2,paths:bu,_stroke:null,_fill:null},n.points);c.show=X(c.show),c.filter=X(c.filter),c.fill=X(c.fill),c.stroke=X(c.stroke),c.paths=X(c.paths),c.pxAlign=n.pxAlign}if(Ee){let r=Xl(n,i);xe.splice(i,0,r[0]),vt.splice(i,0,r[1]),J.values.push(null)}if(Oe){ae.splice(i,0,null);let r=null;cl?i==0&&(r=Rs(n,i)):i>0&&(r=Rs(n,i)),ot.splice(i,0,r),fl.splice(i,0,0),pl.splice(i,0,0)}Ne("addSeries",i)}function tr(n,i){i=i??S.length,n=o==1?bs(n,i,qo,ei):bs(n,i,{},Xo),S.splice(i,0,n),Fs(S[i],i)}l.addSeries=tr;function lr(n){if(S.splice(n,1),Ee){J.values.splice(n,1),vt.splice(n,1);let i=xe.splice(n,1)[0];il(null,i.firstChild),i.remove()}Oe&&(ae.splice(n,1),ot.splice(n,1)[0].remove(),fl.splice(n,1),pl.splice(n,1)),Ne("delSeries",n)}l.delSeries=lr;let jt=[!1,!1,!1,!1];function nr(n,i){if(n._show=n.show,n.show){let r=n.side%2,c=_[n.scale];c==null&&(n.scale=r?S[1].scale:D,c=_[n.scale]);let p=c.time;n.size=X(n.size),n.space=X(n.space),n.rotate=X(n.rotate),Ot(n.incrs)&&n.incrs.forEach(v=>{!Wt.has(v)&&Wt.set(v,di(v))}),n.incrs=X(n.incrs||(c.distr==2?Pa:p?I==1?Da:Va:Xt)),n.splits=X(n.splits||(p&&c.distr==1?Ue:c.distr==3?ms:c.distr==4?Qa:Za)),n.stroke=X(n.stroke),n.grid.stroke=X(n.grid.stroke),n.ticks.stroke=X(n.ticks.stroke),n.border.stroke=X(n.border.stroke);let g=n.values;n.values=Ot(g)&&!Ot(g[0])?X(g):p?Ot(g)?Uo(ee,$o(g,R)):Wo(g)?Fa(ee,g):g||we:g||Ja,n.filter=X(n.filter||(c.distr>=3&&c.log==10?tu:c.distr==3&&c.log==2?lu:hi)),n.font=ii(n.font),n.labelFont=ii(n.labelFont),n._size=n.size(l,null,i,0),n._space=n._rotate=n._incrs=n._found=n._splits=n._values=null,n._size>0&&(jt[i]=!0,n._el=ut(Or,w))}}function Rl(n,i,r,c){let[p,g,v,x]=r,y=i%2,A=0;return y==0&&(x||g)&&(A=i==0&&!p||i==2&&!v?Me(Ko.size/3):0),y==1&&(p||v)&&(A=i==1&&!g||i==3&&!x?Me(Zo.size/2):0),A}let Hs=l.padding=(e.padding||[Rl,Rl,Rl,Rl]).map(n=>X(ne(n,Rl))),Vt=l._padding=Hs.map((n,i)=>n(l,i,jt,0)),ze,Pe=null,Le=null,ln=o==1?S[0].idxs:null,ht=null,Fl=!1;function Os(n,i){if(t=n??[],l.data=l._data=t,o==2){ze=0;for(let r=1;r<S.length;r++)ze+=t[r][0].length}else{t.length==0&&(l.data=l._data=t=[[]]),ht=t[0],ze=ht.length;let r=t;if(j==2){r=t.slice();let c=r[0]=Array(ze);for(let p=0;p<ze;p++)c[p]=p}l._data=t=r}if(ml(!0),Ne("setData"),j==2&&(al=!0),i!==!1){let r=E;r.auto(l,Fl)?Cn():Rt(D,r.min,r.max),Ut=Ut||V.left>=0,st=!0,dl()}}l.setData=Os;function Cn(){Fl=!0;let n,i;o==1&&(ze>0?(Pe=ln[0]=0,Le=ln[1]=ze-1,n=t[0][Pe],i=t[0][Le],j==2?(n=Pe,i=Le):n==i&&(j==3?[n,i]=yn(n,n,E.log,!1):j==4?[n,i]=Ss(n,n,E.log,!1):E.time?i=n+Me(86400/I):[n,i]=bn(n,i,ks,!0))):(Pe=ln[0]=n=null,Le=ln[1]=i=null)),Rt(D,n,i)}let nn,hl,Nn,Vn,zn,Rn,Fn,Hn,On,je;function Ws(n,i,r,c,p,g){n??=ko,r??=Es,c??="butt",p??=ko,g??="round",n!=nn&&(d.strokeStyle=nn=n),p!=hl&&(d.fillStyle=hl=p),i!=Nn&&(d.lineWidth=Nn=i),g!=zn&&(d.lineJoin=zn=g),c!=Rn&&(d.lineCap=Rn=c),r!=Vn&&d.setLineDash(Vn=r)}function Is(n,i,r,c){i!=hl&&(d.fillStyle=hl=i),n!=Fn&&(d.font=Fn=n),r!=Hn&&(d.textAlign=Hn=r),c!=On&&(d.textBaseline=On=c)}function Wn(n,i,r,c,p=0){if(c.length>0&&n.auto(l,Fl)&&(i==null||i.min==null)){let g=ne(Pe,0),v=ne(Le,c.length-1),x=r.min==null?ta(c,g,v,p,n.distr==3):[r.min,r.max];n.min=bt(n.min,r.min=x[0]),n.max=$e(n.max,r.max=x[1])}}let Gs={min:null,max:null};function sr(){for(let c in _){let p=_[c];F[c]==null&&(p.min==null||F[D]!=null&&p.auto(l,Fl))&&(F[c]=Gs)}for(let c in _){let p=_[c];F[c]==null&&p.from!=null&&F[p.from]!=null&&(F[c]=Gs)}F[D]!=null&&ml(!0);let n={};for(let c in F){let p=F[c];if(p!=null){let g=n[c]=Ll(_[c],ca);if(p.min!=null)_e(g,p);else if(c!=D||o==2)if(ze==0&&g.from==null){let v=g.range(l,null,null,c);g.min=v[0],g.max=v[1]}else g.min=ce,g.max=-ce}}if(ze>0){S.forEach((c,p)=>{if(o==1){let g=c.scale,v=F[g];if(v==null)return;let x=n[g];if(p==0){let y=x.range(l,x.min,x.max,g);x.min=y[0],x.max=y[1],Pe=wt(x.min,t[0]),Le=wt(x.max,t[0]),Le-Pe>1&&(t[0][Pe]<x.min&&Pe++,t[0][Le]>x.max&&Le--),c.min=ht[Pe],c.max=ht[Le]}else c.show&&c.auto&&Wn(x,v,c,t[p],c.sorted);c.idxs[0]=Pe,c.idxs[1]=Le}else if(p>0&&c.show&&c.auto){let[g,v]=c.facets,x=g.scale,y=v.scale,[A,M]=t[p],L=n[x],B=n[y];L!=null&&Wn(L,F[x],g,A,g.sorted),B!=null&&Wn(B,F[y],v,M,v.sorted),c.min=v.min,c.max=v.max}});for(let c in n){let p=n[c],g=F[c];if(p.from==null&&(g==null||g.min==null)){let v=p.range(l,p.min==ce?null:p.min,p.max==-ce?null:p.max,c);p.min=v[0],p.max=v[1]}}}for(let c in n){let p=n[c];if(p.from!=null){let g=n[p.from];if(g.min==null)p.min=p.max=null;else{let v=p.range(l,g.min,g.max,c);p.min=v[0],p.max=v[1]}}}let i={},r=!1;for(let c in n){let p=n[c],g=_[c];if(g.min!=p.min||g.max!=p.max){g.min=p.min,g.max=p.max;let v=g.distr;g._min=v==3?Dt(g.min):v==4?os(g.min,g.asinh):v==100?g.fwd(g.min):g.min,g._max=v==3?Dt(g.max):v==4?os(g.max,g.asinh):v==100?g.fwd(g.max):g.max,i[c]=r=!0}}if(r){S.forEach((c,p)=>{o==2?p>0&&i.y&&(c._paths=null):i[c.scale]&&(c._paths=null)});for(let c in i)al=!0,Ne("setScale",c);Oe&&V.left>=0&&(Ut=st=!0)}for(let c in F)F[c]=null}function or(n){let i=hs(Pe-1,0,ze-1),r=hs(Le+1,0,ze-1);for(;n[i]==null&&i>0;)i--;for(;n[r]==null&&r<ze-1;)r++;return[i,r]}function ir(){if(ze>0){let n=S.some(i=>i._focus)&&je!=yt.alpha;n&&(d.globalAlpha=je=yt.alpha),S.forEach((i,r)=>{if(r>0&&i.show&&(Bs(r,!1),Bs(r,!0),i._paths==null)){let c=je;je!=i.alpha&&(d.globalAlpha=je=i.alpha);let p=o==2?[0,t[r][0].length-1]:or(t[r]);i._paths=i.paths(l,r,p[0],p[1]),je!=c&&(d.globalAlpha=je=c)}}),S.forEach((i,r)=>{if(r>0&&i.show){let c=je;je!=i.alpha&&(d.globalAlpha=je=i.alpha),i._paths!=null&&$s(r,!1);{let p=i._paths!=null?i._paths.gaps:null,g=i.points.show(l,r,Pe,Le,p),v=i.points.filter(l,r,g,p);(g||v)&&(i.points._paths=i.points.paths(l,r,Pe,Le,v),$s(r,!0))}je!=c&&(d.globalAlpha=je=c),Ne("drawSeries",r)}}),n&&(d.globalAlpha=je=1)}}function Bs(n,i){let r=i?S[n].points:S[n];r._stroke=r.stroke(l,n),r._fill=r.fill(l,n)}function $s(n,i){let r=i?S[n].points:S[n],{stroke:c,fill:p,clip:g,flags:v,_stroke:x=r._stroke,_fill:y=r._fill,_width:A=r.width}=r._paths;A=fe(A*oe,3);let M=null,L=A%2/2;i&&y==null&&(y=A>0?"#fff":x);let B=r.pxAlign==1&&L>0;if(B&&d.translate(L,L),!i){let se=qe-A/2,le=nt-A/2,Z=Ye+A,W=pt+A;M=new Path2D,M.rect(se,le,Z,W)}i?In(x,A,r.dash,r.cap,y,c,p,v,g):rr(n,x,A,r.dash,r.cap,y,c,p,v,M,g),B&&d.translate(-L,-L)}function rr(n,i,r,c,p,g,v,x,y,A,M){let L=!1;y!=0&&K.forEach((B,se)=>{if(B.series[0]==n){let le=S[B.series[1]],Z=t[B.series[1]],W=(le._paths||Kl).band;Ot(W)&&(W=B.dir==1?W[0]:W[1]);let z,de=null;le.show&&W&&na(Z,Pe,Le)?(de=B.fill(l,se)||g,z=le._paths.clip):W=null,In(i,r,c,p,de,v,x,y,A,M,z,W),L=!0}}),L||In(i,r,c,p,g,v,x,y,A,M)}let Us=Dl|gs;function In(n,i,r,c,p,g,v,x,y,A,M,L){Ws(n,i,r,c,p),(y||A||L)&&(d.save(),y&&d.clip(y),A&&d.clip(A)),L?(x&Us)==Us?(d.clip(L),M&&d.clip(M),on(p,v),sn(n,g,i)):x&gs?(on(p,v),d.clip(L),sn(n,g,i)):x&Dl&&(d.save(),d.clip(L),M&&d.clip(M),on(p,v),d.restore(),sn(n,g,i)):(on(p,v),sn(n,g,i)),(y||A||L)&&d.restore()}function sn(n,i,r){r>0&&(i instanceof Map?i.forEach((c,p)=>{d.strokeStyle=nn=p,d.stroke(c)}):i!=null&&n&&d.stroke(i))}function on(n,i){i instanceof Map?i.forEach((r,c)=>{d.fillStyle=hl=c,d.fill(r)}):i!=null&&n&&d.fill(i)}function ar(n,i,r,c){let p=H[n],g;if(c<=0)g=[0,0];else{let v=p._space=p.space(l,n,i,r,c),x=p._incrs=p.incrs(l,n,i,r,c,v);g=_u(i,r,x,c,v)}return p._found=g}function Gn(n,i,r,c,p,g,v,x,y,A){let M=v%2/2;C==1&&d.translate(M,M),Ws(x,v,y,A,x),d.beginPath();let L,B,se,le,Z=p+(c==0||c==3?-g:g);r==0?(B=p,le=Z):(L=p,se=Z);for(let W=0;W<n.length;W++)i[W]!=null&&(r==0?L=se=n[W]:B=le=n[W],d.moveTo(L,B),d.lineTo(se,le));d.stroke(),C==1&&d.translate(-M,-M)}function ur(n){let i=!0;return H.forEach((r,c)=>{if(!r.show)return;let p=_[r.scale];if(p.min==null){r._show&&(i=!1,r._show=!1,ml(!1));return}else r._show||(i=!1,r._show=!0,ml(!1));let g=r.side,v=g%2,{min:x,max:y}=p,[A,M]=ar(c,x,y,v==0?Y:T);if(M==0)return;let L=p.distr==2,B=r._splits=r.splits(l,c,x,y,A,M,L),se=p.distr==2?B.map(z=>ht[z]):B,le=p.distr==2?ht[B[1]]-ht[B[0]]:A,Z=r._values=r.values(l,r.filter(l,se,c,M,le),c,M,le);r._rotate=g==2?r.rotate(l,Z,c,M):0;let W=r._size;r._size=ct(r.size(l,Z,c,n)),W!=null&&r._size!=W&&(i=!1)}),i}function cr(n){let i=!0;return Hs.forEach((r,c)=>{let p=r(l,c,jt,n);p!=Vt[c]&&(i=!1),Vt[c]=p}),i}function fr(){for(let n=0;n<H.length;n++){let i=H[n];if(!i.show||!i._show)continue;let r=i.side,c=r%2,p,g,v=i.stroke(l,n),x=r==0||r==3?-1:1,[y,A]=i._found;if(i.label!=null){let Ge=i.labelGap*x,Qe=Me((i._lpos+Ge)*oe);Is(i.labelFont[0],v,"center",r==2?"top":So),d.save(),c==1?(p=g=0,d.translate(Qe,Me(nt+pt/2)),d.rotate((r==3?-gn:gn)/2)):(p=Me(qe+Ye/2),g=Qe);let Jt=fi(i.label)?i.label(l,n,y,A):i.label;d.fillText(Jt,p,g),d.restore()}if(A==0)continue;let M=_[i.scale],L=c==0?Ye:pt,B=c==0?qe:nt,se=i._splits,le=M.distr==2?se.map(Ge=>ht[Ge]):se,Z=M.distr==2?ht[se[1]]-ht[se[0]]:y,W=i.ticks,z=i.border,de=W.show?W.size:0,ye=Me(de*oe),Ve=Me((i.alignTo==2?i._size-de-i.gap:i.gap)*oe),ue=i._rotate*-gn/180,Se=O(i._pos*oe),Je=(ye+Ve)*x,Ie=Se+Je;g=c==0?Ie:0,p=c==1?Ie:0;let it=i.font[0],mt=i.align==1?El:i.align==2?ls:ue>0?El:ue<0?ls:c==0?"center":r==3?ls:El,_t=ue||c==1?"middle":r==2?"top":So;Is(it,v,mt,_t);let Ze=i.font[1]*i.lineGap,rt=se.map(Ge=>O(f(Ge,M,L,B))),dt=i._values;for(let Ge=0;Ge<dt.length;Ge++){let Qe=dt[Ge];if(Qe!=null){c==0?p=rt[Ge]:g=rt[Ge],Qe=""+Qe;let Jt=Qe.indexOf(`
-`)==-1?[Qe]:Qe.split(/\n/gm);for(let Be=0;Be<Jt.length;Be++){let co=Jt[Be];ue?(d.save(),d.translate(p,g+Be*Ze),d.rotate(ue),d.fillText(co,0,0),d.restore()):d.fillText(co,p,g+Be*Ze)}}}W.show&&Gn(rt,W.filter(l,le,n,A,Z),c,r,Se,ye,fe(W.width*oe,3),W.stroke(l,n),W.dash,W.cap);let Et=i.grid;Et.show&&Gn(rt,Et.filter(l,le,n,A,Z),c,c==0?2:1,c==0?nt:qe,c==0?pt:Ye,fe(Et.width*oe,3),Et.stroke(l,n),Et.dash,Et.cap),z.show&&Gn([Se],[1],c==0?1:0,c==0?1:2,c==1?nt:qe,c==1?pt:Ye,fe(z.width*oe,3),z.stroke(l,n),z.dash,z.cap)}Ne("drawAxes")}function ml(n){S.forEach((i,r)=>{r>0&&(i._paths=null,n&&(o==1?(i.min=null,i.max=null):i.facets.forEach(c=>{c.min=null,c.max=null})))})}let rn=!1,Bn=!1,Hl=[];function pr(){Bn=!1;for(let n=0;n<Hl.length;n++)Ne(...Hl[n]);Hl.length=0}function dl(){rn||(wa(Ys),rn=!0)}function hr(n,i=!1){rn=!0,Bn=i,n(l),Ys(),i&&Hl.length>0&&queueMicrotask(pr)}l.batch=hr;function Ys(){if(Ln&&(sr(),Ln=!1),al&&(Zi(),al=!1),en){if(ge(P,El,pe),ge(P,"top",Ae),ge(P,$l,Y),ge(P,Ul,T),ge(k,El,pe),ge(k,"top",Ae),ge(k,$l,Y),ge(k,Ul,T),ge(w,$l,Pt),ge(w,Ul,Gt),b.width=Me(Pt*oe),b.height=Me(Gt*oe),H.forEach(({_el:n,_show:i,_size:r,_pos:c,side:p})=>{if(n!=null)if(i){let g=p===3||p===0?r:0,v=p%2==1;ge(n,v?"left":"top",c-g),ge(n,v?"width":"height",r),ge(n,v?"top":"left",v?Ae:pe),ge(n,v?"height":"width",v?T:Y),fs(n,el)}else Xe(n,el)}),nn=hl=Nn=zn=Rn=Fn=Hn=On=Vn=null,je=1,Il(!0),pe!=rl||Ae!=Bt||Y!=xt||T!=$t){ml(!1);let n=Y/xt,i=T/$t;if(Oe&&!Ut&&V.left>=0){V.left*=n,V.top*=i,gl&&At(gl,Me(V.left),0,Y,T),wl&&At(wl,0,Me(V.top),Y,T);for(let r=0;r<ot.length;r++){let c=ot[r];c!=null&&(fl[r]*=n,pl[r]*=i,At(c,ct(fl[r]),ct(pl[r]),Y,T))}}if(me.show&&!tn&&me.left>=0&&me.width>0){me.left*=n,me.width*=n,me.top*=i,me.height*=i;for(let r in qn)ge(xl,r,me[r])}rl=pe,Bt=Ae,xt=Y,$t=T}Ne("setSize"),en=!1}Pt>0&&Gt>0&&(d.clearRect(0,0,b.width,b.height),Ne("drawClear"),U.forEach(n=>n()),Ne("draw")),me.show&&tn&&(an(me),tn=!1),Oe&&Ut&&(qt(null,!0,!1),Ut=!1),J.show&&J.live&&st&&(jn(),st=!1),m||(m=!0,l.status=1,Ne("ready")),Fl=!1,rn=!1}l.redraw=(n,i)=>{al=i||!1,n!==!1?Rt(D,E.min,E.max):dl()};function $n(n,i){let r=_[n];if(r.from==null){if(ze==0){let c=r.range(l,i.min,i.max,n);i.min=c[0],i.max=c[1]}if(i.min>i.max){let c=i.min;i.min=i.max,i.max=c}if(ze>1&&i.min!=null&&i.max!=null&&i.max-i.min<1e-16)return;n==D&&r.distr==2&&ze>0&&(i.min=wt(i.min,t[0]),i.max=wt(i.max,t[0]),i.min==i.max&&i.max++),F[n]=i,Ln=!0,dl()}}l.setScale=$n;let Un,Yn,gl,wl,js,Ks,bl,vl,qs,Js,he,ve,zt=!1,Re=V.drag,De=Re.x,Ce=Re.y;Oe&&(V.x&&(Un=ut(Ir,k)),V.y&&(Yn=ut(Gr,k)),E.ori==0?(gl=Un,wl=Yn):(gl=Yn,wl=Un),he=V.left,ve=V.top);let me=l.select=_e({show:!0,over:!0,left:0,width:0,top:0,height:0},e.select),xl=me.show?ut(Wr,me.over?k:P):null;function an(n,i){if(me.show){for(let r in n)me[r]=n[r],r in qn&&ge(xl,r,n[r]);i!==!1&&Ne("setSelect")}}l.setSelect=an;function mr(n){if(S[n].show)Ee&&fs(xe[n],el);else if(Ee&&Xe(xe[n],el),Oe){let r=cl?ot[0]:ot[n];r!=null&&At(r,-10,-10,Y,T)}}function Rt(n,i,r){$n(n,{min:i,max:r})}function St(n,i,r,c){i.focus!=null&&vr(n),i.show!=null&&S.forEach((p,g)=>{g>0&&(n==g||n==null)&&(p.show=i.show,mr(g),o==2?(Rt(p.facets[0].scale,null,null),Rt(p.facets[1].scale,null,null)):Rt(p.scale,null,null),dl())}),r!==!1&&Ne("setSeries",n,i),c&&Gl("setSeries",l,n,i)}l.setSeries=St;function dr(n,i){_e(K[n],i)}function gr(n,i){n.fill=X(n.fill||null),n.dir=ne(n.dir,-1),i=i??K.length,K.splice(i,0,n)}function wr(n){n==null?K.length=0:K.splice(n,1)}l.addBand=gr,l.setBand=dr,l.delBand=wr;function br(n,i){S[n].alpha=i,Oe&&ot[n]!=null&&(ot[n].style.opacity=i),Ee&&xe[n]&&(xe[n].style.opacity=i)}let Lt,Ft,Kt,yl={focus:!0};function vr(n){if(n!=Kt){let i=n==null,r=yt.alpha!=1;S.forEach((c,p)=>{if(o==1||p>0){let g=i||p==0||p==n;c._focus=i?null:g,r&&br(p,g?1:yt.alpha)}}),Kt=n,r&&dl()}}Ee&&ul&&We(Ao,ie,n=>{V._lock||(Yt(n),Kt!=null&&St(null,yl,!0,ke.setSeries))});function kt(n,i,r){let c=_[i];r&&(n=n/oe-(c.ori==1?Ae:pe));let p=Y;c.ori==1&&(p=T,n=p-n),c.dir==-1&&(n=p-n);let g=c._min,v=c._max,x=n/p,y=g+(v-g)*x,A=c.distr;return A==3?Tl(10,y):A==4?oa(y,c.asinh):A==100?c.bwd(y):y}function xr(n,i){let r=kt(n,D,i);return wt(r,t[0],Pe,Le)}l.valToIdx=n=>wt(n,t[0]),l.posToIdx=xr,l.posToVal=kt,l.valToPos=(n,i,r)=>_[i].ori==0?a(n,_[i],r?Ye:Y,r?qe:0):u(n,_[i],r?pt:T,r?nt:0),l.setCursor=(n,i,r)=>{he=n.left,ve=n.top,qt(null,i,r)};function Zs(n,i){ge(xl,El,me.left=n),ge(xl,$l,me.width=i)}function Qs(n,i){ge(xl,"top",me.top=n),ge(xl,Ul,me.height=i)}let Ol=E.ori==0?Zs:Qs,Wl=E.ori==1?Zs:Qs;function yr(){if(Ee&&J.live)for(let n=o==2?1:0;n<S.length;n++){if(n==0&&lt)continue;let i=J.values[n],r=0;for(let c in i)vt[n][r++].firstChild.nodeValue=i[c]}}function jn(n,i){if(n!=null&&(n.idxs?n.idxs.forEach((r,c)=>{ae[c]=r}):ua(n.idx)||ae.fill(n.idx),J.idx=ae[0]),Ee&&J.live){for(let r=0;r<S.length;r++)(r>0||o==1&&!lt)&&Sr(r,ae[r]);yr()}st=!1,i!==!1&&Ne("setLegend")}l.setLegend=jn;function Sr(n,i){let r=S[n],c=n==0&&j==2?ht:t[n],p;lt?p=r.values(l,n,i)??Nt:(p=r.value(l,i==null?null:c[i],n,i),p=p==null?Nt:{_:p}),J.values[n]=p}function qt(n,i,r){qs=he,Js=ve,[he,ve]=V.move(l,he,ve),V.left=he,V.top=ve,Oe&&(gl&&At(gl,Me(he),0,Y,T),wl&&At(wl,0,Me(ve),Y,T));let c,p=Pe>Le;Lt=ce,Ft=null;let g=E.ori==0?Y:T,v=E.ori==1?Y:T;if(he<0||ze==0||p){c=V.idx=null;for(let x=0;x<S.length;x++){let y=ot[x];y!=null&&At(y,-10,-10,Y,T)}ul&&St(null,yl,!0,n==null&&ke.setSeries),J.live&&(ae.fill(c),st=!0)}else{let x,y,A;o==1&&(x=E.ori==0?he:ve,y=kt(x,D),c=V.idx=wt(y,t[0],Pe,Le),A=N(t[0][c],E,g,0));let M=-10,L=-10,B=0,se=0,le=!0,Z="",W="";for(let z=o==2?1:0;z<S.length;z++){let de=S[z],ye=ae[z],Ve=ye==null?null:o==1?t[z][ye]:t[z][1][ye],ue=V.dataIdx(l,z,c,y),Se=ue==null?null:o==1?t[z][ue]:t[z][1][ue];if(st=st||Se!=Ve||ue!=ye,ae[z]=ue,z>0&&de.show){let Je=ue==null?-10:ue==c?A:N(o==1?t[0][ue]:t[z][0][ue],E,g,0),Ie=Se==null?-10:G(Se,o==1?_[de.scale]:_[de.facets[1].scale],v,0);if(ul&&Se!=null){let it=E.ori==1?he:ve,mt=Te(yt.dist(l,z,ue,Ie,it));if(mt<Lt){let _t=yt.bias;if(_t!=0){let Ze=kt(it,de.scale),rt=Se>=0?1:-1,dt=Ze>=0?1:-1;dt==rt&&(dt==1?_t==1?Se>=Ze:Se<=Ze:_t==1?Se<=Ze:Se>=Ze)&&(Lt=mt,Ft=z)}else Lt=mt,Ft=z}}if(st||cl){let it,mt;E.ori==0?(it=Je,mt=Ie):(it=Ie,mt=Je);let _t,Ze,rt,dt,Et,Ge,Qe=!0,Jt=He.bbox;if(Jt!=null){Qe=!1;let Be=Jt(l,z);rt=Be.left,dt=Be.top,_t=Be.width,Ze=Be.height}else rt=it,dt=mt,_t=Ze=He.size(l,z);if(Ge=He.fill(l,z),Et=He.stroke(l,z),cl)z==Ft&&Lt<=yt.prox&&(M=rt,L=dt,B=_t,se=Ze,le=Qe,Z=Ge,W=Et);else{let Be=ot[z];Be!=null&&(fl[z]=rt,pl[z]=dt,No(Be,_t,Ze,Qe),Do(Be,Ge,Et),At(Be,ct(rt),ct(dt),Y,T))}}}}if(cl){let z=yt.prox,de=Kt==null?Lt<=z:Lt>z||Ft!=Kt;if(st||de){let ye=ot[0];ye!=null&&(fl[0]=M,pl[0]=L,No(ye,B,se,le),Do(ye,Z,W),At(ye,ct(M),ct(L),Y,T))}}}if(me.show&&zt)if(n!=null){let[x,y]=ke.scales,[A,M]=ke.match,[L,B]=n.cursor.sync.scales,se=n.cursor.drag;if(De=se._x,Ce=se._y,De||Ce){let{left:le,top:Z,width:W,height:z}=n.select,de=n.scales[L].ori,ye=n.posToVal,Ve,ue,Se,Je,Ie,it=x!=null&&A(x,L),mt=y!=null&&M(y,B);it&&De?(de==0?(Ve=le,ue=W):(Ve=Z,ue=z),Se=_[x],Je=N(ye(Ve,L),Se,g,0),Ie=N(ye(Ve+ue,L),Se,g,0),Ol(bt(Je,Ie),Te(Ie-Je))):Ol(0,g),mt&&Ce?(de==1?(Ve=le,ue=W):(Ve=Z,ue=z),Se=_[y],Je=G(ye(Ve,B),Se,v,0),Ie=G(ye(Ve+ue,B),Se,v,0),Wl(bt(Je,Ie),Te(Ie-Je))):Wl(0,v)}else Jn()}else{let x=Te(qs-js),y=Te(Js-Ks);if(E.ori==1){let B=x;x=y,y=B}De=Re.x&&x>=Re.dist,Ce=Re.y&&y>=Re.dist;let A=Re.uni;A!=null?De&&Ce&&(De=x>=A,Ce=y>=A,!De&&!Ce&&(y>x?Ce=!0:De=!0)):Re.x&&Re.y&&(De||Ce)&&(De=Ce=!0);let M,L;De&&(E.ori==0?(M=bl,L=he):(M=vl,L=ve),Ol(bt(M,L),Te(L-M)),Ce||Wl(0,v)),Ce&&(E.ori==1?(M=bl,L=he):(M=vl,L=ve),Wl(bt(M,L),Te(L-M)),De||Ol(0,g)),!De&&!Ce&&(Ol(0,0),Wl(0,0))}if(Re._x=De,Re._y=Ce,n==null){if(r){if(uo!=null){let[x,y]=ke.scales;ke.values[0]=x!=null?kt(E.ori==0?he:ve,x):null,ke.values[1]=y!=null?kt(E.ori==1?he:ve,y):null}Gl(ns,l,he,ve,Y,T,c)}if(ul){let x=r&&ke.setSeries,y=yt.prox;Kt==null?Lt<=y&&St(Ft,yl,!0,x):Lt>y?St(null,yl,!0,x):Ft!=Kt&&St(Ft,yl,!0,x)}}st&&(J.idx=c,jn()),i!==!1&&Ne("setCursor")}let Ht=null;Object.defineProperty(l,"rect",{get(){return Ht==null&&Il(!1),Ht}});function Il(n=!1){n?Ht=null:(Ht=k.getBoundingClientRect(),Ne("syncRect",Ht))}function Xs(n,i,r,c,p,g,v){V._lock||zt&&n!=null&&n.movementX==0&&n.movementY==0||(Kn(n,i,r,c,p,g,v,!1,n!=null),n!=null?qt(null,!0,!0):qt(i,!0,!1))}function Kn(n,i,r,c,p,g,v,x,y){if(Ht==null&&Il(!1),Yt(n),n!=null)r=n.clientX-Ht.left,c=n.clientY-Ht.top;else{if(r<0||c<0){he=-10,ve=-10;return}let[A,M]=ke.scales,L=i.cursor.sync,[B,se]=L.values,[le,Z]=L.scales,[W,z]=ke.match,de=i.axes[0].side%2==1,ye=E.ori==0?Y:T,Ve=E.ori==1?Y:T,ue=de?g:p,Se=de?p:g,Je=de?c:r,Ie=de?r:c;if(le!=null?r=W(A,le)?f(B,_[A],ye,0):-10:r=ye*(Je/ue),Z!=null?c=z(M,Z)?f(se,_[M],Ve,0):-10:c=Ve*(Ie/Se),E.ori==1){let it=r;r=c,c=it}}y&&(i==null||i.cursor.event.type==ns)&&((r<=1||r>=Y-1)&&(r=Qt(r,Y)),(c<=1||c>=T-1)&&(c=Qt(c,T))),x?(js=r,Ks=c,[bl,vl]=V.move(l,r,c)):(he=r,ve=c)}let qn={width:0,height:0,left:0,top:0};function Jn(){an(qn,!1)}let eo,to,lo,no;function so(n,i,r,c,p,g,v){zt=!0,De=Ce=Re._x=Re._y=!1,Kn(n,i,r,c,p,g,v,!0,!1),n!=null&&(We(ss,us,oo,!1),Gl(_o,l,bl,vl,Y,T,null));let{left:x,top:y,width:A,height:M}=me;eo=x,to=y,lo=A,no=M}function oo(n,i,r,c,p,g,v){zt=Re._x=Re._y=!1,Kn(n,i,r,c,p,g,v,!1,!0);let{left:x,top:y,width:A,height:M}=me,L=A>0||M>0,B=eo!=x||to!=y||lo!=A||no!=M;if(L&&B&&an(me),Re.setScale&&L&&B){let se=x,le=A,Z=y,W=M;if(E.ori==1&&(se=y,le=M,Z=x,W=A),De&&Rt(D,kt(se,D),kt(se+le,D)),Ce)for(let z in _){let de=_[z];z!=D&&de.from==null&&de.min!=ce&&Rt(z,kt(Z+W,z),kt(Z,z))}Jn()}else V.lock&&(V._lock=!V._lock,qt(i,!0,n!=null));n!=null&&(il(ss,us),Gl(ss,l,he,ve,Y,T,null))}function kr(n,i,r,c,p,g,v){if(V._lock)return;Yt(n);let x=zt;if(zt){let y=!0,A=!0,M=10,L,B;E.ori==0?(L=De,B=Ce):(L=Ce,B=De),L&&B&&(y=he<=M||he>=Y-M,A=ve<=M||ve>=T-M),L&&y&&(he=he<bl?0:Y),B&&A&&(ve=ve<vl?0:T),qt(null,!0,!0),zt=!1}he=-10,ve=-10,ae.fill(null),qt(null,!0,!0),x&&(zt=x)}function io(n,i,r,c,p,g,v){V._lock||(Yt(n),Cn(),Jn(),n!=null&&Gl(Mo,l,he,ve,Y,T,null))}function ro(){H.forEach(Eu),Dn(l.width,l.height,!0)}tl(wn,Ml,ro);let Sl={};Sl.mousedown=so,Sl.mousemove=Xs,Sl.mouseup=oo,Sl.dblclick=io,Sl.setSeries=(n,i,r,c)=>{let p=ke.match[2];r=p(l,i,r),r!=-1&&St(r,c,!0,!1)},Oe&&(We(_o,k,so),We(ns,k,Xs),We(Eo,k,n=>{Yt(n),Il(!1)}),We(Ao,k,kr),We(Mo,k,io),ws.add(l),l.syncRect=Il);let un=l.hooks=e.hooks||{};function Ne(n,i,r){Bn?Hl.push([n,i,r]):n in un&&un[n].forEach(c=>{c.call(null,l,i,r)})}(e.plugins||[]).forEach(n=>{for(let i in n.hooks)un[i]=(un[i]||[]).concat(n.hooks[i])});let ao=(n,i,r)=>r,ke=_e({key:null,setSeries:!1,filters:{pub:Ho,sub:Ho},scales:[D,S[1]?S[1].scale:null],match:[Oo,Oo,ao],values:[null,null]},V.sync);ke.match.length==2&&ke.match.push(ao),V.sync=ke;let uo=ke.key,Zn=zi(uo);function Gl(n,i,r,c,p,g,v){ke.filters.pub(n,i,r,c,p,g,v)&&Zn.pub(n,i,r,c,p,g,v)}Zn.sub(l);function _r(n,i,r,c,p,g,v){ke.filters.sub(n,i,r,c,p,g,v)&&Sl[n](null,i,r,c,p,g,v)}l.pub=_r;function Er(){Zn.unsub(l),ws.delete(l),It.clear(),ps(wn,Ml,ro),h.remove(),ie?.remove(),Ne("destroy")}l.destroy=Er;function Qn(){Ne("init",e,t),Os(t||e.data,!1),F[D]?$n(D,F[D]):Cn(),tn=me.show&&(me.width>0||me.height>0),Ut=st=!0,Dn(e.width,e.height)}return S.forEach(Fs),H.forEach(nr),s?s instanceof HTMLElement?(s.appendChild(h),Qn()):s(l,Qn):Qn(),l}Fe.assign=_e;Fe.fmtNum=_s;Fe.rangeNum=bn;Fe.rangeLog=yn;Fe.rangeAsinh=Ss;Fe.orient=nl;Fe.pxRatio=oe;Fe.join=ga;Fe.fmtDate=As,Fe.tzDate=Ma;Fe.sync=zi;{Fe.addGap=uu,Fe.clipGaps=_n;let e=Fe.paths={points:Ii};e.linear=Bi,e.stepped=pu,e.bars=hu,e.spline=du}var Au='system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans CJK SC", sans-serif',Jl=62,Ns=26,Mu=.14;function Tn(e){let{panel:t,palette:s,magnified:l,shared:o}=e,a=`${12*l}px ${Au}`,u={stroke:s.grid,width:l},f=t.lines.map(h=>{let{width:b,dash:d}=_l(h.stroke,h.colour);return{label:h.name,stroke:()=>s.line(h.colour),width:b*l,dash:d?.map(w=>w*l),points:{show:!1}}}),m={width:e.width,height:e.height,padding:[7*l,10*l,0,0],legend:{show:!1},focus:{alpha:Mu},cursor:{show:!!o,y:!1,points:{size:7,fill:s.paper,width:1.6},drag:{x:!0,y:!1,dist:4},sync:o&&{key:o.key,scales:["x",null],setSeries:!1,filters:{pub:h=>h==="mousemove"||h==="mouseleave",sub:o.listens}}},scales:{x:{time:!1,distr:e.logAcross?3:1,range:(h,b,d)=>[b,d]},y:{distr:t.log?3:1}},axes:[{grid:u,font:a,stroke:s.muted,ticks:{...u,size:4*l,show:e.last},size:(e.last?Ns:6)*l,gap:3*l,space:60*l,values:(h,b)=>e.last?ts(b,e.logAcross):b.map(()=>"")},{grid:u,font:a,stroke:s.muted,ticks:{...u,size:4*l},size:Jl*l,gap:4*l,space:30*l,values:(h,b)=>ts(b,t.log)}],series:[{},...f],hooks:{setCursor:[h=>e.onCursor?.(h.cursor.idx??null)],setScale:[(h,b)=>{let{min:d,max:w}=h.scales.x;b==="x"&&d!=null&&w!=null&&e.onRange?.(d,w)}],draw:[h=>Tu(h,e)]}};return new Fe(m,[e.across,...e.values])}function Tu(e,{panel:{mark:t,lines:s},palette:l,magnified:o}){if(!t||!e.series[t.line+1].show)return;let a=e.valToPos(t.across,"x",!0),u=e.valToPos(t.value,"y",!0),{left:f,top:m,width:h,height:b}=e.bbox;if(a<f||a>f+h||u<m||u>m+b)return;let d=e.ctx.canvas.width/e.width*o;e.ctx.save(),e.ctx.setLineDash([]),e.ctx.beginPath(),e.ctx.arc(a,u,3.6*d,0,2*Math.PI),e.ctx.fillStyle=l.paper(),e.ctx.fill(),e.ctx.lineWidth=1.6*d,e.ctx.strokeStyle=l.line(s[t.line].colour),e.ctx.stroke(),e.ctx.restore()}var Mt=2,ji=44,Zl=940;async function Ki(e){let{entry:t,palette:s}=e;s.onPaper=!0;let l=t.panels.map((h,b)=>Pu(e,b));await new Promise(h=>setTimeout(h,0));let o=l.map(h=>h.height+ji*Mt),a=document.createElement("canvas");a.width=Zl*Mt,a.height=o.reduce((h,b)=>h+b,54*Mt);let u=a.getContext("2d");if(!u)return null;u.fillStyle=s.paper(),u.fillRect(0,0,a.width,a.height);let f=Lu(u);f(t.title,Jl,20,{bold:!0,size:15});let m=26;t.panels.forEach((h,b)=>{f(kl(h.title,h.unit),Jl,m+18,{bold:!0}),f(h.remark,Zl-10,m+18,{end:!0,colour:s.muted()});let d=Jl;for(let k of h.lines.filter(C=>!e.hidden.has(C.name))){let{width:C,dash:O}=_l(k.stroke,k.colour);u.strokeStyle=s.line(k.colour),u.lineWidth=Math.max(2.4,C),u.setLineDash(O??[]),u.beginPath(),u.moveTo(d,m+33),u.lineTo(d+20,m+33),u.stroke(),d+=26+f(k.name,d+25,m+37,{})+14}m+=ji;let{ctx:w,height:P}=l[b];u.drawImage(w.canvas,0,m,Zl,P/Mt),m+=P/Mt}),f(kl(Zt(t),t.across.unit),Zl-10,m+14,{end:!0,colour:s.muted()});for(let h of l)h.destroy();return s.onPaper=!1,new Promise(h=>a.toBlob(h,"image/png"))}function Pu({entry:e,numbers:t,palette:s,hidden:l,range:o,height:a},u){let f=u===e.panels.length-1,m=e.panels[u],h=Tn({panel:m,palette:s,last:f,across:t.across,values:t.panels[u],logAcross:e.across.log,width:Zl*Mt,height:a(f)*Mt,magnified:Mt});return h.setScale("x",{min:o[0],max:o[1]}),m.lines.forEach((b,d)=>l.has(b.name)&&h.setSeries(d+1,{show:!1})),h}function Lu(e){return e.scale(Mt,Mt),(t,s,l,{bold:o,end:a,size:u=12.5,colour:f="#1f2933"})=>(e.font=`${o?"600 ":""}${u}px system-ui, -apple-system, "Noto Sans CJK SC", sans-serif`,e.fillStyle=f,e.textAlign=a?"end":"start",e.fillText(t,s,l),e.measureText(t).width)}var Pn=class{constructor(t,s,l,o){this.file=t;this.entry=s;this.numbers=l;this.drawing=o;this.palette=new fn(o),this.range=this.ends,this.element.append(this.bar(),...s.panels.map((a,u)=>this.pane(u)),this.below()),this.element.setAttribute("role","group"),this.element.setAttribute("aria-label",o.querySelector("title")?.textContent??s.title),this.follow(),this.choose()}file;entry;numbers;drawing;element=Ql("curves");panes=[];hidden=new Set;range;palette;readout=document.createElement("output");whole=Vs(at.whole,at.wholeHint,()=>this.enlarge(...this.ends));seen=!0;get ends(){let{across:t}=this.numbers;return[t[0],t[t.length-1]]}bar(){let t=document.createElement("span");t.className="curves-hint",t.textContent=at.hint,this.whole.disabled=!0;let s=this.file.replace(/\.svg$/,""),l=Vs("CSV",at.csv,()=>{es(`${s}.csv`,new Blob([vo(this.entry,this.numbers)],{type:"text/csv"}))}),o=Vs("PNG",at.png,async()=>{let{entry:u,numbers:f,palette:m,hidden:h,range:b,height:d}=this,w=await Ki({entry:u,numbers:f,palette:m,hidden:h,range:b,height:d});w&&es(`${s}.png`,w)}),a=Ql("curves-bar");return a.append(this.readout,t,this.whole,l,o),a}height=t=>({1:270,2:200}[this.entry.panels.length]??158)+(t?Ns:6);pane(t){let{entry:s,numbers:l,palette:o}=this,a=s.panels[t],u=t===s.panels.length-1,f=l.panels[t];o.onPaper=!0;let m=new pn(a.lines,k=>o.line(k.colour),{toggled:(k,C)=>this.toggle(k,C),lifted:k=>this.lift(k)});o.onPaper=!1;let h=Tn({panel:a,palette:o,last:u,values:f,across:l.across,logAcross:s.across.log,width:this.width,height:this.height(u),magnified:1,shared:{key:`curves ${s.across.name} ${s.across.unit}`,listens:()=>this.seen},onCursor:k=>{m.at(k==null?null:f.map(C=>C[k])),t===0&&this.read(k)},onRange:(k,C)=>this.enlarge(k,C)});this.panes.push({plot:h,legend:m}),t===0&&this.keys(h);let b=Ql("curves-heading"),d=document.createElement("b");d.textContent=kl(a.title,a.unit);let w=document.createElement("span");w.textContent=a.remark,b.append(d,w);let P=Ql("curves-panel");return P.append(b,m.element,h.root),P}below(){let{entry:t}=this,s=Ql("curves-below"),l=a=>String(a).replace(/\B(?=(\d{3})+$)/g," ");t.of_rows>t.rows&&s.append(at.thinned(l(t.rows),l(t.of_rows)));let o=document.createElement("span");return o.textContent=kl(Zt(t),t.across.unit),s.append(o),s}read(t){let{across:s}=this.entry,l=t==null?"":`${Zt(this.entry)} ${cn(this.numbers.across[t])} ${s.unit}`;this.readout.textContent=l}toggle(t,s){let o=[...new Set(this.entry.panels.flatMap(a=>a.lines.map(u=>u.name)))].filter(a=>a!==t);if(s){let a=!this.hidden.has(t)&&o.every(u=>this.hidden.has(u));this.hidden=new Set(a?[]:o)}else this.hidden.delete(t)||this.hidden.add(t);this.choose()}choose(){this.panes.forEach(({plot:t,legend:s},l)=>{this.entry.panels[l].lines.forEach((o,a)=>{let u=!this.hidden.has(o.name);t.series[a+1].show!==u&&t.setSeries(a+1,{show:u})}),s.show(this.hidden)})}lift(t){this.panes.forEach(({plot:s},l)=>{let o=this.entry.panels[l].lines.findIndex(a=>a.name===t&&!this.hidden.has(a.name));s.setSeries(o<0?null:o+1,{focus:o>=0})})}enlarge(t,s){this.range=[t,s];let[l,o]=this.ends;this.whole.disabled=t<=l&&s>=o;for(let{plot:a}of this.panes)(a.scales.x.min!==t||a.scales.x.max!==s)&&a.setScale("x",{min:t,max:s})}keys(t){let{across:s}=this.numbers;t.over.tabIndex=0,t.over.setAttribute("role","slider"),t.over.setAttribute("aria-label",at.axes(this.entry.title)),t.over.setAttribute("aria-valuemin",String(s[0])),t.over.setAttribute("aria-valuemax",String(s[s.length-1])),t.over.setAttribute("aria-valuenow",String(s[0])),t.over.addEventListener("keydown",l=>{let o=l.shiftKey?20:1,a=Math.min(s.length-1,Math.max(0,t.cursor.idx??0)),[u,f]=this.range,m={"+":(f-u)/4,"=":(f-u)/4,"-":f-u}[l.key];if(l.key==="ArrowLeft"||l.key==="ArrowRight"){let h=Math.min(s.length-1,Math.max(0,a+(l.key==="ArrowLeft"?-o:o)));this.point(h)}else if(m!==void 0){let[h,b]=this.ends,d=t.cursor.idx==null?(u+f)/2:s[a];this.enlarge(Math.max(h,d-m),Math.min(b,d+m)),this.point(a)}else if(l.key==="Escape")this.enlarge(...this.ends);else return;l.preventDefault()})}point(t){let s=this.numbers.across[t];for(let{plot:l}of this.panes)l.setCursor({left:l.valToPos(s,"x"),top:0});this.panes[0].plot.over.setAttribute("aria-valuenow",String(s)),this.panes[0].plot.over.setAttribute("aria-valuetext",this.readout.textContent??"")}get width(){return this.element.clientWidth||this.drawing.parentElement?.clientWidth||940}follow(){new ResizeObserver(()=>{let t=this.element.clientWidth;if(t)for(let{plot:s}of this.panes)s.width!==t&&s.setSize({width:t,height:s.height})}).observe(this.element),new IntersectionObserver(t=>{this.seen=t[t.length-1].isIntersecting}).observe(this.element),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",()=>{for(let{plot:t}of this.panes)t.redraw(!1,!0)})}};function Ql(e){let t=document.createElement("div");return t.className=e,t}function Vs(e,t,s){let l=document.createElement("button");return l.type="button",l.textContent=e,l.title=t,l.setAttribute("aria-label",t),l.addEventListener("click",s),l}var Du="600px";function qi(){let e=po("curves-data");if(!e)return;let t=document.createElement("style");t.textContent=fo+ho,document.head.append(t);let s=new IntersectionObserver(l=>{for(let o of l.filter(a=>a.isIntersecting))s.unobserve(o.target),Cu(o.target,e)},{rootMargin:Du});for(let l of document.querySelectorAll("figure[data-curves]"))s.observe(l)}async function Cu(e,t){let s=e.dataset.curves??"",l=e.querySelector(":scope > svg"),o=t[s];if(!(!o||!l||o.rows<2))try{let a=new Pn(s,o,await go(o),l);e.classList.add("answers"),l.after(a.element)}catch{}}qi();})();
+`;function ya(n,e){return document.documentElement.lang.startsWith("zh")?e:n}var li=ya({time:"time",csv:"Save the numbers of this figure as CSV",png:"Save this figure as PNG",whole:"whole length",wholeHint:"Show the whole length again",hint:"drag: enlarge · double-click: whole length · name: off and on",line:n=>`${n}: off and on; with Shift alone`,axes:n=>`${n}. Left and right move the cursor, plus and minus enlarge and reduce, Escape shows all.`,thinned:(n,e)=>`Shown are ${n} of ${e} rows: in every stretch of the history those in which a curve is largest or smallest.`},{time:"时间",csv:"将本图数据存为 CSV",png:"将本图存为 PNG",whole:"全程",wholeHint:"恢复显示全程",hint:"拖动放大 · 双击复原 · 点名称开关曲线",line:n=>`${n}：点击开关，按住 Shift 只看此线`,axes:n=>`${n}。左右键移动光标，加减键缩放，Esc 键复原。`,thinned:(n,e)=>`显示 ${e} 行中的 ${n} 行：各时段内任一曲线取最大值或最小值的行。`});function _r(n,e){return e?`${n} (${e})`:n}function Bs(n){return n.across.name||li.time}async function Qf(n){let[e,t]=await Promise.all([rh(n.across_block),rh(n.block)]),i=0,s=()=>{let r=t.subarray(i*n.rows,++i*n.rows);return Array.from(r,o=>Number.isFinite(o)?o:null)};return{across:Array.from(e),panels:n.panels.map(r=>r.lines.map(s))}}function oh(n,e){let t=document.createElement("a");t.href=URL.createObjectURL(e),t.download=n,t.click(),setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ed(n,e){let t=e?`${n} [${e}]`:n;return/[",\n]/.test(t)?`"${t.replaceAll('"','""')}"`:t}function td(n){return n==null?"":String(Number(n.toPrecision(7)))}function nd(n,{across:e,panels:t}){let i=n.panels.length>1,s=n.panels.flatMap(a=>a.lines.map(c=>ed(i||!c.name?`${a.title}: ${c.name}`:c.name,a.unit))),r=t.flat(),o=e.map((a,c)=>[td(a),...r.map(l=>td(l[c]))].join(","));return[[ed(Bs(n),n.across.unit),...s].join(","),...o,""].join(`
+`)}function va(n,e=4){if(n==null)return"–";if(n===0)return"0";let t=Math.abs(n),i=n<0?"−":"";if(t>=1e6||t<1e-4)return i+id(t,e);let s=Math.max(0,e-1-Math.floor(Math.log10(t)));return i+t.toFixed(s)}function id(n,e){let[t,i]=n.toExponential(e-1).split("e");return`${t} × 10${O0(Number(i))}`}function O0(n){let e=[...String(Math.abs(n))].map(t=>"⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(t)]).join("");return(n<0?"⁻":"")+e}function ah(n,e){let t=n.filter(o=>o!=null),i=t.length>1?Math.min(...t.slice(1).map((o,a)=>Math.abs(o-t[a]))):Math.abs(t[0]??1),s=Math.min(12,Math.max(0,-Math.floor(Math.log10(i||1)+1e-9))),r=o=>{if(o===0)return"0";let a=Math.abs(o),c=o<0?"−":"";return a>=1e6||a<1e-4?c+id(a,2).replace(/\.0(?= )/,"").replace(/^1 × /,""):c+(e?String(Number(a.toPrecision(6))):a.toFixed(s))};return n.map(o=>o==null?"":r(o))}var sd={s0:"#0072B2",s1:"#D55E00",s2:"#009E73",s3:"#333333",s4:"#CC79A7",s5:"#E69F00",s6:"#56B4E9",ink:"#1f2933",muted:"#5b6773",grid:"#e2e6ea",axis:"#8b95a1",paper:"#ffffff"},Sa=class{onPaper=!1;known=new Map;probe=document.createElementNS("http://www.w3.org/2000/svg","svg");constructor(){this.probe.setAttribute("class","curves-probe");for(let[e,t]of Object.entries(sd)){let i=document.createElementNS(this.probe.namespaceURI,"path");i.setAttribute("class",e),i.setAttribute("stroke",t),i.setAttribute("fill",t),this.probe.append(i)}matchMedia("(prefers-color-scheme: dark)").addEventListener("change",()=>this.known.clear())}of(e,t){let i=`${e} ${t} ${this.onPaper}`,s=this.known.get(i);if(s===void 0){let r=this.probe.querySelector(`.${e}`);s=this.onPaper||!r?.isConnected?sd[e]:getComputedStyle(r)[t],(r?.isConnected||this.onPaper)&&this.known.set(i,s)}return s}line=e=>this.of(`s${e%7}`,"stroke");ink=()=>this.of("ink","fill");muted=()=>this.of("muted","fill");grid=()=>this.of("grid","stroke");axis=()=>this.of("axis","stroke");paper=()=>this.of("paper","fill")};function xr(n,e){let t=n==="broad"?4.2:1.4;return n==="dashed"||e>=7?{width:t,dash:[6,3]}:{width:t}}var ba=class{constructor(e,t,i){this.lines=e;this.element.className="curves-legend",this.element.setAttribute("role","group"),this.buttons=e.map((s,r)=>this.entry(s,t(s),r,i)),this.element.append(...this.buttons),this.element.addEventListener("keydown",s=>this.moved(s))}lines;element=document.createElement("div");buttons;values=[];entry(e,t,i,s){let r=document.createElement("button");r.type="button",r.title=li.line(e.name),r.tabIndex=i===0?0:-1;let o=document.createElement("data");r.append(B0(e,t),e.name,o),this.values.push(o),r.addEventListener("click",a=>s.toggled(e.name,a.shiftKey));for(let a of["pointerenter","focus"])r.addEventListener(a,()=>s.lifted(e.name));for(let a of["pointerleave","blur"])r.addEventListener(a,()=>s.lifted(null));return r}moved(e){let t={ArrowRight:1,ArrowDown:1,ArrowLeft:-1,ArrowUp:-1}[e.key],i=this.buttons.indexOf(document.activeElement);if(!t||i<0)return;e.preventDefault();let s=this.buttons[(i+t+this.buttons.length)%this.buttons.length];for(let r of this.buttons)r.tabIndex=r===s?0:-1;s.focus()}show(e){this.lines.forEach((t,i)=>this.buttons[i].setAttribute("aria-pressed",String(!e.has(t.name))))}at(e){this.values.forEach((t,i)=>{t.textContent=e?va(e[i]):"",t.value=e?.[i]==null?"":String(Number(e[i].toPrecision(7)))})}};function B0(n,e){let t="http://www.w3.org/2000/svg",i=document.createElementNS(t,"svg");i.setAttribute("viewBox","0 0 18 8"),i.setAttribute("aria-hidden","true");let s=document.createElementNS(t,"path"),{width:r,dash:o}=xr(n.stroke,n.colour);return s.setAttribute("class",`s${n.colour%7}`),s.setAttribute("stroke",e),s.setAttribute("stroke-width",String(Math.max(r,2.4))),o&&s.setAttribute("stroke-dasharray",o.join(" ")),s.setAttribute("d","M0 4h18"),i.append(s),i}var k0="uplot",z0="u-hz",V0="u-vt",G0="u-title",H0="u-wrap",W0="u-under",X0="u-over",q0="u-axis",Vs="u-off",Y0="u-select",Z0="u-cursor-x",$0="u-cursor-y",K0="u-cursor-pt",J0="u-legend",j0="u-live",Q0="u-inline",e_="u-series",t_="u-marker",rd="u-label",n_="u-value",go="width",_o="height";var od="bottom",yr="left",lh="right",Eh="#000",ad=Eh+"0",ch="mousemove",ld="mousedown",hh="mouseup",cd="mouseenter",hd="mouseleave",ud="dblclick",i_="resize",s_="scroll",fd="change",Ta="dppxchange",Ah="--",Ar=typeof window<"u",mh=Ar?document:null,Sr=Ar?window:null,r_=Ar?navigator:null,Tt,Ma;function gh(){let n=devicePixelRatio;Tt!=n&&(Tt=n,Ma&&xh(fd,Ma,gh),Ma=matchMedia(`(min-resolution: ${Tt-.001}dppx) and (max-resolution: ${Tt+.001}dppx)`),Gs(fd,Ma,gh),Sr.dispatchEvent(new CustomEvent(Ta)))}function Yn(n,e){if(e!=null){let t=n.classList;!t.contains(e)&&t.add(e)}}function _h(n,e){let t=n.classList;t.contains(e)&&t.remove(e)}function Ht(n,e,t){n.style[e]=t+"px"}function xi(n,e,t,i){let s=mh.createElement(n);return e!=null&&Yn(s,e),t?.insertBefore(s,i),s}function ci(n,e){return xi("div",n,e)}var dd=new WeakMap;function Oi(n,e,t,i,s){let r="translate("+e+"px,"+t+"px)",o=dd.get(n);r!=o&&(n.style.transform=r,dd.set(n,r),e<0||t<0||e>i||t>s?Yn(n,Vs):_h(n,Vs))}var pd=new WeakMap;function md(n,e,t){let i=e+t,s=pd.get(n);i!=s&&(pd.set(n,i),n.style.background=e,n.style.borderColor=t)}var gd=new WeakMap;function _d(n,e,t,i){let s=e+""+t,r=gd.get(n);s!=r&&(gd.set(n,s),n.style.height=t+"px",n.style.width=e+"px",n.style.marginLeft=i?-e/2+"px":0,n.style.marginTop=i?-t/2+"px":0)}var Th={passive:!0},o_={...Th,capture:!0};function Gs(n,e,t,i){e.addEventListener(n,t,i?o_:Th)}function xh(n,e,t,i){e.removeEventListener(n,t,Th)}Ar&&gh();function yi(n,e,t,i){let s;t=t||0,i=i||e.length-1;let r=i<=2147483647;for(;i-t>1;)s=r?t+i>>1:Zn((t+i)/2),e[s]<n?t=s:i=s;return n-e[t]<=e[i]-n?t:i}function Xd(n){return(t,i,s)=>{let r=-1,o=-1;for(let a=i;a<=s;a++)if(n(t[a])){r=a;break}for(let a=s;a>=i;a--)if(n(t[a])){o=a;break}return[r,o]}}var qd=n=>n!=null,Yd=n=>n!=null&&n>0,Pa=Xd(qd),a_=Xd(Yd);function l_(n,e,t,i=0,s=!1){let r=s?a_:Pa,o=s?Yd:qd;[e,t]=r(n,e,t);let a=n[e],c=n[e];if(e>-1)if(i==1)a=n[e],c=n[t];else if(i==-1)a=n[t],c=n[e];else for(let l=e;l<=t;l++){let h=n[l];o(h)&&(h<a?a=h:h>c&&(c=h))}return[a??Ot,c??-Ot]}function Ia(n,e,t,i){let s=vd(n),r=vd(e);n==e&&(s==-1?(n*=t,e/=t):(n/=t,e*=t));let o=t==10?$i:Zd,a=s==1?Zn:hi,c=r==1?hi:Zn,l=a(o(dn(n))),h=c(o(dn(e))),u=br(t,l),f=br(t,h);return t==10&&(l<0&&(u=Bt(u,-l)),h<0&&(f=Bt(f,-h))),i||t==2?(n=u*s,e=f*r):(n=jd(n,u),e=La(e,f)),[n,e]}function Ch(n,e,t,i){let s=Ia(n,e,t,i);return n==0&&(s[0]=0),e==0&&(s[1]=0),s}var Rh=.1,xd={mode:3,pad:Rh},yo={pad:0,soft:null,mode:0},c_={min:yo,max:yo};function Ca(n,e,t,i){return Da(t)?yd(n,e,t):(yo.pad=t,yo.soft=i?0:null,yo.mode=i?3:0,yd(n,e,c_))}function Et(n,e){return n??e}function h_(n,e,t){for(e=Et(e,0),t=Et(t,n.length-1);e<=t;){if(n[e]!=null)return!0;e++}return!1}function yd(n,e,t){let i=t.min,s=t.max,r=Et(i.pad,0),o=Et(s.pad,0),a=Et(i.hard,-Ot),c=Et(s.hard,Ot),l=Et(i.soft,Ot),h=Et(s.soft,-Ot),u=Et(i.mode,0),f=Et(s.mode,0),d=e-n,m=$i(d),y=Fn(dn(n),dn(e)),p=$i(y),g=dn(p-m);(d<1e-24||g>10)&&(d=0,(n==0||e==0)&&(d=1e-24,u==2&&l!=Ot&&(r=0),f==2&&h!=-Ot&&(o=0)));let v=d||y||1e3,T=$i(v),b=br(10,Zn(T)),R=v*(d==0?n==0?.1:1:r),E=Bt(jd(n-R,b/10),24),x=n>=l&&(u==1||u==3&&E<=l||u==2&&E>=l)?l:Ot,A=Fn(a,E<x&&n>=x?x:vi(x,E)),k=v*(d==0?e==0?.1:1:o),I=Bt(La(e+k,b/10),24),L=e<=h&&(f==1||f==3&&I>=h||f==2&&I<=h)?h:-Ot,z=vi(c,I>L&&e<=L?L:Fn(L,I));return A==z&&A==0&&(z=100),[A,z]}var u_=new Intl.NumberFormat(Ar?r_.language:"en-US"),Ph=n=>u_.format(n),$n=Math,Aa=$n.PI,dn=$n.abs,Zn=$n.floor,fn=$n.round,hi=$n.ceil,vi=$n.min,Fn=$n.max,br=$n.pow,vd=$n.sign,$i=$n.log10,Zd=$n.log2,f_=(n,e=1)=>$n.sinh(n)*e,uh=(n,e=1)=>$n.asinh(n/e),Ot=1/0;function Sd(n){return($i((n^n>>31)-(n>>31))|0)+1}function yh(n,e,t){return vi(Fn(n,e),t)}function $d(n){return typeof n=="function"}function St(n){return $d(n)?n:()=>n}var d_=()=>{},Kd=n=>n,Jd=(n,e)=>e,p_=n=>null,bd=n=>!0,Md=(n,e)=>n==e,m_=/\.\d*?(?=9{6,}|0{6,})/gm,Hs=n=>{if(ep(n)||_s.has(n))return n;let e=`${n}`,t=e.match(m_);if(t==null)return n;let i=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+`${Hs(s)}e${r}`}return Bt(n,i)};function ks(n,e){return Hs(Bt(Hs(n/e))*e)}function La(n,e){return Hs(hi(Hs(n/e))*e)}function jd(n,e){return Hs(Zn(Hs(n/e))*e)}function Bt(n,e=0){if(ep(n))return n;let t=10**e,i=n*t*(1+Number.EPSILON);return fn(i)/t}var _s=new Map;function Qd(n){return((""+n).split(".")[1]||"").length}function So(n,e,t,i){let s=[],r=i.map(Qd);for(let o=e;o<t;o++){let a=dn(o),c=Bt(br(n,o),a);for(let l=0;l<i.length;l++){let h=n==10?+`${i[l]}e${o}`:i[l]*c,u=(o>=0?0:a)+(o>=r[l]?0:r[l]),f=n==10?h:Bt(h,u);s.push(f),_s.set(f,u)}}return s}var vo={},Ih=[],Mr=[null,null],gs=Array.isArray,ep=Number.isInteger,g_=n=>n===void 0;function wd(n){return typeof n=="string"}function Da(n){let e=!1;if(n!=null){let t=n.constructor;e=t==null||t==Object}return e}function __(n){return n!=null&&typeof n=="object"}var x_=Object.getPrototypeOf(Uint8Array),tp="__proto__";function wr(n,e=Da){let t;if(gs(n)){let i=n.find(s=>s!=null);if(gs(i)||e(i)){t=Array(n.length);for(let s=0;s<n.length;s++)t[s]=wr(n[s],e)}else t=n.slice()}else if(n instanceof x_)t=n.slice();else if(e(n)){t={};for(let i in n)i!=tp&&(t[i]=wr(n[i],e))}else t=n;return t}function cn(n){let e=arguments;for(let t=1;t<e.length;t++){let i=e[t];for(let s in i)s!=tp&&(Da(n[s])?cn(n[s],wr(i[s])):n[s]=wr(i[s]))}return n}var y_=0,v_=1,S_=2;function b_(n,e,t){for(let i=0,s,r=-1;i<e.length;i++){let o=e[i];if(o>r){for(s=o-1;s>=0&&n[s]==null;)n[s--]=null;for(s=o+1;s<t&&n[s]==null;)n[r=s++]=null}}}function M_(n,e){if(A_(n)){let o=n[0].slice();for(let a=1;a<n.length;a++)o.push(...n[a].slice(1));return T_(o[0])||(o=E_(o)),o}let t=new Set;for(let o=0;o<n.length;o++){let c=n[o][0],l=c.length;for(let h=0;h<l;h++)t.add(c[h])}let i=[Array.from(t).sort((o,a)=>o-a)],s=i[0].length,r=new Map;for(let o=0;o<s;o++)r.set(i[0][o],o);for(let o=0;o<n.length;o++){let a=n[o],c=a[0];for(let l=1;l<a.length;l++){let h=a[l],u=Array(s).fill(void 0),f=e?e[o][l]:v_,d=[];for(let m=0;m<h.length;m++){let y=h[m],p=r.get(c[m]);y===null?f!=y_&&(u[p]=y,f==S_&&d.push(p)):u[p]=y}b_(u,d,s),i.push(u)}}return i}var w_=typeof queueMicrotask>"u"?n=>Promise.resolve().then(n):queueMicrotask;function E_(n){let e=n[0],t=e.length,i=Array(t);for(let r=0;r<i.length;r++)i[r]=r;i.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<n.length;r++){let o=n[r],a=Array(t);for(let c=0;c<t;c++)a[c]=o[i[c]];s.push(a)}return s}function A_(n){let e=n[0][0],t=e.length;for(let i=1;i<n.length;i++){let s=n[i][0];if(s.length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function T_(n,e=100){let t=n.length;if(t<=1)return!0;let i=0,s=t-1;for(;i<=s&&n[i]==null;)i++;for(;s>=i&&n[s]==null;)s--;if(s<=i)return!0;let r=Fn(1,Zn((s-i+1)/e));for(let o=n[i],a=i+r;a<=s;a+=r){let c=n[a];if(c!=null){if(c<=o)return!1;o=c}}return!0}var np=["January","February","March","April","May","June","July","August","September","October","November","December"],ip=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function sp(n){return n.slice(0,3)}var C_=ip.map(sp),R_=np.map(sp),P_={MMMM:np,MMM:R_,WWWW:ip,WWW:C_};function mo(n){return(n<10?"0":"")+n}function I_(n){return(n<10?"00":n<100?"0":"")+n}var L_={YYYY:n=>n.getFullYear(),YY:n=>(n.getFullYear()+"").slice(2),MMMM:(n,e)=>e.MMMM[n.getMonth()],MMM:(n,e)=>e.MMM[n.getMonth()],MM:n=>mo(n.getMonth()+1),M:n=>n.getMonth()+1,DD:n=>mo(n.getDate()),D:n=>n.getDate(),WWWW:(n,e)=>e.WWWW[n.getDay()],WWW:(n,e)=>e.WWW[n.getDay()],HH:n=>mo(n.getHours()),H:n=>n.getHours(),h:n=>{let e=n.getHours();return e==0?12:e>12?e-12:e},AA:n=>n.getHours()>=12?"PM":"AM",aa:n=>n.getHours()>=12?"pm":"am",a:n=>n.getHours()>=12?"p":"a",mm:n=>mo(n.getMinutes()),m:n=>n.getMinutes(),ss:n=>mo(n.getSeconds()),s:n=>n.getSeconds(),fff:n=>I_(n.getMilliseconds())};function Lh(n,e){e=e||P_;let t=[],i=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=i.exec(n);)t.push(s[0][0]=="{"?L_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var D_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function N_(n,e){let t;return e=="UTC"||e=="Etc/UTC"?t=new Date(+n+n.getTimezoneOffset()*6e4):e==D_?t=n:(t=new Date(n.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(n.getMilliseconds())),t}var rp=n=>n%1==0,Ra=[1,2,2.5,5],U_=So(10,-32,0,Ra),op=So(10,0,32,Ra),F_=op.filter(rp),zs=U_.concat(op),Dh=`
+`,ap="{YYYY}",Ed=Dh+ap,lp="{M}/{D}",xo=Dh+lp,wa=xo+"/{YY}",cp="{aa}",O_="{h}:{mm}",vr=O_+cp,Ad=Dh+vr,Td=":{ss}",Rt=null;function hp(n){let e=n*1e3,t=e*60,i=t*60,s=i*24,r=s*30,o=s*365,c=(n==1?So(10,0,3,Ra).filter(rp):So(10,-3,0,Ra)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,i,i*2,i*3,i*4,i*6,i*8,i*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),l=[[o,ap,Rt,Rt,Rt,Rt,Rt,Rt,1],[s*28,"{MMM}",Ed,Rt,Rt,Rt,Rt,Rt,1],[s,lp,Ed,Rt,Rt,Rt,Rt,Rt,1],[i,"{h}"+cp,wa,Rt,xo,Rt,Rt,Rt,1],[t,vr,wa,Rt,xo,Rt,Rt,Rt,1],[e,Td,wa+" "+vr,Rt,xo+" "+vr,Rt,Ad,Rt,1],[n,Td+".{fff}",wa+" "+vr,Rt,xo+" "+vr,Rt,Ad,Rt,1]];function h(u){return(f,d,m,y,p,g)=>{let v=[],T=p>=o,b=p>=r&&p<o,R=u(m),E=Bt(R*n,3),x=fh(R.getFullYear(),T?0:R.getMonth(),b||T?1:R.getDate()),A=Bt(x*n,3);if(b||T){let k=b?p/r:0,I=T?p/o:0,L=E==A?E:Bt(fh(x.getFullYear()+I,x.getMonth()+k,1)*n,3),z=new Date(fn(L/n)),H=z.getFullYear(),N=z.getMonth();for(let G=0;L<=y;G++){let Y=fh(H+I*G,N+k*G,1),B=Y-u(Bt(Y*n,3));L=Bt((+Y+B)*n,3),L<=y&&v.push(L)}}else{let k=p>=s?s:p,I=Zn(m)-Zn(E),L=A+I+La(E-A,k);v.push(L);let z=u(L),H=z.getHours()+z.getMinutes()/t+z.getSeconds()/i,N=p/i,G=f.axes[d]._space,Y=g/G;for(;L=Bt(L+p,n==1?0:3),!(L>y);)if(N>1){let B=Zn(Bt(H+N,6))%24,J=u(L).getHours()-B;J>1&&(J=-1),L-=J*i,H=(H+N)%24;let ne=v[v.length-1];Bt((L-ne)/p,3)*Y>=.7&&v.push(L)}else v.push(L)}return v}}return[c,l,h]}var[B_,k_,z_]=hp(1),[V_,G_,H_]=hp(.001);So(2,-53,53,[1]);function Cd(n,e){return n.map(t=>t.map((i,s)=>s==0||s==8||i==null?i:e(s==1||t[8]==0?i:t[1]+i)))}function Rd(n,e){return(t,i,s,r,o)=>{let a=e.find(m=>o>=m[0])||e[e.length-1],c,l,h,u,f,d;return i.map(m=>{let y=n(m),p=y.getFullYear(),g=y.getMonth(),v=y.getDate(),T=y.getHours(),b=y.getMinutes(),R=y.getSeconds(),E=p!=c&&a[2]||g!=l&&a[3]||v!=h&&a[4]||T!=u&&a[5]||b!=f&&a[6]||R!=d&&a[7]||a[1];return c=p,l=g,h=v,u=T,f=b,d=R,E(y)})}}function W_(n,e){let t=Lh(e);return(i,s,r,o,a)=>s.map(c=>t(n(c)))}function fh(n,e,t){return new Date(n,e,t)}function Pd(n,e){return e(n)}var X_="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Id(n,e){return(t,i,s,r)=>r==null?Ah:e(n(i))}function q_(n,e){let t=n.series[e];return t.width?t.stroke(n,e):t.points.width?t.points.stroke(n,e):null}function Y_(n,e){return n.series[e].fill(n,e)}var Z_={show:!0,live:!0,isolate:!1,mount:d_,markers:{show:!0,width:2,stroke:q_,fill:Y_,dash:"solid"},idx:null,idxs:null,values:[]};function $_(n,e){let t=n.cursor.points,i=ci(),s=t.size(n,e);Ht(i,go,s),Ht(i,_o,s);let r=s/-2;Ht(i,"marginLeft",r),Ht(i,"marginTop",r);let o=t.width(n,e,s);return o&&Ht(i,"borderWidth",o),i}function K_(n,e){let t=n.series[e].points;return t._fill||t._stroke}function J_(n,e){let t=n.series[e].points;return t._stroke||t._fill}function j_(n,e){return n.series[e].points.size}var dh=[0,0];function Q_(n,e,t){return dh[0]=e,dh[1]=t,dh}function Ea(n,e,t,i=!0){return s=>{s.button==0&&(!i||s.target==e)&&t(s)}}function ph(n,e,t,i=!0){return s=>{(!i||s.target==e)&&t(s)}}var ex={show:!0,x:!0,y:!0,lock:!1,move:Q_,points:{one:!1,show:$_,size:j_,width:0,stroke:J_,fill:K_},bind:{mousedown:Ea,mouseup:Ea,click:Ea,dblclick:Ea,mousemove:ph,mouseleave:ph,mouseenter:ph},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(n,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(n,e,t,i,s)=>i-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},up={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Nh=cn({},up,{filter:Jd}),fp=cn({},Nh,{size:10}),dp=cn({},up,{show:!1}),Uh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',pp="bold "+Uh,mp=1.5,Ld={show:!0,scale:"x",stroke:Eh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:pp,side:2,grid:Nh,ticks:fp,border:dp,font:Uh,lineGap:mp,rotate:0},tx="Value",nx="Time",Dd={show:!0,scale:"x",auto:!1,sorted:1,min:Ot,max:-Ot,idxs:[]};function ix(n,e,t,i,s){return e.map(r=>r==null?"":Ph(r))}function sx(n,e,t,i,s,r,o){let a=[],c=_s.get(s)||0;t=o?t:Bt(La(t,s),c);for(let l=t;l<=i;l=Bt(l+s,c))a.push(Object.is(l,-0)?0:l);return a}function vh(n,e,t,i,s,r,o){let a=[],c=n.scales[n.axes[e].scale].log,l=c==10?$i:Zd,h=Zn(l(t));s=br(c,h),c==10&&(s=zs[yi(s,zs)]);let u=t,f=s*c;c==10&&(f=zs[yi(f,zs)]);do a.push(u),u=u+s,c==10&&!_s.has(u)&&(u=Bt(u,_s.get(s))),u>=f&&(s=u,f=s*c,c==10&&(f=zs[yi(f,zs)]));while(u<=i);return a}function rx(n,e,t,i,s,r,o){let c=n.scales[n.axes[e].scale].asinh,l=i>c?vh(n,e,Fn(c,t),i,s):[c],h=i>=0&&t<=0?[0]:[];return(t<-c?vh(n,e,Fn(c,-i),-t,s):[c]).reverse().map(f=>-f).concat(h,l)}var gp=/./,ox=/[12357]/,ax=/[125]/,Nd=/1/,Sh=(n,e,t,i)=>n.map((s,r)=>e==4&&s==0||r%i==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function lx(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=n.scales[o],c=n.valToPos,l=r._space,h=c(10,o),u=c(9,o)-h>=l?gp:c(7,o)-h>=l?ox:c(5,o)-h>=l?ax:Nd;if(u==Nd){let f=dn(c(1,o)-h);if(f<l)return Sh(e.slice().reverse(),a.distr,u,hi(l/f)).reverse()}return Sh(e,a.distr,u,1)}function cx(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=r._space,c=n.valToPos,l=dn(c(1,o)-c(2,o));return l<a?Sh(e.slice().reverse(),3,gp,hi(a/l)).reverse():e}function hx(n,e,t,i){return i==null?Ah:e==null?"":Ph(e)}var Ud={show:!0,scale:"y",stroke:Eh,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:pp,side:3,grid:Nh,ticks:fp,border:dp,font:Uh,lineGap:mp,rotate:0};function ux(n,e){let t=3+(n||1)*2;return Bt(t*e,3)}function fx(n,e){let{scale:t,idxs:i}=n.series[0],s=n._data[0],r=n.valToPos(s[i[0]],t,!0),o=n.valToPos(s[i[1]],t,!0),a=dn(o-r),c=n.series[e],l=a/(c.points.space*Tt);return i[1]-i[0]<=l}var Fd={scale:null,auto:!0,sorted:0,min:Ot,max:-Ot},_p=(n,e,t,i,s)=>s,Od={show:!0,auto:!0,sorted:0,gaps:_p,alpha:1,facets:[cn({},Fd,{scale:"x"}),cn({},Fd,{scale:"y"})]},Bd={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:_p,alpha:1,points:{show:fx,filter:null},values:null,min:Ot,max:-Ot,idxs:[],path:null,clip:null};function dx(n,e,t,i,s){return t/10}var xp={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},px=cn({},xp,{time:!1,ori:1}),kd={};function yp(n,e){let t=kd[n];return t||(t={key:n,plots:[],sub(i){t.plots.push(i)},unsub(i){t.plots=t.plots.filter(s=>s!=i)},pub(i,s,r,o,a,c,l){for(let h=0;h<t.plots.length;h++)t.plots[h]!=s&&t.plots[h].pub(i,s,r,o,a,c,l)}},n!=null&&(kd[n]=t)),t}var Er=1,bh=2;function Ws(n,e,t){let i=n.mode,s=n.series[e],r=i==2?n._data[e]:n._data,o=n.scales,a=n.bbox,c=r[0],l=i==2?r[1]:r[e],h=i==2?o[s.facets[0].scale]:o[n.series[0].scale],u=i==2?o[s.facets[1].scale]:o[s.scale],f=a.left,d=a.top,m=a.width,y=a.height,p=n.valToPosH,g=n.valToPosV;return h.ori==0?t(s,c,l,h,u,p,g,f,d,m,y,Ua,Tr,Oa,Sp,Mp):t(s,c,l,h,u,g,p,d,f,y,m,Fa,Cr,Bh,bp,wp)}function Fh(n,e){let t=0,i=0,s=Et(n.bands,Ih);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?i|=1:i|=2)}return[t,i==1?-1:i==2?1:i==3?2:0]}function mx(n,e,t,i,s){let r=n.mode,o=n.series[e],a=r==2?o.facets[1].scale:o.scale,c=n.scales[a];return s==-1?c.min:s==1?c.max:c.distr==3?c.dir==1?c.min:c.max:0}function Ki(n,e,t,i,s,r){return Ws(n,e,(o,a,c,l,h,u,f,d,m,y,p)=>{let g=o.pxRound,v=l.dir*(l.ori==0?1:-1),T=l.ori==0?Tr:Cr,b,R;v==1?(b=t,R=i):(b=i,R=t);let E=g(u(a[b],l,y,d)),x=g(f(c[b],h,p,m)),A=g(u(a[R],l,y,d)),k=g(f(r==1?h.max:h.min,h,p,m)),I=new Path2D(s);return T(I,A,k),T(I,E,k),T(I,E,x),I})}function Na(n,e,t,i,s,r){let o=null;if(n.length>0){o=new Path2D;let a=e==0?Oa:Bh,c=t;for(let u=0;u<n.length;u++){let f=n[u];if(f[1]>f[0]){let d=f[0]-c;d>0&&a(o,c,i,d,i+r),c=f[1]}}let l=t+s-c,h=10;l>0&&a(o,c,i-h/2,l,i+r+h)}return o}function gx(n,e,t){let i=n[n.length-1];i&&i[0]==e?i[1]=t:n.push([e,t])}function Oh(n,e,t,i,s,r,o){let a=[],c=n.length;for(let l=s==1?t:i;l>=t&&l<=i;l+=s)if(e[l]===null){let u=l,f=l;if(s==1)for(;++l<=i&&e[l]===null;)f=l;else for(;--l>=t&&e[l]===null;)f=l;let d=r(n[u]),m=f==u?d:r(n[f]),y=u-s;d=o<=0&&y>=0&&y<c?r(n[y]):d;let g=f+s;m=o>=0&&g>=0&&g<c?r(n[g]):m,m>=d&&a.push([d,m])}return a}function zd(n){return n==0?Kd:n==1?fn:e=>ks(e,n)}function vp(n){let e=n==0?Ua:Fa,t=n==0?(s,r,o,a,c,l)=>{s.arcTo(r,o,a,c,l)}:(s,r,o,a,c,l)=>{s.arcTo(o,r,c,a,l)},i=n==0?(s,r,o,a,c)=>{s.rect(r,o,a,c)}:(s,r,o,a,c)=>{s.rect(o,r,c,a)};return(s,r,o,a,c,l=0,h=0)=>{l==0&&h==0?i(s,r,o,a,c):(l=vi(l,a/2,c/2),h=vi(h,a/2,c/2),e(s,r+l,o),t(s,r+a,o,r+a,o+c,l),t(s,r+a,o+c,r,o+c,h),t(s,r,o+c,r,o,h),t(s,r,o,r+a,o,l),s.closePath())}}var Ua=(n,e,t)=>{n.moveTo(e,t)},Fa=(n,e,t)=>{n.moveTo(t,e)},Tr=(n,e,t)=>{n.lineTo(e,t)},Cr=(n,e,t)=>{n.lineTo(t,e)},Oa=vp(0),Bh=vp(1),Sp=(n,e,t,i,s,r)=>{n.arc(e,t,i,s,r)},bp=(n,e,t,i,s,r)=>{n.arc(t,e,i,s,r)},Mp=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(e,t,i,s,r,o)},wp=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(t,e,s,i,o,r)};function Ep(n){return(e,t,i,s,r)=>Ws(e,t,(o,a,c,l,h,u,f,d,m,y,p)=>{let{pxRound:g,points:v}=o,T,b;l.ori==0?(T=Ua,b=Sp):(T=Fa,b=bp);let R=Bt(v.width*Tt,3),E=(v.size-v.width)/2*Tt,x=Bt(E*2,3),A=new Path2D,k=new Path2D,{left:I,top:L,width:z,height:H}=e.bbox;Oa(k,I-x,L-x,z+x*2,H+x*2);let N=G=>{if(c[G]!=null){let Y=g(u(a[G],l,y,d)),B=g(f(c[G],h,p,m));T(A,Y+E,B),b(A,Y,B,E,0,Aa*2)}};if(r)r.forEach(N);else for(let G=i;G<=s;G++)N(G);return{stroke:R>0?A:null,fill:A,clip:k,flags:Er|bh}})}function Ap(n){return(e,t,i,s,r,o)=>{i!=s&&(r!=i&&o!=i&&n(e,t,i),r!=s&&o!=s&&n(e,t,s),n(e,t,o))}}var _x=Ap(Tr),xx=Ap(Cr);function Tp(n){let e=Et(n?.alignGaps,0);return(t,i,s,r)=>Ws(t,i,(o,a,c,l,h,u,f,d,m,y,p)=>{[s,r]=Pa(c,s,r);let g=o.pxRound,v=H=>g(u(H,l,y,d)),T=H=>g(f(H,h,p,m)),b,R;l.ori==0?(b=Tr,R=_x):(b=Cr,R=xx);let E=l.dir*(l.ori==0?1:-1),x={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Er},A=x.stroke,k=!1;if(r-s>=y*4){let H=ce=>t.posToVal(ce,l.key,!0),N=null,G=null,Y,B,ae,Z=v(a[E==1?s:r]),J=v(a[s]),ne=v(a[r]),ue=H(E==1?J+1:ne-1);for(let ce=E==1?s:r;ce>=s&&ce<=r;ce+=E){let j=a[ce],xe=(E==1?j<ue:j>ue)?Z:v(j),me=c[ce];xe==Z?me!=null?(B=me,N==null?(b(A,xe,T(B)),Y=N=G=B):B<N?N=B:B>G&&(G=B)):me===null&&(k=!0):(N!=null&&R(A,Z,T(N),T(G),T(Y),T(B)),me!=null?(B=me,b(A,xe,T(B)),N=G=Y=B):(N=G=null,me===null&&(k=!0)),Z=xe,ue=H(Z+E))}N!=null&&N!=G&&ae!=Z&&R(A,Z,T(N),T(G),T(Y),T(B))}else for(let H=E==1?s:r;H>=s&&H<=r;H+=E){let N=c[H];N===null?k=!0:N!=null&&b(A,v(a[H]),T(N))}let[L,z]=Fh(t,i);if(o.fill!=null||L!=0){let H=x.fill=new Path2D(A),N=o.fillTo(t,i,o.min,o.max,L),G=T(N),Y=v(a[s]),B=v(a[r]);E==-1&&([B,Y]=[Y,B]),b(H,B,G),b(H,Y,G)}if(!o.spanGaps){let H=[];k&&H.push(...Oh(a,c,s,r,E,v,e)),x.gaps=H=o.gaps(t,i,s,r,H),x.clip=Na(H,l.ori,d,m,y,p)}return z!=0&&(x.band=z==2?[Ki(t,i,s,r,A,-1),Ki(t,i,s,r,A,1)]:Ki(t,i,s,r,A,z)),x})}function yx(n){let e=Et(n.align,1),t=Et(n.ascDesc,!1),i=Et(n.alignGaps,0),s=Et(n.extend,!1);return(r,o,a,c)=>Ws(r,o,(l,h,u,f,d,m,y,p,g,v,T)=>{[a,c]=Pa(u,a,c);let b=l.pxRound,{left:R,width:E}=r.bbox,x=J=>b(m(J,f,v,p)),A=J=>b(y(J,d,T,g)),k=f.ori==0?Tr:Cr,I={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Er},L=I.stroke,z=f.dir*(f.ori==0?1:-1),H=A(u[z==1?a:c]),N=x(h[z==1?a:c]),G=N,Y=N;s&&e==-1&&(Y=R,k(L,Y,H)),k(L,N,H);for(let J=z==1?a:c;J>=a&&J<=c;J+=z){let ne=u[J];if(ne==null)continue;let ue=x(h[J]),ce=A(ne);e==1?k(L,ue,H):k(L,G,ce),k(L,ue,ce),H=ce,G=ue}let B=G;s&&e==1&&(B=R+E,k(L,B,H));let[ae,Z]=Fh(r,o);if(l.fill!=null||ae!=0){let J=I.fill=new Path2D(L),ne=l.fillTo(r,o,l.min,l.max,ae),ue=A(ne);k(J,B,ue),k(J,Y,ue)}if(!l.spanGaps){let J=[];J.push(...Oh(h,u,a,c,z,x,i));let ne=l.width*Tt/2,ue=t||e==1?ne:-ne,ce=t||e==-1?-ne:ne;J.forEach(j=>{j[0]+=ue,j[1]+=ce}),I.gaps=J=l.gaps(r,o,a,c,J),I.clip=Na(J,f.ori,p,g,v,T)}return Z!=0&&(I.band=Z==2?[Ki(r,o,a,c,L,-1),Ki(r,o,a,c,L,1)]:Ki(r,o,a,c,L,Z)),I})}function Vd(n,e,t,i,s,r,o=Ot){if(n.length>1){let a=null;for(let c=0,l=1/0;c<n.length;c++)if(e[c]!==void 0){if(a!=null){let h=dn(n[c]-n[a]);h<l&&(l=h,o=dn(t(n[c],i,s,r)-t(n[a],i,s,r)))}a=c}}return o}function vx(n){n=n||vo;let e=Et(n.size,[.6,Ot,1]),t=n.align||0,i=n.gap||0,s=n.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=St(s),o=1-e[0],a=Et(e[1],Ot),c=Et(e[2],1),l=Et(n.disp,vo),h=Et(n.each,d=>{}),{fill:u,stroke:f}=l;return(d,m,y,p)=>Ws(d,m,(g,v,T,b,R,E,x,A,k,I,L)=>{let z=g.pxRound,H=t,N=i*Tt,G=a*Tt,Y=c*Tt,B,ae;b.ori==0?[B,ae]=r(d,m):[ae,B]=r(d,m);let Z=b.dir*(b.ori==0?1:-1),J=b.ori==0?Oa:Bh,ne=b.ori==0?h:(Pe,Je,at,Ee,Ft,He,$e)=>{h(Pe,Je,at,Ft,Ee,$e,He)},ue=Et(d.bands,Ih).find(Pe=>Pe.series[0]==m),ce=ue!=null?ue.dir:0,j=g.fillTo(d,m,g.min,g.max,ce),ge=z(x(j,R,L,k)),xe,me,Me,Xe=I,fe=z(g.width*Tt),de=!1,Le=null,We=null,Ye=null,yt=null;u!=null&&(fe==0||f!=null)&&(de=!0,Le=u.values(d,m,y,p),We=new Map,new Set(Le).forEach(Pe=>{Pe!=null&&We.set(Pe,new Path2D)}),fe>0&&(Ye=f.values(d,m,y,p),yt=new Map,new Set(Ye).forEach(Pe=>{Pe!=null&&yt.set(Pe,new Path2D)})));let{x0:ut,size:Xt}=l;if(ut!=null&&Xt!=null){H=1,v=ut.values(d,m,y,p),ut.unit==2&&(v=v.map(at=>d.posToVal(A+at*I,b.key,!0)));let Pe=Xt.values(d,m,y,p);Xt.unit==2?me=Pe[0]*I:me=E(Pe[0],b,I,A)-E(0,b,I,A),Xe=Vd(v,T,E,b,I,A,Xe),Me=Xe-me+N}else Xe=Vd(v,T,E,b,I,A,Xe),Me=Xe*o+N,me=Xe-Me;Me<1&&(Me=0),fe>=me/2&&(fe=0),Me<5&&(z=Kd);let pt=Me>0,sn=Xe-Me-(pt?fe:0);me=z(yh(sn,Y,G)),xe=(H==0?me/2:H==Z?0:me)-H*Z*((H==0?N/2:0)+(pt?fe/2:0));let et={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},Mt=de?null:new Path2D,Nt=null;if(ue!=null)Nt=d.data[ue.series[1]];else{let{y0:Pe,y1:Je}=l;Pe!=null&&Je!=null&&(T=Je.values(d,m,y,p),Nt=Pe.values(d,m,y,p))}let Kt=B*me,U=ae*me;for(let Pe=Z==1?y:p;Pe>=y&&Pe<=p;Pe+=Z){let Je=T[Pe];if(Je==null)continue;if(Nt!=null){let X=Nt[Pe]??0;if(Je-X==0)continue;ge=x(X,R,L,k)}let at=b.distr!=2||l!=null?v[Pe]:Pe,Ee=E(at,b,I,A),Ft=x(Et(Je,j),R,L,k),He=z(Ee-xe),$e=z(Fn(Ft,ge)),C=z(vi(Ft,ge)),S=$e-C;if(Je!=null){let X=Je<0?U:Kt,he=Je<0?Kt:U;de?(fe>0&&Ye[Pe]!=null&&J(yt.get(Ye[Pe]),He,C+Zn(fe/2),me,Fn(0,S-fe),X,he),Le[Pe]!=null&&J(We.get(Le[Pe]),He,C+Zn(fe/2),me,Fn(0,S-fe),X,he)):J(Mt,He,C+Zn(fe/2),me,Fn(0,S-fe),X,he),ne(d,m,Pe,He-fe/2,C,me+fe,S)}}return fe>0?et.stroke=de?yt:Mt:de||(et._fill=g.width==0?g._fill:g._stroke??g._fill,et.width=0),et.fill=de?We:Mt,et})}function Sx(n,e){let t=Et(e?.alignGaps,0);return(i,s,r,o)=>Ws(i,s,(a,c,l,h,u,f,d,m,y,p,g)=>{[r,o]=Pa(l,r,o);let v=a.pxRound,T=B=>v(f(B,h,p,m)),b=B=>v(d(B,u,g,y)),R,E,x;h.ori==0?(R=Ua,x=Tr,E=Mp):(R=Fa,x=Cr,E=wp);let A=h.dir*(h.ori==0?1:-1),k=T(c[A==1?r:o]),I=k,L=[],z=[];for(let B=A==1?r:o;B>=r&&B<=o;B+=A)if(l[B]!=null){let Z=c[B],J=T(Z);L.push(I=J),z.push(b(l[B]))}let H={stroke:n(L,z,R,x,E,v),fill:null,clip:null,band:null,gaps:null,flags:Er},N=H.stroke,[G,Y]=Fh(i,s);if(a.fill!=null||G!=0){let B=H.fill=new Path2D(N),ae=a.fillTo(i,s,a.min,a.max,G),Z=b(ae);x(B,I,Z),x(B,k,Z)}if(!a.spanGaps){let B=[];B.push(...Oh(c,l,r,o,A,T,t)),H.gaps=B=a.gaps(i,s,r,o,B),H.clip=Na(B,h.ori,m,y,p,g)}return Y!=0&&(H.band=Y==2?[Ki(i,s,r,o,N,-1),Ki(i,s,r,o,N,1)]:Ki(i,s,r,o,N,Y)),H})}function bx(n){return Sx(Mx,n)}function Mx(n,e,t,i,s,r){let o=n.length;if(o<2)return null;let a=new Path2D;if(t(a,n[0],e[0]),o==2)i(a,n[1],e[1]);else{let c=Array(o),l=Array(o-1),h=Array(o-1),u=Array(o-1);for(let f=0;f<o-1;f++)h[f]=e[f+1]-e[f],u[f]=n[f+1]-n[f],l[f]=h[f]/u[f];c[0]=l[0];for(let f=1;f<o-1;f++)l[f]===0||l[f-1]===0||l[f-1]>0!=l[f]>0?c[f]=0:(c[f]=3*(u[f-1]+u[f])/((2*u[f]+u[f-1])/l[f-1]+(u[f]+2*u[f-1])/l[f]),isFinite(c[f])||(c[f]=0));c[o-1]=l[o-2];for(let f=0;f<o-1;f++)s(a,n[f]+u[f]/3,e[f]+c[f]*u[f]/3,n[f+1]-u[f]/3,e[f+1]-c[f+1]*u[f]/3,n[f+1],e[f+1])}return a}var Mh=new Set;function Gd(){for(let n of Mh)n.syncRect(!0)}Ar&&(Gs(i_,Sr,Gd),Gs(s_,Sr,Gd,!0),Gs(Ta,Sr,()=>{wn.pxRatio=Tt}));var wx=Tp(),Ex=Ep();function Hd(n,e,t,i){return(i?[n[0],n[1]].concat(n.slice(2)):[n[0]].concat(n.slice(1))).map((r,o)=>wh(r,o,e,t))}function Ax(n,e){return n.map((t,i)=>i==0?{}:cn({},e,t))}function wh(n,e,t,i){return cn({},e==0?t:i,n)}function Cp(n,e,t){return e==null?Mr:[e,t]}var Tx=Cp;function Cx(n,e,t){return e==null?Mr:Ca(e,t,Rh,!0)}function Rp(n,e,t,i){return e==null?Mr:Ia(e,t,n.scales[i].log,!1)}var Rx=Rp;function Pp(n,e,t,i){return e==null?Mr:Ch(e,t,n.scales[i].log,!1)}var Px=Pp;function Ix(n,e,t,i,s){let r=Fn(Sd(n),Sd(e)),o=e-n,a=yi(s/i*o,t);do{let c=t[a],l=i*c/o;if(l>=s&&r+(c<5?_s.get(c):0)<=17)return[c,l]}while(++a<t.length);return[0,0]}function Wd(n){let e,t;return n=n.replace(/(\d+)px/,(i,s)=>(e=fn((t=+s)*Tt))+"px"),[n,e,t]}function Lx(n){n.show&&[n.font,n.labelFont].forEach(e=>{let t=Bt(e[2]*Tt,1);e[0]=e[0].replace(/[0-9.]+px/,t+"px"),e[1]=t})}function wn(n,e,t){let i={mode:Et(n.mode,1)},s=i.mode;function r(_,M,P,D){let V=M.valToPct(_);return D+P*(M.dir==-1?1-V:V)}function o(_,M,P,D){let V=M.valToPct(_);return D+P*(M.dir==-1?V:1-V)}function a(_,M,P,D){return M.ori==0?r(_,M,P,D):o(_,M,P,D)}i.valToPosH=r,i.valToPosV=o;let c=!1;i.status=0;let l=i.root=ci(k0);if(n.id!=null&&(l.id=n.id),Yn(l,n.class),n.title){let _=ci(G0,l);_.textContent=n.title}let h=xi("canvas"),u=i.ctx=h.getContext("2d"),f=ci(H0,l);Gs("click",f,_=>{_.target===m&&(zt!=ur||qt!=fr)&&Mn.click(i,_)},!0);let d=i.under=ci(W0,f);f.appendChild(h);let m=i.over=ci(X0,f);n=wr(n);let y=+Et(n.pxAlign,1),p=zd(y);(n.plugins||[]).forEach(_=>{_.opts&&(n=_.opts(i,n)||n)});let g=n.ms||.001,v=i.series=s==1?Hd(n.series||[],Dd,Bd,!1):Ax(n.series||[null],Od),T=i.axes=Hd(n.axes||[],Ld,Ud,!0),b=i.scales={},R=i.bands=n.bands||[];R.forEach(_=>{_.fill=St(_.fill||null),_.dir=Et(_.dir,-1)});let E=s==2?v[1].facets[0].scale:v[0].scale,x={axes:Yi,series:gt},A=(n.drawOrder||["axes","series"]).map(_=>x[_]);function k(_){let M=_.distr==3?P=>$i(P>0?P:_.clamp(i,P,_.min,_.max,_.key)):_.distr==4?P=>uh(P,_.asinh):_.distr==100?P=>_.fwd(P):P=>P;return P=>{let D=M(P),{_min:V,_max:K}=_,oe=K-V;return(D-V)/oe}}function I(_){let M=b[_];if(M==null){let P=(n.scales||vo)[_]||vo;if(P.from!=null){I(P.from);let D=cn({},b[P.from],P,{key:_});D.valToPct=k(D),b[_]=D}else{M=b[_]=cn({},_==E?xp:px,P),M.key=_;let D=M.time,V=M.range,K=gs(V);if((_!=E||s==2&&!D)&&(K&&(V[0]==null||V[1]==null)&&(V={min:V[0]==null?xd:{mode:1,hard:V[0],soft:V[0]},max:V[1]==null?xd:{mode:1,hard:V[1],soft:V[1]}},K=!1),!K&&Da(V))){let oe=V;V=(pe,be,Ue)=>be==null?Mr:Ca(be,Ue,oe)}M.range=St(V||(D?Tx:_==E?M.distr==3?Rx:M.distr==4?Px:Cp:M.distr==3?Rp:M.distr==4?Pp:Cx)),M.auto=St(K?!1:M.auto),M.clamp=St(M.clamp||dx),M._min=M._max=null,M.valToPct=k(M)}}}I("x"),I("y"),s==1&&v.forEach(_=>{I(_.scale)}),T.forEach(_=>{I(_.scale)});for(let _ in n.scales)I(_);let L=b[E],z=L.distr,H,N;L.ori==0?(Yn(l,z0),H=r,N=o):(Yn(l,V0),H=o,N=r);let G={};for(let _ in b){let M=b[_];(M.min!=null||M.max!=null)&&(G[_]={min:M.min,max:M.max},M.min=M.max=null)}let Y=n.tzDate||(_=>new Date(fn(_/g))),B=n.fmtDate||Lh,ae=g==1?z_(Y):H_(Y),Z=Rd(Y,Cd(g==1?k_:G_,B)),J=Id(Y,Pd(X_,B)),ne=[],ue=i.legend=cn({},Z_,n.legend),ce=i.cursor=cn({},ex,{drag:{y:s==2}},n.cursor),j=ue.show,ge=ce.show,xe=ue.markers;ue.idxs=ne,xe.width=St(xe.width),xe.dash=St(xe.dash),xe.stroke=St(xe.stroke),xe.fill=St(xe.fill);let me,Me,Xe,fe=[],de=[],Le,We=!1,Ye={};if(ue.live){let _=v[1]?v[1].values:null;We=_!=null,Le=We?_(i,1,0):{_:0};for(let M in Le)Ye[M]=Ah}if(j)if(me=xi("table",J0,l),Xe=xi("tbody",null,me),ue.mount(i,me),We){Me=xi("thead",null,me,Xe);let _=xi("tr",null,Me);xi("th",null,_);for(var yt in Le)xi("th",rd,_).textContent=yt}else Yn(me,Q0),ue.live&&Yn(me,j0);let ut={show:!0},Xt={show:!1};function pt(_,M){if(M==0&&(We||!ue.live||s==2))return Mr;let P=[],D=xi("tr",e_,Xe,Xe.childNodes[M]);Yn(D,_.class),_.show||Yn(D,Vs);let V=xi("th",null,D);if(xe.show){let pe=ci(t_,V);if(M>0){let be=xe.width(i,M);be&&(pe.style.border=be+"px "+xe.dash(i,M)+" "+xe.stroke(i,M)),pe.style.background=xe.fill(i,M)}}let K=ci(rd,V);_.label instanceof HTMLElement?K.appendChild(_.label):K.textContent=_.label,M>0&&(xe.show||(K.style.color=_.width>0?xe.stroke(i,M):xe.fill(i,M)),et("click",V,pe=>{if(ce._lock)return;tt(pe);let be=v.indexOf(_);if((pe.ctrlKey||pe.metaKey)!=ue.isolate){let Ue=v.some((Fe,ke)=>ke>0&&ke!=be&&Fe.show);v.forEach((Fe,ke)=>{ke>0&&Di(ke,Ue?ke==be?ut:Xt:ut,!0,ln.setSeries)})}else Di(be,{show:!_.show},!0,ln.setSeries)},!1),nt&&et(cd,V,pe=>{ce._lock||(tt(pe),Di(v.indexOf(_),pr,!0,ln.setSeries))},!1));for(var oe in Le){let pe=xi("td",n_,D);pe.textContent="--",P.push(pe)}return[D,P]}let sn=new Map;function et(_,M,P,D=!0){let V=sn.get(M)||{},K=ce.bind[_](i,M,P,D);K&&(Gs(_,M,V[_]=K),sn.set(M,V))}function Mt(_,M,P){let D=sn.get(M)||{};for(let V in D)(_==null||V==_)&&(xh(V,M,D[V]),delete D[V]);_==null&&sn.delete(M)}let Nt=0,Kt=0,U=0,Pe=0,Je=0,at=0,Ee=Je,Ft=at,He=U,$e=Pe,C=0,S=0,X=0,he=0;i.bbox={};let re=!1,ve=!1,Se=!1,ee=!1,ie=!1,_e=!1;function F(_,M,P){(P||_!=i.width||M!=i.height)&&se(_,M),ft(!1),Se=!0,ve=!0,An()}function se(_,M){i.width=Nt=U=_,i.height=Kt=Pe=M,Je=at=0,we(),qe();let P=i.bbox;C=P.left=ks(Je*Tt,.5),S=P.top=ks(at*Tt,.5),X=P.width=ks(U*Tt,.5),he=P.height=ks(Pe*Tt,.5)}let te=3;function Ae(){let _=!1,M=0;for(;!_;){M++;let P=lr(M),D=Li(M);_=M==te||P&&D,_||(se(i.width,i.height),ve=!0)}}function ye({width:_,height:M}){F(_,M)}i.setSize=ye;function we(){let _=!1,M=!1,P=!1,D=!1;T.forEach((V,K)=>{if(V.show&&V._show){let{side:oe,_size:pe}=V,be=oe%2,Ue=V.label!=null?V.labelSize:0,Fe=pe+Ue;Fe>0&&(be?(U-=Fe,oe==3?(Je+=Fe,D=!0):P=!0):(Pe-=Fe,oe==0?(at+=Fe,_=!0):M=!0))}}),Pi[0]=_,Pi[1]=P,Pi[2]=M,Pi[3]=D,U-=mi[1]+mi[3],Je+=mi[3],Pe-=mi[2]+mi[0],at+=mi[0]}function qe(){let _=Je+U,M=at+Pe,P=Je,D=at;function V(K,oe){switch(K){case 1:return _+=oe,_-oe;case 2:return M+=oe,M-oe;case 3:return P-=oe,P+oe;case 0:return D-=oe,D+oe}}T.forEach((K,oe)=>{if(K.show&&K._show){let pe=K.side;K._pos=V(pe,K._size),K.label!=null&&(K._lpos=V(pe,K.labelSize))}})}if(ce.dataIdx==null){let _=ce.hover,M=_.skip=new Set(_.skip??[]);M.add(void 0);let P=_.prox=St(_.prox),D=_.bias??=0;ce.dataIdx=(V,K,oe,pe)=>{if(K==0)return oe;let be=oe,Ue=P(V,K,oe,pe)??Ot,Fe=Ue>=0&&Ue<Ot,ke=L.ori==0?U:Pe,ot=ce.left,At=e[0],wt=e[K];if(M.has(wt[oe])){be=null;let xt=null,je=null,Ze;if(D==0||D==-1)for(Ze=oe;xt==null&&Ze-- >0;)M.has(wt[Ze])||(xt=Ze);if(D==0||D==1)for(Ze=oe;je==null&&Ze++<wt.length;)M.has(wt[Ze])||(je=Ze);if(xt!=null||je!=null)if(Fe){let Gt=xt==null?-1/0:H(At[xt],L,ke,0),Qt=je==null?1/0:H(At[je],L,ke,0),vn=ot-Gt,Ut=Qt-ot;vn<=Ut?vn<=Ue&&(be=xt):Ut<=Ue&&(be=je)}else be=je==null?xt:xt==null?je:oe-xt<=je-oe?xt:je}else Fe&&dn(ot-H(At[oe],L,ke,0))>Ue&&(be=null);return be}}let tt=_=>{ce.event=_};ce.idxs=ne,ce._lock=!1;let le=ce.points;le.show=St(le.show),le.size=St(le.size),le.stroke=St(le.stroke),le.width=St(le.width),le.fill=St(le.fill);let ze=i.focus=cn({},n.focus||{alpha:.3},ce.focus),nt=ze.prox>=0,Re=nt&&le.one,ht=[],kt=[],In=[];function oo(_,M){let P=le.show(i,M);if(P instanceof HTMLElement)return Yn(P,K0),Yn(P,_.class),Oi(P,-10,-10,U,Pe),m.insertBefore(P,ht[M]),P}function rr(_,M){if(s==1||M>0){let P=s==1&&b[_.scale].time,D=_.value;_.value=P?wd(D)?Id(Y,Pd(D,B)):D||J:D||hx,_.label=_.label||(P?nx:tx)}if(Re||M>0){_.width=_.width==null?1:_.width,_.paths=_.paths||wx||p_,_.fillTo=St(_.fillTo||mx),_.pxAlign=+Et(_.pxAlign,y),_.pxRound=zd(_.pxAlign),_.stroke=St(_.stroke||null),_.fill=St(_.fill||null),_._stroke=_._fill=_._paths=_._focus=null;let P=ux(Fn(1,_.width),1),D=_.points=cn({},{size:P,width:Fn(1,P*.2),stroke:_.stroke,space:P*2,paths:Ex,_stroke:null,_fill:null},_.points);D.show=St(D.show),D.filter=St(D.filter),D.fill=St(D.fill),D.stroke=St(D.stroke),D.paths=St(D.paths),D.pxAlign=_.pxAlign}if(j){let P=pt(_,M);fe.splice(M,0,P[0]),de.splice(M,0,P[1]),ue.values.push(null)}if(ge){ne.splice(M,0,null);let P=null;Re?M==0&&(P=oo(_,M)):M>0&&(P=oo(_,M)),ht.splice(M,0,P),kt.splice(M,0,0),In.splice(M,0,0)}yn("addSeries",M)}function $c(_,M){M=M??v.length,_=s==1?wh(_,M,Dd,Bd):wh(_,M,{},Od),v.splice(M,0,_),rr(v[M],M)}i.addSeries=$c;function pa(_){if(v.splice(_,1),j){ue.values.splice(_,1),de.splice(_,1);let M=fe.splice(_,1)[0];Mt(null,M.firstChild),M.remove()}ge&&(ne.splice(_,1),ht.splice(_,1)[0].remove(),kt.splice(_,1),In.splice(_,1)),yn("delSeries",_)}i.delSeries=pa;let Pi=[!1,!1,!1,!1];function Wi(_,M){if(_._show=_.show,_.show){let P=_.side%2,D=b[_.scale];D==null&&(_.scale=P?v[1].scale:E,D=b[_.scale]);let V=D.time;_.size=St(_.size),_.space=St(_.space),_.rotate=St(_.rotate),gs(_.incrs)&&_.incrs.forEach(oe=>{!_s.has(oe)&&_s.set(oe,Qd(oe))}),_.incrs=St(_.incrs||(D.distr==2?F_:V?g==1?B_:V_:zs)),_.splits=St(_.splits||(V&&D.distr==1?ae:D.distr==3?vh:D.distr==4?rx:sx)),_.stroke=St(_.stroke),_.grid.stroke=St(_.grid.stroke),_.ticks.stroke=St(_.ticks.stroke),_.border.stroke=St(_.border.stroke);let K=_.values;_.values=gs(K)&&!gs(K[0])?St(K):V?gs(K)?Rd(Y,Cd(K,B)):wd(K)?W_(Y,K):K||Z:K||ix,_.filter=St(_.filter||(D.distr>=3&&D.log==10?lx:D.distr==3&&D.log==2?cx:Jd)),_.font=Wd(_.font),_.labelFont=Wd(_.labelFont),_._size=_.size(i,null,M,0),_._space=_._rotate=_._incrs=_._found=_._splits=_._values=null,_._size>0&&(Pi[M]=!0,_._el=ci(q0,f))}}function Xi(_,M,P,D){let[V,K,oe,pe]=P,be=M%2,Ue=0;return be==0&&(pe||K)&&(Ue=M==0&&!V||M==2&&!oe?fn(Ld.size/3):0),be==1&&(V||oe)&&(Ue=M==1&&!K||M==3&&!pe?fn(Ud.size/2):0),Ue}let ao=i.padding=(n.padding||[Xi,Xi,Xi,Xi]).map(_=>St(Et(_,Xi))),mi=i._padding=ao.map((_,M)=>_(i,M,Pi,0)),Jt,tn=null,nn=null,Ii=s==1?v[0].idxs:null,Hn=null,hs=!1;function lo(_,M){if(e=_??[],i.data=i._data=e,s==2){Jt=0;for(let P=1;P<v.length;P++)Jt+=e[P][0].length}else{e.length==0&&(i.data=i._data=e=[[]]),Hn=e[0],Jt=Hn.length;let P=e;if(z==2){P=e.slice();let D=P[0]=Array(Jt);for(let V=0;V<Jt;V++)D[V]=V}i._data=e=P}if(ft(!0),yn("setData"),z==2&&(Se=!0),M!==!1){let P=L;P.auto(i,hs)?co():ds(E,P.min,P.max),ee=ee||ce.left>=0,_e=!0,An()}}i.setData=lo;function co(){hs=!0;let _,M;s==1&&(Jt>0?(tn=Ii[0]=0,nn=Ii[1]=Jt-1,_=e[0][tn],M=e[0][nn],z==2?(_=tn,M=nn):_==M&&(z==3?[_,M]=Ia(_,_,L.log,!1):z==4?[_,M]=Ch(_,_,L.log,!1):L.time?M=_+fn(86400/g):[_,M]=Ca(_,M,Rh,!0))):(tn=Ii[0]=_=null,nn=Ii[1]=M=null)),ds(E,_,M)}let or,us,ar,w,O,Q,q,$,Te,Ie;function Ce(_,M,P,D,V,K){_??=ad,P??=Ih,D??="butt",V??=ad,K??="round",_!=or&&(u.strokeStyle=or=_),V!=us&&(u.fillStyle=us=V),M!=ar&&(u.lineWidth=ar=M),K!=O&&(u.lineJoin=O=K),D!=Q&&(u.lineCap=Q=D),P!=w&&u.setLineDash(w=P)}function De(_,M,P,D){M!=us&&(u.fillStyle=us=M),_!=q&&(u.font=q=_),P!=$&&(u.textAlign=$=P),D!=Te&&(u.textBaseline=Te=D)}function Ge(_,M,P,D,V=0){if(D.length>0&&_.auto(i,hs)&&(M==null||M.min==null)){let K=Et(tn,0),oe=Et(nn,D.length-1),pe=P.min==null?l_(D,K,oe,V,_.distr==3):[P.min,P.max];_.min=vi(_.min,P.min=pe[0]),_.max=Fn(_.max,P.max=pe[1])}}let it={min:null,max:null};function mt(){for(let D in b){let V=b[D];G[D]==null&&(V.min==null||G[E]!=null&&V.auto(i,hs))&&(G[D]=it)}for(let D in b){let V=b[D];G[D]==null&&V.from!=null&&G[V.from]!=null&&(G[D]=it)}G[E]!=null&&ft(!0);let _={};for(let D in G){let V=G[D];if(V!=null){let K=_[D]=wr(b[D],__);if(V.min!=null)cn(K,V);else if(D!=E||s==2)if(Jt==0&&K.from==null){let oe=K.range(i,null,null,D);K.min=oe[0],K.max=oe[1]}else K.min=Ot,K.max=-Ot}}if(Jt>0){v.forEach((D,V)=>{if(s==1){let K=D.scale,oe=G[K];if(oe==null)return;let pe=_[K];if(V==0){let be=pe.range(i,pe.min,pe.max,K);pe.min=be[0],pe.max=be[1],tn=yi(pe.min,e[0]),nn=yi(pe.max,e[0]),nn-tn>1&&(e[0][tn]<pe.min&&tn++,e[0][nn]>pe.max&&nn--),D.min=Hn[tn],D.max=Hn[nn]}else D.show&&D.auto&&Ge(pe,oe,D,e[V],D.sorted);D.idxs[0]=tn,D.idxs[1]=nn}else if(V>0&&D.show&&D.auto){let[K,oe]=D.facets,pe=K.scale,be=oe.scale,[Ue,Fe]=e[V],ke=_[pe],ot=_[be];ke!=null&&Ge(ke,G[pe],K,Ue,K.sorted),ot!=null&&Ge(ot,G[be],oe,Fe,oe.sorted),D.min=oe.min,D.max=oe.max}});for(let D in _){let V=_[D],K=G[D];if(V.from==null&&(K==null||K.min==null)){let oe=V.range(i,V.min==Ot?null:V.min,V.max==-Ot?null:V.max,D);V.min=oe[0],V.max=oe[1]}}}for(let D in _){let V=_[D];if(V.from!=null){let K=_[V.from];if(K.min==null)V.min=V.max=null;else{let oe=V.range(i,K.min,K.max,D);V.min=oe[0],V.max=oe[1]}}}let M={},P=!1;for(let D in _){let V=_[D],K=b[D];if(K.min!=V.min||K.max!=V.max){K.min=V.min,K.max=V.max;let oe=K.distr;K._min=oe==3?$i(K.min):oe==4?uh(K.min,K.asinh):oe==100?K.fwd(K.min):K.min,K._max=oe==3?$i(K.max):oe==4?uh(K.max,K.asinh):oe==100?K.fwd(K.max):K.max,M[D]=P=!0}}if(P){v.forEach((D,V)=>{s==2?V>0&&M.y&&(D._paths=null):M[D.scale]&&(D._paths=null)});for(let D in M)Se=!0,yn("setScale",D);ge&&ce.left>=0&&(ee=_e=!0)}for(let D in G)G[D]=null}function Ve(_){let M=yh(tn-1,0,Jt-1),P=yh(nn+1,0,Jt-1);for(;_[M]==null&&M>0;)M--;for(;_[P]==null&&P<Jt-1;)P++;return[M,P]}function gt(){if(Jt>0){let _=v.some(M=>M._focus)&&Ie!=ze.alpha;_&&(u.globalAlpha=Ie=ze.alpha),v.forEach((M,P)=>{if(P>0&&M.show&&(Yt(P,!1),Yt(P,!0),M._paths==null)){let D=Ie;Ie!=M.alpha&&(u.globalAlpha=Ie=M.alpha);let V=s==2?[0,e[P][0].length-1]:Ve(e[P]);M._paths=M.paths(i,P,V[0],V[1]),Ie!=D&&(u.globalAlpha=Ie=D)}}),v.forEach((M,P)=>{if(P>0&&M.show){let D=Ie;Ie!=M.alpha&&(u.globalAlpha=Ie=M.alpha),M._paths!=null&&It(P,!1);{let V=M._paths!=null?M._paths.gaps:null,K=M.points.show(i,P,tn,nn,V),oe=M.points.filter(i,P,K,V);(K||oe)&&(M.points._paths=M.points.paths(i,P,tn,nn,oe),It(P,!0))}Ie!=D&&(u.globalAlpha=Ie=D),yn("drawSeries",P)}}),_&&(u.globalAlpha=Ie=1)}}function Yt(_,M){let P=M?v[_].points:v[_];P._stroke=P.stroke(i,_),P._fill=P.fill(i,_)}function It(_,M){let P=M?v[_].points:v[_],{stroke:D,fill:V,clip:K,flags:oe,_stroke:pe=P._stroke,_fill:be=P._fill,_width:Ue=P.width}=P._paths;Ue=Bt(Ue*Tt,3);let Fe=null,ke=Ue%2/2;M&&be==null&&(be=Ue>0?"#fff":pe);let ot=P.pxAlign==1&&ke>0;if(ot&&u.translate(ke,ke),!M){let At=C-Ue/2,wt=S-Ue/2,xt=X+Ue,je=he+Ue;Fe=new Path2D,Fe.rect(At,wt,xt,je)}M?Be(pe,Ue,P.dash,P.cap,be,D,V,oe,K):Lt(_,pe,Ue,P.dash,P.cap,be,D,V,oe,Fe,K),ot&&u.translate(-ke,-ke)}function Lt(_,M,P,D,V,K,oe,pe,be,Ue,Fe){let ke=!1;be!=0&&R.forEach((ot,At)=>{if(ot.series[0]==_){let wt=v[ot.series[1]],xt=e[ot.series[1]],je=(wt._paths||vo).band;gs(je)&&(je=ot.dir==1?je[0]:je[1]);let Ze,Gt=null;wt.show&&je&&h_(xt,tn,nn)?(Gt=ot.fill(i,At)||K,Ze=wt._paths.clip):je=null,Be(M,P,D,V,Gt,oe,pe,be,Ue,Fe,Ze,je),ke=!0}}),ke||Be(M,P,D,V,K,oe,pe,be,Ue,Fe)}let un=Er|bh;function Be(_,M,P,D,V,K,oe,pe,be,Ue,Fe,ke){Ce(_,M,P,D,V),(be||Ue||ke)&&(u.save(),be&&u.clip(be),Ue&&u.clip(Ue)),ke?(pe&un)==un?(u.clip(ke),Fe&&u.clip(Fe),vt(V,oe),rn(_,K,M)):pe&bh?(vt(V,oe),u.clip(ke),rn(_,K,M)):pe&Er&&(u.save(),u.clip(ke),Fe&&u.clip(Fe),vt(V,oe),u.restore(),rn(_,K,M)):(vt(V,oe),rn(_,K,M)),(be||Ue||ke)&&u.restore()}function rn(_,M,P){P>0&&(M instanceof Map?M.forEach((D,V)=>{u.strokeStyle=or=V,u.stroke(D)}):M!=null&&_&&u.stroke(M))}function vt(_,M){M instanceof Map?M.forEach((P,D)=>{u.fillStyle=us=D,u.fill(P)}):M!=null&&_&&u.fill(M)}function qi(_,M,P,D){let V=T[_],K;if(D<=0)K=[0,0];else{let oe=V._space=V.space(i,_,M,P,D),pe=V._incrs=V.incrs(i,_,M,P,D,oe);K=Ix(M,P,pe,D,oe)}return V._found=K}function on(_,M,P,D,V,K,oe,pe,be,Ue){let Fe=oe%2/2;y==1&&u.translate(Fe,Fe),Ce(pe,oe,be,Ue,pe),u.beginPath();let ke,ot,At,wt,xt=V+(D==0||D==3?-K:K);P==0?(ot=V,wt=xt):(ke=V,At=xt);for(let je=0;je<_.length;je++)M[je]!=null&&(P==0?ke=At=_[je]:ot=wt=_[je],u.moveTo(ke,ot),u.lineTo(At,wt));u.stroke(),y==1&&u.translate(-Fe,-Fe)}function lr(_){let M=!0;return T.forEach((P,D)=>{if(!P.show)return;let V=b[P.scale];if(V.min==null){P._show&&(M=!1,P._show=!1,ft(!1));return}else P._show||(M=!1,P._show=!0,ft(!1));let K=P.side,oe=K%2,{min:pe,max:be}=V,[Ue,Fe]=qi(D,pe,be,oe==0?U:Pe);if(Fe==0)return;let ke=V.distr==2,ot=P._splits=P.splits(i,D,pe,be,Ue,Fe,ke),At=V.distr==2?ot.map(Ze=>Hn[Ze]):ot,wt=V.distr==2?Hn[ot[1]]-Hn[ot[0]]:Ue,xt=P._values=P.values(i,P.filter(i,At,D,Fe,wt),D,Fe,wt);P._rotate=K==2?P.rotate(i,xt,D,Fe):0;let je=P._size;P._size=hi(P.size(i,xt,D,_)),je!=null&&P._size!=je&&(M=!1)}),M}function Li(_){let M=!0;return ao.forEach((P,D)=>{let V=P(i,D,Pi,_);V!=mi[D]&&(M=!1),mi[D]=V}),M}function Yi(){for(let _=0;_<T.length;_++){let M=T[_];if(!M.show||!M._show)continue;let P=M.side,D=P%2,V,K,oe=M.stroke(i,_),pe=P==0||P==3?-1:1,[be,Ue]=M._found;if(M.label!=null){let Nn=M.labelGap*pe,qn=fn((M._lpos+Nn)*Tt);De(M.labelFont[0],oe,"center",P==2?"top":od),u.save(),D==1?(V=K=0,u.translate(qn,fn(S+he/2)),u.rotate((P==3?-Aa:Aa)/2)):(V=fn(C+X/2),K=qn);let Os=$d(M.label)?M.label(i,_,be,Ue):M.label;u.fillText(Os,V,K),u.restore()}if(Ue==0)continue;let Fe=b[M.scale],ke=D==0?X:he,ot=D==0?C:S,At=M._splits,wt=Fe.distr==2?At.map(Nn=>Hn[Nn]):At,xt=Fe.distr==2?Hn[At[1]]-Hn[At[0]]:be,je=M.ticks,Ze=M.border,Gt=je.show?je.size:0,Qt=fn(Gt*Tt),vn=fn((M.alignTo==2?M._size-Gt-M.gap:M.gap)*Tt),Ut=M._rotate*-Aa/180,en=p(M._pos*Tt),Wn=(Qt+vn)*pe,Dn=en+Wn;K=D==0?Dn:0,V=D==1?Dn:0;let oi=M.font[0],gi=M.align==1?yr:M.align==2?lh:Ut>0?yr:Ut<0?lh:D==0?"center":P==3?lh:yr,Ui=Ut||D==1?"middle":P==2?"top":od;De(oi,oe,gi,Ui);let Xn=M.font[1]*M.lineGap,ai=At.map(Nn=>p(a(Nn,Fe,ke,ot))),_i=M._values;for(let Nn=0;Nn<_i.length;Nn++){let qn=_i[Nn];if(qn!=null){D==0?V=ai[Nn]:K=ai[Nn],qn=""+qn;let Os=qn.indexOf(`
+`)==-1?[qn]:qn.split(/\n/gm);for(let Un=0;Un<Os.length;Un++){let Kf=Os[Un];Ut?(u.save(),u.translate(V,K+Un*Xn),u.rotate(Ut),u.fillText(Kf,0,0),u.restore()):u.fillText(Kf,V,K+Un*Xn)}}}je.show&&on(ai,je.filter(i,wt,_,Ue,xt),D,P,en,Qt,Bt(je.width*Tt,3),je.stroke(i,_),je.dash,je.cap);let Fi=M.grid;Fi.show&&on(ai,Fi.filter(i,wt,_,Ue,xt),D,D==0?2:1,D==0?S:C,D==0?he:X,Bt(Fi.width*Tt,3),Fi.stroke(i,_),Fi.dash,Fi.cap),Ze.show&&on([en],[1],D==0?1:0,D==0?1:2,D==1?S:C,D==1?he:X,Bt(Ze.width*Tt,3),Ze.stroke(i,_),Ze.dash,Ze.cap)}yn("drawAxes")}function ft(_){v.forEach((M,P)=>{P>0&&(M._paths=null,_&&(s==1?(M.min=null,M.max=null):M.facets.forEach(D=>{D.min=null,D.max=null})))})}let jt=!1,Ln=!1,Dt=[];function an(){Ln=!1;for(let _=0;_<Dt.length;_++)yn(...Dt[_]);Dt.length=0}function An(){jt||(w_(Lf),jt=!0)}function ma(_,M=!1){jt=!0,Ln=M,_(i),Lf(),M&&Dt.length>0&&queueMicrotask(an)}i.batch=ma;function Lf(){if(re&&(mt(),re=!1),Se&&(Ae(),Se=!1),ve){if(Ht(d,yr,Je),Ht(d,"top",at),Ht(d,go,U),Ht(d,_o,Pe),Ht(m,yr,Je),Ht(m,"top",at),Ht(m,go,U),Ht(m,_o,Pe),Ht(f,go,Nt),Ht(f,_o,Kt),h.width=fn(Nt*Tt),h.height=fn(Kt*Tt),T.forEach(({_el:_,_show:M,_size:P,_pos:D,side:V})=>{if(_!=null)if(M){let K=V===3||V===0?P:0,oe=V%2==1;Ht(_,oe?"left":"top",D-K),Ht(_,oe?"width":"height",P),Ht(_,oe?"top":"left",oe?at:Je),Ht(_,oe?"height":"width",oe?Pe:U),_h(_,Vs)}else Yn(_,Vs)}),or=us=ar=O=Q=q=$=Te=w=null,Ie=1,fo(!0),Je!=Ee||at!=Ft||U!=He||Pe!=$e){ft(!1);let _=U/He,M=Pe/$e;if(ge&&!ee&&ce.left>=0){ce.left*=_,ce.top*=M,cr&&Oi(cr,fn(ce.left),0,U,Pe),hr&&Oi(hr,0,fn(ce.top),U,Pe);for(let P=0;P<ht.length;P++){let D=ht[P];D!=null&&(kt[P]*=_,In[P]*=M,Oi(D,hi(kt[P]),hi(In[P]),U,Pe))}}if(Vt.show&&!ie&&Vt.left>=0&&Vt.width>0){Vt.left*=_,Vt.width*=_,Vt.top*=M,Vt.height*=M;for(let P in th)Ht(dr,P,Vt[P])}Ee=Je,Ft=at,He=U,$e=Pe}yn("setSize"),ve=!1}Nt>0&&Kt>0&&(u.clearRect(0,0,h.width,h.height),yn("drawClear"),A.forEach(_=>_()),yn("draw")),Vt.show&&ie&&(ga(Vt),ie=!1),ge&&ee&&(Fs(null,!0,!1),ee=!1),ue.show&&ue.live&&_e&&(Qc(),_e=!1),c||(c=!0,i.status=1,yn("ready")),hs=!1,jt=!1}i.redraw=(_,M)=>{Se=M||!1,_!==!1?ds(E,L.min,L.max):An()};function Kc(_,M){let P=b[_];if(P.from==null){if(Jt==0){let D=P.range(i,M.min,M.max,_);M.min=D[0],M.max=D[1]}if(M.min>M.max){let D=M.min;M.min=M.max,M.max=D}if(Jt>1&&M.min!=null&&M.max!=null&&M.max-M.min<1e-16)return;_==E&&P.distr==2&&Jt>0&&(M.min=yi(M.min,e[0]),M.max=yi(M.max,e[0]),M.min==M.max&&M.max++),G[_]=M,re=!0,An()}}i.setScale=Kc;let Jc,jc,cr,hr,Df,Nf,ur,fr,Uf,Ff,zt,qt,fs=!1,Mn=ce.drag,_n=Mn.x,xn=Mn.y;ge&&(ce.x&&(Jc=ci(Z0,m)),ce.y&&(jc=ci($0,m)),L.ori==0?(cr=Jc,hr=jc):(cr=jc,hr=Jc),zt=ce.left,qt=ce.top);let Vt=i.select=cn({show:!0,over:!0,left:0,width:0,top:0,height:0},n.select),dr=Vt.show?ci(Y0,Vt.over?m:d):null;function ga(_,M){if(Vt.show){for(let P in _)Vt[P]=_[P],P in th&&Ht(dr,P,_[P]);M!==!1&&yn("setSelect")}}i.setSelect=ga;function b0(_){if(v[_].show)j&&_h(fe[_],Vs);else if(j&&Yn(fe[_],Vs),ge){let P=Re?ht[0]:ht[_];P!=null&&Oi(P,-10,-10,U,Pe)}}function ds(_,M,P){Kc(_,{min:M,max:P})}function Di(_,M,P,D){M.focus!=null&&T0(_),M.show!=null&&v.forEach((V,K)=>{K>0&&(_==K||_==null)&&(V.show=M.show,b0(K),s==2?(ds(V.facets[0].scale,null,null),ds(V.facets[1].scale,null,null)):ds(V.scale,null,null),An())}),P!==!1&&yn("setSeries",_,M),D&&po("setSeries",i,_,M)}i.setSeries=Di;function M0(_,M){cn(R[_],M)}function w0(_,M){_.fill=St(_.fill||null),_.dir=Et(_.dir,-1),M=M??R.length,R.splice(M,0,_)}function E0(_){_==null?R.length=0:R.splice(_,1)}i.addBand=w0,i.setBand=M0,i.delBand=E0;function A0(_,M){v[_].alpha=M,ge&&ht[_]!=null&&(ht[_].style.opacity=M),j&&fe[_]&&(fe[_].style.opacity=M)}let Zi,ps,Us,pr={focus:!0};function T0(_){if(_!=Us){let M=_==null,P=ze.alpha!=1;v.forEach((D,V)=>{if(s==1||V>0){let K=M||V==0||V==_;D._focus=M?null:K,P&&A0(V,K?1:ze.alpha)}}),Us=_,P&&An()}}j&&nt&&et(hd,me,_=>{ce._lock||(tt(_),Us!=null&&Di(null,pr,!0,ln.setSeries))});function Ni(_,M,P){let D=b[M];P&&(_=_/Tt-(D.ori==1?at:Je));let V=U;D.ori==1&&(V=Pe,_=V-_),D.dir==-1&&(_=V-_);let K=D._min,oe=D._max,pe=_/V,be=K+(oe-K)*pe,Ue=D.distr;return Ue==3?br(10,be):Ue==4?f_(be,D.asinh):Ue==100?D.bwd(be):be}function C0(_,M){let P=Ni(_,E,M);return yi(P,e[0],tn,nn)}i.valToIdx=_=>yi(_,e[0]),i.posToIdx=C0,i.posToVal=Ni,i.valToPos=(_,M,P)=>b[M].ori==0?r(_,b[M],P?X:U,P?C:0):o(_,b[M],P?he:Pe,P?S:0),i.setCursor=(_,M,P)=>{zt=_.left,qt=_.top,Fs(null,M,P)};function Of(_,M){Ht(dr,yr,Vt.left=_),Ht(dr,go,Vt.width=M)}function Bf(_,M){Ht(dr,"top",Vt.top=_),Ht(dr,_o,Vt.height=M)}let ho=L.ori==0?Of:Bf,uo=L.ori==1?Of:Bf;function R0(){if(j&&ue.live)for(let _=s==2?1:0;_<v.length;_++){if(_==0&&We)continue;let M=ue.values[_],P=0;for(let D in M)de[_][P++].firstChild.nodeValue=M[D]}}function Qc(_,M){if(_!=null&&(_.idxs?_.idxs.forEach((P,D)=>{ne[D]=P}):g_(_.idx)||ne.fill(_.idx),ue.idx=ne[0]),j&&ue.live){for(let P=0;P<v.length;P++)(P>0||s==1&&!We)&&P0(P,ne[P]);R0()}_e=!1,M!==!1&&yn("setLegend")}i.setLegend=Qc;function P0(_,M){let P=v[_],D=_==0&&z==2?Hn:e[_],V;We?V=P.values(i,_,M)??Ye:(V=P.value(i,M==null?null:D[M],_,M),V=V==null?Ye:{_:V}),ue.values[_]=V}function Fs(_,M,P){Uf=zt,Ff=qt,[zt,qt]=ce.move(i,zt,qt),ce.left=zt,ce.top=qt,ge&&(cr&&Oi(cr,fn(zt),0,U,Pe),hr&&Oi(hr,0,fn(qt),U,Pe));let D,V=tn>nn;Zi=Ot,ps=null;let K=L.ori==0?U:Pe,oe=L.ori==1?U:Pe;if(zt<0||Jt==0||V){D=ce.idx=null;for(let pe=0;pe<v.length;pe++){let be=ht[pe];be!=null&&Oi(be,-10,-10,U,Pe)}nt&&Di(null,pr,!0,_==null&&ln.setSeries),ue.live&&(ne.fill(D),_e=!0)}else{let pe,be,Ue;s==1&&(pe=L.ori==0?zt:qt,be=Ni(pe,E),D=ce.idx=yi(be,e[0],tn,nn),Ue=H(e[0][D],L,K,0));let Fe=-10,ke=-10,ot=0,At=0,wt=!0,xt="",je="";for(let Ze=s==2?1:0;Ze<v.length;Ze++){let Gt=v[Ze],Qt=ne[Ze],vn=Qt==null?null:s==1?e[Ze][Qt]:e[Ze][1][Qt],Ut=ce.dataIdx(i,Ze,D,be),en=Ut==null?null:s==1?e[Ze][Ut]:e[Ze][1][Ut];if(_e=_e||en!=vn||Ut!=Qt,ne[Ze]=Ut,Ze>0&&Gt.show){let Wn=Ut==null?-10:Ut==D?Ue:H(s==1?e[0][Ut]:e[Ze][0][Ut],L,K,0),Dn=en==null?-10:N(en,s==1?b[Gt.scale]:b[Gt.facets[1].scale],oe,0);if(nt&&en!=null){let oi=L.ori==1?zt:qt,gi=dn(ze.dist(i,Ze,Ut,Dn,oi));if(gi<Zi){let Ui=ze.bias;if(Ui!=0){let Xn=Ni(oi,Gt.scale),ai=en>=0?1:-1,_i=Xn>=0?1:-1;_i==ai&&(_i==1?Ui==1?en>=Xn:en<=Xn:Ui==1?en<=Xn:en>=Xn)&&(Zi=gi,ps=Ze)}else Zi=gi,ps=Ze}}if(_e||Re){let oi,gi;L.ori==0?(oi=Wn,gi=Dn):(oi=Dn,gi=Wn);let Ui,Xn,ai,_i,Fi,Nn,qn=!0,Os=le.bbox;if(Os!=null){qn=!1;let Un=Os(i,Ze);ai=Un.left,_i=Un.top,Ui=Un.width,Xn=Un.height}else ai=oi,_i=gi,Ui=Xn=le.size(i,Ze);if(Nn=le.fill(i,Ze),Fi=le.stroke(i,Ze),Re)Ze==ps&&Zi<=ze.prox&&(Fe=ai,ke=_i,ot=Ui,At=Xn,wt=qn,xt=Nn,je=Fi);else{let Un=ht[Ze];Un!=null&&(kt[Ze]=ai,In[Ze]=_i,_d(Un,Ui,Xn,qn),md(Un,Nn,Fi),Oi(Un,hi(ai),hi(_i),U,Pe))}}}}if(Re){let Ze=ze.prox,Gt=Us==null?Zi<=Ze:Zi>Ze||ps!=Us;if(_e||Gt){let Qt=ht[0];Qt!=null&&(kt[0]=Fe,In[0]=ke,_d(Qt,ot,At,wt),md(Qt,xt,je),Oi(Qt,hi(Fe),hi(ke),U,Pe))}}}if(Vt.show&&fs)if(_!=null){let[pe,be]=ln.scales,[Ue,Fe]=ln.match,[ke,ot]=_.cursor.sync.scales,At=_.cursor.drag;if(_n=At._x,xn=At._y,_n||xn){let{left:wt,top:xt,width:je,height:Ze}=_.select,Gt=_.scales[ke].ori,Qt=_.posToVal,vn,Ut,en,Wn,Dn,oi=pe!=null&&Ue(pe,ke),gi=be!=null&&Fe(be,ot);oi&&_n?(Gt==0?(vn=wt,Ut=je):(vn=xt,Ut=Ze),en=b[pe],Wn=H(Qt(vn,ke),en,K,0),Dn=H(Qt(vn+Ut,ke),en,K,0),ho(vi(Wn,Dn),dn(Dn-Wn))):ho(0,K),gi&&xn?(Gt==1?(vn=wt,Ut=je):(vn=xt,Ut=Ze),en=b[be],Wn=N(Qt(vn,ot),en,oe,0),Dn=N(Qt(vn+Ut,ot),en,oe,0),uo(vi(Wn,Dn),dn(Dn-Wn))):uo(0,oe)}else nh()}else{let pe=dn(Uf-Df),be=dn(Ff-Nf);if(L.ori==1){let ot=pe;pe=be,be=ot}_n=Mn.x&&pe>=Mn.dist,xn=Mn.y&&be>=Mn.dist;let Ue=Mn.uni;Ue!=null?_n&&xn&&(_n=pe>=Ue,xn=be>=Ue,!_n&&!xn&&(be>pe?xn=!0:_n=!0)):Mn.x&&Mn.y&&(_n||xn)&&(_n=xn=!0);let Fe,ke;_n&&(L.ori==0?(Fe=ur,ke=zt):(Fe=fr,ke=qt),ho(vi(Fe,ke),dn(ke-Fe)),xn||uo(0,oe)),xn&&(L.ori==1?(Fe=ur,ke=zt):(Fe=fr,ke=qt),uo(vi(Fe,ke),dn(ke-Fe)),_n||ho(0,K)),!_n&&!xn&&(ho(0,0),uo(0,0))}if(Mn._x=_n,Mn._y=xn,_==null){if(P){if($f!=null){let[pe,be]=ln.scales;ln.values[0]=pe!=null?Ni(L.ori==0?zt:qt,pe):null,ln.values[1]=be!=null?Ni(L.ori==1?zt:qt,be):null}po(ch,i,zt,qt,U,Pe,D)}if(nt){let pe=P&&ln.setSeries,be=ze.prox;Us==null?Zi<=be&&Di(ps,pr,!0,pe):Zi>be?Di(null,pr,!0,pe):ps!=Us&&Di(ps,pr,!0,pe)}}_e&&(ue.idx=D,Qc()),M!==!1&&yn("setCursor")}let ms=null;Object.defineProperty(i,"rect",{get(){return ms==null&&fo(!1),ms}});function fo(_=!1){_?ms=null:(ms=m.getBoundingClientRect(),yn("syncRect",ms))}function kf(_,M,P,D,V,K,oe){ce._lock||fs&&_!=null&&_.movementX==0&&_.movementY==0||(eh(_,M,P,D,V,K,oe,!1,_!=null),_!=null?Fs(null,!0,!0):Fs(M,!0,!1))}function eh(_,M,P,D,V,K,oe,pe,be){if(ms==null&&fo(!1),tt(_),_!=null)P=_.clientX-ms.left,D=_.clientY-ms.top;else{if(P<0||D<0){zt=-10,qt=-10;return}let[Ue,Fe]=ln.scales,ke=M.cursor.sync,[ot,At]=ke.values,[wt,xt]=ke.scales,[je,Ze]=ln.match,Gt=M.axes[0].side%2==1,Qt=L.ori==0?U:Pe,vn=L.ori==1?U:Pe,Ut=Gt?K:V,en=Gt?V:K,Wn=Gt?D:P,Dn=Gt?P:D;if(wt!=null?P=je(Ue,wt)?a(ot,b[Ue],Qt,0):-10:P=Qt*(Wn/Ut),xt!=null?D=Ze(Fe,xt)?a(At,b[Fe],vn,0):-10:D=vn*(Dn/en),L.ori==1){let oi=P;P=D,D=oi}}be&&(M==null||M.cursor.event.type==ch)&&((P<=1||P>=U-1)&&(P=ks(P,U)),(D<=1||D>=Pe-1)&&(D=ks(D,Pe))),pe?(Df=P,Nf=D,[ur,fr]=ce.move(i,P,D)):(zt=P,qt=D)}let th={width:0,height:0,left:0,top:0};function nh(){ga(th,!1)}let zf,Vf,Gf,Hf;function Wf(_,M,P,D,V,K,oe){fs=!0,_n=xn=Mn._x=Mn._y=!1,eh(_,M,P,D,V,K,oe,!0,!1),_!=null&&(et(hh,mh,Xf,!1),po(ld,i,ur,fr,U,Pe,null));let{left:pe,top:be,width:Ue,height:Fe}=Vt;zf=pe,Vf=be,Gf=Ue,Hf=Fe}function Xf(_,M,P,D,V,K,oe){fs=Mn._x=Mn._y=!1,eh(_,M,P,D,V,K,oe,!1,!0);let{left:pe,top:be,width:Ue,height:Fe}=Vt,ke=Ue>0||Fe>0,ot=zf!=pe||Vf!=be||Gf!=Ue||Hf!=Fe;if(ke&&ot&&ga(Vt),Mn.setScale&&ke&&ot){let At=pe,wt=Ue,xt=be,je=Fe;if(L.ori==1&&(At=be,wt=Fe,xt=pe,je=Ue),_n&&ds(E,Ni(At,E),Ni(At+wt,E)),xn)for(let Ze in b){let Gt=b[Ze];Ze!=E&&Gt.from==null&&Gt.min!=Ot&&ds(Ze,Ni(xt+je,Ze),Ni(xt,Ze))}nh()}else ce.lock&&(ce._lock=!ce._lock,Fs(M,!0,_!=null));_!=null&&(Mt(hh,mh),po(hh,i,zt,qt,U,Pe,null))}function I0(_,M,P,D,V,K,oe){if(ce._lock)return;tt(_);let pe=fs;if(fs){let be=!0,Ue=!0,Fe=10,ke,ot;L.ori==0?(ke=_n,ot=xn):(ke=xn,ot=_n),ke&&ot&&(be=zt<=Fe||zt>=U-Fe,Ue=qt<=Fe||qt>=Pe-Fe),ke&&be&&(zt=zt<ur?0:U),ot&&Ue&&(qt=qt<fr?0:Pe),Fs(null,!0,!0),fs=!1}zt=-10,qt=-10,ne.fill(null),Fs(null,!0,!0),pe&&(fs=pe)}function qf(_,M,P,D,V,K,oe){ce._lock||(tt(_),co(),nh(),_!=null&&po(ud,i,zt,qt,U,Pe,null))}function Yf(){T.forEach(Lx),F(i.width,i.height,!0)}Gs(Ta,Sr,Yf);let mr={};mr.mousedown=Wf,mr.mousemove=kf,mr.mouseup=Xf,mr.dblclick=qf,mr.setSeries=(_,M,P,D)=>{let V=ln.match[2];P=V(i,M,P),P!=-1&&Di(P,D,!0,!1)},ge&&(et(ld,m,Wf),et(ch,m,kf),et(cd,m,_=>{tt(_),fo(!1)}),et(hd,m,I0),et(ud,m,qf),Mh.add(i),i.syncRect=fo);let _a=i.hooks=n.hooks||{};function yn(_,M,P){Ln?Dt.push([_,M,P]):_ in _a&&_a[_].forEach(D=>{D.call(null,i,M,P)})}(n.plugins||[]).forEach(_=>{for(let M in _.hooks)_a[M]=(_a[M]||[]).concat(_.hooks[M])});let Zf=(_,M,P)=>P,ln=cn({key:null,setSeries:!1,filters:{pub:bd,sub:bd},scales:[E,v[1]?v[1].scale:null],match:[Md,Md,Zf],values:[null,null]},ce.sync);ln.match.length==2&&ln.match.push(Zf),ce.sync=ln;let $f=ln.key,ih=yp($f);function po(_,M,P,D,V,K,oe){ln.filters.pub(_,M,P,D,V,K,oe)&&ih.pub(_,M,P,D,V,K,oe)}ih.sub(i);function L0(_,M,P,D,V,K,oe){ln.filters.sub(_,M,P,D,V,K,oe)&&mr[_](null,M,P,D,V,K,oe)}i.pub=L0;function D0(){ih.unsub(i),Mh.delete(i),sn.clear(),xh(Ta,Sr,Yf),l.remove(),me?.remove(),yn("destroy")}i.destroy=D0;function sh(){yn("init",n,e),lo(e||n.data,!1),G[E]?Kc(E,G[E]):co(),ie=Vt.show&&(Vt.width>0||Vt.height>0),ee=_e=!0,F(n.width,n.height)}return v.forEach(rr),T.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(l),sh()):t(i,sh):sh(),i}wn.assign=cn;wn.fmtNum=Ph;wn.rangeNum=Ca;wn.rangeLog=Ia;wn.rangeAsinh=Ch;wn.orient=Ws;wn.pxRatio=Tt;wn.join=M_;wn.fmtDate=Lh,wn.tzDate=N_;wn.sync=yp;{wn.addGap=gx,wn.clipGaps=Na;let n=wn.paths={points:Ep};n.linear=Tp,n.stepped=yx,n.bars=vx,n.spline=bx}var Dx='system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans CJK SC", sans-serif',bo=62,kh=26,Nx=.14;function Ba(n){let{panel:e,palette:t,magnified:i,shared:s}=n,r=`${12*i}px ${Dx}`,o={stroke:t.grid,width:i},a=e.lines.map(l=>{let{width:h,dash:u}=xr(l.stroke,l.colour);return{label:l.name,stroke:()=>t.line(l.colour),width:h*i,dash:u?.map(f=>f*i),points:{show:!1}}}),c={width:n.width,height:n.height,padding:[7*i,10*i,0,0],legend:{show:!1},focus:{alpha:Nx},cursor:{show:!!s,y:!1,points:{size:7,fill:t.paper,width:1.6},drag:{x:!0,y:!1,dist:4},sync:s&&{key:s.key,scales:["x",null],setSeries:!1,filters:{pub:l=>l==="mousemove"||l==="mouseleave",sub:s.listens}}},scales:{x:{time:!1,distr:n.logAcross?3:1,range:(l,h,u)=>[h,u]},y:{distr:e.log?3:1}},axes:[{grid:o,font:r,stroke:t.muted,ticks:{...o,size:4*i,show:n.last},size:(n.last?kh:6)*i,gap:3*i,space:60*i,values:(l,h)=>n.last?ah(h,n.logAcross):h.map(()=>"")},{grid:o,font:r,stroke:t.muted,ticks:{...o,size:4*i},size:bo*i,gap:4*i,space:30*i,values:(l,h)=>ah(h,e.log)}],series:[{},...a],hooks:{setCursor:[l=>n.onCursor?.(l.cursor.idx??null)],setScale:[(l,h)=>{let{min:u,max:f}=l.scales.x;h==="x"&&u!=null&&f!=null&&n.onRange?.(u,f)}],draw:[l=>Ux(l,n)]}};return new wn(c,[n.across,...n.values])}function Ux(n,{panel:{mark:e,lines:t},palette:i,magnified:s}){if(!e||!n.series[e.line+1].show)return;let r=n.valToPos(e.across,"x",!0),o=n.valToPos(e.value,"y",!0),{left:a,top:c,width:l,height:h}=n.bbox;if(r<a||r>a+l||o<c||o>c+h)return;let u=n.ctx.canvas.width/n.width*s;n.ctx.save(),n.ctx.setLineDash([]),n.ctx.beginPath(),n.ctx.arc(r,o,3.6*u,0,2*Math.PI),n.ctx.fillStyle=i.paper(),n.ctx.fill(),n.ctx.lineWidth=1.6*u,n.ctx.strokeStyle=i.line(t[e.line].colour),n.ctx.stroke(),n.ctx.restore()}var Bi=2,Ip=44,Mo=940;async function Lp(n){let{entry:e,palette:t}=n;t.onPaper=!0;let i=e.panels.map((l,h)=>Fx(n,h));await new Promise(l=>setTimeout(l,0));let s=i.map(l=>l.height+Ip*Bi),r=document.createElement("canvas");r.width=Mo*Bi,r.height=s.reduce((l,h)=>l+h,54*Bi);let o=r.getContext("2d");if(!o)return null;o.fillStyle=t.paper(),o.fillRect(0,0,r.width,r.height);let a=Ox(o);a(e.title,bo,20,{bold:!0,size:15});let c=26;e.panels.forEach((l,h)=>{a(_r(l.title,l.unit),bo,c+18,{bold:!0}),a(l.remark,Mo-10,c+18,{end:!0,colour:t.muted()});let u=bo;for(let m of l.lines.filter(y=>!n.hidden.has(y.name))){let{width:y,dash:p}=xr(m.stroke,m.colour);o.strokeStyle=t.line(m.colour),o.lineWidth=Math.max(2.4,y),o.setLineDash(p??[]),o.beginPath(),o.moveTo(u,c+33),o.lineTo(u+20,c+33),o.stroke(),u+=26+a(m.name,u+25,c+37,{})+14}c+=Ip;let{ctx:f,height:d}=i[h];o.drawImage(f.canvas,0,c,Mo,d/Bi),c+=d/Bi}),a(_r(Bs(e),e.across.unit),Mo-10,c+14,{end:!0,colour:t.muted()});for(let l of i)l.destroy();return t.onPaper=!1,new Promise(l=>r.toBlob(l,"image/png"))}function Fx({entry:n,numbers:e,palette:t,hidden:i,range:s,height:r},o){let a=o===n.panels.length-1,c=n.panels[o],l=Ba({panel:c,palette:t,last:a,across:e.across,values:e.panels[o],logAcross:n.across.log,width:Mo*Bi,height:r(a)*Bi,magnified:Bi});return l.setScale("x",{min:s[0],max:s[1]}),c.lines.forEach((h,u)=>i.has(h.name)&&l.setSeries(u+1,{show:!1})),l}function Ox(n){return n.scale(Bi,Bi),(e,t,i,{bold:s,end:r,size:o=12.5,colour:a="#1f2933"})=>(n.font=`${s?"600 ":""}${o}px system-ui, -apple-system, "Noto Sans CJK SC", sans-serif`,n.fillStyle=a,n.textAlign=r?"end":"start",n.fillText(e,t,i),n.measureText(e).width)}var ka=class{constructor(e,t,i,s){this.file=e;this.entry=t;this.numbers=i;this.drawing=s;this.palette=new Sa,this.range=this.ends,this.element.append(this.palette.probe,this.bar(),...t.panels.map((r,o)=>this.pane(o)),this.below()),this.element.setAttribute("role","group"),this.element.setAttribute("aria-label",s.querySelector("title")?.textContent??t.title),this.follow(),this.choose()}file;entry;numbers;drawing;element=wo("curves");panes=[];hidden=new Set;range;palette;readout=document.createElement("output");whole=zh(li.whole,li.wholeHint,()=>this.enlarge(...this.ends));seen=!0;get ends(){let{across:e}=this.numbers;return[e[0],e[e.length-1]]}bar(){let e=document.createElement("span");e.className="curves-hint",e.textContent=li.hint,this.whole.disabled=!0;let t=this.file.replace(/\.svg$/,""),i=zh("CSV",li.csv,()=>{oh(`${t}.csv`,new Blob([nd(this.entry,this.numbers)],{type:"text/csv"}))}),s=zh("PNG",li.png,async()=>{let{entry:o,numbers:a,palette:c,hidden:l,range:h,height:u}=this,f=await Lp({entry:o,numbers:a,palette:c,hidden:l,range:h,height:u});f&&oh(`${t}.png`,f)}),r=wo("curves-bar");return r.append(this.readout,e,this.whole,i,s),r}height=e=>({1:270,2:200}[this.entry.panels.length]??158)+(e?kh:6);pane(e){let{entry:t,numbers:i,palette:s}=this,r=t.panels[e],o=e===t.panels.length-1,a=i.panels[e];s.onPaper=!0;let c=new ba(r.lines,m=>s.line(m.colour),{toggled:(m,y)=>this.toggle(m,y),lifted:m=>this.lift(m)});s.onPaper=!1;let l=Ba({panel:r,palette:s,last:o,values:a,across:i.across,logAcross:t.across.log,width:this.width,height:this.height(o),magnified:1,shared:{key:`curves ${t.across.name} ${t.across.unit}`,listens:()=>this.seen},onCursor:m=>{c.at(m==null?null:a.map(y=>y[m])),e===0&&this.read(m)},onRange:(m,y)=>this.enlarge(m,y)});this.panes.push({plot:l,legend:c}),e===0&&this.keys(l);let h=wo("curves-heading"),u=document.createElement("b");u.textContent=_r(r.title,r.unit);let f=document.createElement("span");f.textContent=r.remark,h.append(u,f);let d=wo("curves-panel");return d.append(h,c.element,l.root),d}below(){let{entry:e}=this,t=wo("curves-below"),i=r=>String(r).replace(/\B(?=(\d{3})+$)/g," ");e.of_rows>e.rows&&t.append(li.thinned(i(e.rows),i(e.of_rows)));let s=document.createElement("span");return s.textContent=_r(Bs(e),e.across.unit),t.append(s),t}read(e){let{across:t}=this.entry,i=e==null?"":`${Bs(this.entry)} ${va(this.numbers.across[e])} ${t.unit}`;this.readout.textContent=i}toggle(e,t){let s=[...new Set(this.entry.panels.flatMap(r=>r.lines.map(o=>o.name)))].filter(r=>r!==e);if(t){let r=!this.hidden.has(e)&&s.every(o=>this.hidden.has(o));this.hidden=new Set(r?[]:s)}else this.hidden.delete(e)||this.hidden.add(e);this.choose()}choose(){this.panes.forEach(({plot:e,legend:t},i)=>{this.entry.panels[i].lines.forEach((s,r)=>{let o=!this.hidden.has(s.name);e.series[r+1].show!==o&&e.setSeries(r+1,{show:o})}),t.show(this.hidden)})}lift(e){this.panes.forEach(({plot:t},i)=>{let s=this.entry.panels[i].lines.findIndex(r=>r.name===e&&!this.hidden.has(r.name));t.setSeries(s<0?null:s+1,{focus:s>=0})})}enlarge(e,t){this.range=[e,t];let[i,s]=this.ends;this.whole.disabled=e<=i&&t>=s;for(let{plot:r}of this.panes)(r.scales.x.min!==e||r.scales.x.max!==t)&&r.setScale("x",{min:e,max:t})}keys(e){let{across:t}=this.numbers;e.over.tabIndex=0,e.over.setAttribute("role","slider"),e.over.setAttribute("aria-label",li.axes(this.entry.title)),e.over.setAttribute("aria-valuemin",String(t[0])),e.over.setAttribute("aria-valuemax",String(t[t.length-1])),e.over.setAttribute("aria-valuenow",String(t[0])),e.over.addEventListener("keydown",i=>{let s=i.shiftKey?20:1,r=Math.min(t.length-1,Math.max(0,e.cursor.idx??0)),[o,a]=this.range,c={"+":(a-o)/4,"=":(a-o)/4,"-":a-o}[i.key];if(i.key==="ArrowLeft"||i.key==="ArrowRight"){let l=Math.min(t.length-1,Math.max(0,r+(i.key==="ArrowLeft"?-s:s)));this.point(l)}else if(c!==void 0){let[l,h]=this.ends,u=e.cursor.idx==null?(o+a)/2:t[r];this.enlarge(Math.max(l,u-c),Math.min(h,u+c)),this.point(r)}else if(i.key==="Escape")this.enlarge(...this.ends);else return;i.preventDefault()})}point(e){let t=this.numbers.across[e];for(let{plot:i}of this.panes)i.setCursor({left:i.valToPos(t,"x"),top:0});this.panes[0].plot.over.setAttribute("aria-valuenow",String(t)),this.panes[0].plot.over.setAttribute("aria-valuetext",this.readout.textContent??"")}get width(){return this.element.clientWidth||this.drawing.parentElement?.clientWidth||940}follow(){new ResizeObserver(()=>{let e=this.element.clientWidth;if(e)for(let{plot:t}of this.panes)t.width!==e&&t.setSize({width:e,height:t.height})}).observe(this.element),new IntersectionObserver(e=>{this.seen=e[e.length-1].isIntersecting}).observe(this.element),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",()=>{for(let{plot:e}of this.panes)e.redraw(!1,!0)})}};function wo(n){let e=document.createElement("div");return e.className=n,e}function zh(n,e,t){let i=document.createElement("button");return i.type="button",i.textContent=n,i.title=e,i.setAttribute("aria-label",e),i.addEventListener("click",t),i}var Bx="600px";function Dp(){let n=xa("curves-data");if(!n)return;let e=document.createElement("style");e.textContent=Jf+jf,document.head.append(e);let t=new IntersectionObserver(i=>{for(let s of i.filter(r=>r.isIntersecting))t.unobserve(s.target),kx(s.target,n)},{rootMargin:Bx});for(let i of document.querySelectorAll("figure[data-curves]"))t.observe(i)}async function kx(n,e){let t=n.dataset.curves??"",i=n.querySelector(":scope > svg"),s=e[t];if(!(!s||!i||s.rows<2))try{let r=new ka(t,s,await Qf(s),i);n.classList.add("answers"),i.after(r.element)}catch{}}function Np(n,e,t){e.field!==void 0&&(n.field=e.field),e.time!==void 0&&(n.times[1]=e.time),e.left!==void 0&&(n.times[0]=e.left),e.beside!==void 0&&(n.beside=e.beside),e.cut!==void 0&&n.cuts.forEach((i,s)=>{i.on=e.cut?.axis===s,e.cut?.axis===s&&(i.at=e.cut.at)}),e.cutAll!==void 0&&(n.cutAll=e.cutAll),e.scale!==void 0&&(n.scale=e.scale),e.rock!==void 0&&(n.rock=e.rock),e.colourRock!==void 0&&(n.colourRock=e.colourRock),e.range!==void 0&&(n.range=e.range),e.parts!==void 0&&(n.shown=t.map(i=>e.parts.includes(i)))}function za(n){window.tremolite={...window.tremolite,view:n}}function Qe(n,e={},...t){let i=document.createElement(n);for(let[s,r]of Object.entries(e))i.setAttribute(s,r);return i.append(...t.filter(s=>s!==null)),i}function Ji(n,e,t){let i=Qe("input",{type:"checkbox"});return i.checked=e,i.addEventListener("change",()=>t(i.checked)),{row:Qe("label",{class:"view-check"},i,Qe("span",{},n)),input:i}}function Va(n,e,t,i){let s=Qe("select",{},...e.map(([r,o])=>Qe("option",{value:r},o)));return s.value=t,s.addEventListener("change",()=>i(s.value)),{row:Qe("label",{class:"view-row"},Qe("span",{},n),s),input:s}}function Vh(n,e,t,i,s){let r=Qe("input",{type:"range",min:"0",max:String(e),step:"1"}),o=Qe("output",{},i(t));r.value=String(t);let a=()=>{o.textContent=i(Number(r.value)),r.setAttribute("aria-valuetext",o.textContent)};a(),r.addEventListener("input",()=>{a(),s(Number(r.value))});let c=l=>{r.value=String(l),a()};return{row:Qe("label",{class:"view-row view-slide"},Qe("span",{},n),r,o),input:r,set:c}}function Gh(n,e){let t=Qe("input",{type:"number",step:"any","aria-label":n});return t.addEventListener("change",()=>{Number.isFinite(t.valueAsNumber)&&e(t.valueAsNumber)}),t}function Rr(n,e,t=""){let i=Qe("button",{type:"button",...t?{title:t,"aria-label":t}:{}},n);return i.addEventListener("click",e),i}var Pr=(n,e,...t)=>Qe("details",e?{open:""}:{},Qe("summary",{},n),...t);/**
+ * @license
+ * Copyright 2010-2026 Three.js Authors
+ * SPDX-License-Identifier: MIT
+ */var Is={LEFT:0,MIDDLE:1,RIGHT:2,ROTATE:0,DOLLY:1,PAN:2},Ls={ROTATE:0,PAN:1,DOLLY_PAN:2,DOLLY_ROTATE:3},am=0,mu=1,lm=2;var Jo=1,cm=2,jr=3,Ds=0,kn=1,pi=2,er=0,Qr=1,gu=2,_u=3,xu=4,hm=5;var tr=100,um=101,fm=102,dm=103,pm=104,mm=200,gm=201,_m=202,xm=203,yu=204,vu=205,ym=206,vm=207,Sm=208,bm=209,Mm=210,wm=211,Em=212,Am=213,Tm=214,fl=0,dl=1,pl=2,Xr=3,ml=4,gl=5,_l=6,xl=7,Su=0,Cm=1,Rm=2,Vi=0,bu=1,Mu=2,wu=3,Eu=4,Au=5,Tu=6,Cu=7;var Ru=300,nr=301,eo=302,ql=303,Yl=304,yl=1e3,zi=1001,vl=1002,bn=1003,Pm=1004;var jo=1005;var En=1006,Zl=1007;var os=1008;var ri=1009,Pu=1010,Iu=1011,to=1012,$l=1013,Ai=1014,Ti=1015,Ci=1016,Kl=1017,Jl=1018,ir=1020,Lu=35902,Du=35899,Nu=1021,Uu=1022,Ri=1023,ss=1026,as=1027,Fu=1028,jl=1029,Ns=1030,Ql=1031;var ec=1033,Qo=33776,ea=33777,ta=33778,na=33779,tc=35840,nc=35841,ic=35842,sc=35843,rc=36196,oc=37492,ac=37496,lc=37488,cc=37489,ia=37490,hc=37491,uc=37808,fc=37809,dc=37810,pc=37811,mc=37812,gc=37813,_c=37814,xc=37815,yc=37816,vc=37817,Sc=37818,bc=37819,Mc=37820,wc=37821,Ec=36492,Ac=36494,Tc=36495,Cc=36283,Rc=36284,sa=36285,Pc=36286;var Do=2300,Sl=2301,hl=2302,cu=2303,hu=2400,uu=2401,fu=2402;var Im=3200;var Ou=0,Lm=1,ls="",jn="srgb",No="srgb-linear",Uo="linear",Pt="srgb";var ul=7680;var Dm=519,Nm=512,Um=513,Fm=514,Bu=515,Om=516,Bm=517,ku=518,zu=519,km=35044;var Vu="300 es",fi=2e3,Fo=2001;function zx(n){for(let e=n.length-1;e>=0;--e)if(n[e]>=65535)return!0;return!1}function Vx(n){return ArrayBuffer.isView(n)&&!(n instanceof DataView)}function Oo(n){return document.createElementNS("http://www.w3.org/1999/xhtml",n)}function zm(){let n=Oo("canvas");return n.style.display="block",n}var Up={},Ks=null;function Gu(n){Ks=n}function Hu(...n){let e="THREE."+n.shift();Ks?Ks("log",e,...n):console.log(e,...n)}function Vm(n){let e=n[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=n[1];t&&t.isStackTrace?n[0]+=" "+t.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function Ke(...n){n=Vm(n);let e="THREE."+n.shift();if(Ks)Ks("warn",e,...n);else{let t=n[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...n)}}function st(...n){n=Vm(n);let e="THREE."+n.shift();if(Ks)Ks("error",e,...n);else{let t=n[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...n)}}function Po(...n){let e=n.join(" ");e in Up||(Up[e]=!0,Ke(...n))}function Gm(n,e,t){return new Promise(function(i,s){function r(){switch(n.clientWaitSync(e,n.SYNC_FLUSH_COMMANDS_BIT,0)){case n.WAIT_FAILED:s();break;case n.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:i()}}setTimeout(r,t)})}var Hm={[fl]:fl,[pl]:_l,[ml]:ml,[Xr]:gl,[dl]:dl,[_l]:pl,[xl]:xl,[gl]:Xr},wi=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let i=this._listeners;i[e]===void 0&&(i[e]=[]),i[e].indexOf(t)===-1&&i[e].push(t)}hasEventListener(e,t){let i=this._listeners;return i===void 0?!1:i[e]!==void 0&&i[e].indexOf(t)!==-1}removeEventListener(e,t){let i=this._listeners;if(i===void 0)return;let s=i[e];if(s!==void 0){let r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let i=t[e.type];if(i!==void 0){e.target=this;let s=i.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},Tn=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"],Fp=1234567,Io=Math.PI/180,qr=180/Math.PI;function no(){let n=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,i=Math.random()*4294967295|0;return(Tn[n&255]+Tn[n>>8&255]+Tn[n>>16&255]+Tn[n>>24&255]+"-"+Tn[e&255]+Tn[e>>8&255]+"-"+Tn[e>>16&15|64]+Tn[e>>24&255]+"-"+Tn[t&63|128]+Tn[t>>8&255]+"-"+Tn[t>>16&255]+Tn[t>>24&255]+Tn[i&255]+Tn[i>>8&255]+Tn[i>>16&255]+Tn[i>>24&255]).toLowerCase()}function _t(n,e,t){return Math.max(e,Math.min(t,n))}function Wu(n,e){return(n%e+e)%e}function Gx(n,e,t,i,s){return i+(n-e)*(s-i)/(t-e)}function Hx(n,e,t){return n!==e?(t-n)/(e-n):0}function Lo(n,e,t){return(1-t)*n+t*e}function Wx(n,e,t,i){return Lo(n,e,1-Math.exp(-t*i))}function Xx(n,e=1){return e-Math.abs(Wu(n,e*2)-e)}function qx(n,e,t){return n<=e?0:n>=t?1:(n=(n-e)/(t-e),n*n*(3-2*n))}function Yx(n,e,t){return n<=e?0:n>=t?1:(n=(n-e)/(t-e),n*n*n*(n*(n*6-15)+10))}function Zx(n,e){return n+Math.floor(Math.random()*(e-n+1))}function $x(n,e){return n+Math.random()*(e-n)}function Kx(n){return n*(.5-Math.random())}function Jx(n){n!==void 0&&(Fp=n);let e=Fp+=1831565813;return e=Math.imul(e^e>>>15,e|1),e^=e+Math.imul(e^e>>>7,e|61),((e^e>>>14)>>>0)/4294967296}function jx(n){return n*Io}function Qx(n){return n*qr}function ey(n){return n>0&&Number.isInteger(n)&&2**Math.round(Math.log2(n))===n}function ty(n){return Math.pow(2,Math.ceil(Math.log(n)/Math.LN2))}function Xu(n){return Math.pow(2,Math.floor(Math.log(n)/Math.LN2))}function ny(n,e,t,i,s){let r=Math.cos,o=Math.sin,a=r(t/2),c=o(t/2),l=r((e+i)/2),h=o((e+i)/2),u=r((e-i)/2),f=o((e-i)/2),d=r((i-e)/2),m=o((i-e)/2);switch(s){case"XYX":n.set(a*h,c*u,c*f,a*l);break;case"YZY":n.set(c*f,a*h,c*u,a*l);break;case"ZXZ":n.set(c*u,c*f,a*h,a*l);break;case"XZX":n.set(a*h,c*m,c*d,a*l);break;case"YXY":n.set(c*d,a*h,c*m,a*l);break;case"ZYZ":n.set(c*m,c*d,a*h,a*l);break;default:Ke("MathUtils: .setQuaternionFromProperEuler() encountered an unknown order: "+s)}}function qu(n){switch(n.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function Wm(n,e){if(e.constructor===Float32Array)return n;let t=qu(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(n/t,-1)}function Xm(n,e){if(e.constructor===Float32Array)return n;let t=qu(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(n*t)}var Yu={DEG2RAD:Io,RAD2DEG:qr,generateUUID:no,clamp:_t,euclideanModulo:Wu,mapLinear:Gx,inverseLerp:Hx,lerp:Lo,damp:Wx,pingpong:Xx,smoothstep:qx,smootherstep:Yx,randInt:Zx,randFloat:$x,randFloatSpread:Kx,seededRandom:Jx,degToRad:jx,radToDeg:Qx,isPowerOfTwo:ey,ceilPowerOfTwo:ty,floorPowerOfTwo:Xu,setQuaternionFromProperEuler:ny,normalize:Xm,denormalize:Wm},lt=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,i=this.y,s=e.elements;return this.x=s[0]*t+s[3]*i+s[6],this.y=s[1]*t+s[4]*i+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=_t(this.x,e.x,t.x),this.y=_t(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=_t(this.x,e,t),this.y=_t(this.y,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(_t(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(_t(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y;return t*t+i*i}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let i=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.x=r*i-o*s+e.x,this.y=r*s+o*i+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},ei=class{constructor(e=0,t=0,i=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=i,this._w=s}static slerpFlat(e,t,i,s,r,o,a){let c=i[s+0],l=i[s+1],h=i[s+2],u=i[s+3],f=r[o+0],d=r[o+1],m=r[o+2],y=r[o+3];if(u!==y||c!==f||l!==d||h!==m){let p=c*f+l*d+h*m+u*y;p<0&&(f=-f,d=-d,m=-m,y=-y,p=-p);let g=1-a;if(p<.9995){let v=Math.acos(p),T=Math.sin(v);g=Math.sin(g*v)/T,a=Math.sin(a*v)/T,c=c*g+f*a,l=l*g+d*a,h=h*g+m*a,u=u*g+y*a}else{c=c*g+f*a,l=l*g+d*a,h=h*g+m*a,u=u*g+y*a;let v=1/Math.sqrt(c*c+l*l+h*h+u*u);c*=v,l*=v,h*=v,u*=v}}e[t]=c,e[t+1]=l,e[t+2]=h,e[t+3]=u}static multiplyQuaternionsFlat(e,t,i,s,r,o){let a=i[s],c=i[s+1],l=i[s+2],h=i[s+3],u=r[o],f=r[o+1],d=r[o+2],m=r[o+3];return e[t]=a*m+h*u+c*d-l*f,e[t+1]=c*m+h*f+l*u-a*d,e[t+2]=l*m+h*d+a*f-c*u,e[t+3]=h*m-a*u-c*f-l*d,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,i,s){return this._x=e,this._y=t,this._z=i,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let i=e._x,s=e._y,r=e._z,o=e._order,a=Math.cos,c=Math.sin,l=a(i/2),h=a(s/2),u=a(r/2),f=c(i/2),d=c(s/2),m=c(r/2);switch(o){case"XYZ":this._x=f*h*u+l*d*m,this._y=l*d*u-f*h*m,this._z=l*h*m+f*d*u,this._w=l*h*u-f*d*m;break;case"YXZ":this._x=f*h*u+l*d*m,this._y=l*d*u-f*h*m,this._z=l*h*m-f*d*u,this._w=l*h*u+f*d*m;break;case"ZXY":this._x=f*h*u-l*d*m,this._y=l*d*u+f*h*m,this._z=l*h*m+f*d*u,this._w=l*h*u-f*d*m;break;case"ZYX":this._x=f*h*u-l*d*m,this._y=l*d*u+f*h*m,this._z=l*h*m-f*d*u,this._w=l*h*u+f*d*m;break;case"YZX":this._x=f*h*u+l*d*m,this._y=l*d*u+f*h*m,this._z=l*h*m-f*d*u,this._w=l*h*u-f*d*m;break;case"XZY":this._x=f*h*u-l*d*m,this._y=l*d*u-f*h*m,this._z=l*h*m+f*d*u,this._w=l*h*u+f*d*m;break;default:Ke("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let i=t/2,s=Math.sin(i);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(i),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,i=t[0],s=t[4],r=t[8],o=t[1],a=t[5],c=t[9],l=t[2],h=t[6],u=t[10],f=i+a+u;if(f>0){let d=.5/Math.sqrt(f+1);this._w=.25/d,this._x=(h-c)*d,this._y=(r-l)*d,this._z=(o-s)*d}else if(i>a&&i>u){let d=2*Math.sqrt(1+i-a-u);this._w=(h-c)/d,this._x=.25*d,this._y=(s+o)/d,this._z=(r+l)/d}else if(a>u){let d=2*Math.sqrt(1+a-i-u);this._w=(r-l)/d,this._x=(s+o)/d,this._y=.25*d,this._z=(c+h)/d}else{let d=2*Math.sqrt(1+u-i-a);this._w=(o-s)/d,this._x=(r+l)/d,this._y=(c+h)/d,this._z=.25*d}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let i=e.dot(t)+1;return i<1e-8?(i=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=i):(this._x=0,this._y=-e.z,this._z=e.y,this._w=i)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=i),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(_t(this.dot(e),-1,1)))}rotateTowards(e,t){let i=this.angleTo(e);if(i===0)return this;let s=Math.min(1,t/i);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=t._x,c=t._y,l=t._z,h=t._w;return this._x=i*h+o*a+s*l-r*c,this._y=s*h+o*c+r*a-i*l,this._z=r*h+o*l+i*c-s*a,this._w=o*h-i*a-s*c-r*l,this._onChangeCallback(),this}slerp(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(i=-i,s=-s,r=-r,o=-o,a=-a);let c=1-t;if(a<.9995){let l=Math.acos(a),h=Math.sin(l);c=Math.sin(c*l)/h,t=Math.sin(t*l)/h,this._x=this._x*c+i*t,this._y=this._y*c+s*t,this._z=this._z*c+r*t,this._w=this._w*c+o*t,this._onChangeCallback()}else this._x=this._x*c+i*t,this._y=this._y*c+s*t,this._z=this._z*c+r*t,this._w=this._w*c+o*t,this.normalize();return this}slerpQuaternions(e,t,i){return this.copy(e).slerp(t,i)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),i=Math.random(),s=Math.sqrt(1-i),r=Math.sqrt(i);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},W=class{static{this.prototype.isVector3=!0}constructor(e=0,t=0,i=0){this.x=e,this.y=t,this.z=i}set(e,t,i){return i===void 0&&(i=this.z),this.x=e,this.y=t,this.z=i,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Op.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(Op.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*i+r[6]*s,this.y=r[1]*t+r[4]*i+r[7]*s,this.z=r[2]*t+r[5]*i+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=e.elements,o=1/(r[3]*t+r[7]*i+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*i+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*i+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*i+r[10]*s+r[14])*o,this}applyQuaternion(e){let t=this.x,i=this.y,s=this.z,r=e.x,o=e.y,a=e.z,c=e.w,l=2*(o*s-a*i),h=2*(a*t-r*s),u=2*(r*i-o*t);return this.x=t+c*l+o*u-a*h,this.y=i+c*h+a*l-r*u,this.z=s+c*u+r*h-o*l,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*i+r[8]*s,this.y=r[1]*t+r[5]*i+r[9]*s,this.z=r[2]*t+r[6]*i+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=_t(this.x,e.x,t.x),this.y=_t(this.y,e.y,t.y),this.z=_t(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=_t(this.x,e,t),this.y=_t(this.y,e,t),this.z=_t(this.z,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(_t(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let i=e.x,s=e.y,r=e.z,o=t.x,a=t.y,c=t.z;return this.x=s*c-r*a,this.y=r*o-i*c,this.z=i*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let i=e.dot(this)/t;return this.copy(e).multiplyScalar(i)}projectOnPlane(e){return Hh.copy(this).projectOnVector(e),this.sub(Hh)}reflect(e){return this.sub(Hh.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(_t(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y,s=this.z-e.z;return t*t+i*i+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,i){let s=Math.sin(t)*e;return this.x=s*Math.sin(i),this.y=Math.cos(t)*e,this.z=s*Math.cos(i),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,i){return this.x=e*Math.sin(t),this.y=i,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),i=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=i,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,i=Math.sqrt(1-t*t);return this.x=i*Math.cos(e),this.y=t,this.z=i*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},Hh=new W,Op=new ei,rt=class{static{this.prototype.isMatrix3=!0}constructor(e,t,i,s,r,o,a,c,l){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,c,l)}set(e,t,i,s,r,o,a,c,l){let h=this.elements;return h[0]=e,h[1]=s,h[2]=a,h[3]=t,h[4]=r,h[5]=c,h[6]=i,h[7]=o,h[8]=l,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],this}extractBasis(e,t,i){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),i.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[3],c=i[6],l=i[1],h=i[4],u=i[7],f=i[2],d=i[5],m=i[8],y=s[0],p=s[3],g=s[6],v=s[1],T=s[4],b=s[7],R=s[2],E=s[5],x=s[8];return r[0]=o*y+a*v+c*R,r[3]=o*p+a*T+c*E,r[6]=o*g+a*b+c*x,r[1]=l*y+h*v+u*R,r[4]=l*p+h*T+u*E,r[7]=l*g+h*b+u*x,r[2]=f*y+d*v+m*R,r[5]=f*p+d*T+m*E,r[8]=f*g+d*b+m*x,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],c=e[6],l=e[7],h=e[8];return t*o*h-t*a*l-i*r*h+i*a*c+s*r*l-s*o*c}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],c=e[6],l=e[7],h=e[8],u=h*o-a*l,f=a*c-h*r,d=l*r-o*c,m=t*u+i*f+s*d;if(m===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/m;return e[0]=u*y,e[1]=(s*l-h*i)*y,e[2]=(a*i-s*o)*y,e[3]=f*y,e[4]=(h*t-s*c)*y,e[5]=(s*r-a*t)*y,e[6]=d*y,e[7]=(i*c-l*t)*y,e[8]=(o*t-i*r)*y,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,i,s,r,o,a){let c=Math.cos(r),l=Math.sin(r);return this.set(i*c,i*l,-i*(c*o+l*a)+o+e,-s*l,s*c,-s*(-l*o+c*a)+a+t,0,0,1),this}scale(e,t){return Po("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(Wh.makeScale(e,t)),this}rotate(e){return Po("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(Wh.makeRotation(-e)),this}translate(e,t){return Po("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(Wh.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,i,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<9;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<9;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e}clone(){return new this.constructor().fromArray(this.elements)}},Wh=new rt,Bp=new rt().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),kp=new rt().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function iy(){let n={enabled:!0,workingColorSpace:No,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Pt&&(s.r=is(s.r),s.g=is(s.g),s.b=is(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===Pt&&(s.r=Wr(s.r),s.g=Wr(s.g),s.b=Wr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===ls?Uo:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],i=[.3127,.329];return n.define({[No]:{primaries:e,whitePoint:i,transfer:Uo,toXYZ:Bp,fromXYZ:kp,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:jn},outputColorSpaceConfig:{drawingBufferColorSpace:jn}},[jn]:{primaries:e,whitePoint:i,transfer:Pt,toXYZ:Bp,fromXYZ:kp,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:jn}}}),n}var bt=iy();function is(n){return n<.04045?n*.0773993808:Math.pow(n*.9478672986+.0521327014,2.4)}function Wr(n){return n<.0031308?n*12.92:1.055*Math.pow(n,.41666)-.055}var Ir,bl=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let i;if(e instanceof HTMLCanvasElement)i=e;else{Ir===void 0&&(Ir=Oo("canvas")),Ir.width=e.width,Ir.height=e.height;let s=Ir.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),i=Ir}return i.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=Oo("canvas");t.width=e.width,t.height=e.height;let i=t.getContext("2d");i.drawImage(e,0,0,e.width,e.height);let s=i.getImageData(0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=is(r[o]/255)*255;return i.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let i=0;i<t.length;i++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[i]=Math.floor(is(t[i]/255)*255):t[i]=is(t[i]);return{data:t,width:e.width,height:e.height}}else return Ke("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},sy=0,Yr=class{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:sy++}),this.uuid=no(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let i={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(Xh(s[o].image)):r.push(Xh(s[o]))}else r=Xh(s);i.url=r}return t||(e.images[this.uuid]=i),i}};function Xh(n){return typeof HTMLImageElement<"u"&&n instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&n instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&n instanceof ImageBitmap?bl.getDataURL(n):n.data?{data:Array.from(n.data),width:n.width,height:n.height,type:n.data.constructor.name}:(Ke("Texture: Unable to serialize Texture."),{})}var ry=0,qh=new W,Vn=class n extends wi{constructor(e=n.DEFAULT_IMAGE,t=n.DEFAULT_MAPPING,i=zi,s=zi,r=En,o=os,a=Ri,c=ri,l=n.DEFAULT_ANISOTROPY,h=ls){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:ry++}),this.uuid=no(),this.name="",this.source=new Yr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=i,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=l,this.format=a,this.internalFormat=null,this.type=c,this.offset=new lt(0,0),this.repeat=new lt(1,1),this.center=new lt(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new rt,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=h,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(qh).x}get height(){return this.source.getSize(qh).y}get depth(){return this.source.getSize(qh).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let i=e[t];if(i===void 0){Ke(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Ke(`Texture.setValues(): property '${t}' does not exist.`);continue}s&&i&&s.isVector2&&i.isVector2||s&&i&&s.isVector3&&i.isVector3||s&&i&&s.isMatrix3&&i.isMatrix3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let i={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(i.userData=this.userData),t||(e.textures[this.uuid]=i),i}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==Ru)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case yl:e.x=e.x-Math.floor(e.x);break;case zi:e.x=e.x<0?0:1;break;case vl:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case yl:e.y=e.y-Math.floor(e.y);break;case zi:e.y=e.y<0?0:1;break;case vl:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};Vn.DEFAULT_IMAGE=null;Vn.DEFAULT_MAPPING=Ru;Vn.DEFAULT_ANISOTROPY=1;var $t=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,i=0,s=1){this.x=e,this.y=t,this.z=i,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,i,s){return this.x=e,this.y=t,this.z=i,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*i+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*i+o[9]*s+o[13]*r,this.z=o[2]*t+o[6]*i+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*i+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,i,s,r,c=e.elements,l=c[0],h=c[4],u=c[8],f=c[1],d=c[5],m=c[9],y=c[2],p=c[6],g=c[10];if(Math.abs(h-f)<.01&&Math.abs(u-y)<.01&&Math.abs(m-p)<.01){if(Math.abs(h+f)<.1&&Math.abs(u+y)<.1&&Math.abs(m+p)<.1&&Math.abs(l+d+g-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let T=(l+1)/2,b=(d+1)/2,R=(g+1)/2,E=(h+f)/4,x=(u+y)/4,A=(m+p)/4;return T>b&&T>R?T<.01?(i=0,s=.707106781,r=.707106781):(i=Math.sqrt(T),s=E/i,r=x/i):b>R?b<.01?(i=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),i=E/s,r=A/s):R<.01?(i=.707106781,s=.707106781,r=0):(r=Math.sqrt(R),i=x/r,s=A/r),this.set(i,s,r,t),this}let v=Math.sqrt((p-m)*(p-m)+(u-y)*(u-y)+(f-h)*(f-h));return Math.abs(v)<.001&&(v=1),this.x=(p-m)/v,this.y=(u-y)/v,this.z=(f-h)/v,this.w=Math.acos((l+d+g-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=_t(this.x,e.x,t.x),this.y=_t(this.y,e.y,t.y),this.z=_t(this.z,e.z,t.z),this.w=_t(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=_t(this.x,e,t),this.y=_t(this.y,e,t),this.z=_t(this.z,e,t),this.w=_t(this.w,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(_t(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this.w=e.w+(t.w-e.w)*i,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},Ml=class extends wi{constructor(e=1,t=1,i={}){super(),i=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:En,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},i),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=i.depth,this.scissor=new $t(0,0,e,t),this.scissorTest=!1,this.viewport=new $t(0,0,e,t),this.textures=[];let s=i.count;for(let r=0;r<s;r++)this.textures[r]=new Vn({width:e,height:t,depth:i.depth}),this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;this._setTextureOptions(i),this.depthBuffer=i.depthBuffer,this.stencilBuffer=i.stencilBuffer,this.resolveColorBuffer=i.resolveColorBuffer,this.resolveDepthBuffer=i.resolveDepthBuffer,this.resolveStencilBuffer=i.resolveStencilBuffer,this.storeMultisampledColorBuffer=i.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=i.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=i.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=i.depthTexture,this.samples=i.samples,this.multiview=i.multiview,this.useArrayDepthTexture=i.useArrayDepthTexture}_setTextureOptions(e={}){let t={minFilter:En,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let i=0;i<this.textures.length;i++)this.textures[i].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),e!==null&&e.renderTarget===null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,i=1){if(this.width!==e||this.height!==t||this.depth!==i){this.width=e,this.height=t,this.depth=i;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=i,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,i=e.textures.length;t<i;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Yr(s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},ti=class extends Ml{constructor(e=1,t=1,i={}){super(e,t,i),this.isWebGLRenderTarget=!0}},Bo=class extends Vn{constructor(e=null,t=1,i=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=bn,this.minFilter=bn,this.wrapR=zi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var wl=class extends Vn{constructor(e=null,t=1,i=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=bn,this.minFilter=bn,this.wrapR=zi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var Zt=class n{static{this.prototype.isMatrix4=!0}constructor(e,t,i,s,r,o,a,c,l,h,u,f,d,m,y,p){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,c,l,h,u,f,d,m,y,p)}set(e,t,i,s,r,o,a,c,l,h,u,f,d,m,y,p){let g=this.elements;return g[0]=e,g[4]=t,g[8]=i,g[12]=s,g[1]=r,g[5]=o,g[9]=a,g[13]=c,g[2]=l,g[6]=h,g[10]=u,g[14]=f,g[3]=d,g[7]=m,g[11]=y,g[15]=p,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new n().fromArray(this.elements)}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],t[9]=i[9],t[10]=i[10],t[11]=i[11],t[12]=i[12],t[13]=i[13],t[14]=i[14],t[15]=i[15],this}copyPosition(e){let t=this.elements,i=e.elements;return t[12]=i[12],t[13]=i[13],t[14]=i[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,i){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),i.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),i.setFromMatrixColumn(this,2),this)}makeBasis(e,t,i){return this.set(e.x,t.x,i.x,0,e.y,t.y,i.y,0,e.z,t.z,i.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,i=e.elements,s=1/Lr.setFromMatrixColumn(e,0).length(),r=1/Lr.setFromMatrixColumn(e,1).length(),o=1/Lr.setFromMatrixColumn(e,2).length();return t[0]=i[0]*s,t[1]=i[1]*s,t[2]=i[2]*s,t[3]=0,t[4]=i[4]*r,t[5]=i[5]*r,t[6]=i[6]*r,t[7]=0,t[8]=i[8]*o,t[9]=i[9]*o,t[10]=i[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,i=e.x,s=e.y,r=e.z,o=Math.cos(i),a=Math.sin(i),c=Math.cos(s),l=Math.sin(s),h=Math.cos(r),u=Math.sin(r);if(e.order==="XYZ"){let f=o*h,d=o*u,m=a*h,y=a*u;t[0]=c*h,t[4]=-c*u,t[8]=l,t[1]=d+m*l,t[5]=f-y*l,t[9]=-a*c,t[2]=y-f*l,t[6]=m+d*l,t[10]=o*c}else if(e.order==="YXZ"){let f=c*h,d=c*u,m=l*h,y=l*u;t[0]=f+y*a,t[4]=m*a-d,t[8]=o*l,t[1]=o*u,t[5]=o*h,t[9]=-a,t[2]=d*a-m,t[6]=y+f*a,t[10]=o*c}else if(e.order==="ZXY"){let f=c*h,d=c*u,m=l*h,y=l*u;t[0]=f-y*a,t[4]=-o*u,t[8]=m+d*a,t[1]=d+m*a,t[5]=o*h,t[9]=y-f*a,t[2]=-o*l,t[6]=a,t[10]=o*c}else if(e.order==="ZYX"){let f=o*h,d=o*u,m=a*h,y=a*u;t[0]=c*h,t[4]=m*l-d,t[8]=f*l+y,t[1]=c*u,t[5]=y*l+f,t[9]=d*l-m,t[2]=-l,t[6]=a*c,t[10]=o*c}else if(e.order==="YZX"){let f=o*c,d=o*l,m=a*c,y=a*l;t[0]=c*h,t[4]=y-f*u,t[8]=m*u+d,t[1]=u,t[5]=o*h,t[9]=-a*h,t[2]=-l*h,t[6]=d*u+m,t[10]=f-y*u}else if(e.order==="XZY"){let f=o*c,d=o*l,m=a*c,y=a*l;t[0]=c*h,t[4]=-u,t[8]=l*h,t[1]=f*u+y,t[5]=o*h,t[9]=d*u-m,t[2]=m*u-d,t[6]=a*h,t[10]=y*u+f}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(oy,e,ay)}lookAt(e,t,i){let s=this.elements;return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),xs.crossVectors(i,Kn),xs.lengthSq()===0&&(Math.abs(i.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),xs.crossVectors(i,Kn)),xs.normalize(),Ga.crossVectors(Kn,xs),s[0]=xs.x,s[4]=Ga.x,s[8]=Kn.x,s[1]=xs.y,s[5]=Ga.y,s[9]=Kn.y,s[2]=xs.z,s[6]=Ga.z,s[10]=Kn.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[4],c=i[8],l=i[12],h=i[1],u=i[5],f=i[9],d=i[13],m=i[2],y=i[6],p=i[10],g=i[14],v=i[3],T=i[7],b=i[11],R=i[15],E=s[0],x=s[4],A=s[8],k=s[12],I=s[1],L=s[5],z=s[9],H=s[13],N=s[2],G=s[6],Y=s[10],B=s[14],ae=s[3],Z=s[7],J=s[11],ne=s[15];return r[0]=o*E+a*I+c*N+l*ae,r[4]=o*x+a*L+c*G+l*Z,r[8]=o*A+a*z+c*Y+l*J,r[12]=o*k+a*H+c*B+l*ne,r[1]=h*E+u*I+f*N+d*ae,r[5]=h*x+u*L+f*G+d*Z,r[9]=h*A+u*z+f*Y+d*J,r[13]=h*k+u*H+f*B+d*ne,r[2]=m*E+y*I+p*N+g*ae,r[6]=m*x+y*L+p*G+g*Z,r[10]=m*A+y*z+p*Y+g*J,r[14]=m*k+y*H+p*B+g*ne,r[3]=v*E+T*I+b*N+R*ae,r[7]=v*x+T*L+b*G+R*Z,r[11]=v*A+T*z+b*Y+R*J,r[15]=v*k+T*H+b*B+R*ne,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[12],o=e[1],a=e[5],c=e[9],l=e[13],h=e[2],u=e[6],f=e[10],d=e[14],m=e[3],y=e[7],p=e[11],g=e[15],v=c*d-l*f,T=a*d-l*u,b=a*f-c*u,R=o*d-l*h,E=o*f-c*h,x=o*u-a*h;return t*(y*v-p*T+g*b)-i*(m*v-p*R+g*E)+s*(m*T-y*R+g*x)-r*(m*b-y*E+p*x)}determinantAffine(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[1],o=e[5],a=e[9],c=e[2],l=e[6],h=e[10];return t*(o*h-a*l)-i*(r*h-a*c)+s*(r*l-o*c)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,i){let s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=i),this}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],c=e[6],l=e[7],h=e[8],u=e[9],f=e[10],d=e[11],m=e[12],y=e[13],p=e[14],g=e[15],v=t*a-i*o,T=t*c-s*o,b=t*l-r*o,R=i*c-s*a,E=i*l-r*a,x=s*l-r*c,A=h*y-u*m,k=h*p-f*m,I=h*g-d*m,L=u*p-f*y,z=u*g-d*y,H=f*g-d*p,N=v*H-T*z+b*L+R*I-E*k+x*A;if(N===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/N;return e[0]=(a*H-c*z+l*L)*G,e[1]=(s*z-i*H-r*L)*G,e[2]=(y*x-p*E+g*R)*G,e[3]=(f*E-u*x-d*R)*G,e[4]=(c*I-o*H-l*k)*G,e[5]=(t*H-s*I+r*k)*G,e[6]=(p*b-m*x-g*T)*G,e[7]=(h*x-f*b+d*T)*G,e[8]=(o*z-a*I+l*A)*G,e[9]=(i*I-t*z-r*A)*G,e[10]=(m*E-y*b+g*v)*G,e[11]=(u*b-h*E-d*v)*G,e[12]=(a*k-o*L-c*A)*G,e[13]=(t*L-i*k+s*A)*G,e[14]=(y*T-m*R-p*v)*G,e[15]=(h*R-u*T+f*v)*G,this}scale(e){let t=this.elements,i=e.x,s=e.y,r=e.z;return t[0]*=i,t[4]*=s,t[8]*=r,t[1]*=i,t[5]*=s,t[9]*=r,t[2]*=i,t[6]*=s,t[10]*=r,t[3]*=i,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],i=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,i,s))}makeTranslation(e,t,i){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,i,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),i=Math.sin(e);return this.set(1,0,0,0,0,t,-i,0,0,i,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,0,i,0,0,1,0,0,-i,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,0,i,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let i=Math.cos(t),s=Math.sin(t),r=1-i,o=e.x,a=e.y,c=e.z,l=r*o,h=r*a;return this.set(l*o+i,l*a-s*c,l*c+s*a,0,l*a+s*c,h*a+i,h*c-s*o,0,l*c-s*a,h*c+s*o,r*c*c+i,0,0,0,0,1),this}makeScale(e,t,i){return this.set(e,0,0,0,0,t,0,0,0,0,i,0,0,0,0,1),this}makeShear(e,t,i,s,r,o){return this.set(1,i,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,i){let s=this.elements,r=t._x,o=t._y,a=t._z,c=t._w,l=r+r,h=o+o,u=a+a,f=r*l,d=r*h,m=r*u,y=o*h,p=o*u,g=a*u,v=c*l,T=c*h,b=c*u,R=i.x,E=i.y,x=i.z;return s[0]=(1-(y+g))*R,s[1]=(d+b)*R,s[2]=(m-T)*R,s[3]=0,s[4]=(d-b)*E,s[5]=(1-(f+g))*E,s[6]=(p+v)*E,s[7]=0,s[8]=(m+T)*x,s[9]=(p-v)*x,s[10]=(1-(f+y))*x,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,i){let s=this.elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return i.set(1,1,1),t.identity(),this;let o=Lr.set(s[0],s[1],s[2]).length(),a=Lr.set(s[4],s[5],s[6]).length(),c=Lr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),Si.copy(this);let l=1/o,h=1/a,u=1/c;return Si.elements[0]*=l,Si.elements[1]*=l,Si.elements[2]*=l,Si.elements[4]*=h,Si.elements[5]*=h,Si.elements[6]*=h,Si.elements[8]*=u,Si.elements[9]*=u,Si.elements[10]*=u,t.setFromRotationMatrix(Si),i.x=o,i.y=a,i.z=c,this}makePerspective(e,t,i,s,r,o,a=fi,c=!1){let l=this.elements,h=2*r/(t-e),u=2*r/(i-s),f=(t+e)/(t-e),d=(i+s)/(i-s),m,y;if(c)m=r/(o-r),y=o*r/(o-r);else if(a===fi)m=-(o+r)/(o-r),y=-2*o*r/(o-r);else if(a===Fo)m=-o/(o-r),y=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return l[0]=h,l[4]=0,l[8]=f,l[12]=0,l[1]=0,l[5]=u,l[9]=d,l[13]=0,l[2]=0,l[6]=0,l[10]=m,l[14]=y,l[3]=0,l[7]=0,l[11]=-1,l[15]=0,this}makeOrthographic(e,t,i,s,r,o,a=fi,c=!1){let l=this.elements,h=2/(t-e),u=2/(i-s),f=-(t+e)/(t-e),d=-(i+s)/(i-s),m,y;if(c)m=1/(o-r),y=o/(o-r);else if(a===fi)m=-2/(o-r),y=-(o+r)/(o-r);else if(a===Fo)m=-1/(o-r),y=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return l[0]=h,l[4]=0,l[8]=0,l[12]=f,l[1]=0,l[5]=u,l[9]=0,l[13]=d,l[2]=0,l[6]=0,l[10]=m,l[14]=y,l[3]=0,l[7]=0,l[11]=0,l[15]=1,this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<16;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<16;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e[t+9]=i[9],e[t+10]=i[10],e[t+11]=i[11],e[t+12]=i[12],e[t+13]=i[13],e[t+14]=i[14],e[t+15]=i[15],e}},Lr=new W,Si=new Zt,oy=new W(0,0,0),ay=new W(1,1,1),xs=new W,Ga=new W,Kn=new W,zp=new Zt,Vp=new ei,ws=class n{constructor(e=0,t=0,i=0,s=n.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=i,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,i,s=this._order){return this._x=e,this._y=t,this._z=i,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,i=!0){let s=e.elements,r=s[0],o=s[4],a=s[8],c=s[1],l=s[5],h=s[9],u=s[2],f=s[6],d=s[10];switch(t){case"XYZ":this._y=Math.asin(_t(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-h,d),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(f,l),this._z=0);break;case"YXZ":this._x=Math.asin(-_t(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(a,d),this._z=Math.atan2(c,l)):(this._y=Math.atan2(-u,r),this._z=0);break;case"ZXY":this._x=Math.asin(_t(f,-1,1)),Math.abs(f)<.9999999?(this._y=Math.atan2(-u,d),this._z=Math.atan2(-o,l)):(this._y=0,this._z=Math.atan2(c,r));break;case"ZYX":this._y=Math.asin(-_t(u,-1,1)),Math.abs(u)<.9999999?(this._x=Math.atan2(f,d),this._z=Math.atan2(c,r)):(this._x=0,this._z=Math.atan2(-o,l));break;case"YZX":this._z=Math.asin(_t(c,-1,1)),Math.abs(c)<.9999999?(this._x=Math.atan2(-h,l),this._y=Math.atan2(-u,r)):(this._x=0,this._y=Math.atan2(a,d));break;case"XZY":this._z=Math.asin(-_t(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(f,l),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-h,d),this._y=0);break;default:Ke("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,i===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,i){return zp.makeRotationFromQuaternion(e),this.setFromRotationMatrix(zp,t,i)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return Vp.setFromEuler(this),this.setFromQuaternion(Vp,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};ws.DEFAULT_ORDER="XYZ";var ko=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},ly=0,Gp=new W,Dr=new ei,ji=new Zt,Ha=new W,Eo=new W,cy=new W,hy=new ei,Hp=new W(1,0,0),Wp=new W(0,1,0),Xp=new W(0,0,1),qp={type:"added"},uy={type:"removed"},Nr={type:"childadded",child:null},Yh={type:"childremoved",child:null},ni=class n extends wi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:ly++}),this.uuid=no(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=n.DEFAULT_UP.clone();let e=new W,t=new ws,i=new ei,s=new W(1,1,1);function r(){i.setFromEuler(t,!1)}function o(){t.setFromQuaternion(i,void 0,!1)}t._onChange(r),i._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:i},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new Zt},normalMatrix:{value:new rt}}),this.matrix=new Zt,this.matrixWorld=new Zt,this.matrixAutoUpdate=n.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=n.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new ko,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Dr.setFromAxisAngle(e,t),this.quaternion.multiply(Dr),this}rotateOnWorldAxis(e,t){return Dr.setFromAxisAngle(e,t),this.quaternion.premultiply(Dr),this}rotateX(e){return this.rotateOnAxis(Hp,e)}rotateY(e){return this.rotateOnAxis(Wp,e)}rotateZ(e){return this.rotateOnAxis(Xp,e)}translateOnAxis(e,t){return Gp.copy(e).applyQuaternion(this.quaternion),this.position.add(Gp.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Hp,e)}translateY(e){return this.translateOnAxis(Wp,e)}translateZ(e){return this.translateOnAxis(Xp,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(ji.copy(this.matrixWorld).invert())}lookAt(e,t,i){e.isVector3?Ha.copy(e):Ha.set(e,t,i);let s=this.parent;this.updateWorldMatrix(!0,!1),Eo.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?ji.lookAt(Eo,Ha,this.up):ji.lookAt(Ha,Eo,this.up),this.quaternion.setFromRotationMatrix(ji),s&&(ji.extractRotation(s.matrixWorld),Dr.setFromRotationMatrix(ji),this.quaternion.premultiply(Dr.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(st("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(qp),Nr.child=e,this.dispatchEvent(Nr),Nr.child=null):st("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let i=0;i<arguments.length;i++)this.remove(arguments[i]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(uy),Yh.child=e,this.dispatchEvent(Yh),Yh.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),ji.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),ji.multiply(e.parent.matrixWorld)),e.applyMatrix4(ji),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(qp),Nr.child=e,this.dispatchEvent(Nr),Nr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let i=0,s=this.children.length;i<s;i++){let o=this.children[i].getObjectByProperty(e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,i=[]){this[e]===t&&i.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(e,t,i);return i}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Eo,e,cy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Eo,hy,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let e=this.pivot;if(e!==null){let t=e.x,i=e.y,s=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*i-r[8]*s,r[13]+=i-r[1]*t-r[5]*i-r[9]*s,r[14]+=s-r[2]*t-r[6]*i-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].updateMatrixWorld(e)}updateWorldMatrix(e,t,i=!1){let s=this.parent;if(e===!0&&s!==null&&s.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||i)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,i=!0),t===!0){let r=this.children;for(let o=0,a=r.length;o<a;o++)r[o].updateWorldMatrix(!1,!0,i)}}toJSON(e){let t=e===void 0||typeof e=="string",i={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},i.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,s.name=this.name,s.castShadow=this.castShadow,s.receiveShadow=this.receiveShadow,s.visible=this.visible,s.frustumCulled=this.frustumCulled,s.renderOrder=this.renderOrder,s.static=this.static,s.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,c){return a[c.uuid]===void 0&&(a[c.uuid]=c.toJSON(e)),c.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let c=a.shapes;if(Array.isArray(c))for(let l=0,h=c.length;l<h;l++){let u=c[l];r(e.shapes,u)}else r(e.shapes,c)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let c=0,l=this.material.length;c<l;c++)a.push(r(e.materials,this.material[c]));s.material=a}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let c=this.animations[a];s.animations.push(r(e.animations,c))}}if(t){let a=o(e.geometries),c=o(e.materials),l=o(e.textures),h=o(e.images),u=o(e.shapes),f=o(e.skeletons),d=o(e.animations),m=o(e.nodes);a.length>0&&(i.geometries=a),c.length>0&&(i.materials=c),l.length>0&&(i.textures=l),h.length>0&&(i.images=h),u.length>0&&(i.shapes=u),f.length>0&&(i.skeletons=f),d.length>0&&(i.animations=d),m.length>0&&(i.nodes=m)}return i.object=s,i;function o(a){let c=[];for(let l in a){let h=a[l];delete h.metadata,c.push(h)}return c}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let i=0;i<e.children.length;i++){let s=e.children[i];this.add(s.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};ni.DEFAULT_UP=new W(0,1,0);ni.DEFAULT_MATRIX_AUTO_UPDATE=!0;ni.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var $s=class extends ni{constructor(){super(),this.isGroup=!0,this.type="Group"}},fy={type:"move"},Zr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new $s,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new $s,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new W,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new W),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new $s,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new W,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new W,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let i of e.hand.values())this._getHandJoint(t,i)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,i){let s=null,r=null,o=null,a=this._targetRay,c=this._grip,l=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(l&&e.hand){o=!0;for(let y of e.hand.values()){let p=t.getJointPose(y,i),g=this._getHandJoint(l,y);p!==null&&(g.matrix.fromArray(p.transform.matrix),g.matrix.decompose(g.position,g.quaternion,g.scale),g.matrixWorldNeedsUpdate=!0,g.jointRadius=p.radius),g.visible=p!==null}let h=l.joints["index-finger-tip"],u=l.joints["thumb-tip"],f=h.position.distanceTo(u.position),d=.02,m=.005;l.inputState.pinching&&f>d+m?(l.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!l.inputState.pinching&&f<=d-m&&(l.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else c!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,i),r!==null&&(c.matrix.fromArray(r.transform.matrix),c.matrix.decompose(c.position,c.quaternion,c.scale),c.matrixWorldNeedsUpdate=!0,r.linearVelocity?(c.hasLinearVelocity=!0,c.linearVelocity.copy(r.linearVelocity)):c.hasLinearVelocity=!1,r.angularVelocity?(c.hasAngularVelocity=!0,c.angularVelocity.copy(r.angularVelocity)):c.hasAngularVelocity=!1,c.eventsEnabled&&c.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,i),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(fy)))}return a!==null&&(a.visible=s!==null),c!==null&&(c.visible=r!==null),l!==null&&(l.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){let i=new $s;i.matrixAutoUpdate=!1,i.visible=!1,e.joints[t.jointName]=i,e.add(i)}return e.joints[t.jointName]}},qm={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},ys={h:0,s:0,l:0},Wa={h:0,s:0,l:0};function Zh(n,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?n+(e-n)*6*t:t<1/2?e:t<2/3?n+(e-n)*6*(2/3-t):n}var ct=class{constructor(e,t,i){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,i)}set(e,t,i){if(t===void 0&&i===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,i);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=jn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,bt.colorSpaceToWorking(this,t),this}setRGB(e,t,i,s=bt.workingColorSpace){return this.r=e,this.g=t,this.b=i,bt.colorSpaceToWorking(this,s),this}setHSL(e,t,i,s=bt.workingColorSpace){if(e=Wu(e,1),t=_t(t,0,1),i=_t(i,0,1),t===0)this.r=this.g=this.b=i;else{let r=i<=.5?i*(1+t):i+t-i*t,o=2*i-r;this.r=Zh(o,r,e+1/3),this.g=Zh(o,r,e),this.b=Zh(o,r,e-1/3)}return bt.colorSpaceToWorking(this,s),this}setStyle(e,t=jn){function i(r){r!==void 0&&parseFloat(r)<1&&Ke("Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:Ke("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.setHex(parseInt(r,16),t);Ke("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=jn){let i=qm[e.toLowerCase()];return i!==void 0?this.setHex(i,t):Ke("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=is(e.r),this.g=is(e.g),this.b=is(e.b),this}copyLinearToSRGB(e){return this.r=Wr(e.r),this.g=Wr(e.g),this.b=Wr(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=jn){return bt.workingToColorSpace(Cn.copy(this),e),Math.round(_t(Cn.r*255,0,255))*65536+Math.round(_t(Cn.g*255,0,255))*256+Math.round(_t(Cn.b*255,0,255))}getHexString(e=jn){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=bt.workingColorSpace){bt.workingToColorSpace(Cn.copy(this),t);let i=Cn.r,s=Cn.g,r=Cn.b,o=Math.max(i,s,r),a=Math.min(i,s,r),c,l,h=(a+o)/2;if(a===o)c=0,l=0;else{let u=o-a;switch(l=h<=.5?u/(o+a):u/(2-o-a),o){case i:c=(s-r)/u+(s<r?6:0);break;case s:c=(r-i)/u+2;break;case r:c=(i-s)/u+4;break}c/=6}return e.h=c,e.s=l,e.l=h,e}getRGB(e,t=bt.workingColorSpace){return bt.workingToColorSpace(Cn.copy(this),t),e.r=Cn.r,e.g=Cn.g,e.b=Cn.b,e}getStyle(e=jn){bt.workingToColorSpace(Cn.copy(this),e);let t=Cn.r,i=Cn.g,s=Cn.b;return e!==jn?`color(${e} ${t.toFixed(3)} ${i.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(i*255)},${Math.round(s*255)})`}offsetHSL(e,t,i){return this.getHSL(ys),this.setHSL(ys.h+e,ys.s+t,ys.l+i)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,i){return this.r=e.r+(t.r-e.r)*i,this.g=e.g+(t.g-e.g)*i,this.b=e.b+(t.b-e.b)*i,this}lerpHSL(e,t){this.getHSL(ys),e.getHSL(Wa);let i=Lo(ys.h,Wa.h,t),s=Lo(ys.s,Wa.s,t),r=Lo(ys.l,Wa.l,t);return this.setHSL(i,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,i=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*i+r[6]*s,this.g=r[1]*t+r[4]*i+r[7]*s,this.b=r[2]*t+r[5]*i+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},Cn=new ct;ct.NAMES=qm;var zo=class extends ni{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new ws,this.environmentIntensity=1,this.environmentRotation=new ws,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=this.environmentRotation.toArray(),t}},bi=new W,Qi=new W,$h=new W,es=new W,Ur=new W,Fr=new W,Yp=new W,Kh=new W,Jh=new W,jh=new W,Qh=new $t,eu=new $t,tu=new $t,Ms=class n{constructor(e=new W,t=new W,i=new W){this.a=e,this.b=t,this.c=i}static getNormal(e,t,i,s){s.subVectors(i,t),bi.subVectors(e,t),s.cross(bi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,i,s,r){bi.subVectors(s,t),Qi.subVectors(i,t),$h.subVectors(e,t);let o=bi.dot(bi),a=bi.dot(Qi),c=bi.dot($h),l=Qi.dot(Qi),h=Qi.dot($h),u=o*l-a*a;if(u===0)return r.set(0,0,0),null;let f=1/u,d=(l*c-a*h)*f,m=(o*h-a*c)*f;return r.set(1-d-m,m,d)}static containsPoint(e,t,i,s){return this.getBarycoord(e,t,i,s,es)===null?!1:es.x>=0&&es.y>=0&&es.x+es.y<=1}static getInterpolation(e,t,i,s,r,o,a,c){return this.getBarycoord(e,t,i,s,es)===null?(c.x=0,c.y=0,"z"in c&&(c.z=0),"w"in c&&(c.w=0),null):(c.setScalar(0),c.addScaledVector(r,es.x),c.addScaledVector(o,es.y),c.addScaledVector(a,es.z),c)}static getInterpolatedAttribute(e,t,i,s,r,o){return Qh.setScalar(0),eu.setScalar(0),tu.setScalar(0),Qh.fromBufferAttribute(e,t),eu.fromBufferAttribute(e,i),tu.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(Qh,r.x),o.addScaledVector(eu,r.y),o.addScaledVector(tu,r.z),o}static isFrontFacing(e,t,i,s){return bi.subVectors(i,t),Qi.subVectors(e,t),bi.cross(Qi).dot(s)<0}set(e,t,i){return this.a.copy(e),this.b.copy(t),this.c.copy(i),this}setFromPointsAndIndices(e,t,i,s){return this.a.copy(e[t]),this.b.copy(e[i]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,i,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,i),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return bi.subVectors(this.c,this.b),Qi.subVectors(this.a,this.b),bi.cross(Qi).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return n.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return n.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,i,s,r){return n.getInterpolation(e,this.a,this.b,this.c,t,i,s,r)}containsPoint(e){return n.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return n.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){let i=this.a,s=this.b,r=this.c,o,a;Ur.subVectors(s,i),Fr.subVectors(r,i),Kh.subVectors(e,i);let c=Ur.dot(Kh),l=Fr.dot(Kh);if(c<=0&&l<=0)return t.copy(i);Jh.subVectors(e,s);let h=Ur.dot(Jh),u=Fr.dot(Jh);if(h>=0&&u<=h)return t.copy(s);let f=c*u-h*l;if(f<=0&&c>=0&&h<=0&&c-h>0)return o=c/(c-h),t.copy(i).addScaledVector(Ur,o);jh.subVectors(e,r);let d=Ur.dot(jh),m=Fr.dot(jh);if(m>=0&&d<=m)return t.copy(r);let y=d*l-c*m;if(y<=0&&l>=0&&m<=0)return a=l/(l-m),t.copy(i).addScaledVector(Fr,a);let p=h*m-d*u;if(p<=0&&u-h>=0&&d-m>=0)return Yp.subVectors(r,s),a=(u-h)/(u-h+(d-m)),t.copy(s).addScaledVector(Yp,a);let g=1/(p+y+f);return o=y*g,a=f*g,t.copy(i).addScaledVector(Ur,o).addScaledVector(Fr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}},Es=class{constructor(e=new W(1/0,1/0,1/0),t=new W(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t+=3)this.expandByPoint(Mi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,i=e.count;t<i;t++)this.expandByPoint(Mi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let i=Mi.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(i),this.max.copy(e).add(i),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let i=e.geometry;if(i!==void 0){let r=i.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,Mi):Mi.fromBufferAttribute(r,o),Mi.applyMatrix4(e.matrixWorld),this.expandByPoint(Mi);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Xa.copy(e.boundingBox)):(i.boundingBox===null&&i.computeBoundingBox(),Xa.copy(i.boundingBox)),Xa.applyMatrix4(e.matrixWorld),this.union(Xa)}let s=e.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,Mi),Mi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,i;return e.normal.x>0?(t=e.normal.x*this.min.x,i=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,i=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,i+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,i+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,i+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,i+=e.normal.z*this.min.z),t<=-e.constant&&i>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(Ao),qa.subVectors(this.max,Ao),Or.subVectors(e.a,Ao),Br.subVectors(e.b,Ao),kr.subVectors(e.c,Ao),vs.subVectors(Br,Or),Ss.subVectors(kr,Br),Xs.subVectors(Or,kr);let t=[0,-vs.z,vs.y,0,-Ss.z,Ss.y,0,-Xs.z,Xs.y,vs.z,0,-vs.x,Ss.z,0,-Ss.x,Xs.z,0,-Xs.x,-vs.y,vs.x,0,-Ss.y,Ss.x,0,-Xs.y,Xs.x,0];return!nu(t,Or,Br,kr,qa)||(t=[1,0,0,0,1,0,0,0,1],!nu(t,Or,Br,kr,qa))?!1:(Ya.crossVectors(vs,Ss),t=[Ya.x,Ya.y,Ya.z],nu(t,Or,Br,kr,qa))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,Mi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(Mi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(ts[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),ts[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),ts[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),ts[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),ts[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),ts[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),ts[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),ts[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(ts),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},ts=[new W,new W,new W,new W,new W,new W,new W,new W],Mi=new W,Xa=new Es,Or=new W,Br=new W,kr=new W,vs=new W,Ss=new W,Xs=new W,Ao=new W,qa=new W,Ya=new W,qs=new W;function nu(n,e,t,i,s){for(let r=0,o=n.length-3;r<=o;r+=3){qs.fromArray(n,r);let a=s.x*Math.abs(qs.x)+s.y*Math.abs(qs.y)+s.z*Math.abs(qs.z),c=e.dot(qs),l=t.dot(qs),h=i.dot(qs);if(Math.max(-Math.max(c,l,h),Math.min(c,l,h))>a)return!1}return!0}var hn=new W,Za=new lt,dy=0,Bn=class extends wi{constructor(e,t,i=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:dy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=i,this.usage=km,this.updateRanges=[],this.gpuType=Ti,this.version=0,this._normalizationScale=e!==void 0?qu(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,i){e*=this.itemSize,i*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[i+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,i=this.count;t<i;t++)Za.fromBufferAttribute(this,t),Za.applyMatrix3(e),this.setXY(t,Za.x,Za.y);else if(this.itemSize===3)for(let t=0,i=this.count;t<i;t++)hn.fromBufferAttribute(this,t),hn.applyMatrix3(e),this.setXYZ(t,hn.x,hn.y,hn.z);return this}applyMatrix4(e){for(let t=0,i=this.count;t<i;t++)hn.fromBufferAttribute(this,t),hn.applyMatrix4(e),this.setXYZ(t,hn.x,hn.y,hn.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)hn.fromBufferAttribute(this,t),hn.applyNormalMatrix(e),this.setXYZ(t,hn.x,hn.y,hn.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)hn.fromBufferAttribute(this,t),hn.transformDirection(e),this.setXYZ(t,hn.x,hn.y,hn.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let i=this.array[e*this.itemSize+t];return this.normalized&&(i=this._denormalize(i)),i}setComponent(e,t,i){return this.normalized&&(i=this._normalize(i)),this.array[e*this.itemSize+t]=i,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,i){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i)),this.array[e+0]=t,this.array[e+1]=i,this}setXYZ(e,t,i,s){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this}setXYZW(e,t,i,s,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):Wm(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):Xm(e,this.array)}};var Vo=class extends Bn{constructor(e,t,i){super(new Uint16Array(e),t,i)}};var Go=class extends Bn{constructor(e,t,i){super(new Uint32Array(e),t,i)}};var zn=class extends Bn{constructor(e,t,i){super(new Float32Array(e),t,i)}},py=new Es,To=new W,iu=new W,Js=class{constructor(e=new W,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let i=this.center;t!==void 0?i.copy(t):py.setFromPoints(e).getCenter(i);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,i.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let i=this.center.distanceToSquared(e);return t.copy(e),i>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;To.subVectors(e,this.center);let t=To.lengthSq();if(t>this.radius*this.radius){let i=Math.sqrt(t),s=(i-this.radius)*.5;this.center.addScaledVector(To,s/i),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(iu.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(To.copy(e.center).add(iu)),this.expandByPoint(To.copy(e.center).sub(iu))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},my=0,ui=new Zt,su=new ni,zr=new W,Jn=new Es,Co=new Es,Sn=new W,Ei=class n extends wi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:my++}),this.uuid=no(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(zx(e)?Go:Vo)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,i=0){this.groups.push({start:e,count:t,materialIndex:i})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let i=this.attributes.normal;if(i!==void 0){let r=new rt().getNormalMatrix(e);i.applyNormalMatrix(r),i.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return ui.makeRotationFromQuaternion(e),this.applyMatrix4(ui),this}rotateX(e){return ui.makeRotationX(e),this.applyMatrix4(ui),this}rotateY(e){return ui.makeRotationY(e),this.applyMatrix4(ui),this}rotateZ(e){return ui.makeRotationZ(e),this.applyMatrix4(ui),this}translate(e,t,i){return ui.makeTranslation(e,t,i),this.applyMatrix4(ui),this}scale(e,t,i){return ui.makeScale(e,t,i),this.applyMatrix4(ui),this}lookAt(e){return su.lookAt(e),su.updateMatrix(),this.applyMatrix4(su.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(zr).negate(),this.translate(zr.x,zr.y,zr.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let i=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];i.push(o.x,o.y,o.z||0)}this.setAttribute("position",new zn(i,3))}else{let i=Math.min(e.length,t.count);for(let s=0;s<i;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&Ke("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Es);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){st("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new W(-1/0,-1/0,-1/0),new W(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let i=0,s=t.length;i<s;i++){let r=t[i];Jn.setFromBufferAttribute(r),this.morphTargetsRelative?(Sn.addVectors(this.boundingBox.min,Jn.min),this.boundingBox.expandByPoint(Sn),Sn.addVectors(this.boundingBox.max,Jn.max),this.boundingBox.expandByPoint(Sn)):(this.boundingBox.expandByPoint(Jn.min),this.boundingBox.expandByPoint(Jn.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&st('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new Js);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){st("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new W,1/0);return}if(e){let i=this.boundingSphere.center;if(Jn.setFromBufferAttribute(e),t)for(let r=0,o=t.length;r<o;r++){let a=t[r];Co.setFromBufferAttribute(a),this.morphTargetsRelative?(Sn.addVectors(Jn.min,Co.min),Jn.expandByPoint(Sn),Sn.addVectors(Jn.max,Co.max),Jn.expandByPoint(Sn)):(Jn.expandByPoint(Co.min),Jn.expandByPoint(Co.max))}Jn.getCenter(i);let s=0;for(let r=0,o=e.count;r<o;r++)Sn.fromBufferAttribute(e,r),s=Math.max(s,i.distanceToSquared(Sn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],c=this.morphTargetsRelative;for(let l=0,h=a.count;l<h;l++)Sn.fromBufferAttribute(a,l),c&&(zr.fromBufferAttribute(e,l),Sn.add(zr)),s=Math.max(s,i.distanceToSquared(Sn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&st('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){st("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let i=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==i.count)&&(o=new Bn(new Float32Array(4*i.count),4),this.setAttribute("tangent",o));let a=[],c=[],l=new Uint8Array(i.count);for(let k=0;k<i.count;k++)a[k]=new W,c[k]=new W;let h=new W,u=new W,f=new W,d=new lt,m=new lt,y=new lt,p=new W,g=new W;function v(k,I,L){l[k]=l[I]=l[L]=1,h.fromBufferAttribute(i,k),u.fromBufferAttribute(i,I),f.fromBufferAttribute(i,L),d.fromBufferAttribute(r,k),m.fromBufferAttribute(r,I),y.fromBufferAttribute(r,L),u.sub(h),f.sub(h),m.sub(d),y.sub(d);let z=1/(m.x*y.y-y.x*m.y);isFinite(z)&&(p.copy(u).multiplyScalar(y.y).addScaledVector(f,-m.y).multiplyScalar(z),g.copy(f).multiplyScalar(m.x).addScaledVector(u,-y.x).multiplyScalar(z),a[k].add(p),a[I].add(p),a[L].add(p),c[k].add(g),c[I].add(g),c[L].add(g))}let T=this.groups;T.length===0&&(T=[{start:0,count:e.count}]);for(let k=0,I=T.length;k<I;++k){let L=T[k],z=L.start,H=L.count;for(let N=z,G=z+H;N<G;N+=3)v(e.getX(N+0),e.getX(N+1),e.getX(N+2))}let b=new W,R=new W,E=new W,x=new W;function A(k){E.fromBufferAttribute(s,k),x.copy(E);let I=a[k];b.copy(I),b.sub(E.multiplyScalar(E.dot(I))).normalize(),R.crossVectors(x,I);let z=R.dot(c[k])<0?-1:1;o.setXYZW(k,b.x,b.y,b.z,z)}for(let k=0,I=i.count;k<I;++k)l[k]&&A(k);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let i=this.getAttribute("normal");if(i===void 0||i.count!==t.count)i=new Bn(new Float32Array(t.count*3),3),this.setAttribute("normal",i);else for(let f=0,d=i.count;f<d;f++)i.setXYZ(f,0,0,0);let s=new W,r=new W,o=new W,a=new W,c=new W,l=new W,h=new W,u=new W;if(e)for(let f=0,d=e.count;f<d;f+=3){let m=e.getX(f+0),y=e.getX(f+1),p=e.getX(f+2);s.fromBufferAttribute(t,m),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,p),h.subVectors(o,r),u.subVectors(s,r),h.cross(u),a.fromBufferAttribute(i,m),c.fromBufferAttribute(i,y),l.fromBufferAttribute(i,p),a.add(h),c.add(h),l.add(h),i.setXYZ(m,a.x,a.y,a.z),i.setXYZ(y,c.x,c.y,c.z),i.setXYZ(p,l.x,l.y,l.z)}else for(let f=0,d=t.count;f<d;f+=3)s.fromBufferAttribute(t,f+0),r.fromBufferAttribute(t,f+1),o.fromBufferAttribute(t,f+2),h.subVectors(o,r),u.subVectors(s,r),h.cross(u),i.setXYZ(f+0,h.x,h.y,h.z),i.setXYZ(f+1,h.x,h.y,h.z),i.setXYZ(f+2,h.x,h.y,h.z);this.normalizeNormals(),i.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,i=e.count;t<i;t++)Sn.fromBufferAttribute(e,t),Sn.normalize(),e.setXYZ(t,Sn.x,Sn.y,Sn.z)}toNonIndexed(){function e(a,c){let l=a.array,h=a.itemSize,u=a.normalized,f=new l.constructor(c.length*h),d=0,m=0;for(let y=0,p=c.length;y<p;y++){a.isInterleavedBufferAttribute?d=c[y]*a.data.stride+a.offset:d=c[y]*h;for(let g=0;g<h;g++)f[m++]=l[d++]}return new Bn(f,h,u)}if(this.index===null)return Ke("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new n,i=this.index.array,s=this.attributes;for(let a in s){let c=s[a],l=e(c,i);t.setAttribute(a,l)}let r=this.morphAttributes;for(let a in r){let c=[],l=r[a];for(let h=0,u=l.length;h<u;h++){let f=l[h],d=e(f,i);c.push(d)}t.morphAttributes[a]=c}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,c=o.length;a<c;a++){let l=o[a];t.addGroup(l.start,l.count,l.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let c=this.parameters;for(let l in c)c[l]!==void 0&&(e[l]=c[l]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let i=this.attributes;for(let c in i){let l=i[c];e.data.attributes[c]=l.toJSON(e.data)}let s={},r=!1;for(let c in this.morphAttributes){let l=this.morphAttributes[c],h=[];for(let u=0,f=l.length;u<f;u++){let d=l[u];h.push(d.toJSON(e.data))}h.length>0&&(s[c]=h,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let i=e.index;i!==null&&this.setIndex(i.clone());let s=e.attributes;for(let l in s){let h=s[l];this.setAttribute(l,h.clone(t))}let r=e.morphAttributes;for(let l in r){let h=[],u=r[l];for(let f=0,d=u.length;f<d;f++)h.push(u[f].clone(t));this.morphAttributes[l]=h}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let l=0,h=o.length;l<h;l++){let u=o[l];this.addGroup(u.start,u.count,u.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let c=e.boundingSphere;return c!==null&&(this.boundingSphere=c.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var ru=new W,gy=new W,_y=new rt,Qn=class{constructor(e=new W(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,i,s){return this.normal.set(e,t,i),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,i){let s=ru.subVectors(i,t).cross(gy.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,i=!0){let s=e.delta(ru),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return i===!0&&(o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),i=this.distanceToPoint(e.end);return t<0&&i>0||i<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){let i=t||_y.getNormalMatrix(e),s=this.coplanarPoint(ru).applyMatrix4(e),r=this.normal.applyMatrix3(i).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),this.constant=e.constant,this}},xy=0,As=class extends wi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:xy++}),this.uuid=no(),this.name="",this.type="Material",this.blending=Qr,this.side=Ds,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=yu,this.blendDst=vu,this.blendEquation=tr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new ct(0,0,0),this.blendAlpha=0,this.depthFunc=Xr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Dm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=ul,this.stencilZFail=ul,this.stencilZPass=ul,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(let t in e){let i=e[t];if(i===void 0){Ke(`Material: parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Ke(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(i):s&&s.isVector2&&i&&i.isVector2||s&&s.isEuler&&i&&i.isEuler||s&&s.isVector3&&i&&i.isVector3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let i={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};i.uuid=this.uuid,i.type=this.type,i.blending=this.blending,i.side=this.side,i.shadowSide=this.shadowSide,i.vertexColors=this.vertexColors,i.opacity=this.opacity,i.transparent=this.transparent,i.blendSrc=this.blendSrc,i.blendDst=this.blendDst,i.blendEquation=this.blendEquation,i.blendSrcAlpha=this.blendSrcAlpha,i.blendDstAlpha=this.blendDstAlpha,i.blendEquationAlpha=this.blendEquationAlpha,i.blendColor=this.blendColor.getHex(),i.blendAlpha=this.blendAlpha,i.depthFunc=this.depthFunc,i.depthTest=this.depthTest,i.depthWrite=this.depthWrite,i.colorWrite=this.colorWrite,i.clipIntersection=this.clipIntersection,i.clipShadows=this.clipShadows,i.stencilWriteMask=this.stencilWriteMask,i.stencilFunc=this.stencilFunc,i.stencilRef=this.stencilRef,i.stencilFuncMask=this.stencilFuncMask,i.stencilFail=this.stencilFail,i.stencilZFail=this.stencilZFail,i.stencilZPass=this.stencilZPass,i.stencilWrite=this.stencilWrite,i.polygonOffset=this.polygonOffset,i.polygonOffsetFactor=this.polygonOffsetFactor,i.polygonOffsetUnits=this.polygonOffsetUnits,i.dithering=this.dithering,i.alphaTest=this.alphaTest,i.alphaHash=this.alphaHash,i.alphaToCoverage=this.alphaToCoverage,i.premultipliedAlpha=this.premultipliedAlpha,i.forceSinglePass=this.forceSinglePass,i.allowOverride=this.allowOverride,i.visible=this.visible,i.toneMapped=this.toneMapped,i.name=this.name,this.color&&this.color.isColor&&(i.color=this.color.getHex()),this.roughness!==void 0&&(i.roughness=this.roughness),this.metalness!==void 0&&(i.metalness=this.metalness),this.sheen!==void 0&&(i.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(i.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(i.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(i.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(i.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(i.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(i.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(i.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(i.shininess=this.shininess),this.clearcoat!==void 0&&(i.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(i.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(i.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(i.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(e).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(i.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(i.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(i.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,i.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(i.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(i.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(i.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(i.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(i.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(i.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(i.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(i.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(i.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(i.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(i.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(i.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(i.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(i.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(i.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(i.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(i.lightMap=this.lightMap.toJSON(e).uuid,i.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(i.aoMap=this.aoMap.toJSON(e).uuid,i.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(i.bumpMap=this.bumpMap.toJSON(e).uuid,i.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(i.normalMap=this.normalMap.toJSON(e).uuid,i.normalMapType=this.normalMapType,i.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(i.displacementMap=this.displacementMap.toJSON(e).uuid,i.displacementScale=this.displacementScale,i.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(i.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(i.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(i.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(i.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(i.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(i.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(i.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(i.combine=this.combine)),this.envMapRotation!==void 0&&(i.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(i.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(i.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(i.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(i.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(i.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(i.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(i.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(i.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&(i.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(i.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(i.size=this.size),this.sizeAttenuation!==void 0&&(i.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(i.clippingPlanes=this.clippingPlanes.map(r=>r.toJSON())),this.rotation!==void 0&&(i.rotation=this.rotation),this.depthPacking!==void 0&&(i.depthPacking=this.depthPacking),this.linewidth!==void 0&&(i.linewidth=this.linewidth),this.linecap!==void 0&&(i.linecap=this.linecap),this.linejoin!==void 0&&(i.linejoin=this.linejoin),this.dashSize!==void 0&&(i.dashSize=this.dashSize),this.gapSize!==void 0&&(i.gapSize=this.gapSize),this.scale!==void 0&&(i.scale=this.scale),this.wireframe!==void 0&&(i.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(i.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(i.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(i.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(i.flatShading=this.flatShading),this.fog!==void 0&&(i.fog=this.fog),Object.keys(this.userData).length>0&&(i.userData=this.userData);function s(r){let o=[];for(let a in r){let c=r[a];delete c.metadata,o.push(c)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(i.textures=r),o.length>0&&(i.images=o)}return i}fromJSON(e,t){if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new ct().setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=e.clearcoat),e.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=e.clearcoatRoughness),e.diffuseRoughness!==void 0&&(this.diffuseRoughness=e.diffuseRoughness),e.dispersion!==void 0&&(this.dispersion=e.dispersion),e.retroreflectivity!==void 0&&(this.retroreflectivity=e.retroreflectivity),e.iridescence!==void 0&&(this.iridescence=e.iridescence),e.iridescenceIOR!==void 0&&(this.iridescenceIOR=e.iridescenceIOR),e.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessMinimum),e.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=e.iridescenceThicknessMaximum),e.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=e.iridescenceThicknessRange[1]),e.transmission!==void 0&&(this.transmission=e.transmission),e.thickness!==void 0&&(this.thickness=e.thickness),e.attenuationDistance!==void 0&&(this.attenuationDistance=e.attenuationDistance),e.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(e.attenuationColor),e.anisotropy!==void 0&&(this.anisotropy=e.anisotropy),e.anisotropyRotation!==void 0&&(this.anisotropyRotation=e.anisotropyRotation),e.fog!==void 0&&(this.fog=e.fog),e.flatShading!==void 0&&(this.flatShading=e.flatShading),e.blending!==void 0&&(this.blending=e.blending),e.combine!==void 0&&(this.combine=e.combine),e.side!==void 0&&(this.side=e.side),e.shadowSide!==void 0&&(this.shadowSide=e.shadowSide),e.opacity!==void 0&&(this.opacity=e.opacity),e.transparent!==void 0&&(this.transparent=e.transparent),e.alphaTest!==void 0&&(this.alphaTest=e.alphaTest),e.alphaHash!==void 0&&(this.alphaHash=e.alphaHash),e.depthFunc!==void 0&&(this.depthFunc=e.depthFunc),e.depthTest!==void 0&&(this.depthTest=e.depthTest),e.depthWrite!==void 0&&(this.depthWrite=e.depthWrite),e.colorWrite!==void 0&&(this.colorWrite=e.colorWrite),e.clippingPlanes!==void 0&&(this.clippingPlanes=e.clippingPlanes.map(i=>new Qn().fromJSON(i))),e.clipIntersection!==void 0&&(this.clipIntersection=e.clipIntersection),e.clipShadows!==void 0&&(this.clipShadows=e.clipShadows),e.depthPacking!==void 0&&(this.depthPacking=e.depthPacking),e.blendSrc!==void 0&&(this.blendSrc=e.blendSrc),e.blendDst!==void 0&&(this.blendDst=e.blendDst),e.blendEquation!==void 0&&(this.blendEquation=e.blendEquation),e.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=e.blendSrcAlpha),e.blendDstAlpha!==void 0&&(this.blendDstAlpha=e.blendDstAlpha),e.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=e.blendEquationAlpha),e.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(e.blendColor),e.blendAlpha!==void 0&&(this.blendAlpha=e.blendAlpha),e.stencilWriteMask!==void 0&&(this.stencilWriteMask=e.stencilWriteMask),e.stencilFunc!==void 0&&(this.stencilFunc=e.stencilFunc),e.stencilRef!==void 0&&(this.stencilRef=e.stencilRef),e.stencilFuncMask!==void 0&&(this.stencilFuncMask=e.stencilFuncMask),e.stencilFail!==void 0&&(this.stencilFail=e.stencilFail),e.stencilZFail!==void 0&&(this.stencilZFail=e.stencilZFail),e.stencilZPass!==void 0&&(this.stencilZPass=e.stencilZPass),e.stencilWrite!==void 0&&(this.stencilWrite=e.stencilWrite),e.wireframe!==void 0&&(this.wireframe=e.wireframe),e.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=e.wireframeLinewidth),e.wireframeLinecap!==void 0&&(this.wireframeLinecap=e.wireframeLinecap),e.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=e.wireframeLinejoin),e.rotation!==void 0&&(this.rotation=e.rotation),e.linewidth!==void 0&&(this.linewidth=e.linewidth),e.linecap!==void 0&&(this.linecap=e.linecap),e.linejoin!==void 0&&(this.linejoin=e.linejoin),e.dashSize!==void 0&&(this.dashSize=e.dashSize),e.gapSize!==void 0&&(this.gapSize=e.gapSize),e.scale!==void 0&&(this.scale=e.scale),e.polygonOffset!==void 0&&(this.polygonOffset=e.polygonOffset),e.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=e.polygonOffsetFactor),e.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=e.polygonOffsetUnits),e.dithering!==void 0&&(this.dithering=e.dithering),e.alphaToCoverage!==void 0&&(this.alphaToCoverage=e.alphaToCoverage),e.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=e.premultipliedAlpha),e.forceSinglePass!==void 0&&(this.forceSinglePass=e.forceSinglePass),e.allowOverride!==void 0&&(this.allowOverride=e.allowOverride),e.visible!==void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneMapped),e.userData!==void 0&&(this.userData=e.userData),e.vertexColors!==void 0&&(typeof e.vertexColors=="number"?this.vertexColors=e.vertexColors>0:this.vertexColors=e.vertexColors),e.size!==void 0&&(this.size=e.size),e.sizeAttenuation!==void 0&&(this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let i=e.normalScale;Array.isArray(i)===!1&&(i=[i,i]),this.normalScale=new lt().fromArray(i)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&(this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==void 0&&(this.specularIntensityMap=t[e.specularIntensityMap]||null),e.specularColorMap!==void 0&&(this.specularColorMap=t[e.specularColorMap]||null),e.envMap!==void 0&&(this.envMap=t[e.envMap]||null),e.envMapRotation!==void 0&&this.envMapRotation.fromArray(e.envMapRotation),e.envMapIntensity!==void 0&&(this.envMapIntensity=e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e.refractionRatio!==void 0&&(this.refractionRatio=e.refractionRatio),e.lightMap!==void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&(this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new lt().fromArray(e.clearcoatNormalScale)),e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==void 0&&(this.sheenColorMap=t[e.sheenColorMap]||null),e.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=t[e.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;let t=e.clippingPlanes,i=null;if(t!==null){let s=t.length;i=new Array(s);for(let r=0;r!==s;++r)i[r]=t[r].clone()}return this.clippingPlanes=i,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}};var ns=new W,ou=new W,$a=new W,Ka=new W,js=class{constructor(e=new W,t=new W(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,ns)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);let i=t.dot(this.direction);return i<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,i)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){let t=ns.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(ns.copy(this.origin).addScaledVector(this.direction,t),ns.distanceToSquared(e))}distanceSqToSegment(e,t,i,s){ou.copy(e).add(t).multiplyScalar(.5),$a.copy(t).sub(e).normalize(),Ka.copy(this.origin).sub(ou);let r=e.distanceTo(t)*.5,o=-this.direction.dot($a),a=Ka.dot(this.direction),c=-Ka.dot($a),l=Ka.lengthSq(),h=Math.abs(1-o*o),u,f,d,m;if(h>0)if(u=o*c-a,f=o*a-c,m=r*h,u>=0)if(f>=-m)if(f<=m){let y=1/h;u*=y,f*=y,d=u*(u+o*f+2*a)+f*(o*u+f+2*c)+l}else f=r,u=Math.max(0,-(o*f+a)),d=-u*u+f*(f+2*c)+l;else f=-r,u=Math.max(0,-(o*f+a)),d=-u*u+f*(f+2*c)+l;else f<=-m?(u=Math.max(0,-(-o*r+a)),f=u>0?-r:Math.min(Math.max(-r,-c),r),d=-u*u+f*(f+2*c)+l):f<=m?(u=0,f=Math.min(Math.max(-r,-c),r),d=f*(f+2*c)+l):(u=Math.max(0,-(o*r+a)),f=u>0?r:Math.min(Math.max(-r,-c),r),d=-u*u+f*(f+2*c)+l);else f=o>0?-r:r,u=Math.max(0,-(o*f+a)),d=-u*u+f*(f+2*c)+l;return i&&i.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(ou).addScaledVector($a,f),d}intersectSphere(e,t){if(e.radius<0)return null;ns.subVectors(e.center,this.origin);let i=ns.dot(this.direction),s=ns.dot(ns)-i*i,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=i-o,c=i+o;return c<0?null:a<0?this.at(c,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let i=-(this.origin.dot(e.normal)+e.constant)/t;return i>=0?i:null}intersectPlane(e,t){let i=this.distanceToPlane(e);return i===null?null:this.at(i,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let i,s,r,o,a,c,l=1/this.direction.x,h=1/this.direction.y,u=1/this.direction.z,f=this.origin;return l>=0?(i=(e.min.x-f.x)*l,s=(e.max.x-f.x)*l):(i=(e.max.x-f.x)*l,s=(e.min.x-f.x)*l),h>=0?(r=(e.min.y-f.y)*h,o=(e.max.y-f.y)*h):(r=(e.max.y-f.y)*h,o=(e.min.y-f.y)*h),i>o||r>s||((r>i||isNaN(i))&&(i=r),(o<s||isNaN(s))&&(s=o),u>=0?(a=(e.min.z-f.z)*u,c=(e.max.z-f.z)*u):(a=(e.max.z-f.z)*u,c=(e.min.z-f.z)*u),i>c||a>s)||((a>i||i!==i)&&(i=a),(c<s||s!==s)&&(s=c),s<0)?null:this.at(i>=0?i:s,t)}intersectsBox(e){return this.intersectBox(e,ns)!==null}intersectTriangle(e,t,i,s,r){let o=this.origin,a=this.direction,c=a.x,l=a.y,h=a.z,u=e.x-o.x,f=e.y-o.y,d=e.z-o.z,m=t.x-o.x,y=t.y-o.y,p=t.z-o.z,g=i.x-o.x,v=i.y-o.y,T=i.z-o.z,b=Math.abs(c),R=Math.abs(l),E=Math.abs(h),x,A,k,I,L,z,H,N,G,Y,B,ae;if(b>=R&&b>=E?(k=c,z=u,G=m,ae=g,c>=0?(x=l,A=h,I=f,L=d,H=y,N=p,Y=v,B=T):(x=h,A=l,I=d,L=f,H=p,N=y,Y=T,B=v)):R>=E?(k=l,z=f,G=y,ae=v,l>=0?(x=h,A=c,I=d,L=u,H=p,N=m,Y=T,B=g):(x=c,A=h,I=u,L=d,H=m,N=p,Y=g,B=T)):(k=h,z=d,G=p,ae=T,h>=0?(x=c,A=l,I=u,L=f,H=m,N=y,Y=g,B=v):(x=l,A=c,I=f,L=u,H=y,N=m,Y=v,B=g)),k===0)return null;let Z=x/k,J=A/k,ne=1/k,ue=I-Z*z,ce=L-J*z,j=H-Z*G,ge=N-J*G,xe=Y-Z*ae,me=B-J*ae,Me=xe*ge-me*j,Xe=ue*me-ce*xe,fe=j*ce-ge*ue;if(s){if(Me<0||Xe<0||fe<0)return null}else if((Me<0||Xe<0||fe<0)&&(Me>0||Xe>0||fe>0))return null;let de=Me+Xe+fe;if(de===0)return null;let Le=ne*(Me*z+Xe*G+fe*ae);return(de>0?Le<0:Le>0)?null:this.at(Le/de,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},El=class extends As{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new ct(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new ws,this.combine=Su,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Zp=new Zt,Ys=new js,Ja=new Js,$p=new W,ja=new W,Qa=new W,el=new W,au=new W,tl=new W,Kp=new W,nl=new W,di=class extends ni{constructor(e=new Ei,t=new El){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){let i=this.geometry,s=i.attributes.position,r=i.morphAttributes.position,o=i.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&a){tl.set(0,0,0);for(let c=0,l=r.length;c<l;c++){let h=a[c],u=r[c];h!==0&&(au.fromBufferAttribute(u,e),o?tl.addScaledVector(au,h):tl.addScaledVector(au.sub(t),h))}t.add(tl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(i.boundingSphere===null&&i.computeBoundingSphere(),Ja.copy(i.boundingSphere),Ja.applyMatrix4(r),Ys.copy(e.ray).recast(e.near),!(Ja.containsPoint(Ys.origin)===!1&&(Ys.intersectSphere(Ja,$p)===null||Ys.origin.distanceToSquared($p)>(e.far-e.near)**2))&&(Zp.copy(r).invert(),Ys.copy(e.ray).applyMatrix4(Zp),!(i.boundingBox!==null&&Ys.intersectsBox(i.boundingBox)===!1)&&this._computeIntersections(e,t,Ys)))}_computeIntersections(e,t,i){let s,r=this.geometry,o=this.material,a=r.index,c=r.attributes.position,l=r.attributes.uv,h=r.attributes.uv1,u=r.attributes.normal,f=r.groups,d=r.drawRange;if(a!==null)if(Array.isArray(o))for(let m=0,y=f.length;m<y;m++){let p=f[m],g=o[p.materialIndex],v=Math.max(p.start,d.start),T=Math.min(a.count,Math.min(p.start+p.count,d.start+d.count));for(let b=v,R=T;b<R;b+=3){let E=a.getX(b),x=a.getX(b+1),A=a.getX(b+2);s=il(this,g,e,i,l,h,u,E,x,A),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let m=Math.max(0,d.start),y=Math.min(a.count,d.start+d.count);for(let p=m,g=y;p<g;p+=3){let v=a.getX(p),T=a.getX(p+1),b=a.getX(p+2);s=il(this,o,e,i,l,h,u,v,T,b),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}else if(c!==void 0)if(Array.isArray(o))for(let m=0,y=f.length;m<y;m++){let p=f[m],g=o[p.materialIndex],v=Math.max(p.start,d.start),T=Math.min(c.count,Math.min(p.start+p.count,d.start+d.count));for(let b=v,R=T;b<R;b+=3){let E=b,x=b+1,A=b+2;s=il(this,g,e,i,l,h,u,E,x,A),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let m=Math.max(0,d.start),y=Math.min(c.count,d.start+d.count);for(let p=m,g=y;p<g;p+=3){let v=p,T=p+1,b=p+2;s=il(this,o,e,i,l,h,u,v,T,b),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function yy(n,e,t,i,s,r,o,a){let c;if(e.side===kn?c=i.intersectTriangle(o,r,s,!0,a):c=i.intersectTriangle(s,r,o,e.side===Ds,a),c===null)return null;nl.copy(a),nl.applyMatrix4(n.matrixWorld);let l=t.ray.origin.distanceTo(nl);return l<t.near||l>t.far?null:{distance:l,point:nl.clone(),object:n}}function il(n,e,t,i,s,r,o,a,c,l){n.getVertexPosition(a,ja),n.getVertexPosition(c,Qa),n.getVertexPosition(l,el);let h=yy(n,e,t,i,ja,Qa,el,Kp);if(h){let u=new W;Ms.getBarycoord(Kp,ja,Qa,el,u),s&&(h.uv=Ms.getInterpolatedAttribute(s,a,c,l,u,new lt)),r&&(h.uv1=Ms.getInterpolatedAttribute(r,a,c,l,u,new lt)),o&&(h.normal=Ms.getInterpolatedAttribute(o,a,c,l,u,new W),h.normal.dot(i.direction)>0&&h.normal.multiplyScalar(-1));let f={a,b:c,c:l,normal:new W,materialIndex:0};Ms.getNormal(ja,Qa,el,f.normal),h.face=f,h.barycoord=u}return h}var $r=class extends Vn{constructor(e=null,t=1,i=1,s,r,o,a,c,l=bn,h=bn,u,f){super(null,o,a,c,l,h,s,r,u,f),this.isDataTexture=!0,this.image={data:e,width:t,height:i},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Zs=new Js,vy=new lt(.5,.5),sl=new W,Qs=class{constructor(e=new Qn,t=new Qn,i=new Qn,s=new Qn,r=new Qn,o=new Qn){this.planes=[e,t,i,s,r,o]}set(e,t,i,s,r,o){let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(i),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let i=0;i<6;i++)t[i].copy(e.planes[i]);return this}setFromProjectionMatrix(e,t=fi,i=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],c=r[2],l=r[3],h=r[4],u=r[5],f=r[6],d=r[7],m=r[8],y=r[9],p=r[10],g=r[11],v=r[12],T=r[13],b=r[14],R=r[15];if(s[0].setComponents(l-o,d-h,g-m,R-v).normalize(),s[1].setComponents(l+o,d+h,g+m,R+v).normalize(),s[2].setComponents(l+a,d+u,g+y,R+T).normalize(),s[3].setComponents(l-a,d-u,g-y,R-T).normalize(),i)s[4].setComponents(c,f,p,b).normalize(),s[5].setComponents(l-c,d-f,g-p,R-b).normalize();else if(s[4].setComponents(l-c,d-f,g-p,R-b).normalize(),t===fi)s[5].setComponents(l+c,d+f,g+p,R+b).normalize();else if(t===Fo)s[5].setComponents(c,f,p,b).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),Zs.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),Zs.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(Zs)}intersectsSprite(e){Zs.center.set(0,0,0);let t=vy.distanceTo(e.center);return Zs.radius=.7071067811865476+t,Zs.applyMatrix4(e.matrixWorld),this.intersectsSphere(Zs)}intersectsSphere(e){let t=this.planes,i=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(i)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let i=0;i<6;i++){let s=t[i];if(sl.x=s.normal.x>0?e.max.x:e.min.x,sl.y=s.normal.y>0?e.max.y:e.min.y,sl.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(sl)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let i=0;i<6;i++)if(t[i].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},Jp=new Zt,Al=class n{constructor(){this.coordinateSystem=fi,this._frustums=[],this._count=0}setFromArrayCamera(e){let t=e.cameras,i=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];Jp.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),i[s]===void 0&&(i[s]=new Qs),i[s].setFromProjectionMatrix(Jp,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSphere(e))return!0;return!1}intersectsBox(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,i=e._frustums;for(let s=0;s<e._count;s++)t[s]===void 0&&(t[s]=new Qs),t[s].copy(i[s]);return this._count=e._count,this}clone(){return new n().copy(this)}};var Tl=class extends As{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new ct(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Cl=new W,Rl=new W,jp=new Zt,Ro=new js,rl=new Js,lu=new W,Qp=new W,Pl=class extends ni{constructor(e=new Ei,t=new Tl){super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[0];for(let s=1,r=t.count;s<r;s++)Cl.fromBufferAttribute(t,s-1),Rl.fromBufferAttribute(t,s),i[s]=i[s-1],i[s]+=Cl.distanceTo(Rl);e.setAttribute("lineDistance",new zn(i,1))}else Ke("Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=i.drawRange;if(i.boundingSphere===null&&i.computeBoundingSphere(),rl.copy(i.boundingSphere),rl.applyMatrix4(s),rl.radius+=r,e.ray.intersectsSphere(rl)===!1)return;jp.copy(s).invert(),Ro.copy(e.ray).applyMatrix4(jp);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),c=a*a,l=this.isLineSegments?2:1,h=i.index,f=i.attributes.position;if(h!==null){let d=Math.max(0,o.start),m=Math.min(h.count,o.start+o.count);for(let y=d,p=m-1;y<p;y+=l){let g=h.getX(y),v=h.getX(y+1),T=ol(this,e,Ro,c,g,v,y);T&&t.push(T)}if(this.isLineLoop){let y=h.getX(m-1),p=h.getX(d),g=ol(this,e,Ro,c,y,p,m-1);g&&t.push(g)}}else{let d=Math.max(0,o.start),m=Math.min(f.count,o.start+o.count);for(let y=d,p=m-1;y<p;y+=l){let g=ol(this,e,Ro,c,y,y+1,y);g&&t.push(g)}if(this.isLineLoop){let y=ol(this,e,Ro,c,m-1,d,m-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function ol(n,e,t,i,s,r,o){let a=n.geometry.attributes.position;if(Cl.fromBufferAttribute(a,s),Rl.fromBufferAttribute(a,r),t.distanceSqToSegment(Cl,Rl,lu,Qp)>i)return;lu.applyMatrix4(n.matrixWorld);let l=e.ray.origin.distanceTo(lu);if(!(l<e.near||l>e.far))return{distance:l,point:Qp.clone().applyMatrix4(n.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:n}}var em=new W,tm=new W,Ho=class extends Pl{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type="LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[];for(let s=0,r=t.count;s<r;s+=2)em.fromBufferAttribute(t,s),tm.fromBufferAttribute(t,s+1),i[s]=s===0?0:i[s-1],i[s+1]=i[s]+em.distanceTo(tm);e.setAttribute("lineDistance",new zn(i,1))}else Ke("LineSegments.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Wo=class extends Vn{constructor(e=[],t=nr,i,s,r,o,a,c,l,h){super(e,t,i,s,r,o,a,c,l,h),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}};var rs=class extends Vn{constructor(e,t,i=Ai,s,r,o,a=bn,c=bn,l,h=ss,u=1){if(h!==ss&&h!==as)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let f={width:e,height:t,depth:u};super(f,s,r,o,a,c,h,i,l),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new Yr(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.toJSON(e);return t.compareFunction=this.compareFunction,t}},Xo=class extends rs{constructor(e,t=Ai,i=nr,s,r,o=bn,a=bn,c,l=ss){let h={width:e,height:e,depth:1},u=[h,h,h,h,h,h];super(e,e,t,i,s,r,o,a,c,l),this.image=u,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},qo=class extends Vn{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},Kr=class n extends Ei{constructor(e=1,t=1,i=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:i,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let c=[],l=[],h=[],u=[],f=0,d=0;m("z","y","x",-1,-1,i,t,e,o,r,0),m("z","y","x",1,-1,i,t,-e,o,r,1),m("x","z","y",1,1,e,i,t,s,o,2),m("x","z","y",1,-1,e,i,-t,s,o,3),m("x","y","z",1,-1,e,t,i,s,r,4),m("x","y","z",-1,-1,e,t,-i,s,r,5),this.setIndex(c),this.setAttribute("position",new zn(l,3)),this.setAttribute("normal",new zn(h,3)),this.setAttribute("uv",new zn(u,2));function m(y,p,g,v,T,b,R,E,x,A,k){let I=b/x,L=R/A,z=b/2,H=R/2,N=E/2,G=x+1,Y=A+1,B=0,ae=0,Z=new W;for(let J=0;J<Y;J++){let ne=J*L-H;for(let ue=0;ue<G;ue++){let ce=ue*I-z;Z[y]=ce*v,Z[p]=ne*T,Z[g]=N,l.push(Z.x,Z.y,Z.z),Z[y]=0,Z[p]=0,Z[g]=E>0?1:-1,h.push(Z.x,Z.y,Z.z),u.push(ue/x),u.push(1-J/A),B+=1}}for(let J=0;J<A;J++)for(let ne=0;ne<x;ne++){let ue=f+ne+G*J,ce=f+ne+G*(J+1),j=f+(ne+1)+G*(J+1),ge=f+(ne+1)+G*J;c.push(ue,ce,ge),c.push(ce,j,ge),ae+=6}a.addGroup(d,ae,k),d+=ae,f+=B}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};var Yo=class n extends Ei{constructor(e=1,t=1,i=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:i,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(i),c=Math.floor(s),l=a+1,h=c+1,u=e/a,f=t/c,d=[],m=[],y=[],p=[];for(let g=0;g<h;g++){let v=g*f-o;for(let T=0;T<l;T++){let b=T*u-r;m.push(b,-v,0),y.push(0,0,1),p.push(T/a),p.push(1-g/c)}}for(let g=0;g<c;g++)for(let v=0;v<a;v++){let T=v+l*g,b=v+l*(g+1),R=v+1+l*(g+1),E=v+1+l*g;d.push(T,b,E),d.push(b,R,E)}this.setIndex(d),this.setAttribute("position",new zn(m,3)),this.setAttribute("normal",new zn(y,3)),this.setAttribute("uv",new zn(p,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.widthSegments,e.heightSegments)}};function sr(n){let e={};for(let t in n){e[t]={};for(let i in n[t]){let s=n[t][i];if(nm(s))s.isRenderTargetTexture?(Ke("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][i]=null):e[t][i]=s.clone();else if(Array.isArray(s))if(nm(s[0])){let r=[];for(let o=0,a=s.length;o<a;o++)r[o]=s[o].clone();e[t][i]=r}else e[t][i]=s.slice();else e[t][i]=s}}return e}function Rn(n){let e={};for(let t=0;t<n.length;t++){let i=sr(n[t]);for(let s in i)e[s]=i[s]}return e}function nm(n){return n&&(n.isColor||n.isMatrix3||n.isMatrix4||n.isVector2||n.isVector3||n.isVector4||n.isTexture||n.isQuaternion)}function Sy(n){let e=[];for(let t=0;t<n.length;t++)e.push(n[t].clone());return e}function Zu(n){let e=n.getRenderTarget();return e===null?n.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:bt.workingColorSpace}var Ym={clone:sr,merge:Rn},by=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,My=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,ii=class extends As{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=by,this.fragmentShader=My,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=sr(e.uniforms),this.uniformsGroups=Sy(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?t.uniforms[s]={type:"t",value:o.toJSON(e).uuid}:o&&o.isColor?t.uniforms[s]={type:"c",value:o.getHex()}:o&&o.isVector2?t.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?t.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?t.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?t.uniforms[s]={type:"m4",value:o.toArray()}:t.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;let i={};for(let s in this.extensions)this.extensions[s]===!0&&(i[s]=!0);return Object.keys(i).length>0&&(t.extensions=i),t}fromJSON(e,t){if(super.fromJSON(e,t),e.uniforms!==void 0)for(let i in e.uniforms){let s=e.uniforms[i];switch(this.uniforms[i]={},s.type){case"t":this.uniforms[i].value=t[s.value]||null;break;case"c":this.uniforms[i].value=new ct().setHex(s.value);break;case"v2":this.uniforms[i].value=new lt().fromArray(s.value);break;case"v3":this.uniforms[i].value=new W().fromArray(s.value);break;case"v4":this.uniforms[i].value=new $t().fromArray(s.value);break;case"m3":this.uniforms[i].value=new rt().fromArray(s.value);break;case"m4":this.uniforms[i].value=new Zt().fromArray(s.value);break;default:this.uniforms[i].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),e.extensions!==void 0)for(let i in e.extensions)this.extensions[i]=e.extensions[i];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=e.clipping),this}},Il=class extends ii{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var Ll=class extends As{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Im,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},Dl=class extends As{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}};function Vr(n,e){return!n||n.constructor===e?n:typeof e.BYTES_PER_ELEMENT=="number"?new e(n):Array.prototype.slice.call(n)}function al(n){return n!==void 0&&n.inTangents!==void 0&&n.outTangents!==void 0}var Ts=class{constructor(e,t,i,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(i),this.sampleValues=t,this.valueSize=i,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,i=this._cachedIndex,s=t[i],r=t[i-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=i+2;;){if(s===void 0){if(e<r)break i;return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}if(i===a)break;if(r=s,s=t[++i],e<s)break e}o=t.length;break t}if(!(e>=r)){let a=t[1];e<a&&(i=2,r=a);for(let c=i-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(i===c)break;if(s=r,r=t[--i-1],e>=r)break e}o=i,i=0;break t}break n}for(;i<o;){let a=i+o>>>1;e<t[a]?o=a:i=a+1}if(s=t[i],r=t[i-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}this._cachedIndex=i,this.intervalChanged_(i,r,s)}return this.interpolate_(i,r,e,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,i=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=i[r+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},Nl=class extends Ts{constructor(e,t,i,s){super(e,t,i,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:hu,endingEnd:hu}}intervalChanged_(e,t,i){let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],c=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case uu:r=e,a=2*t-i;break;case fu:r=s.length-2,a=t+s[r]-s[r+1];break;default:r=e,a=i}if(c===void 0)switch(this.getSettings_().endingEnd){case uu:o=e,c=2*i-t;break;case fu:o=1,c=i+s[1]-s[0];break;default:o=e-1,c=t}let l=(i-t)*.5,h=this.valueSize;this._weightPrev=l/(t-a),this._weightNext=l/(c-i),this._offsetPrev=r*h,this._offsetNext=o*h}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=e*a,l=c-a,h=this._offsetPrev,u=this._offsetNext,f=this._weightPrev,d=this._weightNext,m=(i-t)/(s-t),y=m*m,p=y*m,g=-f*p+2*f*y-f*m,v=(1+f)*p+(-1.5-2*f)*y+(-.5+f)*m+1,T=(-1-d)*p+(1.5+d)*y+.5*m,b=d*p-d*y;for(let R=0;R!==a;++R)r[R]=g*o[h+R]+v*o[l+R]+T*o[c+R]+b*o[u+R];return r}},Ul=class extends Ts{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=e*a,l=c-a,h=(i-t)/(s-t),u=1-h;for(let f=0;f!==a;++f)r[f]=o[l+f]*u+o[c+f]*h;return r}},Fl=class extends Ts{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Ol=class extends Ts{interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=e*a,l=c-a,h=this.inTangents,u=this.outTangents;if(!h||!u){let m=(i-t)/(s-t),y=1-m;for(let p=0;p!==a;++p)r[p]=o[l+p]*y+o[c+p]*m;return r}let f=a*2,d=e-1;for(let m=0;m!==a;++m){let y=o[l+m],p=o[c+m],g=d*f+m*2,v=u[g],T=u[g+1],b=e*f+m*2,R=h[b],E=h[b+1],x=Ey(i,t,v,R,s);r[m]=Zm(x,y,T,E,p)}return r}};function Zm(n,e,t,i,s){let r=1-n;return r*r*r*e+3*r*r*n*t+3*r*n*n*i+n*n*n*s}function wy(n,e,t,i,s){let r=1-n;return 3*r*r*(t-e)+6*r*n*(i-t)+3*n*n*(s-i)}function Ey(n,e,t,i,s){let r=(n-e)/(s-e);for(let o=0;o<8;o++){let a=Zm(r,e,t,i,s)-n;if(Math.abs(a)<1e-10)break;let c=wy(r,e,t,i,s);if(Math.abs(c)<1e-10)break;r=Math.max(0,Math.min(1,r-a/c))}return r}var si=class{constructor(e,t,i,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Vr(t,this.TimeBufferType),this.values=Vr(i,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,i;if(t.toJSON!==this.toJSON)i=t.toJSON(e);else{i={name:e.name,times:Vr(e.times,Array),values:Vr(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(i.interpolation=s),al(e.settings)&&(i.settings={inTangents:Vr(e.settings.inTangents,Array),outTangents:Vr(e.settings.outTangents,Array)})}return i.type=e.ValueTypeName,i}InterpolantFactoryMethodDiscrete(e){return new Fl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new Ul(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new Nl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Ol(this.times,this.values,this.getValueSize(),e);return this.settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case Do:t=this.InterpolantFactoryMethodDiscrete;break;case Sl:t=this.InterpolantFactoryMethodLinear;break;case hl:t=this.InterpolantFactoryMethodSmooth;break;case cu:t=this.InterpolantFactoryMethodBezier;break}if(t===void 0){let i="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(i);return Ke("KeyframeTrack:",i),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return Do;case this.InterpolantFactoryMethodLinear:return Sl;case this.InterpolantFactoryMethodSmooth:return hl;case this.InterpolantFactoryMethodBezier:return cu}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]+=e;al(this.settings)&&(im(this.settings.inTangents,e),im(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]*=e;al(this.settings)&&(sm(this.settings.inTangents,e),sm(this.settings.outTangents,e))}return this}trim(e,t){let i=this.times,s=i.length,r=0,o=s-1;for(;r!==s&&i[r]<e;)++r;for(;o!==-1&&i[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=i.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(st("KeyframeTrack: Invalid value size in track.",this),e=!1);let i=this.times,s=this.values,r=i.length;r===0&&(st("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let c=i[a];if(typeof c=="number"&&isNaN(c)){st("KeyframeTrack: Time is not a valid number.",this,a,c),e=!1;break}if(o!==null&&o>c){st("KeyframeTrack: Out of order keys.",this,a,c,o),e=!1;break}o=c}if(s!==void 0&&Vx(s))for(let a=0,c=s.length;a!==c;++a){let l=s[a];if(isNaN(l)){st("KeyframeTrack: Value is not a valid number.",this,a,l),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),i=this.getValueSize(),s=this.getInterpolation()===hl,r=e.length-1,o=1;for(let a=1;a<r;++a){let c=!1,l=e[a],h=e[a+1];if(l!==h&&(a!==1||l!==e[0]))if(s)c=!0;else{let u=a*i,f=u-i,d=u+i;for(let m=0;m!==i;++m){let y=t[u+m];if(y!==t[f+m]||y!==t[d+m]){c=!0;break}}}if(c){if(a!==o){e[o]=e[a];let u=a*i,f=o*i;for(let d=0;d!==i;++d)t[f+d]=t[u+d]}++o}}if(r>0){e[o]=e[r];for(let a=r*i,c=o*i,l=0;l!==i;++l)t[c+l]=t[a+l];++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*i)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),i=this.constructor,s=new i(this.name,e,t);return s.createInterpolant=this.createInterpolant,al(this.settings)&&(s.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),s}};function im(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]+=e}function sm(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]*=e}si.prototype.ValueTypeName="";si.prototype.TimeBufferType=Float32Array;si.prototype.ValueBufferType=Float32Array;si.prototype.DefaultInterpolation=Sl;var Cs=class extends si{constructor(e,t,i){super(e,t,i)}};Cs.prototype.ValueTypeName="bool";Cs.prototype.ValueBufferType=Array;Cs.prototype.DefaultInterpolation=Do;Cs.prototype.InterpolantFactoryMethodLinear=void 0;Cs.prototype.InterpolantFactoryMethodSmooth=void 0;var Bl=class extends si{constructor(e,t,i,s){super(e,t,i,s)}};Bl.prototype.ValueTypeName="color";var kl=class extends si{constructor(e,t,i,s){super(e,t,i,s)}};kl.prototype.ValueTypeName="number";var zl=class extends Ts{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=(i-t)/(s-t),l=e*a;for(let h=l+a;l!==h;l+=4)ei.slerpFlat(r,0,o,l-a,o,l,c);return r}},Zo=class extends si{constructor(e,t,i,s){super(e,t,i,s)}InterpolantFactoryMethodLinear(e){return new zl(this.times,this.values,this.getValueSize(),e)}};Zo.prototype.ValueTypeName="quaternion";Zo.prototype.InterpolantFactoryMethodSmooth=void 0;var Rs=class extends si{constructor(e,t,i){super(e,t,i)}};Rs.prototype.ValueTypeName="string";Rs.prototype.ValueBufferType=Array;Rs.prototype.DefaultInterpolation=Do;Rs.prototype.InterpolantFactoryMethodLinear=void 0;Rs.prototype.InterpolantFactoryMethodSmooth=void 0;var Vl=class extends si{constructor(e,t,i,s){super(e,t,i,s)}};Vl.prototype.ValueTypeName="vector";var Gl=class{constructor(e,t,i){let s=this,r=!1,o=0,a=0,c,l=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=i,this._abortController=null,this.itemStart=function(h){a++,r===!1&&s.onStart!==void 0&&s.onStart(h,o,a),r=!0},this.itemEnd=function(h){o++,s.onProgress!==void 0&&s.onProgress(h,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(h){s.onError!==void 0&&s.onError(h)},this.resolveURL=function(h){return h=h.normalize("NFC"),c?c(h):h},this.setURLModifier=function(h){return c=h,this},this.addHandler=function(h,u){return l.push(h,u),this},this.removeHandler=function(h){let u=l.indexOf(h);return u!==-1&&l.splice(u,2),this},this.getHandler=function(h){for(let u=0,f=l.length;u<f;u+=2){let d=l[u],m=l[u+1];if(d.global&&(d.lastIndex=0),d.test(h))return m}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},$m=new Gl,Hl=class{constructor(e){this.manager=e!==void 0?e:$m,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let i=this;return new Promise(function(s,r){i.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Hl.DEFAULT_MATERIAL_NAME="__DEFAULT";var ll=new W,cl=new ei,ki=new W,$o=class extends ni{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new Zt,this.projectionMatrix=new Zt,this.projectionMatrixInverse=new Zt,this.coordinateSystem=fi,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(ll,cl,ki),ki.x===1&&ki.y===1&&ki.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(ll,cl,ki.set(1,1,1)).invert()}updateWorldMatrix(e,t,i=!1){super.updateWorldMatrix(e,t,i),this.matrixWorld.decompose(ll,cl,ki),ki.x===1&&ki.y===1&&ki.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(ll,cl,ki.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},bs=new W,rm=new lt,om=new lt,On=class extends $o{constructor(e=50,t=1,i=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=i,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=qr*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(Io*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return qr*2*Math.atan(Math.tan(Io*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,i){bs.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(bs.x,bs.y).multiplyScalar(-e/bs.z),bs.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),i.set(bs.x,bs.y).multiplyScalar(-e/bs.z)}getViewSize(e,t){return this.getViewBounds(e,rm,om),t.subVectors(om,rm)}setViewOffset(e,t,i,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(Io*.5*this.fov)/this.zoom,i=2*t,s=this.aspect*i,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let c=o.fullWidth,l=o.fullHeight;r+=o.offsetX*s/c,t-=o.offsetY*i/l,s*=o.width/c,i*=o.height/l}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-i,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var Wl=class extends $o{constructor(e=-1,t=1,i=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=i,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,i,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),i=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=i-e,o=i+e,a=s+t,c=s-t;if(this.view!==null&&this.view.enabled){let l=(this.right-this.left)/this.view.fullWidth/this.zoom,h=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=l*this.view.offsetX,o=r+l*this.view.width,a-=h*this.view.offsetY,c=a-h*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,c,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}};var Gr=-90,Hr=1,Jr=class extends ni{constructor(e,t,i){super(),this.type="CubeCamera",this.renderTarget=i,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new On(Gr,Hr,e,t);s.layers=this.layers,this.add(s);let r=new On(Gr,Hr,e,t);r.layers=this.layers,this.add(r);let o=new On(Gr,Hr,e,t);o.layers=this.layers,this.add(o);let a=new On(Gr,Hr,e,t);a.layers=this.layers,this.add(a);let c=new On(Gr,Hr,e,t);c.layers=this.layers,this.add(c);let l=new On(Gr,Hr,e,t);l.layers=this.layers,this.add(l)}updateCoordinateSystem(){let e=this.coordinateSystem,t=this.children.concat(),[i,s,r,o,a,c]=t;for(let l of t)this.remove(l);if(e===fi)i.up.set(0,1,0),i.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),c.up.set(0,1,0),c.lookAt(0,0,-1);else if(e===Fo)i.up.set(0,-1,0),i.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),c.up.set(0,-1,0),c.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let l of t)this.add(l),l.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();let{renderTarget:i,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());let[r,o,a,c,l,h]=this.children,u=e.getRenderTarget(),f=e.getActiveCubeFace(),d=e.getActiveMipmapLevel(),m=e.xr.enabled;e.xr.enabled=!1;let y=i.texture.mipmapsAutoUpdate;i.texture.mipmapsAutoUpdate=!1;let p=!1;e.isWebGLRenderer===!0?p=e.state.buffers.depth.getReversed():p=e.reversedDepthBuffer,e.setRenderTarget(i,0,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(i,1,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(i,2,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(i,3,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),e.setRenderTarget(i,4,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),i.texture.mipmapsAutoUpdate=y,e.setRenderTarget(i,5,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,h),e.setRenderTarget(u,f,d),e.xr.enabled=m,i.texture.needsPMREMUpdate=!0}},Xl=class extends On{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e,this.perCameraFrustumCulled=!1}};var $u="\\[\\]\\.:\\/",Ay=new RegExp("["+$u+"]","g"),Ku="[^"+$u+"]",Ty="[^"+$u.replace("\\.","")+"]",Cy=/((?:WC+[\/:])*)/.source.replace("WC",Ku),Ry=/(WCOD+)?/.source.replace("WCOD",Ty),Py=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",Ku),Iy=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",Ku),Ly=new RegExp("^"+Cy+Ry+Py+Iy+"$"),Dy=["material","materials","bones","map"],du=class{constructor(e,t,i){let s=i||Wt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){this.bind();let i=this._targetGroup.nCachedObjects_,s=this._bindings[i];s!==void 0&&s.getValue(e,t)}setValue(e,t){let i=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=i.length;s!==r;++s)i[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].unbind()}},Wt=class n{constructor(e,t,i){this.path=t,this.parsedPath=i||n.parseTrackName(t),this.node=n.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,i){return e&&e.isAnimationObjectGroup?new n.Composite(e,t,i):new n(e,t,i)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Ay,"")}static parseTrackName(e){let t=Ly.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let i={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},s=i.nodeName&&i.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=i.nodeName.substring(s+1);Dy.indexOf(r)!==-1&&(i.nodeName=i.nodeName.substring(0,s),i.objectName=r)}if(i.propertyName===null||i.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+e);return i}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let i=e.skeleton.getBoneByName(t);if(i!==void 0)return i}if(e.children){let i=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let c=i(a.children);if(c)return c}return null},s=i(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)e[t++]=i[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,i=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=n.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){Ke("PropertyBinding: No target node found for track: "+this.path+".");return}if(i){let l=t.objectIndex;switch(i){case"materials":if(!e.material){st("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){st("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){st("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let h=0;h<e.length;h++)if(e[h].name===l){l=h;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){st("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){st("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[i]===void 0){st("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[i]}if(l!==void 0){if(e[l]===void 0){st("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[l]}}let o=e[s];if(o===void 0){let l=t.nodeName;st("PropertyBinding: Trying to update property for track: "+l+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let c=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){st("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){st("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}c=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(c=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(c=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[c],this.setValue=this.SetterByBindingTypeAndVersioning[c][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};Wt.Composite=du;Wt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};Wt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Wt.prototype.GetterByBindingType=[Wt.prototype._getValue_direct,Wt.prototype._getValue_array,Wt.prototype._getValue_arrayElement,Wt.prototype._getValue_toArray];Wt.prototype.SetterByBindingTypeAndVersioning=[[Wt.prototype._setValue_direct,Wt.prototype._setValue_direct_setNeedsUpdate,Wt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[Wt.prototype._setValue_array,Wt.prototype._setValue_array_setNeedsUpdate,Wt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Wt.prototype._setValue_arrayElement,Wt.prototype._setValue_arrayElement_setNeedsUpdate,Wt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Wt.prototype._setValue_fromArray,Wt.prototype._setValue_fromArray_setNeedsUpdate,Wt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var eE=new Float32Array(1);var Ps=class{constructor(e=1,t=0,i=0){this.radius=e,this.phi=t,this.theta=i}set(e,t,i){return this.radius=e,this.phi=t,this.theta=i,this}copy(e){return this.radius=e.radius,this.phi=e.phi,this.theta=e.theta,this}makeSafe(){return this.phi=_t(this.phi,1e-6,Math.PI-1e-6),this}setFromVector3(e){return this.setFromCartesianCoords(e.x,e.y,e.z)}setFromCartesianCoords(e,t,i){return this.radius=Math.sqrt(e*e+t*t+i*i),this.radius===0?(this.theta=0,this.phi=0):(this.theta=Math.atan2(e,i),this.phi=Math.acos(_t(t/this.radius,-1,1))),this}clone(){return new this.constructor().copy(this)}};var pu=class{static{this.prototype.isMatrix2=!0}constructor(e,t,i,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,i,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let i=0;i<4;i++)this.elements[i]=e[i+t];return this}set(e,t,i,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=i,r[3]=s,this}};var Ko=class extends wi{constructor(e,t=null){super(),this.object=e,this.domElement=t,this.enabled=!0,this.state=-1,this.keys={},this.mouseButtons={LEFT:null,MIDDLE:null,RIGHT:null},this.touches={ONE:null,TWO:null}}connect(e){this.domElement!==null&&this.disconnect(),this.domElement=e}disconnect(){}dispose(){}update(){}};function Ju(n,e,t,i){let s=Ny(i);switch(t){case Nu:return n*e;case Fu:return n*e/s.components*s.byteLength;case jl:return n*e/s.components*s.byteLength;case Ns:return n*e*2/s.components*s.byteLength;case Ql:return n*e*2/s.components*s.byteLength;case Uu:return n*e*3/s.components*s.byteLength;case Ri:return n*e*4/s.components*s.byteLength;case ec:return n*e*4/s.components*s.byteLength;case Qo:case ea:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case ta:case na:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case nc:case sc:return Math.max(n,16)*Math.max(e,8)/4;case tc:case ic:return Math.max(n,8)*Math.max(e,8)/2;case rc:case oc:case lc:case cc:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case ac:case ia:case hc:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case uc:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case fc:return Math.floor((n+4)/5)*Math.floor((e+3)/4)*16;case dc:return Math.floor((n+4)/5)*Math.floor((e+4)/5)*16;case pc:return Math.floor((n+5)/6)*Math.floor((e+4)/5)*16;case mc:return Math.floor((n+5)/6)*Math.floor((e+5)/6)*16;case gc:return Math.floor((n+7)/8)*Math.floor((e+4)/5)*16;case _c:return Math.floor((n+7)/8)*Math.floor((e+5)/6)*16;case xc:return Math.floor((n+7)/8)*Math.floor((e+7)/8)*16;case yc:return Math.floor((n+9)/10)*Math.floor((e+4)/5)*16;case vc:return Math.floor((n+9)/10)*Math.floor((e+5)/6)*16;case Sc:return Math.floor((n+9)/10)*Math.floor((e+7)/8)*16;case bc:return Math.floor((n+9)/10)*Math.floor((e+9)/10)*16;case Mc:return Math.floor((n+11)/12)*Math.floor((e+9)/10)*16;case wc:return Math.floor((n+11)/12)*Math.floor((e+11)/12)*16;case Ec:case Ac:case Tc:return Math.ceil(n/4)*Math.ceil(e/4)*16;case Cc:case Rc:return Math.ceil(n/4)*Math.ceil(e/4)*8;case sa:case Pc:return Math.ceil(n/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function Ny(n){switch(n){case ri:case Pu:return{byteLength:1,components:1};case to:case Iu:case Ci:return{byteLength:2,components:1};case Kl:case Jl:return{byteLength:2,components:4};case Ai:case $l:case Ti:return{byteLength:4,components:1};case Lu:case Du:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${n}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?Ke("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");/**
+ * @license
+ * Copyright 2010-2026 Three.js Authors
+ * SPDX-License-Identifier: MIT
+ */function _g(){let n=null,e=!1,t=null,i=null;function s(r,o){i=n.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&n!==null&&(i=n.requestAnimationFrame(s),e=!0)},stop:function(){n!==null&&n.cancelAnimationFrame(i),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){n=r}}}function Fy(n){let e=new WeakMap;function t(a,c){let l=a.array,h=a.usage,u=l.byteLength,f=n.createBuffer();n.bindBuffer(c,f),n.bufferData(c,l,h),a.onUploadCallback();let d;if(l instanceof Float32Array)d=n.FLOAT;else if(typeof Float16Array<"u"&&l instanceof Float16Array)d=n.HALF_FLOAT;else if(l instanceof Uint16Array)a.isFloat16BufferAttribute?d=n.HALF_FLOAT:d=n.UNSIGNED_SHORT;else if(l instanceof Int16Array)d=n.SHORT;else if(l instanceof Uint32Array)d=n.UNSIGNED_INT;else if(l instanceof Int32Array)d=n.INT;else if(l instanceof Int8Array)d=n.BYTE;else if(l instanceof Uint8Array)d=n.UNSIGNED_BYTE;else if(l instanceof Uint8ClampedArray)d=n.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+l);return{buffer:f,type:d,bytesPerElement:l.BYTES_PER_ELEMENT,version:a.version,size:u}}function i(a,c,l){let h=c.array,u=c.updateRanges;if(n.bindBuffer(l,a),u.length===0)n.bufferSubData(l,0,h);else{u.sort((d,m)=>d.start-m.start);let f=0;for(let d=1;d<u.length;d++){let m=u[f],y=u[d];y.start<=m.start+m.count+1?m.count=Math.max(m.count,y.start+y.count-m.start):(++f,u[f]=y)}u.length=f+1;for(let d=0,m=u.length;d<m;d++){let y=u[d];n.bufferSubData(l,y.start*h.BYTES_PER_ELEMENT,h,y.start,y.count)}c.clearUpdateRanges()}c.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let c=e.get(a);c&&(n.deleteBuffer(c.buffer),e.delete(a))}function o(a,c){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let h=e.get(a);(!h||h.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let l=e.get(a);if(l===void 0)e.set(a,t(a,c));else if(l.version<a.version){if(l.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");i(l.buffer,a,c),l.version=a.version}}return{get:s,remove:r,update:o}}var Oy=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,By=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,ky=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,zy=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Vy=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,Gy=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,Hy=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,Wy=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,Xy=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,qy=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,Yy=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,Zy=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,$y=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,Ky=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,Jy=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,jy=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,Qy=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,ev=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,tv=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,nv=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,iv=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,sv=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,rv=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,ov=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,av=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,lv=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,cv=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,hv=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,uv=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,fv="gl_FragColor = linearToOutputTexel( gl_FragColor );",dv=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,pv=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,mv=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,gv=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,_v=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,xv=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,yv=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,vv=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,Sv=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,bv=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,Mv=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,wv=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,Ev=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,Av=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,Tv=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,Cv=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,Rv=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,Pv=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,Iv=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,Lv=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,Dv=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,Nv=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,Uv=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,Fv=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,Ov=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,Bv=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,kv=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,zv=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Vv=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Gv=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,Hv=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,Wv=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,Xv=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,qv=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Yv=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,Zv=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,$v=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,Kv=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,Jv=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,jv=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,Qv=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,eS=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,tS=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,nS=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,iS=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,sS=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,rS=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,oS=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,aS=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,lS=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,cS=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,hS=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,uS=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,fS=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,dS=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,pS=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,mS=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,gS=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,_S=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,xS=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,yS=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,vS=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,SS=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,bS=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,MS=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,wS=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,ES=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,AS=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,TS=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,CS=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,RS=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,PS=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,IS=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,LS=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,DS=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,NS=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,US=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,FS=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,OS=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,BS=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,kS=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,zS=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,VS=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,GS=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,HS=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,WS=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,XS=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,qS=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,YS=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,ZS=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,$S=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,KS=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,JS=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,jS=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,QS=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,eb=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,tb=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,nb=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,ib=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,sb=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,rb=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,ob=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,ab=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,lb=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,cb=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,hb=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,ub=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,fb=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,db=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,pb=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,mb=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,dt={alphahash_fragment:Oy,alphahash_pars_fragment:By,alphamap_fragment:ky,alphamap_pars_fragment:zy,alphatest_fragment:Vy,alphatest_pars_fragment:Gy,aomap_fragment:Hy,aomap_pars_fragment:Wy,batching_pars_vertex:Xy,batching_vertex:qy,begin_vertex:Yy,beginnormal_vertex:Zy,bsdfs:$y,iridescence_fragment:Ky,bumpmap_pars_fragment:Jy,clipping_planes_fragment:jy,clipping_planes_pars_fragment:Qy,clipping_planes_pars_vertex:ev,clipping_planes_vertex:tv,color_fragment:nv,color_pars_fragment:iv,color_pars_vertex:sv,color_vertex:rv,common:ov,defaultnormal_vertex:av,displacementmap_pars_vertex:lv,displacementmap_vertex:cv,emissivemap_fragment:hv,emissivemap_pars_fragment:uv,colorspace_fragment:fv,colorspace_pars_fragment:dv,envmap_fragment:pv,envmap_common_pars_fragment:mv,envmap_pars_fragment:gv,envmap_pars_vertex:_v,envmap_physical_pars_fragment:Cv,envmap_vertex:xv,fog_vertex:yv,fog_pars_vertex:vv,fog_fragment:Sv,fog_pars_fragment:bv,gradientmap_pars_fragment:Mv,lightmap_pars_fragment:wv,lights_lambert_fragment:Ev,lights_lambert_pars_fragment:Av,lights_pars_begin:Tv,lights_toon_fragment:Rv,lights_toon_pars_fragment:Pv,lights_phong_fragment:Iv,lights_phong_pars_fragment:Lv,lights_physical_fragment:Dv,lights_physical_pars_fragment:Nv,lights_fragment_begin:Uv,lights_fragment_maps:Fv,lights_fragment_end:Ov,lightprobes_pars_fragment:Bv,logdepthbuf_fragment:kv,logdepthbuf_pars_fragment:zv,logdepthbuf_pars_vertex:Vv,logdepthbuf_vertex:Gv,map_fragment:Hv,map_pars_fragment:Wv,map_particle_fragment:Xv,map_particle_pars_fragment:qv,metalnessmap_fragment:Yv,metalnessmap_pars_fragment:Zv,morphinstance_vertex:$v,morphcolor_vertex:Kv,morphnormal_vertex:Jv,morphtarget_pars_vertex:jv,morphtarget_vertex:Qv,normal_fragment_begin:eS,normal_fragment_maps:tS,normal_pars_fragment:nS,normal_pars_vertex:iS,normal_vertex:sS,normalmap_pars_fragment:rS,clearcoat_normal_fragment_begin:oS,clearcoat_normal_fragment_maps:aS,clearcoat_pars_fragment:lS,iridescence_pars_fragment:cS,opaque_fragment:hS,packing:uS,premultiplied_alpha_fragment:fS,project_vertex:dS,dithering_fragment:pS,dithering_pars_fragment:mS,roughnessmap_fragment:gS,roughnessmap_pars_fragment:_S,shadowmap_pars_fragment:xS,shadowmap_pars_vertex:yS,shadowmap_vertex:vS,shadowmask_pars_fragment:SS,skinbase_vertex:bS,skinning_pars_vertex:MS,skinning_vertex:wS,skinnormal_vertex:ES,specularmap_fragment:AS,specularmap_pars_fragment:TS,tonemapping_fragment:CS,tonemapping_pars_fragment:RS,transmission_fragment:PS,transmission_pars_fragment:IS,uv_pars_fragment:LS,uv_pars_vertex:DS,uv_vertex:NS,worldpos_vertex:US,background_vert:FS,background_frag:OS,backgroundCube_vert:BS,backgroundCube_frag:kS,cube_vert:zS,cube_frag:VS,depth_vert:GS,depth_frag:HS,distance_vert:WS,distance_frag:XS,equirect_vert:qS,equirect_frag:YS,linedashed_vert:ZS,linedashed_frag:$S,meshbasic_vert:KS,meshbasic_frag:JS,meshlambert_vert:jS,meshlambert_frag:QS,meshmatcap_vert:eb,meshmatcap_frag:tb,meshnormal_vert:nb,meshnormal_frag:ib,meshphong_vert:sb,meshphong_frag:rb,meshphysical_vert:ob,meshphysical_frag:ab,meshtoon_vert:lb,meshtoon_frag:cb,points_vert:hb,points_frag:ub,shadow_vert:fb,shadow_frag:db,sprite_vert:pb,sprite_frag:mb},Ne={common:{diffuse:{value:new ct(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new rt},alphaMap:{value:null},alphaMapTransform:{value:new rt},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new rt}},envmap:{envMap:{value:null},envMapRotation:{value:new rt},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new rt}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new rt}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new rt},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new rt},normalScale:{value:new lt(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new rt},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new rt}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new rt}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new rt}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new ct(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new ct(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new rt},alphaTest:{value:0},uvTransform:{value:new rt}},sprite:{diffuse:{value:new ct(16777215)},opacity:{value:1},center:{value:new lt(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new rt},alphaMap:{value:null},alphaMapTransform:{value:new rt},alphaTest:{value:0}}},Hi={basic:{uniforms:Rn([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.fog]),vertexShader:dt.meshbasic_vert,fragmentShader:dt.meshbasic_frag},lambert:{uniforms:Rn([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,Ne.lights,{emissive:{value:new ct(0)},envMapIntensity:{value:1}}]),vertexShader:dt.meshlambert_vert,fragmentShader:dt.meshlambert_frag},phong:{uniforms:Rn([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,Ne.lights,{emissive:{value:new ct(0)},specular:{value:new ct(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:dt.meshphong_vert,fragmentShader:dt.meshphong_frag},standard:{uniforms:Rn([Ne.common,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.roughnessmap,Ne.metalnessmap,Ne.fog,Ne.lights,{emissive:{value:new ct(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:dt.meshphysical_vert,fragmentShader:dt.meshphysical_frag},toon:{uniforms:Rn([Ne.common,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.gradientmap,Ne.fog,Ne.lights,{emissive:{value:new ct(0)}}]),vertexShader:dt.meshtoon_vert,fragmentShader:dt.meshtoon_frag},matcap:{uniforms:Rn([Ne.common,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,{matcap:{value:null}}]),vertexShader:dt.meshmatcap_vert,fragmentShader:dt.meshmatcap_frag},points:{uniforms:Rn([Ne.points,Ne.fog]),vertexShader:dt.points_vert,fragmentShader:dt.points_frag},dashed:{uniforms:Rn([Ne.common,Ne.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:dt.linedashed_vert,fragmentShader:dt.linedashed_frag},depth:{uniforms:Rn([Ne.common,Ne.displacementmap]),vertexShader:dt.depth_vert,fragmentShader:dt.depth_frag},normal:{uniforms:Rn([Ne.common,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,{opacity:{value:1}}]),vertexShader:dt.meshnormal_vert,fragmentShader:dt.meshnormal_frag},sprite:{uniforms:Rn([Ne.sprite,Ne.fog]),vertexShader:dt.sprite_vert,fragmentShader:dt.sprite_frag},background:{uniforms:{uvTransform:{value:new rt},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:dt.background_vert,fragmentShader:dt.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new rt}},vertexShader:dt.backgroundCube_vert,fragmentShader:dt.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:dt.cube_vert,fragmentShader:dt.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:dt.equirect_vert,fragmentShader:dt.equirect_frag},distance:{uniforms:Rn([Ne.common,Ne.displacementmap,{referencePosition:{value:new W},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:dt.distance_vert,fragmentShader:dt.distance_frag},shadow:{uniforms:Rn([Ne.lights,Ne.fog,{color:{value:new ct(0)},opacity:{value:1}}]),vertexShader:dt.shadow_vert,fragmentShader:dt.shadow_frag}};Hi.physical={uniforms:Rn([Hi.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new rt},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new rt},clearcoatNormalScale:{value:new lt(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new rt},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new rt},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new rt},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new rt},sheen:{value:0},sheenColor:{value:new ct(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new rt},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new rt},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new rt},transmissionSamplerSize:{value:new lt},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new rt},attenuationDistance:{value:0},attenuationColor:{value:new ct(0)},specularColor:{value:new ct(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new rt},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new rt},anisotropyVector:{value:new lt},anisotropyMap:{value:null},anisotropyMapTransform:{value:new rt}}]),vertexShader:dt.meshphysical_vert,fragmentShader:dt.meshphysical_frag};var Ic={r:0,b:0,g:0},gb=new Zt,xg=new rt;xg.set(-1,0,0,0,1,0,0,0,1);function _b(n,e,t,i,s,r){let o=new ct(0),a=s===!0?0:1,c,l,h=null,u=0,f=null;function d(v){let T=v.isScene===!0?v.background:null;if(T&&T.isTexture){let b=v.backgroundBlurriness>0;T=e.get(T,b)}return T}function m(v){let T=!1,b=d(v);b===null?p(o,a):b&&b.isColor&&(p(b,1),T=!0);let R=n.xr.getEnvironmentBlendMode();R==="additive"?t.buffers.color.setClear(0,0,0,1,r):R==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(n.autoClear||T)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),n.clear(n.autoClearColor,n.autoClearDepth,n.autoClearStencil))}function y(v,T){let b=d(T);b&&b.isCubeTexture?(l===void 0&&(l=new di(new Kr(1,1,1),new ii({name:"BackgroundCubeMaterial",uniforms:sr(Hi.backgroundCube.uniforms),vertexShader:Hi.backgroundCube.vertexShader,fragmentShader:Hi.backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),l.geometry.deleteAttribute("uv"),l.onBeforeRender=function(R,E,x){this.matrixWorld.copyPosition(x.matrixWorld)},Object.defineProperty(l.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),i.update(l)),l.material.uniforms.envMap.value=b,l.material.uniforms.backgroundBlurriness.value=T.backgroundBlurriness,l.material.uniforms.backgroundIntensity.value=T.backgroundIntensity,l.material.uniforms.backgroundRotation.value.setFromMatrix4(gb.makeRotationFromEuler(T.backgroundRotation)).transpose(),b.isRenderTargetTexture===!1&&l.material.uniforms.backgroundRotation.value.premultiply(xg),l.material.toneMapped=bt.getTransfer(b.colorSpace)!==Pt,(h!==b||u!==b.version||f!==n.toneMapping)&&(l.material.needsUpdate=!0,h=b,u=b.version,f=n.toneMapping),l.layers.enableAll(),v.unshift(l,l.geometry,l.material,0,0,null)):b&&b.isTexture&&(c===void 0&&(c=new di(new Yo(2,2),new ii({name:"BackgroundMaterial",uniforms:sr(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,side:Ds,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),Object.defineProperty(c.material,"map",{get:function(){return this.uniforms.t2D.value}}),i.update(c)),c.material.uniforms.t2D.value=b,c.material.uniforms.backgroundIntensity.value=T.backgroundIntensity,c.material.toneMapped=bt.getTransfer(b.colorSpace)!==Pt,b.matrixAutoUpdate===!0&&b.updateMatrix(),c.material.uniforms.uvTransform.value.copy(b.matrix),(h!==b||u!==b.version||f!==n.toneMapping)&&(c.material.needsUpdate=!0,h=b,u=b.version,f=n.toneMapping),c.layers.enableAll(),v.unshift(c,c.geometry,c.material,0,0,null))}function p(v,T){v.getRGB(Ic,Zu(n)),t.buffers.color.setClear(Ic.r,Ic.g,Ic.b,T,r)}function g(){l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0),c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0)}return{getClearColor:function(){return o},setClearColor:function(v,T=1){o.set(v),a=T,p(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(v){a=v,p(o,a)},render:m,addToRenderList:y,dispose:g}}function xb(n,e){let t=n.getParameter(n.MAX_VERTEX_ATTRIBS),i={},s=f(null),r=s,o=!1;function a(L,z,H,N,G){let Y=!1,B=u(L,N,H,z);r!==B&&(r=B,l(r.object)),Y=d(L,N,H,G),Y&&m(L,N,H,G),G!==null&&e.update(G,n.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(L,z,H,N),G!==null&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function c(){return n.createVertexArray()}function l(L){return n.bindVertexArray(L)}function h(L){return n.deleteVertexArray(L)}function u(L,z,H,N){let G=N.wireframe===!0,Y=i[z.id];Y===void 0&&(Y={},i[z.id]=Y);let B=L.isInstancedMesh===!0?L.id:0,ae=Y[B];ae===void 0&&(ae={},Y[B]=ae);let Z=ae[H.id];Z===void 0&&(Z={},ae[H.id]=Z);let J=Z[G];return J===void 0&&(J=f(c()),Z[G]=J),J}function f(L){let z=[],H=[],N=[];for(let G=0;G<t;G++)z[G]=0,H[G]=0,N[G]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:z,enabledAttributes:H,attributeDivisors:N,object:L,attributes:{},index:null}}function d(L,z,H,N){let G=r.attributes,Y=z.attributes,B=0,ae=H.getAttributes();for(let Z in ae)if(ae[Z].location>=0){let ne=G[Z],ue=Y[Z];if(ue===void 0&&(Z==="instanceMatrix"&&L.instanceMatrix&&(ue=L.instanceMatrix),Z==="instanceColor"&&L.instanceColor&&(ue=L.instanceColor)),ne===void 0||ne.attribute!==ue||ue&&ne.data!==ue.data)return!0;B++}return r.attributesNum!==B||r.index!==N}function m(L,z,H,N){let G={},Y=z.attributes,B=0,ae=H.getAttributes();for(let Z in ae)if(ae[Z].location>=0){let ne=Y[Z];ne===void 0&&(Z==="instanceMatrix"&&L.instanceMatrix&&(ne=L.instanceMatrix),Z==="instanceColor"&&L.instanceColor&&(ne=L.instanceColor));let ue={};ue.attribute=ne,ne&&ne.data&&(ue.data=ne.data),G[Z]=ue,B++}r.attributes=G,r.attributesNum=B,r.index=N}function y(){let L=r.newAttributes;for(let z=0,H=L.length;z<H;z++)L[z]=0}function p(L){g(L,0)}function g(L,z){let H=r.newAttributes,N=r.enabledAttributes,G=r.attributeDivisors;H[L]=1,N[L]===0&&(n.enableVertexAttribArray(L),N[L]=1),G[L]!==z&&(n.vertexAttribDivisor(L,z),G[L]=z)}function v(){let L=r.newAttributes,z=r.enabledAttributes;for(let H=0,N=z.length;H<N;H++)z[H]!==L[H]&&(n.disableVertexAttribArray(H),z[H]=0)}function T(L,z,H,N,G,Y,B){B===!0?n.vertexAttribIPointer(L,z,H,G,Y):n.vertexAttribPointer(L,z,H,N,G,Y)}function b(L,z,H,N){y();let G=N.attributes,Y=H.getAttributes(),B=z.defaultAttributeValues;for(let ae in Y){let Z=Y[ae];if(Z.location>=0){let J=G[ae];if(J===void 0&&(ae==="instanceMatrix"&&L.instanceMatrix&&(J=L.instanceMatrix),ae==="instanceColor"&&L.instanceColor&&(J=L.instanceColor)),J!==void 0){let ne=J.normalized,ue=J.itemSize,ce=e.get(J);if(ce===void 0)continue;let j=ce.buffer,ge=ce.type,xe=ce.bytesPerElement,me=ge===n.INT||ge===n.UNSIGNED_INT||J.gpuType===$l;if(J.isInterleavedBufferAttribute){let Me=J.data,Xe=Me.isInterleavedBuffer===!0?Me.stride:Me.itemSize,fe=J.offset;if(Me.isInstancedInterleavedBuffer||Me.isInstancedBufferAttribute){for(let de=0;de<Z.locationSize;de++)g(Z.location+de,Me.meshPerAttribute);L.isInstancedMesh!==!0&&N._maxInstanceCount===void 0&&(N._maxInstanceCount=Me.meshPerAttribute*Me.count)}else for(let de=0;de<Z.locationSize;de++)p(Z.location+de);n.bindBuffer(n.ARRAY_BUFFER,j);for(let de=0;de<Z.locationSize;de++)T(Z.location+de,ue/Z.locationSize,ge,ne,Xe*xe,(fe+ue/Z.locationSize*de)*xe,me)}else{if(J.isInstancedBufferAttribute){for(let Me=0;Me<Z.locationSize;Me++)g(Z.location+Me,J.meshPerAttribute);L.isInstancedMesh!==!0&&N._maxInstanceCount===void 0&&(N._maxInstanceCount=J.meshPerAttribute*J.count)}else for(let Me=0;Me<Z.locationSize;Me++)p(Z.location+Me);n.bindBuffer(n.ARRAY_BUFFER,j);for(let Me=0;Me<Z.locationSize;Me++)T(Z.location+Me,ue/Z.locationSize,ge,ne,ue*xe,ue/Z.locationSize*Me*xe,me)}}else if(B!==void 0){let ne=B[ae];if(ne!==void 0)switch(ne.length){case 2:n.vertexAttrib2fv(Z.location,ne);break;case 3:n.vertexAttrib3fv(Z.location,ne);break;case 4:n.vertexAttrib4fv(Z.location,ne);break;default:n.vertexAttrib1fv(Z.location,ne)}}}}v()}function R(){k();for(let L in i){let z=i[L];for(let H in z){let N=z[H];for(let G in N){let Y=N[G];for(let B in Y)h(Y[B].object),delete Y[B];delete N[G]}}delete i[L]}}function E(L){if(i[L.id]===void 0)return;let z=i[L.id];for(let H in z){let N=z[H];for(let G in N){let Y=N[G];for(let B in Y)h(Y[B].object),delete Y[B];delete N[G]}}delete i[L.id]}function x(L){for(let z in i){let H=i[z];for(let N in H){let G=H[N];if(G[L.id]===void 0)continue;let Y=G[L.id];for(let B in Y)h(Y[B].object),delete Y[B];delete G[L.id]}}}function A(L){for(let z in i){let H=i[z],N=L.isInstancedMesh===!0?L.id:0,G=H[N];if(G!==void 0){for(let Y in G){let B=G[Y];for(let ae in B)h(B[ae].object),delete B[ae];delete G[Y]}delete H[N],Object.keys(H).length===0&&delete i[z]}}}function k(){I(),o=!0,r!==s&&(r=s,l(r.object))}function I(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:k,resetDefaultState:I,dispose:R,releaseStatesOfGeometry:E,releaseStatesOfObject:A,releaseStatesOfProgram:x,initAttributes:y,enableAttribute:p,disableUnusedAttributes:v}}function yb(n,e,t){let i;function s(c){i=c}function r(c,l){n.drawArrays(i,c,l),t.update(l,i,1)}function o(c,l,h){h!==0&&(n.drawArraysInstanced(i,c,l,h),t.update(l,i,h))}function a(c,l,h){if(h===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(i,c,0,l,0,h);let f=0;for(let d=0;d<h;d++)f+=l[d];t.update(f,i,1)}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a}function vb(n,e,t,i){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let x=e.get("EXT_texture_filter_anisotropic");s=n.getParameter(x.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(x){return!(x!==Ri&&i.convert(x)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(x){let A=x===Ci&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(x!==ri&&x!==Ti&&!A&&i.convert(x)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_TYPE))}function c(x){if(x==="highp"){if(n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.HIGH_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.HIGH_FLOAT).precision>0)return"highp";x="mediump"}return x==="mediump"&&n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.MEDIUM_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let l=t.precision!==void 0?t.precision:"highp",h=c(l);h!==l&&(Ke("WebGLRenderer:",l,"not supported, using",h,"instead."),l=h);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),f=t.logarithmicDepthBuffer===!0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&Ke("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&Ke("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let d=n.getParameter(n.MAX_TEXTURE_IMAGE_UNITS),m=n.getParameter(n.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=n.getParameter(n.MAX_TEXTURE_SIZE),p=n.getParameter(n.MAX_CUBE_MAP_TEXTURE_SIZE),g=n.getParameter(n.MAX_VERTEX_ATTRIBS),v=n.getParameter(n.MAX_VERTEX_UNIFORM_VECTORS),T=n.getParameter(n.MAX_VARYING_VECTORS),b=n.getParameter(n.MAX_FRAGMENT_UNIFORM_VECTORS),R=n.getParameter(n.MAX_SAMPLES),E=n.getParameter(n.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:c,textureFormatReadable:o,textureTypeReadable:a,precision:l,logarithmicDepthBuffer:f,reversedDepthBuffer:u,maxTextures:d,maxVertexTextures:m,maxTextureSize:y,maxCubemapSize:p,maxAttributes:g,maxVertexUniforms:v,maxVaryings:T,maxFragmentUniforms:b,maxSamples:R,samples:E}}function Sb(n){let e=this,t=null,i=0,s=!1,r=!1,o=new Qn,a=new rt,c={value:null,needsUpdate:!1};this.uniform=c,this.numPlanes=0,this.numIntersection=0,this.init=function(u,f){let d=u.length!==0||f||i!==0||s;return s=f,i=u.length,d},this.beginShadows=function(){r=!0,h(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,f){t=h(u,f,0)},this.setState=function(u,f,d){let m=u.clippingPlanes,y=u.clipIntersection,p=u.clipShadows,g=n.get(u);if(!s||m===null||m.length===0||r&&!p)r?h(null):l();else{let v=r?0:i,T=v*4,b=g.clippingState||null;c.value=b,b=h(m,f,T,d);for(let R=0;R!==T;++R)b[R]=t[R];g.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=v}};function l(){c.value!==t&&(c.value=t,c.needsUpdate=i>0),e.numPlanes=i,e.numIntersection=0}function h(u,f,d,m){let y=u!==null?u.length:0,p=null;if(y!==0){if(p=c.value,m!==!0||p===null){let g=d+y*4,v=f.matrixWorldInverse;a.getNormalMatrix(v),(p===null||p.length<g)&&(p=new Float32Array(g));for(let T=0,b=d;T!==y;++T,b+=4)o.copy(u[T]).applyMatrix4(v,a),o.normal.toArray(p,b),p[b+3]=o.constant}c.value=p,c.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,p}}var aa=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let i={width:e,height:e,depth:1},s=[i,i,i,i,i,i];this.texture=new Wo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;let i={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new Kr(5,5,5),r=new ii({name:"CubemapFromEquirect",uniforms:sr(i.uniforms),vertexShader:i.vertexShader,fragmentShader:i.fragmentShader,side:kn,blending:er});r.uniforms.tEquirect.value=t;let o=new di(s,r),a=t.minFilter;return t.minFilter===os&&(t.minFilter=En),new Jr(1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,i=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(this,o),e.clear(t,i,s);e.setRenderTarget(r)}},Km=256,bb=3,Mb=20,yg=256,vg=16,wb=3,Eb=new W,Ab=new ct,Dc=class n{constructor(e){this._renderer=e,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new Jr(1,10,null),this._boxMesh=new di(new Kr(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,i=.1,s=100,r={}){let{size:o=256,position:a=Eb}=r,c=this._renderer;this._setSize(o);let l=this._allocateTarget(),h=this._getSourceTarget(!0);t>0&&(h.texture.mipmapsAutoUpdate=!1);let u=c.autoClear,f=c.autoClearColor,d=c.autoClearDepth,m=c.autoClearStencil,y=e.background;c.autoClear=!0,c.autoClearColor=!0,c.autoClearDepth=!0,c.autoClearStencil=!0,y===null&&(e.background=c.getClearColor(Ab));let p=new Jr(i,s,h);return p.position.copy(a),p.update(c,e),c.autoClear=u,c.autoClearColor=f,c.autoClearDepth=d,c.autoClearStencil=m,e.background=y,t>0&&(h.texture.mipmapsAutoUpdate=!0,this._blur(l,t)),this._applyPMREM(l),l}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=Qm(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=jm(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(Km,Xu(e))}_fromTexture(e,t){e.mapping===nr||e.mapping===eo?this._setSize(e.image.length===0?Km:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let i=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(i),i}_allocateTarget(){let e=this._cubeSize,t=Jm(e,!1,!1),i=Math.log2(e)-bb;for(let s=0;s<=i;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,i=this._sourceTarget;return(i===null||i.width!==t||e&&i.depthBuffer===!1)&&(i!==null&&i.dispose(),this._sourceTarget=Jm(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(e,t,i){let s=this._boxMesh,r=this._cubeCamera;s.material=i,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===nr||e.mapping===eo?(this._cubemapMaterial===null&&(this._cubemapMaterial=Qm()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=jm()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&(this._ggxMaterial=Tb(),this._integrationMaterial=Cb());let t=this._cubeSize,i=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/vg);for(let o=0;o<=i;o++){let a=n.lodToRoughness(o,i);if(o>i-wb)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let c=a>0?Math.log2(t)+.5*Math.log2(6/(yg*Math.pow(a,4)))+.5:0;s.roughness.value=a,s.lodBias.value=c,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=Rb());let i=this._blurMaterial,s=i.uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,i),s.envMap.value=e.texture,this._renderCube(r,0,i)}};function Jm(n,e,t){return new aa(n,{minFilter:os,generateMipmaps:e,type:Ci,colorSpace:No,depthBuffer:t})}function la(n,e,t){return new ii({name:n,uniforms:e,vertexShader:dt.cube_vert,fragmentShader:t,side:kn,blending:er,depthTest:!1,depthWrite:!1})}function Tb(){return la("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${yg}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function Cb(){return la("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:vg}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function Rb(){return la("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${Mb}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function jm(){return la("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function Qm(){return la("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function Pb(n){let e=new WeakMap,t=new WeakMap,i=null;function s(f,d=!1){return f==null?null:d?o(f):r(f)}function r(f){if(f&&f.isTexture){let d=f.mapping;if(d===ql||d===Yl)if(e.has(f)){let m=e.get(f).texture;return a(m,f.mapping)}else{let m=f.image;if(m&&m.height>0){let y=new aa(m.height);return y.fromEquirectangularTexture(n,f),e.set(f,y),f.addEventListener("dispose",l),a(y.texture,f.mapping)}else return null}}return f}function o(f){if(f&&f.isTexture&&f.isPMREMTexture!==!0){let d=f.mapping,m=d===ql||d===Yl,y=d===nr||d===eo;if(m||y){let p=t.get(f),g=p!==void 0?p.texture.pmremVersion:0;if(f.isRenderTargetTexture&&f.pmremVersion!==g)return i===null&&(i=new Dc(n)),p=m?i.fromEquirectangular(f,p):i.fromCubemap(f,p),p.texture.pmremVersion=f.pmremVersion,t.set(f,p),p.texture;if(p!==void 0)return p.texture;{let v=f.image;return m&&v&&v.height>0||y&&v&&c(v)?(i===null&&(i=new Dc(n)),p=m?i.fromEquirectangular(f):i.fromCubemap(f),p.texture.pmremVersion=f.pmremVersion,t.set(f,p),f.addEventListener("dispose",h),p.texture):null}}}return f}function a(f,d){return d===ql?f.mapping=nr:d===Yl&&(f.mapping=eo),f}function c(f){let d=0,m=6;for(let y=0;y<m;y++)f[y]!==void 0&&d++;return d===m}function l(f){let d=f.target;d.removeEventListener("dispose",l);let m=e.get(d);m!==void 0&&(e.delete(d),m.dispose())}function h(f){let d=f.target;d.removeEventListener("dispose",h);let m=t.get(d);m!==void 0&&(t.delete(d),m.dispose())}function u(){e=new WeakMap,t=new WeakMap,i!==null&&(i.dispose(),i=null)}return{get:s,dispose:u}}function Ib(n){let e={};function t(i){if(e[i]!==void 0)return e[i];let s=n.getExtension(i);return e[i]=s,s}return{has:function(i){return t(i)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(i){let s=t(i);return s===null&&Po("WebGLRenderer: "+i+" extension not supported."),s}}}function Lb(n,e,t,i){let s={},r=new WeakMap,o=new FinalizationRegistry(m=>delete s[m]);function a(m){c(m.target)}function c(m){m.index!==null&&e.remove(m.index);for(let p in m.attributes)e.remove(m.attributes[p]);m.removeEventListener("dispose",a),delete s[m.id],o.unregister(m);let y=r.get(m);y&&(e.remove(y),r.delete(m)),i.releaseStatesOfGeometry(m),m.isInstancedBufferGeometry===!0&&delete m._maxInstanceCount,t.memory.geometries--}function l(m,y){return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function h(m){let y=m.attributes;for(let p in y)e.update(y[p],n.ARRAY_BUFFER)}function u(m){let y=m.index,p=m.attributes.position,g=0;if(p===void 0)return;let v=y!==null?y.array.length:p.array.length/3-1,T=p.count>=65535?Go:Vo,b=new T(Math.ceil(v/3)*6,1),R=b.array;if(y!==null){let x=y.array;g=y.version;for(let A=0,k=0;A<v;A+=3){let I=x[A+0],L=x[A+1],z=x[A+2];R[k++]=I,R[k++]=L,R[k++]=L,R[k++]=z,R[k++]=z,R[k++]=I}}else{g=p.version;for(let x=0,A=0;x<v;x+=3){let k=x+0,I=x+1,L=x+2;R[A++]=k,R[A++]=I,R[A++]=I,R[A++]=L,R[A++]=L,R[A++]=k}}b.version=g;let E=r.get(m);E&&e.remove(E),r.set(m,b)}function f(m){let y=r.get(m);if(y){let p=m.index;p!==null&&y.version<p.version&&u(m)}else u(m);return r.get(m)}function d(){for(let m in s){let y=s[m].deref();y!==void 0&&c(y)}}return{get:l,update:h,getWireframeAttribute:f,dispose:d}}function Db(n,e,t){let i;function s(u){i=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function c(u,f){n.drawElements(i,f,r,u*o),t.update(f,i,1)}function l(u,f,d){d!==0&&(n.drawElementsInstanced(i,f,r,u*o,d),t.update(f,i,d))}function h(u,f,d){if(d===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(i,f,0,r,u,0,d);let y=0;for(let p=0;p<d;p++)y+=f[p];t.update(y,i,1)}this.setMode=s,this.setIndex=a,this.render=c,this.renderInstances=l,this.renderMultiDraw=h}function Nb(n){let e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function i(r,o,a){switch(t.calls++,o){case n.TRIANGLES:t.triangles+=a*(r/3);break;case n.LINES:t.lines+=a*(r/2);break;case n.LINE_STRIP:t.lines+=a*(r-1);break;case n.LINE_LOOP:t.lines+=a*r;break;case n.POINTS:t.points+=a*r;break;default:st("WebGLInfo: Unknown draw mode:",o);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:i}}function Ub(n,e,t){let i=new WeakMap,s=new $t;function r(o,a,c){let l=o.morphTargetInfluences,h=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=h!==void 0?h.length:0,f=i.get(a);if(f===void 0||f.count!==u){let k=function(){x.dispose(),i.delete(a),a.removeEventListener("dispose",k)};f!==void 0&&f.texture.dispose();let d=a.morphAttributes.position!==void 0,m=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,p=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],v=a.morphAttributes.color||[],T=0;d===!0&&(T=1),m===!0&&(T=2),y===!0&&(T=3);let b=a.attributes.position.count*T,R=1;b>e.maxTextureSize&&(R=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);let E=new Float32Array(b*R*4*u),x=new Bo(E,b,R,u);x.type=Ti,x.needsUpdate=!0;let A=T*4;for(let I=0;I<u;I++){let L=p[I],z=g[I],H=v[I],N=b*R*4*I;for(let G=0;G<L.count;G++){let Y=G*A;d===!0&&(s.fromBufferAttribute(L,G),E[N+Y+0]=s.x,E[N+Y+1]=s.y,E[N+Y+2]=s.z,E[N+Y+3]=0),m===!0&&(s.fromBufferAttribute(z,G),E[N+Y+4]=s.x,E[N+Y+5]=s.y,E[N+Y+6]=s.z,E[N+Y+7]=0),y===!0&&(s.fromBufferAttribute(H,G),E[N+Y+8]=s.x,E[N+Y+9]=s.y,E[N+Y+10]=s.z,E[N+Y+11]=H.itemSize===4?s.w:1)}}f={count:u,texture:x,size:new lt(b,R)},i.set(a,f),a.addEventListener("dispose",k)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)c.getUniforms().setValue(n,"morphTexture",o.morphTexture,t);else{let d=0;for(let y=0;y<l.length;y++)d+=l[y];let m=a.morphTargetsRelative?1:1-d;c.getUniforms().setValue(n,"morphTargetBaseInfluence",m),c.getUniforms().setValue(n,"morphTargetInfluences",l)}c.getUniforms().setValue(n,"morphTargetsTexture",f.texture,t),c.getUniforms().setValue(n,"morphTargetsTextureSize",f.size)}return{update:r}}function Fb(n,e,t,i,s){let r=new WeakMap;function o(l){let h=s.render.frame,u=l.geometry,f=e.get(l,u);if(r.get(f)!==h&&(e.update(f),r.set(f,h)),l.isInstancedMesh&&(l.hasEventListener("dispose",c)===!1&&l.addEventListener("dispose",c),r.get(l)!==h&&(t.update(l.instanceMatrix,n.ARRAY_BUFFER),l.instanceColor!==null&&t.update(l.instanceColor,n.ARRAY_BUFFER),r.set(l,h))),l.isSkinnedMesh){let d=l.skeleton;r.get(d)!==h&&(d.update(),r.set(d,h))}return f}function a(){r=new WeakMap}function c(l){let h=l.target;h.removeEventListener("dispose",c),i.releaseStatesOfObject(h),t.remove(h.instanceMatrix),h.instanceColor!==null&&t.remove(h.instanceColor)}return{update:o,dispose:a}}var Ob={[bu]:"LINEAR_TONE_MAPPING",[Mu]:"REINHARD_TONE_MAPPING",[wu]:"CINEON_TONE_MAPPING",[Eu]:"ACES_FILMIC_TONE_MAPPING",[Tu]:"AGX_TONE_MAPPING",[Cu]:"NEUTRAL_TONE_MAPPING",[Au]:"CUSTOM_TONE_MAPPING"};function Bb(n,e,t,i,s,r){let o=new ti(e,t,{type:n,depthBuffer:s,stencilBuffer:r,samples:i?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,c=null,l=null,h=new Ei;h.setAttribute("position",new zn([-1,3,0,-1,-1,0,3,-1,0],3)),h.setAttribute("uv",new zn([0,2,0,0,2,0],2));let u=new Il({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),f=new di(h,u),d=new Wl(-1,1,1,-1,0,1),m=null,y=null,p=!1,g,v=null,T=[],b=!1;this.setSize=function(R,E){o.setSize(R,E),a!==null&&a.setSize(R,E),c!==null&&c.setSize(R,E);for(let x=0;x<T.length;x++){let A=T[x];A.setSize&&A.setSize(R,E)}},this.setEffects=function(R){T=R,b=T.length>0&&T[0].isRenderPass===!0;let E=o.width,x=o.height;T.length>0&&a===null&&(a=new ti(E,x,{type:Ci,depthBuffer:!1,stencilBuffer:!1}),c=new ti(E,x,{type:Ci,depthBuffer:!1,stencilBuffer:!1}));let A=s===!0&&T.some(k=>k.needsDepthTexture===!0);A!==(o.depthTexture!==null)&&(A===!0&&l===null&&(l=new rs(E,x),r===!0&&(l.format=as,l.type=ir)),o.dispose(),o.depthTexture=A?l:null,o.resolveDepthBuffer=A,o.storeMultisampledDepthBuffer=A);for(let k=0;k<T.length;k++){let I=T[k];I.setSize&&I.setSize(E,x),A&&I.needsDepthTexture===!0&&I.setDepthTexture&&I.setDepthTexture(l)}},this.begin=function(R,E){if(p||R.toneMapping===Vi&&T.length===0)return!1;if(v=E,E!==null){let x=E.width,A=E.height;(o.width!==x||o.height!==A)&&this.setSize(x,A)}return b===!1&&R.setRenderTarget(o),g=R.toneMapping,R.toneMapping=Vi,!0},this.hasRenderPass=function(){return b},this.end=function(R,E){R.toneMapping=g,p=!0;let x=o,A=a;for(let k=0;k<T.length;k++){let I=T[k];I.enabled!==!1&&(I.render(R,A,x,E),I.needsSwap!==!1&&(x=A,A=A===a?c:a))}if(m!==R.outputColorSpace||y!==R.toneMapping){m=R.outputColorSpace,y=R.toneMapping,u.defines={},bt.getTransfer(m)===Pt&&(u.defines.SRGB_TRANSFER="");let k=Ob[y];k&&(u.defines[k]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=x.texture,R.setRenderTarget(v),R.render(f,d),v=null,p=!1},this.isCompositing=function(){return p},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),c!==null&&c.dispose(),h.dispose(),u.dispose()}}var Sg=new Vn,bg=new rs(1,1),Mg=new Xo(1),wg=new Bo,Eg=new wl,Ag=new Wo,eg=[],tg=[],ng=new Float32Array(16),ig=new Float32Array(9),sg=new Float32Array(4);function so(n,e,t){let i=n[0];if(i<=0||i>0)return n;let s=e*t,r=eg[s];if(r===void 0&&(r=new Float32Array(s),eg[s]=r),e!==0){i.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,n[o].toArray(r,a)}return r}function pn(n,e){if(n.length!==e.length)return!1;for(let t=0,i=n.length;t<i;t++)if(n[t]!==e[t])return!1;return!0}function mn(n,e){for(let t=0,i=e.length;t<i;t++)n[t]=e[t]}function Uc(n,e){let t=tg[e];t===void 0&&(t=new Int32Array(e),tg[e]=t);for(let i=0;i!==e;++i)t[i]=n.allocateTextureUnit();return t}function kb(n,e){let t=this.cache;t[0]!==e&&(n.uniform1f(this.addr,e),t[0]=e)}function zb(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;n.uniform2fv(this.addr,e),mn(t,e)}}function Vb(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(n.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;n.uniform3fv(this.addr,e),mn(t,e)}}function Gb(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;n.uniform4fv(this.addr,e),mn(t,e)}}function Hb(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(pn(t,e))return;n.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,i))return;sg.set(i),n.uniformMatrix2fv(this.addr,!1,sg),mn(t,i)}}function Wb(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(pn(t,e))return;n.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,i))return;ig.set(i),n.uniformMatrix3fv(this.addr,!1,ig),mn(t,i)}}function Xb(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(pn(t,e))return;n.uniformMatrix4fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,i))return;ng.set(i),n.uniformMatrix4fv(this.addr,!1,ng),mn(t,i)}}function qb(n,e){let t=this.cache;t[0]!==e&&(n.uniform1i(this.addr,e),t[0]=e)}function Yb(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;n.uniform2iv(this.addr,e),mn(t,e)}}function Zb(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;n.uniform3iv(this.addr,e),mn(t,e)}}function $b(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;n.uniform4iv(this.addr,e),mn(t,e)}}function Kb(n,e){let t=this.cache;t[0]!==e&&(n.uniform1ui(this.addr,e),t[0]=e)}function Jb(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;n.uniform2uiv(this.addr,e),mn(t,e)}}function jb(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;n.uniform3uiv(this.addr,e),mn(t,e)}}function Qb(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;n.uniform4uiv(this.addr,e),mn(t,e)}}function Fc(n){return n.version===0&&(n.compareFunction=zu,n.needsUpdate=!0),n}function eM(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_2D_SHADOW?r=Fc(bg):r=Sg,t.setTexture2D(e||r,s)}function tM(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture3D(e||Eg,s)}function nM(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_CUBE_SHADOW?r=Fc(Mg):r=Ag,t.setTextureCube(e||r,s)}function iM(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture2DArray(e||wg,s)}function sM(n){switch(n){case 5126:return kb;case 35664:return zb;case 35665:return Vb;case 35666:return Gb;case 35674:return Hb;case 35675:return Wb;case 35676:return Xb;case 5124:case 35670:return qb;case 35667:case 35671:return Yb;case 35668:case 35672:return Zb;case 35669:case 35673:return $b;case 5125:return Kb;case 36294:return Jb;case 36295:return jb;case 36296:return Qb;case 35678:case 36198:case 36298:case 36306:case 35682:return eM;case 35679:case 36299:case 36307:return tM;case 35680:case 36300:case 36308:case 36293:return nM;case 36289:case 36303:case 36311:case 36292:return iM}}function rM(n,e){n.uniform1fv(this.addr,e)}function oM(n,e){let t=so(e,this.size,2);n.uniform2fv(this.addr,t)}function aM(n,e){let t=so(e,this.size,3);n.uniform3fv(this.addr,t)}function lM(n,e){let t=so(e,this.size,4);n.uniform4fv(this.addr,t)}function cM(n,e){let t=so(e,this.size,4);n.uniformMatrix2fv(this.addr,!1,t)}function hM(n,e){let t=so(e,this.size,9);n.uniformMatrix3fv(this.addr,!1,t)}function uM(n,e){let t=so(e,this.size,16);n.uniformMatrix4fv(this.addr,!1,t)}function fM(n,e){n.uniform1iv(this.addr,e)}function dM(n,e){n.uniform2iv(this.addr,e)}function pM(n,e){n.uniform3iv(this.addr,e)}function mM(n,e){n.uniform4iv(this.addr,e)}function gM(n,e){n.uniform1uiv(this.addr,e)}function _M(n,e){n.uniform2uiv(this.addr,e)}function xM(n,e){n.uniform3uiv(this.addr,e)}function yM(n,e){n.uniform4uiv(this.addr,e)}function vM(n,e,t){let i=this.cache,s=e.length,r=Uc(t,s);pn(i,r)||(n.uniform1iv(this.addr,r),mn(i,r));let o;this.type===n.SAMPLER_2D_SHADOW?o=Fc(bg):o=Sg;for(let a=0;a!==s;++a)t.setTexture2D(e[a]||o,r[a])}function SM(n,e,t){let i=this.cache,s=e.length,r=Uc(t,s);pn(i,r)||(n.uniform1iv(this.addr,r),mn(i,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Eg,r[o])}function bM(n,e,t){let i=this.cache,s=e.length,r=Uc(t,s);pn(i,r)||(n.uniform1iv(this.addr,r),mn(i,r));let o;this.type===n.SAMPLER_CUBE_SHADOW?o=Fc(Mg):o=Ag;for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function MM(n,e,t){let i=this.cache,s=e.length,r=Uc(t,s);pn(i,r)||(n.uniform1iv(this.addr,r),mn(i,r));for(let o=0;o!==s;++o)t.setTexture2DArray(e[o]||wg,r[o])}function wM(n){switch(n){case 5126:return rM;case 35664:return oM;case 35665:return aM;case 35666:return lM;case 35674:return cM;case 35675:return hM;case 35676:return uM;case 5124:case 35670:return fM;case 35667:case 35671:return dM;case 35668:case 35672:return pM;case 35669:case 35673:return mM;case 5125:return gM;case 36294:return _M;case 36295:return xM;case 36296:return yM;case 35678:case 36198:case 36298:case 36306:case 35682:return vM;case 35679:case 36299:case 36307:return SM;case 35680:case 36300:case 36308:case 36293:return bM;case 36289:case 36303:case 36311:case 36292:return MM}}var ef=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.setValue=sM(t.type)}},tf=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=wM(t.type)}},nf=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,i){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(e,t[a.id],i)}}},ju=/(\w+)(\])?(\[|\.)?/g;function rg(n,e){n.seq.push(e),n.map[e.id]=e}function EM(n,e,t){let i=n.name,s=i.length;for(ju.lastIndex=0;;){let r=ju.exec(i),o=ju.lastIndex,a=r[1],c=r[2]==="]",l=r[3];if(c&&(a=a|0),l===void 0||l==="["&&o+2===s){rg(t,l===void 0?new ef(a,n,e):new tf(a,n,e));break}else{let u=t.map[a];u===void 0&&(u=new nf(a),rg(t,u)),t=u}}}var io=class{constructor(e,t){this.seq=[],this.map={};let i=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<i;++o){let a=e.getActiveUniform(t,o),c=e.getUniformLocation(t,a.name);EM(a,c,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,i,s){let r=this.map[t];r!==void 0&&r.setValue(e,i,s)}setOptional(e,t,i){let s=t[i];s!==void 0&&this.setValue(e,i,s)}static upload(e,t,i,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],c=i[a.id];c.needsUpdate!==!1&&a.setValue(e,c.value,s)}}static seqWithValue(e,t){let i=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&i.push(o)}return i}};function og(n,e,t){let i=n.createShader(e);return n.shaderSource(i,t),n.compileShader(i),i}var AM=37297,TM=0;function CM(n,e){let t=n.split(`
+`),i=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let o=s;o<r;o++){let a=o+1;i.push(`${a===e?">":" "} ${a}: ${t[o]}`)}return i.join(`
+`)}var ag=new rt;function RM(n){bt._getMatrix(ag,bt.workingColorSpace,n);let e=`mat3( ${ag.elements.map(t=>t.toFixed(4))} )`;switch(bt.getTransfer(n)){case Uo:return[e,"LinearTransferOETF"];case Pt:return[e,"sRGBTransferOETF"];default:return Ke("WebGLProgram: Unsupported color space: ",n),[e,"LinearTransferOETF"]}}function lg(n,e,t){let i=n.getShaderParameter(e,n.COMPILE_STATUS),r=(n.getShaderInfoLog(e)||"").trim();if(i&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+CM(n.getShaderSource(e),a)}else return r}function PM(n,e){let t=RM(e);return[`vec4 ${n}( vec4 value ) {`,`	return ${t[1]}( vec4( ${t[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}var IM={[bu]:"Linear",[Mu]:"Reinhard",[wu]:"Cineon",[Eu]:"ACESFilmic",[Tu]:"AgX",[Cu]:"Neutral",[Au]:"Custom"};function LM(n,e){let t=IM[e];return t===void 0?(Ke("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+n+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+n+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Lc=new W;function DM(){bt.getLuminanceCoefficients(Lc);let n=Lc.x.toFixed(4),e=Lc.y.toFixed(4),t=Lc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${n}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function NM(n){return[n.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",n.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(oa).join(`
+`)}function UM(n){let e=[];for(let t in n){let i=n[t];i!==!1&&e.push("#define "+t+" "+i)}return e.join(`
+`)}function FM(n,e){let t={},i=n.getProgramParameter(e,n.ACTIVE_ATTRIBUTES);for(let s=0;s<i;s++){let r=n.getActiveAttrib(e,s),o=r.name,a=1;r.type===n.FLOAT_MAT2&&(a=2),r.type===n.FLOAT_MAT3&&(a=3),r.type===n.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:n.getAttribLocation(e,o),locationSize:a}}return t}function oa(n){return n!==""}function cg(n,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return n.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function hg(n,e){return n.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var OM=/^[ \t]*#include +<([\w\d./]+)>/gm;function sf(n){return n.replace(OM,BM)}function BM(n,e){let t=dt[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return sf(t)}var kM=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function ug(n){return n.replace(kM,zM)}function zM(n,e,t,i){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=i.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function fg(n){let e=`precision ${n.precision} float;
+	precision ${n.precision} int;
+	precision ${n.precision} sampler2D;
+	precision ${n.precision} samplerCube;
+	precision ${n.precision} sampler3D;
+	precision ${n.precision} sampler2DArray;
+	precision ${n.precision} sampler2DShadow;
+	precision ${n.precision} samplerCubeShadow;
+	precision ${n.precision} sampler2DArrayShadow;
+	precision ${n.precision} isampler2D;
+	precision ${n.precision} isampler3D;
+	precision ${n.precision} isamplerCube;
+	precision ${n.precision} isampler2DArray;
+	precision ${n.precision} usampler2D;
+	precision ${n.precision} usampler3D;
+	precision ${n.precision} usamplerCube;
+	precision ${n.precision} usampler2DArray;
+	`;return n.precision==="highp"?e+=`
+#define HIGH_PRECISION`:n.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:n.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}var VM={[Jo]:"SHADOWMAP_TYPE_PCF",[jr]:"SHADOWMAP_TYPE_VSM"};function GM(n){return VM[n.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var HM={[eo]:"ENVMAP_MODE_REFRACTION"};function WM(n){return n.envMap===!1?"ENVMAP_MODE_REFLECTION":HM[n.envMapMode]||"ENVMAP_MODE_REFLECTION"}var XM={[Su]:"ENVMAP_BLENDING_MULTIPLY",[Cm]:"ENVMAP_BLENDING_MIX",[Rm]:"ENVMAP_BLENDING_ADD"};function qM(n){return n.envMap===!1?"ENVMAP_BLENDING_NONE":XM[n.combine]||"ENVMAP_BLENDING_NONE"}function YM(n,e,t,i){let s=n.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,c=GM(t),l=t.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",h=WM(t),u=qM(t),f=NM(t),d=UM(r),m=s.createProgram(),y,p,g=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d].filter(oa).join(`
+`),y.length>0&&(y+=`
+`),p=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d].filter(oa).join(`
+`),p.length>0&&(p+=`
+`)):(y=[fg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+h:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+t.diffuseRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+c:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(oa).join(`
+`),p=[fg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+l:"",t.envMap?"#define "+h:"",t.envMap?"#define "+u:"",t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.retroreflection?"#define USE_RETROREFLECTION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+c:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Vi?"#define TONE_MAPPING":"",t.toneMapping!==Vi?dt.tonemapping_pars_fragment:"",t.toneMapping!==Vi?LM("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",dt.colorspace_pars_fragment,PM("linearToOutputTexel",t.outputColorSpace),DM(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(oa).join(`
+`)),o=sf(o),o=cg(o,t),o=hg(o,t),a=sf(a),a=cg(a,t),a=hg(a,t),o=ug(o),a=ug(a),t.isRawShaderMaterial!==!0&&(g=`#version 300 es
+`,y=[f,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+y,p=["#define varying in",t.glslVersion===Vu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Vu?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+p);let v=g+y+o,T=g+p+a,b=og(s,s.VERTEX_SHADER,v),R=og(s,s.FRAGMENT_SHADER,T);s.attachShader(m,b),s.attachShader(m,R),t.index0AttributeName!==void 0?s.bindAttribLocation(m,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(m,0,"position"),s.linkProgram(m);function E(I){if(n.debug.checkShaderErrors){let L=s.getProgramInfoLog(m)||"",z=s.getShaderInfoLog(b)||"",H=s.getShaderInfoLog(R)||"",N=L.trim(),G=z.trim(),Y=H.trim(),B=!0,ae=!0;if(s.getProgramParameter(m,s.LINK_STATUS)===!1)if(B=!1,typeof n.debug.onShaderError=="function")n.debug.onShaderError(s,m,b,R);else{let Z=lg(s,b,"vertex"),J=lg(s,R,"fragment");st("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(m,s.VALIDATE_STATUS)+`
+
+Material Name: `+I.name+`
+Material Type: `+I.type+`
+
+Program Info Log: `+N+`
+`+Z+`
+`+J)}else N!==""?Ke("WebGLProgram: Program Info Log:",N):(G===""||Y==="")&&(ae=!1);ae&&(I.diagnostics={runnable:B,programLog:N,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:p}})}s.deleteShader(b),s.deleteShader(R),x=new io(s,m),A=FM(s,m)}let x;this.getUniforms=function(){return x===void 0&&E(this),x};let A;this.getAttributes=function(){return A===void 0&&E(this),A};let k=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return k===!1&&(k=s.getProgramParameter(m,AM)),k},this.destroy=function(){i.releaseStatesOfProgram(this),s.deleteProgram(m),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=TM++,this.cacheKey=e,this.usedTimes=1,this.program=m,this.vertexShader=b,this.fragmentShader=R,this}var ZM=0,rf=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,i){let s=this._getShaderCacheForMaterial(e);return s.has(t)===!1&&(s.add(t),t.usedTimes++),s.has(i)===!1&&(s.add(i),i.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let i of t)i.usedTimes--,i.usedTimes===0&&this.shaderCache.delete(i.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,i=t.get(e);return i===void 0&&(i=new Set,t.set(e,i)),i}_getShaderStage(e){let t=this.shaderCache,i=t.get(e);return i===void 0&&(i=new of(e),t.set(e,i)),i}},of=class{constructor(e){this.id=ZM++,this.code=e,this.usedTimes=0}};function $M(n){return n===Ns||n===ia||n===sa}function KM(n,e,t,i,s,r){let o=new ko,a=new rf,c=new Set,l=[],h=new Map,u=i.logarithmicDepthBuffer,f={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function d(x){return c.add(x),x===0?"uv":`uv${x}`}function m(x,A,k,I,L,z){let H=I.fog,N=L.geometry,G=x.isMeshStandardMaterial||x.isMeshLambertMaterial||x.isMeshPhongMaterial?I.environment:null,Y=x.isMeshStandardMaterial||x.isMeshLambertMaterial&&!x.envMap||x.isMeshPhongMaterial&&!x.envMap,B=e.get(x.envMap||G,Y),ae=f[x.type],Z=i.precision;x.precision!==null&&(Z=i.getMaxPrecision(x.precision),Z!==x.precision&&Ke("WebGLProgram.getParameters:",x.precision,"not supported, using",Z,"instead."));let J=N.morphAttributes.position||N.morphAttributes.normal||N.morphAttributes.color,ne=J!==void 0?J.length:0,ue=0;N.morphAttributes.position!==void 0&&(ue=1),N.morphAttributes.normal!==void 0&&(ue=2),N.morphAttributes.color!==void 0&&(ue=3);let ce,j,ge,xe;if(ae){let Re=Hi[ae];ce=Re.vertexShader,j=Re.fragmentShader}else{ce=x.vertexShader,j=x.fragmentShader;let Re=a.getVertexShaderStage(x),ht=a.getFragmentShaderStage(x);a.update(x,Re,ht),ge=Re.id,xe=ht.id}let me=n.getRenderTarget(),Me=n.state.buffers.depth.getReversed(),Xe=L.isInstancedMesh===!0,fe=L.isBatchedMesh===!0,de=!!x.map,Le=!!x.matcap,We=!!B,Ye=We&&B.isPMREMTexture===!0,yt=!!x.aoMap,ut=!!x.lightMap,Xt=!!x.bumpMap&&x.wireframe===!1,pt=!!x.normalMap,sn=!!x.displacementMap,et=!!x.emissiveMap,Mt=!!x.metalnessMap,Nt=!!x.roughnessMap,Kt=x.anisotropy>0,U=x.clearcoat>0,Pe=x.diffuseRoughness>0,Je=x.dispersion>0,at=x.retroreflectivity>0,Ee=x.iridescence>0,Ft=x.sheen>0,He=x.transmission>0,$e=Kt&&!!x.anisotropyMap,C=U&&!!x.clearcoatMap,S=U&&!!x.clearcoatNormalMap,X=U&&!!x.clearcoatRoughnessMap,he=Pe&&!!x.diffuseRoughnessMap,re=Ee&&!!x.iridescenceMap,ve=Ee&&!!x.iridescenceThicknessMap,Se=Ft&&!!x.sheenColorMap,ee=Ft&&!!x.sheenRoughnessMap,ie=!!x.specularMap,_e=!!x.specularColorMap,F=!!x.specularIntensityMap,se=He&&!!x.transmissionMap,te=He&&!!x.thicknessMap,Ae=!!x.gradientMap,ye=!!x.alphaMap,we=x.alphaTest>0,qe=!!x.alphaHash,tt=!!x.extensions,le=Vi;x.toneMapped&&(me===null||me.isXRRenderTarget===!0)&&(le=n.toneMapping);let ze=Ye?B.isCompressedCubeTexture?B.image[0].mipmaps:B.mipmaps:null,nt={shaderID:ae,shaderType:x.type,shaderName:x.name,vertexShader:ce,fragmentShader:j,defines:x.defines,customVertexShaderID:ge,customFragmentShaderID:xe,isRawShaderMaterial:x.isRawShaderMaterial===!0,glslVersion:x.glslVersion,precision:Z,batching:fe,batchingColor:fe&&L._colorsTexture!==null,instancing:Xe,instancingColor:Xe&&L.instanceColor!==null,instancingMorph:Xe&&L.morphTexture!==null,outputColorSpace:me===null?n.outputColorSpace:me.isXRRenderTarget===!0?me.texture.colorSpace:bt.workingColorSpace,alphaToCoverage:!!x.alphaToCoverage,map:de,matcap:Le,envMap:We,envMapMode:We&&B.mapping,envMapPMREM:Ye,envMapMaxLod:Ye?ze.length-1:null,envMapSize:Ye?ze[0].width:null,aoMap:yt,lightMap:ut,bumpMap:Xt,normalMap:pt,displacementMap:sn,emissiveMap:et,normalMapObjectSpace:pt&&x.normalMapType===Lm,normalMapTangentSpace:pt&&x.normalMapType===Ou,packedNormalMap:pt&&x.normalMapType===Ou&&$M(x.normalMap.format),metalnessMap:Mt,roughnessMap:Nt,anisotropy:Kt,anisotropyMap:$e,clearcoat:U,clearcoatMap:C,clearcoatNormalMap:S,clearcoatRoughnessMap:X,diffuseRoughness:Pe,diffuseRoughnessMap:he,dispersion:Je,retroreflection:at,iridescence:Ee,iridescenceMap:re,iridescenceThicknessMap:ve,sheen:Ft,sheenColorMap:Se,sheenRoughnessMap:ee,specularMap:ie,specularColorMap:_e,specularIntensityMap:F,transmission:He,transmissionMap:se,thicknessMap:te,gradientMap:Ae,opaque:x.transparent===!1&&x.blending===Qr&&x.alphaToCoverage===!1,alphaMap:ye,alphaTest:we,alphaHash:qe,combine:x.combine,mapUv:de&&d(x.map.channel),aoMapUv:yt&&d(x.aoMap.channel),lightMapUv:ut&&d(x.lightMap.channel),bumpMapUv:Xt&&d(x.bumpMap.channel),normalMapUv:pt&&d(x.normalMap.channel),displacementMapUv:sn&&d(x.displacementMap.channel),emissiveMapUv:et&&d(x.emissiveMap.channel),metalnessMapUv:Mt&&d(x.metalnessMap.channel),roughnessMapUv:Nt&&d(x.roughnessMap.channel),anisotropyMapUv:$e&&d(x.anisotropyMap.channel),clearcoatMapUv:C&&d(x.clearcoatMap.channel),clearcoatNormalMapUv:S&&d(x.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:X&&d(x.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:he&&d(x.diffuseRoughnessMap.channel),iridescenceMapUv:re&&d(x.iridescenceMap.channel),iridescenceThicknessMapUv:ve&&d(x.iridescenceThicknessMap.channel),sheenColorMapUv:Se&&d(x.sheenColorMap.channel),sheenRoughnessMapUv:ee&&d(x.sheenRoughnessMap.channel),specularMapUv:ie&&d(x.specularMap.channel),specularColorMapUv:_e&&d(x.specularColorMap.channel),specularIntensityMapUv:F&&d(x.specularIntensityMap.channel),transmissionMapUv:se&&d(x.transmissionMap.channel),thicknessMapUv:te&&d(x.thicknessMap.channel),alphaMapUv:ye&&d(x.alphaMap.channel),vertexTangents:!!N.attributes.tangent&&(pt||Kt),vertexNormals:!!N.attributes.normal,vertexColors:x.vertexColors,vertexAlphas:x.vertexColors===!0&&!!N.attributes.color&&N.attributes.color.itemSize===4,pointsUvs:L.isPoints===!0&&!!N.attributes.uv&&(de||ye),fog:!!H,useFog:x.fog===!0,fogExp2:!!H&&H.isFogExp2,flatShading:x.wireframe===!1&&(x.flatShading===!0||N.attributes.normal===void 0&&pt===!1&&(x.isMeshLambertMaterial||x.isMeshPhongMaterial||x.isMeshStandardMaterial||x.isMeshPhysicalMaterial)),sizeAttenuation:x.sizeAttenuation===!0,logarithmicDepthBuffer:u,reversedDepthBuffer:Me,skinning:L.isSkinnedMesh===!0,hasPositionAttribute:N.attributes.position!==void 0,morphTargets:N.morphAttributes.position!==void 0,morphNormals:N.morphAttributes.normal!==void 0,morphColors:N.morphAttributes.color!==void 0,morphTargetsCount:ne,morphTextureStride:ue,numSunLights:A.sun.length,numDirLights:A.directional.length,numPointLights:A.point.length,numSpotLights:A.spot.length,numSpotLightMaps:A.spotLightMap.length,numRectAreaLights:A.rectArea.length,numHemiLights:A.hemi.length,numSunLightShadows:A.sunShadowMap.length,numDirLightShadows:A.directionalShadowMap.length,numPointLightShadows:A.pointShadowMap.length,numSpotLightShadows:A.spotShadowMap.length,numSpotLightShadowsWithMaps:A.numSpotLightShadowsWithMaps,numLightProbes:A.numLightProbes,numLightProbeGrids:z.filter(Re=>Re.texture!==null).length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:x.dithering,shadowMapEnabled:n.shadowMap.enabled&&k.length>0,shadowMapType:n.shadowMap.type,toneMapping:le,decodeVideoTexture:de&&x.map.isVideoTexture===!0&&bt.getTransfer(x.map.colorSpace)===Pt,decodeVideoTextureEmissive:et&&x.emissiveMap.isVideoTexture===!0&&bt.getTransfer(x.emissiveMap.colorSpace)===Pt,premultipliedAlpha:x.premultipliedAlpha,doubleSided:x.side===pi,flipSided:x.side===kn,useDepthPacking:x.depthPacking>=0,depthPacking:x.depthPacking||0,index0AttributeName:x.index0AttributeName,extensionClipCullDistance:tt&&x.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(tt&&x.extensions.multiDraw===!0||fe)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:x.customProgramCacheKey()};return nt.vertexUv1s=c.has(1),nt.vertexUv2s=c.has(2),nt.vertexUv3s=c.has(3),c.clear(),nt}function y(x){let A=[];if(x.shaderID?A.push(x.shaderID):(A.push(x.customVertexShaderID),A.push(x.customFragmentShaderID)),x.defines!==void 0)for(let k in x.defines)A.push(k),A.push(x.defines[k]);return x.isRawShaderMaterial===!1&&(p(A,x),g(A,x),A.push(n.outputColorSpace)),A.push(x.customProgramCacheKey),A.join()}function p(x,A){x.push(A.precision),x.push(A.outputColorSpace),x.push(A.envMapMode),x.push(A.envMapPMREM),x.push(A.envMapMaxLod),x.push(A.envMapSize),x.push(A.mapUv),x.push(A.alphaMapUv),x.push(A.lightMapUv),x.push(A.aoMapUv),x.push(A.bumpMapUv),x.push(A.normalMapUv),x.push(A.displacementMapUv),x.push(A.emissiveMapUv),x.push(A.metalnessMapUv),x.push(A.roughnessMapUv),x.push(A.anisotropyMapUv),x.push(A.clearcoatMapUv),x.push(A.clearcoatNormalMapUv),x.push(A.clearcoatRoughnessMapUv),x.push(A.diffuseRoughnessMapUv),x.push(A.iridescenceMapUv),x.push(A.iridescenceThicknessMapUv),x.push(A.sheenColorMapUv),x.push(A.sheenRoughnessMapUv),x.push(A.specularMapUv),x.push(A.specularColorMapUv),x.push(A.specularIntensityMapUv),x.push(A.transmissionMapUv),x.push(A.thicknessMapUv),x.push(A.combine),x.push(A.fogExp2),x.push(A.sizeAttenuation),x.push(A.morphTargetsCount),x.push(A.numSunLights),x.push(A.numDirLights),x.push(A.numPointLights),x.push(A.numSpotLights),x.push(A.numSpotLightMaps),x.push(A.numHemiLights),x.push(A.numRectAreaLights),x.push(A.numSunLightShadows),x.push(A.numDirLightShadows),x.push(A.numPointLightShadows),x.push(A.numSpotLightShadows),x.push(A.numSpotLightShadowsWithMaps),x.push(A.numLightProbes),x.push(A.numLightProbeGrids),x.push(A.shadowMapType),x.push(A.toneMapping),x.push(A.numClippingPlanes),x.push(A.numClipIntersection),x.push(A.depthPacking)}function g(x,A){o.disableAll(),A.instancing&&o.enable(0),A.instancingColor&&o.enable(1),A.instancingMorph&&o.enable(2),A.matcap&&o.enable(3),A.envMap&&o.enable(4),A.normalMapObjectSpace&&o.enable(5),A.normalMapTangentSpace&&o.enable(6),A.clearcoat&&o.enable(7),A.iridescence&&o.enable(8),A.alphaTest&&o.enable(9),A.vertexColors&&o.enable(10),A.vertexAlphas&&o.enable(11),A.vertexUv1s&&o.enable(12),A.vertexUv2s&&o.enable(13),A.vertexUv3s&&o.enable(14),A.vertexTangents&&o.enable(15),A.anisotropy&&o.enable(16),A.alphaHash&&o.enable(17),A.batching&&o.enable(18),A.dispersion&&o.enable(19),A.retroreflection&&o.enable(24),A.diffuseRoughness&&o.enable(25),A.batchingColor&&o.enable(20),A.gradientMap&&o.enable(21),A.packedNormalMap&&o.enable(22),A.vertexNormals&&o.enable(23),x.push(o.mask),o.disableAll(),A.fog&&o.enable(0),A.useFog&&o.enable(1),A.flatShading&&o.enable(2),A.logarithmicDepthBuffer&&o.enable(3),A.reversedDepthBuffer&&o.enable(4),A.skinning&&o.enable(5),A.morphTargets&&o.enable(6),A.morphNormals&&o.enable(7),A.morphColors&&o.enable(8),A.premultipliedAlpha&&o.enable(9),A.shadowMapEnabled&&o.enable(10),A.doubleSided&&o.enable(11),A.flipSided&&o.enable(12),A.useDepthPacking&&o.enable(13),A.dithering&&o.enable(14),A.transmission&&o.enable(15),A.sheen&&o.enable(16),A.opaque&&o.enable(17),A.pointsUvs&&o.enable(18),A.decodeVideoTexture&&o.enable(19),A.decodeVideoTextureEmissive&&o.enable(20),A.alphaToCoverage&&o.enable(21),A.numLightProbeGrids>0&&o.enable(22),A.hasPositionAttribute&&o.enable(23),x.push(o.mask)}function v(x){let A=f[x.type],k;if(A){let I=Hi[A];k=Ym.clone(I.uniforms)}else k=x.uniforms;return k}function T(x,A){let k=h.get(A);return k!==void 0?++k.usedTimes:(k=new YM(n,A,x,s),l.push(k),h.set(A,k)),k}function b(x){if(--x.usedTimes===0){let A=l.indexOf(x);l[A]=l[l.length-1],l.pop(),h.delete(x.cacheKey),x.destroy()}}function R(x){a.remove(x)}function E(){a.dispose()}return{getParameters:m,getProgramCacheKey:y,getUniforms:v,acquireProgram:T,releaseProgram:b,releaseShaderCache:R,programs:l,dispose:E}}function JM(){let n=new WeakMap;function e(o){return n.has(o)}function t(o){let a=n.get(o);return a===void 0&&(a={},n.set(o,a)),a}function i(o){n.delete(o)}function s(o,a,c){n.get(o)[a]=c}function r(){n=new WeakMap}return{has:e,get:t,remove:i,update:s,dispose:r}}function jM(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.material.id!==e.material.id?n.material.id-e.material.id:n.materialVariant!==e.materialVariant?n.materialVariant-e.materialVariant:n.z!==e.z?n.z-e.z:n.id-e.id}function dg(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.z!==e.z?e.z-n.z:n.id-e.id}function pg(){let n=[],e=0,t=[],i=[],s=[];function r(){e=0,t.length=0,i.length=0,s.length=0}function o(f){let d=0;return f.isInstancedMesh&&(d+=2),f.isSkinnedMesh&&(d+=1),d}function a(f,d,m,y,p,g){let v=n[e];return v===void 0?(v={id:f.id,object:f,geometry:d,material:m,materialVariant:o(f),groupOrder:y,renderOrder:f.renderOrder,z:p,group:g},n[e]=v):(v.id=f.id,v.object=f,v.geometry=d,v.material=m,v.materialVariant=o(f),v.groupOrder=y,v.renderOrder=f.renderOrder,v.z=p,v.group=g),e++,v}function c(f,d,m,y,p,g,v){v.reversedDepth===!0&&(p=-p);let T=a(f,d,m,y,p,g);m.transmission>0?i.push(T):m.transparent===!0?s.push(T):t.push(T)}function l(f,d,m,y,p,g){let v=a(f,d,m,y,p,g);m.transmission>0?i.unshift(v):m.transparent===!0?s.unshift(v):t.unshift(v)}function h(f,d){t.length>1&&t.sort(f||jM),i.length>1&&i.sort(d||dg),s.length>1&&s.sort(d||dg)}function u(){for(let f=e,d=n.length;f<d;f++){let m=n[f];if(m.id===null)break;m.id=null,m.object=null,m.geometry=null,m.material=null,m.group=null}}return{opaque:t,transmissive:i,transparent:s,init:r,push:c,unshift:l,finish:u,sort:h}}function QM(){let n=new WeakMap;function e(i,s){let r=n.get(i),o;return r===void 0?(o=new pg,n.set(i,[o])):s>=r.length?(o=new pg,r.push(o)):o=r[s],o}function t(){n=new WeakMap}return{get:e,dispose:t}}function ew(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new W,color:new ct};break;case"SpotLight":t={position:new W,direction:new W,color:new ct,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new W,color:new ct,distance:0,decay:0};break;case"HemisphereLight":t={direction:new W,skyColor:new ct,groundColor:new ct};break;case"RectAreaLight":t={color:new ct,position:new W,halfWidth:new W,halfHeight:new W};break}return n[e.id]=t,t}}}function tw(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new lt};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new lt};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new lt,shadowCameraNear:1,shadowCameraFar:1e3};break}return n[e.id]=t,t}}}var nw=0;function iw(n,e){return(e.castShadow?2:0)-(n.castShadow?2:0)+(e.map?1:0)-(n.map?1:0)}function sw(n){let e=new ew,t=tw(),i={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let l=0;l<9;l++)i.probe.push(new W);let s=new W,r=new Zt,o=new Zt;function a(l){let h=0,u=0,f=0;for(let z=0;z<9;z++)i.probe[z].set(0,0,0);let d=0,m=0,y=0,p=0,g=0,v=0,T=0,b=0,R=0,E=0,x=0,A=0,k=0,I=0;l.sort(iw);for(let z=0,H=l.length;z<H;z++){let N=l[z],G=N.color,Y=N.intensity,B=N.distance,ae=null;if(N.shadow&&N.shadow.map&&(N.shadow.map.texture.format===Ns?ae=N.shadow.map.texture:ae=N.shadow.map.depthTexture||N.shadow.map.texture),N.isAmbientLight)h+=G.r*Y,u+=G.g*Y,f+=G.b*Y;else if(N.isLightProbe){for(let Z=0;Z<9;Z++)i.probe[Z].addScaledVector(N.sh.coefficients[Z],Y);I++}else if(N.isSunLight){let Z=e.get(N);if(Z.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let J=N.shadow,ne=t.get(N);ne.shadowIntensity=J.intensity,ne.shadowBias=J.bias,ne.shadowNormalBias=J.normalBias,ne.shadowRadius=J.radius,ne.shadowMapSize.copy(J.mapSize).multiply(J.getFrameExtents()),i.sunShadow[m]=ne,i.sunShadowMap[m]=ae;let ue=J.getViewportCount();for(let ce=0;ce<ue;ce++)i.sunShadowMatrix[y+ce]=J.getMatrix(ce),i.sunShadowCascade[y+ce]=J._cascadeData[ce];y+=ue,m++}i.sun[d]=Z,d++}else if(N.isDirectionalLight){let Z=e.get(N);if(Z.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let J=N.shadow,ne=t.get(N);ne.shadowIntensity=J.intensity,ne.shadowBias=J.bias,ne.shadowNormalBias=J.normalBias,ne.shadowRadius=J.radius,ne.shadowMapSize=J.mapSize,i.directionalShadow[p]=ne,i.directionalShadowMap[p]=ae,i.directionalShadowMatrix[p]=N.shadow.matrix,R++}i.directional[p]=Z,p++}else if(N.isSpotLight){let Z=e.get(N);Z.position.setFromMatrixPosition(N.matrixWorld),Z.color.copy(G).multiplyScalar(Y),Z.distance=B,Z.coneCos=Math.cos(N.angle),Z.penumbraCos=Math.cos(N.angle*(1-N.penumbra)),Z.decay=N.decay,i.spot[v]=Z;let J=N.shadow;if(N.map&&(i.spotLightMap[A]=N.map,A++,J.updateMatrices(N),N.castShadow&&k++),i.spotLightMatrix[v]=J.matrix,N.castShadow){let ne=t.get(N);ne.shadowIntensity=J.intensity,ne.shadowBias=J.bias,ne.shadowNormalBias=J.normalBias,ne.shadowRadius=J.radius,ne.shadowMapSize=J.mapSize,i.spotShadow[v]=ne,i.spotShadowMap[v]=ae,x++}v++}else if(N.isRectAreaLight){let Z=e.get(N);Z.color.copy(G).multiplyScalar(Y),Z.halfWidth.set(N.width*.5,0,0),Z.halfHeight.set(0,N.height*.5,0),i.rectArea[T]=Z,T++}else if(N.isPointLight){let Z=e.get(N);if(Z.color.copy(N.color).multiplyScalar(N.intensity),Z.distance=N.distance,Z.decay=N.decay,N.castShadow){let J=N.shadow,ne=t.get(N);ne.shadowIntensity=J.intensity,ne.shadowBias=J.bias,ne.shadowNormalBias=J.normalBias,ne.shadowRadius=J.radius,ne.shadowMapSize=J.mapSize,ne.shadowCameraNear=J.camera.near,ne.shadowCameraFar=J.camera.far,i.pointShadow[g]=ne,i.pointShadowMap[g]=ae,i.pointShadowMatrix[g]=N.shadow.matrix,E++}i.point[g]=Z,g++}else if(N.isHemisphereLight){let Z=e.get(N);Z.skyColor.copy(N.color).multiplyScalar(Y),Z.groundColor.copy(N.groundColor).multiplyScalar(Y),i.hemi[b]=Z,b++}}T>0&&(n.has("OES_texture_float_linear")===!0?(i.rectAreaLTC1=Ne.LTC_FLOAT_1,i.rectAreaLTC2=Ne.LTC_FLOAT_2):(i.rectAreaLTC1=Ne.LTC_HALF_1,i.rectAreaLTC2=Ne.LTC_HALF_2)),i.ambient[0]=h,i.ambient[1]=u,i.ambient[2]=f;let L=i.hash;(L.sunLength!==d||L.directionalLength!==p||L.pointLength!==g||L.spotLength!==v||L.rectAreaLength!==T||L.hemiLength!==b||L.numSunShadows!==m||L.numDirectionalShadows!==R||L.numPointShadows!==E||L.numSpotShadows!==x||L.numSpotMaps!==A||L.numLightProbes!==I)&&(i.sun.length=d,i.directional.length=p,i.spot.length=v,i.rectArea.length=T,i.point.length=g,i.hemi.length=b,i.sunShadow.length=m,i.sunShadowMap.length=m,i.sunShadowMatrix.length=y,i.sunShadowCascade.length=y,i.directionalShadow.length=R,i.directionalShadowMap.length=R,i.directionalShadowMatrix.length=R,i.pointShadow.length=E,i.pointShadowMap.length=E,i.pointShadowMatrix.length=E,i.spotShadow.length=x,i.spotShadowMap.length=x,i.spotLightMatrix.length=x+A-k,i.spotLightMap.length=A,i.numSpotLightShadowsWithMaps=k,i.numLightProbes=I,L.sunLength=d,L.directionalLength=p,L.pointLength=g,L.spotLength=v,L.rectAreaLength=T,L.hemiLength=b,L.numSunShadows=m,L.numDirectionalShadows=R,L.numPointShadows=E,L.numSpotShadows=x,L.numSpotMaps=A,L.numLightProbes=I,i.version=nw++)}function c(l,h){let u=0,f=0,d=0,m=0,y=0,p=0,g=h.matrixWorldInverse;for(let v=0,T=l.length;v<T;v++){let b=l[v];if(b.isSunLight){let R=i.sun[u];R.direction.setFromMatrixPosition(b.matrixWorld),R.direction.transformDirection(g),u++}else if(b.isDirectionalLight){let R=i.directional[f];R.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),R.direction.sub(s),R.direction.transformDirection(g),f++}else if(b.isSpotLight){let R=i.spot[m];R.position.setFromMatrixPosition(b.matrixWorld),R.position.applyMatrix4(g),R.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),R.direction.sub(s),R.direction.transformDirection(g),m++}else if(b.isRectAreaLight){let R=i.rectArea[y];R.position.setFromMatrixPosition(b.matrixWorld),R.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),R.halfWidth.set(b.width*.5,0,0),R.halfHeight.set(0,b.height*.5,0),R.halfWidth.applyMatrix4(o),R.halfHeight.applyMatrix4(o),y++}else if(b.isPointLight){let R=i.point[d];R.position.setFromMatrixPosition(b.matrixWorld),R.position.applyMatrix4(g),d++}else if(b.isHemisphereLight){let R=i.hemi[p];R.direction.setFromMatrixPosition(b.matrixWorld),R.direction.transformDirection(g),p++}}}return{setup:a,setupView:c,state:i}}function mg(n){let e=new sw(n),t=[],i=[],s=[];function r(u){h.camera=u,t.length=0,i.length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){i.push(u)}function c(){e.setup(t),s.sort((u,f)=>u.priority-f.priority||u.id-f.id)}function l(u){e.setupView(t,u)}let h={lightsArray:t,shadowsArray:i,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:h,setupLights:c,setupLightsView:l,pushLight:o,pushShadow:a}}function rw(n){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?(a=new mg(n),e.set(s,[a])):r>=o.length?(a=new mg(n),o.push(a)):a=o[r],a}function i(){e=new WeakMap}return{get:t,dispose:i}}var ow=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,aw=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,lw=[new W(1,0,0),new W(-1,0,0),new W(0,1,0),new W(0,-1,0),new W(0,0,1),new W(0,0,-1)],cw=[new W(0,-1,0),new W(0,-1,0),new W(0,0,1),new W(0,0,-1),new W(0,-1,0),new W(0,-1,0)],gg=new Zt,ra=new W,Qu=new W;function hw(n,e,t){let i=new Qs,s=new lt,r=new lt,o=new $t,a=new Ll,c=new Dl,l={},h=t.maxTextureSize,u={[Ds]:kn,[kn]:Ds,[pi]:pi},f=new ii({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new lt},radius:{value:4}},vertexShader:ow,fragmentShader:aw}),d=f.clone();d.defines.HORIZONTAL_PASS=1;let m=new Ei;m.setAttribute("position",new Bn(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new di(m,f),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=Jo;let g=this.type;this.render=function(E,x,A){if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||E.length===0)return;this.type===cm&&(Ke("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=Jo);let k=n.getRenderTarget(),I=n.getActiveCubeFace(),L=n.getActiveMipmapLevel(),z=n.state;z.setBlending(er),z.buffers.depth.getReversed()===!0?z.buffers.color.setClear(0,0,0,0):z.buffers.color.setClear(1,1,1,1),z.buffers.depth.setTest(!0),z.setScissorTest(!1);let H=g!==this.type;H&&x.traverse(function(N){N.material&&(Array.isArray(N.material)?N.material.forEach(G=>G.needsUpdate=!0):N.material.needsUpdate=!0)});for(let N=0,G=E.length;N<G;N++){let Y=E[N],B=Y.shadow;if(B===void 0){Ke("WebGLShadowMap:",Y,"has no shadow.");continue}if(B.autoUpdate===!1&&B.needsUpdate===!1)continue;s.copy(B.mapSize);let ae=B.getFrameExtents();s.multiply(ae),r.copy(B.mapSize),(s.x>h||s.y>h)&&(s.x>h&&(r.x=Math.floor(h/ae.x),s.x=r.x*ae.x,B.mapSize.x=r.x),s.y>h&&(r.y=Math.floor(h/ae.y),s.y=r.y*ae.y,B.mapSize.y=r.y));let Z=n.state.buffers.depth.getReversed();if(B.camera._reversedDepth=Z,B.map===null||H===!0){if(B.map!==null&&(B.map.depthTexture!==null&&(B.map.depthTexture.dispose(),B.map.depthTexture=null),B.map.dispose()),this.type===jr){if(Y.isPointLight){Ke("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}B.map=new ti(s.x,s.y,{format:Ns,type:Ci,minFilter:En,magFilter:En,generateMipmaps:!1}),B.map.texture.name=Y.name+".shadowMap",B.map.depthTexture=new rs(s.x,s.y,Ti),B.map.depthTexture.name=Y.name+".shadowMapDepth",B.map.depthTexture.format=ss,B.map.depthTexture.compareFunction=null,B.map.depthTexture.minFilter=bn,B.map.depthTexture.magFilter=bn}else Y.isPointLight?(B.map=new aa(s.x),B.map.depthTexture=new Xo(s.x,Ai)):(B.map=new ti(s.x,s.y),B.map.depthTexture=new rs(s.x,s.y,Ai)),B.map.depthTexture.name=Y.name+".shadowMap",B.map.depthTexture.format=ss,this.type===Jo?(B.map.depthTexture.compareFunction=Z?ku:Bu,B.map.depthTexture.minFilter=En,B.map.depthTexture.magFilter=En):(B.map.depthTexture.compareFunction=null,B.map.depthTexture.minFilter=bn,B.map.depthTexture.magFilter=bn);B.camera.updateProjectionMatrix()}B.map.isWebGLCubeRenderTarget!==!0&&(B.map.width!==s.x||B.map.height!==s.y)&&B.map.setSize(s.x,s.y);let J=B.map.isWebGLCubeRenderTarget?6:B.getViewportCount();Y.isPointLight!==!0&&B.updateMatrices(Y,A);let ne=(B.camera.layers.mask&4294967294)!==0?B.camera.layers:A.layers;for(let ue=0;ue<J;ue++){let ce=B.getCamera(ue);if(Y.isPointLight){let j=B.camera,ge=B.matrix,xe=Y.distance||j.far;xe!==j.far&&(j.far=xe,j.updateProjectionMatrix()),ra.setFromMatrixPosition(Y.matrixWorld),j.position.copy(ra),Qu.copy(j.position),Qu.add(lw[ue]),j.up.copy(cw[ue]),j.lookAt(Qu),j.updateMatrixWorld(),ge.makeTranslation(-ra.x,-ra.y,-ra.z),gg.multiplyMatrices(j.projectionMatrix,j.matrixWorldInverse),B._frustum.setFromProjectionMatrix(gg,j.coordinateSystem,j.reversedDepth)}if(B.map.isWebGLCubeRenderTarget)n.setRenderTarget(B.map,ue),n.clear();else{ue===0&&(n.setRenderTarget(B.map),n.clear());let j=B.getViewport(ue);o.set(r.x*j.x,r.y*j.y,r.x*j.z,r.y*j.w),z.viewport(o)}i=B.getFrustum(ue),b(x,A,ce,Y,ne,this.type)}B.isPointLightShadow!==!0&&this.type===jr&&v(B,A),B.needsUpdate=!1}g=this.type,p.needsUpdate=!1,n.setRenderTarget(k,I,L)};function v(E,x){let A=e.update(y);f.defines.VSM_SAMPLES!==E.blurSamples&&(f.defines.VSM_SAMPLES=E.blurSamples,d.defines.VSM_SAMPLES=E.blurSamples,f.needsUpdate=!0,d.needsUpdate=!0),E.mapPass===null?E.mapPass=new ti(s.x,s.y,{format:Ns,type:Ci}):(E.mapPass.width!==E.map.width||E.mapPass.height!==E.map.height)&&E.mapPass.setSize(E.map.width,E.map.height),f.uniforms.shadow_pass.value=E.map.depthTexture,f.uniforms.resolution.value.set(E.map.width,E.map.height),f.uniforms.radius.value=E.radius,n.setRenderTarget(E.mapPass),n.clear(),n.renderBufferDirect(x,null,A,f,y,null),d.uniforms.shadow_pass.value=E.mapPass.texture,d.uniforms.resolution.value.set(E.map.width,E.map.height),d.uniforms.radius.value=E.radius,n.setRenderTarget(E.map),n.clear(),n.renderBufferDirect(x,null,A,d,y,null)}function T(E,x,A,k){let I=null,L=A.isPointLight===!0?E.customDistanceMaterial:E.customDepthMaterial;if(L!==void 0)I=L;else if(I=A.isPointLight===!0?c:a,n.localClippingEnabled&&x.clipShadows===!0&&Array.isArray(x.clippingPlanes)&&x.clippingPlanes.length!==0||x.displacementMap&&x.displacementScale!==0||x.alphaMap&&x.alphaTest>0||x.map&&x.alphaTest>0||x.alphaToCoverage===!0){let z=I.uuid,H=x.uuid,N=l[z];N===void 0&&(N={},l[z]=N);let G=N[H];G===void 0&&(G=I.clone(),N[H]=G,x.addEventListener("dispose",R)),I=G}if(I.visible=x.visible,I.wireframe=x.wireframe,k===jr?I.side=x.shadowSide!==null?x.shadowSide:x.side:I.side=x.shadowSide!==null?x.shadowSide:u[x.side],I.alphaMap=x.alphaMap,I.alphaTest=x.alphaToCoverage===!0?.5:x.alphaTest,I.map=x.map,I.clipShadows=x.clipShadows,I.clippingPlanes=x.clippingPlanes,I.clipIntersection=x.clipIntersection,I.displacementMap=x.displacementMap,I.displacementScale=x.displacementScale,I.displacementBias=x.displacementBias,I.wireframeLinewidth=x.wireframeLinewidth,I.linewidth=x.linewidth,A.isPointLight===!0&&I.isMeshDistanceMaterial===!0){let z=n.properties.get(I);z.light=A}return I}function b(E,x,A,k,I,L){if(E.visible===!1)return;if(E.layers.test(I)&&(E.isMesh||E.isLine||E.isPoints)&&(E.castShadow||E.receiveShadow&&L===jr)&&(!E.frustumCulled||E.intersectsFrustum(i))){E.modelViewMatrix.multiplyMatrices(A.matrixWorldInverse,E.matrixWorld);let N=e.update(E),G=E.material;if(Array.isArray(G)){let Y=N.groups;for(let B=0,ae=Y.length;B<ae;B++){let Z=Y[B],J=G[Z.materialIndex];if(J&&J.visible){let ne=T(E,J,k,L);E.onBeforeShadow(n,E,x,A,N,ne,Z),n.renderBufferDirect(A,null,N,ne,E,Z),E.onAfterShadow(n,E,x,A,N,ne,Z)}}}else if(G.visible){let Y=T(E,G,k,L);E.onBeforeShadow(n,E,x,A,N,Y,null),n.renderBufferDirect(A,null,N,Y,E,null),E.onAfterShadow(n,E,x,A,N,Y,null)}}let H=E.children;for(let N=0,G=H.length;N<G;N++)b(H[N],x,A,k,I,L)}function R(E){E.target.removeEventListener("dispose",R);for(let A in l){let k=l[A],I=E.target.uuid;I in k&&(k[I].dispose(),delete k[I])}}}function uw(n,e){function t(){let F=!1,se=new $t,te=null,Ae=new $t(0,0,0,0);return{setMask:function(ye){te!==ye&&!F&&(n.colorMask(ye,ye,ye,ye),te=ye)},setLocked:function(ye){F=ye},setClear:function(ye,we,qe,tt,le){le===!0&&(ye*=tt,we*=tt,qe*=tt),se.set(ye,we,qe,tt),Ae.equals(se)===!1&&(n.clearColor(ye,we,qe,tt),Ae.copy(se))},reset:function(){F=!1,te=null,Ae.set(-1,0,0,0)}}}function i(){let F=!1,se=!1,te=null,Ae=null,ye=null;return{setReversed:function(we){if(se!==we){let qe=e.get("EXT_clip_control");we?qe.clipControlEXT(qe.LOWER_LEFT_EXT,qe.ZERO_TO_ONE_EXT):qe.clipControlEXT(qe.LOWER_LEFT_EXT,qe.NEGATIVE_ONE_TO_ONE_EXT),se=we;let tt=ye;ye=null,this.setClear(tt)}},getReversed:function(){return se},setTest:function(we){we?Me(n.DEPTH_TEST):Xe(n.DEPTH_TEST)},setMask:function(we){te!==we&&!F&&(n.depthMask(we),te=we)},setFunc:function(we){if(se&&(we=Hm[we]),Ae!==we){switch(we){case fl:n.depthFunc(n.NEVER);break;case dl:n.depthFunc(n.ALWAYS);break;case pl:n.depthFunc(n.LESS);break;case Xr:n.depthFunc(n.LEQUAL);break;case ml:n.depthFunc(n.EQUAL);break;case gl:n.depthFunc(n.GEQUAL);break;case _l:n.depthFunc(n.GREATER);break;case xl:n.depthFunc(n.NOTEQUAL);break;default:n.depthFunc(n.LEQUAL)}Ae=we}},setLocked:function(we){F=we},setClear:function(we){ye!==we&&(ye=we,se&&(we=1-we),n.clearDepth(we))},reset:function(){F=!1,te=null,Ae=null,ye=null,se=!1}}}function s(){let F=!1,se=null,te=null,Ae=null,ye=null,we=null,qe=null,tt=null,le=null;return{setTest:function(ze){F||(ze?Me(n.STENCIL_TEST):Xe(n.STENCIL_TEST))},setMask:function(ze){se!==ze&&!F&&(n.stencilMask(ze),se=ze)},setFunc:function(ze,nt,Re){(te!==ze||Ae!==nt||ye!==Re)&&(n.stencilFunc(ze,nt,Re),te=ze,Ae=nt,ye=Re)},setOp:function(ze,nt,Re){(we!==ze||qe!==nt||tt!==Re)&&(n.stencilOp(ze,nt,Re),we=ze,qe=nt,tt=Re)},setLocked:function(ze){F=ze},setClear:function(ze){le!==ze&&(n.clearStencil(ze),le=ze)},reset:function(){F=!1,se=null,te=null,Ae=null,ye=null,we=null,qe=null,tt=null,le=null}}}let r=new t,o=new i,a=new s,c={},l=new WeakMap,h={},u={},f={},d=new WeakMap,m=[],y=null,p=!1,g=null,v=null,T=null,b=null,R=null,E=null,x=null,A=new ct(0,0,0),k=0,I=!1,L=null,z=null,H=null,N=null,G=null,Y=n.getParameter(n.MAX_COMBINED_TEXTURE_IMAGE_UNITS),B=!1,ae=0,Z=n.getParameter(n.VERSION);Z.indexOf("WebGL")!==-1?(ae=parseFloat(/^WebGL (\d)/.exec(Z)[1]),B=ae>=1):Z.indexOf("OpenGL ES")!==-1&&(ae=parseFloat(/^OpenGL ES (\d)/.exec(Z)[1]),B=ae>=2);let J=null,ne={},ue=n.getParameter(n.SCISSOR_BOX),ce=n.getParameter(n.VIEWPORT),j=new $t().fromArray(ue),ge=new $t().fromArray(ce);function xe(F,se,te,Ae){let ye=new Uint8Array(4),we=n.createTexture();n.bindTexture(F,we),n.texParameteri(F,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(F,n.TEXTURE_MAG_FILTER,n.NEAREST);for(let qe=0;qe<te;qe++)F===n.TEXTURE_3D||F===n.TEXTURE_2D_ARRAY?n.texImage3D(se,0,n.RGBA,1,1,Ae,0,n.RGBA,n.UNSIGNED_BYTE,ye):n.texImage2D(se+qe,0,n.RGBA,1,1,0,n.RGBA,n.UNSIGNED_BYTE,ye);return we}let me={};me[n.TEXTURE_2D]=xe(n.TEXTURE_2D,n.TEXTURE_2D,1),me[n.TEXTURE_CUBE_MAP]=xe(n.TEXTURE_CUBE_MAP,n.TEXTURE_CUBE_MAP_POSITIVE_X,6),me[n.TEXTURE_2D_ARRAY]=xe(n.TEXTURE_2D_ARRAY,n.TEXTURE_2D_ARRAY,1,1),me[n.TEXTURE_3D]=xe(n.TEXTURE_3D,n.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Me(n.DEPTH_TEST),o.setFunc(Xr),Xt(!1),pt(mu),Me(n.CULL_FACE),yt(er);function Me(F){h[F]!==!0&&(n.enable(F),h[F]=!0)}function Xe(F){h[F]!==!1&&(n.disable(F),h[F]=!1)}function fe(F,se){return f[F]!==se?(n.bindFramebuffer(F,se),f[F]=se,F===n.DRAW_FRAMEBUFFER&&(f[n.FRAMEBUFFER]=se),F===n.FRAMEBUFFER&&(f[n.DRAW_FRAMEBUFFER]=se),!0):!1}function de(F,se){let te=m,Ae=!1;if(F){te=d.get(se),te===void 0&&(te=[],d.set(se,te));let ye=F.textures;if(te.length!==ye.length||te[0]!==n.COLOR_ATTACHMENT0){for(let we=0,qe=ye.length;we<qe;we++)te[we]=n.COLOR_ATTACHMENT0+we;te.length=ye.length,Ae=!0}}else te[0]!==n.BACK&&(te[0]=n.BACK,Ae=!0);Ae&&n.drawBuffers(te)}function Le(F){return y!==F?(n.useProgram(F),y=F,!0):!1}let We={[tr]:n.FUNC_ADD,[um]:n.FUNC_SUBTRACT,[fm]:n.FUNC_REVERSE_SUBTRACT};We[dm]=n.MIN,We[pm]=n.MAX;let Ye={[mm]:n.ZERO,[gm]:n.ONE,[_m]:n.SRC_COLOR,[yu]:n.SRC_ALPHA,[Mm]:n.SRC_ALPHA_SATURATE,[Sm]:n.DST_COLOR,[ym]:n.DST_ALPHA,[xm]:n.ONE_MINUS_SRC_COLOR,[vu]:n.ONE_MINUS_SRC_ALPHA,[bm]:n.ONE_MINUS_DST_COLOR,[vm]:n.ONE_MINUS_DST_ALPHA,[wm]:n.CONSTANT_COLOR,[Em]:n.ONE_MINUS_CONSTANT_COLOR,[Am]:n.CONSTANT_ALPHA,[Tm]:n.ONE_MINUS_CONSTANT_ALPHA};function yt(F,se,te,Ae,ye,we,qe,tt,le,ze){if(F===er){p===!0&&(Xe(n.BLEND),p=!1);return}if(p===!1&&(Me(n.BLEND),p=!0),F!==hm){if(F!==g||ze!==I){if((v!==tr||R!==tr)&&(n.blendEquation(n.FUNC_ADD),v=tr,R=tr),ze)switch(F){case Qr:n.blendFuncSeparate(n.ONE,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case gu:n.blendFunc(n.ONE,n.ONE);break;case _u:n.blendFuncSeparate(n.ZERO,n.ONE_MINUS_SRC_COLOR,n.ZERO,n.ONE);break;case xu:n.blendFuncSeparate(n.DST_COLOR,n.ONE_MINUS_SRC_ALPHA,n.ZERO,n.ONE);break;default:st("WebGLState: Invalid blending: ",F);break}else switch(F){case Qr:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case gu:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE,n.ONE,n.ONE);break;case _u:st("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case xu:st("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:st("WebGLState: Invalid blending: ",F);break}T=null,b=null,E=null,x=null,A.set(0,0,0),k=0,g=F,I=ze}return}ye=ye||se,we=we||te,qe=qe||Ae,(se!==v||ye!==R)&&(n.blendEquationSeparate(We[se],We[ye]),v=se,R=ye),(te!==T||Ae!==b||we!==E||qe!==x)&&(n.blendFuncSeparate(Ye[te],Ye[Ae],Ye[we],Ye[qe]),T=te,b=Ae,E=we,x=qe),(tt.equals(A)===!1||le!==k)&&(n.blendColor(tt.r,tt.g,tt.b,le),A.copy(tt),k=le),g=F,I=!1}function ut(F,se){F.side===pi?Xe(n.CULL_FACE):Me(n.CULL_FACE);let te=F.side===kn;se&&(te=!te),Xt(te),F.blending===Qr&&F.transparent===!1?yt(er):yt(F.blending,F.blendEquation,F.blendSrc,F.blendDst,F.blendEquationAlpha,F.blendSrcAlpha,F.blendDstAlpha,F.blendColor,F.blendAlpha,F.premultipliedAlpha),o.setFunc(F.depthFunc),o.setTest(F.depthTest),o.setMask(F.depthWrite),r.setMask(F.colorWrite);let Ae=F.stencilWrite;a.setTest(Ae),Ae&&(a.setMask(F.stencilWriteMask),a.setFunc(F.stencilFunc,F.stencilRef,F.stencilFuncMask),a.setOp(F.stencilFail,F.stencilZFail,F.stencilZPass)),et(F.polygonOffset,F.polygonOffsetFactor,F.polygonOffsetUnits),F.alphaToCoverage===!0?Me(n.SAMPLE_ALPHA_TO_COVERAGE):Xe(n.SAMPLE_ALPHA_TO_COVERAGE)}function Xt(F){L!==F&&(F?n.frontFace(n.CW):n.frontFace(n.CCW),L=F)}function pt(F){F!==am?(Me(n.CULL_FACE),F!==z&&(F===mu?n.cullFace(n.BACK):F===lm?n.cullFace(n.FRONT):n.cullFace(n.FRONT_AND_BACK))):Xe(n.CULL_FACE),z=F}function sn(F){F!==H&&(B&&n.lineWidth(F),H=F)}function et(F,se,te){F?(Me(n.POLYGON_OFFSET_FILL),(N!==se||G!==te)&&(N=se,G=te,o.getReversed()&&(se=-se,te=-te),n.polygonOffset(se,te))):Xe(n.POLYGON_OFFSET_FILL)}function Mt(F){F?Me(n.SCISSOR_TEST):Xe(n.SCISSOR_TEST)}function Nt(F){F===void 0&&(F=n.TEXTURE0+Y-1),J!==F&&(n.activeTexture(F),J=F)}function Kt(F,se,te){te===void 0&&(J===null?te=n.TEXTURE0+Y-1:te=J);let Ae=ne[te];Ae===void 0&&(Ae={type:void 0,texture:void 0},ne[te]=Ae),(Ae.type!==F||Ae.texture!==se)&&(J!==te&&(n.activeTexture(te),J=te),n.bindTexture(F,se||me[F]),Ae.type=F,Ae.texture=se)}function U(){let F=ne[J];F!==void 0&&F.type!==void 0&&(n.bindTexture(F.type,null),F.type=void 0,F.texture=void 0)}function Pe(){try{n.compressedTexImage2D(...arguments)}catch(F){st("WebGLState:",F)}}function Je(){try{n.compressedTexImage3D(...arguments)}catch(F){st("WebGLState:",F)}}function at(){try{n.texSubImage2D(...arguments)}catch(F){st("WebGLState:",F)}}function Ee(){try{n.texSubImage3D(...arguments)}catch(F){st("WebGLState:",F)}}function Ft(){try{n.compressedTexSubImage2D(...arguments)}catch(F){st("WebGLState:",F)}}function He(){try{n.compressedTexSubImage3D(...arguments)}catch(F){st("WebGLState:",F)}}function $e(){try{n.texStorage2D(...arguments)}catch(F){st("WebGLState:",F)}}function C(){try{n.texStorage3D(...arguments)}catch(F){st("WebGLState:",F)}}function S(){try{n.texImage2D(...arguments)}catch(F){st("WebGLState:",F)}}function X(){try{n.texImage3D(...arguments)}catch(F){st("WebGLState:",F)}}function he(F){return u[F]!==void 0?u[F]:n.getParameter(F)}function re(F,se){u[F]!==se&&(n.pixelStorei(F,se),u[F]=se)}function ve(F){j.equals(F)===!1&&(n.scissor(F.x,F.y,F.z,F.w),j.copy(F))}function Se(F){ge.equals(F)===!1&&(n.viewport(F.x,F.y,F.z,F.w),ge.copy(F))}function ee(F,se){let te=l.get(se);te===void 0&&(te=new WeakMap,l.set(se,te));let Ae=te.get(F);Ae===void 0&&(Ae=n.getUniformBlockIndex(se,F.name),n.uniformBlockBinding(se,Ae,Ae),te.set(F,Ae))}function ie(F,se,te){let ye=l.get(se).get(F);c[ye]!==te&&(n.bindBufferBase(n.UNIFORM_BUFFER,ye,te),c[ye]=te)}function _e(){n.disable(n.BLEND),n.disable(n.CULL_FACE),n.disable(n.DEPTH_TEST),n.disable(n.POLYGON_OFFSET_FILL),n.disable(n.SCISSOR_TEST),n.disable(n.STENCIL_TEST),n.disable(n.SAMPLE_ALPHA_TO_COVERAGE),n.blendEquation(n.FUNC_ADD),n.blendFunc(n.ONE,n.ZERO),n.blendFuncSeparate(n.ONE,n.ZERO,n.ONE,n.ZERO),n.blendColor(0,0,0,0),n.colorMask(!0,!0,!0,!0),n.clearColor(0,0,0,0),n.depthMask(!0),n.depthFunc(n.LESS),o.setReversed(!1),n.clearDepth(1),n.stencilMask(4294967295),n.stencilFunc(n.ALWAYS,0,4294967295),n.stencilOp(n.KEEP,n.KEEP,n.KEEP),n.clearStencil(0),n.cullFace(n.BACK),n.frontFace(n.CCW),n.polygonOffset(0,0),n.activeTexture(n.TEXTURE0),n.bindFramebuffer(n.FRAMEBUFFER,null),n.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),n.bindFramebuffer(n.READ_FRAMEBUFFER,null),n.useProgram(null),n.lineWidth(1),n.scissor(0,0,n.canvas.width,n.canvas.height),n.viewport(0,0,n.canvas.width,n.canvas.height),n.pixelStorei(n.PACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,!1),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.BROWSER_DEFAULT_WEBGL),n.pixelStorei(n.PACK_ROW_LENGTH,0),n.pixelStorei(n.PACK_SKIP_PIXELS,0),n.pixelStorei(n.PACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_ROW_LENGTH,0),n.pixelStorei(n.UNPACK_IMAGE_HEIGHT,0),n.pixelStorei(n.UNPACK_SKIP_PIXELS,0),n.pixelStorei(n.UNPACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_SKIP_IMAGES,0),h={},u={},J=null,ne={},f={},c={},d=new WeakMap,m=[],y=null,p=!1,g=null,v=null,T=null,b=null,R=null,E=null,x=null,A=new ct(0,0,0),k=0,I=!1,L=null,z=null,H=null,N=null,G=null,j.set(0,0,n.canvas.width,n.canvas.height),ge.set(0,0,n.canvas.width,n.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Me,disable:Xe,bindFramebuffer:fe,drawBuffers:de,useProgram:Le,setBlending:yt,setMaterial:ut,setFlipSided:Xt,setCullFace:pt,setLineWidth:sn,setPolygonOffset:et,setScissorTest:Mt,activeTexture:Nt,bindTexture:Kt,unbindTexture:U,compressedTexImage2D:Pe,compressedTexImage3D:Je,texImage2D:S,texImage3D:X,pixelStorei:re,getParameter:he,updateUBOMapping:ee,uniformBlockBinding:ie,texStorage2D:$e,texStorage3D:C,texSubImage2D:at,texSubImage3D:Ee,compressedTexSubImage2D:Ft,compressedTexSubImage3D:He,scissor:ve,viewport:Se,reset:_e}}function fw(n,e,t,i,s,r,o){let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,c=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),l=new lt,h=new WeakMap,u=new Set,f,d=new WeakMap,m=new Set,y=new FinalizationRegistry(C=>m.delete(C)),p=!1;try{p=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function g(C,S){return p?new OffscreenCanvas(C,S):Oo("canvas")}function v(C,S,X){let he=1,re=$e(C);if((re.width>X||re.height>X)&&(he=X/Math.max(re.width,re.height)),he<1)if(typeof HTMLImageElement<"u"&&C instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&C instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&C instanceof ImageBitmap||typeof VideoFrame<"u"&&C instanceof VideoFrame){let ve=Math.floor(he*re.width),Se=Math.floor(he*re.height);f===void 0&&(f=g(ve,Se));let ee=S?g(ve,Se):f;return ee.width=ve,ee.height=Se,ee.getContext("2d").drawImage(C,0,0,ve,Se),Ke("WebGLRenderer: Texture has been resized from ("+re.width+"x"+re.height+") to ("+ve+"x"+Se+")."),ee}else return"data"in C&&Ke("WebGLRenderer: Image in DataTexture is too big ("+re.width+"x"+re.height+")."),C;return C}function T(C){return C.generateMipmaps}function b(C){n.generateMipmap(C)}function R(C){return C.isWebGLCubeRenderTarget?n.TEXTURE_CUBE_MAP:C.isWebGL3DRenderTarget?n.TEXTURE_3D:C.isWebGLArrayRenderTarget||C.isCompressedArrayTexture?n.TEXTURE_2D_ARRAY:n.TEXTURE_2D}function E(C,S,X,he,re,ve=!1){if(C!==null){if(n[C]!==void 0)return n[C];Ke("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+C+"'")}let Se;he&&(Se=e.get("EXT_texture_norm16"),Se||Ke("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let ee=S;if(S===n.RED&&(X===n.FLOAT&&(ee=n.R32F),X===n.HALF_FLOAT&&(ee=n.R16F),X===n.UNSIGNED_BYTE&&(ee=n.R8),X===n.UNSIGNED_SHORT&&Se&&(ee=Se.R16_EXT),X===n.SHORT&&Se&&(ee=Se.R16_SNORM_EXT)),S===n.RED_INTEGER&&(X===n.UNSIGNED_BYTE&&(ee=n.R8UI),X===n.UNSIGNED_SHORT&&(ee=n.R16UI),X===n.UNSIGNED_INT&&(ee=n.R32UI),X===n.BYTE&&(ee=n.R8I),X===n.SHORT&&(ee=n.R16I),X===n.INT&&(ee=n.R32I)),S===n.RG&&(X===n.FLOAT&&(ee=n.RG32F),X===n.HALF_FLOAT&&(ee=n.RG16F),X===n.UNSIGNED_BYTE&&(ee=n.RG8),X===n.UNSIGNED_SHORT&&Se&&(ee=Se.RG16_EXT),X===n.SHORT&&Se&&(ee=Se.RG16_SNORM_EXT)),S===n.RG_INTEGER&&(X===n.UNSIGNED_BYTE&&(ee=n.RG8UI),X===n.UNSIGNED_SHORT&&(ee=n.RG16UI),X===n.UNSIGNED_INT&&(ee=n.RG32UI),X===n.BYTE&&(ee=n.RG8I),X===n.SHORT&&(ee=n.RG16I),X===n.INT&&(ee=n.RG32I)),S===n.RGB_INTEGER&&(X===n.UNSIGNED_BYTE&&(ee=n.RGB8UI),X===n.UNSIGNED_SHORT&&(ee=n.RGB16UI),X===n.UNSIGNED_INT&&(ee=n.RGB32UI),X===n.BYTE&&(ee=n.RGB8I),X===n.SHORT&&(ee=n.RGB16I),X===n.INT&&(ee=n.RGB32I)),S===n.RGBA_INTEGER&&(X===n.UNSIGNED_BYTE&&(ee=n.RGBA8UI),X===n.UNSIGNED_SHORT&&(ee=n.RGBA16UI),X===n.UNSIGNED_INT&&(ee=n.RGBA32UI),X===n.BYTE&&(ee=n.RGBA8I),X===n.SHORT&&(ee=n.RGBA16I),X===n.INT&&(ee=n.RGBA32I)),S===n.RGB&&(X===n.UNSIGNED_SHORT&&Se&&(ee=Se.RGB16_EXT),X===n.SHORT&&Se&&(ee=Se.RGB16_SNORM_EXT),X===n.UNSIGNED_INT_5_9_9_9_REV&&(ee=n.RGB9_E5),X===n.UNSIGNED_INT_10F_11F_11F_REV&&(ee=n.R11F_G11F_B10F)),S===n.RGBA){let ie=ve?Uo:bt.getTransfer(re);X===n.FLOAT&&(ee=n.RGBA32F),X===n.HALF_FLOAT&&(ee=n.RGBA16F),X===n.UNSIGNED_BYTE&&(ee=ie===Pt?n.SRGB8_ALPHA8:n.RGBA8),X===n.UNSIGNED_SHORT&&Se&&(ee=Se.RGBA16_EXT),X===n.SHORT&&Se&&(ee=Se.RGBA16_SNORM_EXT),X===n.UNSIGNED_SHORT_4_4_4_4&&(ee=n.RGBA4),X===n.UNSIGNED_SHORT_5_5_5_1&&(ee=n.RGB5_A1)}return(ee===n.R16F||ee===n.R32F||ee===n.RG16F||ee===n.RG32F||ee===n.RGBA16F||ee===n.RGBA32F)&&e.get("EXT_color_buffer_float"),ee}function x(C,S){let X;return C?S===null||S===Ai||S===ir?X=n.DEPTH24_STENCIL8:S===Ti?X=n.DEPTH32F_STENCIL8:S===to&&(X=n.DEPTH24_STENCIL8,Ke("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):S===null||S===Ai||S===ir?X=n.DEPTH_COMPONENT24:S===Ti?X=n.DEPTH_COMPONENT32F:S===to&&(X=n.DEPTH_COMPONENT16),X}function A(C,S){return T(C)===!0||C.isFramebufferTexture&&C.minFilter!==bn&&C.minFilter!==En?Math.log2(Math.max(S.width,S.height))+1:C.mipmaps.length>0?C.mipmaps.length:C.isCompressedTexture&&Array.isArray(C.image)?S.mipmaps.length:1}function k(C){let S=new WeakRef(C);i.get(C).__ref=S,m.add(S),y.register(C,S,S)}function I(C){let S=i.get(C).__ref;S!==void 0&&(m.delete(S),y.unregister(S))}function L(C){H(C.target)}function z(C){N(C.target)}function H(C){C.removeEventListener("dispose",L),I(C),Y(C),C.isVideoTexture&&h.delete(C),C.isHTMLTexture&&u.delete(C)}function N(C){C.removeEventListener("dispose",z),I(C),ae(C)}function G(){for(let C of m){let S=C.deref();S!==void 0&&(S.isRenderTarget===!0?N(S):H(S))}m.clear(),u.clear()}function Y(C){let S=i.get(C);if(S.__webglInit===void 0)return;let X=C.source,he=d.get(X);if(he){let re=he[S.__cacheKey];re.usedTimes--,re.usedTimes===0&&B(C),Object.keys(he).length===0&&d.delete(X)}i.remove(C)}function B(C){let S=i.get(C);n.deleteTexture(S.__webglTexture);let X=C.source,he=d.get(X);delete he[S.__cacheKey],o.memory.textures--}function ae(C){let S=i.get(C);S.__depthDisposeCallback&&S.__depthDisposeCallback();let X=C.depthTexture;if(X&&X.renderTarget===C&&H(X),C.isWebGLCubeRenderTarget)for(let re=0;re<6;re++){if(Array.isArray(S.__webglFramebuffer[re]))for(let ve=0;ve<S.__webglFramebuffer[re].length;ve++)n.deleteFramebuffer(S.__webglFramebuffer[re][ve]);else n.deleteFramebuffer(S.__webglFramebuffer[re]);S.__webglDepthbuffer&&n.deleteRenderbuffer(S.__webglDepthbuffer[re])}else{if(Array.isArray(S.__webglFramebuffer))for(let re=0;re<S.__webglFramebuffer.length;re++)n.deleteFramebuffer(S.__webglFramebuffer[re]);else n.deleteFramebuffer(S.__webglFramebuffer);if(S.__webglDepthbuffer&&n.deleteRenderbuffer(S.__webglDepthbuffer),S.__webglMultisampledFramebuffer&&n.deleteFramebuffer(S.__webglMultisampledFramebuffer),S.__webglColorRenderbuffer)for(let re=0;re<S.__webglColorRenderbuffer.length;re++)S.__webglColorRenderbuffer[re]&&n.deleteRenderbuffer(S.__webglColorRenderbuffer[re]);S.__webglDepthRenderbuffer&&n.deleteRenderbuffer(S.__webglDepthRenderbuffer)}let he=C.textures;for(let re=0,ve=he.length;re<ve;re++){let Se=i.get(he[re]);Se.__webglTexture&&(n.deleteTexture(Se.__webglTexture),o.memory.textures--),i.remove(he[re])}i.remove(C)}let Z=0;function J(){Z=0}function ne(){return Z}function ue(C){Z=C}function ce(){let C=Z;return C>=s.maxTextures&&Ke("WebGLTextures: Trying to use "+(C+1)+" texture units while this GPU supports only "+s.maxTextures),Z+=1,C}function j(C){let S=[];return S.push(C.wrapS),S.push(C.wrapT),S.push(C.wrapR||0),S.push(C.magFilter),S.push(C.minFilter),S.push(C.anisotropy),S.push(C.internalFormat),S.push(C.format),S.push(C.type),S.push(C.generateMipmaps),S.push(C.mipmapsAutoUpdate),S.push(C.premultiplyAlpha),S.push(C.flipY),S.push(C.unpackAlignment),S.push(C.colorSpace),S.join()}function ge(C,S){let X=i.get(C);if(C.isVideoTexture&&Ft(C),C.isRenderTargetTexture===!1&&C.isExternalTexture!==!0&&C.version>0&&X.__version!==C.version){let he=C.image;if(he===null)Ke("WebGLRenderer: Texture marked for update but no image data found.");else if(he.complete===!1)Ke("WebGLRenderer: Texture marked for update but image is incomplete");else{ut(X,C,S);return}}else C.isExternalTexture&&(X.__webglTexture=C.sourceTexture?C.sourceTexture:null);t.bindTexture(n.TEXTURE_2D,X.__webglTexture,n.TEXTURE0+S)}function xe(C,S){let X=i.get(C);if(C.isRenderTargetTexture===!1&&C.version>0&&X.__version!==C.version){ut(X,C,S);return}else C.isExternalTexture&&(X.__webglTexture=C.sourceTexture?C.sourceTexture:null);t.bindTexture(n.TEXTURE_2D_ARRAY,X.__webglTexture,n.TEXTURE0+S)}function me(C,S){let X=i.get(C);if(C.isRenderTargetTexture===!1&&C.version>0&&X.__version!==C.version){ut(X,C,S);return}t.bindTexture(n.TEXTURE_3D,X.__webglTexture,n.TEXTURE0+S)}function Me(C,S){let X=i.get(C);if(C.version>0&&X.__version!==C.version){Xt(X,C,S);return}t.bindTexture(n.TEXTURE_CUBE_MAP,X.__webglTexture,n.TEXTURE0+S)}let Xe={[yl]:n.REPEAT,[zi]:n.CLAMP_TO_EDGE,[vl]:n.MIRRORED_REPEAT},fe={[bn]:n.NEAREST,[Pm]:n.NEAREST_MIPMAP_NEAREST,[jo]:n.NEAREST_MIPMAP_LINEAR,[En]:n.LINEAR,[Zl]:n.LINEAR_MIPMAP_NEAREST,[os]:n.LINEAR_MIPMAP_LINEAR},de={[Nm]:n.NEVER,[zu]:n.ALWAYS,[Um]:n.LESS,[Bu]:n.LEQUAL,[Fm]:n.EQUAL,[ku]:n.GEQUAL,[Om]:n.GREATER,[Bm]:n.NOTEQUAL};function Le(C,S){if(S.type===Ti&&e.has("OES_texture_float_linear")===!1&&(S.magFilter===En||S.magFilter===Zl||S.magFilter===jo||S.magFilter===os||S.minFilter===En||S.minFilter===Zl||S.minFilter===jo||S.minFilter===os)&&Ke("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),n.texParameteri(C,n.TEXTURE_WRAP_S,Xe[S.wrapS]),n.texParameteri(C,n.TEXTURE_WRAP_T,Xe[S.wrapT]),(C===n.TEXTURE_3D||C===n.TEXTURE_2D_ARRAY)&&n.texParameteri(C,n.TEXTURE_WRAP_R,Xe[S.wrapR]),n.texParameteri(C,n.TEXTURE_MAG_FILTER,fe[S.magFilter]),n.texParameteri(C,n.TEXTURE_MIN_FILTER,fe[S.minFilter]),S.compareFunction&&(n.texParameteri(C,n.TEXTURE_COMPARE_MODE,n.COMPARE_REF_TO_TEXTURE),n.texParameteri(C,n.TEXTURE_COMPARE_FUNC,de[S.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(S.magFilter===bn||S.minFilter!==jo&&S.minFilter!==os||S.type===Ti&&e.has("OES_texture_float_linear")===!1)return;if(S.anisotropy>1||i.get(S).__currentAnisotropy){let X=e.get("EXT_texture_filter_anisotropic");n.texParameterf(C,X.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(S.anisotropy,s.getMaxAnisotropy())),i.get(S).__currentAnisotropy=S.anisotropy}}}function We(C,S){let X=!1;C.__webglInit===void 0&&(C.__webglInit=!0,S.addEventListener("dispose",L),k(S));let he=S.source,re=d.get(he);re===void 0&&(re={},d.set(he,re));let ve=j(S);if(ve!==C.__cacheKey){re[ve]===void 0&&(re[ve]={texture:n.createTexture(),usedTimes:0},o.memory.textures++,X=!0),re[ve].usedTimes++;let Se=re[C.__cacheKey];Se!==void 0&&(re[C.__cacheKey].usedTimes--,Se.usedTimes===0&&B(S)),C.__cacheKey=ve,C.__webglTexture=re[ve].texture}return X}function Ye(C,S,X){return Math.floor(Math.floor(C/X)/S)}function yt(C,S,X,he){let ve=C.updateRanges;if(ve.length===0)t.texSubImage2D(n.TEXTURE_2D,0,0,0,S.width,S.height,X,he,S.data);else{ve.sort((F,se)=>F.start-se.start);let Se=0;for(let F=1;F<ve.length;F++){let se=ve[Se],te=ve[F],Ae=se.start+se.count,ye=Ye(te.start,S.width,4),we=Ye(se.start,S.width,4);te.start<=Ae+1&&ye===we&&Ye(te.start+te.count-1,S.width,4)===ye?se.count=Math.max(se.count,te.start+te.count-se.start):(++Se,ve[Se]=te)}ve.length=Se+1;let ee=t.getParameter(n.UNPACK_ROW_LENGTH),ie=t.getParameter(n.UNPACK_SKIP_PIXELS),_e=t.getParameter(n.UNPACK_SKIP_ROWS);t.pixelStorei(n.UNPACK_ROW_LENGTH,S.width);for(let F=0,se=ve.length;F<se;F++){let te=ve[F],Ae=Math.floor(te.start/4),ye=Math.ceil(te.count/4),we=Ae%S.width,qe=Math.floor(Ae/S.width),tt=ye,le=1;t.pixelStorei(n.UNPACK_SKIP_PIXELS,we),t.pixelStorei(n.UNPACK_SKIP_ROWS,qe),t.texSubImage2D(n.TEXTURE_2D,0,we,qe,tt,le,X,he,S.data)}C.clearUpdateRanges(),t.pixelStorei(n.UNPACK_ROW_LENGTH,ee),t.pixelStorei(n.UNPACK_SKIP_PIXELS,ie),t.pixelStorei(n.UNPACK_SKIP_ROWS,_e)}}function ut(C,S,X){let he=n.TEXTURE_2D;(S.isDataArrayTexture||S.isCompressedArrayTexture)&&(he=n.TEXTURE_2D_ARRAY),S.isData3DTexture&&(he=n.TEXTURE_3D);let re=We(C,S),ve=S.source;t.bindTexture(he,C.__webglTexture,n.TEXTURE0+X);let Se=i.get(ve);if(ve.version!==Se.__version||re===!0){if(t.activeTexture(n.TEXTURE0+X),(typeof ImageBitmap<"u"&&S.image instanceof ImageBitmap)===!1){let le=bt.getPrimaries(bt.workingColorSpace),ze=S.colorSpace===ls?null:bt.getPrimaries(S.colorSpace),nt=S.colorSpace===ls||le===ze?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,S.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,S.premultiplyAlpha),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,nt)}t.pixelStorei(n.UNPACK_ALIGNMENT,S.unpackAlignment);let ie=v(S.image,!1,s.maxTextureSize);ie=He(S,ie);let _e=r.convert(S.format,S.colorSpace),F=r.convert(S.type),se=E(S.internalFormat,_e,F,S.normalized,S.colorSpace,S.isVideoTexture);Le(he,S);let te,Ae=S.mipmaps,ye=S.isVideoTexture!==!0,we=Se.__version===void 0||re===!0,qe=ve.dataReady,tt=A(S,ie);if(S.isDepthTexture)se=x(S.format===as,S.type),we&&(ye?t.texStorage2D(n.TEXTURE_2D,1,se,ie.width,ie.height):t.texImage2D(n.TEXTURE_2D,0,se,ie.width,ie.height,0,_e,F,null));else if(S.isDataTexture)if(Ae.length>0){ye&&we&&t.texStorage2D(n.TEXTURE_2D,tt,se,Ae[0].width,Ae[0].height);for(let le=0,ze=Ae.length;le<ze;le++)te=Ae[le],ye?qe&&t.texSubImage2D(n.TEXTURE_2D,le,0,0,te.width,te.height,_e,F,te.data):t.texImage2D(n.TEXTURE_2D,le,se,te.width,te.height,0,_e,F,te.data);S.generateMipmaps=!1}else ye?(we&&t.texStorage2D(n.TEXTURE_2D,tt,se,ie.width,ie.height),qe&&yt(S,ie,_e,F)):t.texImage2D(n.TEXTURE_2D,0,se,ie.width,ie.height,0,_e,F,ie.data);else if(S.isCompressedTexture)if(S.isCompressedArrayTexture){ye&&we&&t.texStorage3D(n.TEXTURE_2D_ARRAY,tt,se,Ae[0].width,Ae[0].height,ie.depth);for(let le=0,ze=Ae.length;le<ze;le++)if(te=Ae[le],S.format!==Ri)if(_e!==null)if(ye){if(qe)if(S.layerUpdates.size>0){let nt=Ju(te.width,te.height,S.format,S.type);for(let Re of S.layerUpdates){let ht=te.data.subarray(Re*nt/te.data.BYTES_PER_ELEMENT,(Re+1)*nt/te.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,le,0,0,Re,te.width,te.height,1,_e,ht)}}else t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,le,0,0,0,te.width,te.height,ie.depth,_e,te.data)}else t.compressedTexImage3D(n.TEXTURE_2D_ARRAY,le,se,te.width,te.height,ie.depth,0,te.data,0,0);else Ke("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else ye?qe&&t.texSubImage3D(n.TEXTURE_2D_ARRAY,le,0,0,0,te.width,te.height,ie.depth,_e,F,te.data):t.texImage3D(n.TEXTURE_2D_ARRAY,le,se,te.width,te.height,ie.depth,0,_e,F,te.data);S.layerUpdates.size>0&&S.clearLayerUpdates()}else{ye&&we&&t.texStorage2D(n.TEXTURE_2D,tt,se,Ae[0].width,Ae[0].height);for(let le=0,ze=Ae.length;le<ze;le++)te=Ae[le],S.format!==Ri?_e!==null?ye?qe&&t.compressedTexSubImage2D(n.TEXTURE_2D,le,0,0,te.width,te.height,_e,te.data):t.compressedTexImage2D(n.TEXTURE_2D,le,se,te.width,te.height,0,te.data):Ke("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):ye?qe&&t.texSubImage2D(n.TEXTURE_2D,le,0,0,te.width,te.height,_e,F,te.data):t.texImage2D(n.TEXTURE_2D,le,se,te.width,te.height,0,_e,F,te.data)}else if(S.isDataArrayTexture)if(ye){if(we&&t.texStorage3D(n.TEXTURE_2D_ARRAY,tt,se,ie.width,ie.height,ie.depth),qe)if(S.layerUpdates.size>0){let le=Ju(ie.width,ie.height,S.format,S.type);for(let ze of S.layerUpdates){let nt=ie.data.subarray(ze*le/ie.data.BYTES_PER_ELEMENT,(ze+1)*le/ie.data.BYTES_PER_ELEMENT);t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,ze,ie.width,ie.height,1,_e,F,nt)}S.clearLayerUpdates()}else t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,0,ie.width,ie.height,ie.depth,_e,F,ie.data)}else t.texImage3D(n.TEXTURE_2D_ARRAY,0,se,ie.width,ie.height,ie.depth,0,_e,F,ie.data);else if(S.isData3DTexture)ye?(we&&t.texStorage3D(n.TEXTURE_3D,tt,se,ie.width,ie.height,ie.depth),qe&&t.texSubImage3D(n.TEXTURE_3D,0,0,0,0,ie.width,ie.height,ie.depth,_e,F,ie.data)):t.texImage3D(n.TEXTURE_3D,0,se,ie.width,ie.height,ie.depth,0,_e,F,ie.data);else if(S.isFramebufferTexture){if(we)if(ye)t.texStorage2D(n.TEXTURE_2D,tt,se,ie.width,ie.height);else{let le=ie.width,ze=ie.height;for(let nt=0;nt<tt;nt++)t.texImage2D(n.TEXTURE_2D,nt,se,le,ze,0,_e,F,null),le>>=1,ze>>=1}}else if(S.isHTMLTexture){if("texElementImage2D"in n){let le=n.canvas;if(le.hasAttribute("layoutsubtree")||le.setAttribute("layoutsubtree","true"),ie.parentNode!==le){le.appendChild(ie),u.add(S),le.onpaint=ze=>{let nt=ze.changedElements;for(let Re of u)nt.includes(Re.image)&&(Re.needsUpdate=!0)},le.requestPaint();return}if(n.texElementImage2D.length===3)n.texElementImage2D(n.TEXTURE_2D,n.RGBA8,ie);else{let nt=n.RGBA,Re=n.RGBA,ht=n.UNSIGNED_BYTE;n.texElementImage2D(n.TEXTURE_2D,0,nt,Re,ht,ie)}n.texParameteri(n.TEXTURE_2D,n.TEXTURE_MIN_FILTER,n.LINEAR),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}}else if(Ae.length>0){if(ye&&we){let le=$e(Ae[0]);t.texStorage2D(n.TEXTURE_2D,tt,se,le.width,le.height)}for(let le=0,ze=Ae.length;le<ze;le++)te=Ae[le],ye?qe&&t.texSubImage2D(n.TEXTURE_2D,le,0,0,_e,F,te):t.texImage2D(n.TEXTURE_2D,le,se,_e,F,te);S.generateMipmaps=!1}else if(ye){if(we){let le=$e(ie);t.texStorage2D(n.TEXTURE_2D,tt,se,le.width,le.height)}qe&&t.texSubImage2D(n.TEXTURE_2D,0,0,0,_e,F,ie)}else t.texImage2D(n.TEXTURE_2D,0,se,_e,F,ie);T(S)&&S.mipmapsAutoUpdate===!0&&b(he),Se.__version=ve.version,S.onUpdate&&S.onUpdate(S)}C.__version=S.version}function Xt(C,S,X){if(S.image.length!==6)return;let he=We(C,S),re=S.source;t.bindTexture(n.TEXTURE_CUBE_MAP,C.__webglTexture,n.TEXTURE0+X);let ve=i.get(re);if(re.version!==ve.__version||he===!0){t.activeTexture(n.TEXTURE0+X);let Se=bt.getPrimaries(bt.workingColorSpace),ee=S.colorSpace===ls?null:bt.getPrimaries(S.colorSpace),ie=S.colorSpace===ls||Se===ee?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,S.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,S.premultiplyAlpha),t.pixelStorei(n.UNPACK_ALIGNMENT,S.unpackAlignment),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let _e=S.isCompressedTexture||S.image[0].isCompressedTexture,F=S.image[0]&&S.image[0].isDataTexture,se=[];for(let Re=0;Re<6;Re++)!_e&&!F?se[Re]=v(S.image[Re],!0,s.maxCubemapSize):se[Re]=F?S.image[Re].image:S.image[Re],se[Re]=He(S,se[Re]);let te=se[0],Ae=r.convert(S.format,S.colorSpace),ye=r.convert(S.type),we=E(S.internalFormat,Ae,ye,S.normalized,S.colorSpace),qe=S.isVideoTexture!==!0,tt=ve.__version===void 0||he===!0,le=re.dataReady,ze=A(S,te);Le(n.TEXTURE_CUBE_MAP,S);let nt;if(S.isDepthTexture){if(we=x(S.format===as,S.type),tt)if(qe)t.texStorage2D(n.TEXTURE_CUBE_MAP,1,we,te.width,te.height);else for(let Re=0;Re<6;Re++)t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,we,te.width,te.height,0,Ae,ye,null)}else if(_e){qe&&tt&&t.texStorage2D(n.TEXTURE_CUBE_MAP,ze,we,te.width,te.height);for(let Re=0;Re<6;Re++){nt=se[Re].mipmaps;for(let ht=0;ht<nt.length;ht++){let kt=nt[ht];S.format!==Ri?Ae!==null?qe?le&&t.compressedTexSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht,0,0,kt.width,kt.height,Ae,kt.data):t.compressedTexImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht,we,kt.width,kt.height,0,kt.data):Ke("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):qe?le&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht,0,0,kt.width,kt.height,Ae,ye,kt.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht,we,kt.width,kt.height,0,Ae,ye,kt.data)}}}else{if(nt=S.mipmaps,qe&&tt){nt.length>0&&ze++;let Re=$e(se[0]);t.texStorage2D(n.TEXTURE_CUBE_MAP,ze,we,Re.width,Re.height)}for(let Re=0;Re<6;Re++)if(F){qe?le&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,0,0,se[Re].width,se[Re].height,Ae,ye,se[Re].data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,we,se[Re].width,se[Re].height,0,Ae,ye,se[Re].data);for(let ht=0;ht<nt.length;ht++){let In=nt[ht].image[Re].image;qe?le&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht+1,0,0,In.width,In.height,Ae,ye,In.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht+1,we,In.width,In.height,0,Ae,ye,In.data)}}else{qe?le&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,0,0,Ae,ye,se[Re]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,we,Ae,ye,se[Re]);for(let ht=0;ht<nt.length;ht++){let kt=nt[ht];qe?le&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht+1,0,0,Ae,ye,kt.image[Re]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,ht+1,we,Ae,ye,kt.image[Re])}}}T(S)&&S.mipmapsAutoUpdate===!0&&b(n.TEXTURE_CUBE_MAP),ve.__version=re.version,S.onUpdate&&S.onUpdate(S)}C.__version=S.version}function pt(C,S,X,he,re,ve){let Se=r.convert(X.format,X.colorSpace),ee=r.convert(X.type),ie=E(X.internalFormat,Se,ee,X.normalized,X.colorSpace),_e=i.get(S),F=i.get(X);if(F.__renderTarget=S,!_e.__hasExternalTextures){let se=Math.max(1,S.width>>ve),te=Math.max(1,S.height>>ve);re===n.TEXTURE_3D||re===n.TEXTURE_2D_ARRAY?t.texImage3D(re,ve,ie,se,te,S.depth,0,Se,ee,null):t.texImage2D(re,ve,ie,se,te,0,Se,ee,null)}t.bindFramebuffer(n.FRAMEBUFFER,C),Ee(S)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,he,re,F.__webglTexture,0,at(S)):(re===n.TEXTURE_2D||re>=n.TEXTURE_CUBE_MAP_POSITIVE_X&&re<=n.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&n.framebufferTexture2D(n.FRAMEBUFFER,he,re,F.__webglTexture,ve),t.bindFramebuffer(n.FRAMEBUFFER,null)}function sn(C,S,X){if(n.bindRenderbuffer(n.RENDERBUFFER,C),S.depthBuffer){let he=S.depthTexture,re=he&&he.isDepthTexture?he.type:null,ve=x(S.stencilBuffer,re),Se=S.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;Ee(S)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,at(S),ve,S.width,S.height):X?n.renderbufferStorageMultisample(n.RENDERBUFFER,at(S),ve,S.width,S.height):n.renderbufferStorage(n.RENDERBUFFER,ve,S.width,S.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,Se,n.RENDERBUFFER,C)}else{let he=S.textures;for(let re=0;re<he.length;re++){let ve=he[re],Se=r.convert(ve.format,ve.colorSpace),ee=r.convert(ve.type),ie=E(ve.internalFormat,Se,ee,ve.normalized,ve.colorSpace);Ee(S)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,at(S),ie,S.width,S.height):X?n.renderbufferStorageMultisample(n.RENDERBUFFER,at(S),ie,S.width,S.height):n.renderbufferStorage(n.RENDERBUFFER,ie,S.width,S.height)}}n.bindRenderbuffer(n.RENDERBUFFER,null)}function et(C,S,X){let he=S.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(n.FRAMEBUFFER,C),!(S.depthTexture&&S.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let re=i.get(S.depthTexture);re.__renderTarget=S;let ve=he?S.depthTexture.image[0]:S.depthTexture.image;(!re.__webglTexture||ve.width!==S.width||ve.height!==S.height)&&(ve.width=S.width,ve.height=S.height,S.depthTexture.needsUpdate=!0),he?Me(S.depthTexture,0):ge(S.depthTexture,0);let Se=re.__webglTexture,ee=at(S),ie=he?n.TEXTURE_CUBE_MAP_POSITIVE_X+X:n.TEXTURE_2D,_e=S.depthTexture.format===as?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;if(S.depthTexture.format===ss)Ee(S)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,_e,ie,Se,0,ee):n.framebufferTexture2D(n.FRAMEBUFFER,_e,ie,Se,0);else if(S.depthTexture.format===as)Ee(S)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,_e,ie,Se,0,ee):n.framebufferTexture2D(n.FRAMEBUFFER,_e,ie,Se,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function Mt(C){let S=i.get(C),X=C.isWebGLCubeRenderTarget===!0;if(S.__boundDepthTexture!==C.depthTexture){let he=C.depthTexture;if(S.__depthDisposeCallback&&S.__depthDisposeCallback(),he){let re=()=>{delete S.__boundDepthTexture,delete S.__depthDisposeCallback,he.removeEventListener("dispose",re)};he.addEventListener("dispose",re),S.__depthDisposeCallback=re}S.__boundDepthTexture=he}if(C.depthTexture&&!S.__autoAllocateDepthBuffer)if(X)for(let he=0;he<6;he++)et(S.__webglFramebuffer[he],C,he);else C.texture.mipmaps.length>0?et(S.__webglFramebuffer[0],C,0):et(S.__webglFramebuffer,C,0);else if(X){S.__webglDepthbuffer=[];for(let he=0;he<6;he++)if(t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer[he]),S.__webglDepthbuffer[he]===void 0)S.__webglDepthbuffer[he]=n.createRenderbuffer(),sn(S.__webglDepthbuffer[he],C,!1);else{let re=C.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,ve=S.__webglDepthbuffer[he];n.bindRenderbuffer(n.RENDERBUFFER,ve),n.framebufferRenderbuffer(n.FRAMEBUFFER,re,n.RENDERBUFFER,ve)}}else if(C.texture.mipmaps.length>0?t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer[0]):t.bindFramebuffer(n.FRAMEBUFFER,S.__webglFramebuffer),S.__webglDepthbuffer===void 0)S.__webglDepthbuffer=n.createRenderbuffer(),sn(S.__webglDepthbuffer,C,!1);else{let re=C.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,ve=S.__webglDepthbuffer;n.bindRenderbuffer(n.RENDERBUFFER,ve),n.framebufferRenderbuffer(n.FRAMEBUFFER,re,n.RENDERBUFFER,ve)}t.bindFramebuffer(n.FRAMEBUFFER,null)}function Nt(C,S,X){let he=i.get(C);S!==void 0&&pt(he.__webglFramebuffer,C,C.texture,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,0),X!==void 0&&Mt(C)}function Kt(C){let S=C.texture,X=i.get(C),he=i.get(S);C.addEventListener("dispose",z),k(C);let re=C.textures,ve=C.isWebGLCubeRenderTarget===!0,Se=re.length>1;if(Se||(he.__webglTexture===void 0&&(he.__webglTexture=n.createTexture()),he.__version=S.version,o.memory.textures++),ve){X.__webglFramebuffer=[];for(let ee=0;ee<6;ee++)if(S.mipmaps.length>0){X.__webglFramebuffer[ee]=[];for(let ie=0;ie<S.mipmaps.length;ie++)X.__webglFramebuffer[ee][ie]=n.createFramebuffer()}else X.__webglFramebuffer[ee]=n.createFramebuffer()}else{if(S.mipmaps.length>0){X.__webglFramebuffer=[];for(let ee=0;ee<S.mipmaps.length;ee++)X.__webglFramebuffer[ee]=n.createFramebuffer()}else X.__webglFramebuffer=n.createFramebuffer();if(Se)for(let ee=0,ie=re.length;ee<ie;ee++){let _e=i.get(re[ee]);_e.__webglTexture===void 0&&(_e.__webglTexture=n.createTexture(),o.memory.textures++)}if(C.samples>0&&Ee(C)===!1){X.__webglMultisampledFramebuffer=n.createFramebuffer(),X.__webglColorRenderbuffer=[],t.bindFramebuffer(n.FRAMEBUFFER,X.__webglMultisampledFramebuffer);for(let ee=0;ee<re.length;ee++){let ie=re[ee];X.__webglColorRenderbuffer[ee]=n.createRenderbuffer(),n.bindRenderbuffer(n.RENDERBUFFER,X.__webglColorRenderbuffer[ee]);let _e=r.convert(ie.format,ie.colorSpace),F=r.convert(ie.type),se=E(ie.internalFormat,_e,F,ie.normalized,ie.colorSpace,C.isXRRenderTarget===!0),te=at(C);n.renderbufferStorageMultisample(n.RENDERBUFFER,te,se,C.width,C.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+ee,n.RENDERBUFFER,X.__webglColorRenderbuffer[ee])}n.bindRenderbuffer(n.RENDERBUFFER,null),C.depthBuffer&&(X.__webglDepthRenderbuffer=n.createRenderbuffer(),sn(X.__webglDepthRenderbuffer,C,!0)),t.bindFramebuffer(n.FRAMEBUFFER,null)}}if(ve){t.bindTexture(n.TEXTURE_CUBE_MAP,he.__webglTexture),Le(n.TEXTURE_CUBE_MAP,S);for(let ee=0;ee<6;ee++)if(S.mipmaps.length>0)for(let ie=0;ie<S.mipmaps.length;ie++)pt(X.__webglFramebuffer[ee][ie],C,S,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+ee,ie);else pt(X.__webglFramebuffer[ee],C,S,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+ee,0);T(S)?b(n.TEXTURE_CUBE_MAP):S.mipmaps.length>0&&n.texParameteri(n.TEXTURE_CUBE_MAP,n.TEXTURE_MAX_LEVEL,S.mipmaps.length-1),t.unbindTexture()}else if(Se){for(let ee=0,ie=re.length;ee<ie;ee++){let _e=re[ee],F=i.get(_e),se=n.TEXTURE_2D;(C.isWebGL3DRenderTarget||C.isWebGLArrayRenderTarget)&&(se=C.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(se,F.__webglTexture),Le(se,_e),pt(X.__webglFramebuffer,C,_e,n.COLOR_ATTACHMENT0+ee,se,0),T(_e)&&b(se)}t.unbindTexture()}else{let ee=n.TEXTURE_2D;if((C.isWebGL3DRenderTarget||C.isWebGLArrayRenderTarget)&&(ee=C.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(ee,he.__webglTexture),Le(ee,S),S.mipmaps.length>0)for(let ie=0;ie<S.mipmaps.length;ie++)pt(X.__webglFramebuffer[ie],C,S,n.COLOR_ATTACHMENT0,ee,ie);else pt(X.__webglFramebuffer,C,S,n.COLOR_ATTACHMENT0,ee,0);T(S)?b(ee):S.mipmaps.length>0&&n.texParameteri(ee,n.TEXTURE_MAX_LEVEL,S.mipmaps.length-1),t.unbindTexture()}C.depthBuffer&&Mt(C)}function U(C){let S=C.textures;for(let X=0,he=S.length;X<he;X++){let re=S[X];if(T(re)&&re.mipmapsAutoUpdate===!0){let ve=R(C),Se=i.get(re).__webglTexture;t.bindTexture(ve,Se),b(ve),t.unbindTexture()}}}let Pe=[];function Je(C){if(C.samples>0){if(Ee(C)===!1){let S=C.textures,X=C.width,he=C.height,re=n.COLOR_BUFFER_BIT,ve=C.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,Se=i.get(C),ee=S.length>1;if(ee)for(let _e=0;_e<S.length;_e++)t.bindFramebuffer(n.FRAMEBUFFER,Se.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+_e,n.RENDERBUFFER,null),t.bindFramebuffer(n.FRAMEBUFFER,Se.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+_e,n.TEXTURE_2D,null,0);t.bindFramebuffer(n.READ_FRAMEBUFFER,Se.__webglMultisampledFramebuffer),C.texture.mipmaps.length>0?t.bindFramebuffer(n.DRAW_FRAMEBUFFER,Se.__webglFramebuffer[0]):t.bindFramebuffer(n.DRAW_FRAMEBUFFER,Se.__webglFramebuffer);for(let _e=0;_e<S.length;_e++){if(C.resolveDepthBuffer&&(C.depthBuffer&&(re|=n.DEPTH_BUFFER_BIT),C.stencilBuffer&&C.resolveStencilBuffer&&(re|=n.STENCIL_BUFFER_BIT)),ee){n.framebufferRenderbuffer(n.READ_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.RENDERBUFFER,Se.__webglColorRenderbuffer[_e]);let F=i.get(S[_e]).__webglTexture;n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,F,0)}n.blitFramebuffer(0,0,X,he,0,0,X,he,re,n.NEAREST),c===!0&&(Pe.length=0,Pe.push(n.COLOR_ATTACHMENT0+_e),C.depthBuffer&&C.storeMultisampledDepthBuffer===!1&&Pe.push(ve),n.invalidateFramebuffer(n.READ_FRAMEBUFFER,Pe))}if(t.bindFramebuffer(n.READ_FRAMEBUFFER,null),t.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),ee)for(let _e=0;_e<S.length;_e++){t.bindFramebuffer(n.FRAMEBUFFER,Se.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+_e,n.RENDERBUFFER,Se.__webglColorRenderbuffer[_e]);let F=i.get(S[_e]).__webglTexture;t.bindFramebuffer(n.FRAMEBUFFER,Se.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+_e,n.TEXTURE_2D,F,0)}t.bindFramebuffer(n.DRAW_FRAMEBUFFER,Se.__webglMultisampledFramebuffer)}else if(C.depthBuffer&&C.storeMultisampledDepthBuffer===!1&&c){let S=C.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,[S])}}}function at(C){return Math.min(s.maxSamples,C.samples)}function Ee(C){let S=i.get(C);return C.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&S.__useRenderToTexture!==!1}function Ft(C){let S=o.render.frame;h.get(C)!==S&&(h.set(C,S),C.update())}function He(C,S){let X=C.colorSpace,he=C.format,re=C.type;return C.isCompressedTexture===!0||C.isVideoTexture===!0||X!==No&&X!==ls&&(bt.getTransfer(X)===Pt?(he!==Ri||re!==ri)&&Ke("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):st("WebGLTextures: Unsupported texture color space:",X)),S}function $e(C){return typeof HTMLImageElement<"u"&&C instanceof HTMLImageElement?(l.width=C.naturalWidth||C.width,l.height=C.naturalHeight||C.height):typeof VideoFrame<"u"&&C instanceof VideoFrame?(l.width=C.displayWidth,l.height=C.displayHeight):(l.width=C.width,l.height=C.height),l}this.allocateTextureUnit=ce,this.resetTextureUnits=J,this.getTextureUnits=ne,this.setTextureUnits=ue,this.setTexture2D=ge,this.setTexture2DArray=xe,this.setTexture3D=me,this.setTextureCube=Me,this.rebindTextures=Nt,this.setupRenderTarget=Kt,this.updateRenderTargetMipmap=U,this.updateMultisampleRenderTarget=Je,this.setupDepthRenderbuffer=Mt,this.setupFrameBufferTexture=pt,this.useMultisampledRTT=Ee,this.dispose=G}function dw(n,e){function t(i,s=ls){let r,o=bt.getTransfer(s);if(i===ri)return n.UNSIGNED_BYTE;if(i===Kl)return n.UNSIGNED_SHORT_4_4_4_4;if(i===Jl)return n.UNSIGNED_SHORT_5_5_5_1;if(i===Lu)return n.UNSIGNED_INT_5_9_9_9_REV;if(i===Du)return n.UNSIGNED_INT_10F_11F_11F_REV;if(i===Pu)return n.BYTE;if(i===Iu)return n.SHORT;if(i===to)return n.UNSIGNED_SHORT;if(i===$l)return n.INT;if(i===Ai)return n.UNSIGNED_INT;if(i===Ti)return n.FLOAT;if(i===Ci)return n.HALF_FLOAT;if(i===Nu)return n.ALPHA;if(i===Uu)return n.RGB;if(i===Ri)return n.RGBA;if(i===ss)return n.DEPTH_COMPONENT;if(i===as)return n.DEPTH_STENCIL;if(i===Fu)return n.RED;if(i===jl)return n.RED_INTEGER;if(i===Ns)return n.RG;if(i===Ql)return n.RG_INTEGER;if(i===ec)return n.RGBA_INTEGER;if(i===Qo||i===ea||i===ta||i===na)if(o===Pt)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(i===Qo)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(i===ea)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(i===ta)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(i===na)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(i===Qo)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(i===ea)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(i===ta)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(i===na)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(i===tc||i===nc||i===ic||i===sc)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(i===tc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(i===nc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(i===ic)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(i===sc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(i===rc||i===oc||i===ac||i===lc||i===cc||i===ia||i===hc)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(i===rc||i===oc)return o===Pt?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(i===ac)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(i===lc)return r.COMPRESSED_R11_EAC;if(i===cc)return r.COMPRESSED_SIGNED_R11_EAC;if(i===ia)return r.COMPRESSED_RG11_EAC;if(i===hc)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(i===uc||i===fc||i===dc||i===pc||i===mc||i===gc||i===_c||i===xc||i===yc||i===vc||i===Sc||i===bc||i===Mc||i===wc)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(i===uc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(i===fc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(i===dc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(i===pc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(i===mc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(i===gc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(i===_c)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(i===xc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(i===yc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(i===vc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(i===Sc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(i===bc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(i===Mc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(i===wc)return o===Pt?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(i===Ec||i===Ac||i===Tc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(i===Ec)return o===Pt?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(i===Ac)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(i===Tc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(i===Cc||i===Rc||i===sa||i===Pc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(i===Cc)return r.COMPRESSED_RED_RGTC1_EXT;if(i===Rc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(i===sa)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(i===Pc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return i===ir?n.UNSIGNED_INT_24_8:n[i]!==void 0?n[i]:null}return{convert:t}}var pw=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,mw=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,af=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let i=new qo(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=i}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,i=new ii({vertexShader:pw,fragmentShader:mw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new di(new Yo(20,20),i)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},lf=class extends wi{constructor(e,t){super();let i=this,s=null,r=1,o=null,a="local-floor",c=1,l=null,h=null,u=null,f=null,d=null,m=null,y=typeof XRWebGLBinding<"u",p=new af,g={},v=t.getContextAttributes(),T=null,b=null,R=[],E=[],x=new lt,A=null,k=null,I=new On;I.viewport=new $t;let L=new On;L.viewport=new $t;let z=[I,L],H=new Xl,N=null,G=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(j){let ge=R[j];return ge===void 0&&(ge=new Zr,R[j]=ge),ge.getTargetRaySpace()},this.getControllerGrip=function(j){let ge=R[j];return ge===void 0&&(ge=new Zr,R[j]=ge),ge.getGripSpace()},this.getHand=function(j){let ge=R[j];return ge===void 0&&(ge=new Zr,R[j]=ge),ge.getHandSpace()};function Y(j){let ge=E.indexOf(j.inputSource);if(ge===-1)return;let xe=R[ge];xe!==void 0&&(xe.update(j.inputSource,j.frame,l||o),xe.dispatchEvent({type:j.type,data:j.inputSource}))}function B(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",B),s.removeEventListener("inputsourceschange",ae);for(let j=0;j<R.length;j++){let ge=E[j];ge!==null&&(E[j]=null,R[j].disconnect(ge))}N=null,G=null,p.reset();for(let j in g)delete g[j];if(e.setRenderTarget(T),d=null,f=null,u=null,s=null,b=null,ce.stop(),i.isPresenting=!1,e.setPixelRatio(A),e.setSize(x.width,x.height,!1),k!==null){let j=k.camera;j.fov=k.fov,j.zoom=k.zoom,j.updateProjectionMatrix(),k=null}i.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(j){r=j,i.isPresenting===!0&&Ke("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(j){a=j,i.isPresenting===!0&&Ke("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return l||o},this.setReferenceSpace=function(j){l=j},this.getBaseLayer=function(){return f!==null?f:d},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return m},this.getSession=function(){return s},this.setSession=async function(j){if(s=j,s!==null){if(T=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstart",Y),s.addEventListener("selectend",Y),s.addEventListener("squeeze",Y),s.addEventListener("squeezestart",Y),s.addEventListener("squeezeend",Y),s.addEventListener("end",B),s.addEventListener("inputsourceschange",ae),v.xrCompatible!==!0&&await t.makeXRCompatible(),A=e.getPixelRatio(),e.getSize(x),y&&"createProjectionLayer"in XRWebGLBinding.prototype){let xe=null,me=null,Me=null;v.depth&&(Me=v.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=v.stencil?as:ss,me=v.stencil?ir:Ai);let Xe={colorFormat:t.RGBA8,depthFormat:Me,scaleFactor:r};u=this.getBinding(),f=u.createProjectionLayer(Xe),s.updateRenderState({layers:[f]}),e.setPixelRatio(1),e.setSize(f.textureWidth,f.textureHeight,!1),b=new ti(f.textureWidth,f.textureHeight,{format:Ri,type:ri,depthTexture:new rs(f.textureWidth,f.textureHeight,me,void 0,void 0,void 0,void 0,void 0,void 0,xe),stencilBuffer:v.stencil,colorSpace:e.outputColorSpace,samples:v.antialias?4:0,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.ignoreDepthValues===!1})}else{let xe={antialias:v.antialias,alpha:!0,depth:v.depth,stencil:v.stencil,framebufferScaleFactor:r};d=new XRWebGLLayer(s,t,xe),s.updateRenderState({baseLayer:d}),e.setPixelRatio(1),e.setSize(d.framebufferWidth,d.framebufferHeight,!1),b=new ti(d.framebufferWidth,d.framebufferHeight,{format:Ri,type:ri,colorSpace:e.outputColorSpace,stencilBuffer:v.stencil,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(c),l=null,o=await s.requestReferenceSpace(a),ce.setContext(s),ce.start(),i.isPresenting=!0,i.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return p.getDepthTexture()};function ae(j){for(let ge=0;ge<j.removed.length;ge++){let xe=j.removed[ge],me=E.indexOf(xe);me>=0&&(E[me]=null,R[me].disconnect(xe))}for(let ge=0;ge<j.added.length;ge++){let xe=j.added[ge],me=E.indexOf(xe);if(me===-1){for(let Xe=0;Xe<R.length;Xe++)if(Xe>=E.length){E.push(xe),me=Xe;break}else if(E[Xe]===null){E[Xe]=xe,me=Xe;break}if(me===-1)break}let Me=R[me];Me&&Me.connect(xe)}}function Z(j,ge){ge===null?j.matrixWorld.copy(j.matrix):j.matrixWorld.multiplyMatrices(ge.matrixWorld,j.matrix),j.matrixWorldInverse.copy(j.matrixWorld).invert()}this.updateCamera=function(j){if(s===null)return;let ge=j.near,xe=j.far;p.texture!==null&&(p.depthNear>0&&(ge=p.depthNear),p.depthFar>0&&(xe=p.depthFar)),H.near=L.near=I.near=ge,H.far=L.far=I.far=xe,(N!==H.near||G!==H.far)&&(s.updateRenderState({depthNear:H.near,depthFar:H.far}),N=H.near,G=H.far),H.layers.mask=j.layers.mask|6,I.layers.mask=H.layers.mask&-5,L.layers.mask=H.layers.mask&-3;let me=j.parent,Me=H.cameras;Z(H,me);for(let Xe=0;Xe<Me.length;Xe++)Z(Me[Xe],me);H.projectionMatrix.copy(I.projectionMatrix),H.projectionMatrixInverse.copy(I.projectionMatrixInverse),k===null&&j.isPerspectiveCamera&&(k={camera:j,fov:j.fov,zoom:j.zoom}),J(j,H,me)};function J(j,ge,xe){xe===null?j.matrix.copy(ge.matrixWorld):(j.matrix.copy(xe.matrixWorld),j.matrix.invert(),j.matrix.multiply(ge.matrixWorld)),j.matrix.decompose(j.position,j.quaternion,j.scale),j.updateMatrixWorld(!0),j.projectionMatrix.copy(ge.projectionMatrix),j.projectionMatrixInverse.copy(ge.projectionMatrixInverse),j.isPerspectiveCamera&&(j.fov=qr*2*Math.atan(1/j.projectionMatrix.elements[5]),j.zoom=1)}this.getCamera=function(){return H},this.getFoveation=function(){if(!(f===null&&d===null))return c},this.setFoveation=function(j){c=j,f!==null&&(f.fixedFoveation=j),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=j)},this.hasDepthSensing=function(){return p.texture!==null},this.getDepthSensingMesh=function(){return p.getMesh(H)},this.getCameraTexture=function(j){return g[j]};let ne=null;function ue(j,ge){if(h=ge.getViewerPose(l||o),m=ge,h!==null){let xe=h.views;d!==null&&(e.setRenderTargetFramebuffer(b,d.framebuffer),e.setRenderTarget(b));let me=!1;xe.length!==H.cameras.length&&(H.cameras.length=0,me=!0);for(let de=0;de<xe.length;de++){let Le=xe[de],We=null;if(d!==null)We=d.getViewport(Le);else{let yt=u.getViewSubImage(f,Le);We=yt.viewport,de===0&&(e.setRenderTargetTextures(b,yt.colorTexture,yt.depthStencilTexture),e.setRenderTarget(b))}let Ye=z[de];Ye===void 0&&(Ye=new On,Ye.layers.enable(de),Ye.viewport=new $t,z[de]=Ye),Ye.matrix.fromArray(Le.transform.matrix),Ye.matrix.decompose(Ye.position,Ye.quaternion,Ye.scale),Ye.projectionMatrix.fromArray(Le.projectionMatrix),Ye.projectionMatrixInverse.copy(Ye.projectionMatrix).invert(),Ye.viewport.set(We.x,We.y,We.width,We.height),de===0&&(H.matrix.copy(Ye.matrix),H.matrix.decompose(H.position,H.quaternion,H.scale)),me===!0&&H.cameras.push(Ye)}let Me=s.enabledFeatures;if(Me&&Me.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=i.getBinding();let de=u.getDepthInformation(xe[0]);de&&de.isValid&&de.texture&&p.init(de,s.renderState)}if(Me&&Me.includes("camera-access")&&y){e.state.unbindTexture(),u=i.getBinding();for(let de=0;de<xe.length;de++){let Le=xe[de].camera;if(Le){let We=g[Le];We||(We=new qo,g[Le]=We);let Ye=u.getCameraImage(Le);We.sourceTexture=Ye}}}}for(let xe=0;xe<R.length;xe++){let me=E[xe],Me=R[xe];me!==null&&Me!==void 0&&Me.update(me,ge,l||o)}ne&&ne(j,ge),ge.detectedPlanes&&i.dispatchEvent({type:"planesdetected",data:ge}),m=null}let ce=new _g;ce.setAnimationLoop(ue),this.setAnimationLoop=function(j){ne=j},this.dispose=function(){}}},gw=new Zt,Tg=new rt;Tg.set(-1,0,0,0,1,0,0,0,1);function _w(n,e){function t(p,g){p.matrixAutoUpdate===!0&&p.updateMatrix(),g.value.copy(p.matrix)}function i(p,g){g.color.getRGB(p.fogColor.value,Zu(n)),g.isFog?(p.fogNear.value=g.near,p.fogFar.value=g.far):g.isFogExp2&&(p.fogDensity.value=g.density)}function s(p,g,v,T,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(p,g):g.isMeshLambertMaterial?(r(p,g),g.envMap&&(p.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(p,g),u(p,g)):g.isMeshPhongMaterial?(r(p,g),h(p,g),g.envMap&&(p.envMapIntensity.value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(p,g),f(p,g),g.isMeshPhysicalMaterial&&d(p,g,b)):g.isMeshMatcapMaterial?(r(p,g),m(p,g)):g.isMeshDepthMaterial?r(p,g):g.isMeshDistanceMaterial?(r(p,g),y(p,g)):g.isMeshNormalMaterial?r(p,g):g.isLineBasicMaterial?(o(p,g),g.isLineDashedMaterial&&a(p,g)):g.isPointsMaterial?c(p,g,v,T):g.isSpriteMaterial?l(p,g):g.isShadowMaterial?(p.color.value.copy(g.color),p.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(p,g){p.opacity.value=g.opacity,g.color&&p.diffuse.value.copy(g.color),g.emissive&&p.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(p.map.value=g.map,t(g.map,p.mapTransform)),g.alphaMap&&(p.alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),g.bumpMap&&(p.bumpMap.value=g.bumpMap,t(g.bumpMap,p.bumpMapTransform),p.bumpScale.value=g.bumpScale,g.side===kn&&(p.bumpScale.value*=-1)),g.normalMap&&(p.normalMap.value=g.normalMap,t(g.normalMap,p.normalMapTransform),p.normalScale.value.copy(g.normalScale),g.side===kn&&p.normalScale.value.negate()),g.displacementMap&&(p.displacementMap.value=g.displacementMap,t(g.displacementMap,p.displacementMapTransform),p.displacementScale.value=g.displacementScale,p.displacementBias.value=g.displacementBias),g.emissiveMap&&(p.emissiveMap.value=g.emissiveMap,t(g.emissiveMap,p.emissiveMapTransform)),g.specularMap&&(p.specularMap.value=g.specularMap,t(g.specularMap,p.specularMapTransform)),g.alphaTest>0&&(p.alphaTest.value=g.alphaTest);let v=e.get(g),T=v.envMap,b=v.envMapRotation;T&&(p.envMap.value=T,p.envMapRotation.value.setFromMatrix4(gw.makeRotationFromEuler(b)).transpose(),T.isCubeTexture&&T.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Tg),p.reflectivity.value=g.reflectivity,p.ior.value=g.ior,p.refractionRatio.value=g.refractionRatio),g.lightMap&&(p.lightMap.value=g.lightMap,p.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,p.lightMapTransform)),g.aoMap&&(p.aoMap.value=g.aoMap,p.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,p.aoMapTransform))}function o(p,g){p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,g.map&&(p.map.value=g.map,t(g.map,p.mapTransform))}function a(p,g){p.dashSize.value=g.dashSize,p.totalSize.value=g.dashSize+g.gapSize,p.scale.value=g.scale}function c(p,g,v,T){p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,p.size.value=g.size*v,p.scale.value=T*.5,g.map&&(p.map.value=g.map,t(g.map,p.uvTransform)),g.alphaMap&&(p.alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),g.alphaTest>0&&(p.alphaTest.value=g.alphaTest)}function l(p,g){p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,p.rotation.value=g.rotation,g.map&&(p.map.value=g.map,t(g.map,p.mapTransform)),g.alphaMap&&(p.alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),g.alphaTest>0&&(p.alphaTest.value=g.alphaTest)}function h(p,g){p.specular.value.copy(g.specular),p.shininess.value=Math.max(g.shininess,1e-4)}function u(p,g){g.gradientMap&&(p.gradientMap.value=g.gradientMap)}function f(p,g){p.metalness.value=g.metalness,g.metalnessMap&&(p.metalnessMap.value=g.metalnessMap,t(g.metalnessMap,p.metalnessMapTransform)),p.roughness.value=g.roughness,g.roughnessMap&&(p.roughnessMap.value=g.roughnessMap,t(g.roughnessMap,p.roughnessMapTransform)),g.envMap&&(p.envMapIntensity.value=g.envMapIntensity)}function d(p,g,v){p.ior.value=g.ior,g.diffuseRoughness>0&&(p.diffuseRoughness.value=g.diffuseRoughness,g.diffuseRoughnessMap&&(p.diffuseRoughnessMap.value=g.diffuseRoughnessMap,t(g.diffuseRoughnessMap,p.diffuseRoughnessMapTransform))),g.sheen>0&&(p.sheenColor.value.copy(g.sheenColor).multiplyScalar(g.sheen),p.sheenRoughness.value=g.sheenRoughness,g.sheenColorMap&&(p.sheenColorMap.value=g.sheenColorMap,t(g.sheenColorMap,p.sheenColorMapTransform)),g.sheenRoughnessMap&&(p.sheenRoughnessMap.value=g.sheenRoughnessMap,t(g.sheenRoughnessMap,p.sheenRoughnessMapTransform))),g.clearcoat>0&&(p.clearcoat.value=g.clearcoat,p.clearcoatRoughness.value=g.clearcoatRoughness,g.clearcoatMap&&(p.clearcoatMap.value=g.clearcoatMap,t(g.clearcoatMap,p.clearcoatMapTransform)),g.clearcoatRoughnessMap&&(p.clearcoatRoughnessMap.value=g.clearcoatRoughnessMap,t(g.clearcoatRoughnessMap,p.clearcoatRoughnessMapTransform)),g.clearcoatNormalMap&&(p.clearcoatNormalMap.value=g.clearcoatNormalMap,t(g.clearcoatNormalMap,p.clearcoatNormalMapTransform),p.clearcoatNormalScale.value.copy(g.clearcoatNormalScale),g.side===kn&&p.clearcoatNormalScale.value.negate())),g.dispersion>0&&(p.dispersion.value=g.dispersion),g.retroreflectivity>0&&(p.retroreflectivity.value=g.retroreflectivity),g.iridescence>0&&(p.iridescence.value=g.iridescence,p.iridescenceIOR.value=g.iridescenceIOR,p.iridescenceThicknessMinimum.value=g.iridescenceThicknessMinimum,p.iridescenceThicknessMaximum.value=g.iridescenceThicknessMaximum,g.iridescenceMap&&(p.iridescenceMap.value=g.iridescenceMap,t(g.iridescenceMap,p.iridescenceMapTransform)),g.iridescenceThicknessMap&&(p.iridescenceThicknessMap.value=g.iridescenceThicknessMap,t(g.iridescenceThicknessMap,p.iridescenceThicknessMapTransform))),g.transmission>0&&(p.transmission.value=g.transmission,p.transmissionSamplerMap.value=v.texture,p.transmissionSamplerSize.value.set(v.width,v.height),g.transmissionMap&&(p.transmissionMap.value=g.transmissionMap,t(g.transmissionMap,p.transmissionMapTransform)),p.thickness.value=g.thickness,g.thicknessMap&&(p.thicknessMap.value=g.thicknessMap,t(g.thicknessMap,p.thicknessMapTransform)),p.attenuationDistance.value=g.attenuationDistance,p.attenuationColor.value.copy(g.attenuationColor)),g.anisotropy>0&&(p.anisotropyVector.value.set(g.anisotropy*Math.cos(g.anisotropyRotation),g.anisotropy*Math.sin(g.anisotropyRotation)),g.anisotropyMap&&(p.anisotropyMap.value=g.anisotropyMap,t(g.anisotropyMap,p.anisotropyMapTransform))),p.specularIntensity.value=g.specularIntensity,p.specularColor.value.copy(g.specularColor),g.specularColorMap&&(p.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,p.specularColorMapTransform)),g.specularIntensityMap&&(p.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,p.specularIntensityMapTransform))}function m(p,g){g.matcap&&(p.matcap.value=g.matcap)}function y(p,g){let v=e.get(g).light;p.referencePosition.value.setFromMatrixPosition(v.matrixWorld),p.nearDistance.value=v.shadow.camera.near,p.farDistance.value=v.shadow.camera.far}return{refreshFogUniforms:i,refreshMaterialUniforms:s}}function xw(n,e,t,i){let s={},r={};function o(v,T){let b=T.program;i.uniformBlockBinding(v,b,s[v.id])}function a(v,T){let b=s[v.id];b===void 0&&(m(v),b=c(v),s[v.id]=b,v.addEventListener("dispose",p));let R=T.program;i.updateUBOMapping(v,R);let E=e.render.frame;r[v.id]!==E&&(l(v),r[v.id]=E)}function c(v){let T=n.createBuffer(),b=v.__size,R=v.usage;return n.bindBuffer(n.UNIFORM_BUFFER,T),n.bufferData(n.UNIFORM_BUFFER,b,R),n.bindBuffer(n.UNIFORM_BUFFER,null),T}function l(v){let T=s[v.id],b=v.uniforms,R=v.__cache;n.bindBuffer(n.UNIFORM_BUFFER,T);for(let E=0,x=b.length;E<x;E++){let A=b[E];if(Array.isArray(A))for(let k=0,I=A.length;k<I;k++)h(A[k],E,k,R);else h(A,E,0,R)}n.bindBuffer(n.UNIFORM_BUFFER,null)}function h(v,T,b,R){if(f(v,T,b,R)===!0){let E=v.__offset,x=v.value;if(Array.isArray(x)){let A=0;for(let k=0;k<x.length;k++){let I=x[k],L=y(I,!0);u(I,v.__data,A),A+=L.storage/Float32Array.BYTES_PER_ELEMENT}}else u(x,v.__data,0);n.bufferSubData(n.UNIFORM_BUFFER,E,v.__data)}}function u(v,T,b){typeof v=="number"||typeof v=="boolean"?T[b]=v:v.isMatrix3?(T[b]=v.elements[0],T[b+1]=v.elements[1],T[b+2]=v.elements[2],T[b+3]=0,T[b+4]=v.elements[3],T[b+5]=v.elements[4],T[b+6]=v.elements[5],T[b+7]=0,T[b+8]=v.elements[6],T[b+9]=v.elements[7],T[b+10]=v.elements[8],T[b+11]=0):ArrayBuffer.isView(v)?T.set(v.subarray(0,T.length-b),b):v.toArray(T,b)}function f(v,T,b,R){let E=v.value,x=T+"_"+b;if(Array.isArray(E)){R[x]===void 0&&(R[x]=[]);let A=R[x],k=!1;for(let I=0;I<E.length;I++)d(E[I],A,I)===!0&&(k=!0);return k}return d(E,R,x)}function d(v,T,b){if(T[b]===void 0)return typeof v=="number"||typeof v=="boolean"?T[b]=v:ArrayBuffer.isView(v)?T[b]=v.slice():T[b]=v.clone(),!0;{let R=T[b];if(typeof v=="number"||typeof v=="boolean"){if(R!==v)return T[b]=v,!0}else{if(ArrayBuffer.isView(v))return!0;if(R.equals(v)===!1)return R.copy(v),!0}}return!1}function m(v){let T=v.uniforms,b=0,R=16;for(let x=0,A=T.length;x<A;x++){let k=Array.isArray(T[x])?T[x]:[T[x]];for(let I=0,L=k.length;I<L;I++){let z=k[I],H=Array.isArray(z.value)?z.value:[z.value],N=Array.isArray(T[x])||Array.isArray(z.value),G=b;for(let B=0,ae=H.length;B<ae;B++){let Z=H[B],J=y(Z,N),ne=b%R,ue=ne%J.boundary,ce=ne+ue;b+=ue,ce!==0&&R-ce<J.storage&&(b+=R-ce),B===0&&(G=b),b+=J.storage}let Y=z.type==="int"?Int32Array:z.type==="uint"?Uint32Array:Float32Array;z.__data=new Y((b-G)/Float32Array.BYTES_PER_ELEMENT),z.__offset=G}}let E=b%R;return E>0&&(b+=R-E),v.__size=b,v.__cache={},this}function y(v,T){let b={boundary:0,storage:0};return typeof v=="number"||typeof v=="boolean"?(b.boundary=4,b.storage=4):v.isVector2?(b.boundary=8,b.storage=8):v.isVector3||v.isColor?(b.boundary=16,b.storage=12):v.isVector4?(b.boundary=16,b.storage=16):v.isMatrix3?(b.boundary=16,b.storage=48):v.isMatrix4?(b.boundary=16,b.storage=64):v.isTexture?Ke("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(v)?(b.boundary=16,b.storage=v.byteLength):Ke("WebGLRenderer: Unsupported uniform value type.",v),T===!0&&(b.boundary=16,b.storage=Math.ceil(b.storage/16)*16),b}function p(v){let T=v.target;T.removeEventListener("dispose",p),n.deleteBuffer(s[T.id]),delete s[T.id],delete r[T.id]}function g(){for(let v in s)n.deleteBuffer(s[v]);s={},r={}}return{bind:o,update:a,dispose:g}}var yw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Gi=null;function vw(){return Gi===null&&(Gi=new $r(yw,16,16,Ns,Ci),Gi.name="DFG_LUT",Gi.minFilter=En,Gi.magFilter=En,Gi.wrapS=zi,Gi.wrapT=zi,Gi.generateMipmaps=!1,Gi.needsUpdate=!0),Gi}var Nc=class{constructor(e={}){let{canvas:t=zm(),context:i=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:c=!0,preserveDrawingBuffer:l=!1,powerPreference:h="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:f=!1,outputBufferType:d=ri}=e;this.isWebGLRenderer=!0;let m;if(i!==null){if(typeof WebGLRenderingContext<"u"&&i instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");m=i.getContextAttributes().alpha}else m=o;let y=d,p=new Set([ec,Ql,jl]),g=new Set([ri,Ai,to,ir,Kl,Jl]),v=new Uint32Array(4),T=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},R=null,E=null,x=[],A=[],k=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let I=this,L=!1,z=null,H=null,N=null,G=null;this._outputColorSpace=jn;let Y=0,B=0,ae=null,Z=-1,J=null,ne=new $t,ue=new $t,ce=null,j=new ct(0),ge=0,xe=t.width,me=t.height,Me=1,Xe=null,fe=null,de=new $t(0,0,xe,me),Le=new $t(0,0,xe,me),We=!1,Ye=new Qs,yt=new Al,ut=!1,Xt=!1,pt=new Zt,sn=new W,et=new $t,Mt={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},Nt=!1;function Kt(){return ae===null?Me:1}let U=i;function Pe(w,O){return t.getContext(w,O)}let Je,at,Ee,Ft,He,$e,C,S,X,he,re,ve,Se,ee,ie,_e,F,se,te,Ae,ye,we,qe;try{let w={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:c,preserveDrawingBuffer:l,powerPreference:h,failIfMajorPerformanceCaveat:u};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",ze,!1),t.addEventListener("webglcontextrestored",nt,!1),t.addEventListener("webglcontextcreationerror",Re,!1),U===null){let O="webgl2";if(U=Pe(O,w),U===null)throw Pe(O)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}tt()}catch(w){throw t.removeEventListener("webglcontextlost",ze,!1),t.removeEventListener("webglcontextrestored",nt,!1),t.removeEventListener("webglcontextcreationerror",Re,!1),st("WebGLRenderer: "+w.message),w}function tt(){Je=new Ib(U),Je.init(),ye=new dw(U,Je),at=new vb(U,Je,e,ye),Ee=new uw(U,Je),at.reversedDepthBuffer&&f&&Ee.buffers.depth.setReversed(!0),H=U.createFramebuffer(),N=U.createFramebuffer(),G=U.createFramebuffer(),Ft=new Nb(U),He=new JM,$e=new fw(U,Je,Ee,He,at,ye,Ft),C=new Pb(I),S=new Fy(U),we=new xb(U,S),X=new Lb(U,S,Ft,we),he=new Fb(U,X,S,we,Ft),se=new Ub(U,at,$e),ie=new Sb(He),re=new KM(I,C,Je,at,we,ie),ve=new _w(I,He),Se=new QM,ee=new rw(Je),F=new _b(I,C,Ee,he,m,c),_e=new hw(I,he,at),qe=new xw(U,Ft,at,Ee),te=new yb(U,Je,Ft),Ae=new Db(U,Je,Ft),Ft.programs=re.programs,I.capabilities=at,I.extensions=Je,I.properties=He,I.renderLists=Se,I.shadowMap=_e,I.state=Ee,I.info=Ft}y!==ri&&(k=new Bb(y,t.width,t.height,a,s,r));let le=new lf(I,U);this.xr=le,this.getContext=function(){return U},this.getContextAttributes=function(){return U.getContextAttributes()},this.forceContextLoss=function(){let w=Je.get("WEBGL_lose_context");w&&w.loseContext()},this.forceContextRestore=function(){let w=Je.get("WEBGL_lose_context");w&&w.restoreContext()},this.getPixelRatio=function(){return Me},this.setPixelRatio=function(w){w!==void 0&&(Me=w,this.setSize(xe,me,!1))},this.getSize=function(w){return w.set(xe,me)},this.setSize=function(w,O,Q=!0){if(le.isPresenting){Ke("WebGLRenderer: Can't change size while VR device is presenting.");return}xe=w,me=O,t.width=Math.floor(w*Me),t.height=Math.floor(O*Me),Q===!0&&(t.style.width=w+"px",t.style.height=O+"px"),k!==null&&k.setSize(t.width,t.height),this.setViewport(0,0,w,O)},this.getDrawingBufferSize=function(w){return w.set(xe*Me,me*Me).floor()},this.setDrawingBufferSize=function(w,O,Q){xe=w,me=O,Me=Q,t.width=Math.floor(w*Q),t.height=Math.floor(O*Q),this.setViewport(0,0,w,O)},this.setEffects=function(w){if(y===ri){st("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(w){for(let O=0;O<w.length;O++)if(w[O].isOutputPass===!0){Ke("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}k.setEffects(w||[])},this.getCurrentViewport=function(w){return w.copy(ne)},this.getViewport=function(w){return w.copy(de)},this.setViewport=function(w,O,Q,q){w.isVector4?de.set(w.x,w.y,w.z,w.w):de.set(w,O,Q,q),Ee.viewport(ne.copy(de).multiplyScalar(Kt()).round())},this.getScissor=function(w){return w.copy(Le)},this.setScissor=function(w,O,Q,q){w.isVector4?Le.set(w.x,w.y,w.z,w.w):Le.set(w,O,Q,q),Ee.scissor(ue.copy(Le).multiplyScalar(Kt()).round())},this.getScissorTest=function(){return We},this.setScissorTest=function(w){Ee.setScissorTest(We=w)},this.setOpaqueSort=function(w){Xe=w},this.setTransparentSort=function(w){fe=w},this.getClearColor=function(w){return w.copy(F.getClearColor())},this.setClearColor=function(){F.setClearColor(...arguments)},this.getClearAlpha=function(){return F.getClearAlpha()},this.setClearAlpha=function(){F.setClearAlpha(...arguments)},this.clear=function(w=!0,O=!0,Q=!0){let q=0;if(w){let $=!1;if(ae!==null){let Te=ae.texture.format;$=p.has(Te)}if($){let Te=ae.texture.type,Ie=g.has(Te),Ce=F.getClearColor(),De=F.getClearAlpha(),Ge=Ce.r,it=Ce.g,mt=Ce.b;Ie?(v[0]=Ge,v[1]=it,v[2]=mt,v[3]=De,U.clearBufferuiv(U.COLOR,0,v)):(T[0]=Ge,T[1]=it,T[2]=mt,T[3]=De,U.clearBufferiv(U.COLOR,0,T))}else q|=U.COLOR_BUFFER_BIT}O&&(q|=U.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),Q&&(q|=U.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),q!==0&&U.clear(q)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(w){w.setRenderer(this),z=w},this.dispose=function(){t.removeEventListener("webglcontextlost",ze,!1),t.removeEventListener("webglcontextrestored",nt,!1),t.removeEventListener("webglcontextcreationerror",Re,!1),F.dispose(),Se.dispose(),ee.dispose(),$e.dispose(),He.dispose(),C.dispose(),he.dispose(),X.dispose(),we.dispose(),qe.dispose(),re.dispose(),le.dispose(),le.removeEventListener("sessionstart",pa),le.removeEventListener("sessionend",Pi),Wi.stop()};function ze(w){w.preventDefault(),Hu("WebGLRenderer: Context Lost."),L=!0}function nt(){Hu("WebGLRenderer: Context Restored."),L=!1;let w=Ft.autoReset,O=_e.enabled,Q=_e.autoUpdate,q=_e.needsUpdate,$=_e.type;tt(),Ft.autoReset=w,_e.enabled=O,_e.autoUpdate=Q,_e.needsUpdate=q,_e.type=$}function Re(w){st("WebGLRenderer: A WebGL context could not be created. Reason: ",w.statusMessage)}function ht(w){let O=w.target;O.removeEventListener("dispose",ht),kt(O)}function kt(w){In(w),He.remove(w)}function In(w){let O=He.get(w).programs;O!==void 0&&(O.forEach(function(Q){re.releaseProgram(Q)}),w.isShaderMaterial&&re.releaseShaderCache(w))}this.renderBufferDirect=function(w,O,Q,q,$,Te){O===null&&(O=Mt);let Ie=$.isMesh&&$.matrixWorld.determinantAffine()<0,Ce=co(w,O,Q,q,$);Ee.setMaterial(q,Ie);let De=Q.index,Ge=1;if(q.wireframe===!0){if(De=X.getWireframeAttribute(Q),De===void 0)return;Ge=2}let it=Q.drawRange,mt=Q.attributes.position,Ve=it.start*Ge,gt=(it.start+it.count)*Ge;Te!==null&&(Ve=Math.max(Ve,Te.start*Ge),gt=Math.min(gt,(Te.start+Te.count)*Ge)),De!==null?(Ve=Math.max(Ve,0),gt=Math.min(gt,De.count)):mt!=null&&(Ve=Math.max(Ve,0),gt=Math.min(gt,mt.count));let Yt=gt-Ve;if(Yt<0||Yt===1/0)return;we.setup($,q,Ce,Q,De);let It,Lt=te;if(De!==null&&(It=S.get(De),Lt=Ae,Lt.setIndex(It)),$.isMesh)q.wireframe===!0?(Ee.setLineWidth(q.wireframeLinewidth*Kt()),Lt.setMode(U.LINES)):Lt.setMode(U.TRIANGLES);else if($.isLine){let un=q.linewidth;un===void 0&&(un=1),Ee.setLineWidth(un*Kt()),$.isLineSegments?Lt.setMode(U.LINES):$.isLineLoop?Lt.setMode(U.LINE_LOOP):Lt.setMode(U.LINE_STRIP)}else $.isPoints?Lt.setMode(U.POINTS):$.isSprite&&Lt.setMode(U.TRIANGLES);if($.isBatchedMesh)if(Je.get("WEBGL_multi_draw"))Lt.renderMultiDraw($._multiDrawStarts,$._multiDrawCounts,$._multiDrawCount);else{let un=$._multiDrawStarts,Be=$._multiDrawCounts,rn=$._multiDrawCount,vt=De?S.get(De).bytesPerElement:1,qi=He.get(q).currentProgram.getUniforms();for(let on=0;on<rn;on++)qi.setValue(U,"_gl_DrawID",on),Lt.render(un[on]/vt,Be[on])}else if($.isInstancedMesh)Lt.renderInstances(Ve,Yt,$.count);else if(Q.isInstancedBufferGeometry){let un=Q._maxInstanceCount!==void 0?Q._maxInstanceCount:1/0,Be=Math.min(Q.instanceCount,un);Lt.renderInstances(Ve,Yt,Be)}else Lt.render(Ve,Yt)};function oo(w,O,Q,q){z!==null&&w.isNodeMaterial&&z.setObject(q,w),ut===!0&&ie.setState(w,Q,!1),w.transparent===!0&&w.side===pi&&w.forceSinglePass===!1?(w.side=kn,w.needsUpdate=!0,Ii(w,O,q),w.side=Ds,w.needsUpdate=!0,Ii(w,O,q),w.side=pi):Ii(w,O,q)}this.compile=function(w,O,Q=null){Q===null&&(Q=w),z!==null&&z.renderStart(w,O,Q),E=ee.get(Q),E.init(O),A.push(E),Q.traverseVisible(function($){$.isLight&&$.layers.test(O.layers)&&(E.pushLight($),$.castShadow&&E.pushShadow($))}),w!==Q&&w.traverseVisible(function($){$.isLight&&$.layers.test(O.layers)&&(E.pushLight($),$.castShadow&&E.pushShadow($))}),E.setupLights(),z!==null&&z.updateLights(E.state.lightsArray),Xt=this.localClippingEnabled,ut=ie.init(this.clippingPlanes,Xt),ut===!0&&ie.setGlobalState(this.clippingPlanes,O),z!==null&&_e.render(E.state.shadowsArray,Q,O);let q=new Set;return w.traverse(function($){if(!($.isMesh||$.isPoints||$.isLine||$.isSprite))return;let Te=$.material;if(Te)if(Array.isArray(Te))for(let Ie=0;Ie<Te.length;Ie++){let Ce=Te[Ie];oo(Ce,Q,O,$),q.add(Ce)}else oo(Te,Q,O,$),q.add(Te)}),E=A.pop(),z!==null&&z.renderEnd(),q},this.compileAsync=function(w,O,Q=null){let q=this.compile(w,O,Q);return new Promise($=>{function Te(){if(q.forEach(function(Ie){let De=He.get(Ie).currentProgram;(De===void 0||De.isReady())&&q.delete(Ie)}),q.size===0){$(w);return}setTimeout(Te,10)}Je.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let rr=null;function $c(w){rr&&rr(w)}function pa(){Wi.stop()}function Pi(){Wi.start()}let Wi=new _g;Wi.setAnimationLoop($c),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(w){rr=w,le.setAnimationLoop(w),w===null?Wi.stop():Wi.start()},le.addEventListener("sessionstart",pa),le.addEventListener("sessionend",Pi),this.render=function(w,O){if(O!==void 0&&O.isCamera!==!0){st("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(L===!0)return;z!==null&&z.renderStart(w,O);let Q=le.enabled===!0&&le.isPresenting===!0,q=k!==null&&(ae===null||Q)&&k.begin(I,ae);if(w.matrixWorldAutoUpdate===!0&&w.updateMatrixWorld(),O.parent===null&&O.matrixWorldAutoUpdate===!0&&O.updateMatrixWorld(),le.enabled===!0&&le.isPresenting===!0&&(k===null||k.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(O),O=le.getCamera()),w.isScene===!0&&w.onBeforeRender(I,w,O,ae),E=ee.get(w,A.length),E.init(O),E.state.textureUnits=$e.getTextureUnits(),A.push(E),pt.multiplyMatrices(O.projectionMatrix,O.matrixWorldInverse),O.isArrayCamera?yt.setFromArrayCamera(O):Ye.setFromProjectionMatrix(pt,fi,O.reversedDepth),Xt=this.localClippingEnabled,ut=ie.init(this.clippingPlanes,Xt),R=Se.get(w,x.length),R.init(),x.push(R),this.info.render.frame++,le.enabled===!0&&le.isPresenting===!0){let Ie=I.xr.getDepthSensingMesh();Ie!==null&&Xi(Ie,O,-1/0,I.sortObjects)}Xi(w,O,0,I.sortObjects),R.finish(),z!==null&&z.updateLights(E.state.lightsArray),I.sortObjects===!0&&R.sort(Xe,fe),Nt=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,Nt&&F.addToRenderList(R,w),this.info.autoReset===!0&&this.info.reset(),ut===!0&&ie.beginShadows();let $=E.state.shadowsArray;if(_e.render($,w,O),ut===!0&&ie.endShadows(),(q&&k.hasRenderPass())===!1){let Ie=R.opaque,Ce=R.transmissive;if(E.setupLights(),O.isArrayCamera){let De=O.cameras;if(Ce.length>0)for(let Ge=0,it=De.length;Ge<it;Ge++){let mt=De[Ge];mi(Ie,Ce,w,mt)}Nt&&F.render(w);for(let Ge=0,it=De.length;Ge<it;Ge++){let mt=De[Ge];ao(R,w,mt,mt.viewport)}}else Ce.length>0&&mi(Ie,Ce,w,O),Nt&&F.render(w),ao(R,w,O)}ae!==null&&B===0&&($e.updateMultisampleRenderTarget(ae),$e.updateRenderTargetMipmap(ae)),q&&k.end(I),w.isScene===!0&&w.onAfterRender(I,w,O),we.resetDefaultState(),Z=-1,J=null,A.pop(),A.length>0?(E=A[A.length-1],$e.setTextureUnits(E.state.textureUnits),ut===!0&&ie.setGlobalState(I.clippingPlanes,E.state.camera)):E=null,x.pop(),x.length>0?R=x[x.length-1]:R=null,z!==null&&z.renderEnd()};function Xi(w,O,Q,q){if(w.visible===!1)return;if(w.layers.test(O.layers)){if(w.isGroup)Q=w.renderOrder;else if(w.isLOD)w.autoUpdate===!0&&w.update(O);else if(w.isLight)E.pushLight(w),w.castShadow&&E.pushShadow(w);else if(w.isSprite){let Ie=O.isArrayCamera?yt:Ye;if(!w.frustumCulled||w.intersectsFrustum(Ie)){q&&et.setFromMatrixPosition(w.matrixWorld).applyMatrix4(pt);let Ce=he.update(w),De=w.material;De.visible&&R.push(w,Ce,De,Q,et.z,null,O)}}else if(w.isMesh||w.isLine||w.isPoints){let Ie=O.isArrayCamera?yt:Ye;if(!w.frustumCulled||w.intersectsFrustum(Ie)){let Ce=he.update(w),De=w.material;if(q&&(w.boundingSphere!==void 0?(w.boundingSphere===null&&w.computeBoundingSphere(),et.copy(w.boundingSphere.center)):(Ce.boundingSphere===null&&Ce.computeBoundingSphere(),et.copy(Ce.boundingSphere.center)),et.applyMatrix4(w.matrixWorld).applyMatrix4(pt)),Array.isArray(De)){let Ge=Ce.groups;for(let it=0,mt=Ge.length;it<mt;it++){let Ve=Ge[it],gt=De[Ve.materialIndex];gt&&gt.visible&&R.push(w,Ce,gt,Q,et.z,Ve,O)}}else De.visible&&R.push(w,Ce,De,Q,et.z,null,O)}}}let Te=w.children;for(let Ie=0,Ce=Te.length;Ie<Ce;Ie++)Xi(Te[Ie],O,Q,q)}function ao(w,O,Q,q){let{opaque:$,transmissive:Te,transparent:Ie}=w;E.setupLightsView(Q),ut===!0&&ie.setGlobalState(I.clippingPlanes,Q),q&&Ee.viewport(ne.copy(q)),$.length>0&&Jt($,O,Q),Te.length>0&&Jt(Te,O,Q),Ie.length>0&&Jt(Ie,O,Q),Ee.buffers.depth.setTest(!0),Ee.buffers.depth.setMask(!0),Ee.buffers.color.setMask(!0),Ee.setPolygonOffset(!1)}function mi(w,O,Q,q){if((Q.isScene===!0?Q.overrideMaterial:null)!==null)return;if(E.state.transmissionRenderTarget[q.id]===void 0){let Ve=Je.has("EXT_color_buffer_half_float")||Je.has("EXT_color_buffer_float");E.state.transmissionRenderTarget[q.id]=new ti(1,1,{generateMipmaps:!0,type:Ve?Ci:ri,minFilter:os,samples:Math.max(4,at.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:bt.workingColorSpace})}let Te=E.state.transmissionRenderTarget[q.id],Ie=q.viewport||ne;Te.setSize(Ie.z*I.transmissionResolutionScale,Ie.w*I.transmissionResolutionScale);let Ce=I.getRenderTarget(),De=I.getActiveCubeFace(),Ge=I.getActiveMipmapLevel();I.setRenderTarget(Te),I.getClearColor(j),ge=I.getClearAlpha(),ge<1&&I.setClearColor(16777215,.5),I.clear(),Nt&&F.render(Q);let it=I.toneMapping;I.toneMapping=Vi;let mt=q.viewport;if(q.viewport!==void 0&&(q.viewport=void 0),E.setupLightsView(q),ut===!0&&ie.setGlobalState(I.clippingPlanes,q),Jt(w,Q,q),$e.updateMultisampleRenderTarget(Te),$e.updateRenderTargetMipmap(Te),Je.has("WEBGL_multisampled_render_to_texture")===!1){let Ve=!1;for(let gt=0,Yt=O.length;gt<Yt;gt++){let It=O[gt],{object:Lt,geometry:un,material:Be,group:rn}=It;if(Be.side===pi&&Lt.layers.test(q.layers)){let vt=Be.side;Be.side=kn,Be.needsUpdate=!0,tn(Lt,Q,q,un,Be,rn),Be.side=vt,Be.needsUpdate=!0,Ve=!0}}Ve===!0&&($e.updateMultisampleRenderTarget(Te),$e.updateRenderTargetMipmap(Te))}I.setRenderTarget(Ce,De,Ge),I.setClearColor(j,ge),mt!==void 0&&(q.viewport=mt),I.toneMapping=it}function Jt(w,O,Q){let q=O.isScene===!0?O.overrideMaterial:null;for(let $=0,Te=w.length;$<Te;$++){let Ie=w[$],{object:Ce,geometry:De,group:Ge}=Ie,it=Ie.material;it.allowOverride===!0&&q!==null&&(it=q),Ce.layers.test(Q.layers)&&tn(Ce,O,Q,De,it,Ge)}}function tn(w,O,Q,q,$,Te){z!==null&&$.isNodeMaterial&&z.setObject(w,$),w.onBeforeRender(I,O,Q,q,$,Te),w.modelViewMatrix.multiplyMatrices(Q.matrixWorldInverse,w.matrixWorld),w.normalMatrix.getNormalMatrix(w.modelViewMatrix),$.onBeforeRender(I,O,Q,q,w,Te),$.transparent===!0&&$.side===pi&&$.forceSinglePass===!1?($.side=kn,$.needsUpdate=!0,I.renderBufferDirect(Q,O,q,$,w,Te),$.side=Ds,$.needsUpdate=!0,I.renderBufferDirect(Q,O,q,$,w,Te),$.side=pi):I.renderBufferDirect(Q,O,q,$,w,Te),w.onAfterRender(I,O,Q,q,$,Te)}function nn(w){let O=0;for(let Q of w)Q.texture!==null&&O++;return O}function Ii(w,O,Q){O.isScene!==!0&&(O=Mt);let q=He.get(w),$=E.state.lights,Te=E.state.shadowsArray,Ie=$.state.version,Ce=re.getParameters(w,$.state,Te,O,Q,E.state.lightProbeGridArray),De=re.getProgramCacheKey(Ce),Ge=q.programs;q.environment=w.isMeshStandardMaterial||w.isMeshLambertMaterial||w.isMeshPhongMaterial?O.environment:null,q.fog=O.fog;let it=w.isMeshStandardMaterial||w.isMeshLambertMaterial&&!w.envMap||w.isMeshPhongMaterial&&!w.envMap;q.envMap=C.get(w.envMap||q.environment,it),q.envMapRotation=q.environment!==null&&w.envMap===null?O.environmentRotation:w.envMapRotation,Ge===void 0&&(w.addEventListener("dispose",ht),Ge=new Map,q.programs=Ge,q.programVariants=new Map);let mt=Ge.get(De);if(mt!==void 0){if(q.currentProgram===mt&&q.lightsStateVersion===Ie)return lo(w,Ce),mt}else Ce.uniforms=re.getUniforms(w),z!==null&&w.isNodeMaterial&&z.build(w,Q,Ce),w.onBeforeCompile(Ce,I),mt=re.acquireProgram(Ce,De),Ge.set(De,mt),q.uniforms=Ce.uniforms;let Ve=q.uniforms;return(!w.isShaderMaterial&&!w.isRawShaderMaterial||w.clipping===!0)&&(Ve.clippingPlanes=ie.uniform),lo(w,Ce),q.needsLights=us(w),q.lightsStateVersion=Ie,q.needsLights&&(Ve.ambientLightColor.value=$.state.ambient,Ve.lightProbe.value=$.state.probe,Ve.sunLights.value=$.state.sun,Ve.sunLightShadows.value=$.state.sunShadow,Ve.directionalLights.value=$.state.directional,Ve.directionalLightShadows.value=$.state.directionalShadow,Ve.spotLights.value=$.state.spot,Ve.spotLightShadows.value=$.state.spotShadow,Ve.rectAreaLights.value=$.state.rectArea,Ve.ltc_1.value=$.state.rectAreaLTC1,Ve.ltc_2.value=$.state.rectAreaLTC2,Ve.pointLights.value=$.state.point,Ve.pointLightShadows.value=$.state.pointShadow,Ve.hemisphereLights.value=$.state.hemi,Ve.sunShadowMatrix.value=$.state.sunShadowMatrix,Ve.sunShadowCascade.value=$.state.sunShadowCascade,Ve.directionalShadowMatrix.value=$.state.directionalShadowMatrix,Ve.spotLightMatrix.value=$.state.spotLightMatrix,Ve.spotLightMap.value=$.state.spotLightMap,Ve.pointShadowMatrix.value=$.state.pointShadowMatrix),q.numLightProbeGrids=nn(E.state.lightProbeGridArray),q.currentProgram=mt,q.uniformsList=null,mt}function Hn(w,O,Q,q,$){let Te=He.get(w),Ie=Te.currentProgram.id+","+q+","+$,Ce=Te.programVariants.get(Ie);return Ce===void 0?(Ce=Ii(w,O,Q),Te.programVariants.set(Ie,Ce)):(Te.currentProgram=Ce,Te.uniformsList=null,Te.outputColorSpace=q,Te.toneMapping=$),Ce}function hs(w){if(w.uniformsList===null){let O=w.currentProgram.getUniforms();w.uniformsList=io.seqWithValue(O.seq,w.uniforms)}return w.uniformsList}function lo(w,O){let Q=He.get(w);Q.outputColorSpace=O.outputColorSpace,Q.batching=O.batching,Q.batchingColor=O.batchingColor,Q.instancing=O.instancing,Q.instancingColor=O.instancingColor,Q.instancingMorph=O.instancingMorph,Q.skinning=O.skinning,Q.morphTargets=O.morphTargets,Q.morphNormals=O.morphNormals,Q.morphColors=O.morphColors,Q.morphTargetsCount=O.morphTargetsCount,Q.numClippingPlanes=O.numClippingPlanes,Q.numIntersection=O.numClipIntersection,Q.vertexAlphas=O.vertexAlphas,Q.vertexTangents=O.vertexTangents,Q.toneMapping=O.toneMapping}function co(w,O,Q,q,$){O.isScene!==!0&&(O=Mt),$e.resetTextureUnits();let Te=O.fog,Ie=q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial?O.environment:null,Ce=ae===null?I.outputColorSpace:ae.isXRRenderTarget===!0?ae.texture.colorSpace:bt.workingColorSpace,De=q.isMeshStandardMaterial||q.isMeshLambertMaterial&&!q.envMap||q.isMeshPhongMaterial&&!q.envMap,Ge=C.get(q.envMap||Ie,De),it=q.vertexColors===!0&&!!Q.attributes.color&&Q.attributes.color.itemSize===4,mt=!!Q.attributes.tangent&&(!!q.normalMap||q.anisotropy>0),Ve=!!Q.morphAttributes.position,gt=!!Q.morphAttributes.normal,Yt=!!Q.morphAttributes.color,It=Vi;q.toneMapped&&(ae===null||ae.isXRRenderTarget===!0)&&(It=I.toneMapping);let Lt=Q.morphAttributes.position||Q.morphAttributes.normal||Q.morphAttributes.color,un=Lt!==void 0?Lt.length:0,Be=He.get(q),rn=E.state.lights;if(ut===!0&&(Xt===!0||w!==J)){let Dt=w===J&&q.id===Z;ie.setState(q,w,Dt)}let vt=!1,qi=!1;q.version===Be.__version?Be.needsLights&&Be.lightsStateVersion!==rn.state.version||$.isBatchedMesh&&Be.batching===!1||!$.isBatchedMesh&&Be.batching===!0||$.isBatchedMesh&&Be.batchingColor===!0&&$._colorsTexture===null||$.isBatchedMesh&&Be.batchingColor===!1&&$._colorsTexture!==null||$.isInstancedMesh&&Be.instancing===!1||!$.isInstancedMesh&&Be.instancing===!0||$.isSkinnedMesh&&Be.skinning===!1||!$.isSkinnedMesh&&Be.skinning===!0||$.isInstancedMesh&&Be.instancingColor===!0&&$.instanceColor===null||$.isInstancedMesh&&Be.instancingColor===!1&&$.instanceColor!==null||$.isInstancedMesh&&Be.instancingMorph===!0&&$.morphTexture===null||$.isInstancedMesh&&Be.instancingMorph===!1&&$.morphTexture!==null||Be.envMap!==Ge||q.fog===!0&&Be.fog!==Te||Be.numClippingPlanes!==void 0&&(Be.numClippingPlanes!==ie.numPlanes||Be.numIntersection!==ie.numIntersection)||Be.vertexAlphas!==it||Be.vertexTangents!==mt||Be.morphTargets!==Ve||Be.morphNormals!==gt||Be.morphColors!==Yt||Be.morphTargetsCount!==un||Be.numLightProbeGrids!==nn(E.state.lightProbeGridArray)?vt=!0:(Be.outputColorSpace!==Ce||Be.toneMapping!==It)&&(qi=!0):(vt=!0,Be.__version=q.version);let on=Be.currentProgram;(vt===!0||qi===!0)&&(on=qi===!0?Hn(q,O,$,Ce,It):Ii(q,O,$),z&&q.isNodeMaterial&&z.onUpdateProgram(q,on,Be));let lr=!1,Li=!1,Yi=!1,ft=on.getUniforms(),jt=Be.uniforms;if(Ee.useProgram(on.program)&&(lr=!0,Li=!0,Yi=!0),q.id!==Z&&(Z=q.id,Li=!0),lr||J!==w){Ee.buffers.depth.getReversed()&&w.reversedDepth!==!0&&(w._reversedDepth=!0,w.updateProjectionMatrix()),ft.setValue(U,"projectionMatrix",w.projectionMatrix),ft.setValue(U,"viewMatrix",w.matrixWorldInverse);let an=ft.map.cameraPosition;an!==void 0&&an.setValue(U,sn.setFromMatrixPosition(w.matrixWorld)),at.logarithmicDepthBuffer&&ft.setValue(U,"logDepthBufFC",2/(Math.log(w.far+1)/Math.LN2)),(q.isMeshPhongMaterial||q.isMeshToonMaterial||q.isMeshLambertMaterial||q.isMeshBasicMaterial||q.isMeshStandardMaterial||q.isShaderMaterial)&&ft.setValue(U,"isOrthographic",w.isOrthographicCamera===!0),J!==w&&(J=w,Li=!0,Yi=!0)}if(Be.needsLights&&(rn.state.sunShadowMap.length>0&&ft.setValue(U,"sunShadowMap",rn.state.sunShadowMap,$e),rn.state.directionalShadowMap.length>0&&ft.setValue(U,"directionalShadowMap",rn.state.directionalShadowMap,$e),rn.state.spotShadowMap.length>0&&ft.setValue(U,"spotShadowMap",rn.state.spotShadowMap,$e),rn.state.pointShadowMap.length>0&&ft.setValue(U,"pointShadowMap",rn.state.pointShadowMap,$e)),$.isSkinnedMesh){ft.setOptional(U,$,"bindMatrix"),ft.setOptional(U,$,"bindMatrixInverse");let Dt=$.skeleton;Dt&&(Dt.boneTexture===null&&Dt.computeBoneTexture(),ft.setValue(U,"boneTexture",Dt.boneTexture,$e))}$.isBatchedMesh&&(ft.setOptional(U,$,"batchingTexture"),ft.setValue(U,"batchingTexture",$._matricesTexture,$e),ft.setOptional(U,$,"batchingIdTexture"),ft.setValue(U,"batchingIdTexture",$._indirectTexture,$e),ft.setOptional(U,$,"batchingColorTexture"),$._colorsTexture!==null&&ft.setValue(U,"batchingColorTexture",$._colorsTexture,$e));let Ln=Q.morphAttributes;if((Ln.position!==void 0||Ln.normal!==void 0||Ln.color!==void 0)&&se.update($,Q,on),(Li||Be.receiveShadow!==$.receiveShadow)&&(Be.receiveShadow=$.receiveShadow,ft.setValue(U,"receiveShadow",$.receiveShadow)),(q.isMeshStandardMaterial||q.isMeshLambertMaterial||q.isMeshPhongMaterial)&&q.envMap===null&&O.environment!==null&&(jt.envMapIntensity.value=O.environmentIntensity),jt.dfgLUT!==void 0&&(jt.dfgLUT.value=vw()),Li){if(ft.setValue(U,"toneMappingExposure",I.toneMappingExposure),Be.needsLights&&or(jt,Yi),Te&&q.fog===!0&&ve.refreshFogUniforms(jt,Te),ve.refreshMaterialUniforms(jt,q,Me,me,E.state.transmissionRenderTarget[w.id]),Be.needsLights&&Be.numLightProbeGrids>0){let Dt=b,an=0;for(let An of E.state.lightProbeGridArray)An.texture!==null&&(Dt.textures[an]=An.texture,Dt.min[an]=An.boundingBox.min,Dt.max[an]=An.boundingBox.max,Dt.resolution[an]=An.resolution,an++);for(let An in Dt)Dt[An].length=an;jt.probesSH.value=Dt.textures,jt.probesMin.value=Dt.min,jt.probesMax.value=Dt.max,jt.probesResolution.value=Dt.resolution}io.upload(U,hs(Be),jt,$e)}if(q.isShaderMaterial&&q.uniformsNeedUpdate===!0&&(io.upload(U,hs(Be),jt,$e),q.uniformsNeedUpdate=!1),q.isSpriteMaterial&&ft.setValue(U,"center",$.center),ft.setValue(U,"modelViewMatrix",$.modelViewMatrix),ft.setValue(U,"normalMatrix",$.normalMatrix),ft.setValue(U,"modelMatrix",$.matrixWorld),q.uniformsGroups!==void 0){let Dt=q.uniformsGroups;for(let an=0,An=Dt.length;an<An;an++){let ma=Dt[an];qe.update(ma,on),qe.bind(ma,on)}}return on}function or(w,O){w.ambientLightColor.needsUpdate=O,w.lightProbe.needsUpdate=O,w.sunLights.needsUpdate=O,w.sunLightShadows.needsUpdate=O,w.directionalLights.needsUpdate=O,w.directionalLightShadows.needsUpdate=O,w.pointLights.needsUpdate=O,w.pointLightShadows.needsUpdate=O,w.spotLights.needsUpdate=O,w.spotLightShadows.needsUpdate=O,w.rectAreaLights.needsUpdate=O,w.hemisphereLights.needsUpdate=O}function us(w){return w.isMeshLambertMaterial||w.isMeshToonMaterial||w.isMeshPhongMaterial||w.isMeshStandardMaterial||w.isShadowMaterial||w.isShaderMaterial&&w.lights===!0}this.getActiveCubeFace=function(){return Y},this.getActiveMipmapLevel=function(){return B},this.getRenderTarget=function(){return ae},this.setRenderTargetTextures=function(w,O,Q){let q=He.get(w);q.__autoAllocateDepthBuffer=w.resolveDepthBuffer===!1,q.__autoAllocateDepthBuffer===!1&&(q.__useRenderToTexture=!1),He.get(w.texture).__webglTexture=O,He.get(w.depthTexture).__webglTexture=q.__autoAllocateDepthBuffer?void 0:Q,q.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(w,O){let Q=He.get(w);Q.__webglFramebuffer=O,Q.__useDefaultFramebuffer=O===void 0},this.setRenderTarget=function(w,O=0,Q=0){ae=w,Y=O,B=Q;let q=null,$=!1,Te=!1;if(w){let Ce=He.get(w);if(Ce.__useDefaultFramebuffer!==void 0){Ee.bindFramebuffer(U.FRAMEBUFFER,Ce.__webglFramebuffer),ne.copy(w.viewport),ue.copy(w.scissor),ce=w.scissorTest,Ee.viewport(ne),Ee.scissor(ue),Ee.setScissorTest(ce),Z=-1;return}else if(Ce.__webglFramebuffer===void 0)$e.setupRenderTarget(w);else if(Ce.__hasExternalTextures)$e.rebindTextures(w,He.get(w.texture).__webglTexture,He.get(w.depthTexture).__webglTexture);else if(w.depthBuffer){let it=w.depthTexture;if(Ce.__boundDepthTexture!==it){if(it!==null&&He.has(it)&&(w.width!==it.image.width||w.height!==it.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");$e.setupDepthRenderbuffer(w)}}let De=w.texture;(De.isData3DTexture||De.isDataArrayTexture||De.isCompressedArrayTexture)&&(Te=!0);let Ge=He.get(w).__webglFramebuffer;w.isWebGLCubeRenderTarget?(Array.isArray(Ge[O])?q=Ge[O][Q]:q=Ge[O],$=!0):w.samples>0&&$e.useMultisampledRTT(w)===!1?q=He.get(w).__webglMultisampledFramebuffer:Array.isArray(Ge)?q=Ge[Q]:q=Ge,ne.copy(w.viewport),ue.copy(w.scissor),ce=w.scissorTest}else ne.copy(de).multiplyScalar(Me).floor(),ue.copy(Le).multiplyScalar(Me).floor(),ce=We;if(Q!==0&&(q=H),Ee.bindFramebuffer(U.FRAMEBUFFER,q)&&Ee.drawBuffers(w,q),Ee.viewport(ne),Ee.scissor(ue),Ee.setScissorTest(ce),$){let Ce=He.get(w.texture);U.framebufferTexture2D(U.FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_CUBE_MAP_POSITIVE_X+O,Ce.__webglTexture,Q)}else if(Te){let Ce=O;for(let De=0;De<w.textures.length;De++){let Ge=He.get(w.textures[De]);U.framebufferTextureLayer(U.FRAMEBUFFER,U.COLOR_ATTACHMENT0+De,Ge.__webglTexture,Q,Ce)}}else if(w!==null&&Q!==0){let Ce=He.get(w.texture);U.framebufferTexture2D(U.FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_2D,Ce.__webglTexture,Q)}Z=-1};function ar(w){let O=He.get(w);return(O.__readFormat!==w.format||O.__readType!==w.type)&&(O.__readFormat=w.format,O.__readType=w.type,O.__formatReadable=at.textureFormatReadable(w.format),O.__typeReadable=at.textureTypeReadable(w.type)),O}this.readRenderTargetPixels=function(w,O,Q,q,$,Te,Ie,Ce=0){if(!(w&&w.isWebGLRenderTarget)){st("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let De=He.get(w).__webglFramebuffer;if(w.isWebGLCubeRenderTarget&&Ie!==void 0&&(De=De[Ie],Array.isArray(De)&&(De=De[0])),De){Ee.bindFramebuffer(U.FRAMEBUFFER,De);try{let Ge=w.textures[Ce],it=Ge.format,mt=Ge.type;w.textures.length>1&&U.readBuffer(U.COLOR_ATTACHMENT0+Ce);let Ve=ar(Ge);if(Ve.__formatReadable===!1){st("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(Ve.__typeReadable===!1){st("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}O>=0&&O<=w.width-q&&Q>=0&&Q<=w.height-$&&U.readPixels(O,Q,q,$,ye.convert(it),ye.convert(mt),Te)}finally{let Ge=ae!==null?He.get(ae).__webglFramebuffer:null;Ee.bindFramebuffer(U.FRAMEBUFFER,Ge)}}},this.readRenderTargetPixelsAsync=async function(w,O,Q,q,$,Te,Ie,Ce=0){if(!(w&&w.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let De=He.get(w).__webglFramebuffer;if(w.isWebGLCubeRenderTarget&&Ie!==void 0&&(De=De[Ie],Array.isArray(De)&&(De=De[0])),De)if(O>=0&&O<=w.width-q&&Q>=0&&Q<=w.height-$){Ee.bindFramebuffer(U.FRAMEBUFFER,De);let Ge=w.textures[Ce],it=Ge.format,mt=Ge.type;w.textures.length>1&&U.readBuffer(U.COLOR_ATTACHMENT0+Ce);let Ve=ar(Ge);if(Ve.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(Ve.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let gt=U.createBuffer();U.bindBuffer(U.PIXEL_PACK_BUFFER,gt),U.bufferData(U.PIXEL_PACK_BUFFER,Te.byteLength,U.STREAM_READ),U.readPixels(O,Q,q,$,ye.convert(it),ye.convert(mt),0),U.bindBuffer(U.PIXEL_PACK_BUFFER,null);let Yt=ae!==null?He.get(ae).__webglFramebuffer:null;Ee.bindFramebuffer(U.FRAMEBUFFER,Yt);let It=U.fenceSync(U.SYNC_GPU_COMMANDS_COMPLETE,0);return U.flush(),await Gm(U,It,4),U.bindBuffer(U.PIXEL_PACK_BUFFER,gt),U.getBufferSubData(U.PIXEL_PACK_BUFFER,0,Te),U.bindBuffer(U.PIXEL_PACK_BUFFER,null),U.deleteBuffer(gt),U.deleteSync(It),Te}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(w,O=null,Q=0){let q=Math.pow(2,-Q),$=Math.floor(w.image.width*q),Te=Math.floor(w.image.height*q),Ie=O!==null?O.x:0,Ce=O!==null?O.y:0;$e.setTexture2D(w,0),U.copyTexSubImage2D(U.TEXTURE_2D,Q,0,0,Ie,Ce,$,Te),Ee.unbindTexture()},this.copyTextureToTexture=function(w,O,Q=null,q=null,$=0,Te=0){let Ie,Ce,De,Ge,it,mt,Ve,gt,Yt,It=w.isCompressedTexture?w.mipmaps[Te]:w.image;if(Q!==null)Ie=Q.max.x-Q.min.x,Ce=Q.max.y-Q.min.y,De=Q.isBox3?Q.max.z-Q.min.z:1,Ge=Q.min.x,it=Q.min.y,mt=Q.isBox3?Q.min.z:0;else{let ft=Math.pow(2,-$);Ie=Math.floor(It.width*ft),Ce=Math.floor(It.height*ft),w.isDataArrayTexture?De=It.depth:w.isData3DTexture?De=Math.floor(It.depth*ft):De=1,Ge=0,it=0,mt=0}q!==null?(Ve=q.x,gt=q.y,Yt=q.z):(Ve=0,gt=0,Yt=0);let Lt=ye.convert(O.format),un=ye.convert(O.type),Be;O.isData3DTexture?($e.setTexture3D(O,0),Be=U.TEXTURE_3D):O.isDataArrayTexture||O.isCompressedArrayTexture?($e.setTexture2DArray(O,0),Be=U.TEXTURE_2D_ARRAY):($e.setTexture2D(O,0),Be=U.TEXTURE_2D),Ee.activeTexture(U.TEXTURE0),Ee.pixelStorei(U.UNPACK_FLIP_Y_WEBGL,O.flipY),Ee.pixelStorei(U.UNPACK_PREMULTIPLY_ALPHA_WEBGL,O.premultiplyAlpha),Ee.pixelStorei(U.UNPACK_ALIGNMENT,O.unpackAlignment);let rn=Ee.getParameter(U.UNPACK_ROW_LENGTH),vt=Ee.getParameter(U.UNPACK_IMAGE_HEIGHT),qi=Ee.getParameter(U.UNPACK_SKIP_PIXELS),on=Ee.getParameter(U.UNPACK_SKIP_ROWS),lr=Ee.getParameter(U.UNPACK_SKIP_IMAGES);Ee.pixelStorei(U.UNPACK_ROW_LENGTH,It.width),Ee.pixelStorei(U.UNPACK_IMAGE_HEIGHT,It.height),Ee.pixelStorei(U.UNPACK_SKIP_PIXELS,Ge),Ee.pixelStorei(U.UNPACK_SKIP_ROWS,it),Ee.pixelStorei(U.UNPACK_SKIP_IMAGES,mt);let Li=w.isDataArrayTexture||w.isData3DTexture,Yi=O.isDataArrayTexture||O.isData3DTexture;if(w.isDepthTexture){let ft=He.get(w),jt=He.get(O),Ln=He.get(ft.__renderTarget),Dt=He.get(jt.__renderTarget);Ee.bindFramebuffer(U.READ_FRAMEBUFFER,Ln.__webglFramebuffer),Ee.bindFramebuffer(U.DRAW_FRAMEBUFFER,Dt.__webglFramebuffer);for(let an=0;an<De;an++)Li&&(U.framebufferTextureLayer(U.READ_FRAMEBUFFER,U.COLOR_ATTACHMENT0,He.get(w).__webglTexture,$,mt+an),U.framebufferTextureLayer(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,He.get(O).__webglTexture,Te,Yt+an)),U.blitFramebuffer(Ge,it,Ge+Ie,it+Ce,Ve,gt,Ve+Ie,gt+Ce,U.DEPTH_BUFFER_BIT,U.NEAREST);Ee.bindFramebuffer(U.READ_FRAMEBUFFER,null),Ee.bindFramebuffer(U.DRAW_FRAMEBUFFER,null)}else if($!==0||w.isRenderTargetTexture||He.has(w)){let ft=He.get(w),jt=He.get(O);Ee.bindFramebuffer(U.READ_FRAMEBUFFER,N),Ee.bindFramebuffer(U.DRAW_FRAMEBUFFER,G);for(let Ln=0;Ln<De;Ln++)Li?U.framebufferTextureLayer(U.READ_FRAMEBUFFER,U.COLOR_ATTACHMENT0,ft.__webglTexture,$,mt+Ln):U.framebufferTexture2D(U.READ_FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_2D,ft.__webglTexture,$),Yi?U.framebufferTextureLayer(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,jt.__webglTexture,Te,Yt+Ln):U.framebufferTexture2D(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_2D,jt.__webglTexture,Te),$!==0?U.blitFramebuffer(Ge,it,Ge+Ie,it+Ce,Ve,gt,Ve+Ie,gt+Ce,U.COLOR_BUFFER_BIT,U.NEAREST):Yi?U.copyTexSubImage3D(Be,Te,Ve,gt,Yt+Ln,Ge,it,Ie,Ce):U.copyTexSubImage2D(Be,Te,Ve,gt,Ge,it,Ie,Ce);Ee.bindFramebuffer(U.READ_FRAMEBUFFER,null),Ee.bindFramebuffer(U.DRAW_FRAMEBUFFER,null)}else Yi?w.isDataTexture||w.isData3DTexture?U.texSubImage3D(Be,Te,Ve,gt,Yt,Ie,Ce,De,Lt,un,It.data):O.isCompressedArrayTexture?U.compressedTexSubImage3D(Be,Te,Ve,gt,Yt,Ie,Ce,De,Lt,It.data):U.texSubImage3D(Be,Te,Ve,gt,Yt,Ie,Ce,De,Lt,un,It):w.isDataTexture?U.texSubImage2D(U.TEXTURE_2D,Te,Ve,gt,Ie,Ce,Lt,un,It.data):w.isCompressedTexture?U.compressedTexSubImage2D(U.TEXTURE_2D,Te,Ve,gt,It.width,It.height,Lt,It.data):U.texSubImage2D(U.TEXTURE_2D,Te,Ve,gt,Ie,Ce,Lt,un,It);Ee.pixelStorei(U.UNPACK_ROW_LENGTH,rn),Ee.pixelStorei(U.UNPACK_IMAGE_HEIGHT,vt),Ee.pixelStorei(U.UNPACK_SKIP_PIXELS,qi),Ee.pixelStorei(U.UNPACK_SKIP_ROWS,on),Ee.pixelStorei(U.UNPACK_SKIP_IMAGES,lr),Te===0&&O.generateMipmaps===!0&&O.mipmapsAutoUpdate===!0&&U.generateMipmap(Be),Ee.unbindTexture()},this.initRenderTarget=function(w){He.get(w).__webglFramebuffer===void 0&&$e.setupRenderTarget(w)},this.initTexture=function(w){w.isCubeTexture?$e.setTextureCube(w,0):w.isData3DTexture?$e.setTexture3D(w,0):w.isDataArrayTexture||w.isCompressedArrayTexture?$e.setTexture2DArray(w,0):$e.setTexture2D(w,0),Ee.unbindTexture()},this.resetState=function(){Y=0,B=0,ae=null,Ee.reset(),we.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return fi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=bt._getDrawingBufferColorSpace(e),t.unpackColorSpace=bt._getUnpackColorSpace()}};var Cg={type:"change"},hf={type:"start"},Pg={type:"end"},Oc=new js,Rg=new Qn,Sw=Math.cos(70*Yu.DEG2RAD),gn=new W,Gn=2*Math.PI,Ct={NONE:-1,ROTATE:0,DOLLY:1,PAN:2,TOUCH_ROTATE:3,TOUCH_PAN:4,TOUCH_DOLLY_PAN:5,TOUCH_DOLLY_ROTATE:6},cf=1e-6,Bc=class extends Ko{constructor(e,t=null){super(e,t),this.state=Ct.NONE,this.target=new W,this.cursor=new W,this.minDistance=0,this.maxDistance=1/0,this.minZoom=0,this.maxZoom=1/0,this.minTargetRadius=0,this.maxTargetRadius=1/0,this.minPolarAngle=0,this.maxPolarAngle=Math.PI,this.minAzimuthAngle=-1/0,this.maxAzimuthAngle=1/0,this.enableDamping=!1,this.dampingFactor=.05,this.enableZoom=!0,this.zoomSpeed=1,this.enableRotate=!0,this.rotateSpeed=1,this.keyRotateSpeed=1,this.enablePan=!0,this.panSpeed=1,this.screenSpacePanning=!0,this.keyPanSpeed=7,this.zoomToCursor=!1,this.autoRotate=!1,this.autoRotateSpeed=2,this.keys={LEFT:"ArrowLeft",UP:"ArrowUp",RIGHT:"ArrowRight",BOTTOM:"ArrowDown"},this.mouseButtons={LEFT:Is.ROTATE,MIDDLE:Is.DOLLY,RIGHT:Is.PAN},this.touches={ONE:Ls.ROTATE,TWO:Ls.DOLLY_PAN},this.target0=this.target.clone(),this.position0=this.object.position.clone(),this.zoom0=this.object.zoom,this._cursorStyle="auto",this._domElementKeyEvents=null,this._lastPosition=new W,this._lastQuaternion=new ei,this._lastTargetPosition=new W,this._quat=new ei().setFromUnitVectors(e.up,new W(0,1,0)),this._quatInverse=this._quat.clone().invert(),this._spherical=new Ps,this._sphericalDelta=new Ps,this._scale=1,this._panOffset=new W,this._rotateStart=new lt,this._rotateEnd=new lt,this._rotateDelta=new lt,this._panStart=new lt,this._panEnd=new lt,this._panDelta=new lt,this._dollyStart=new lt,this._dollyEnd=new lt,this._dollyDelta=new lt,this._dollyDirection=new W,this._mouse=new lt,this._performCursorZoom=!1,this._pointers=[],this._pointerPositions={},this._controlActive=!1,this._onPointerMove=Mw.bind(this),this._onPointerDown=bw.bind(this),this._onPointerUp=ww.bind(this),this._onContextMenu=Iw.bind(this),this._onMouseWheel=Tw.bind(this),this._onKeyDown=Cw.bind(this),this._onTouchStart=Rw.bind(this),this._onTouchMove=Pw.bind(this),this._onMouseDown=Ew.bind(this),this._onMouseMove=Aw.bind(this),this._interceptControlDown=Lw.bind(this),this._interceptControlUp=Dw.bind(this),this.domElement!==null&&this.connect(this.domElement),this.update()}set cursorStyle(e){this._cursorStyle=e,e==="grab"?this.domElement.style.cursor="grab":this.domElement.style.cursor="auto"}get cursorStyle(){return this._cursorStyle}connect(e){super.connect(e),this.domElement.addEventListener("pointerdown",this._onPointerDown),this.domElement.addEventListener("pointercancel",this._onPointerUp),this.domElement.addEventListener("contextmenu",this._onContextMenu),this.domElement.addEventListener("wheel",this._onMouseWheel,{passive:!1}),this.domElement.ownerDocument.addEventListener("keydown",this._interceptControlDown,{passive:!0,capture:!0}),this.domElement.style.touchAction="none"}disconnect(){this.state=Ct.NONE,this.domElement.removeEventListener("pointerdown",this._onPointerDown),this.domElement.ownerDocument.removeEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.removeEventListener("pointerup",this._onPointerUp),this.domElement.removeEventListener("pointercancel",this._onPointerUp),this.domElement.removeEventListener("wheel",this._onMouseWheel),this.domElement.removeEventListener("contextmenu",this._onContextMenu),this.stopListenToKeyEvents(),this.domElement.ownerDocument.removeEventListener("keydown",this._interceptControlDown,{capture:!0}),this.domElement.ownerDocument.removeEventListener("keyup",this._interceptControlUp,{capture:!0}),this._controlActive=!1,this._pointers.length=0,this._pointerPositions={},this.domElement.style.touchAction="",this.domElement.style.cursor="auto"}dispose(){this.disconnect()}getPolarAngle(){return this._spherical.phi}getAzimuthalAngle(){return this._spherical.theta}getDistance(){return this.object.position.distanceTo(this.target)}listenToKeyEvents(e){e.addEventListener("keydown",this._onKeyDown),this._domElementKeyEvents=e}stopListenToKeyEvents(){this._domElementKeyEvents!==null&&(this._domElementKeyEvents.removeEventListener("keydown",this._onKeyDown),this._domElementKeyEvents=null)}saveState(){this.target0.copy(this.target),this.position0.copy(this.object.position),this.zoom0=this.object.zoom}reset(){this.target.copy(this.target0),this.object.position.copy(this.position0),this.object.zoom=this.zoom0,this.object.updateProjectionMatrix(),this.dispatchEvent(Cg),this.update(),this.state=Ct.NONE}pan(e,t){this._pan(e,t),this.update()}dollyIn(e){this._dollyIn(e),this.update()}dollyOut(e){this._dollyOut(e),this.update()}rotateLeft(e){this._rotateLeft(e),this.update()}rotateUp(e){this._rotateUp(e),this.update()}update(e=null){let t=this.object.position;gn.copy(t).sub(this.target),gn.applyQuaternion(this._quat),this._spherical.setFromVector3(gn),this.autoRotate&&this.state===Ct.NONE&&this._rotateLeft(this._getAutoRotationAngle(e)),this.enableDamping?(this._spherical.theta+=this._sphericalDelta.theta*this.dampingFactor,this._spherical.phi+=this._sphericalDelta.phi*this.dampingFactor):(this._spherical.theta+=this._sphericalDelta.theta,this._spherical.phi+=this._sphericalDelta.phi);let i=this.minAzimuthAngle,s=this.maxAzimuthAngle;isFinite(i)&&isFinite(s)&&(i<-Math.PI?i+=Gn:i>Math.PI&&(i-=Gn),s<-Math.PI?s+=Gn:s>Math.PI&&(s-=Gn),i<=s?this._spherical.theta=Math.max(i,Math.min(s,this._spherical.theta)):this._spherical.theta=this._spherical.theta>(i+s)/2?Math.max(i,this._spherical.theta):Math.min(s,this._spherical.theta)),this._spherical.phi=Math.max(this.minPolarAngle,Math.min(this.maxPolarAngle,this._spherical.phi)),this._spherical.makeSafe(),this.enableDamping===!0?this.target.addScaledVector(this._panOffset,this.dampingFactor):this.target.add(this._panOffset),this.target.sub(this.cursor),this.target.clampLength(this.minTargetRadius,this.maxTargetRadius),this.target.add(this.cursor);let r=!1;if(this.zoomToCursor&&this._performCursorZoom||this.object.isOrthographicCamera)this._spherical.radius=this._clampDistance(this._spherical.radius);else{let o=this._spherical.radius;this._spherical.radius=this._clampDistance(this._spherical.radius*this._scale),r=o!=this._spherical.radius}if(gn.setFromSpherical(this._spherical),gn.applyQuaternion(this._quatInverse),t.copy(this.target).add(gn),this.object.lookAt(this.target),this.enableDamping===!0?(this._sphericalDelta.theta*=1-this.dampingFactor,this._sphericalDelta.phi*=1-this.dampingFactor,this._panOffset.multiplyScalar(1-this.dampingFactor)):(this._sphericalDelta.set(0,0,0),this._panOffset.set(0,0,0)),this.zoomToCursor&&this._performCursorZoom){let o=null;if(this.object.isPerspectiveCamera){let a=gn.length();o=this._clampDistance(a*this._scale);let c=a-o;this.object.position.addScaledVector(this._dollyDirection,c),this.object.updateMatrixWorld(),r=!!c}else if(this.object.isOrthographicCamera){let a=new W(this._mouse.x,this._mouse.y,0);a.unproject(this.object);let c=this.object.zoom;this.object.zoom=Math.max(this.minZoom,Math.min(this.maxZoom,this.object.zoom/this._scale)),this.object.updateProjectionMatrix(),r=c!==this.object.zoom;let l=new W(this._mouse.x,this._mouse.y,0);l.unproject(this.object),this.object.position.sub(l).add(a),this.object.updateMatrixWorld(),o=gn.length()}else console.warn("WARNING: OrbitControls.js encountered an unknown camera type - zoom to cursor disabled."),this.zoomToCursor=!1;o!==null&&(this.screenSpacePanning?this.target.set(0,0,-1).transformDirection(this.object.matrix).multiplyScalar(o).add(this.object.position):(Oc.origin.copy(this.object.position),Oc.direction.set(0,0,-1).transformDirection(this.object.matrix),Math.abs(this.object.up.dot(Oc.direction))<Sw?this.object.lookAt(this.target):(Rg.setFromNormalAndCoplanarPoint(this.object.up,this.target),Oc.intersectPlane(Rg,this.target))))}else if(this.object.isOrthographicCamera){let o=this.object.zoom;this.object.zoom=Math.max(this.minZoom,Math.min(this.maxZoom,this.object.zoom/this._scale)),o!==this.object.zoom&&(this.object.updateProjectionMatrix(),r=!0)}return this._scale=1,this._performCursorZoom=!1,r||this._lastPosition.distanceToSquared(this.object.position)>cf||8*(1-this._lastQuaternion.dot(this.object.quaternion))>cf||this._lastTargetPosition.distanceToSquared(this.target)>cf?(this.dispatchEvent(Cg),this._lastPosition.copy(this.object.position),this._lastQuaternion.copy(this.object.quaternion),this._lastTargetPosition.copy(this.target),!0):!1}_getAutoRotationAngle(e){return e!==null?Gn/60*this.autoRotateSpeed*e:Gn/60/60*this.autoRotateSpeed}_getZoomScale(e){let t=Math.abs(e*.01);return Math.pow(.95,this.zoomSpeed*t)}_rotateLeft(e){this._sphericalDelta.theta-=e}_rotateUp(e){this._sphericalDelta.phi-=e}_panLeft(e,t){gn.setFromMatrixColumn(t,0),gn.multiplyScalar(-e),this._panOffset.add(gn)}_panUp(e,t){this.screenSpacePanning===!0?gn.setFromMatrixColumn(t,1):(gn.setFromMatrixColumn(t,0),gn.crossVectors(this.object.up,gn)),gn.multiplyScalar(e),this._panOffset.add(gn)}_pan(e,t){let i=this.domElement;if(this.object.isPerspectiveCamera){let s=this.object.position;gn.copy(s).sub(this.target);let r=gn.length();r*=Math.tan(this.object.fov/2*Math.PI/180),this._panLeft(2*e*r/i.clientHeight,this.object.matrix),this._panUp(2*t*r/i.clientHeight,this.object.matrix)}else this.object.isOrthographicCamera?(this._panLeft(e*(this.object.right-this.object.left)/this.object.zoom/i.clientWidth,this.object.matrix),this._panUp(t*(this.object.top-this.object.bottom)/this.object.zoom/i.clientHeight,this.object.matrix)):(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - pan disabled."),this.enablePan=!1)}_dollyOut(e){this.object.isPerspectiveCamera||this.object.isOrthographicCamera?this._scale/=e:(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - dolly/zoom disabled."),this.enableZoom=!1)}_dollyIn(e){this.object.isPerspectiveCamera||this.object.isOrthographicCamera?this._scale*=e:(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - dolly/zoom disabled."),this.enableZoom=!1)}_updateZoomParameters(e,t){if(!this.zoomToCursor)return;this._performCursorZoom=!0;let i=this.domElement.getBoundingClientRect(),s=e-i.left,r=t-i.top,o=i.width,a=i.height;this._mouse.x=s/o*2-1,this._mouse.y=-(r/a)*2+1,this._dollyDirection.set(this._mouse.x,this._mouse.y,1).unproject(this.object).sub(this.object.position).normalize()}_clampDistance(e){return Math.max(this.minDistance,Math.min(this.maxDistance,e))}_handleMouseDownRotate(e){this._rotateStart.set(e.clientX,e.clientY)}_handleMouseDownDolly(e){this._updateZoomParameters(e.clientX,e.clientY),this._dollyStart.set(e.clientX,e.clientY)}_handleMouseDownPan(e){this._panStart.set(e.clientX,e.clientY)}_handleMouseMoveRotate(e){this._rotateEnd.set(e.clientX,e.clientY),this._rotateDelta.subVectors(this._rotateEnd,this._rotateStart).multiplyScalar(this.rotateSpeed);let t=this.domElement;this._rotateLeft(Gn*this._rotateDelta.x/t.clientHeight),this._rotateUp(Gn*this._rotateDelta.y/t.clientHeight),this._rotateStart.copy(this._rotateEnd),this.update()}_handleMouseMoveDolly(e){this._dollyEnd.set(e.clientX,e.clientY),this._dollyDelta.subVectors(this._dollyEnd,this._dollyStart),this._dollyDelta.y>0?this._dollyOut(this._getZoomScale(this._dollyDelta.y)):this._dollyDelta.y<0&&this._dollyIn(this._getZoomScale(this._dollyDelta.y)),this._dollyStart.copy(this._dollyEnd),this.zoomToCursor&&(this._performCursorZoom=!0,this._dollyDirection.set(this._mouse.x,this._mouse.y,1).unproject(this.object).sub(this.object.position).normalize()),this.update()}_handleMouseMovePan(e){this._panEnd.set(e.clientX,e.clientY),this._panDelta.subVectors(this._panEnd,this._panStart).multiplyScalar(this.panSpeed),this._pan(this._panDelta.x,this._panDelta.y),this._panStart.copy(this._panEnd),this.update()}_handleMouseWheel(e){this._updateZoomParameters(e.clientX,e.clientY),e.deltaY<0?this._dollyIn(this._getZoomScale(e.deltaY)):e.deltaY>0&&this._dollyOut(this._getZoomScale(e.deltaY)),this.update()}_handleKeyDown(e){let t=!1;switch(e.code){case this.keys.UP:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateUp(Gn*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(0,this.keyPanSpeed),t=!0;break;case this.keys.BOTTOM:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateUp(-Gn*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(0,-this.keyPanSpeed),t=!0;break;case this.keys.LEFT:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateLeft(Gn*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(this.keyPanSpeed,0),t=!0;break;case this.keys.RIGHT:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateLeft(-Gn*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(-this.keyPanSpeed,0),t=!0;break}t&&(e.preventDefault(),this.update())}_handleTouchStartRotate(e){if(this._pointers.length===1)this._rotateStart.set(e.pageX,e.pageY);else{let t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._rotateStart.set(i,s)}}_handleTouchStartPan(e){if(this._pointers.length===1)this._panStart.set(e.pageX,e.pageY);else{let t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._panStart.set(i,s)}}_handleTouchStartDolly(e){let t=this._getSecondPointerPosition(e),i=e.pageX-t.x,s=e.pageY-t.y,r=Math.sqrt(i*i+s*s);this._dollyStart.set(0,r)}_handleTouchStartDollyPan(e){this.enableZoom&&this._handleTouchStartDolly(e),this.enablePan&&this._handleTouchStartPan(e)}_handleTouchStartDollyRotate(e){this.enableZoom&&this._handleTouchStartDolly(e),this.enableRotate&&this._handleTouchStartRotate(e)}_handleTouchMoveRotate(e){if(this._pointers.length==1)this._rotateEnd.set(e.pageX,e.pageY);else{let i=this._getSecondPointerPosition(e),s=.5*(e.pageX+i.x),r=.5*(e.pageY+i.y);this._rotateEnd.set(s,r)}this._rotateDelta.subVectors(this._rotateEnd,this._rotateStart).multiplyScalar(this.rotateSpeed);let t=this.domElement;this._rotateLeft(Gn*this._rotateDelta.x/t.clientHeight),this._rotateUp(Gn*this._rotateDelta.y/t.clientHeight),this._rotateStart.copy(this._rotateEnd)}_handleTouchMovePan(e){if(this._pointers.length===1)this._panEnd.set(e.pageX,e.pageY);else{let t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._panEnd.set(i,s)}this._panDelta.subVectors(this._panEnd,this._panStart).multiplyScalar(this.panSpeed),this._pan(this._panDelta.x,this._panDelta.y),this._panStart.copy(this._panEnd)}_handleTouchMoveDolly(e){let t=this._getSecondPointerPosition(e),i=e.pageX-t.x,s=e.pageY-t.y,r=Math.sqrt(i*i+s*s);this._dollyEnd.set(0,r),this._dollyDelta.set(0,Math.pow(this._dollyEnd.y/this._dollyStart.y,this.zoomSpeed)),this._dollyOut(this._dollyDelta.y),this._dollyStart.copy(this._dollyEnd);let o=(e.pageX+t.x)*.5,a=(e.pageY+t.y)*.5;this._updateZoomParameters(o,a)}_handleTouchMoveDollyPan(e){this.enableZoom&&this._handleTouchMoveDolly(e),this.enablePan&&this._handleTouchMovePan(e)}_handleTouchMoveDollyRotate(e){this.enableZoom&&this._handleTouchMoveDolly(e),this.enableRotate&&this._handleTouchMoveRotate(e)}_addPointer(e){this._pointers.push(e.pointerId)}_removePointer(e){delete this._pointerPositions[e.pointerId];for(let t=0;t<this._pointers.length;t++)if(this._pointers[t]==e.pointerId){this._pointers.splice(t,1);return}}_isTrackingPointer(e){for(let t=0;t<this._pointers.length;t++)if(this._pointers[t]==e.pointerId)return!0;return!1}_trackPointer(e){let t=this._pointerPositions[e.pointerId];t===void 0&&(t=new lt,this._pointerPositions[e.pointerId]=t),t.set(e.pageX,e.pageY)}_getSecondPointerPosition(e){let t=e.pointerId===this._pointers[0]?this._pointers[1]:this._pointers[0];return this._pointerPositions[t]}_customWheelEvent(e){let t=e.deltaMode,i={clientX:e.clientX,clientY:e.clientY,deltaY:e.deltaY};switch(t){case 1:i.deltaY*=16;break;case 2:i.deltaY*=100;break}return e.ctrlKey&&!this._controlActive&&(i.deltaY*=10),i}};function bw(n){this.enabled!==!1&&(this._pointers.length===0&&(this.domElement.setPointerCapture(n.pointerId),this.domElement.ownerDocument.addEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.addEventListener("pointerup",this._onPointerUp)),!this._isTrackingPointer(n)&&(this._addPointer(n),n.pointerType==="touch"?this._onTouchStart(n):this._onMouseDown(n),this._cursorStyle==="grab"&&(this.domElement.style.cursor="grabbing")))}function Mw(n){this.enabled!==!1&&(n.pointerType==="touch"?this._onTouchMove(n):this._onMouseMove(n))}function ww(n){switch(this._removePointer(n),this._pointers.length){case 0:this.domElement.releasePointerCapture(n.pointerId),this.domElement.ownerDocument.removeEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.removeEventListener("pointerup",this._onPointerUp),this.dispatchEvent(Pg),this.state=Ct.NONE,this._cursorStyle==="grab"&&(this.domElement.style.cursor="grab");break;case 1:let e=this._pointers[0],t=this._pointerPositions[e];this._onTouchStart({pointerId:e,pageX:t.x,pageY:t.y});break}}function Ew(n){let e;switch(n.button){case 0:e=this.mouseButtons.LEFT;break;case 1:e=this.mouseButtons.MIDDLE;break;case 2:e=this.mouseButtons.RIGHT;break;default:e=-1}switch(e){case Is.DOLLY:if(this.enableZoom===!1)return;this._handleMouseDownDolly(n),this.state=Ct.DOLLY;break;case Is.ROTATE:if(n.ctrlKey||n.metaKey||n.shiftKey){if(this.enablePan===!1)return;this._handleMouseDownPan(n),this.state=Ct.PAN}else{if(this.enableRotate===!1)return;this._handleMouseDownRotate(n),this.state=Ct.ROTATE}break;case Is.PAN:if(n.ctrlKey||n.metaKey||n.shiftKey){if(this.enableRotate===!1)return;this._handleMouseDownRotate(n),this.state=Ct.ROTATE}else{if(this.enablePan===!1)return;this._handleMouseDownPan(n),this.state=Ct.PAN}break;default:this.state=Ct.NONE}this.state!==Ct.NONE&&this.dispatchEvent(hf)}function Aw(n){switch(this.state){case Ct.ROTATE:if(this.enableRotate===!1)return;this._handleMouseMoveRotate(n);break;case Ct.DOLLY:if(this.enableZoom===!1)return;this._handleMouseMoveDolly(n);break;case Ct.PAN:if(this.enablePan===!1)return;this._handleMouseMovePan(n);break}}function Tw(n){this.enabled===!1||this.enableZoom===!1||this.state!==Ct.NONE||(n.preventDefault(),this.dispatchEvent(hf),this._handleMouseWheel(this._customWheelEvent(n)),this.dispatchEvent(Pg))}function Cw(n){this.enabled!==!1&&this._handleKeyDown(n)}function Rw(n){switch(this._trackPointer(n),this._pointers.length){case 1:switch(this.touches.ONE){case Ls.ROTATE:if(this.enableRotate===!1){this.state=Ct.NONE;break}this._handleTouchStartRotate(n),this.state=Ct.TOUCH_ROTATE;break;case Ls.PAN:if(this.enablePan===!1){this.state=Ct.NONE;break}this._handleTouchStartPan(n),this.state=Ct.TOUCH_PAN;break;default:this.state=Ct.NONE}break;case 2:switch(this.touches.TWO){case Ls.DOLLY_PAN:if(this.enableZoom===!1&&this.enablePan===!1)return;this._handleTouchStartDollyPan(n),this.state=Ct.TOUCH_DOLLY_PAN;break;case Ls.DOLLY_ROTATE:if(this.enableZoom===!1&&this.enableRotate===!1)return;this._handleTouchStartDollyRotate(n),this.state=Ct.TOUCH_DOLLY_ROTATE;break;default:this.state=Ct.NONE}break;default:this.state=Ct.NONE}this.state!==Ct.NONE&&this.dispatchEvent(hf)}function Pw(n){switch(this._trackPointer(n),this.state){case Ct.TOUCH_ROTATE:if(this.enableRotate===!1)return;this._handleTouchMoveRotate(n),this.update();break;case Ct.TOUCH_PAN:if(this.enablePan===!1)return;this._handleTouchMovePan(n),this.update();break;case Ct.TOUCH_DOLLY_PAN:if(this.enableZoom===!1&&this.enablePan===!1)return;this._handleTouchMoveDollyPan(n),this.update();break;case Ct.TOUCH_DOLLY_ROTATE:if(this.enableZoom===!1&&this.enableRotate===!1)return;this._handleTouchMoveDollyRotate(n),this.update();break;default:this.state=Ct.NONE}}function Iw(n){this.enabled!==!1&&n.preventDefault()}function Lw(n){n.key==="Control"&&(this._controlActive=!0,this.domElement.ownerDocument.addEventListener("keyup",this._interceptControlUp,{passive:!0,capture:!0}))}function Dw(n){n.key==="Control"&&(this._controlActive=!1,this.domElement.ownerDocument.removeEventListener("keyup",this._interceptControlUp,{passive:!0,capture:!0}))}var Pn={side:0,against:1,opening:2};function uf(n,e){let t=n.length/e;for(let i=0;i<e;i++)for(let s=i*t+1;s<(i+1)*t;s++)n[s]+=n[s-1];return n}var kc=async n=>new Uint8Array(await gr(n)),Ig=async(n,e)=>uf(new Uint16Array(await gr(n)),e),zc=async(n,e)=>uf(new Uint32Array(await gr(n)),e),Nw=async n=>uf(new Int16Array(await gr(n)),3),Uw=192e6;function Lg(n){let e=new Map,t=0;return i=>{let s=e.get(i);if(s)return e.delete(i),e.set(i,s),s;let r=n(i);return e.set(i,r),r.then(async o=>{t+=o.byteLength;for(let[a,c]of e){if(t<=Uw||a===i)break;e.delete(a),t-=(await c).byteLength}},()=>e.delete(i)),r}}var Vc=Lg(kc),Dg=Lg(Nw);var ca=[[0,4,7,3],[1,2,6,5],[0,1,5,4],[3,7,6,2],[0,3,2,1],[4,5,6,7]],Fw=(n,e,t)=>(n.groups[e][t>>3]>>(t&7)&1)===1,Gc=(n,e)=>n.held.groups.filter((t,i)=>Fw(n,i,e)).map(t=>t.name);function Ng(n){let e=n.origin,t=e.map((s,r)=>s+n.step[r]*65535);return{centre:e.map((s,r)=>(s+t[r])/2),low:e,high:t,diagonal:Math.hypot(...e.map((s,r)=>t[r]-s))}}async function Ug(n,e,t){let i=n.parts[e],[s,r,o,a,c,...l]=await Promise.all([Ig(i.points.block,3),zc(i.cells.block,i.cells.corners),zc(i.elements,1),zc(i.faces.block,1),kc(i.faces.kind),...i.groups.map(d=>kc(d.block))]),h=i.points.count,u=new Float32Array(3*h);for(let d=0;d<3;d++){let m=n.origin[d]-t.centre[d];for(let y=0;y<h;y++)u[3*y+d]=m+n.step[d]*s[d*h+y]}let{corners:f}=i.cells;return{held:i,index:e,points:u,cells:r,count:i.cells.count,corners:f,elements:o,faces:a,faceKinds:c,groups:l}}function Hc(n,e,t=null){let i=n.held.groups.flatMap((r,o)=>e.has(r.name)?[n.groups[o]]:[]);if(i.length===0)return t;let s=new Uint8Array(n.count);for(let r=0;r<n.count;r++)s[r]=t&&!t[r]||i.some(o=>o[r>>3]>>(r&7)&1)?0:1;return s}var Ow={x:new W(1,0,0),y:new W(0,-1,0),z:new W(0,0,1)},Bw=[new W(1,-.42,.3),new W(.42,-1,.3)];function Fg(n,e){let t=new W(1/0,1/0,1/0),i=t.clone().negate(),s=(r,o)=>{let a=new W().fromArray(r.points,3*o);t.min(a),i.max(a)};for(let r of n.filter(o=>o.held.kind==="lining"))for(let o=0;o<r.points.length/3;o++)s(r,o);if(t.x>i.x)for(let r of n.filter(o=>o.corners===8))r.faces.forEach((o,a)=>{if(r.faceKinds[a]===Pn.opening)for(let c of ca[o%6])s(r,r.cells[c*r.count+Math.floor(o/6)])});return t.x>i.x&&(i.set(...e.high).sub(new W(...e.centre)),t.copy(i).negate()),{low:t,high:i}}function Og(n,e,t,i,s){let r=new On(28,1,e.diagonal/1e3,e.diagonal*12);r.up.set(0,0,1);let o=new Bc(r,n);o.addEventListener("change",s),o.minDistance=e.diagonal/200,o.maxDistance=e.diagonal*6,o.enableZoom=!1,n.addEventListener("focus",()=>o.enableZoom=!0),n.addEventListener("blur",()=>o.enableZoom=!1);let a=()=>{let m=r.fov/2*Math.PI/180;return Math.min(m,Math.atan(Math.tan(m)*r.aspect))},c=m=>{if(m===r.aspect)return;let y=a();r.aspect=m,r.updateProjectionMatrix();let p=Math.sin(y)/Math.sin(a());r.position.sub(o.target).multiplyScalar(p).add(o.target),o.update()},l=new W(...e.high).sub(new W(...e.centre)),h=m=>{let[y,p]=m==="whole"?[l.clone().negate(),l]:[t.low,t.high],g=m==="whole"||m==="oblique"?Bw[i]:Ow[m],v=y.distanceTo(p)/2*(m==="whole"?.95:.98);o.target.copy(y).add(p).divideScalar(2),r.position.copy(g).normalize().multiplyScalar(v/Math.sin(a())).add(o.target),m==="z"&&(r.position.y-=1e-4*v),o.update(),s()},u=(m,y,p)=>{let g=r.position.clone().sub(o.target),v=new Ps().setFromCartesianCoords(g.x,g.z,-g.y);v.theta+=m,v.phi+=y,v.radius*=p,v.makeSafe();let{x:T,y:b,z:R}=new W().setFromSpherical(v);r.position.set(T,-R,b).add(o.target),o.update(),s()},f=Math.PI/24,d={ArrowLeft:()=>u(-f,0,1),ArrowRight:()=>u(f,0,1),ArrowUp:()=>u(0,-f,1),ArrowDown:()=>u(0,f,1),"+":()=>u(0,0,1/1.15),"=":()=>u(0,0,1/1.15),"-":()=>u(0,0,1.15)};return n.addEventListener("keydown",m=>{let y=d[m.key];!y||m.ctrlKey||m.metaKey||m.altKey||(y(),m.preventDefault())}),{camera:r,look:h,aim:c}}var Wc=[[252,253,191],[254,207,146],[254,159,109],[247,112,92],[222,73,104],[183,55,121],[140,41,129],[100,26,128],[59,15,112]];function kw(n){let e=Math.abs(2*n-1),t=(n<.5?255:30)*Math.PI/180,i=.97-.57*e,s=.17*Math.min(1,1.25*e)*(1-.25*e);return zw(i,s*Math.cos(t),s*Math.sin(t))}function zw(n,e,t){let i=(n+.3963377774*e+.2158037573*t)**3,s=(n-.1055613458*e-.0638541728*t)**3,r=(n-.0894841775*e-1.291485548*t)**3;return[4.0767416621*i-3.3077115913*s+.2309699292*r,-1.2684380046*i+2.6097574011*s-.3413193965*r,-.0041960863*i-.7034186147*s+1.707614701*r].map(a=>{let c=Math.min(1,Math.max(0,a));return 255*(c<=.0031308?12.92*c:1.055*c**(1/2.4)-.055)})}function Vw(n){let e=n*(Wc.length-1),t=Math.min(Math.floor(e),Wc.length-2);return Wc[t].map((i,s)=>i+(e-t)*(Wc[t+1][s]-i))}function ff({low:n,high:e}){return n<0&&e>0&&Math.min(-n,e)>.04*Math.max(-n,e)?"diverging":e>-n?"rising":"falling"}function Xc(n,{low:e,high:t}){if(n==="diverging")return{scale:.5/Math.max(-e,t),shift:.5};let i=1/(t-e||1);return n==="rising"?{scale:i,shift:-e*i}:{scale:-i,shift:t*i}}function ha(n){let e=new Uint8Array(1024);for(let t=0;t<256;t++){let i=n==="diverging"?kw(t/255):Vw(t/255);e.set([...i.map(Math.round),255],4*t)}return e}var Oe=ya({view:"The model in three dimensions",canvas:"The model. Drag to turn, right button or two fingers to shift, arrow keys and + − to turn and come nearer, Enter for the value in the middle.",hint:"Drag to turn, click for the value under the pointer; once the model has been clicked, the wheel zooms.",noGraphics:"This browser shows no WebGL 2 graphics, so the model cannot be turned here; the figures of this page do not need it.",unreadable:"The numbers of the model in this page cannot be read; the figures of this page do not need them.",lost:"The graphics card has let go of the picture; it comes back by itself where the browser allows it.",loading:"The model is being read …",field:"Field",time:"Time",timeLeft:"Time, left",timeRight:"Time, right",stage:"Stage",stageLeft:"Stage, left",stageRight:"Stage, right",play:"Play",stop:"Stop",beside:"Two times side by side",range:"Colours span",ranges:{all:"all times",now:"the time shown",own:"own limits"},colourRock:"Colour the rock too",lowest:"from",highest:"to",deformation:"Deformation",deformedBy:n=>`displacement × ${n}, relative to the mean motion`,deformationNote:"Drawn is the displacement less the mean motion of the whole model at that time, which strains nothing.",cuts:"Cut planes",cutAxis:n=>`Cut across ${n}`,cutAt:n=>`${n} of the cut, m`,turnCut:n=>`Cut away the other side of ${n}`,cutAll:"Cut the lining too",shown:"Shown",rockStyle:"Rock as",rockStyles:{section:"section and outline",translucent:"translucent sides",solid:"solid body"},openings:"Walls of the caverns",edges:"Edges of elements",groups:n=>`Groups of ${n}`,groupsNote:"A group that is not ticked hides its elements.",viewButtons:"Look from",lookFrom:{oblique:"Reset",x:"along x",y:"along y",z:"along z"},whole:"Whole model",picture:"Save PNG",pictureName:"model.png",nothing:"no value",noValueHere:"nothing there",element:n=>`element ${n}`,halfLevel:(n,e)=>`${n} ± ${e}`,about:"What this view holds and leaves out",halfLevelNote:"± half a step of the values as this page holds them; result files and tables hold them in full.",relativeDisplacement:"displacement relative to the mean motion",totalDisplacement:"displacement",cutNamed:(n,e)=>`cut at ${n} = ${e} m`,leftOut:n=>`${n}: this page leaves out this time`,notMoved:n=>`${n}: drawn without displacement, which this page leaves out at this time`},{view:"三维模型",canvas:"模型。拖动旋转,右键或双指平移,方向键与 + − 旋转和缩放,回车键显示画面中心处的数值。",hint:"拖动旋转,单击显示指针处的数值;单击模型后可用滚轮缩放。",noGraphics:"此浏览器不支持 WebGL 2 图形,因此这里不能旋转模型;本页其他图不受影响。",unreadable:"本页中的模型数据无法读取;本页其他图不受影响。",lost:"显卡已释放图像;浏览器允许时会自动恢复。",loading:"正在读取模型……",field:"物理量",time:"时刻",timeLeft:"左侧时刻",timeRight:"右侧时刻",stage:"阶段",stageLeft:"左侧阶段",stageRight:"右侧阶段",play:"播放",stop:"停止",beside:"并排显示两个时刻",range:"色标范围",ranges:{all:"全部时刻",now:"当前时刻",own:"自定义"},colourRock:"围岩也着色",lowest:"下限",highest:"上限",deformation:"变形放大",deformedBy:n=>`位移(相对于平均运动)× ${n}`,deformationNote:"所绘为扣除该时刻全模型平均运动后的位移;平均运动不产生应变。",cuts:"剖切面",cutAxis:n=>`垂直于 ${n} 剖切`,cutAt:n=>`剖面的 ${n} 坐标,m`,turnCut:n=>`切去 ${n} 的另一侧`,cutAll:"同时剖切衬砌",shown:"显示",rockStyle:"围岩显示为",rockStyles:{section:"剖面与轮廓",translucent:"半透明边界",solid:"实体"},openings:"洞室壁面",edges:"单元边线",groups:n=>`${n} 的分组`,groupsNote:"未勾选的分组,其单元不显示。",viewButtons:"视角",lookFrom:{oblique:"复位",x:"沿 x",y:"沿 y",z:"沿 z"},whole:"整个模型",picture:"保存 PNG",pictureName:"模型.png",nothing:"无数值",noValueHere:"此处无数值",element:n=>`单元 ${n}`,halfLevel:(n,e)=>`${n} ± ${e}`,about:"本视图包含与省略的数据",halfLevelNote:"± 为本页数据量化间隔的一半;完整数值见结果文件和表格。",relativeDisplacement:"相对于平均运动的位移",totalDisplacement:"位移",cutNamed:(n,e)=>`剖面 ${n} = ${e} m`,leftOut:n=>`${n}:本页未含此时刻的数据`,notMoved:n=>`${n}:本页未含此时刻的位移,按未变形绘制`});var df=["x","y","z"],Gw=n=>n.clock==="stages"?{one:Oe.stage,left:Oe.stageLeft,right:Oe.stageRight}:{one:Oe.time,left:Oe.timeLeft,right:Oe.timeRight};function Bg(n){let e=Object.keys(Oe.lookFrom).map(t=>Rr(Oe.lookFrom[t],()=>n.look(t)));return Qe("div",{class:"view-tools",role:"toolbar","aria-label":Oe.viewButtons},...e,Rr(Oe.whole,()=>n.look("whole")),Rr(Oe.picture,()=>n.picture()))}function kg(n,e,t,i,s,r){let o=matchMedia("(min-width: 700px)").matches,{changed:a}=r,c=Va(Oe.field,i.map(I=>[I.name,I.label]),t.field,I=>{t.field=I,a()}),l=Va(Oe.range,Object.entries(Oe.ranges),t.range,I=>{t.range=I,a()}),h=(I,L)=>Gh(I,z=>{t.own={...t.own,[L]:z/r.factor()},t.range=l.input.value="own",a()}),u=h(Oe.lowest,"low"),f=h(Oe.highest,"high"),d=Qe("span",{class:"view-unit"}),m=Ji(Oe.colourRock,t.colourRock,I=>{t.colourRock=I,a()}),y=Gw(n),p=[0,1].map(I=>Vh(y.one,n.times.length-1,t.times[I],L=>n.times[L].label,L=>{t.times[I]=L,a()})),g=()=>{p[0].row.hidden=!t.beside,p[0].row.firstElementChild.textContent=y.left,p[1].row.firstElementChild.textContent=t.beside?y.right:y.one};g();let v=Ji(Oe.beside,t.beside,I=>{t.beside=I,g(),a()}),T=0,b=Rr(Oe.play,()=>{T?(clearInterval(T),T=0):T=window.setInterval(()=>{t.times[1]=(t.times[1]+1)%n.times.length,p[1].set(t.times[1]),a()},500),b.textContent=T?Oe.stop:Oe.play}),R=n.parts.some(I=>I.kind==="rock")&&n.parts.some(I=>I.kind!=="rock"),E=n.times.length>1,x=Vh(Oe.deformation,s.length-1,s.indexOf(t.scale),I=>`× ${s[I]}`,I=>{t.scale=s[I],a()}),A=Ww(e,t,a),k=Xw(n,t,a);return{element:Qe("form",{class:"view-controls"},Pr(Oe.field,!0,c.row,l.row,Qe("div",{class:"view-row view-limits"},Qe("span",{},Oe.lowest),u,Qe("span",{},Oe.highest),f,d),R?m.row:null),Pr(y.one,!0,...E?[p[0].row,p[1].row,Qe("div",{class:"view-row"},b),v.row]:[],n.displacementStep>0?x.row:null,n.displacementStep>0?Qe("p",{class:"note"},Oe.deformationNote):null),Pr(Oe.cuts,o,...A.rows),Pr(Oe.shown,o,...k.rows)),tell(I){c.input.value=t.field,k.tell(),l.input.value=t.range,v.input.checked=t.beside,m.input.checked=t.colourRock,g(),p.forEach((L,z)=>L.set(t.times[z])),A.tell(),x.set(s.indexOf(t.scale));for(let[L,z]of[[u,I.low],[f,I.high]])document.activeElement!==L&&(L.value=Hw(z,I.high-I.low));d.textContent=I.unit}}}var Hw=(n,e)=>String(Number(n.toFixed(Math.min(12,Math.max(0,3-Math.floor(Math.log10(e)))))));function Ww(n,e,t){let s=[],r=df.map((a,c)=>{let l=e.cuts[c],h=n.high[c]-n.low[c],u=Ji(a,l.on,g=>{l.on=g,t()});u.input.setAttribute("aria-label",Oe.cutAxis(a));let f=Qe("input",{type:"range",min:"0",max:String(240),step:"1","aria-label":Oe.cutAt(a)}),d=Gh(Oe.cutAt(a),g=>y(Math.min(n.high[c],Math.max(n.low[c],g)))),m=()=>{f.value=String((l.at-n.low[c])/(h||1)*240),f.setAttribute("aria-valuetext",`${l.at.toFixed(1)} m`),d.value=String(Number(l.at.toFixed(2))),u.input.checked=l.on},y=g=>{l.at=g,l.on=!0,m(),t()};f.addEventListener("input",()=>y(n.low[c]+h*Number(f.value)/240)),m(),s.push(m);let p=Rr("⇄",()=>{l.keep=l.keep>0?-1:1,t()},Oe.turnCut(a));return Qe("div",{class:"view-row view-cut"},u.row,f,d,Qe("span",{},"m"),p)}),o=Ji(Oe.cutAll,e.cutAll,a=>{e.cutAll=a,t()});return s.push(()=>o.input.checked=e.cutAll),{rows:[...r,o.row],tell:()=>s.forEach(a=>a())}}function Xw(n,e,t){let i=[],s=n.parts.map((l,h)=>{let u=Ji(l.name,e.shown[h],d=>{e.shown[h]=d,t()});if(i.push(()=>u.input.checked=e.shown[h]),l.groups.length<2)return u.row;let f=l.groups.map(({name:d})=>Ji(d,!0,m=>{m?e.hidden[h].delete(d):e.hidden[h].add(d),t()}));return Qe("div",{class:"view-part"},u.row,Pr(Oe.groups(l.name),!1,Qe("p",{class:"note"},Oe.groupsNote),...f.map(d=>d.row)))}),r=Va(Oe.rockStyle,Object.entries(Oe.rockStyles),e.rock,l=>{e.rock=l,t()}),o=Ji(Oe.openings,e.openings,l=>{e.openings=l,t()}),a=Ji(Oe.edges,e.edges,l=>{e.edges=l,t()}),c=n.parts.some(l=>l.kind==="rock");return i.push(()=>r.input.value=e.rock),{rows:[...s,...c?[r.row]:[],o.row,a.row],tell:()=>i.forEach(l=>l())}}function ua(n,e){let t=[],i=[],s=[],r=[],o=[],a=[],c=new Set,l=n.points.length/3,h=(u,f)=>{let[d,m]=t[u]<t[f]?[t[u],t[f]]:[t[f],t[u]],y=d*l+m;!e&&c.has(y)||(e||c.add(y),a.push(u,f))};return{vertex(u,f,d,m){return t.push(u),i.push(f),s.push(d),r.push(m),t.length-1},polygon(u){for(let f=2;f<u.length;f++)o.push(u[0],u[f-1],u[f]);u.forEach((f,d)=>h(f,u[(d+1)%u.length]))},sheet:()=>({part:n,a:Uint32Array.from(t),b:Uint32Array.from(i),s:Float32Array.from(s),cell:Uint32Array.from(r),triangles:Uint32Array.from(o),lines:Uint32Array.from(a),flat:e})}}function pf(n,e){let{a:t,b:i,s}=n,r=new Float32Array(3*t.length);for(let o=0;o<t.length;o++)for(let a=0;a<3;a++){let c=e[3*t[o]+a];r[3*o+a]=c+s[o]*(e[3*i[o]+a]-c)}return r}var qw=[[0,1],[1,2],[2,3],[3,0],[4,5],[5,6],[6,7],[7,4],[0,4],[1,5],[2,6],[3,7]];function Yw(n,e){let t=new Float32Array(n.count).fill(1/0),i=new Float32Array(n.count).fill(-1/0);for(let s=0;s<n.corners;s++)for(let r=0;r<n.count;r++){let o=n.points[3*n.cells[s*n.count+r]+e];o<t[r]&&(t[r]=o),o>i[r]&&(i[r]=o)}return{low:t,high:i}}function zg(n){let e=[];return(t,i,s,r)=>{let o=ua(n,!0);if(n.corners===8){let{low:a,high:c}=e[t]??=Yw(n,t);for(let l=0;l<n.count;l++)(s>0?a[l]<=i&&c[l]>i:a[l]<i&&c[l]>=i)&&(!r||r[l])&&Zw(n,l,t,i,s,o)}return o.sheet()}}function Zw(n,e,t,i,s,r){let[o,a]=[(t+1)%3,(t+2)%3],{points:c}=n,l=[];for(let[f,d]of qw){let m=n.cells[f*n.count+e],y=n.cells[d*n.count+e],p=(c[3*m+t]-i)*s,g=(c[3*y+t]-i)*s;if(p>0==g>0)continue;let v=p/(p-g),T=c[3*m+o]+v*(c[3*y+o]-c[3*m+o]),b=c[3*m+a]+v*(c[3*y+a]-c[3*m+a]);l.some(R=>Math.abs(R.x-T)+Math.abs(R.y-b)<1e-5)||l.push({p:m,q:y,s:v,x:T,y:b,angle:0})}if(l.length<3)return;let h=l.reduce((f,d)=>f+d.x,0)/l.length,u=l.reduce((f,d)=>f+d.y,0)/l.length;for(let f of l)f.angle=Math.atan2(f.y-u,f.x-h);l.sort((f,d)=>f.angle-d.angle),r.polygon(l.map(f=>r.vertex(f.p,f.q,f.s,e)))}function Vg(n,e,t){return(n.corners===4?[0,1,2,3]:ca[t]).map(s=>n.cells[s*n.count+e])}function $w(n,e){if(n.corners===4)return[];let t=new Set(n.faces),i=new Map,s=n.points.length/3;for(let r=0;r<n.count;r++)for(let o=0;o<6;o++){if(t.has(r*6+o))continue;let a=ca[o].map(u=>n.cells[u*n.count+r]),c=a.indexOf(Math.min(...a)),l=a[c]*s+a[(c+2)%4],h=i.get(l);h===void 0?i.set(l,r*6+o):e[r]===e[Math.floor(h/6)]?i.delete(l):i.set(l,e[r]?r*6+o:h)}return[...i.values()].filter(r=>e[Math.floor(r/6)])}function Gg(n,e,t){let i=ua(n,!1),s=r=>{let o=Math.floor(r/6),a=Vg(n,o,r%6);i.polygon(a.map(c=>i.vertex(c,c,0,o)))};return n.faces.forEach((r,o)=>{t.includes(n.faceKinds[o])&&(!e||e[Math.floor(r/6)])&&s(r)}),e&&t.includes(Pn.against)&&$w(n,e).forEach(s),i.sheet()}function Hg(n,e){let t=ua(n,!1),i=n.points.length/3,s=new Map;n.faces.forEach((r,o)=>{let a=Math.floor(r/6);if(n.faceKinds[o]!==Pn.side||e&&!e[a])return;let c=Vg(n,a,r%6),l=Kw(n,c);c.forEach((h,u)=>{let f=c[(u+1)%4],d=Math.min(h,f)*i+Math.max(h,f),m=s.get(d);m?m.sharp=l.reduce((y,p,g)=>y+p*m.normal[g],0)<Math.cos(Math.PI/6):s.set(d,{cell:a,normal:l,sharp:!0,ends:[h,f]})})});for(let{cell:r,sharp:o,ends:a}of s.values())o&&t.polygon(a.map(c=>t.vertex(c,c,0,r)));return t.sheet()}function Kw(n,e){let t=(a,c)=>n.points[3*a+c],i=[0,1,2].map(a=>t(e[2],a)-t(e[0],a)),s=[0,1,2].map(a=>t(e[3],a)-t(e[1],a)),r=[i[1]*s[2]-i[2]*s[1],i[2]*s[0]-i[0]*s[2],i[0]*s[1]-i[1]*s[0]],o=Math.hypot(...r)||1;return r.map(a=>a/o)}var mf=(n,e,t)=>n.cuts[t].at-e.centre[t];function Wg(n,e){let t=n.map(zg),i=new Map,s=(r,o,a)=>{let c=[],l=(u,f,d,m,y)=>{let p=a.get(u)??i.get(u)??f();a.set(u,p),p.lines.length&&c.push({key:`${u} ${d} ${m} ${y}`,sheet:p,cut:d,opacity:m,lines:y})},h=u=>r.edges?u:0;return n.forEach((u,f)=>{let d=r.hidden[f],m=Hc(u,d,o[f].cells),y=`${f} ${[...d].join("|")} ${o[f].key}`,p=u.held.kind==="rock",g=p||r.cutAll;p&&l(`${f} ${o[f].key} outline`,()=>Hg(u,o[f].cells),!1,0,.55);let v=(T,b,R)=>l(`${y} faces ${T}`,()=>Gg(u,m,T),g,b,R);if(!r.shown[f]){r.openings&&v([Pn.opening],1,h(.2));return}p?(r.rock==="solid"?v([Pn.side,Pn.against,Pn.opening],1,h(.16)):r.openings&&v([Pn.opening,Pn.against],1,h(.2)),r.rock==="translucent"&&v([Pn.side],.25,h(.12))):v([Pn.side,Pn.against,Pn.opening],1,h(.4)),g&&r.cuts.forEach(({on:T,keep:b},R)=>{if(!T)return;let E=mf(r,e,R);l(`${y} cut ${R} ${E} ${b}`,()=>t[f](R,E,b,m),g,1,h(p?.16:.4))})}),c};return(r,o)=>{let a=new Map,c=o.map(l=>s(r,l,a));return i=a,c}}var Jw={m:[[1,1,"m"],[.001,1e3,"mm"],[1e-6,1e6,"µm"],[1e-9,1e9,"nm"]],"m/s":[[.1,1,"m/s"],[1e-4,1e3,"mm/s"],[1e-7,1e6,"µm/s"]],Pa:[[1e9,1e-9,"GPa"],[1e5,1e-6,"MPa"],[100,.001,"kPa"],[.1,1,"Pa"]]};function Xg(n,e){let t=Jw[n]?.find(([s])=>e>=s);if(t&&e*t[1]<1e5)return{factor:t[1],unit:t[2]};if(!(e>0)||!Number.isFinite(e)||e>=.01&&e<1e5)return{factor:1,unit:n};let i=3*Math.floor(Math.log10(e)/3+1e-9);return{factor:10**-i,unit:`×10${qg(i)} ${n}`.trim()}}function qc(n,e){if(n===0)return"0";let t=Math.abs(n);if(t<1e-4||t>=1e6){let[s,r]=n.toExponential(e-1).split("e");return`${cs(s)}×10${qg(Number(r))}`}let i=Math.max(0,e-1-Math.floor(Math.log10(t)));return cs(n.toFixed(Math.min(i,8)))}function gf(n,e){let t=n.toFixed(e);return Number(t)===0?t.replace("-",""):t}var cs=n=>n.replace("-","−"),qg=n=>[...String(n)].map(e=>e==="-"?"⁻":"⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(e)]).join(""),_f=(n,e)=>e?`${n} ${e}`:n;function Yg(n,e,t){let i=e-n;if(!(i>0)||!Number.isFinite(i))return{values:[n],decimals:2};let s=i/Math.max(1,t),r=10**Math.floor(Math.log10(s)),o=[1,2,5,10].map(c=>c*r).find(c=>c>=s*.999)??10*r,a=[];for(let c=Math.ceil(n/o-1e-6);c*o<=e+o*1e-6;c++)a.push(c*o+0);return{values:a,decimals:Math.max(0,-Math.floor(Math.log10(o)+1e-9))}}var da='12px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';function Yc(n,e){n.font=da,n.textBaseline="middle",n.lineJoin="round",e.panels.forEach((i,s)=>{s>0&&(n.strokeStyle=e.muted,n.globalAlpha=.5,n.strokeRect(i.left-.5,i.top-.5,i.width+2,i.height+2),n.globalAlpha=1);let r=i.width-24-(i.left+i.width===e.width&&e.bar?70:0),o=i.top+16,a=i.lines.flatMap(l=>yf(n,l,r)),c=Math.max(...a.map((l,h)=>jw(n,l,h===0)));xf(n,e,i.left+6,i.top+5,c+14,17*a.length+6),a.forEach((l,h)=>{fa(n,l,i.left+12,o,h===0?e.ink:e.muted,h===0),o+=17})}),e.bar&&Qw(n,e,e.bar);let t=e.panels[0];t1(n,e,t.left+38,t.top+t.height-38)}function jw(n,e,t){return n.font=t?`600 ${da}`:da,n.measureText(e).width}function xf(n,e,t,i,s,r){n.globalAlpha=.82,n.fillStyle=e.paper,n.beginPath(),n.roundRect(t,i,s,r,4),n.fill(),n.globalAlpha=1}function fa(n,e,t,i,s,r=!1){n.font=r?`600 ${da}`:da,n.fillStyle=s,n.fillText(e,t,i)}function yf(n,e,t){let i=[],s="";for(let r of e.match(/[\u3000-\uffef]|[^\s\u3000-\uffef]+\s*|\s+/gu)??[])s&&n.measureText(s+r).width>t&&(i.push(s.trimEnd()),s=""),s+=r;return s?[...i,s.trimEnd()]:i}function Qw(n,e,t){let{range:i,scheme:s,shown:r,beyond:o}=t,a=e.panels[e.panels.length-1],c=Math.min(260,a.height*.55),l=a.top+(a.height-c)/2,h=e.width-66,u=14,f=ha(s),{scale:d,shift:m}=Xc(s,i),y=b=>{let R=d*(i.low+b*(i.high-i.low))+m,E=4*Math.round(255*Math.min(1,Math.max(0,R)));return`rgb(${f[E]},${f[E+1]},${f[E+2]})`};xf(n,e,h-12,l-30,74,c+46);for(let b=0;b<c;b++)n.fillStyle=y(1-(b+.5)/c),n.fillRect(h,l+b,u,1.5);let p=(b,R,E)=>{n.fillStyle=E,n.beginPath(),n.moveTo(h,b),n.lineTo(h+u,b),n.lineTo(h+u/2,R),n.fill()};o.above&&p(l,l-10,y(1)),o.below&&p(l+c,l+c+10,y(0)),n.strokeStyle=e.muted,n.lineWidth=1,n.strokeRect(h+.5,l+.5,u-1,c-1);let[g,v]=[i.low*r.factor,i.high*r.factor],T=Yg(g,v,c/45);for(let b of T.values){let R=l+c*(1-(v>g?(b-g)/(v-g):.5));n.strokeStyle=e.muted,n.lineWidth=1,n.beginPath(),n.moveTo(h+u,R),n.lineTo(h+u+4,R),n.stroke(),fa(n,e1(b,T.decimals),h+u+7,R,e.ink)}if(r.unit&&(n.textAlign="center",fa(n,r.unit,h+u/2,l-(o.above?20:12),e.ink),n.textAlign="start"),t.nothing){let b=l+c+30;n.strokeStyle=e.muted,n.lineWidth=1;let R=n.measureText(Oe.nothing).width;xf(n,e,h-R-14,b-10,R+u+20,20),n.fillStyle=e.nothing,n.fillRect(h,b-6,u,12),n.strokeRect(h+.5,b-5.5,u-1,11),fa(n,Oe.nothing,h-R-8,b,e.ink)}}function e1(n,e){let t=Math.abs(n);return cs(t&&(e>5||t>=1e6)?n.toExponential(1):n.toFixed(e))}function t1(n,e,t,i){let s=e.camera.quaternion.clone().invert(),r=[{name:"x",way:new W(1,0,0),colour:"#c4422f"},{name:"y",way:new W(0,1,0),colour:"#2f8f4e"},{name:"z",way:new W(0,0,1),colour:"#3a72c9"}];for(let o of r)o.way.applyQuaternion(s);r.sort((o,a)=>o.way.z-a.way.z),n.textAlign="center";for(let{name:o,way:a,colour:c}of r)n.strokeStyle=c,n.lineWidth=2,n.beginPath(),n.moveTo(t,i),n.lineTo(t+22*a.x,i-22*a.y),n.stroke(),fa(n,o,t+30*a.x,i-30*a.y,c,!0);n.textAlign="start"}var Zg=`
+attribute vec3 moved;
+attribute vec2 level;
+uniform float deform;
+varying vec3 vPlace;
+varying vec3 vView;
+varying vec2 vLevel;
+void main() {
+  vPlace = position;
+  vLevel = level;
+  vec4 seen = modelViewMatrix * vec4(position + deform * moved, 1.0);
+  vView = seen.xyz;
+  gl_Position = projectionMatrix * seen;
+}`,$g=`
+uniform vec3 cutAt;
+uniform vec3 cutKeep;
+uniform float cutGap;
+varying vec3 vPlace;
+void cut() {
+  if (any(lessThan(cutKeep * (vPlace - cutAt), vec3(-cutGap)))) discard;
+}`,n1=`${$g}
+uniform sampler2D map;
+uniform float placeScale;
+uniform float placeShift;
+uniform vec3 nothing;
+uniform vec3 plainColour;
+uniform float plain;
+uniform float lit;
+uniform float opacity;
+varying vec3 vView;
+varying vec2 vLevel;
+void main() {
+  cut();
+  float place = clamp(placeScale * vLevel.x + placeShift, 0.0, 1.0);
+  vec3 colour = vLevel.y > 0.999 ? texture2D(map, vec2((255.0 * place + 0.5) / 256.0, 0.5)).rgb : nothing;
+  colour = mix(colour, plainColour, plain);
+  vec3 normal = normalize(cross(dFdx(vView), dFdy(vView)));
+  float light = mix(1.0, 0.84 + 0.16 * abs(normal.z), lit);
+  gl_FragColor = vec4(colour * light, opacity);
+}`,i1=`${$g}
+uniform vec3 ink;
+uniform float opacity;
+void main() {
+  cut();
+  gl_FragColor = vec4(ink, opacity);
+}`;function Kg(n){let e=new $r(ha("rising"),256,1);e.magFilter=e.minFilter=En;let t={map:{value:e},placeScale:{value:1},placeShift:{value:0},deform:{value:0},nothing:{value:new ct},ink:{value:new ct},plainColour:{value:new ct},cutGap:{value:1e-5*n}},i={cutAt:{value:new W},cutKeep:{value:new W}},s={cutAt:{value:new W},cutKeep:{value:new W}},r="rising";return{shared:t,planes:i,colours(o,a){o!==r&&(r=o,e.image.data.set(ha(r))),e.needsUpdate=!0;let{scale:c,shift:l}=Xc(r,a);t.placeScale.value=c,t.placeShift.value=l},fill:(o,a,c,l)=>new ii({uniforms:{...t,...o?i:s,lit:{value:a?0:1},plain:{value:0},opacity:{value:c}},vertexShader:Zg,fragmentShader:n1,side:pi,transparent:c<1,depthWrite:c===1,polygonOffset:!0,polygonOffsetFactor:l?2:1,polygonOffsetUnits:l?2:1}),lines:(o,a)=>new ii({uniforms:{...t,...o?i:s,opacity:{value:a}},vertexShader:Zg,fragmentShader:i1,transparent:!0,depthWrite:!1})}}function Jg(n,e){let{sheet:t,cut:i,opacity:s}=n,r=pf(t,t.part.points),o=new Float32Array(r.length),a=new Float32Array(2*r.length/3),c={position:new Bn(r,3),moved:new Bn(o,3),level:new Bn(a,2)},l=f=>{let d=new Ei;for(let[m,y]of Object.entries(c))d.setAttribute(m,y);return d.setIndex(new Bn(f,1)),d},h=new di(l(t.triangles),e.fill(i,t.flat,s,t.part.held.kind==="rock")),u=new Ho(l(t.lines),e.lines(i,n.lines));return h.frustumCulled=u.frustumCulled=!1,h.visible=s>0,h.renderOrder=s<1?2:0,u.renderOrder=1,{layer:n,place:r,moved:o,level:a,fill:h,lines:u}}function jg(n){for(let e of[n.fill,n.lines])e.geometry.dispose(),e.material.dispose()}function Qg({layer:{sheet:n},level:e,fill:t},i){for(let s=0;s<n.cell.length;s++){let r=NaN;i?.at==="cells"?r=i.array[n.cell[s]]:i&&(r=i.array[n.a[s]]+n.s[s]*(i.array[n.b[s]]-i.array[n.a[s]]));let o=!Number.isNaN(r);e[2*s]=o?r:0,e[2*s+1]=o?1:0}t.geometry.attributes.level.needsUpdate=!0}function e0({fill:n},e){n.material.uniforms.plain.value=e?1:0}function t0({layer:{sheet:n},moved:e,fill:t},i){i?e.set(pf(n,i)):e.fill(0),t.geometry.attributes.moved.needsUpdate=!0}var ro=["|u - mean|","|u|"],vf=n=>ro.includes(n);function n0(n){let e=new Map,t={lining:0,interface:1,rock:2};for(let i of[...n.parts].sort((s,r)=>t[s.kind]-t[r.kind]))for(let{name:s,label:r,unit:o}of i.fields)e.has(s)||e.set(s,{name:s,label:r,unit:o});return n.displacementStep>0&&(e.set(ro[0],{name:ro[0],label:Oe.relativeDisplacement,unit:"m"}),e.set(ro[1],{name:ro[1],label:Oe.totalDisplacement,unit:"m"})),[...e.values()]}var Sf=(n,e)=>n.held.fields.find(t=>t.name===e),Zc=(n,e)=>vf(e)?n.held.displacement.some(t=>t!==null):Sf(n,e)!==void 0;async function bf(n,e,t){let i=e.held.displacement[t]??null;if(i===null||!n.displacementStep)return null;let s=await Dg(i),r=s.length/3,o=new Float32Array(3*r);for(let a=0;a<3;a++)for(let c=0;c<r;c++)o[3*c+a]=n.displacementStep*s[a*r+c];return o}async function Mf(n,e,t,i){if(vf(t)){let l=await bf(n,e,i);if(!l)return null;let[h,u,f]=t===ro[1]?n.mean[i]:[0,0,0],d=new Float32Array(l.length/3);for(let m=0;m<d.length;m++)d[m]=Math.hypot(l[3*m]+h,l[3*m+1]+u,l[3*m+2]+f);return{at:"points",array:d,half:Math.sqrt(3)/2*n.displacementStep}}let s=Sf(e,t),r=s?.blocks[i]??null;if(!s||r===null)return null;let o=(s.high-s.low)/254,a=Float32Array.from({length:256},(l,h)=>h===255?NaN:s.low+h*o),c=Float32Array.from(await Vc(r),l=>a[l]);return{at:s.at,array:c,half:o/2}}function wf(n,e,t){let i=1/0,s=-1/0,r=o=>{o<i&&(i=o),o>s&&(s=o)};for(let o=0;o<n.count;o++)if(!(t&&!t[o]))if(e.at==="cells")r(e.array[o]);else for(let a=0;a<n.corners;a++)r(e.array[n.cells[a*n.count+o]]);return i<=s?{low:i,high:s}:null}async function i0(n,e,t){let i=[];for(let s of e){if(!vf(t)){i.push(Sf(s,t)??null);continue}for(let r=0;r<n.times.length;r++){let o=await Mf(n,s,t,r);i.push(o&&wf(s,o,null))}}return Ef(i)}function Ef(n){let e=n.filter(t=>t!==null);return e.length===0?null:{low:Math.min(...e.map(t=>t.low)),high:Math.max(...e.map(t=>t.high))}}var Af=()=>({scene:new zo,drawn:[],time:0,values:[],moved:[]});async function s0(n,e,t,i,s,r,o){let[a,c]=await Promise.all([Promise.all(e.map((l,h)=>t[h]?Mf(n,l,s,r):null)),Promise.all(e.map((l,h)=>i[h]&&o?bf(n,l,r):null))]);return{time:r,values:a,moved:c}}function r0(n,e,t,i,s){let r=new Map(n.drawn.map(o=>[o.layer.key,o]));n.drawn=e.map(o=>{let a=r.get(o.key);if(a?.layer.sheet===o.sheet)return r.delete(o.key),a;let c=Jg(o,s);return n.scene.add(c.fill,c.lines),c});for(let o of r.values())n.scene.remove(o.fill,o.lines),jg(o);Object.assign(n,t);for(let o of n.drawn){let a=o.layer.sheet.part.index;Qg(o,t.values[a]),e0(o,!i.includes(o.layer.sheet.part)),t0(o,t.moved[a])}}function Tf(n,e,t,i,s){let r=new W(i,s,-1).unproject(e),a=new W(i,s,1).unproject(e).clone().sub(r).normalize(),c=t.shared.deform.value,l=1/0,h=null;for(let u of n.drawn){if(u.layer.opacity<1)continue;let{triangles:f}=u.layer.sheet,{place:d,moved:m}=u,y=s1(u.layer.cut,t);for(let p=0;p<f.length;p+=3){let[g,v,T]=[3*f[p],3*f[p+1],3*f[p+2]],b=d[g]+c*m[g],R=d[g+1]+c*m[g+1],E=d[g+2]+c*m[g+2],x=d[v]+c*m[v]-b,A=d[v+1]+c*m[v+1]-R,k=d[v+2]+c*m[v+2]-E,I=d[T]+c*m[T]-b,L=d[T+1]+c*m[T+1]-R,z=d[T+2]+c*m[T+2]-E,H=a.y*z-a.z*L,N=a.z*I-a.x*z,G=a.x*L-a.y*I,Y=x*H+A*N+k*G;if(Y===0)continue;let B=r.x-b,ae=r.y-R,Z=r.z-E,J=(B*H+ae*N+Z*G)/Y;if(J<0||J>1)continue;let ne=ae*k-Z*A,ue=Z*x-B*k,ce=B*A-ae*x,j=(a.x*ne+a.y*ue+a.z*ce)/Y;if(j<0||J+j>1)continue;let ge=(I*ne+L*ue+z*ce)/Y;ge<0||ge>=l||y(me=>d[g+me]+J*(d[v+me]-d[g+me])+j*(d[T+me]-d[g+me]))||(l=ge,h={drawn:u,at:p,u:J,v:j})}}return h&&r1(n,h)}function s1(n,e){if(!n)return()=>!1;let t=e.planes.cutKeep.value.toArray(),i=e.planes.cutAt.value.toArray(),s=e.shared.cutGap.value;return r=>t.some((o,a)=>o!==0&&o*(r(a)-i[a])<-s)}function r1(n,{drawn:e,at:t,u:i,v:s}){let{sheet:r}=e.layer,[o,a,c]=r.triangles.subarray(t,t+3),l=d=>d(o)+i*(d(a)-d(o))+s*(d(c)-d(o)),h=[0,1,2].map(d=>l(m=>e.place[3*m+d])),f=[o,a,c].every(d=>e.level[2*d+1]===1)?l(d=>e.level[2*d]):NaN;return{part:r.part,cell:r.cell[o],place:h,value:f,half:n.values[r.part.index]?.half??0}}function o0(n,e,t,i){let s=t.shared.deform.value;for(let r of n.drawn){let{part:o,cell:a,triangles:c}=r.layer.sheet;if(!(r.layer.opacity<1))for(let l=0;l<c.length;l+=3){if(o.elements[a[c[l]]]!==i)continue;let h=new W;for(let m=l;m<l+3;m++){let y=c[m];h.add(new W().fromArray(r.place,3*y).addScaledVector(new W().fromArray(r.moved,3*y),s))}let{x:u,y:f}=h.divideScalar(3).project(e);if(Math.abs(u)>1||Math.abs(f)>1)continue;let d=Tf(n,e,t,u,f);if(d&&d.part===o&&o.elements[d.cell]===i)return[u,f]}}return null}function a0(n,e,t){let i=n.width/e.width,s=document.createElement("canvas"),r=s.getContext("2d"),o='12px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';r.font=o;let a=t.flatMap(c=>yf(r,c,e.width-24));return s.width=n.width,s.height=n.height+Math.round((a.length*17+16)*i),r.fillStyle=e.paper,r.fillRect(0,0,s.width,s.height),r.drawImage(n,0,0),r.scale(i,i),Yc(r,e),r.font=o,r.fillStyle=e.ink,a.forEach((c,l)=>r.fillText(c,12,e.height+14+17*l)),new Promise(c=>s.toBlob(c,"image/png"))}function l0(n){let e=document.createElement("a");e.href=URL.createObjectURL(n),e.download=Oe.pictureName,e.click(),setTimeout(()=>URL.revokeObjectURL(e.href),1e4)}function Cf(n,e){let t=n.filter((s,r)=>(e.shown[r]||e.openings)&&Zc(s,e.field)),i=t.filter(s=>s.held.kind!=="rock");return i.length&&!e.colourRock?i:t}function Rf(n,e,t){return Ef(n.flatMap(i=>e.map(s=>{let r=i.values[s.index];return r?wf(s,r,Hc(s,t.hidden[s.index])):null})))}function c0(n,e){let t=new Map;return async(i,s)=>{if(i.range==="own")return i.own;let r=Cf(e,i);if(i.range==="now")return Rf(s,r,i);let o=`${i.field} ${r.map(a=>a.index)}`;return t.has(o)||t.set(o,i0(n,r,i.field)),t.get(o)}}var Pf=255,h0={key:"",cells:null};function u0(n){let e=new Map,t=n.held.fields.find(i=>i.at==="cells")??n.held.fields[0];return async i=>{let s=t?.blocks.slice(0,i+1).filter(r=>r!==null).pop()??null;return!t||s===null?h0:(e.has(s)||e.set(s,Vc(s).then(r=>o1(n,t.at,r,String(s)))),e.get(s))}}function o1(n,e,t,i){if(!t.includes(Pf))return h0;let s=new Uint8Array(n.count);for(let r=0;r<n.count;r++){let o=1;if(e==="cells")o=t[r]===Pf?0:1;else for(let a=0;a<n.corners;a++)t[n.cells[a*n.count+r]]===Pf&&(o=0);s[r]=o}return{key:i,cells:s}}function f0(n,e){let t=n.displacementStep*32767,i=.03*e.diagonal/t,s=[0,1];if(!(t>0)||!Number.isFinite(i))return s;for(let r=1;r<=1e12;r*=10)for(let o of[2,5,10])o*r<=i*4&&s.push(o*r);return s}function d0(n,e){let t=[0,1].map(i=>(e.high.getComponent(i)-e.low.getComponent(i))/(n.high[i]-n.low[i]||1));return t[0]>t[1]*1.01?0:1}function p0(n,e,t,i){let s=n.times.length-1,r=o=>({on:o===i,at:e.centre[o],keep:o===1?1:-1});return{field:(t.find(o=>/^d_b/.test(o.name))??t[0])?.name??"",times:[0,s],beside:!1,cuts:[r(0),r(1),r(2)],cutAll:!1,scale:0,rock:"section",shown:n.parts.map(o=>o.kind!=="interface"),hidden:n.parts.map(()=>new Set),openings:!0,edges:!0,colourRock:!1,range:"all",own:{low:0,high:1}}}function If(n,e){if(Number.isNaN(n.value))return Oe.noValueHere;let t=n.half*e.factor,i=n.value*e.factor;if(!(t>0))return _f(qc(i,4),e.unit);let s=Math.max(0,1-Math.floor(Math.log10(t))),r=s>8||Math.abs(i)>=1e6?qc(i,4):cs(gf(i,s));return _f(Oe.halfLevel(r,qc(t,2)),e.unit)}function m0(n,e,t,i){let s=n.place.map((o,a)=>cs(gf(o+i.centre[a],2))).join(", "),r=Gc(n.part,n.cell);return[If(n,t),e,Oe.element(String(n.part.elements[n.cell])),r.length?r.join(", "):n.part.held.name,`(${s}) m`]}function g0(n,e,t){let i=Qe("div",{class:"view-tip",hidden:""});n.element.append(i);let s=0,r=(h,u)=>{let f=t(h,u);if(i.hidden=!f,n.canvas.style.cursor=f?"crosshair":"grab",!f)return null;i.replaceChildren(Qe("b",{},f[0]),...f.slice(1).map(y=>Qe("span",{},y)));let{width:d,height:m}=n.size();return i.style.left=`${Math.max(4,h+16+i.offsetWidth>d?h-i.offsetWidth-12:h+16)}px`,i.style.top=`${Math.max(4,Math.min(u+14,m-i.offsetHeight-4))}px`,f},o=(h,u)=>{let f=r(h,u);f&&(e.textContent=f.join(" · "))},a=()=>{cancelAnimationFrame(s),i.hidden=!0},{canvas:c}=n;c.addEventListener("pointermove",h=>{if(cancelAnimationFrame(s),h.buttons||h.pointerType==="touch")return a();let{offsetX:u,offsetY:f}=h;s=requestAnimationFrame(()=>r(u,f))}),c.addEventListener("pointerleave",a),c.addEventListener("blur",a);let l={x:0,y:0};return c.addEventListener("pointerdown",({offsetX:h,offsetY:u})=>{l={x:h,y:u},c.focus({preventScroll:!0})}),c.addEventListener("click",({offsetX:h,offsetY:u})=>{Math.hypot(h-l.x,u-l.y)<5&&o(h,u)}),c.addEventListener("keydown",h=>{if(h.key==="Escape"&&a(),h.key!=="Enter")return;let u=n.places(1)[0];o(u.width/2,u.height/2)}),{hide:a}}async function _0(n,e,t,i){let s=Ng(n),r=await Promise.all(n.parts.map((fe,de)=>Ug(n,de,s))),o=n0(n),a=Fg(r,s),c=d0(s,a),l=f0(n,s),h=p0(n,s,o,c),u=Kg(s.diagonal),f=Wg(r,s),d=r.map(u0),m=c0(n,r),y=[Af(),Af()],p={low:0,high:1},g=null,v=!1,T=()=>o.find(fe=>fe.name===h.field),b=()=>Xg(T()?.unit??"",Math.max(Math.abs(p.low),Math.abs(p.high))),R=fe=>h.times[y.indexOf(fe)],E=()=>h.beside?y:y.slice(1),x=0,A=async()=>{let fe=++x,de=await Promise.all(E().map(et=>Promise.all(d.map(Mt=>Mt(R(et))))));if(fe!==x)return;let Le=f(h,de),We=r.map(et=>Le.flat().some(Mt=>Mt.sheet.part===et&&Mt.opacity>0)),Ye=We.map((et,Mt)=>et||n.parts[Mt].kind==="rock"),yt=await Promise.all(E().map(et=>s0(n,r,We,Ye,h.field,R(et),h.scale>0)));if(fe!==x)return;let ut=Cf(r,h);E().forEach((et,Mt)=>r0(et,Le[Mt],yt[Mt],ut,u));let Xt=await m(h,E());if(fe!==x)return;p=Xt??{low:0,high:1},p.high>p.low||(p={low:p.low,high:p.low+(Math.abs(p.low)||1)*1e-6}),g=Rf(E(),ut,h),v=E().some(et=>et.drawn.some(({layer:Mt,level:Nt})=>Mt.opacity>0&&ut.includes(Mt.sheet.part)&&Nt.some((Kt,U)=>U%2===1&&!Kt))),u.colours(ff(p),p),u.shared.deform.value=h.scale,h.cuts.forEach(({on:et,keep:Mt},Nt)=>{u.planes.cutAt.value.setComponent(Nt,mf(h,s,Nt)),u.planes.cutKeep.value.setComponent(Nt,et?Mt:0)});let{factor:pt,unit:sn}=b();H=!0,ce.tell({low:p.low*pt,high:p.high*pt,unit:sn}),N()},k=()=>{let fe=getComputedStyle(e),de=yt=>fe.getPropertyValue(yt).trim()||"#808080",Le=t.size(),We=b(),Ye=(p.high-p.low)/500;return{width:Le.width,height:Le.height,ink:de("--ink"),muted:de("--muted"),paper:de("--paper"),nothing:`#${new ct(de("--paper")).lerp(new ct(de("--ink")),.32).getHexString()}`,bar:T()&&{range:p,scheme:ff(p),shown:We,beyond:{below:!!g&&g.low<p.low-Ye,above:!!g&&g.high>p.high+Ye},nothing:v}||null,panels:t.places(E().length).map((yt,ut)=>({...yt,lines:I(E()[ut].time)})),camera:me.camera}},I=fe=>{let de=[T()?.label??"",n.times[fe].label];return h.scale>0&&de.push(Oe.deformedBy(String(h.scale))),n.parts.forEach((Le,We)=>{let Ye=h.shown[We]&&Zc(r[We],h.field),yt=Le.fields.find(ut=>ut.name===h.field)?.blocks[fe];Ye&&yt===null&&de.push(Oe.leftOut(Le.name)),h.shown[We]&&h.scale>0&&Le.displacement[fe]===null&&de.push(Oe.notMoved(Le.name))}),de},L=()=>{let{width:fe,height:de}=t.places(E().length)[0];me.aim(fe/de)},z=0,H=!1,N=()=>{if(cancelAnimationFrame(z),z=0,!H)return;let fe=t.size();L();let de=k();u.shared.ink.value.set(de.ink),u.shared.nothing.value.set(de.nothing),u.shared.plainColour.value.set(de.paper).lerp(u.shared.ink.value,.13),t.render(E().map(We=>We.scene),me.camera,de.paper);let Le=t.over.getContext("2d");Le.setTransform(fe.fine,0,0,fe.fine,0,0),Le.clearRect(0,0,fe.width,fe.height),Yc(Le,de)},G=()=>{z||(z=requestAnimationFrame(N))},Y=(fe,de)=>{let Le=t.places(E().length),We=Le.findIndex(pt=>fe>=pt.left&&fe<pt.left+pt.width&&de>=pt.top&&de<pt.top+pt.height);if(We<0)return null;let{left:Ye,top:yt,width:ut,height:Xt}=Le[We];return{panel:E()[We],x:2*(fe-Ye)/ut-1,y:1-2*(de-yt)/Xt}},B=(fe,de)=>{let Le=Y(fe,de);return Le&&Tf(Le.panel,me.camera,u,Le.x,Le.y)},ae=(fe,de)=>{let Le=B(fe,de);return Le&&m0(Le,T()?.label??"",b(),s)},Z=()=>{Me.hide(),t.fit(h.beside),A().catch(()=>j.textContent=Oe.unreadable)},J=()=>(N(),a0(t.canvas,k(),ne())),ne=()=>{let fe=h.cuts.flatMap(({on:Le,at:We},Ye)=>Le?[Oe.cutNamed(df[Ye],cs(We.toFixed(2)))]:[]),de=n.parts.filter((Le,We)=>h.shown[We]).map(Le=>Le.name);return[document.title,[T()?.label??"",...E().map(Le=>n.times[Le.time].label),...fe].join(" · "),de.join(", ")]},ue={changed:Z,look:fe=>me.look(fe),picture:()=>{J().then(fe=>fe&&l0(fe))},factor:()=>b().factor},ce=kg(n,s,h,o,l,ue),j=Qe("p",{class:"view-says","aria-live":"polite"},Oe.hint),ge=[Oe.halfLevelNote,...n.notes].map(fe=>Qe("p",{class:"note"},fe)),xe=Qe("details",{class:"view-about"},Qe("summary",{},Oe.about),...ge);e.replaceChildren(Bg(ue),t.element,j,ce.element,xe);let me=Og(t.canvas,s,a,c,G),Me=g0(t,j,ae);t.fit(h.beside),L(),me.look("oblique"),i.again=G,new ResizeObserver(()=>{t.fit(h.beside),G()}).observe(t.element),matchMedia("(prefers-color-scheme: dark)").addEventListener("change",G),await A();let Xe=fe=>({part:fe.part.held.name,element:fe.part.elements[fe.cell],groups:Gc(fe.part,fe.cell),field:h.field,value:Number.isNaN(fe.value)?null:fe.value,unit:T()?.unit??"",halfLevel:fe.half,text:If(fe,b())});return{pick:(fe,de)=>{let Le=B(fe,de);return Le&&Xe(Le)},show:async fe=>{Np(h,fe,n.parts.map(de=>de.name)),t.fit(h.beside),fe.look&&me.look(fe.look),await A()},locate:fe=>{let de=t.places(E().length),{left:Le,top:We,width:Ye,height:yt}=de[de.length-1],ut=o0(y[1],me.camera,u,fe);return ut&&{x:Le+(ut[0]+1)/2*Ye,y:We+(1-ut[1])/2*yt}},fields:()=>o.map(fe=>fe.name),times:()=>n.times.map(fe=>fe.label),picture:J}}function x0(n){let e=Qe("canvas",{tabindex:"0",role:"img","aria-label":Oe.canvas}),t=e.getContext("webgl2",{antialias:!0,alpha:!1,powerPreference:"high-performance"});if(!t)return null;Gu(()=>{});let i=new Nc({canvas:e,context:t});i.autoClear=!1;let s=Qe("canvas",{class:"view-over","aria-hidden":"true"}),r=Qe("div",{class:"view-stage"},e,s),o=Qe("p",{class:"view-message",role:"status"},Oe.lost);e.addEventListener("webglcontextlost",l=>{l.preventDefault(),r.before(o)}),e.addEventListener("webglcontextrestored",()=>{o.remove(),n()});let a={width:0,height:0,fine:1},c=()=>a.width<640;return{canvas:e,over:s,element:r,fit(l){let h=r.clientWidth||600,u=h<640?Math.min(h,.7*innerHeight):Math.min(.64*h,.8*innerHeight),f=Math.round(Math.max(280,u)*(l&&h<640?2:1)),d=Math.min(2,devicePixelRatio||1);h===a.width&&f===a.height&&d===a.fine||(a={width:h,height:f,fine:d},i.setPixelRatio(d),i.setSize(h,f,!1),e.style.height=s.style.height=`${f}px`,s.style.width=`${h}px`,s.width=Math.round(h*d),s.height=Math.round(f*d))},size:()=>a,places(l){let{width:h,height:u}=a;return Array.from({length:l},(f,d)=>c()?{left:0,top:d*u/l,width:h,height:u/l}:{left:d*h/l,top:0,width:h/l,height:u})},render(l,h,u){let f=this.places(l.length);i.setScissorTest(!0),i.setClearColor(new ct(u)),l.forEach((d,m)=>{let{left:y,top:p,width:g,height:v}=f[m],T=a.height-p-v;i.setViewport(y,T,g,v),i.setScissor(y,T,g,v),i.clear(),i.render(d,h)})}}}var y0=`.view { margin: 0 0 22px; }
+.view-stage { position: relative; border: 1px solid var(--line); border-radius: 6px; overflow: hidden; background: var(--paper); }
+.view-stage canvas { display: block; width: 100%; }
+.view-stage canvas:focus-visible { outline: 2px solid var(--muted); outline-offset: -3px; }
+.view-stage .view-over { position: absolute; inset: 0; pointer-events: none; }
+.view-tip { position: absolute; z-index: 1; max-width: 280px; padding: 6px 9px; border: 1px solid var(--line); border-radius: 5px; background: var(--paper); color: var(--ink); font-size: 12.5px; line-height: 1.35; pointer-events: none; overflow-wrap: anywhere; box-shadow: 0 2px 8px #0003; }
+.view-tip b { display: block; font-size: 14px; }
+.view-tip span { display: block; color: var(--muted); }
+.view-says { min-height: 1.4em; margin: 6px 0; color: var(--muted); font-size: 13px; overflow-wrap: anywhere; }
+.view-message { padding: 18px; color: var(--muted); }
+.view-tools { display: flex; flex-wrap: wrap; gap: 6px; margin: 0 0 8px; }
+.view button { padding: 3px 10px; border: 1px solid var(--line); border-radius: 5px; background: var(--ground); color: var(--ink); font: inherit; font-size: 13px; cursor: pointer; }
+.view button:hover { border-color: var(--muted); }
+.view-controls { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); gap: 8px 26px; align-items: start; font-size: 13px; }
+.view-controls details > summary { padding: 3px 0; cursor: pointer; font-weight: 600; }
+.view-controls details details { margin: 0 0 4px 22px; }
+.view-controls details details > summary { padding: 0; font-weight: 400; color: var(--muted); }
+.view-controls .note { margin: 2px 0 4px; }
+.view-row { display: flex; gap: 8px; align-items: center; margin: 4px 0; }
+.view-row[hidden] { display: none; }
+.view-row > span:first-child { flex: 0 0 92px; color: var(--muted); }
+.view-row > select, .view-slide > input { flex: 1 1 0; min-width: 0; }
+.view-slide > output { flex: 0 0 64px; text-align: right; font-variant-numeric: tabular-nums; }
+.view-limits > span:nth-of-type(2) { color: var(--muted); }
+.view-row > input[type="number"] { width: 82px; }
+.view-cut > input[type="range"] { flex: 1 1 0; min-width: 0; }
+.view-cut > .view-check { flex: 0 0 38px; margin: 0; }
+.view-check { display: flex; gap: 7px; align-items: baseline; margin: 3px 0; }
+.view-about { margin-top: 10px; font-size: 13px; }
+.view-about > summary { cursor: pointer; color: var(--muted); }
+.view-check span { overflow-wrap: anywhere; }
+.view select, .view input[type="number"] { padding: 2px 4px; border: 1px solid var(--line); border-radius: 4px; background: var(--paper); color: var(--ink); font: inherit; }
+@media (max-width: 700px) {
+  .view-controls { grid-template-columns: minmax(0, 1fr); gap: 4px; }
+  .view-controls details { border-top: 1px solid var(--line); }
+  .view-controls details details { border: 0; }
+  .view-controls summary { padding: 7px 0; }
+  .view-check { margin: 7px 0; }
+}
+@media print { #model-view { display: none; } }
+`;var v0={pick:()=>null,locate:()=>null,fields:()=>[],times:()=>[],show:async()=>{},picture:async()=>null};function l1(){let n=Qe("div",{id:"view"}),e=Qe("section",{id:"model-view"},Qe("h2",{},Oe.view),n),t=document.querySelector("header");return t?t.after(e):document.body.prepend(e),n}function S0(){let n=xa("view-data");if(!n)return;let e=document.getElementById("view")??l1();document.head.append(Qe("style",{},y0)),e.classList.add("view");let t=a=>e.replaceChildren(Qe("p",{class:"view-message",role:"status"},a)),i={again:()=>{}},s=x0(()=>i.again());if(!s||typeof DecompressionStream>"u"){t(Oe.noGraphics),za({...v0,ready:Promise.resolve(!1)});return}t(Oe.loading);let o=_0(n,e,s,i).then(a=>(za({...a,ready:o}),!0),()=>(t(Oe.unreadable),!1));za({...v0,ready:o})}Dp();S0();})();

@@ -271,7 +271,7 @@ fn work_through_the_sides_stands_beside_the_input_and_is_told() {
     let page = fs::read_to_string(folder.report()).unwrap().replace('\u{a0}', " ");
     assert!(page.contains(
         "Work through the sides is that of the ground outside free-field sides on the model: of its forces, beyond those at the \
-         start, and of the dashpots between. It counts into the model: 5.00 kJ at the end, between 0 J and 5.00 kJ over the run. \
+         start, and of the dashpots between. It counts into the model: 5.00 kJ at the end, between 0 kJ and 5.00 kJ over the run. \
          Level ground without caverns passes on next to nothing of the input; far below zero are scattered waves that leave."
     ));
     let drawing = fs::read_to_string(folder.figures().join("energy.svg")).unwrap();
@@ -305,8 +305,8 @@ fn the_error_that_is_drawn_and_that_of_the_check_are_told_apart() {
         write(folder.root()).unwrap();
         fs::read_to_string(folder.report()).unwrap().replace("&#x27;", "'")
     };
-    let told = "It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check 'energy error over the largest \
-                energy held' leaves that out";
+    let told = "It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check of the \
+                balance leaves that out";
     assert!(!page().contains("aᵀMa"));
     const NAME: &str = "energy error over the largest energy held";
     for (line, wanted) in [

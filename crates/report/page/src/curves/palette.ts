@@ -1,12 +1,28 @@
-// The colours of the drawing that stands in the page: one place says what they are, for paper, light and dark.
+// The colours of figures: those of the drawings, which the page's style changes in the dark.
 
-/** Colours of a figure, taken from its drawing. */
+/** As in the drawings' own files; lines by Okabe and Ito (2008). */
+const PAPER: Record<string, string> = {
+  s0: "#0072B2", s1: "#D55E00", s2: "#009E73", s3: "#333333", s4: "#CC79A7", s5: "#E69F00", s6: "#56B4E9",
+  ink: "#1f2933", muted: "#5b6773", grid: "#e2e6ea", axis: "#8b95a1", paper: "#ffffff",
+};
+
+/** Colours of a figure. */
 export class Palette {
   /** As the drawing's own file has them, on white, whatever the screen. */
   onPaper = false;
   private known = new Map<string, string>();
+  /** Elements of the drawings' classes, of which the page's style can be asked. */
+  readonly probe = document.createElementNS("http://www.w3.org/2000/svg", "svg");
 
-  constructor(private drawing: SVGSVGElement) {
+  constructor() {
+    this.probe.setAttribute("class", "curves-probe");
+    for (const [name, colour] of Object.entries(PAPER)) {
+      const path = document.createElementNS(this.probe.namespaceURI, "path") as SVGPathElement;
+      path.setAttribute("class", name);
+      path.setAttribute("stroke", colour);
+      path.setAttribute("fill", colour);
+      this.probe.append(path);
+    }
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.known.clear());
   }
 
@@ -14,10 +30,10 @@ export class Palette {
     const key = `${what} ${property} ${this.onPaper}`;
     let colour = this.known.get(key);
     if (colour === undefined) {
-      const element = this.drawing.querySelector(`.${what}`);
-      const own = element?.getAttribute(property) ?? "#333333";
-      colour = this.onPaper || !element ? own : getComputedStyle(element)[property];
-      this.known.set(key, colour);
+      const element = this.probe.querySelector(`.${what}`);
+      // Only what stands in the page has a style.
+      colour = this.onPaper || !element?.isConnected ? PAPER[what] : getComputedStyle(element)[property];
+      if (element?.isConnected || this.onPaper) this.known.set(key, colour);
     }
     return colour;
   }

@@ -29,9 +29,9 @@ export class Stack {
   private seen = true;
 
   constructor(private file: string, private entry: Entry, private numbers: Numbers, private drawing: SVGSVGElement) {
-    this.palette = new Palette(drawing);
+    this.palette = new Palette();
     this.range = this.ends;
-    this.element.append(this.bar(), ...entry.panels.map((_, k) => this.pane(k)), this.below());
+    this.element.append(this.palette.probe, this.bar(), ...entry.panels.map((_, k) => this.pane(k)), this.below());
     this.element.setAttribute("role", "group");
     this.element.setAttribute("aria-label", drawing.querySelector("title")?.textContent ?? entry.title);
     this.follow();
