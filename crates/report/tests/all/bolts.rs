@@ -253,7 +253,8 @@ fn the_table_has_every_group_with_what_became_of_it() {
     ] {
         assert!(page.contains(text), "{text}");
     }
-    assert!(!page.contains("NaN"));
+    // The script behind it is code.
+    assert!(!page.split_once("<script").unwrap().0.contains("NaN"));
 }
 
 #[test]
