@@ -1,6 +1,9 @@
 //! Histories in figures whose lines can be told apart: a few share a panel, more stand each alone.
 
+use std::borrow::Cow;
+
 use crate::chart::{Chart, Line, Panel};
+use crate::curves::Curves;
 use crate::figure::Figure;
 use crate::language::{Language, say};
 use crate::multiples::{Cell, Multiples};
@@ -24,7 +27,7 @@ pub struct Titles<'a> {
 
 /// The figures of these panels; where lines of one name stand in several panels, they share a row.
 pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Vec<Panel<'_>>) -> Vec<Figure> {
-    let figure = |number: usize, svg: String, caption: String| Figure {
+    let figure = |number: usize, svg: String, caption: String, chart: &Chart<'_>| Figure {
         heading: titles.heading.into(),
         file: match number {
             0 => format!("{}.svg", titles.file),
@@ -32,10 +35,11 @@ pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Ve
         },
         svg,
         caption,
+        curves: Some(Curves::of_chart(chart, language)),
     };
     if panels.iter().all(|panel| panel.lines.len() <= TOGETHER) {
-        let svg = Chart { title: titles.heading.into(), time, panels }.draw(language);
-        return vec![figure(0, svg, titles.caption.into())];
+        let chart = Chart { title: titles.heading.into(), time, panels };
+        return vec![figure(0, chart.draw(language), titles.caption.into(), &chart)];
     }
     let rows = rows(&panels);
     let sheets = rows.len().div_ceil(ROWS);
@@ -48,9 +52,32 @@ pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Ve
         let svg = Multiples { title: titles.heading, time, rows: rows.to_vec() }.draw(language);
         // Said once, below the last.
         let caption = if number + 1 == sheets { caption.clone() } else { String::new() };
-        figure(number, svg, caption)
+        // The page's script shows one curve of many when it is asked to, so it gets panels with all of them.
+        let chart = Chart { title: titles.heading.into(), time, panels: together(&panels, rows) };
+        figure(number, svg, caption, &chart)
     });
     drawn.collect()
+}
+
+/// The panels with those of their lines that stand in these rows.
+fn together<'a>(panels: &'a [Panel<'a>], rows: &[Vec<Option<Cell<'a>>>]) -> Vec<Panel<'a>> {
+    let stands =
+        |line: &Line<'_>| rows.iter().flatten().flatten().any(|(_, other)| std::ptr::eq(*other, line));
+    let of = |panel: &'a Panel<'a>| {
+        let lines = panel.lines.iter().filter(|line| stands(line)).map(|line| Line {
+            name: line.name.clone(),
+            values: Cow::Borrowed(&line.values[..]),
+            colour: line.colour,
+            stroke: line.stroke,
+        });
+        Panel {
+            title: panel.title.clone(),
+            scale: panel.scale.clone(),
+            lines: lines.collect(),
+            mark: panel.mark,
+        }
+    };
+    panels.iter().map(of).filter(|panel| !panel.lines.is_empty()).collect()
 }
 
 /// A row for each name with a cell for each panel, [`ABREAST`] panels at a time; where no name stands in two panels, each

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use serde::Serialize;
+
 use crate::axes::{Axes, drawable};
 use crate::language::{Language, say};
 use crate::scale::{Scale, moment};
@@ -16,7 +18,8 @@ const RIGHT: f64 = 16.0;
 const HEADING: f64 = 32.0;
 
 /// How a line is drawn: where several lie on one another, all are to be seen.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Stroke {
     #[default]
     Thin,
@@ -201,7 +204,7 @@ impl Chart<'_> {
     }
 
     /// Names the marked point of a panel.
-    fn remark(&self, panel: &Panel<'_>, language: Language) -> String {
+    pub fn remark(&self, panel: &Panel<'_>, language: Language) -> String {
         if panel.mark == Mark::Nothing {
             return String::new();
         }

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use tremolite_results::Table;
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::curves::Curves;
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
 use crate::scale::{Scale, quantity};

@@ -1,5 +1,6 @@
 //! A figure for the page and the folder, or the reason why there is none; chapters made of tables and figures.
 
+use crate::curves::Curves;
 use crate::text_table::TextTable;
 
 /// A section of the page that is drawn.
@@ -12,6 +13,8 @@ pub struct Figure {
     pub svg: String,
     /// A sentence or two below it; may be empty.
     pub caption: String,
+    /// The numbers behind its curves, where the page's script is to know them.
+    pub curves: Option<Curves>,
 }
 
 /// A section of the page: drawn, told with tables and figures, or left out with a reason.

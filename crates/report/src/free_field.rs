@@ -4,6 +4,7 @@
 use tremolite_results::Station;
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::curves::Curves;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::free_field_beside::Drawn;
 use crate::free_field_numbers::{AXES, Wave, largest, places};
@@ -77,8 +78,9 @@ pub fn section(source: &Source) -> Option<Section> {
     let figure = Figure {
         heading: String::new(),
         file: "free_field.svg".into(),
-        svg: svg.draw(source.language),
+        svg: chart.draw(source.language),
         caption: caption.trim().into(),
+        curves: Some(Curves::of_chart(&chart, source.language)),
     };
     let block = Block {
         lead: verdict(source, found, &wave, &drawn, (first, &scale)),

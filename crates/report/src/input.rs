@@ -1,6 +1,7 @@
 //! Figure of the motion that a case gives: acceleration, velocity and displacement along the model's axes.
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::curves::Curves;
 use crate::figure::{Figure, Section};
 use crate::scale::{Scale, figures, quantity};
 use crate::source::Source;
@@ -67,6 +68,12 @@ pub fn section(source: &Source) -> Option<Section> {
     }
     caption.push_str(" Velocity and displacement should end near zero; the model follows any drift.");
     let time = table.column("time").unwrap_or(&[]);
-    let svg = Chart { title: HEADING.into(), time, panels }.draw(source.language);
-    Some(Section::Drawn(vec![Figure { heading: HEADING.into(), file: "input.svg".into(), svg, caption }]))
+    let chart = Chart { title: HEADING.into(), time, panels };
+    Some(Section::Drawn(vec![Figure {
+        heading: HEADING.into(),
+        file: "input.svg".into(),
+        svg: chart.draw(source.language),
+        caption,
+        curves: Some(Curves::of_chart(&chart, source.language)),
+    }]))
 }

@@ -26,6 +26,7 @@ mod contact_path;
 mod contents;
 mod contours;
 mod convergence;
+mod curves;
 mod cut_figure;
 mod damage;
 mod damage_maps;
@@ -152,7 +153,11 @@ fn set(source: &Source) -> Result<PathBuf, Error> {
         }
     }
     let path = source.folder.report();
-    let data = view + &blocks.elements();
+    let figures = sections.iter().flat_map(|placed| match &placed.content {
+        Content::Section(section) => section.figures(),
+        _ => Vec::new(),
+    });
+    let data = curves::embedded(figures, &mut blocks) + &view + &blocks.elements();
     replace_file(&path, page::html(source, &sections, data)?.as_bytes())?;
     Ok(path)
 }

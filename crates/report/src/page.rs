@@ -86,6 +86,8 @@ struct Part {
 
 #[derive(Serialize)]
 struct Drawing {
+    /// The name by which the manifest of the curves knows it; empty for a figure without.
+    curves: String,
     svg: Value,
     /// Whether it wants a page of paper for itself.
     tall: bool,
@@ -222,5 +224,10 @@ const TALL: f64 = 0.75;
 
 fn drawing(figure: &Figure) -> Drawing {
     let tall = svg::proportion(&figure.svg).is_some_and(|proportion| proportion > TALL);
-    Drawing { svg: markup(&figure.svg), tall, caption: figure.caption.clone() }
+    Drawing {
+        curves: figure.curves.as_ref().map(|_| figure.file.clone()).unwrap_or_default(),
+        svg: markup(&figure.svg),
+        tall,
+        caption: figure.caption.clone(),
+    }
 }

@@ -167,7 +167,7 @@ pub fn figure(lining: &Lining, facts: &Summary, suffix: &str, language: Language
             ultimate = beyond(&Strength::bearable),
         ));
     }
-    Ok(Figure { heading: title, file: format!("section-strength{suffix}.svg"), svg, caption })
+    Ok(Figure { heading: title, file: format!("section-strength{suffix}.svg"), svg, caption, curves: None })
 }
 
 /// The parts of a line within the axes. Lines here are finely cut or straight, so it is enough to cut each piece at the border.

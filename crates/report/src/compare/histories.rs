@@ -122,7 +122,7 @@ fn figure(runs: &[Run], monitor: &str, histories: &[History], language: Language
     let below = say!(language, "time (s)");
     svg.text((WIDTH - RIGHT, bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
     let svg = svg.finish(bottom + 42.0, monitor, &say!(language, "histories of the runs, overlaid"));
-    Figure { heading: monitor.into(), file: String::new(), svg, caption: String::new() }
+    Figure { heading: monitor.into(), file: String::new(), svg, caption: String::new(), curves: None }
 }
 
 /// By monitor and quantity the largest difference from the first run at one time, over the first run's largest value. Of runs

@@ -1,0 +1,115 @@
+// The page as a whole: on paper, without scripts, without graphics, in Chinese, with names that are markup.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { answering, browser, result, withPage } from "./browser.mjs";
+
+let running;
+before(async () => (running = await browser()));
+after(() => running?.close());
+
+/** Every figure's drawing: whether it can be seen, with some extent. */
+const drawings = (page) =>
+  page.evaluate(() => [...document.querySelectorAll("figure > svg")].map((svg) => svg.checkVisibility() && svg.getBoundingClientRect().height > 50));
+
+/** Brings every figure with curves to answer, as reading does. */
+async function readAll(page) {
+  for (const figure of await page.locator("figure[data-curves]").all()) {
+    await answering(page, await figure.getAttribute("data-curves"));
+  }
+}
+
+test("nothing is asked for and nothing said while all of the page is read", () =>
+  withPage(running, "english", async (page) => {
+    await readAll(page);
+    assert.ok((await page.locator("figure.answers").count()) >= 5);
+  }));
+
+test("the page allows itself nothing but what stands in it", async () => {
+  const allowed = result("english", "report.html").match(/http-equiv="Content-Security-Policy" content="([^"]*)"/)[1];
+  assert.equal(allowed, "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:");
+});
+
+test("without scripts the figures stand", async () => {
+  await withPage(
+    running,
+    "english",
+    async (page) => {
+      const seen = await drawings(page);
+      assert.ok(seen.length >= 10 && seen.every(Boolean), `${seen}`);
+    },
+    { javaScriptEnabled: false },
+  );
+});
+
+test("without WebGL the page says so, and the figures stand", async () => {
+  const plain = await browser({ graphics: false });
+  try {
+    await withPage(plain, "english", async (page) => {
+      assert.equal(await page.evaluate(() => Boolean(document.createElement("canvas").getContext("webgl2"))), false);
+      assert.equal(await page.evaluate(() => window.tremolite.view.ready), false);
+      assert.notEqual((await page.locator("#view").innerText()).trim(), "");
+      assert.equal(await page.locator("#view canvas").count(), 0);
+      const seen = await page.evaluate(() => [...document.querySelectorAll("figure:not(.answers) > svg")].every((svg) => svg.checkVisibility()));
+      assert.equal(seen, true);
+    });
+  } finally {
+    await plain.close();
+  }
+});
+
+test("on paper the drawings stand, and what needs a pointer does not", async () => {
+  await withPage(running, "english", async (page) => {
+    await answering(page, "velocity.svg");
+    assert.equal(await page.locator('figure[data-curves="velocity.svg"] > svg').isVisible(), false);
+    await page.emulateMedia({ media: "print" });
+    const seen = await drawings(page);
+    assert.ok(seen.every(Boolean), `${seen}`);
+    assert.equal(await page.locator(".curves:visible").count(), 0);
+    assert.equal(await page.locator("#view canvas:visible").count(), 0);
+  });
+});
+
+test("names of groups that are markup are shown as they are", async () => {
+  await withPage(running, "named", async (page) => {
+    const text = await page.evaluate(() => document.body.innerText);
+    for (const name of ["<script>", "</script>"]) assert.ok(text.includes(name), `${name} is not on the page`);
+    // Those of the template alone: data, blocks, and the page's own.
+    const scripts = await page.evaluate(() => [...document.scripts].filter((script) => !script.type).length);
+    assert.equal(scripts, 1);
+  });
+});
+
+/** Texts with three English words or more that a reader sees, less the names of the case. */
+function english(page, names) {
+  return page.evaluate((names) => {
+    const found = [];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      const parent = node.parentElement;
+      if (parent.closest("script, style, code, title, desc, data") || !parent.checkVisibility()) continue;
+      let text = node.textContent;
+      for (const name of names) text = text.replaceAll(name, "·");
+      const words = /[A-Za-z][a-z'’]+(?:[\s,;:–-]+(?:a|[A-Za-z][a-z'’]+)){2,}/.exec(text);
+      if (words) found.push(text.trim().slice(0, 160));
+    }
+    return found;
+  }, names);
+}
+
+/** What the case names: its title, stages, monitors and the rest. */
+function names() {
+  const named = [...result("chinese", "case.toml").matchAll(/^ *(?:name|title) *= *"([^"\n]*)"/gm)].map((match) => match[1]);
+  return named.sort((a, b) => b.length - a.length);
+}
+
+test("a Chinese page has no text left in English", async () => {
+  await withPage(running, "chinese", async (page) => {
+    await readAll(page);
+    await page.evaluate(() => window.tremolite?.view?.ready);
+    const screen = await english(page, names());
+    await page.emulateMedia({ media: "print" });
+    const paper = await english(page, names());
+    const left = [...new Set([...screen, ...paper])];
+    assert.deepEqual(left, [], `${left.length} texts are in English`);
+  });
+});

@@ -1,0 +1,170 @@
+// The model in three dimensions: what is drawn and what the pointer says is what the field files hold.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { browser, look, RESULTS, withPage } from "./browser.mjs";
+import { elements, filesOf, readVtu } from "./vtu.mjs";
+
+/** Fields of elements that are looked at. */
+const FIELDS = ["s1", "d_tension"];
+/** Elements under the pointer: one in each of these groups, as far as one is in sight, until there are five. */
+const GROUPS = ["hall.lining.crown", "hall.lining.walls", "gallery.lining.crown", "gallery.lining.walls", "rock"];
+const WANTED = 5;
+
+let running;
+before(async () => (running = await browser()));
+after(() => running?.close());
+const on = (name, act) =>
+  test(name, () =>
+    withPage(running, "english", async (page) => {
+      await page.locator("#view").scrollIntoViewIfNeeded();
+      assert.equal(await page.evaluate(() => window.tremolite.view.ready), true);
+      await act(page);
+    }),
+  );
+
+const files = filesOf(join(RESULTS, "english", "fields.pvd")).map(readVtu);
+const last = files.length - 1;
+const show = (page, what) => page.evaluate((what) => window.tremolite.view.show(what), what);
+
+/** The model alone as drawn now, without numbers and colour bar. */
+async function drawn(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const hide = "document.querySelector('#view .view-over').style.visibility";
+  await page.evaluate(`${hide} = 'hidden'`);
+  const picture = await page.locator("#view canvas").first().screenshot();
+  await page.evaluate(`${hide} = ''`);
+  return picture;
+}
+
+on("the canvas shows a model", async (page) => {
+  const { colours } = await look(page, await drawn(page));
+  assert.ok(colours > 30, `${colours} colours`);
+});
+
+on("the picture changes with the time, the field, the cut and the scale", async (page) => {
+  await show(page, { field: "s1", time: 0, cut: null, scale: 0 });
+  const changes = { time: { time: Math.round(last / 2) }, field: { field: "displacement" }, cut: { cut: { axis: 0, at: 3 } }, scale: { scale: 500 } };
+  let before = await drawn(page);
+  for (const [name, what] of Object.entries(changes)) {
+    await show(page, what);
+    const after = await drawn(page);
+    const { differing } = await look(page, after, { other: before });
+    assert.ok(differing > 0.005, `${name} changes ${(100 * differing).toFixed(2)} % of the picture`);
+    before = after;
+  }
+});
+
+/** The first of these elements that is seen, looked for at strides; not all, since each look takes its time. */
+const firstSeen = (page, numbers) => page.evaluate((own) => own.find((element) => window.tremolite.view.locate(element)), numbers);
+
+/** Elements that can be seen now: of each group up to two. */
+async function inSight(page, of) {
+  const found = [];
+  for (const group of GROUPS) {
+    const own = of.filter((element) => element.groups.includes(group)).map((element) => element.element);
+    const strided = own.map((_, k) => own[(k * 7) % own.length]).filter((element, k, all) => all.indexOf(element) === k);
+    for (const half of [strided.slice(0, 12), strided.slice(12, 24)]) {
+      const element = await firstSeen(page, half);
+      if (element !== undefined) found.push(element);
+    }
+  }
+  return found;
+}
+
+on("at five elements and two times the value under the pointer is the file's, within half a level", async (page) => {
+  let compared = 0;
+  for (const field of FIELDS) {
+    for (const time of [Math.round(last / 2), last]) {
+      await show(page, { field, time, cut: null, scale: 0 });
+      const file = files[time];
+      const of = elements(file);
+      const seen = await inSight(page, of);
+      assert.ok(seen.length >= WANTED, `only elements ${seen} are in sight`);
+      for (const element of seen) {
+        const { row, groups } = of.find((other) => other.element === element);
+        const wanted = file.cells.get(field)[row];
+        const picked = await page.evaluate((element) => {
+          const { x, y } = window.tremolite.view.locate(element);
+          return window.tremolite.view.pick(x, y);
+        }, element);
+        assert.equal(picked.element, element);
+        assert.equal(picked.field, field);
+        assert.equal(picked.unit, file.unit.get(field));
+        assert.deepEqual([...picked.groups].sort(), [...groups].sort());
+        if (Number.isNaN(wanted)) {
+          assert.equal(picked.value, null);
+          continue;
+        }
+        const off = Math.abs(picked.value - wanted);
+        const slack = 1e-6 * Math.abs(wanted) + 1e-6 * picked.halfLevel;
+        assert.ok(off <= picked.halfLevel + slack, `${field} of element ${element}: ${picked.value}, not ${wanted} ± ${picked.halfLevel}`);
+        compared++;
+      }
+    }
+  }
+  assert.ok(compared >= 2 * WANTED, `only ${compared} values were there to compare`);
+});
+
+on("a level is a 254th part of what the field spans over all times", async (page) => {
+  await show(page, { field: "s1", time: last, cut: null });
+  const element = (await inSight(page, elements(files[last])))[0];
+  const { halfLevel } = await page.evaluate((element) => {
+    const { x, y } = window.tremolite.view.locate(element);
+    return window.tremolite.view.pick(x, y);
+  }, element);
+  const all = files.flatMap((file) => Array.from(file.cells.get("s1"))).filter(Number.isFinite);
+  const span = all.reduce((most, x) => Math.max(most, x), -Infinity) - all.reduce((least, x) => Math.min(least, x), Infinity);
+  assert.ok(halfLevel > 0 && halfLevel <= (1.001 * span) / 508, `${halfLevel} for a span of ${span}`);
+});
+
+on("a cut through an element within the rock shows it", async (page) => {
+  await show(page, { field: "s1", time: last, cut: null, scale: 0 });
+  const rock = elements(files[last]).filter((element) => element.groups.includes("rock"));
+  // Below the caverns, where no opening shows it.
+  const depth = ({ middle }) => Math.abs(middle[0]) - middle[2];
+  const within = rock.filter(({ middle }) => middle[2] < -62).sort((a, b) => depth(a) - depth(b));
+  const hidden = await page.evaluate((own) => own.find((element) => !window.tremolite.view.locate(element)), within.map((e) => e.element));
+  assert.notEqual(hidden, undefined, "no element of the rock is hidden");
+  const { element, middle, row } = within.find((other) => other.element === hidden);
+  const seen = [];
+  for (const axis of [0, 1, 2]) {
+    await show(page, { cut: { axis, at: middle[axis] } });
+    const picked = await page.evaluate((element) => {
+      const at = window.tremolite.view.locate(element);
+      return at && window.tremolite.view.pick(at.x, at.y);
+    }, element);
+    if (picked) seen.push(axis);
+    if (picked) assert.ok(Math.abs(picked.value - files[last].cells.get("s1")[row]) <= picked.halfLevel * 1.000001);
+  }
+  assert.ok(seen.length > 0, `element ${element} is not seen in a cut through its middle`);
+});
+
+on("the pointer shows the value as a text", async (page) => {
+  await show(page, { field: "s1", time: last, cut: null, scale: 0 });
+  const element = (await inSight(page, elements(files[last])))[0];
+  const { x, y } = await page.evaluate((element) => window.tremolite.view.locate(element), element);
+  const { text } = await page.evaluate(([x, y]) => window.tremolite.view.pick(x, y), [x, y]);
+  await page.locator("#view canvas").first().hover({ position: { x, y } });
+  await page.waitForFunction(([text, element]) => {
+    const said = document.querySelector("#view").innerText;
+    return said.includes(text) && said.includes(String(element));
+  }, [text, element]);
+});
+
+on("the view's picture is not blank", async (page) => {
+  const data = await page.evaluate(async () => {
+    const blob = await window.tremolite.view.picture();
+    const bytes = new Uint8Array(await blob.arrayBuffer());
+    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+  });
+  const { colours } = await look(page, Buffer.from(data, "base64"));
+  assert.ok(colours > 30, `${colours} colours`);
+});
+
+test("groups with names that are markup are shown with these names", () =>
+  withPage(running, "named", async (page) => {
+    assert.equal(await page.evaluate(() => window.tremolite.view.ready), true);
+    const text = await page.locator("#view").innerText();
+    for (const name of ["<script>", "</script>"]) assert.ok(text.includes(name), `${name} is not in the view`);
+  }));

@@ -1,0 +1,263 @@
+//! The numbers of a figure's curves, for the page's script: with them the curves answer to the pointer.
+//!
+//! Values are single precision in the units of the figure, about seven digits; the CSV files hold all. The bytes of
+//! the numbers stand in planes, first bytes before second ones, since exponents repeat and mantissas do not: on histories
+//! that takes a sixth off what zlib alone leaves.
+
+use std::collections::BTreeSet;
+
+use indexmap::IndexMap;
+use serde::Serialize;
+
+use crate::blocks::{Blocks, json_element};
+use crate::chart::{Chart, Panel as Drawn, Stroke};
+use crate::figure::Figure;
+use crate::language::Language;
+
+/// More rows than this are thinned: at 0.005 s it is 40 s, at four bytes a number 32 kB a line.
+const ROWS: usize = 8000;
+
+/// What the curves of one figure are made of.
+#[derive(Clone, Debug, Serialize)]
+pub struct Curves {
+    pub title: String,
+    pub across: Across,
+    pub panels: Vec<Panel>,
+    /// How many rows there were before thinning; as many as now where none went.
+    pub of_rows: usize,
+}
+
+/// The abscissa of all panels of a figure.
+#[derive(Clone, Debug, Serialize)]
+pub struct Across {
+    /// Nothing for the time, which the script names itself.
+    pub name: String,
+    pub unit: String,
+    pub log: bool,
+    /// Ascending.
+    #[serde(skip)]
+    pub values: Vec<f64>,
+}
+
+/// One set of axes.
+#[derive(Clone, Debug, Serialize)]
+pub struct Panel {
+    pub title: String,
+    pub unit: String,
+    pub log: bool,
+    /// Names the marked point; may be empty.
+    pub remark: String,
+    pub mark: Option<Mark>,
+    pub lines: Vec<Line>,
+}
+
+/// The marked point: number of the line in its panel, abscissa, value in the panel's unit.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Mark {
+    pub line: usize,
+    pub across: f64,
+    pub value: f64,
+}
+
+/// One curve.
+#[derive(Clone, Debug, Serialize)]
+pub struct Line {
+    pub name: String,
+    /// As [`Svg::lines`](crate::svg::Svg::lines) takes it.
+    pub colour: usize,
+    pub stroke: Stroke,
+    /// In the panel's unit, one for each of the abscissa; what is not finite leaves a gap.
+    #[serde(skip)]
+    pub values: Vec<f64>,
+}
+
+/// A figure in the manifest, with the blocks that hold its numbers: of the lines one behind the other, and of the abscissa.
+#[derive(Serialize)]
+struct Entry<'a> {
+    #[serde(flatten)]
+    curves: &'a Curves,
+    rows: usize,
+    block: usize,
+    across_block: usize,
+}
+
+impl Curves {
+    /// Those of a chart.
+    pub fn of_chart(chart: &Chart<'_>, language: Language) -> Curves {
+        let panel = |panel: &Drawn<'_>| {
+            let factor = panel.scale.factor;
+            let peak = panel.peak(chart.time);
+            let mark = peak.and_then(|peak| {
+                let line = panel.lines.iter().position(|line| std::ptr::eq(line, peak.line))?;
+                Some(Mark { line, across: peak.time, value: peak.value * factor })
+            });
+            let line = |line: &crate::chart::Line<'_>| Line {
+                name: line.name.clone(),
+                colour: line.colour,
+                stroke: line.stroke,
+                values: line.values.iter().map(|x| x * factor).collect(),
+            };
+            Panel {
+                title: panel.title.clone(),
+                unit: panel.scale.unit.clone(),
+                log: false,
+                remark: chart.remark(panel, language),
+                mark,
+                lines: panel.lines.iter().map(line).collect(),
+            }
+        };
+        let across =
+            Across { name: String::new(), unit: "s".into(), log: false, values: chart.time.to_vec() };
+        let panels = chart.panels.iter().map(panel).collect();
+        let curves = Curves { title: chart.title.clone(), across, panels, of_rows: 0 };
+        curves.thinned(ROWS)
+    }
+
+    /// Those rows alone that can be drawn, and of very many those that show every line's peaks.
+    fn thinned(mut self, limit: usize) -> Curves {
+        let rows = ascending(&self.across.values);
+        self.of_rows = rows.len();
+        let lines = || self.panels.iter().flat_map(|panel| &panel.lines);
+        let keep = if rows.len() > limit {
+            let values: Vec<&[f64]> = lines().map(|line| line.values.as_slice()).collect();
+            peaks(&rows, &values, limit)
+        } else {
+            rows
+        };
+        if keep.len() < self.across.values.len() {
+            let at = |values: &[f64]| {
+                keep.iter().map(|&row| values.get(row).copied().unwrap_or(f64::NAN)).collect()
+            };
+            for line in self.panels.iter_mut().flat_map(|panel| &mut panel.lines) {
+                line.values = at(&line.values);
+            }
+            self.across.values = at(&self.across.values);
+        }
+        self
+    }
+}
+
+/// Rows whose abscissa goes on: what a resumed or broken run repeats is passed over.
+fn ascending(across: &[f64]) -> Vec<usize> {
+    let mut last = f64::NEG_INFINITY;
+    let goes_on = |row: &usize| {
+        let on = across[*row].is_finite() && across[*row] > last;
+        last = if on { across[*row] } else { last };
+        on
+    };
+    (0..across.len()).filter(goes_on).collect()
+}
+
+/// Of these rows at most `limit`, more only with more than half as many lines: those in which some line is largest or smallest
+/// of its stretch, for stretches of equally many rows; each as it is in the file.
+fn peaks(rows: &[usize], lines: &[&[f64]], limit: usize) -> Vec<usize> {
+    let stretches = (limit.saturating_sub(2) / (2 * lines.len()).max(1)).max(1);
+    let mut kept: BTreeSet<usize> = rows.first().into_iter().chain(rows.last()).copied().collect();
+    for stretch in rows.chunks(rows.len().div_ceil(stretches)) {
+        for line in lines {
+            let finite =
+                || stretch.iter().copied().filter(|&row| line.get(row).is_some_and(|x| x.is_finite()));
+            kept.extend(finite().min_by(|&a, &b| line[a].total_cmp(&line[b])));
+            kept.extend(finite().max_by(|&a, &b| line[a].total_cmp(&line[b])));
+        }
+    }
+    kept.into_iter().collect()
+}
+
+/// The page's manifest of the curves, their numbers in `blocks`; empty where no figure has any.
+pub fn embedded<'a>(figures: impl Iterator<Item = &'a Figure>, blocks: &mut Blocks) -> String {
+    let mut known: Vec<(Vec<u8>, usize)> = Vec::new();
+    let mut entries: IndexMap<&str, Entry<'_>> = IndexMap::new();
+    for figure in figures {
+        let Some(curves) = &figure.curves else { continue };
+        let across = packed(curves.across.values.iter());
+        let across_block = match known.iter().find(|(bytes, _)| *bytes == across) {
+            Some((_, block)) => *block,
+            None => {
+                let block = blocks.add(&across);
+                known.push((across, block));
+                block
+            }
+        };
+        let lines = curves.panels.iter().flat_map(|panel| &panel.lines);
+        let block = blocks.add(&packed(lines.flat_map(|line| &line.values)));
+        let rows = curves.across.values.len();
+        entries.insert(&figure.file, Entry { curves, rows, block, across_block });
+    }
+    match serde_json::to_string(&entries) {
+        Ok(json) if !entries.is_empty() => json_element("curves-data", &json),
+        _ => String::new(),
+    }
+}
+
+/// Numbers in single precision, little-endian, their bytes in four planes.
+fn packed<'a>(values: impl Iterator<Item = &'a f64>) -> Vec<u8> {
+    let numbers: Vec<[u8; 4]> = values.map(|x| (*x as f32).to_le_bytes()).collect();
+    (0..4).flat_map(|plane| numbers.iter().map(move |bytes| bytes[plane])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn long(rows: usize) -> Curves {
+        let time: Vec<f64> = (0..rows).map(|row| row as f64 * 0.001).collect();
+        let line = |k: usize| Line {
+            name: format!("m{k}"),
+            colour: k,
+            stroke: Stroke::Thin,
+            values: time.iter().map(|t| (t * 7.0 + k as f64).sin() + f64::from(*t == 31.234) * 5.0).collect(),
+        };
+        let lines = (0..7).map(line).collect();
+        let panel = Panel {
+            title: "x".into(),
+            unit: "mm".into(),
+            log: false,
+            remark: String::new(),
+            mark: None,
+            lines,
+        };
+        let across = Across { name: String::new(), unit: "s".into(), log: false, values: time };
+        Curves { title: "x".into(), across, panels: vec![panel], of_rows: 0 }
+    }
+
+    #[test]
+    fn a_long_history_keeps_rows_as_they_are_and_every_peak() {
+        let (whole, thin) = (long(100_000), long(100_000).thinned(ROWS));
+        assert_eq!(thin.of_rows, 100_000);
+        let rows = thin.across.values.len();
+        assert!((ROWS / 4..=ROWS).contains(&rows), "{rows}");
+        for (line, all) in thin.panels[0].lines.iter().zip(&whole.panels[0].lines) {
+            for (t, x) in thin.across.values.iter().zip(&line.values) {
+                assert_eq!(*x, all.values[(t * 1000.0).round() as usize]);
+            }
+            let most = |values: &[f64]| values.iter().copied().fold(f64::MIN, f64::max);
+            let least = |values: &[f64]| values.iter().copied().fold(f64::MAX, f64::min);
+            assert_eq!(most(&line.values), most(&all.values));
+            assert_eq!(least(&line.values), least(&all.values));
+        }
+    }
+
+    #[test]
+    fn a_history_of_usual_length_is_whole() {
+        let whole = long(ROWS).thinned(ROWS);
+        assert_eq!((whole.across.values.len(), whole.of_rows), (ROWS, ROWS));
+    }
+
+    #[test]
+    fn rows_that_repeat_the_time_are_passed_over() {
+        assert_eq!(ascending(&[0.0, 0.1, 0.1, f64::NAN, 0.05, 0.2]), [0, 1, 5]);
+    }
+
+    #[test]
+    fn numbers_come_back_from_their_planes_to_seven_digits() {
+        let values = [1.5, -2.345_678_9e-7, f64::NAN, 1e300, 15.01];
+        let bytes = packed(values.iter());
+        assert_eq!(bytes.len(), 20);
+        let number = |k: usize| f32::from_le_bytes([0, 1, 2, 3].map(|plane| bytes[plane * values.len() + k]));
+        assert_eq!(number(0), 1.5);
+        assert!((f64::from(number(1)) / values[1] - 1.0).abs() < f64::from(f32::EPSILON) / 2.0);
+        assert!(number(2).is_nan() && number(3).is_infinite());
+        assert_eq!(number(4), 15.01);
+    }
+}
