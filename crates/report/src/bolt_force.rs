@@ -118,7 +118,13 @@ fn figure(
     let description = say!(language, "force over the distance from the head");
     let svg = svg.finish(axes.bottom + 42.0, &title, &description);
     let file = if number == 0 { "bolts-force.svg".into() } else { format!("bolts-force-{}.svg", number + 1) };
-    Figure { heading: say!(language, "Force along the bolts that carry most"), file, svg, caption }
+    Figure {
+        heading: say!(language, "Force along the bolts that carry most"),
+        file,
+        svg,
+        caption,
+        curves: None,
+    }
 }
 
 /// The number of the bolt of a group that came nearest to yield, or carried most; none where all carry nothing.

@@ -122,6 +122,7 @@ pub fn block(source: &Source, lines: &BoltLines, when: &str) -> Option<Block> {
         file: "bolts-map.svg".into(),
         svg,
         caption: joined(language, &said),
+        curves: None,
     };
     Some(Block { heading, figures: vec![figure], ..Block::default() })
 }

@@ -114,7 +114,12 @@ fn figure(language: Language, table: &Table, name: &str, area: f64) -> Option<Fi
         which = which
     );
     let time = table.column("time").unwrap_or(&[]);
-    let svg = Chart { title: say!(language, "Interfaces over time: {name}", name = name), time, panels }
-        .draw(language);
-    Some(Figure { heading: say!(language, "Interfaces over time"), file: String::new(), svg, caption })
+    let chart = Chart { title: say!(language, "Interfaces over time: {name}", name = name), time, panels };
+    Some(Figure {
+        heading: say!(language, "Interfaces over time"),
+        file: String::new(),
+        svg: chart.draw(language),
+        caption,
+        curves: Some(Curves::of_chart(&chart, language)),
+    })
 }

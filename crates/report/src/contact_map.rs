@@ -70,6 +70,7 @@ pub fn section(source: &Source) -> Option<Section> {
         file,
         svg,
         caption: joined(language, &said),
+        curves: None,
     };
     Some(Section::Drawn(figures.into_iter().map(figure).collect()))
 }

@@ -88,7 +88,13 @@ fn figure(language: Language, table: &Table, monitor: &str, file: String) -> Fig
          shaking ends.",
         monitor = monitor
     );
-    Figure { heading: say!(language, "Monitors on interfaces"), file, svg: loops.draw(), caption }
+    Figure {
+        heading: say!(language, "Monitors on interfaces"),
+        file,
+        svg: loops.draw(),
+        caption,
+        curves: None,
+    }
 }
 
 /// Shear over pressure, each row in the colour of its state.
@@ -114,5 +120,11 @@ fn path(language: Language, table: &Table, monitor: &str, file: String) -> Figur
          line through the origin whose slope is the friction μ; above it only the bond holds.",
         monitor = monitor
     );
-    Figure { heading: say!(language, "Monitors on interfaces"), file, svg: drawing.draw(), caption }
+    Figure {
+        heading: say!(language, "Monitors on interfaces"),
+        file,
+        svg: drawing.draw(),
+        caption,
+        curves: None,
+    }
 }

@@ -233,7 +233,7 @@ fn figure(
         }
     });
     let svg = svg.finish(axes.bottom + 42.0, &heading, &caption);
-    Figure { heading: say!(language, "Convergence"), file, svg, caption }
+    Figure { heading: say!(language, "Convergence"), file, svg, caption, curves: None }
 }
 
 /// Both components of each point, by stage.

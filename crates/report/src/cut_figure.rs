@@ -72,6 +72,7 @@ impl Map<'_> {
             file: self.file.into(),
             svg,
             caption: self.caption(finite(), &scale, zero),
+            curves: None,
         }
     }
 

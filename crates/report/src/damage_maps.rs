@@ -193,6 +193,7 @@ impl Scene {
                 file: format!("{file}.svg"),
                 svg,
                 caption: joined(language, &own),
+                curves: None,
             });
         }
         let maps: Vec<(String, &[f64])> =
@@ -204,6 +205,7 @@ impl Scene {
                 file: format!("{file}-unrolled.svg"),
                 svg,
                 caption: joined(language, &said),
+                curves: None,
             });
         }
         if figures.is_empty() {

@@ -204,5 +204,6 @@ fn figure(
         file: "section-deformed.svg".into(),
         svg,
         caption: joined(language, &said),
+        curves: None,
     }
 }

@@ -77,7 +77,7 @@ pub fn figure(
     }
     let description = say!(language, "thrust, moment and shear over the length along the lining");
     let svg = svg.finish(top + 16.0, &title, &description);
-    Some(Figure { heading: title, file: format!("lining-forces{suffix}.svg"), svg, caption })
+    Some(Figure { heading: title, file: format!("lining-forces{suffix}.svg"), svg, caption, curves: None })
 }
 
 /// What is drawn of a force: after the stages, largest, smallest.

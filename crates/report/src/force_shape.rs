@@ -56,7 +56,7 @@ pub fn figure(
     );
     let description = say!(language, "thrust, moment and shear on the section of the lining");
     let svg = svg.finish(TOP + height + 4.0, &title, &description);
-    Some(Figure { heading: title, file: format!("lining-shape{suffix}.svg"), svg, caption })
+    Some(Figure { heading: title, file: format!("lining-shape{suffix}.svg"), svg, caption, curves: None })
 }
 
 fn legend(language: Language, svg: &mut Svg, lining: &Lining) {

@@ -55,7 +55,7 @@ pub fn section(source: &Source) -> Option<Section> {
     // One unit for all, in which what is a tenth of the largest still has its figures.
     let scale = Scale::suiting("m/s", 0.1 * most);
     let panels = panels(language, &wave, &drawn, (&moving, &scale));
-    let svg = Chart { title: heading.clone(), time: &found.time, panels };
+    let chart = Chart { title: heading.clone(), time: &found.time, panels };
     let mut caption = drawn.why.clone();
     let theory = drawn.column.iter().flat_map(|column| column.places()).flat_map(|of| &of.theory);
     if theory.flatten().any(|x| x.is_finite()) {

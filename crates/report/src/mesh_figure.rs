@@ -50,7 +50,13 @@ pub fn section(source: &Source) -> Option<Section> {
     );
     let description = say!(language, "the elements of a section");
     let svg = row.draw(&say!(language, "mesh of the section"), &[(String::new(), frame)], &description);
-    Some(Section::Drawn(vec![Figure { heading, file: "section-mesh.svg".into(), svg, caption }]))
+    Some(Section::Drawn(vec![Figure {
+        heading,
+        file: "section-mesh.svg".into(),
+        svg,
+        caption,
+        curves: None,
+    }]))
 }
 
 /// The number of the body that takes most of the section: the rock.

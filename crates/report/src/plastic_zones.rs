@@ -77,12 +77,24 @@ impl Zones {
             if let Some(cut) = self.state.as_ref().filter(|cut| cut.cells.iter().any(|c| yielded(c.value))) {
                 let before = earlier.and_then(|zones| Some((zones.state.as_ref()?, zones.when.as_str())));
                 let (svg, caption) = self.states(language, cut, before, positions);
-                figures.push(Figure { heading: heading.into(), file: files.zones.into(), svg, caption });
+                figures.push(Figure {
+                    heading: heading.into(),
+                    file: files.zones.into(),
+                    svg,
+                    caption,
+                    curves: None,
+                });
             }
             if let Some(cut) = self.strain.as_ref().filter(|cut| strains(cut)) {
                 let before = earlier.and_then(|zones| Some((zones.strain.as_ref()?, zones.when.as_str())));
                 let (svg, caption) = self.strain(language, cut, before, positions);
-                figures.push(Figure { heading: heading.into(), file: files.strain.into(), svg, caption });
+                figures.push(Figure {
+                    heading: heading.into(),
+                    file: files.strain.into(),
+                    svg,
+                    caption,
+                    curves: None,
+                });
             }
         }
         (figures, notes)

@@ -185,7 +185,13 @@ fn figure(
     };
     let description = say!(language, "motion over the share of forces let go");
     let svg = svg.finish(axes.bottom + 42.0, &heading, &description);
-    Some(Figure { heading: say!(language, "Ground reaction"), file: String::new(), svg, caption })
+    Some(Figure {
+        heading: say!(language, "Ground reaction"),
+        file: String::new(),
+        svg,
+        caption,
+        curves: None,
+    })
 }
 
 #[cfg(test)]

@@ -65,7 +65,8 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         caption.push_str(&say!(language, " The motion left should end far below the stage's own motion."));
     }
     let svg = draw(language, &heading, &panels, &spans, facts);
-    let figure = Figure { heading: heading.clone(), file: "relaxation.svg".into(), svg, caption };
+    let figure =
+        Figure { heading: heading.clone(), file: "relaxation.svg".into(), svg, caption, curves: None };
     Some(Block { heading, figures: vec![figure], ..Block::default() })
 }
 
