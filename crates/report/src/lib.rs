@@ -142,8 +142,7 @@ pub fn write_in(dir: &Path, language: Language) -> Result<PathBuf, Error> {
 
 fn set(source: &Source) -> Result<PathBuf, Error> {
     let mut blocks = Blocks::default();
-    let view = view::embedded(source, &mut blocks);
-    let sections = contents::sections(source, !view.is_empty());
+    let sections = contents::sections(source, view::is_wanted(source));
     let folder = source.folder.figures();
     fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;
     for placed in &sections {
@@ -157,7 +156,11 @@ fn set(source: &Source) -> Result<PathBuf, Error> {
         Content::Section(section) => section.figures(),
         _ => Vec::new(),
     });
-    let data = curves::embedded(figures, &mut blocks) + &view + &blocks.elements();
+    let curves = curves::embedded(figures, &mut blocks);
+    // The view is the part that can be made smaller, so it comes last.
+    let rest = page::html(source, &sections, String::new())?.len() + curves.len() + blocks.elements().len();
+    let view = view::embedded(source, &mut blocks, rest);
+    let data = curves + &view + &blocks.elements();
     replace_file(&path, page::html(source, &sections, data)?.as_bytes())?;
     Ok(path)
 }

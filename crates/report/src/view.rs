@@ -23,29 +23,38 @@ use tremolite_results::{FieldFile, Pvd, SectionRow};
 
 use self::code::Grid16;
 use self::encode::Common;
-use self::fit::fit;
+use self::fit::{fit, size};
 use self::manifest::{Kind, Manifest, Moment, PartData};
 use self::part::Part;
 use crate::blocks::{Blocks, json_element};
 use crate::language::say;
 use crate::source::Source;
 
-/// Bytes that the blocks of the view may take in a page of a small model, and of any other: with the script (0.8 MB) and
-/// the figures a page stays below 4 and 12 MB.
-const BUDGET: [usize; 2] = [3_500_000, 11_000_000];
+/// Bytes that the page of a small model may have, and of any other. The view takes what the rest of the page leaves it.
+const PAGE: [usize; 2] = [4_000_000, 12_000_000];
+/// Bytes that the view has in any case, so that a page full of curves shows its linings.
+const LEAST: usize = 500_000;
 /// Elements that a small model has at most.
 const SMALL: usize = 20_000;
+/// Steps of displacement to each side of the mean where all that i16 holds would take too much.
+const COARSE: f64 = 2047.0;
 
 /// The page's manifest of the view, its numbers in `blocks`; empty where there is nothing to draw or the case wants none.
-/// Where a file cannot be read the manifest has no parts, and a note that says why.
-pub fn embedded(source: &Source, blocks: &mut Blocks) -> String {
-    within(source, blocks, None)
+/// Where a file cannot be read the manifest has no parts, and a note that says why. `rest` is how many bytes all else of the
+/// page takes.
+pub fn embedded(source: &Source, blocks: &mut Blocks, rest: usize) -> String {
+    within(source, blocks, &|elements| PAGE[usize::from(elements > SMALL)].saturating_sub(rest).max(LEAST))
 }
 
-/// As [`embedded`], with another budget.
-pub fn within(source: &Source, blocks: &mut Blocks, budget: Option<usize>) -> String {
+/// Whether [`embedded`] gives anything.
+pub fn is_wanted(source: &Source) -> bool {
+    found(source).is_some()
+}
+
+/// The list of the field files, and what its times are; nothing where there is none or none is wanted.
+fn found(source: &Source) -> Option<(&'static str, Result<Pvd, String>)> {
     if source.summary.as_ref().is_ok_and(|summary| !summary.report.view) {
-        return String::new();
+        return None;
     }
     let folder = &source.folder;
     let list = |path: &std::path::Path| {
@@ -54,15 +63,16 @@ pub fn within(source: &Source, blocks: &mut Blocks, budget: Option<usize>) -> St
             list.as_ref().map_or(true, |pvd| !pvd.snapshots().is_empty())
         })
     };
-    let (clock, found) = match list(&folder.pvd()) {
-        Some(found) => ("earthquake", Some(found)),
-        None => ("stages", list(&folder.stages_pvd())),
-    };
-    let manifest = match found {
-        None => return String::new(),
-        Some(Ok(pvd)) => drawn(source, clock, &pvd, blocks, budget),
-        Some(Err(why)) => Err(why),
-    };
+    match list(&folder.pvd()) {
+        Some(found) => Some(("earthquake", found)),
+        None => Some(("stages", list(&folder.stages_pvd())?)),
+    }
+}
+
+/// As [`embedded`], with the bytes that the blocks may take by the number of elements.
+fn within(source: &Source, blocks: &mut Blocks, budget: &dyn Fn(usize) -> usize) -> String {
+    let Some((clock, found)) = found(source) else { return String::new() };
+    let manifest = found.and_then(|pvd| drawn(source, clock, &pvd, blocks, budget));
     let manifest = manifest.unwrap_or_else(|why| Manifest {
         version: 1,
         clock,
@@ -85,7 +95,7 @@ fn drawn(
     clock: &'static str,
     pvd: &Pvd,
     blocks: &mut Blocks,
-    budget: Option<usize>,
+    budget: &dyn Fn(usize) -> usize,
 ) -> Result<Manifest, String> {
     let (language, summary) = (source.language, source.facts());
     let moments = moments(source, clock, pvd);
@@ -115,21 +125,26 @@ fn drawn(
 
     let elements: usize = solids.iter().map(|part| part.mesh.elements.len()).sum();
     let parts: Vec<Part> = solids.into_iter().chain(interfaces).collect();
-    let common = Common {
-        language,
-        grid: Grid16::around(parts.iter().flat_map(|part| &part.mesh.points)),
-        times: moments.len(),
-        step: displacement_step(&parts),
+    let grid = Grid16::around(parts.iter().flat_map(|part| &part.mesh.points));
+    let encoded = |levels: f64| {
+        let step = largest_displacement(&parts) / levels;
+        let common = Common { language, grid: grid.clone(), times: moments.len(), step };
+        let mut draft = Blocks::default();
+        let mut data: Vec<PartData> = Vec::new();
+        let mut notes = Vec::new();
+        for ((part, name), (kind, outer)) in parts.iter().zip(&names).zip(kinds.iter().zip(&outer)) {
+            let (encoded, uniform) = common.encode(part, name.clone(), *kind, outer, &mut draft);
+            notes.extend(notes::uniform(language, &encoded.name, &uniform));
+            data.push(encoded);
+        }
+        (common, draft, data, notes)
     };
-    let mut draft = Blocks::default();
-    let mut data: Vec<PartData> = Vec::new();
-    let mut notes = Vec::new();
-    for ((part, name), (kind, outer)) in parts.iter().zip(names).zip(kinds.into_iter().zip(&outer)) {
-        let (encoded, uniform) = common.encode(part, name, kind, outer, &mut draft);
-        notes.extend(notes::uniform(language, &encoded.name, &uniform));
-        data.push(encoded);
+    let budget = budget(elements);
+    let (mut common, mut draft, mut data, mut notes) = encoded(f64::from(i16::MAX));
+    // Coarser steps of displacement, which show as much, rather than fewer times.
+    if size(&mut data, &draft) > budget {
+        (common, draft, data, notes) = encoded(COARSE);
     }
-    let budget = budget.unwrap_or(BUDGET[usize::from(elements > SMALL)]);
     let left = fit(&mut data, moments.len(), &draft, budget);
     data.iter_mut().flat_map(PartData::blocks).for_each(|block| *block = blocks.take(&draft, *block));
     notes.splice(0..0, notes::left_out(language, &left, budget));
@@ -168,9 +183,9 @@ fn mean_of(displacement: &[[f32; 3]]) -> [f64; 3] {
     [0, 1, 2].map(|axis| finite().map(|u| f64::from(u[axis])).sum::<f64>() / count)
 }
 
-/// The finest step in which i16 holds all displacements (m).
-fn displacement_step(parts: &[Part]) -> f64 {
+/// The largest component of any displacement about the mean (m).
+fn largest_displacement(parts: &[Part]) -> f64 {
     let all = parts.iter().flat_map(|part| part.displacement.iter().flatten().flatten().flatten());
     let most = all.filter(|x| x.is_finite()).fold(0.0f32, |most, x| most.max(x.abs()));
-    f64::from(most) / f64::from(i16::MAX)
+    f64::from(most)
 }

@@ -70,7 +70,7 @@ fn next(parts: &mut [PartData]) -> Option<String> {
 }
 
 /// Bytes of all blocks that are there.
-fn size(parts: &mut [PartData], blocks: &Blocks) -> usize {
+pub fn size(parts: &mut [PartData], blocks: &Blocks) -> usize {
     let used: HashSet<usize> = parts.iter_mut().flat_map(PartData::blocks).map(|block| *block).collect();
     used.into_iter().map(|block| blocks.size(block)).sum()
 }

@@ -53,9 +53,9 @@ fn source(root: &Path) -> Source {
 }
 
 /// The manifest, and how much its blocks take.
-fn view(source: &Source, budget: Option<usize>) -> (Value, usize) {
+fn view(source: &Source, budget: usize) -> (Value, usize) {
     let mut blocks = Blocks::default();
-    let text = within(source, &mut blocks, budget);
+    let text = within(source, &mut blocks, &|_| budget);
     let json = text.split_once('>').unwrap().1.rsplit_once("</script>").unwrap().0;
     let elements = blocks.elements();
     let size = elements.lines().map(|line| line.split(['>', '<']).nth(2).unwrap().len()).sum();
@@ -71,20 +71,25 @@ fn there(series: &Value) -> Vec<usize> {
 fn over_the_budget_times_of_the_ground_go_then_fields_then_displacement() {
     let temp = tempfile::tempdir().unwrap();
     let source = source(temp.path());
-    let (full, all) = view(&source, None);
+    let (full, fine) = view(&source, usize::MAX);
     let every: Vec<usize> = (0..TIMES).collect();
     assert_eq!(there(&full["parts"][0]["displacement"]), every);
     assert!(!full["notes"].to_string().contains("To keep"));
     let names = |part: &Value| -> Vec<String> {
         part["fields"].as_array().unwrap().iter().map(|f| f["name"].as_str().unwrap().to_owned()).collect()
     };
-    assert_eq!(view(&source, Some(all)), (full.clone(), all), "just enough");
+    assert_eq!(view(&source, fine), (full.clone(), fine), "just enough");
+    // A byte too little, and displacement is held in coarser steps before any time goes.
+    let (coarse, all) = view(&source, fine - 1);
+    assert!(all < fine && there(&coarse["parts"][0]["displacement"]) == every, "{all} of {fine}");
+    let steps = |manifest: &Value| manifest["displacementStep"].as_f64().unwrap();
+    assert!((steps(&coarse) / steps(&full) - 32767.0 / 2047.0).abs() < 1e-9);
 
     // Each time a byte too little for what there was: one step after the other.
     let mut seen: Vec<(Vec<usize>, Vec<String>)> = Vec::new();
     let mut budget = all - 1;
     loop {
-        let (less, size) = view(&source, Some(budget));
+        let (less, size) = view(&source, budget);
         let (rock, lining, notes) = (&less["parts"][0], &less["parts"][1], less["notes"].to_string());
         assert_eq!(there(&lining["displacement"]), every);
         assert!(lining["fields"].as_array().unwrap().iter().all(|field| there(&field["blocks"]) == every));
