@@ -164,6 +164,8 @@ fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
                 "energy.csv",
                 "motion.csv",
                 "free_field.csv",
+                "spectra.csv",
+                "depth.csv",
                 "damage.csv",
                 "interfaces.csv",
                 "stages.csv",
