@@ -6,4 +6,5 @@ mod further_quantities;
 mod interface_results;
 mod interfaces;
 mod report;
+mod spectra;
 mod stages;
