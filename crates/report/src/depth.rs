@@ -172,7 +172,7 @@ fn draw(
     };
     let scales: Vec<Scale> = quantities.iter().map(scale).collect();
     let legend = panel(&quantities[0], moving[0], &scales[0]);
-    let words = say!(language, "depth (m) over largest sizes");
+    let words = say!(language, "largest sizes over depth (m)");
     let mut top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &words, &legend);
     let wide = (WIDTH - RIGHT + APART) / quantities.len() as f64;
     for &axis in moving {

@@ -19,6 +19,8 @@ const IDLE: f64 = 1e-3;
 /// Monitors in one figure: as many as a printed page has room for.
 const ROWS: usize = 6;
 const HEIGHT: f64 = 128.0;
+/// From this many rows a period on an oscillator's peak is at most 1 − cos π/10 above its rows'.
+const ROWS_A_PERIOD: f64 = 10.0;
 /// Room left of each pair of axes for its numbers, and between neighbours.
 const LEFT: f64 = 46.0;
 const APART: f64 = 10.0;
@@ -42,10 +44,12 @@ impl<'a> Point<'a> {
         self.spectrum.iter().any(|s| s.iter().any(|x| x.is_finite()))
     }
 
-    /// Period (s) and value of the largest of a component.
-    fn peak(&self, periods: &[f64], axis: usize) -> Option<(f64, f64)> {
+    /// Period (s), from one on, and value of the largest of a component.
+    fn peak(&self, periods: &[f64], axis: usize, shortest: f64) -> Option<(f64, f64)> {
         let values = periods.iter().copied().zip(self.spectrum[axis].iter().copied());
-        values.filter(|(_, x)| x.is_finite()).reduce(|most, next| if next.1 > most.1 { next } else { most })
+        values
+            .filter(|(period, x)| x.is_finite() && *period >= shortest)
+            .reduce(|most, next| if next.1 > most.1 { next } else { most })
     }
 }
 
@@ -216,7 +220,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let block = Block {
         text: explained(source),
         figures: figures.collect(),
-        tables: vec![peaks(&points, &axes_of, periods, language)],
+        tables: vec![peaks(source, &points, &axes_of, periods)],
         ..Block::default()
     };
     Some(Section::Told(Chapter { id: "spectra", heading, blocks: vec![block] }))
@@ -232,24 +236,33 @@ fn row<'a>((own, beside): &'a (Point<'a>, Point<'a>), language: Language) -> Row
     Row { name: &own.name, drawn }
 }
 
+/// Time between rows of the histories (s).
+fn interval(source: &Source) -> Option<f64> {
+    match source.monitors.as_ref().ok()?.column("time")? {
+        [first, second, ..] => Some(second - first),
+        _ => None,
+    }
+}
+
 /// Which accelerations these are of.
 fn explained(source: &Source) -> String {
-    let language = source.language;
-    let time = source.monitors.as_ref().ok().and_then(|table| table.column("time"));
-    let Some([first, second, ..]) = time else { return String::new() };
+    let Some(interval) = interval(source) else { return String::new() };
     let shown = |x: f64| trimmed(&quantity("s", x));
     say!(
-        language,
+        source.language,
         "Of the accelerations between rows of the histories, {interval} apart, of the monitors and of the free field alike. \
          Oscillators are looked at in the rows: one that rings alone at a period below {short} may peak more than 5 % above what is \
-         drawn.",
-        interval = shown(second - first),
-        short = shown(10.0 * (second - first))
+         drawn, so the table has the largest from there on. Short periods that the motion given does not have come from cracks \
+         and joints that open and close.",
+        interval = shown(interval),
+        short = shown(ROWS_A_PERIOD * interval)
     )
 }
 
 /// The largest of each spectrum, and at which period.
-fn peaks(points: &[(Point, Point)], axes_of: &[usize], periods: &[f64], language: Language) -> TextTable {
+fn peaks(source: &Source, points: &[(Point, Point)], axes_of: &[usize], periods: &[f64]) -> TextTable {
+    let language = source.language;
+    let shortest = ROWS_A_PERIOD * interval(source).unwrap_or(0.0);
     let own: Vec<&Point> = points.iter().map(|(own, _)| own).collect();
     let scale = Scale::suiting("m/s2", axes_of.iter().map(|&axis| largest(&own, axis)).fold(0.0, f64::max));
     let largest = scale.labelled(&say!(language, "largest"));
@@ -268,7 +281,7 @@ fn peaks(points: &[(Point, Point)], axes_of: &[usize], periods: &[f64], language
         for &axis in axes_of {
             let mut row = vec![std::mem::take(&mut name), Cell::words(AXES[axis])];
             for point in [own, beside] {
-                let (period, value) = point.peak(periods, axis).unwrap_or((f64::NAN, f64::NAN));
+                let (period, value) = point.peak(periods, axis, shortest).unwrap_or((f64::NAN, f64::NAN));
                 row.extend([scale.number(value), crate::scale::figures(period, 2)].map(Cell::number));
             }
             rows.push(row);

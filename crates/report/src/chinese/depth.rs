@@ -26,7 +26,7 @@ pub const TEXTS: Texts = &[
     ("free field", "自由场"),
     ("edge of the model", "模型竖边"),
     ("monitors", "监测点"),
-    ("depth (m) over largest sizes", "深度 (m) 与最大绝对值"),
+    ("largest sizes over depth (m)", "最大绝对值沿深度 (m) 的分布"),
     ("strain εzz", "应变 εzz"),
     ("shear strain γ{axis}z", "剪应变 γ{axis}z"),
     ("{name}, {axis}", "{name}，{axis}"),

@@ -43,9 +43,10 @@ pub const TEXTS: Texts = &[
     (
         "Of the accelerations between rows of the histories, {interval} apart, of the monitors and of the free field alike. \
          Oscillators are looked at in the rows: one that rings alone at a period below {short} may peak more than 5 % above what is \
-         drawn.",
+         drawn, so the table has the largest from there on. Short periods that the motion given does not have come from cracks \
+         and joints that open and close.",
         "由时程输出行（间隔 {interval}）之间的加速度求得，监测点与自由场相同。振子只在输出行处取值：周期小于 {short} 的振子若单独振动，\
-         其峰值可能比所绘高出 5 % 以上。",
+         其峰值可能比所绘高出 5 % 以上，故表中最大值自该周期起取。给定地震动所没有的短周期成分来自裂缝与接触面的开合。",
     ),
     ("largest", "最大值"),
     ("at period (s)", "对应周期 (s)"),
