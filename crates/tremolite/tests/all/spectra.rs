@@ -12,8 +12,9 @@ const HEIGHTS: [f64; 2] = [59.0, 31.3];
 
 fn run(folder: &Path) -> ResultFolder {
     let mut problem = ground(20);
-    // The model is not the free field.
+    // The model is not the free field; wide enough for its sides not to drain all of the wave.
     problem.sides = [Side::Viscous; 2];
+    problem.mesh.nodes.iter_mut().for_each(|node| (node[0], node[1]) = (30.0 * node[0], 30.0 * node[1]));
     let mut plan = plan(&problem, &HEIGHTS, SECONDS);
     // The name of a column of the motion's: it keeps its histories, and the run its results.
     plan.monitors.push(tremolite::plan::Monitor { name: "given".into(), ..plan.monitors[0].clone() });
@@ -72,7 +73,6 @@ fn every_spectrum_is_that_of_the_history_it_is_named_after() {
             let exact = pseudo_acceleration(&history, dt, &default_periods(), 0.05).unwrap();
             let found = column(&spectra, &format!("{point}.a"));
             let most = exact.iter().copied().fold(0.0, f64::max);
-            assert_eq!(most > 0.0, axis != "z" || most > 0.0);
             let off = found.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             // Steps differ from the rows' interval by round-off alone.
             assert!(off <= 1e-9 * most, "{point}.a{axis}: {off} of {most}");
@@ -84,7 +84,7 @@ fn every_spectrum_is_that_of_the_history_it_is_named_after() {
     // No two are the same, so that none could stand for another unseen.
     for (k, one) in told.iter().enumerate() {
         let most = one.iter().copied().fold(0.0, f64::max);
-        assert!(most > 0.01, "{k}");
+        assert!(most > 0.01, "{k}: {most}");
         for other in &told[..k] {
             assert!(one.iter().zip(other).any(|(a, b)| (a - b).abs() > 0.005 * most), "{k}");
         }
