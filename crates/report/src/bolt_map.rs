@@ -1,16 +1,17 @@
 //! Figure of all bolts in the section, in the colours of what they carried.
 
-use indexmap::IndexMap;
 use tremolite_results::{BoltLine, BoltLines, Cut, Pvd};
 
-use crate::cut_figure::{borders, plane};
 use crate::figure::{Block, Figure};
-use crate::frame::{Frame, Window};
+use crate::frame_row::Row;
+use crate::language::say;
 use crate::scale::{Scale, figures, trimmed};
+use crate::section_view::{borders, plane};
+use crate::sentences::joined;
 use crate::source::Source;
+use crate::window::Window;
 
-const HEADING: &str = "Where bolts carry most";
-const GROUND: (&str, &str) = ("ground", "#c3cad2");
+const GROUND: &str = "#c3cad2";
 /// Room around what bolts reach, as a part of its extent.
 const MARGIN: f64 = 0.12;
 /// Width of a bolt in units of the figure.
@@ -33,61 +34,112 @@ pub fn block(source: &Source, lines: &BoltLines, when: &str) -> Option<Block> {
     let worst = finite().max_by(|a, b| value(a).total_cmp(&value(b)))?;
     let most = value(worst);
     let scale = if share { Scale { factor: 1.0, unit: String::new() } } else { Scale::suiting("N", most) };
+    let language = source.language;
     // A share has one scale on every page, so that a colour means the same; what is beyond is as dark as what yields.
-    let mut frame = Frame::new(window, 0.0, if share { 1.0 } else { most * scale.factor });
+    let row = Row::of(window, 1);
+    let mut frame = row.frame(0.0, if share { 1.0 } else { most * scale.factor });
     let cut = cut(source);
     if let Some(cut) = &cut {
         for cell in &cut.cells {
-            frame.kind(&cell.outline, GROUND);
+            frame.kind(&cell.outline, &say!(language, "ground"), GROUND);
         }
         frame.outlines(&borders(&cut.cells));
     }
     for line in finite() {
         frame.stroke(ends(line), WIDTH, value(line) * scale.factor);
     }
-    let title = if share { "largest force over yield force" } else { "largest force" };
-    let svg = frame.draw(&scale.labelled(title));
+    let title = if share {
+        say!(language, "largest force over yield force")
+    } else {
+        say!(language, "largest force")
+    };
+    let description = say!(language, "bolts on a section, coloured by what they carried");
+    let svg = row.draw(&scale.labelled(&title), &[(String::new(), frame)], &description);
     let group = lines.groups.get(worst.group).map_or("", String::as_str);
     let [x, y, z] = [0, 1, 2].map(|i| {
         let c = 0.5 * (worst.ends[0][i] + worst.ends[1][i]);
         trimmed(&format!("{c:.1}").replace('-', "−"))
     });
-    let number = if share { format!("{} of yield", figures(most, 2)) } else { scale.quantity(most) };
-    let (unit, colour) = match share {
-        true => (" over the force at which it yields", "Black violet is yield"),
-        false => ("; no bolt of these yields", "Dark is the largest"),
+    let number = match share {
+        true => say!(language, "{share} of yield", share = figures(most, 2)),
+        false => scale.quantity(most),
     };
-    let since = if when.contains("stages") { "stage" } else { "earthquake" };
-    let mut caption = format!(
-        "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the {since} \
-         began{unit}, from the file {when}. {colour}: look for bolts that are dark along a row or on one flank, where the ground \
-         pushes in, and for dark stretches in the middle of bolts, where they cross what opens or slides. Largest: {number} in \
-         {group}, bolt {}, at ({x}, {y}, {z}) m.",
-        worst.bolt
-    );
+    let mut said = vec![match (!staged(source), share) {
+        (true, true) => say!(
+            language,
+            "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the earthquake began over \
+             the force at which it yields, from the file {when}. Black violet is yield.",
+            when = when
+        ),
+        (true, false) => say!(
+            language,
+            "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the earthquake began; no \
+             bolt of these yields. From the file {when}. Dark is the largest.",
+            when = when
+        ),
+        (false, true) => say!(
+            language,
+            "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the stage began over the \
+             force at which it yields, from the file {when}. Black violet is yield.",
+            when = when
+        ),
+        (false, false) => say!(
+            language,
+            "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the stage began; no bolt \
+             of these yields. From the file {when}. Dark is the largest.",
+            when = when
+        ),
+    }];
+    said.push(say!(
+        language,
+        "Look for bolts that are dark along a row or on one flank, where the ground pushes in, and for dark stretches in the middle \
+         of bolts, where they cross what opens or slides."
+    ));
+    said.push(say!(
+        language,
+        "Largest: {number} in {group}, bolt {bolt}, at ({x}, {y}, {z}) m.",
+        number = number,
+        group = group,
+        bolt = worst.bolt,
+        x = x,
+        y = y,
+        z = z
+    ));
     let lost = lines.lines.len() - left().count();
     if lost > 0 {
-        caption.push_str(&format!(" Not drawn: {lost} segments that excavations took."));
+        said.push(say!(language, "Not drawn: {lost} segments that excavations took.", lost = lost));
     }
-    match &cut {
+    said.push(match &cut {
         Some(cut) => {
             let y = trimmed(&format!("{:.2}", cut.y).replace('-', "−"));
-            caption.push_str(&format!(" Openings and linings as at y = {y}\u{a0}m."));
+            say!(language, "Openings and linings as at y = {y}\u{a0}m.", y = y)
         }
-        None => caption.push_str(" No field file gives the openings."),
-    }
-    let figure = Figure { heading: HEADING.into(), file: "bolts-map.svg".into(), svg, caption };
-    Some(Block { heading: HEADING.into(), figures: vec![figure], ..Block::default() })
+        None => say!(language, "No field file gives the openings."),
+    });
+    let heading = say!(language, "Where bolts carry most");
+    let figure = Figure {
+        heading: heading.clone(),
+        file: "bolts-map.svg".into(),
+        svg,
+        caption: joined(language, &said),
+    };
+    Some(Block { heading, figures: vec![figure], ..Block::default() })
+}
+
+/// Whether the last file of bolts is one of the stages.
+fn staged(source: &Source) -> bool {
+    let pvd = Pvd::read(&source.folder.bolts_pvd()).ok();
+    pvd.and_then(|pvd| Some(pvd.snapshots().last()?.file.contains("stage-"))).unwrap_or(false)
 }
 
 /// The section through what stands; none where no field file can be read.
 fn cut(source: &Source) -> Option<Cut> {
     let [fields, stages] = [source.folder.pvd(), source.folder.stages_pvd()];
     let paths = if source.shakes() { [fields, stages] } else { [stages, fields] };
-    let positions: IndexMap<String, [f64; 3]> = source.facts().positions;
+    let positions = source.facts().positions;
     paths.into_iter().filter(|path| path.exists()).find_map(|path| {
         let pvd = Pvd::read(&path).ok()?;
-        let file = pvd.locate(pvd.snapshots().last()?);
-        Cut::read(&file, plane(&positions), &["body", "element", "displacement"]).ok()?
+        let file = source.fields.at(&pvd, pvd.snapshots().last()?).ok()?;
+        file.cut(&file.slice(plane(&positions)), &["body", "element", "displacement"])
     })
 }

@@ -2,14 +2,46 @@
 //!
 //! Terms follow GB/T 50279 (hydraulic engineering) and GB/T 50083 (structures) where they have one.
 
+mod before;
+mod bolts;
+mod compare;
+mod contact;
+mod damage;
 mod depth;
+mod energy;
+mod forces;
+mod free_field;
+mod histories;
 mod input;
+mod maps;
 mod page;
+mod section_strength;
 mod source;
 mod spectra;
+mod verdict;
+mod view;
 
 /// English pattern and Chinese.
 pub type Texts = &'static [(&'static str, &'static str)];
 
 /// All of them.
-pub const TABLES: &[Texts] = &[depth::TEXTS, input::TEXTS, page::TEXTS, source::TEXTS, spectra::TEXTS];
+pub const TABLES: &[Texts] = &[
+    before::TEXTS,
+    bolts::TEXTS,
+    compare::TEXTS,
+    contact::TEXTS,
+    damage::TEXTS,
+    depth::TEXTS,
+    energy::TEXTS,
+    forces::TEXTS,
+    free_field::TEXTS,
+    histories::TEXTS,
+    input::TEXTS,
+    maps::TEXTS,
+    page::TEXTS,
+    section_strength::TEXTS,
+    source::TEXTS,
+    spectra::TEXTS,
+    verdict::TEXTS,
+    view::TEXTS,
+];

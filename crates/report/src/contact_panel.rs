@@ -3,8 +3,10 @@
 use tremolite_results::PairSurface;
 
 use crate::colours::{self, LEVELS, colour, level};
+use crate::language::{Language, say};
 use crate::plan::{BAR, LEFT, Plan, end_walls, marks};
-use crate::scale::{Scale, trimmed};
+use crate::scale::Scale;
+use crate::sheet_words::direction;
 use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::ticks::Ticks;
 use crate::unfold::Sheet;
@@ -21,14 +23,22 @@ const TALLEST_BAR: f64 = 220.0;
 
 /// What one panel shows of each pair.
 pub struct Layer<'a> {
-    pub title: &'static str,
+    pub title: String,
     /// What grey and hatching mean.
-    pub never: &'static str,
-    pub now: &'static str,
+    pub never: String,
+    pub now: String,
     pub values: &'a [f64],
     pub shown: &'a [bool],
     /// The state whose pairs are hatched.
     pub state: u8,
+}
+
+impl Layer<'_> {
+    /// The largest value shown.
+    pub fn most(&self) -> f64 {
+        let shown = self.values.iter().zip(self.shown).filter(|(value, shown)| **shown && value.is_finite());
+        shown.map(|(value, _)| *value).fold(0.0, f64::max)
+    }
 }
 
 /// One panel with its sheets from `at` on; returns what it shows.
@@ -40,10 +50,9 @@ pub fn panel(
     sheets: &[Sheet],
     surface: &PairSurface,
     layer: &Layer,
+    (language, scale): (Language, &Scale),
 ) -> String {
-    let shown = || layer.values.iter().zip(layer.shown).filter(|(_, shown)| **shown).map(|(value, _)| *value);
-    let most = shown().filter(|x| x.is_finite()).fold(0.0, f64::max);
-    let scale = Scale::suiting("m", most);
+    let most = layer.most();
     let range = (0.0, if most > 0.0 { most } else { 1.0 });
     let mut grey = Vec::new();
     let mut levels: Vec<Vec<Vec<(f64, f64)>>> = vec![Vec::new(); LEVELS];
@@ -88,10 +97,10 @@ pub fn panel(
     }
     svg.borders(&outlines);
     svg.borders(&creases);
-    let title = scale.labelled(layer.title);
+    let title = scale.labelled(&layer.title);
     let line = at.1 - above + 16.0;
     svg.text((at.0, line), Anchor::Start, 13.0, Style::Bold, &title);
-    let remark = format!("up to {}", scale.quantity(most));
+    let remark = say!(language, "up to {most}", most = scale.quantity(most));
     svg.text((at.0 + text_width(&title, 13.0) + 30.0, line), Anchor::Start, 12.0, Style::Muted, &remark);
     let left = at.0 + plan.bar_at();
     // The key below it wants two lines.
@@ -99,7 +108,7 @@ pub fn panel(
     colours::bar(svg, (left, at.1), bar, (0.0, range.1 * scale.factor), false);
     let mut below = at.1 + bar + 14.0;
     for (name, shown, lined) in
-        [(layer.never, !grey.is_empty(), false), (layer.now, !hatched.is_empty(), true)]
+        [(&layer.never, !grey.is_empty(), false), (&layer.now, !hatched.is_empty(), true)]
     {
         if shown {
             let swatch =
@@ -149,11 +158,18 @@ fn hatch(outline: &[(f64, f64)], lines: &mut Vec<Vec<(f64, f64)>>) {
 }
 
 /// Axes, names and parts around the sheets of a panel.
-pub fn frame(svg: &mut Svg, at: (f64, f64), plan: &Plan, sheets: &[Sheet], labels: &[String]) {
+pub fn frame(
+    svg: &mut Svg,
+    language: Language,
+    at: (f64, f64),
+    plan: &Plan,
+    sheets: &[Sheet],
+    labels: &[String],
+) {
     let bottom = at.1 + plan.size.1;
     for (k, (sheet, spot)) in sheets.iter().zip(&plan.spots).enumerate() {
         let (from, to) = (plan.place(k, [spot.u[0], -spot.s[0]]), plan.place(k, [spot.u[0], -spot.s[1]]));
-        let parts = marks(sheet);
+        let parts = marks(language, sheet);
         // A plane is measured from its edge, a lining from its crown.
         let zero = if sheet.wraps { 0.0 } else { spot.s[1] };
         let around = if sheet.wraps { (spot.s[0], spot.s[1]) } else { (0.0, spot.s[1] - spot.s[0]) };
@@ -174,7 +190,7 @@ pub fn frame(svg: &mut Svg, at: (f64, f64), plan: &Plan, sheets: &[Sheet], label
             svg.text((at.0 + from.0, at.1 - 8.0 - ROW), Anchor::Start, 12.5, Style::Plain, label);
             for (name, s) in parts {
                 let x = at.0 + plan.place(k, [spot.u[0], -s]).0;
-                svg.text((x, at.1 - 7.0), Anchor::Middle, 11.5, Style::Muted, name);
+                svg.text((x, at.1 - 7.0), Anchor::Middle, 12.0, Style::Muted, &name);
             }
             if k == 0 {
                 for (value, text) in &ticks_u.marks {
@@ -193,7 +209,7 @@ pub fn frame(svg: &mut Svg, at: (f64, f64), plan: &Plan, sheets: &[Sheet], label
             svg.text((at.0, at.1 + from.1 - 8.0), Anchor::Start, 12.5, Style::Plain, label);
             for (name, s) in parts {
                 let (x, y) = plan.place(k, [spot.u[1], -s]);
-                svg.text((at.0 + x + 8.0, at.1 + y + 4.0), Anchor::Start, 11.5, Style::Muted, name);
+                svg.text((at.0 + x + 8.0, at.1 + y + 4.0), Anchor::Start, 12.0, Style::Muted, &name);
             }
             if k + 1 == sheets.len() {
                 for (value, text) in &ticks_u.marks {
@@ -207,10 +223,10 @@ pub fn frame(svg: &mut Svg, at: (f64, f64), plan: &Plan, sheets: &[Sheet], label
     for (k, sheet) in sheets.iter().enumerate() {
         for middle in end_walls(sheet) {
             let (x, y) = plan.place(k, middle);
-            svg.note((at.0 + x, at.1 + y), "end wall");
+            svg.note((at.0 + x, at.1 + y), &say!(language, "end wall"));
         }
     }
-    let (along, around) = axis_words(sheets);
+    let (along, around) = axis_words(language, sheets);
     let (below, beside) = if plan.upright { (around, along) } else { (along, around) };
     // Of a lining whose axis lies across, right is below.
     let arrow = if plan.upright || sheets.iter().all(|sheet| !sheet.wraps) { '↑' } else { '↓' };
@@ -222,23 +238,16 @@ pub fn frame(svg: &mut Svg, at: (f64, f64), plan: &Plan, sheets: &[Sheet], label
 }
 
 /// What the two directions of sheets are.
-fn axis_words(sheets: &[Sheet]) -> (String, String) {
+fn axis_words(language: Language, sheets: &[Sheet]) -> (String, String) {
     if sheets.iter().all(|sheet| !sheet.wraps) {
-        return ("along the strike".into(), "up the dip".into());
+        return (say!(language, "along the strike"), say!(language, "up the dip"));
     }
     let first = sheets[0].axis;
     let same = sheets.iter().all(|sheet| (0..3).all(|i| (sheet.axis[i] - first[i]).abs() < 1e-6));
-    let along = if same { format!("along {}", direction(first)) } else { "along the axis".into() };
-    (along, "around, from the crown".into())
-}
-
-/// An axis in words.
-pub fn direction(axis: [f64; 3]) -> String {
-    match (0..3).find(|&i| axis[i] > 1.0 - 1e-9) {
-        Some(i) => ["x", "y", "z"][i].into(),
-        None => {
-            let parts = axis.map(|c| trimmed(&format!("{c:.2}")).replace('-', "−"));
-            format!("({})", parts.join(", "))
-        }
-    }
+    let along = if same {
+        say!(language, "along {axis}", axis = direction(first))
+    } else {
+        say!(language, "along the axis")
+    };
+    (along, say!(language, "around, from the crown"))
 }

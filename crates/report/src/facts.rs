@@ -103,10 +103,10 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         let note = format!("{group} at {}", at(widest.time));
         cards.push(card("Widest crack", opening(cracks), &note));
     }
-    let extremes = interfaces::extremes(&facts).into_iter();
-    cards.extend(extremes.map(|(label, value, note)| card(label, value, &note)));
+    let extremes = interfaces::extremes(source.language, &facts).into_iter();
+    cards.extend(extremes.map(|(label, value, note)| card(&label, value, &note)));
     cards.extend(
-        bolt_card::hardest(&facts)
+        bolt_card::hardest(source.language, &facts)
             .map(|(value, note)| card("Force of the bolt nearest to yield", value, &note)),
     );
     // As the check has it; summaries of other versions leave it to the table.

@@ -64,7 +64,7 @@ pub fn section(source: &Source) -> Option<Section> {
     }
     let drawn = |panels: Vec<Panel>, title: &str, file: &str, caption: String| {
         let time = table.column("time").unwrap_or(&[]);
-        let svg = Chart { title: title.into(), time, panels }.draw();
+        let svg = Chart { title: title.into(), time, panels }.draw(source.language);
         Figure { heading: String::new(), file: file.into(), svg, caption }
     };
     let mut figures = Vec::new();

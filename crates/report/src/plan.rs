@@ -1,5 +1,6 @@
 //! How developed sheets are laid out on a figure.
 
+use crate::language::{Language, say};
 use crate::unfold::{Flat, Sheet};
 
 /// Room left of a panel's sheets for numbers, and right of them for the colour bar with its key.
@@ -12,6 +13,13 @@ const WIDTH: f64 = 940.0;
 const BETWEEN: f64 = 34.0;
 const TALLEST: f64 = 620.0;
 
+/// Whether each panel has a bar of colours beside it, or the last one alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bars {
+    Each,
+    One,
+}
+
 /// Where sheets lie, in figure units from the panel's upper left corner of the sheets.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -21,6 +29,7 @@ pub struct Plan {
     pub zoom: f64,
     /// Whether panels stand side by side.
     pub beside: bool,
+    bars: Bars,
     /// Of all sheets together.
     pub size: (f64, f64),
     pub spots: Vec<Spot>,
@@ -37,7 +46,7 @@ pub struct Spot {
 
 impl Plan {
     /// The plan that shows sheets largest in so many panels of equal content.
-    pub fn of(sheets: &[Sheet], panels: usize) -> Self {
+    pub fn of(sheets: &[Sheet], panels: usize, bars: Bars) -> Self {
         let ends: Vec<Spot> = sheets.iter().map(extent).collect();
         let sum = |along: fn(&Spot) -> [f64; 2]| ends.iter().map(|e| along(e)[1] - along(e)[0]).sum::<f64>();
         let most = ends.iter().map(|e| e.u[1] - e.u[0]).fold(1e-9, f64::max);
@@ -51,7 +60,8 @@ impl Plan {
             }
             let (columns, rows) = if beside { (panels as f64, 1.0) } else { (1.0, panels as f64) };
             let sides = if upright { 0.0 } else { SIDES };
-            let room = (WIDTH / columns - LEFT - BAR - sides, TALLEST / rows);
+            let bar = if bars == Bars::Each { columns * BAR } else { BAR };
+            let room = ((WIDTH - bar) / columns - LEFT - sides, TALLEST / rows);
             let zoom = if upright {
                 ((room.0 - gaps) / around).min(room.1 / most)
             } else {
@@ -59,11 +69,17 @@ impl Plan {
             };
             // Of nearly equal ones the first, whose axis lies across.
             if best.as_ref().is_none_or(|known| zoom > 1.05 * known.zoom) {
-                best = Some(Plan { upright, zoom, beside, size: (0.0, 0.0), spots: ends.clone() });
+                best = Some(Plan { upright, zoom, beside, bars, size: (0.0, 0.0), spots: ends.clone() });
             }
         }
-        let mut plan =
-            best.unwrap_or(Plan { upright: false, zoom: 1.0, beside: false, size: (0.0, 0.0), spots: ends });
+        let mut plan = best.unwrap_or(Plan {
+            upright: false,
+            zoom: 1.0,
+            beside: false,
+            bars,
+            size: (0.0, 0.0),
+            spots: ends,
+        });
         plan.lay();
         plan
     }
@@ -88,7 +104,11 @@ impl Plan {
 
     /// Width of a panel with what stands beside its sheets.
     pub fn panel_width(&self, panels: usize) -> f64 {
-        if self.beside { WIDTH / panels as f64 } else { WIDTH }
+        match (self.beside, self.bars) {
+            (false, _) => WIDTH,
+            (true, Bars::Each) => WIDTH / panels as f64,
+            (true, Bars::One) => (WIDTH - BAR) / panels as f64,
+        }
     }
 
     /// Where the colour bar begins, from the sheets' left.
@@ -105,26 +125,35 @@ fn extent(sheet: &Sheet) -> Spot {
     Spot { at: (0.0, 0.0), u: ends(&|c| c[0]), s: ends(&|c| -c[1]) }
 }
 
+/// What a run of faces of a lining may be.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    Crown,
+    Floor,
+    Left,
+    Right,
+}
+
 /// What a run of faces of a lining is, and the middle of where it lies to the right of the crown (m).
-pub fn marks(sheet: &Sheet) -> Vec<(&'static str, f64)> {
+pub fn marks(language: Language, sheet: &Sheet) -> Vec<(String, f64)> {
     const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
     if !sheet.wraps || sheet.axis[2].abs() > 0.5 {
         return Vec::new();
     }
     let [x, y, _] = sheet.axis;
-    let mut ends: Vec<(&'static str, bool, [f64; 2])> = Vec::new();
+    let mut ends: Vec<(Part, bool, [f64; 2])> = Vec::new();
     for face in sheet.faces.iter().filter(|face| !face.end && face.piece == 0) {
         let n = face.normal;
         let s = -face.corners.iter().map(|c| c[1]).sum::<f64>() / face.corners.len() as f64;
         let name = match n[2] {
-            up if up > STEEP => "crown",
-            up if up < -STEEP => "floor",
+            up if up > STEEP => Part::Crown,
+            up if up < -STEEP => Part::Floor,
             // Right of who looks along the axis: axis × z.
-            _ if n[0] * y - n[1] * x > 0.0 => "right wall",
-            _ => "left wall",
+            _ if n[0] * y - n[1] * x > 0.0 => Part::Right,
+            _ => Part::Left,
         };
         // The floor is cut in two.
-        let side = name == "floor" && s > 0.0;
+        let side = name == Part::Floor && s > 0.0;
         match ends.iter_mut().find(|(known, left, _)| *known == name && *left == side) {
             Some((_, _, [low, high])) => (*low, *high) = (low.min(s), high.max(s)),
             None => ends.push((name, side, [s, s])),
@@ -132,8 +161,13 @@ pub fn marks(sheet: &Sheet) -> Vec<(&'static str, f64)> {
     }
     // A lining without a floor has feet that face downwards.
     let around = ends.iter().map(|(.., [low, high])| high - low).sum::<f64>();
-    let name =
-        |name: &'static str, width: f64| if name == "floor" && width < 0.05 * around { "foot" } else { name };
+    let name = |part: Part, width: f64| match part {
+        Part::Floor if width < 0.05 * around => say!(language, "foot"),
+        Part::Floor => say!(language, "floor"),
+        Part::Crown => say!(language, "crown"),
+        Part::Left => say!(language, "left wall"),
+        Part::Right => say!(language, "right wall"),
+    };
     ends.into_iter().map(|(own, _, [low, high])| (name(own, high - low), 0.5 * (low + high))).collect()
 }
 

@@ -17,21 +17,25 @@
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |
 //! | `bolts.csv` | [`bolts`] | forces, slip and state of bolts, a row a bolt and time |
 //! | `fields.pvd`, `interfaces.pvd`, `stages.pvd`, `bolts.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/`, `stages/` and `bolts/` |
-//! | `fields/*.vtu` | [`cut`] | cuts through them; `tremolite_mesh::vtu` reads and writes the files themselves |
+//! | `fields/*.vtu` | [`fields`], [`cut`], [`slice`], [`skin`], [`field_file`] | cuts through them, the outside of linings, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
 //! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
 //! | `bolts/*.vtu` | [`bolt_lines`] | the segments of bolts with what they did |
 //!
 //! Histories grow while the run goes on and can be read at any moment. Small files are replaced
 //! whole, so a reader sees the old one or the new one, never half of one.
 
+mod arrays;
 pub mod bolt_group;
 pub mod bolt_lines;
 pub mod bolts;
 pub mod cut;
 pub mod damage;
 pub mod error;
+pub mod field_file;
+pub mod fields;
 pub mod folder;
 pub mod free_field;
+pub mod hexahedron;
 pub mod interface;
 pub mod materials;
 pub mod number;
@@ -39,6 +43,8 @@ pub mod peaks;
 pub mod pvd;
 pub mod said;
 pub mod sections;
+pub mod skin;
+pub mod slice;
 pub mod stages;
 pub mod stress;
 pub mod summary;
@@ -53,6 +59,8 @@ pub use bolts::{BoltRow, BoltWriter, EARTHQUAKE, read_bolts};
 pub use cut::{Cut, CutCell};
 pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;
+pub use field_file::{FieldCell, FieldFile, Scalar};
+pub use fields::Fields;
 pub use folder::{HAND_OVER, ResultFolder, replace_file};
 pub use free_field::{FreeField, Station, Velocities};
 pub use interface::{InterfaceSummary, PairPeak, PairPlace};
@@ -61,6 +69,8 @@ pub use peaks::{Peaks, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};
 pub use said::{Said, Slot};
 pub use sections::{SectionRow, read_sections, write_sections};
+pub use skin::Skin;
+pub use slice::{Corner, Piece, Slice};
 pub use stages::{StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{Defaulted, Input, ModelFacts, MotionFacts, PageWish, RunFacts, Status, Summary};

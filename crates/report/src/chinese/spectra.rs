@@ -4,11 +4,9 @@ use super::Texts;
 
 pub const TEXTS: Texts = &[
     ("spectral acceleration, 5 % damping", "谱加速度，阻尼比 5 %"),
-    ("along {axis}", "{axis} 向"),
     ("{name}, along {axis}", "{name}，{axis} 向"),
     ("period (s)", "周期 (s)"),
     ("motion given", "给定地震动"),
-    ("incident wave", "入射波"),
     ("free field, surface", "自由场地表"),
     ("free field, base", "自由场底部"),
     ("Response spectra of the motion that comes in", "输入地震动的反应谱"),
@@ -39,7 +37,6 @@ pub const TEXTS: Texts = &[
         "谱加速度，阻尼比 5 %，各图比例相同。模型旁没有自由场土柱，故无自由场可比。",
     ),
     ("free field at the monitor's level", "监测点高程处的自由场"),
-    ("monitor", "监测点"),
     (
         "Of the accelerations between rows of the histories, {interval} apart, of the monitors and of the free field alike. \
          Oscillators are looked at in the rows: one that rings alone at a period below {short} may peak more than 5 % above what is \
@@ -48,8 +45,6 @@ pub const TEXTS: Texts = &[
         "由时程输出行（间隔 {interval}）之间的加速度求得，监测点与自由场相同。振子只在输出行处取值：周期小于 {short} 的振子若单独振动，\
          其峰值可能比所绘高出 5 % 以上，故表中最大值自该周期起取。给定地震动所没有的短周期成分来自裂缝与接触面的开合。",
     ),
-    ("largest", "最大值"),
     ("at period (s)", "对应周期 (s)"),
     ("free field at its level", "同高程自由场"),
-    ("along", "方向"),
 ];

@@ -1,6 +1,7 @@
 //! The tests of this crate, one binary.
 
 mod cut;
+mod fields;
 mod folder;
 mod pvd;
 mod summary;

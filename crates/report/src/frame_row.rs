@@ -1,0 +1,107 @@
+//! Maps of one window beside each other or above each other, with one bar of colours for all.
+
+use crate::colours;
+use crate::frame::Frame;
+use crate::svg::{Anchor, Style, Svg};
+use crate::window::Window;
+
+const WIDTH: f64 = 940.0;
+const LEFT: f64 = 56.0;
+/// Right of the maps: the colour bar and its labels.
+const BAR: f64 = 118.0;
+const BETWEEN: f64 = 14.0;
+/// Above the maps: the title, and a line for what each of several is.
+const TITLE: f64 = 30.0;
+const LINE: f64 = 20.0;
+/// Below a map: its numbers.
+const BELOW: f64 = 44.0;
+const TALLEST: f64 = 560.0;
+
+/// So many maps of one window.
+pub struct Row {
+    window: Window,
+    beside: bool,
+    room: (f64, f64),
+}
+
+impl Row {
+    /// Beside each other, unless maps of this window are drawn much larger above each other.
+    pub fn of(window: Window, maps: usize) -> Self {
+        let n = maps.max(1) as f64;
+        let across = WIDTH - LEFT - BAR;
+        let beside = ((across - (n - 1.0) * BETWEEN) / n, TALLEST);
+        let above = (across, (1.5 * TALLEST - (n - 1.0) * (BELOW + LINE)) / n);
+        let [width, height] = window.size();
+        let zoom = |room: (f64, f64)| (room.0 / width).min(room.1 / height);
+        // Above each other they leave a page half empty, unless they are long.
+        let best = maps < 2 || 1.4 * zoom(beside) >= zoom(above);
+        Row { window, beside: best, room: if best { beside } else { above } }
+    }
+
+    /// A map of the row, coloured from `low` to `high` (in the display unit).
+    pub fn frame(&self, low: f64, high: f64) -> Frame {
+        Frame::new(self.window.clone(), (low, high), self.room)
+    }
+
+    /// The figure as SVG: the title above, and above each map what it is, if it is not empty. The bar is that of the first.
+    pub fn draw(&self, title: &str, maps: &[(String, Frame)], description: &str) -> String {
+        let mut svg = Svg::new(WIDTH);
+        svg.text((LEFT, TITLE - 12.0), Anchor::Start, 14.0, Style::Bold, title);
+        let line = if maps.iter().any(|(name, _)| !name.is_empty()) { LINE } else { 0.0 };
+        let (mut at, mut end) = ((LEFT, TITLE + line), (0.0, 0.0));
+        let top = at.1;
+        for (k, (name, frame)) in maps.iter().enumerate() {
+            svg.text((at.0, at.1 - 8.0), Anchor::Start, 13.0, Style::Plain, name);
+            frame.paint(&mut svg, at, k == 0 || !self.beside);
+            let (width, height) = frame.size();
+            end = (at.0 + width, at.1 + height);
+            let words = if k == 0 || !self.beside { "x (m), z (m)" } else { "x (m)" };
+            svg.text((end.0, end.1 + 36.0), Anchor::End, 12.0, Style::Muted, words);
+            at = if self.beside { (end.0 + BETWEEN, at.1) } else { (at.0, end.1 + BELOW + line) };
+        }
+        let (right, mut below) = (end.0 + 18.0, top);
+        let mut named: Vec<(&str, &str)> = Vec::new();
+        for (name, colour) in maps.iter().flat_map(|(_, frame)| frame.names()) {
+            if named.contains(&(name, colour)) {
+                continue;
+            }
+            named.push((name, colour));
+            let y = below;
+            let corners = [(right, y), (right + 16.0, y), (right + 16.0, y + 12.0), (right, y + 12.0)];
+            svg.areas(colour, &[corners.to_vec()]);
+            svg.text((right + 21.0, y + 10.5), Anchor::Start, 12.0, Style::Muted, name);
+            below += 21.0;
+        }
+        if let Some((_, first)) = maps.first()
+            && maps.iter().any(|(_, frame)| frame.has_values())
+        {
+            let height = (end.1 - below).max(60.0);
+            colours::bar(&mut svg, (right, below), height, first.range, first.turned);
+        }
+        svg.finish(end.1 + BELOW, title, description)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_value_throughout_has_a_colour_bar_that_reads() {
+        for (value, label) in [(0.0, ">0.5<"), (-3.0, ">−2.0<")] {
+            let outline = [[0.0, 0.0], [40.0, 0.0], [40.0, 30.0], [0.0, 30.0]];
+            let row = Row::of(Window::around(outline.into_iter()), 1);
+            let mut frame = row.frame(value, value);
+            frame.cell(&outline, value);
+            let figure = row.draw("damage", &[(String::new(), frame)], "");
+            assert!(figure.contains(label) && !figure.contains("0.000000000000"), "{value}: {figure}");
+        }
+    }
+
+    #[test]
+    fn long_maps_stand_above_each_other() {
+        let window = |width: f64, height: f64| Window { low: [0.0; 2], high: [width, height] };
+        assert!(Row::of(window(60.0, 55.0), 2).beside);
+        assert!(!Row::of(window(200.0, 40.0), 2).beside);
+    }
+}

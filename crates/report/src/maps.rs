@@ -1,0 +1,93 @@
+//! The section maps of the page, in the order in which a reader asks: how far linings are damaged, what stresses them, how they
+//! deform, and where rock yielded. Where linings came off the rock is in [`contact_map`](crate::contact_map).
+
+use crate::cut_figure::Map;
+use crate::damage_maps;
+use crate::deformed;
+use crate::figure::Section;
+use crate::language::say;
+use crate::plastic_zones::{Files, Zones};
+use crate::section_view::plane;
+use crate::snapshots::Snapshots;
+use crate::source::Source;
+
+/// Room around linings, as a part of their extent.
+const MARGIN: f64 = 0.25;
+
+/// Damage of the linings, before and after the shaking and by kind; or why there are no maps at all.
+pub fn damage(source: &Source) -> Vec<Section> {
+    match readable(source) {
+        Ok(snapshots) => damage_maps::sections(source, &snapshots),
+        Err(why) => vec![Section::left_out(&say!(source.language, "Section through the caverns"), why)],
+    }
+}
+
+/// Stress, deformed shape and plastic zones; nothing where [`damage`] says why there is none.
+pub fn sections(source: &Source) -> Vec<Section> {
+    let Ok(snapshots) = readable(source) else { return Vec::new() };
+    vec![stress(source, &snapshots), deformed::section(source, &snapshots), yielding(source, &snapshots)]
+}
+
+/// The field files, of which the last can be read.
+fn readable(source: &Source) -> Result<Snapshots<'_>, String> {
+    let snapshots = Snapshots::of(source)?;
+    snapshots.read(snapshots.last()).map(|_| snapshots)
+}
+
+/// The largest principal stress over the run.
+fn stress(source: &Source, snapshots: &Snapshots) -> Section {
+    let language = source.language;
+    let heading = say!(language, "Largest principal stress on the section");
+    let fields = match snapshots.read(snapshots.last()) {
+        Ok(fields) => fields,
+        Err(why) => return Section::left_out(&heading, why),
+    };
+    let positions = source.facts().positions;
+    let slice = fields.slice(plane(&positions));
+    let cut = fields.cut(&slice, &["s1_max", "s1"]);
+    let Some(cut) = cut.filter(|cut| cut.cells.iter().any(|cell| cell.value.is_finite())) else {
+        return Section::left_out(&heading, say!(language, "The last field file has no field s1_max or s1."));
+    };
+    let smooth = fields.smooth(&slice, &cut.field);
+    let when = match cut.field.as_str() {
+        "s1_max" => {
+            say!(language, "of each element the largest over the run, of intact 2×2×2 elements at the fibre")
+        }
+        _ => snapshots.at(snapshots.last().time),
+    };
+    let map = Map {
+        language,
+        cut: &cut,
+        smooth: smooth.as_deref(),
+        heading: &heading,
+        when: &when,
+        title: &say!(language, "largest principal stress s1, tension positive"),
+        look: &say!(
+            language,
+            "Tension is positive. Look for where a lining came near its tensile strength, and whether the rock behind it is drawn apart as \
+             well."
+        ),
+        file: "section-s1.svg",
+        lowest: false,
+        margin: MARGIN,
+    };
+    Section::Drawn(vec![map.figure(&positions)])
+}
+
+/// Where rock had yielded before the shaking and has after it.
+fn yielding(source: &Source, snapshots: &Snapshots) -> Section {
+    let language = source.language;
+    let heading = say!(language, "Plastic zones before and after the earthquake");
+    let (first, last) = match (snapshots.read(snapshots.first()), snapshots.read(snapshots.last())) {
+        (Ok(first), Ok(last)) => (first, last),
+        (Err(why), _) | (_, Err(why)) => return Section::left_out(&heading, why),
+    };
+    let positions = source.facts().positions;
+    let y = plane(&positions);
+    let before = Zones::of(&first, &first.slice(y), snapshots.before());
+    let after = Zones::of(&last, &last.slice(y), snapshots.after());
+    let earlier = (snapshots.first() != snapshots.last()).then_some(&before);
+    let files = Files { zones: "section-plastic.svg", strain: "section-plastic-strain.svg" };
+    let (figures, notes) = after.figures(language, earlier, &heading, files, &positions);
+    if figures.is_empty() { Section::left_out(&heading, notes.join(" ")) } else { Section::Drawn(figures) }
+}
