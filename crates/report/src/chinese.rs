@@ -7,14 +7,17 @@ mod bolts;
 mod compare;
 mod contact;
 mod damage;
+mod depth;
 mod energy;
 mod forces;
 mod free_field;
 mod histories;
+mod input;
 mod maps;
 mod page;
 mod section_strength;
 mod source;
+mod spectra;
 mod verdict;
 mod view;
 
@@ -28,14 +31,17 @@ pub const TABLES: &[Texts] = &[
     compare::TEXTS,
     contact::TEXTS,
     damage::TEXTS,
+    depth::TEXTS,
     energy::TEXTS,
     forces::TEXTS,
     free_field::TEXTS,
     histories::TEXTS,
+    input::TEXTS,
     maps::TEXTS,
     page::TEXTS,
     section_strength::TEXTS,
     source::TEXTS,
+    spectra::TEXTS,
     verdict::TEXTS,
     view::TEXTS,
 ];

@@ -5,8 +5,8 @@ use crate::histories::Recorded;
 use crate::language::say;
 use crate::source::Source;
 use crate::{
-    before, bolts, contact_history, contact_map, contact_monitors, damage, energy, forces, free_field,
-    growth, input, interfaces, maps, materials, mesh_figure,
+    before, bolts, contact_history, contact_map, contact_monitors, damage, depth, energy, forces, free_field,
+    growth, input, interfaces, maps, materials, mesh_figure, spectra,
 };
 
 /// A section in its place.
@@ -91,6 +91,8 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
 
     page.tell(forces::chapter(source));
     page.tell(before::chapter(source));
+    page.put("spectra", when(shakes, spectra::section));
+    page.put("depth", when(shakes, depth::section));
     page.tell(bolts::chapter(source));
     page.put("free-field", when(shakes, free_field::section));
     page.put("velocity", recorded.as_ref().map(Recorded::velocity));

@@ -1,69 +1,110 @@
-//! Figure of the motion that a case gives: acceleration, velocity and displacement along the model's axes.
+//! Figures of the motion that a case gives: acceleration by component, velocity and displacement, response spectra.
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
 use crate::figure::{Figure, Section};
 use crate::scale::{Scale, figures, quantity};
 use crate::source::Source;
+use crate::spectra;
+use tremolite_results::Table;
 
-const HEADING: &str = "The motion that comes in";
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 fn largest(values: &[f64]) -> f64 {
     values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
+/// The components of a kind of the given motion that are not zero, by axis.
+fn moving<'t>(table: &'t Table, kind: &str) -> Vec<(usize, &'t [f64])> {
+    let column = |axis: usize| table.column(&format!("given.{kind}{}", AXES[axis]));
+    let known = (0..3).filter_map(|axis| Some((axis, column(axis)?)));
+    known.filter(|(_, values)| largest(values) > 0.0).collect()
+}
+
+fn line((axis, values): (usize, &[f64])) -> Line<'_> {
+    Line { name: AXES[axis].to_owned(), values: values.into(), colour: axis, stroke: Stroke::Thin }
+}
+
 /// The section of the page; nothing where the run wrote no motion.csv.
 pub fn section(source: &Source) -> Option<Section> {
+    let language = source.language;
+    let heading = say!(language, "The motion that comes in");
     let table = match source.motion.as_ref()? {
         Ok(table) => table,
-        Err(why) => return Some(Section::left_out(HEADING, why)),
+        Err(why) => return Some(Section::left_out(&heading, why)),
     };
-    let mut panels = Vec::new();
-    let mut peaks = Vec::new();
-    for (kind, title, unit) in
-        [("a", "acceleration", "m/s2"), ("v", "velocity", "m/s"), ("u", "displacement", "m")]
-    {
-        let columns = AXES
-            .iter()
-            .enumerate()
-            .filter_map(|(k, axis)| Some((k, axis, table.column(&format!("given.{kind}{axis}"))?)));
-        let moving: Vec<_> = columns.filter(|(_, _, values)| largest(values) > 0.0).collect();
-        let most = moving.iter().map(|(_, _, values)| largest(values)).fold(0.0, f64::max);
-        if moving.is_empty() {
-            continue;
-        }
-        peaks.push(quantity(unit, most));
-        let line = |(colour, axis, values): (usize, &&str, _)| Line {
-            name: (*axis).to_owned(),
-            values,
-            colour,
-            stroke: Stroke::Thin,
-        };
-        panels.push(Panel {
-            title: title.into(),
-            scale: Scale::suiting(unit, most),
-            lines: moving
-                .into_iter()
-                .map(|(colour, axis, values)| line((colour, axis, values.into())))
-                .collect(),
+    let of_all =
+        |components: &[(usize, &[f64])]| components.iter().map(|(_, x)| largest(x)).fold(0.0, f64::max);
+    let accelerations = moving(table, "a");
+    let scale = Scale::suiting("m/s2", of_all(&accelerations));
+    // Components one below the other, on one unit.
+    let panels: Vec<Panel> = accelerations
+        .iter()
+        .map(|&(axis, values)| Panel {
+            title: say!(language, "acceleration along {axis}", axis = AXES[axis]),
+            scale: scale.clone(),
+            lines: vec![line((axis, values))],
             mark: Mark::Largest,
-        });
+        })
+        .collect();
+    let drift: Vec<Panel> =
+        [("v", say!(language, "velocity"), "m/s"), ("u", say!(language, "displacement"), "m")]
+            .into_iter()
+            .map(|(kind, title, unit)| (moving(table, kind), title, unit))
+            .filter(|(components, ..)| !components.is_empty())
+            .map(|(components, title, unit)| Panel {
+                title,
+                scale: Scale::suiting(unit, of_all(&components)),
+                lines: components.into_iter().map(line).collect(),
+                mark: Mark::Largest,
+            })
+            .collect();
+    if panels.is_empty() && drift.is_empty() {
+        return Some(Section::left_out(&heading, say!(language, "motion.csv holds no motion.")));
     }
-    if panels.is_empty() {
-        return Some(Section::left_out(HEADING, "motion.csv holds no motion."));
+    let drawn = |panels: Vec<Panel>, title: &str, file: &str, caption: String| {
+        let time = table.column("time").unwrap_or(&[]);
+        let svg = Chart { title: title.into(), time, panels }.draw(source.language);
+        Figure { heading: String::new(), file: file.into(), svg, caption }
+    };
+    let mut figures = Vec::new();
+    if !panels.is_empty() {
+        figures.push(drawn(panels, &heading, "input.svg", caption(source, &accelerations)));
     }
+    if !drift.is_empty() {
+        let title = say!(language, "Velocity and displacement that come in");
+        let words = say!(
+            language,
+            "The same motion, integrated. Velocity and displacement should end near zero; the model follows any drift."
+        );
+        figures.push(drawn(drift, &title, "input-drift.svg", words));
+    }
+    figures.extend(spectra::of_input(source));
+    let blocks = vec![Block { figures, ..Block::default() }];
+    Some(Section::Told(Chapter { id: "input", heading, blocks }))
+}
+
+/// What the accelerations are, with their peaks.
+fn caption(source: &Source, accelerations: &[(usize, &[f64])]) -> String {
+    let language = source.language;
+    let peaks = accelerations.iter().map(|(axis, values)| {
+        say!(language, "{peak} along {axis}", peak = quantity("m/s2", largest(values)), axis = AXES[*axis])
+    });
+    let peaks = peaks.collect::<Vec<_>>().join(&say!(language, ", "));
+    let mut text = say!(
+        language,
+        "As the case gives it, windowed, filtered and turned into the model's axes; largest {peaks}.",
+        peaks = peaks
+    );
     let facts = source.facts();
     let factor = facts.motion.factor;
-    let mut caption = format!(
-        "As the case gives it, windowed, filtered and turned into the model's axes; largest {}.",
-        peaks.join(", ")
-    );
     if factor.is_finite() && !facts.motion.kind.is_empty() {
-        caption.push_str(&format!(
-            " It is taken as {}: the wave that comes up through the base is {} times this.",
-            facts.motion.kind,
-            figures(factor, 3)
+        text.push(' ');
+        text.push_str(&say!(
+            language,
+            "It is taken as {kind}: the wave that comes up through the base is {factor} times this.",
+            kind = facts.motion.kind,
+            factor = figures(factor, 3)
         ));
     }
     caption.push_str(" Velocity and displacement should end near zero; the model follows any drift.");

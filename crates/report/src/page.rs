@@ -171,6 +171,8 @@ fn files(source: &Source) -> Vec<(String, Vec<&'static str>)> {
                 "energy.csv",
                 "motion.csv",
                 "free_field.csv",
+                "spectra.csv",
+                "depth.csv",
                 "damage.csv",
                 "interfaces.csv",
                 "stages.csv",

@@ -30,6 +30,11 @@ pub struct Source {
     /// Nothing where the folder has no such file: no earthquake came, no column stood beside the model, or an older
     /// version ran.
     pub free_field: Option<Result<FreeField, String>>,
+    /// Nothing where the folder has no such file: no earthquake came, the run goes on, or an older version ran.
+    pub spectra: Option<Result<Table, String>>,
+    /// Nothing where the folder has no such file: no earthquake came, no column stood beside the model, the run goes on, or an
+    /// older version ran.
+    pub depth: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no stages, or an older version ran.
     pub relaxation: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no lining of which section forces were taken.
@@ -69,6 +74,8 @@ impl Source {
         let motion = folder.motion().exists().then(|| table(&folder.motion(), "time"));
         let free_field = folder.free_field();
         let free_field = free_field.exists().then(|| table(&free_field, "time").map(FreeField::of));
+        let spectra = folder.spectra().exists().then(|| table(&folder.spectra(), "period"));
+        let depth = folder.depth().exists().then(|| table(&folder.depth(), "depth"));
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
         let sections = folder.sections().exists().then(|| sections(&folder.sections(), language));
         let bolts = folder.bolts().exists().then(|| read_bolts(&folder.bolts()).map_err(|e| format!("{e}.")));
@@ -92,6 +99,8 @@ impl Source {
             interfaces,
             motion,
             free_field,
+            spectra,
+            depth,
             relaxation,
             sections,
             bolts,

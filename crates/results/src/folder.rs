@@ -160,6 +160,8 @@ impl ResultFolder {
             self.interfaces_pvd(),
             self.motion(),
             self.free_field(),
+            self.spectra(),
+            self.depth(),
             self.stages(),
             self.stages_pvd(),
             self.relaxation(),
@@ -249,6 +251,16 @@ impl ResultFolder {
     /// `free_field.csv`: velocities of the free field and the model, see [`crate::FreeField`].
     pub fn free_field(&self) -> PathBuf {
         self.root.join("free_field.csv")
+    }
+
+    /// `spectra.csv`: response spectra of the motion, the free field and the monitors.
+    pub fn spectra(&self) -> PathBuf {
+        self.root.join("spectra.csv")
+    }
+
+    /// `depth.csv`: peaks of the free field along depth, and of the model's vertical edge beside it.
+    pub fn depth(&self) -> PathBuf {
+        self.root.join("depth.csv")
     }
 
     /// `stages.csv`: a row a stage before the earthquake.

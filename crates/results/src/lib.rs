@@ -10,6 +10,8 @@
 //! | `interfaces.csv` | [`table`] | the same of interfaces |
 //! | `motion.csv` | [`table`] | the given motion and the incident wave |
 //! | `free_field.csv` | [`free_field`] | velocities of the free field, predicted and measured, and the model's beside them |
+//! | `spectra.csv` | [`table`] | response spectra of the motion, the free field and the monitors |
+//! | `depth.csv` | [`table`] | peaks of the free field along depth, and of the model's edge beside it |
 //! | `stages.csv` | [`stages`] | stages before the earthquake, a row each |
 //! | `relaxation.csv` | [`table`] | how the stages came to rest |
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |

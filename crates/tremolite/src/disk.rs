@@ -1,9 +1,10 @@
 //! What the results of a run will take on disk.
 
 use crate::groups::groups;
-use crate::observers::{BoltGrid, bolt_rows};
+use crate::observers::{BoltGrid, Depth, bolt_rows};
 use crate::plan::{Plan, Steps};
 use crate::quantities::{BOLT, Field, INTERFACE, MEASURES, MONITOR, PAIR, RELATIVE};
+use crate::spectra;
 use std::collections::BTreeSet;
 use tremolite_engine::Stage;
 use tremolite_engine::assembly::Assembly;
@@ -12,6 +13,7 @@ use tremolite_engine::phase::Phase;
 use tremolite_kernels::Line;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
+use tremolite_motion::default_periods;
 
 /// Bytes of a number in a table with its comma, about: of 20.1 to 20.8 in monitors.csv of two cases.
 const NUMBER: u64 = 21;
@@ -32,7 +34,7 @@ pub struct Disk {
     pub field_file: u64,
     /// Number of those at the ends of stages.
     pub stage_files: u64,
-    /// Of monitors.csv, energy.csv, damage.csv and interfaces.csv.
+    /// Of monitors.csv, energy.csv, damage.csv, interfaces.csv and free_field.csv, of depth.csv and spectra.csv.
     pub histories: u64,
     /// Of bolts.csv and the files of bolts, of stages and of the shaking.
     pub bolts: u64,
@@ -73,8 +75,9 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
         stage_files: plan.stages.len() as u64,
         field_file: (MESH_LEFT * mesh as f64 + VALUES_LEFT * values as f64) as u64,
         histories: NUMBER
-            * (plan.stages.len() as u64 + if shaken { rows(steps.histories) } else { 0 })
-            * columns(model, plan),
+            * ((plan.stages.len() as u64 + if shaken { rows(steps.histories) } else { 0 })
+                * columns(model, plan)
+                + if shaken { along_depth_and_period(model, plan) } else { 0 }),
         bolts: bolts(model, plan, steps),
         checkpoint: 8 * (kept + more + rest + remembered * totals.elements.end as u64),
     }
@@ -127,9 +130,21 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
             roles.filter(|role| position(history, *role).is_some()).count()
         })
         .sum();
-    // Time; by column of ground top and base along three axes, measured and by theory; the model's corners and their mean.
-    let free_field = if model.incident.is_some() { 1 + 12 * model.columns.len() + 30 } else { 0 };
+    // Time; by column of ground top and base along three axes, measured and by theory; the model's corners and their mean; the
+    // free field beside each monitor.
+    let beside = if model.columns.is_empty() { 0 } else { 3 * plan.monitors.len() };
+    let free_field = if model.incident.is_some() { 1 + 12 * model.columns.len() + 30 + beside } else { 0 };
     (monitors + interfaces + 1 + Line::ALL.len() + 1 + damage + free_field) as u64
+}
+
+/// Numbers of depth.csv and spectra.csv.
+fn along_depth_and_period(model: &Model, plan: &Plan) -> u64 {
+    if model.incident.is_none() {
+        return 0;
+    }
+    let depth = Depth::of(model, plan).map_or(0, |depth| depth.numbers());
+    let points = spectra::points(plan, !model.columns.is_empty()).len();
+    (depth + default_periods().len() * (1 + 3 * points)) as u64
 }
 
 /// Bytes of a field file before compression: of the mesh with its groups, and of values.

@@ -20,6 +20,7 @@ pub mod quantities;
 pub mod run;
 pub mod sections;
 pub mod setup;
+pub mod spectra;
 pub mod stacks;
 pub mod stages;
 pub mod stress;

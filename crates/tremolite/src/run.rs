@@ -10,8 +10,9 @@ use crate::error::RunError;
 use crate::fingerprint::fingerprint;
 use crate::history::History;
 use crate::motion_table;
-use crate::observers::{OBSERVERS, Observer, OwnObservers, SectionForces, Setting, Stepped, View};
+use crate::observers::{Depth, OBSERVERS, Observer, OwnObservers, SectionForces, Setting, Stepped, View};
 use crate::plan::{Plan, Steps};
+use crate::spectra;
 use before::{Before, Stages};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -317,6 +318,12 @@ pub fn run(
     };
     let loop_seconds = begin.elapsed().as_secs_f64();
     SectionForces::of(model).write(folder, plan, &state.observers)?;
+    if model.incident.is_some() {
+        spectra::write(folder, model, plan)?;
+    }
+    if let Some(depth) = Depth::of(model, plan) {
+        depth.write(folder, model, plan, &state)?;
+    }
     Ok(Outcome {
         ending,
         steps,

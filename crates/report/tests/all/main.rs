@@ -10,6 +10,7 @@ mod interfaces;
 mod maps;
 mod page;
 mod report;
+mod spectra;
 mod stages;
 mod view;
 mod view_blocks;

@@ -6,9 +6,11 @@
 //! column, and none any more from the row on in which its rock has yielded or cracked. `model.xmin-ymin` …
 //! are the model itself at the upper and lower ends of its four vertical edges, the places farthest from what it holds;
 //! `model.surface` and `model.base` are the means over the four, which no single column need have: errors of opposite sign
-//! cancel in them, and unlike ground stands apart from them.
+//! cancel in them, and unlike ground stands apart from them. `A.free_field` is the free field at the level of the monitor A, with
+//! which that compares: in the column that stands for the corner of the model nearest to it.
 
 mod columns;
+pub mod levels;
 mod seen;
 mod theory;
 
@@ -16,12 +18,16 @@ pub use seen::{ColumnSeen, FreeFieldSeen, Theory};
 
 use super::{Observer, Schedule, Setting, Stepped, View};
 use crate::error::RunError;
+use crate::plan::{Monitor, Plan};
 use crate::quantities::MEASURES;
 use columns::{ENDS, Watched, edges, watched};
+use levels::Height;
 use seen::most;
 use std::ops::Range;
-use theory::{Layer, LayeredColumn};
-use tremolite_engine::column::corner_name;
+use theory::Layer;
+pub use theory::LayeredColumn;
+use tremolite_engine::column::{Column as Ground, corner_name};
+use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
 use tremolite_results::{Column, TableWriter};
@@ -37,6 +43,8 @@ pub struct FreeField {
     predictions: Vec<Predicted>,
     /// Engine nodes of the model itself, by [`ENDS`] and corner.
     edges: [[usize; 4]; 2],
+    /// The free field at the level of each monitor; empty without columns.
+    beside: Vec<(String, Height)>,
 }
 
 /// What theory says of a column.
@@ -51,7 +59,7 @@ struct Predicted {
 }
 
 /// Samples of the prediction between two of the motion: between them it is linear.
-const REFINEMENT: f64 = 8.0;
+pub const REFINEMENT: f64 = 8.0;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl FreeField {
@@ -66,10 +74,11 @@ impl FreeField {
         }
         let columns = watched(model);
         let mut predictions: Vec<Predicted> = Vec::new();
-        let theory: Vec<Option<usize>> = columns
+        let theory: Vec<Option<usize>> = model
+            .columns
             .iter()
             .map(|column| {
-                let layered = layered(setting, column)?;
+                let layered = layered(model, column)?;
                 let known = predictions.iter().position(|known| known.columns == layered);
                 known.or_else(|| {
                     predictions.push(Predicted::of(setting, layered)?);
@@ -77,19 +86,40 @@ impl FreeField {
                 })
             })
             .collect();
-        let (path, header) = (setting.folder.free_field(), header(&columns, &theory));
+        let named = |monitor: &Monitor| Some((monitor.name.clone(), height(model, monitor)?));
+        let beside: Vec<(String, Height)> = setting.plan.monitors.iter().filter_map(named).collect();
+        let (path, header) = (setting.folder.free_field(), header(&columns, &theory, &beside));
         let names = columns.iter().map(|column| column.name.clone());
         let table = match FreeFieldSeen::named(setting.memory, names) {
             Some(seen) => TableWriter::resume(&path, &header, seen.bytes)?,
             None => TableWriter::create(&path, &header)?,
         };
         let edges = edges(model, &columns);
-        Ok(Some(FreeField { schedule: setting.rows(), table, columns, theory, predictions, edges }))
+        Ok(Some(FreeField { schedule: setting.rows(), table, columns, theory, predictions, edges, beside }))
     }
 }
 
+/// The free field at the level of a monitor, in the column nearest to it.
+fn height(model: &Model, monitor: &Monitor) -> Option<Height> {
+    let [x, y, z] = levels::place(model, &monitor.location);
+    let (column, _) = levels::nearest(model, [x, y])?;
+    Height::of(&levels::levels(model, &model.columns[column]), z)
+}
+
+/// Which of the model's columns stands for the free field as a whole, and at which corner: that nearest to the middle of the
+/// monitors, the first without any.
+pub fn chosen(model: &Model, plan: &Plan) -> Option<(usize, usize)> {
+    let places: Vec<[f64; 3]> = plan.monitors.iter().map(|m| levels::place(model, &m.location)).collect();
+    let (low, high) = model.faces.bounds;
+    let mean = |i: usize| match places.len() {
+        0 => 0.5 * (low[i] + high[i]),
+        count => places.iter().map(|at| at[i]).sum::<f64>() / count as f64,
+    };
+    levels::nearest(model, [mean(0), mean(1)])
+}
+
 /// The columns of free_field.csv.
-fn header(columns: &[Watched], theory: &[Option<usize>]) -> Vec<Column> {
+fn header(columns: &[Watched], theory: &[Option<usize>], beside: &[(String, Height)]) -> Vec<Column> {
     let mut header = vec![Column::new("time", "s")];
     for (column, theory) in columns.iter().zip(theory) {
         for end in ENDS {
@@ -107,15 +137,17 @@ fn header(columns: &[Watched], theory: &[Option<usize>]) -> Vec<Column> {
             header.extend(AXES.map(|axis| Column::new(format!("{place}.{end}.v{axis}"), "m/s")));
         }
     }
+    for (monitor, _) in beside {
+        header.extend(AXES.map(|axis| Column::new(format!("{monitor}.free_field.v{axis}"), "m/s")));
+    }
     header
 }
 
 /// A column's layers as waves along x, y and z see them; none where an interface parts it.
-fn layered(setting: &Setting, column: &Watched) -> Option<[LayeredColumn; 3]> {
-    let model = setting.model;
+pub fn layered(model: &Model, column: &Ground) -> Option<[LayeredColumn; 3]> {
     let along = |axis: usize| {
-        let layers = column.layers.iter().map(|&(thickness, body)| {
-            let body = &model.bodies[body];
+        let layers = column.layers.iter().map(|layer| {
+            let (thickness, body) = (layer.top - layer.bottom, &model.bodies[layer.body]);
             let (p, s) = body.material.moduli().wave_speeds(body.density);
             Layer {
                 thickness,
@@ -213,6 +245,7 @@ impl Observer for FreeField {
         for corner in 0..4 {
             row.extend(self.edges.iter().flat_map(|nodes| velocity(nodes[corner])));
         }
+        row.extend(self.beside.iter().flat_map(|(_, height)| height.at(&view.snapshot.velocity)));
         self.table.write(&row)?;
         seen.bytes = self.table.bytes_written();
         seen.keep(memory);

@@ -3,6 +3,7 @@
 mod bolt_fields;
 mod bolts;
 mod cracks;
+mod depth;
 mod energy;
 mod envelopes;
 mod fields;
@@ -17,10 +18,11 @@ mod steps;
 pub use bolt_fields::{BoltFields, BoltGrid};
 pub use bolts::{BoltForces, count as bolt_rows};
 pub use cracks::Cracks;
+pub use depth::Depth;
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
 pub use fields::{FieldGrid, Fields};
-pub use free_field::{ColumnSeen, FreeField, FreeFieldSeen, Theory};
+pub use free_field::{ColumnSeen, FreeField, FreeFieldSeen, Theory, chosen};
 pub use growth::Growth;
 pub use histories::{Histories, at_rest, columns};
 pub use interfaces::{InterfaceFields, InterfaceGrid, Interfaces};
@@ -142,6 +144,7 @@ pub const OBSERVERS: &[Make] = &[
     |s| Ok(Some(Box::new(Energy::new(s)?))),
     |s| Ok(Some(Box::new(Envelopes { schedule: s.rows() }))),
     |s| Ok(FreeField::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(Depth::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Onsets::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Cracks::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     // Behind the cracks, whose widths it writes.

@@ -16,12 +16,8 @@ pub struct Watched {
     pub at: Vec<usize>,
     /// Engine nodes of the model itself there, level with its top and base.
     pub corners: [Vec<usize>; 2],
-    /// Thickness \[m\] and body, upwards.
-    pub layers: Vec<(f64, usize)>,
     /// Its own, of the model's.
     pub bodies: Range<usize>,
-    /// Whether an interface runs through it.
-    pub parted: bool,
 }
 
 /// The columns of a model.
@@ -34,16 +30,14 @@ pub fn watched(model: &Model) -> Vec<Watched> {
             ends: ends.map(|n| model.engine_node[n as usize] as usize),
             at: column.corners.clone(),
             corners: ends.map(|n| column.corners.iter().map(|&k| beside(model, k, level(n))).collect()),
-            layers: column.layers.iter().map(|layer| (layer.top - layer.bottom, layer.body)).collect(),
             bodies: column.bodies.clone(),
-            parted: column.parted,
         }
     };
     model.columns.iter().map(watched).collect()
 }
 
 /// Where a vertical edge of the model is, by its corner.
-fn edge(model: &Model, corner: usize) -> [f64; 2] {
+pub fn edge(model: &Model, corner: usize) -> [f64; 2] {
     let (low, high) = model.faces.bounds;
     [if corner & 1 == 0 { low[0] } else { high[0] }, if corner & 2 == 0 { low[1] } else { high[1] }]
 }

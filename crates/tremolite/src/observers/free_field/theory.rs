@@ -15,6 +15,7 @@
 //! frequencies lie beside the imaginary axis, s = η + iω, which is the transform of v e^(−ηt): what comes round again is smaller
 //! by e^(−ηT), whatever the damping (`kausel1992`).
 
+use rayon::prelude::*;
 use std::f64::consts::PI;
 use tremolite_engine::Top;
 use tremolite_engine::problem::Rayleigh;
@@ -40,7 +41,7 @@ impl Layer {
         self.density * self.speed
     }
 
-    /// Impedance Z \[Pa s/m\], and e^(−γh), at a complex frequency \[1/s\].
+    /// Impedance Z \[Pa s/m\], and γh, at a complex frequency \[1/s\].
     fn waves(&self, s: Complex64) -> (Complex64, Complex64) {
         let (elastic, unrelaxed) = match &self.band {
             Some(band) => {
@@ -51,8 +52,8 @@ impl Layer {
         };
         let modulus = elastic + s * self.rayleigh.stiffness * unrelaxed;
         let inertia = 1.0 + self.rayleigh.mass / s;
-        let decay = s * (inertia / modulus).sqrt() * (self.thickness / self.speed);
-        (self.dashpot() * (inertia * modulus).sqrt(), (-decay).exp())
+        let way = s * (inertia / modulus).sqrt() * (self.thickness / self.speed);
+        (self.dashpot() * (inertia * modulus).sqrt(), way)
     }
 
     /// Whether the stuff is the same, whatever the thickness.
@@ -85,34 +86,61 @@ impl LayeredColumn {
         (!merged.is_empty()).then_some(LayeredColumn { layers: merged, top })
     }
 
-    /// Velocity over that of the incident wave at the base, at a complex frequency \[1/s\]: at the base and at the top of each
-    /// layer, upwards.
-    fn factors(&self, s: Complex64) -> Vec<Complex64> {
+    /// The waves of each layer and of what lies above, over the incident one at the base, at a complex frequency \[1/s\]; upwards.
+    fn waves(&self, s: Complex64) -> Vec<Waves> {
         let count = self.layers.len();
         let (below, highest) = (self.layers[0].dashpot(), self.layers[count - 1].dashpot());
         let above = if self.top == Top::Viscous { highest } else { 0.0 };
-        let waves: Vec<_> = self.layers.iter().map(|layer| layer.waves(s)).collect();
+        let of: Vec<_> = self.layers.iter().map(|layer| layer.waves(s)).collect();
         let impedance = |k: usize| match k {
             0 => Complex64::from(below),
-            _ => waves.get(k - 1).map_or(above.into(), |(z, _)| *z),
+            _ => of.get(k - 1).map_or(above.into(), |(z, _)| *z),
         };
-        // For the half-space below, each layer and what lies above: at its bottom, the wave that comes back over the one
-        // that goes up.
-        let mut back = vec![Complex64::default(); count + 2];
+        let way = |k: usize| of.get(k - 1).map_or(Complex64::default(), |(_, way)| *way);
+        let decay = |k: usize| (-way(k)).exp();
+        // For each layer and what lies above, from the half-space below on: what its top sends back of a wave, and at its bottom
+        // the wave that comes back over the one that goes up.
+        let (mut mirror, mut back) =
+            (vec![Complex64::default(); count + 2], vec![Complex64::default(); count + 2]);
         for k in (1..=count).rev() {
-            let (own, across, decay) = (impedance(k), impedance(k + 1), waves[k - 1].1);
+            let (own, across, decay) = (impedance(k), impedance(k + 1), decay(k));
             let [held, pushed] = [own * (1.0 + back[k + 1]), across * (1.0 - back[k + 1])];
-            back[k] = (held - pushed) / (held + pushed) * decay * decay;
+            mirror[k] = (held - pushed) / (held + pushed);
+            back[k] = mirror[k] * decay * decay;
         }
         let mut up = Complex64::from(1.0);
-        let mut factors = Vec::with_capacity(count + 1);
+        let mut waves = Vec::with_capacity(count + 1);
         for k in 1..=count + 1 {
             let (from, to) = (impedance(k - 1), impedance(k));
             up *= 2.0 * from / (from * (1.0 + back[k]) + to * (1.0 - back[k]));
-            factors.push(up * (1.0 + back[k]));
-            up *= waves.get(k - 1).map_or(1.0.into(), |(_, decay)| *decay);
+            waves.push(Waves { up, back: back[k], mirror: mirror[k], way: way(k) });
+            up *= decay(k);
         }
-        factors
+        waves
+    }
+
+    /// Velocity over that of the incident wave at the base, at a complex frequency \[1/s\]: at the base and at the top of each
+    /// layer, upwards.
+    fn factors(&self, s: Complex64) -> Vec<Complex64> {
+        self.waves(s).iter().map(|waves| waves.up * (1.0 + waves.back)).collect()
+    }
+
+    /// The same at a height \[m\] above the base, between that and the top.
+    fn factor_at(&self, s: Complex64, height: f64) -> Complex64 {
+        let (mut bottom, last) = (0.0, self.layers.len() - 1);
+        let inside = |(k, layer): &(usize, &Layer)| {
+            let here = height <= bottom + layer.thickness || *k == last;
+            if !here {
+                bottom += layer.thickness;
+            }
+            here
+        };
+        let Some((k, layer)) = self.layers.iter().enumerate().find(inside) else {
+            return Complex64::default();
+        };
+        let Waves { up, mirror, way, .. } = self.waves(s)[k];
+        let share = (height - bottom) / layer.thickness;
+        up * ((-way * share).exp() + mirror * (-way * (2.0 - share)).exp())
     }
 
     /// Velocity \[m/s\] of the column's top and of its base every `dt` \[s\] from 0 to `duration` \[s\], at rest before, under a
@@ -120,6 +148,44 @@ impl LayeredColumn {
     ///
     /// Exact for what the samples of the wave carry, to about 10⁻⁸ of the largest velocity.
     pub fn velocities(&self, incident: impl Fn(f64) -> f64, dt: f64, duration: f64) -> [Vec<f64>; 2] {
+        let train = Train::of(incident, dt, duration);
+        [self.layers.len(), 0].map(|level| train.through(&|s| self.factors(s)[level]))
+    }
+
+    /// The same at some heights \[m\] above the base.
+    pub fn velocities_at(
+        &self,
+        heights: &[f64],
+        incident: impl Fn(f64) -> f64,
+        dt: f64,
+        duration: f64,
+    ) -> Vec<Vec<f64>> {
+        let train = Train::of(incident, dt, duration);
+        heights.par_iter().map(|&height| train.through(&|s| self.factor_at(s, height))).collect()
+    }
+}
+
+/// The waves of one layer over the incident one.
+struct Waves {
+    /// What goes up at its bottom, and there over it what comes back.
+    up: Complex64,
+    back: Complex64,
+    /// What the layer's top sends back, at the top, and γh.
+    mirror: Complex64,
+    way: Complex64,
+}
+
+/// An incident wave that is faded out behind a run and damped by e^(−ηt).
+struct Train {
+    wave: Vec<f64>,
+    dt: f64,
+    eta: f64,
+    /// Samples that are wanted of it.
+    wanted: usize,
+}
+
+impl Train {
+    fn of(incident: impl Fn(f64) -> f64, dt: f64, duration: f64) -> Train {
         let wanted = (duration / dt).ceil() as usize + 2;
         let count = (2 * wanted).next_power_of_two();
         let span = count as f64 * dt;
@@ -129,16 +195,19 @@ impl LayeredColumn {
         };
         let eta = -LEFT.ln() / span;
         let times = (0..count).map(|k| k as f64 * dt);
-        let wave: Vec<f64> = times.map(|t| fade(t) * incident(t) * (-eta * t).exp()).collect();
+        Train { wave: times.map(|t| fade(t) * incident(t) * (-eta * t).exp()).collect(), dt, eta, wanted }
+    }
+
+    /// What a transfer function of a complex frequency \[1/s\] makes of it; empty for a wave that is zero.
+    fn through(&self, factor: &dyn Fn(Complex64) -> Complex64) -> Vec<f64> {
+        let Train { wave, dt, eta, wanted } = self;
         if wave.iter().all(|v| *v == 0.0) {
-            return Default::default();
+            return Vec::new();
         }
-        [self.layers.len(), 0].map(|level| {
-            let mut found = transferred(&wave, dt, &|omega| self.factors(Complex64::new(eta, omega))[level]);
-            found.truncate(wanted);
-            found.iter_mut().enumerate().for_each(|(k, v)| *v *= (eta * k as f64 * dt).exp());
-            found
-        })
+        let mut found = transferred(wave, *dt, &|omega| factor(Complex64::new(*eta, omega)));
+        found.truncate(*wanted);
+        found.iter_mut().enumerate().for_each(|(k, v)| *v *= (eta * k as f64 * dt).exp());
+        found
     }
 }
 

@@ -164,6 +164,34 @@ fn what_is_damped_beyond_all_numbers_does_not_arrive() {
 }
 
 #[test]
+fn between_levels_theory_is_that_of_a_column_with_a_level_there() {
+    let band = Some(Band::fit(0.03, [0.5, 20.0], 3.0).unwrap());
+    let soil = Layer { band, rayleigh: Rayleigh { mass: 0.5, stiffness: 1e-3 }, ..SOIL };
+    let whole = column(&[ROCK, soil], Top::Free);
+    for share in [0.0, 0.3, 0.75, 1.0] {
+        let part = |share: f64| Layer { thickness: share * soil.thickness, ..soil };
+        // Past the constructor, which would join them.
+        let parted = LayeredColumn { layers: vec![ROCK, part(share), part(1.0 - share)], top: Top::Free };
+        let height = ROCK.thickness + share * soil.thickness;
+        for hertz in [0.1, 1.25, 9.0] {
+            let (found, exact) =
+                (whole.factor_at(at_frequency(hertz), height), parted.factors(at_frequency(hertz))[2]);
+            assert!(
+                (found - exact).norm() < 1e-12 * exact.norm().max(1.0),
+                "{share} {hertz} Hz: {found} {exact}"
+            );
+        }
+    }
+    // Up, and back from the surface.
+    let heights = [0.0, 60.0, 240.0];
+    let found = column(&[HOMOGENEOUS], Top::Free).velocities_at(&heights, pulse, 1e-3, 3.0);
+    for (found, height) in found.iter().zip(heights) {
+        let exact = |t: f64| pulse(t - height / 1200.0) + pulse(t - 0.4 + height / 1200.0);
+        assert!(found.len() > 3000 && difference(found, 1e-3, exact) < 1e-8, "{height}");
+    }
+}
+
+#[test]
 fn weak_damping_of_mass_or_stiffness_takes_what_first_order_says() {
     let travel = HOMOGENEOUS.thickness / HOMOGENEOUS.speed;
     // A long train of one wavelength a height, with which damping changes nothing at the base: to first order

@@ -1,0 +1,50 @@
+//! Of response spectra.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    ("spectral acceleration, 5 % damping", "谱加速度，阻尼比 5 %"),
+    ("{name}, along {axis}", "{name}，{axis} 向"),
+    ("period (s)", "周期 (s)"),
+    ("motion given", "给定地震动"),
+    ("free field, surface", "自由场地表"),
+    ("free field, base", "自由场底部"),
+    ("Response spectra of the motion that comes in", "输入地震动的反应谱"),
+    (
+        "Largest acceleration of an oscillator of each period with 5 % of critical damping (ω² times its largest displacement). \
+         Compare the motion given with the spectrum that the design calls for. The surface of level rock that is neither damped \
+         nor layered would have twice the incident wave's. Numbers: spectra.csv.",
+        "各周期单自由度振子（阻尼比 5 %）的最大拟加速度（ω² 乘以最大位移）。请将给定地震动与设计要求的反应谱比较。无阻尼、不分层的水平岩体，\
+         其地表反应谱为入射波的两倍。数值见 spectra.csv。",
+    ),
+    ("Response spectra at the monitors", "监测点的反应谱"),
+    (
+        "The folder has no spectra.csv: an older version ran, or the run has not ended. Run the case again to have \
+         spectra of the monitors beside those of the free field.",
+        "结果文件夹中没有 spectra.csv：由旧版本计算，或计算尚未结束。重新计算即可得到监测点与自由场的反应谱。",
+    ),
+    ("spectra.csv holds no monitor that moves.", "spectra.csv 中没有运动的监测点。"),
+    (
+        "Spectral acceleration with 5 % damping, all on one scale. Each monitor is drawn full; dashed is the free field at its own \
+         level, which is how the ground would move there without caverns. Where the monitor rises above it, the cavern or the \
+         lining rings at that period or amplifies the wave; where it stays below, the cavern shields it.",
+        "谱加速度，阻尼比 5 %，各图比例相同。实线为监测点；虚线为同一高程的自由场，即无洞室时该处的运动。监测点高于自由场的周期处，\
+         洞室或衬砌在该周期共振或放大；低于自由场处，洞室起屏蔽作用。",
+    ),
+    (
+        "Spectral acceleration with 5 % damping, all on one scale. No column of ground stood beside the model, so there is no \
+         free field to compare with.",
+        "谱加速度，阻尼比 5 %，各图比例相同。模型旁没有自由场土柱，故无自由场可比。",
+    ),
+    ("free field at the monitor's level", "监测点高程处的自由场"),
+    (
+        "Of the accelerations between rows of the histories, {interval} apart, of the monitors and of the free field alike. \
+         Oscillators are looked at in the rows: one that rings alone at a period below {short} may peak more than 5 % above what is \
+         drawn, so the table has the largest from there on. Short periods that the motion given does not have come from cracks \
+         and joints that open and close.",
+        "由时程输出行（间隔 {interval}）之间的加速度求得，监测点与自由场相同。振子只在输出行处取值：周期小于 {short} 的振子若单独振动，\
+         其峰值可能比所绘高出 5 % 以上，故表中最大值自该周期起取。给定地震动所没有的短周期成分来自裂缝与接触面的开合。",
+    ),
+    ("at period (s)", "对应周期 (s)"),
+    ("free field at its level", "同高程自由场"),
+];

@@ -1,0 +1,125 @@
+//! spectra.csv: response spectra of the motion, of the free field and of the monitors, from the histories that the run wrote.
+//!
+//! Pseudo-acceleration at 5 % of critical damping, at the periods of `tremolite motion spectrum`. Of the motion: of the
+//! accelerations in motion.csv. Of everything else: of the acceleration between rows of the histories, the velocity of a row less
+//! that of the last over the time between, as in monitors.csv; so what rings above the rows' Nyquist frequency is not in it, and
+//! two curves beside each other mean the same. Oscillators are looked at in the rows: at a period of ten rows one that rings
+//! alone may peak 5 % higher between them (1 − cos π/10).
+
+use crate::error::RunError;
+use crate::observers::chosen;
+use crate::plan::Plan;
+use tremolite_engine::Model;
+use tremolite_motion::{default_periods, pseudo_acceleration};
+use tremolite_results::{Column, ResultFolder, Table, TableWriter};
+
+/// Share of critical damping.
+pub const DAMPING: f64 = 0.05;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Names of the points at which there are spectra, in the order of the file, each with three columns.
+pub fn points(plan: &Plan, free_field: bool) -> Vec<String> {
+    let mut points: Vec<String> = ["given", "incident"].map(Into::into).into();
+    if free_field {
+        points.extend(["free_field.surface", "free_field.base"].map(Into::into));
+    }
+    for monitor in &plan.monitors {
+        // A file has no two columns of one name, and these are taken.
+        let taken = points.contains(&monitor.name);
+        points.extend((!taken).then(|| monitor.name.clone()));
+        points.extend(free_field.then(|| beside(&monitor.name)));
+    }
+    points
+}
+
+/// The free field at the level of a monitor.
+fn beside(monitor: &str) -> String {
+    format!("{monitor}.free_field")
+}
+
+/// A history with its step \[s\].
+struct History {
+    dt: f64,
+    acceleration: Vec<f64>,
+}
+
+impl History {
+    fn spectrum(&self, periods: &[f64]) -> Vec<f64> {
+        let none = || vec![f64::NAN; periods.len()];
+        if self.acceleration.len() < 2 || !self.acceleration.iter().all(|a| a.is_finite()) {
+            return none();
+        }
+        // Refused only for periods that are none.
+        pseudo_acceleration(&self.acceleration, self.dt, periods, DAMPING).unwrap_or_else(|_| none())
+    }
+}
+
+/// How many rows are equally far apart, from the first on, and how far \[s\]: a run may end between two rows.
+fn even(time: &[f64]) -> (usize, f64) {
+    let [first, second, ..] = time else { return (time.len(), f64::NAN) };
+    let dt = second - first;
+    let even = |pair: &&[f64]| (pair[1] - pair[0] - dt).abs() < 1e-6 * dt;
+    (1 + time.windows(2).take_while(even).count(), dt)
+}
+
+/// A column that holds accelerations.
+fn of_column(table: &Table, name: &str) -> Option<History> {
+    let (rows, dt) = even(table.column("time")?);
+    Some(History { dt, acceleration: table.column(name)?[..rows].to_vec() })
+}
+
+/// A column that holds velocities.
+fn between_rows(table: &Table, name: &str) -> Option<History> {
+    let (rows, dt) = even(table.column("time")?);
+    let velocity = &table.column(name)?[..rows];
+    let change = velocity.windows(2).map(|pair| (pair[1] - pair[0]) / dt);
+    Some(History { dt, acceleration: std::iter::once(0.0).chain(change).collect() })
+}
+
+/// Writes the file from what the run has written so far.
+///
+/// # Errors
+/// If a file cannot be read or this one not be written.
+pub fn write(folder: &ResultFolder, model: &Model, plan: &Plan) -> Result<(), RunError> {
+    let column = chosen(model, plan).map(|(column, _)| model.columns[column].name.as_str());
+    let [motion, monitors, free_field] =
+        [folder.motion(), folder.monitors(), folder.free_field()].map(|path| Table::read(&path));
+    let (motion, monitors, free_field) = (motion?, monitors?, free_field?);
+    let history = |point: &str, axis: &str| match (point, column) {
+        ("given" | "incident", _) => of_column(&motion, &format!("{point}.a{axis}")),
+        ("free_field.surface", Some(column)) => between_rows(&free_field, &format!("{column}.top.v{axis}")),
+        ("free_field.base", Some(column)) => between_rows(&free_field, &format!("{column}.base.v{axis}")),
+        _ if plan.monitors.iter().any(|monitor| beside(&monitor.name) == point) => {
+            between_rows(&free_field, &format!("{point}.v{axis}"))
+        }
+        _ => of_column(&monitors, &format!("{point}.a{axis}")),
+    };
+    let periods = default_periods();
+    let mut columns = vec![Column::new("period", "s")];
+    let mut spectra = vec![periods.clone()];
+    for point in points(plan, column.is_some()) {
+        for axis in AXES {
+            let Some(history) = history(&point, axis) else { continue };
+            columns.push(Column::new(format!("{point}.a{axis}"), "m/s2"));
+            spectra.push(history.spectrum(&periods));
+        }
+    }
+    let mut table = TableWriter::create(&folder.spectra(), &columns)?;
+    let row = |k: usize| spectra.iter().map(move |of| of[k]);
+    table.write(&(0..periods.len()).flat_map(row).collect::<Vec<f64>>())?;
+    Ok(table.sync()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_that_comes_too_early_at_the_end_is_left_out() {
+        assert_eq!(even(&[0.0, 0.1, 0.2, 0.3000000001]), (4, 0.1));
+        assert_eq!(even(&[0.0, 0.1, 0.2, 0.25]), (3, 0.1));
+        assert_eq!(even(&[1.0]).0, 1);
+        let history = History { dt: 0.1, acceleration: vec![0.0, f64::NAN, 0.0] };
+        assert!(history.spectrum(&[0.1]).iter().all(|s| s.is_nan()), "no largest of what is not known");
+    }
+}
