@@ -2,7 +2,8 @@
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
-use crate::figure::{Figure, Section};
+use crate::figure::{Block, Chapter, Figure, Section};
+use crate::language::say;
 use crate::scale::{Scale, figures, quantity};
 use crate::source::Source;
 use crate::spectra;
@@ -64,8 +65,14 @@ pub fn section(source: &Source) -> Option<Section> {
     }
     let drawn = |panels: Vec<Panel>, title: &str, file: &str, caption: String| {
         let time = table.column("time").unwrap_or(&[]);
-        let svg = Chart { title: title.into(), time, panels }.draw(source.language);
-        Figure { heading: String::new(), file: file.into(), svg, caption }
+        let chart = Chart { title: title.into(), time, panels };
+        Figure {
+            heading: String::new(),
+            file: file.into(),
+            svg: chart.draw(language),
+            caption,
+            curves: Some(Curves::of_chart(&chart, language)),
+        }
     };
     let mut figures = Vec::new();
     if !panels.is_empty() {
@@ -107,14 +114,5 @@ fn caption(source: &Source, accelerations: &[(usize, &[f64])]) -> String {
             factor = figures(factor, 3)
         ));
     }
-    caption.push_str(" Velocity and displacement should end near zero; the model follows any drift.");
-    let time = table.column("time").unwrap_or(&[]);
-    let chart = Chart { title: HEADING.into(), time, panels };
-    Some(Section::Drawn(vec![Figure {
-        heading: HEADING.into(),
-        file: "input.svg".into(),
-        svg: chart.draw(source.language),
-        caption,
-        curves: Some(Curves::of_chart(&chart, source.language)),
-    }]))
+    text
 }

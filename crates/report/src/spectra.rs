@@ -166,7 +166,7 @@ pub fn of_input(source: &Source) -> Option<Figure> {
          Compare the motion given with the spectrum that the design calls for. The surface of level rock that is neither damped \
          nor layered would have twice the incident wave's. Numbers: spectra.csv."
     );
-    Some(Figure { heading: title, file: "input-spectra.svg".into(), svg, caption })
+    Some(Figure { heading: title, file: "input-spectra.svg".into(), svg, caption, curves: None })
 }
 
 /// The section of the monitors; nothing where no earthquake came.
@@ -216,6 +216,7 @@ pub fn section(source: &Source) -> Option<Section> {
         file: if k == 0 { "spectra.svg".into() } else { format!("spectra-{}.svg", k + 1) },
         svg: draw(rows, &axes_of, periods, &heading, language),
         caption: if k == 0 { caption.clone() } else { String::new() },
+        curves: None,
     });
     let block = Block {
         text: explained(source),
