@@ -8,7 +8,7 @@ use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
 use tremolite_report::write;
 use tremolite_results::{
-    Column, Pvd, ResultFolder, SectionRow, StageSummary, Status, Summary, TableWriter, TrustLine,
+    Column, Pvd, ResultFolder, SectionRow, StageSummary, Status, Summary, TableWriter, TrustLine, said,
     write_sections, write_stages,
 };
 
@@ -246,8 +246,20 @@ fn example(root: &Path, shaken: bool) -> ResultFolder {
         outcome: "The run reached its end: every stage came to rest.".into(),
         stages,
         trust: vec![
-            TrustLine::at_most("at_rest", "out of balance at the end of stages, the worst", 8.7e-6, 1e-5, ""),
-            TrustLine::at_most("held_at_the_end", "forces still held after the last stage", 0.0, 1e-9, ""),
+            TrustLine::at_most(
+                "at_rest",
+                said!("out of balance at the end of stages, the worst"),
+                8.7e-6,
+                1e-5,
+                "",
+            ),
+            TrustLine::at_most(
+                "held_at_the_end",
+                said!("forces still held after the last stage"),
+                0.0,
+                1e-9,
+                "",
+            ),
         ],
         ..Summary::default()
     };
