@@ -62,6 +62,11 @@ impl Language {
         }
     }
 
+    /// Whether it has all patterns of a sentence.
+    pub fn knows(self, said: &Said) -> bool {
+        self == Language::English || said.all(&|english| self.known(english).is_some())
+    }
+
     /// A sentence of a result file.
     pub fn tell(self, said: &Said) -> String {
         said.set(&|english| self.pattern(english).to_owned())

@@ -13,6 +13,7 @@ mod bolt_card;
 mod bolt_force;
 mod bolt_map;
 mod bolts;
+mod cards;
 mod chart;
 pub mod chinese;
 mod colours;
@@ -60,6 +61,7 @@ mod text_table;
 mod thin;
 mod thrust_moment;
 mod ticks;
+mod told;
 mod unfold;
 mod view;
 

@@ -7,6 +7,7 @@ use serde::Serialize;
 use tremolite_results::Defaulted;
 
 use crate::blocks::Blocks;
+use crate::cards;
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
 use crate::figure::{Block, Chapter, Section};
@@ -35,7 +36,7 @@ struct Page {
     findings: Vec<Outcome>,
     cards: Vec<Fact>,
     checks: Vec<Check>,
-    warnings: Vec<String>,
+    warnings: Vec<Value>,
     model: Vec<Fact>,
     materials: Vec<MaterialTable>,
     damage: Vec<DamageTable>,
@@ -95,7 +96,7 @@ struct Drawing {
 /// The page as text. All text from files is escaped by the template; only the drawings, which escape their
 /// own texts, go in as they are.
 pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Result<String, minijinja::Error> {
-    let summary = source.facts();
+    let (summary, language) = (source.facts(), source.language);
     let title = if summary.title.is_empty() {
         let path = source.folder.root();
         path.file_name().map_or_else(|| "Results".into(), |name| name.to_string_lossy().into_owned())
@@ -111,12 +112,12 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
         style: Value::from_safe_string(STYLE.into()),
         title,
         outcome: facts::outcome(source),
-        findings: facts::findings(&summary),
-        cards: facts::key_results(source),
-        checks: facts::checks(&summary),
-        warnings: summary.before.clone(),
-        model: facts::model(&summary),
-        materials: materials::tables(&summary),
+        findings: facts::findings(language, &summary),
+        cards: cards::key_results(source),
+        checks: facts::checks(language, &summary),
+        warnings: facts::warnings(language, &summary),
+        model: facts::model(language, &summary),
+        materials: materials::tables(language, &summary),
         damage: damage::tables(&summary),
         cracks: damage::cracks(&summary),
         interfaces: interfaces::table(&summary),
@@ -131,7 +132,7 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
             && summary.findings.is_empty()
             && source.still().is_none()
             && !summary.stages.iter().any(|stage| stage.plastic_volume > 0.0),
-        run: facts::run(&summary),
+        run: facts::run(language, &summary),
         cut: [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()]
             .into_iter()
             .flatten()
@@ -143,7 +144,6 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
     environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
     environment.add_filter("dots", dots);
-    let language = source.language;
     environment.add_function("t", move |english: &str| language.pattern(english).to_owned());
     environment.add_template("report.html", TEMPLATE)?;
     environment.get_template("report.html")?.render(Serde(&page))
