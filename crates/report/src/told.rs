@@ -1,7 +1,7 @@
 //! Texts of the result files, in the page's language.
 
 use minijinja::Value;
-use tremolite_results::{Said, said};
+use tremolite_results::Said;
 
 use crate::language::Language;
 use crate::svg::escape;
@@ -31,6 +31,7 @@ pub fn in_english(english: &str) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tremolite_results::said;
 
     #[test]
     fn what_the_language_lacks_stands_in_english_and_says_so() {

@@ -16,8 +16,7 @@ fn shown(text: &str) -> String {
 /// What laws and parameters are, and what laws make of the parameters of all samples.
 fn texts() -> BTreeSet<String> {
     let infos = || MATERIALS.iter().chain(INTERFACES);
-    // Of a law itself the page shows all.
-    let mut texts: BTreeSet<String> = infos().map(|info| info.summary.to_owned()).collect();
+    let mut texts: BTreeSet<String> = infos().map(|info| shown(info.summary)).collect();
     texts.extend(infos().flat_map(|info| info.parameters).map(|parameter| shown(parameter.doc)));
     let band = Band::fit(0.02, [0.5, 10.0], 2.0).unwrap();
     for law in laws() {
