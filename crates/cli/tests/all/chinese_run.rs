@@ -5,12 +5,11 @@ use std::fs;
 use tremolite_report::{Language, write_in};
 use tremolite_results::{ResultFolder, Said, Summary};
 
-/// Bolts along the opening, placed with its shell.
+/// Bolts into the rock beside the opening, placed with its shell.
 const BOLTS: &str = r#"install = ["shell"]
 [[stage.bolts]]
-pattern = "walls"
-spacing = "2 m"
-length = "3 m"
+name = "wall"
+points = [[["12.1 m", "1 m", "8.5 m"], ["15 m", "1 m", "8.5 m"]], [["12.1 m", "3 m", "8.5 m"], ["15 m", "3 m", "8.5 m"]]]
 diameter = "25 mm"
 yield = "400 MPa"
 bond = { stiffness = "10 GPa", strength = "300 kN/m", friction_angle = "0 deg" }
