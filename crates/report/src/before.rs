@@ -3,50 +3,55 @@
 use tremolite_results::{StageSummary, Summary};
 
 use crate::figure::{Block, Chapter};
+use crate::language::{Language, say};
+use crate::pairs::is_pair;
 use crate::scale::{Scale, count, figures, quantity, trimmed};
 use crate::source::Source;
-use crate::stage_name::called;
+use crate::stage_name::{called, name};
 use crate::text_table::{Cell, Head, TextTable};
 use crate::{convergence, reaction, relaxation, stage_maps};
 
-/// Σ|R|/Σ|contributions| below this is round-off of sums, not something that is held.
+/// A sum over the sum of the sizes of its parts, or a value over the largest of its kind, below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
+/// Characters.
+const SHORT: usize = 12;
 
 /// The chapter; nothing for a run without stages.
 pub fn chapter(source: &Source) -> Option<Chapter> {
-    let facts = source.facts();
+    let (language, facts) = (source.language, source.facts());
     if facts.stages.is_empty() && source.relaxation.is_none() {
         return None;
     }
-    let mut blocks = vec![table(&facts)];
+    let mut blocks = vec![table(language, &facts)];
     blocks.extend(relaxation::block(source, &facts));
-    blocks.extend(convergence::block(&facts));
-    blocks.extend(reaction::block(&facts));
-    blocks.extend(monitors(&facts));
+    blocks.extend(convergence::block(language, &facts));
+    blocks.extend(reaction::block(language, &facts));
+    blocks.extend(monitors(language, &facts));
     blocks.extend(stage_maps::block(source, &facts));
-    let heading = if source.shakes() { "Before the earthquake" } else { "Stages" };
-    Some(Chapter { id: "before", heading: heading.into(), blocks })
+    let heading =
+        if source.shakes() { say!(language, "Before the earthquake") } else { say!(language, "Stages") };
+    Some(Chapter { id: "before", heading, blocks })
 }
 
-fn table(facts: &Summary) -> Block {
+fn table(language: Language, facts: &Summary) -> Block {
     let stages = &facts.stages;
     if stages.is_empty() {
-        let note = "The table of stages is left out: summary.json lists none yet.";
-        return Block { notes: vec![note.into()], ..Block::default() };
+        let note = say!(language, "The table of stages is left out: summary.json lists none yet.");
+        return Block { notes: vec![note], ..Block::default() };
     }
     let most = stages.iter().map(|s| s.largest_motion).filter(|x| x.is_finite()).fold(0.0, f64::max);
     let motion = Scale::suiting("m", most);
     let head = vec![
         Head::number("#"),
-        Head::words("stage"),
-        Head::words("what changed"),
-        Head::number("let go"),
-        Head::number("cycles"),
-        Head::number("out of balance"),
-        Head::number("motion left"),
-        Head::number(motion.labelled("largest motion")),
+        Head::words(say!(language, "stage")),
+        Head::words(say!(language, "what changed")),
+        Head::number(say!(language, "let go")),
+        Head::number(say!(language, "cycles")),
+        Head::number(say!(language, "out of balance")),
+        Head::number(say!(language, "motion left")),
+        Head::number(motion.labelled(&say!(language, "largest motion"))),
         Head::number("∫Γ dV (m³)"),
-        Head::number("still held"),
+        Head::number(say!(language, "still held")),
     ];
     let row = |(k, stage): (usize, &StageSummary)| {
         let release = if k == 0 || !stage.release.is_finite() {
@@ -57,8 +62,8 @@ fn table(facts: &Summary) -> Block {
         let held = if stage.held.abs() <= ROUND_OFF { "0".into() } else { figures(stage.held, 2) };
         vec![
             Cell::number(k.to_string()),
-            Cell::words(&stage.name),
-            Cell::words(changes(k, stage)),
+            Cell::words(kept(&name(language, &stage.name))),
+            Cell::words(changes(language, k, stage)),
             Cell::number(release),
             Cell::number(count(stage.cycles)),
             Cell::number(figures(stage.ratio, 2)),
@@ -73,32 +78,41 @@ fn table(facts: &Summary) -> Block {
         ]
     };
     let rows = stages.iter().enumerate().map(row).collect();
-    let text = "Stage 0 brings what is there at the start to equilibrium; displacements count from its end. Out of balance: \
+    let text = say!(
+        language,
+        "Stage 0 brings what is there at the start to equilibrium; displacements count from its end. Out of balance: \
                 unbalanced forces over all contributions to them, summed over nodes. Motion left: an estimate of what more \
                 cycles would bring; it should be small beside the largest motion, which is that of any node within the \
                 stage. ∫Γ dV: plastic shear strain summed over the volume that stands. Still held: what a release below \
-                100\u{a0}% has not let go, over the same contributions; it should be 0 at the end.";
-    Block { text: text.into(), tables: vec![TextTable { head: vec![head], rows }], ..Block::default() }
+                100\u{a0}% has not let go, over the same contributions; it should be 0 at the end."
+    );
+    Block { text, tables: vec![TextTable { head: vec![head], rows }], ..Block::default() }
+}
+
+/// A name that is short stays on one line beside the long texts of the next column.
+fn kept(name: &str) -> String {
+    if name.chars().count() <= SHORT { name.replace(' ', "\u{a0}") } else { name.into() }
 }
 
 /// What a stage did, in words.
-fn changes(k: usize, stage: &StageSummary) -> String {
+fn changes(language: Language, k: usize, stage: &StageSummary) -> String {
     let mut parts = Vec::new();
-    for (verb, groups) in [("excavated", &stage.excavated), ("installed", &stage.installed)] {
-        if !groups.is_empty() {
-            parts.push(format!("{verb} {}", groups.join(", ")));
-        }
+    if !stage.excavated.is_empty() {
+        parts.push(say!(language, "excavated {groups}", groups = stage.excavated.join(", ")));
+    }
+    if !stage.installed.is_empty() {
+        parts.push(say!(language, "installed {groups}", groups = stage.installed.join(", ")));
     }
     parts.extend(stage.changed.iter().cloned());
     match (parts.is_empty(), k) {
-        (false, _) => parts.join("; "),
-        (true, 0) => "initial equilibrium".into(),
-        (true, _) => "nothing but release".into(),
+        (false, _) => parts.join(&say!(language, "; ")),
+        (true, 0) => say!(language, "initial equilibrium"),
+        (true, _) => say!(language, "nothing but release"),
     }
 }
 
 /// What the monitors show when the stages are done.
-fn monitors(facts: &Summary) -> Option<Block> {
+fn monitors(language: Language, facts: &Summary) -> Option<Block> {
     let (k, last) = facts.stages.iter().enumerate().next_back()?;
     let quantities = [("ux", "m"), ("uy", "m"), ("uz", "m"), ("s1", "Pa"), ("s3", "Pa")];
     let value = |of: &indexmap::IndexMap<String, Option<f64>>, name: &str| of.get(name).copied().flatten();
@@ -116,28 +130,40 @@ fn monitors(facts: &Summary) -> Option<Block> {
     if columns.is_empty() {
         return None;
     }
-    let mut head = vec![Head::words("monitor")];
+    let mut head = vec![Head::words(say!(language, "monitor"))];
     head.extend(columns.iter().map(|&i| Head::number(scales[i].labelled(quantities[i].0))));
-    let row =
-        |(name, of): (&String, &indexmap::IndexMap<String, Option<f64>>)| {
-            let mut row = vec![Cell::words(name)];
-            row.extend(columns.iter().map(|&i| {
-                Cell::number(value(of, quantities[i].0).map_or("–".into(), |x| scales[i].number(x)))
-            }));
-            row
-        };
+    let number = |i: usize, x: f64| match x.abs() <= ROUND_OFF * largest(quantities[i].1) {
+        true => "0".into(),
+        false => scales[i].number(x),
+    };
+    let row = |(name, of): (&String, &indexmap::IndexMap<String, Option<f64>>)| {
+        let mut row = vec![Cell::words(name)];
+        let values =
+            columns.iter().map(|&i| value(of, quantities[i].0).map_or("–".into(), |x| number(i, x)));
+        row.extend(values.map(Cell::number));
+        row
+    };
     // Those at interfaces and bolts have none of these.
     let has = |of: &indexmap::IndexMap<String, Option<f64>>| {
         columns.iter().any(|&i| of.contains_key(quantities[i].0))
     };
     let rows = last.monitors.iter().filter(|(_, of)| has(of)).map(row).collect();
-    Some(Block {
-        heading: "Monitors when the stages are done".into(),
-        text: format!(
-            "After {}. Displacements since the initial equilibrium, of a lining since its installation; tension is positive. \
+    let names: Vec<String> = last.monitors.keys().cloned().collect();
+    let mut text = say!(
+        language,
+        "After {stage}. Displacements since the initial equilibrium, of a lining since its installation; tension is positive. \
              All stages are in stages.csv.",
-            called(k, last)
-        ),
+        stage = called(language, k, last)
+    );
+    if names.iter().any(|name| is_pair(name, &names)) {
+        text.push_str(&say!(
+            language,
+            " A pair shows how much more the first monitor moved than the second."
+        ));
+    }
+    Some(Block {
+        heading: say!(language, "Monitors when the stages are done"),
+        text,
         tables: vec![TextTable { head: vec![head], rows }],
         ..Block::default()
     })

@@ -2,10 +2,11 @@
 
 use tremolite_results::{BoltSummary, Summary};
 
+use crate::language::{Language, say};
 use crate::scale::{count, figures, quantity};
 
 /// The bolt nearest to yield of all groups, or where none yields the one with the largest force: the value and what it is.
-pub fn hardest(facts: &Summary) -> Option<(String, String)> {
+pub fn hardest(language: Language, facts: &Summary) -> Option<(String, String)> {
     let there = facts.bolts.iter().filter(|(_, group)| group.largest.bolt > 0);
     let load = |group: &BoltSummary| (group.force_over_yield, group.largest.force.abs());
     let more = |a: &BoltSummary, b: &BoltSummary| {
@@ -13,16 +14,28 @@ pub fn hardest(facts: &Summary) -> Option<(String, String)> {
         over_a.total_cmp(&over_b).then(force_a.total_cmp(&force_b))
     };
     let (name, group) = there.max_by(|a, b| more(a.1, b.1))?;
-    let over = match group.yield_force.is_finite() {
-        true => format!("{} of yield, in ", figures(group.force_over_yield, 2)),
-        false => String::new(),
+    let bolt = group.largest.bolt;
+    let which = match group.yield_force.is_finite() {
+        true => say!(
+            language,
+            "{share} of yield, in {group}, bolt {bolt}",
+            share = figures(group.force_over_yield, 2),
+            group = name,
+            bolt = bolt
+        ),
+        false => say!(language, "{group}, bolt {bolt}", group = name, bolt = bolt),
     };
     let yielded: u64 = facts.bolts.values().map(|group| group.yielded).sum();
     let all: u64 = facts.bolts.values().map(|group| group.bolts).sum();
-    let lost = if yielded > 0 {
-        format!("; {} of {} bolts yielded", count(yielded), count(all))
-    } else {
-        String::new()
+    let note = match yielded {
+        0 => which,
+        _ => say!(
+            language,
+            "{which}; {yielded} of {all} bolts yielded",
+            which = which,
+            yielded = count(yielded),
+            all = count(all)
+        ),
     };
-    Some((quantity("N", group.largest.force), format!("{over}{name}, bolt {}{lost}", group.largest.bolt)))
+    Some((quantity("N", group.largest.force), note))
 }

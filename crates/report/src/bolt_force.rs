@@ -4,12 +4,11 @@ use tremolite_results::{BoltLine, BoltLines, Summary};
 
 use crate::axes::Axes;
 use crate::figure::{Block, Figure};
+use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::{Scale, quantity};
 use crate::svg::{Anchor, LINES, Style, Svg};
 use crate::ticks::Ticks;
-
-const HEADING: &str = "Force along the bolts that carry most";
 
 /// Bolts that are longer than this many times another are drawn apart: anchors and bars of a lining would hide the others.
 const ALIKE: f64 = 3.0;
@@ -27,8 +26,8 @@ impl Worst<'_> {
     }
 }
 
-/// The block; nothing where no bolt carries anything.
-pub fn block(lines: &BoltLines, facts: &Summary, when: &str) -> Option<Block> {
+/// The block; nothing where no bolt carries anything. `when` is in words, and whether that is in the earthquake.
+pub fn block(language: Language, lines: &BoltLines, facts: &Summary, when: (&str, bool)) -> Option<Block> {
     let worst = |(group, name)| {
         let bolt = hardest(lines, group)?;
         let own = lines.lines.iter().filter(|line| line.group == group && line.bolt == bolt).collect();
@@ -51,28 +50,37 @@ pub fn block(lines: &BoltLines, facts: &Summary, when: &str) -> Option<Block> {
         return None;
     }
     let figures = families.iter().take(MOST).enumerate();
-    let figures = figures.map(|(k, family)| figure(family, facts, when, k)).collect();
-    Some(Block { heading: HEADING.into(), figures, ..Block::default() })
+    let figures = figures.map(|(k, family)| figure(language, family, facts, when, k)).collect();
+    let heading = say!(language, "Force along the bolts that carry most");
+    Some(Block { heading, figures, ..Block::default() })
 }
 
 /// Figures beyond these say nothing new.
 const MOST: usize = 3;
 
-fn figure(family: &[Worst], facts: &Summary, when: &str, number: usize) -> Figure {
+fn figure(
+    language: Language,
+    family: &[Worst],
+    facts: &Summary,
+    (when, shaken): (&str, bool),
+    number: usize,
+) -> Figure {
     let (mut curves, mut named) = (Vec::new(), Vec::new());
     for (colour, Worst { name, bolt, own }) in family.iter().enumerate() {
-        let label = format!("{name}, bolt {bolt}");
+        let label = say!(language, "{group}, bolt {bolt}", group = name, bolt = bolt);
         curves.push(Curve::new(label, colour, Pen::Line, steps(own, |line| line.force)));
         curves.push(Curve::new("", colour, Pen::Dashed, steps(own, |line| line.force_max)));
         let yields = facts.bolts.get(*name).map(|group| group.yield_force).filter(|force| force.is_finite());
-        named.extend(yields.map(|force| format!("{name} at {}", quantity("N", force))));
+        let named_at =
+            |force| say!(language, "{group} at {force}", group = name, force = quantity("N", force));
+        named.extend(yields.map(named_at));
     }
     let ((_, far), (low, high)) = plot::ranges(&curves);
     let scale = Scale::suiting("N", low.abs().max(high.abs()));
     for point in curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()) {
         point.1 *= scale.factor;
     }
-    let title = scale.labelled("force, tension positive");
+    let title = scale.labelled(&say!(language, "force, tension positive"));
     let mut svg = Svg::new(WIDTH);
     let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &curves) + 6.0;
     let axes = Axes {
@@ -84,20 +92,33 @@ fn figure(family: &[Worst], facts: &Summary, when: &str, number: usize) -> Figur
         up: Ticks::around((low * scale.factor).min(0.0), (high * scale.factor).max(0.0), 6),
     };
     plot::draw(&mut svg, &axes, &curves);
-    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, "from the head (m)");
-    let yields = if named.is_empty() { String::new() } else { format!(" Yield: {}.", named.join("; ")) };
-    let since = if when.contains("stages") { "stage" } else { "earthquake" };
-    let caption = match number {
-        0 => format!(
-            "Of each group the bolt that came nearest to yield, or carries most where none yields: full line {when}, dashed that of \
-             largest size in any step since the {since} began. A force that falls to nothing at \
-             both ends is carried by the bond; one that is large at the head hangs on the plate.{yields}"
+    let along = say!(language, "from the head (m)");
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &along);
+    let mut caption = match (number, shaken) {
+        (0, true) => say!(
+            language,
+            "Of each group the bolt that came nearest to yield, or carries most where none yields: full line {when}, dashed \
+             that of largest size in any step since the earthquake began. A force that falls to nothing at both ends is \
+             carried by the bond; one that is large at the head hangs on the plate.",
+            when = when
         ),
-        _ => format!("The same of those of another length.{yields}"),
+        (0, false) => say!(
+            language,
+            "Of each group the bolt that came nearest to yield, or carries most where none yields: full line {when}, dashed \
+             that of largest size in any step since the stage began. A force that falls to nothing at both ends is carried \
+             by the bond; one that is large at the head hangs on the plate.",
+            when = when
+        ),
+        _ => say!(language, "The same of those of another length."),
     };
-    let svg = svg.finish(axes.bottom + 42.0, &title, "force over the distance from the head");
+    if !named.is_empty() {
+        let list = named.join(&say!(language, "; "));
+        caption.push_str(&say!(language, " Yield: {list}.", list = list));
+    }
+    let description = say!(language, "force over the distance from the head");
+    let svg = svg.finish(axes.bottom + 42.0, &title, &description);
     let file = if number == 0 { "bolts-force.svg".into() } else { format!("bolts-force-{}.svg", number + 1) };
-    Figure { heading: HEADING.into(), file, svg, caption }
+    Figure { heading: say!(language, "Force along the bolts that carry most"), file, svg, caption }
 }
 
 /// The number of the bolt of a group that came nearest to yield, or carried most; none where all carry nothing.
@@ -151,6 +172,6 @@ mod tests {
     #[test]
     fn a_group_that_carries_nothing_has_no_curve() {
         let lines = BoltLines { groups: vec!["idle".into()], lines: vec![line([0.0, 1.0], 0.0, 0)] };
-        assert!(block(&lines, &Summary::default(), "at 1 s").is_none());
+        assert!(block(Language::English, &lines, &Summary::default(), ("at 1 s", true)).is_none());
     }
 }

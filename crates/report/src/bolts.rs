@@ -4,10 +4,11 @@ use indexmap::IndexMap;
 use tremolite_results::{BoltLines, BoltPeak, BoltRow, BoltSummary, EARTHQUAKE, Pvd, Summary};
 
 use crate::figure::{Block, Chapter};
+use crate::language::{Language, say};
 use crate::scale::{count, figures, moment, quantity, trimmed};
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
-use crate::{bolt_force, bolt_map};
+use crate::{bolt_force, bolt_map, stage_name};
 
 const ID: &str = "bolts";
 /// Groups side by side in one table.
@@ -15,80 +16,98 @@ const ABREAST: usize = 6;
 
 /// The chapter; nothing for a run without bolts.
 pub fn chapter(source: &Source) -> Option<Chapter> {
-    let facts = source.facts();
+    let (language, facts) = (source.language, source.facts());
     if facts.bolts.is_empty() && source.bolts.is_none() && !source.folder.bolts_pvd().exists() {
         return None;
     }
     let mut first = Block::default();
     if facts.bolts.is_empty() {
-        first.notes.push("No table of groups: the summary does not hold them yet.".into());
+        first.notes.push(say!(language, "No table of groups: the summary does not hold them yet."));
     } else {
-        first.text = "Of each group over the whole run. Forces are those of largest size of any stage and step, tension positive; a bolt counts under \
+        first.text = say!(
+            language,
+            "Of each group over the whole run. Forces are those of largest size of any stage and step, tension positive; a bolt counts under \
                       every heading it comes under, and what an excavation has taken of it counts no more. Places in m."
-            .into();
-        first.tables = vec![groups(&facts), deeds(&facts)];
+        );
+        first.tables = vec![groups(language, &facts), deeds(language, &facts)];
     }
     let mut blocks = vec![first];
     match &source.bolts {
-        Some(Ok(rows)) => blocks.extend(by_stage(rows, &facts)),
-        Some(Err(why)) => blocks.push(left_out(why)),
-        None => blocks.push(left_out("There is no bolts.csv in the result folder.")),
+        Some(Ok(rows)) => blocks.extend(by_stage(language, rows, &facts)),
+        Some(Err(why)) => blocks.push(left_out(language, why)),
+        None => {
+            blocks.push(left_out(language, &say!(language, "There is no bolts.csv in the result folder.")));
+        }
     }
     match last(source) {
-        Ok((lines, when)) => {
+        Ok(Last { lines, when, shaken }) => {
             blocks.extend(bolt_map::block(source, &lines, &when));
-            blocks.extend(bolt_force::block(&lines, &facts, &when));
+            blocks.extend(bolt_force::block(language, &lines, &facts, (&when, shaken)));
         }
-        Err(why) => blocks.push(left_out(&why)),
+        Err(why) => blocks.push(left_out(language, &why)),
     }
-    Some(Chapter { id: ID, heading: "Bolts".into(), blocks })
+    Some(Chapter { id: ID, heading: say!(language, "Bolts"), blocks })
 }
 
-fn left_out(why: &str) -> Block {
-    Block { notes: vec![format!("Left out. {why}")], ..Block::default() }
+fn left_out(language: Language, why: &str) -> Block {
+    Block { notes: vec![say!(language, "Left out. {why}", why = why)], ..Block::default() }
 }
 
-/// The segments of the last file, and of when they are.
-fn last(source: &Source) -> Result<(BoltLines, String), String> {
+/// The segments of the last file.
+struct Last {
+    lines: BoltLines,
+    /// Of when they are, in words.
+    when: String,
+    /// Whether that is in the earthquake.
+    shaken: bool,
+}
+
+fn last(source: &Source) -> Result<Last, String> {
+    let language = source.language;
     let path = source.folder.bolts_pvd();
     if !path.exists() {
-        return Err("There is no bolts.pvd in the result folder.".into());
+        return Err(say!(language, "There is no bolts.pvd in the result folder."));
     }
     let pvd = Pvd::read(&path).map_err(|e| format!("{e}."))?;
-    let last = pvd.snapshots().last().ok_or("bolts.pvd lists no file yet.")?;
+    let none = || say!(language, "bolts.pvd lists no file yet.");
+    let last = pvd.snapshots().last().ok_or_else(none)?;
     let lines = BoltLines::read(&pvd.locate(last)).map_err(|e| format!("{e}."))?;
     // Without field files the list of the stages stays.
-    let when = if last.file.contains("stage-") {
-        "when the stages are done".into()
+    let shaken = !last.file.contains("stage-");
+    let when = if shaken {
+        say!(language, "at {time}\u{a0}s", time = moment(last.time, crate::facts::duration(source)))
     } else {
-        format!("at {}\u{a0}s", moment(last.time, crate::facts::duration(source)))
+        say!(language, "when the stages are done")
     };
-    Ok((lines, when))
+    Ok(Last { lines, when, shaken })
 }
 
 /// What there is of each group.
-fn groups(facts: &Summary) -> TextTable {
+fn groups(language: Language, facts: &Summary) -> TextTable {
     let head = vec![
-        Head::words("group"),
-        Head::words("placed in"),
-        Head::number("bolts"),
-        Head::number("left out"),
-        Head::number("shortened"),
-        Head::number("length (m)"),
-        Head::number("yield at"),
-        Head::number("cut by excavations"),
+        Head::words(say!(language, "group")),
+        Head::words(say!(language, "placed in")),
+        Head::number(say!(language, "bolts")),
+        Head::number(say!(language, "left out")),
+        Head::number(say!(language, "shortened")),
+        Head::number(say!(language, "length (m)")),
+        Head::number(say!(language, "yield at")),
+        Head::number(say!(language, "cut by excavations")),
     ];
     let row = |(name, group): (&String, &BoltSummary)| {
         let placed = match group.placed.as_str() {
-            "" => "the start",
-            EARTHQUAKE => "the earthquake",
-            stage => stage,
+            "" => say!(language, "the start"),
+            EARTHQUAKE => say!(language, "the earthquake"),
+            stage => stage.to_owned(),
         };
         let yields = match group.yield_force.is_finite() {
             true => quantity("N", group.yield_force),
-            false => "never".into(),
+            false => say!(language, "never"),
         };
-        let gone = if group.gone > 0 { format!("{} wholly", count(group.gone)) } else { String::new() };
+        let gone = match group.gone {
+            0 => String::new(),
+            gone => say!(language, "{number} wholly", number = count(gone)),
+        };
         vec![
             Cell::words(name.as_str()),
             Cell::words(placed),
@@ -104,20 +123,20 @@ fn groups(facts: &Summary) -> TextTable {
 }
 
 /// What became of it.
-fn deeds(facts: &Summary) -> TextTable {
+fn deeds(language: Language, facts: &Summary) -> TextTable {
     let head = vec![
-        Head::words("group"),
-        Head::number("largest force"),
-        Head::words("of"),
-        Head::number("over yield"),
-        Head::number("yielded"),
-        Head::number("broke"),
-        Head::number("bond slid"),
+        Head::words(say!(language, "group")),
+        Head::number(say!(language, "largest force")),
+        Head::words(say!(language, "of")),
+        Head::number(say!(language, "over yield")),
+        Head::number(say!(language, "yielded")),
+        Head::number(say!(language, "broke")),
+        Head::number(say!(language, "bond slid")),
     ];
     let row = |(name, group): (&String, &BoltSummary)| {
         let mut row = vec![Cell::words(name.as_str())];
         if !group.there {
-            row.extend([Cell::number("–"), Cell::words("not placed yet")]);
+            row.extend([Cell::number("–"), Cell::words(say!(language, "not placed yet"))]);
             row.extend((0..4).map(|_| Cell::number("–")));
             return row;
         }
@@ -126,15 +145,16 @@ fn deeds(facts: &Summary) -> TextTable {
             false => "–".into(),
         };
         let slid = match (group.bonded, group.slid) {
-            (false, 0) => Cell::number("–").with("no bond"),
+            (false, 0) => Cell::number("–").with(say!(language, "no bond")),
             (_, 0) => Cell::number("0"),
             (_, number) => {
-                Cell::number(count(number)).with(format!("by up to {}", quantity("m", group.max_slip)))
+                let slip = quantity("m", group.max_slip);
+                Cell::number(count(number)).with(say!(language, "by up to {slip}", slip = slip))
             }
         };
         row.extend([
             Cell::number(quantity("N", group.largest.force)),
-            place(&group.largest, facts.model.duration),
+            place(language, &group.largest, facts.model.duration),
             Cell::number(over),
             Cell::number(count(group.yielded)),
             Cell::number(count(group.broken)),
@@ -146,20 +166,25 @@ fn deeds(facts: &Summary) -> TextTable {
 }
 
 /// Which bolt, where and when.
-fn place(peak: &BoltPeak, duration: f64) -> Cell {
+fn place(language: Language, peak: &BoltPeak, duration: f64) -> Cell {
     if peak.bolt == 0 {
         return Cell::words("");
     }
     let [x, y, z] = peak.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")));
-    let when = match peak.stage.as_str() {
-        EARTHQUAKE => format!("at\u{a0}{}\u{a0}s", moment(peak.time, duration)),
-        stage => format!("in {stage}"),
+    let at = format!("({x},\u{a0}{y},\u{a0}{z})");
+    let place = match peak.stage.as_str() {
+        EARTHQUAKE => {
+            say!(language, "{at}, at\u{a0}{time}\u{a0}s", at = at, time = moment(peak.time, duration))
+        }
+        stage => {
+            say!(language, "{at}, in {stage}", at = at, stage = stage_name::name(language, stage))
+        }
     };
-    Cell::words(format!("bolt\u{a0}{}", peak.bolt)).with(format!("({x},\u{a0}{y},\u{a0}{z}), {when}"))
+    Cell::words(say!(language, "bolt\u{a0}{number}", number = peak.bolt)).with(place)
 }
 
 /// What each group carried at most at the end of each stage, and in the rows of the earthquake.
-fn by_stage(rows: &[BoltRow], facts: &Summary) -> Option<Block> {
+fn by_stage(language: Language, rows: &[BoltRow], facts: &Summary) -> Option<Block> {
     // By stage, then by group: the largest share of yield, and the largest force.
     let mut stages: IndexMap<&str, IndexMap<&str, (f64, f64)>> = IndexMap::new();
     let mut names: IndexMap<&str, ()> = facts.bolts.keys().map(|name| (name.as_str(), ())).collect();
@@ -180,21 +205,26 @@ fn by_stage(rows: &[BoltRow], facts: &Summary) -> Option<Block> {
             Some((over, force)) => Cell::number(figures(*over, 2)).with(quantity("N", *force)),
         };
         let row = |(stage, groups): (&&str, &IndexMap<&str, (f64, f64)>)| {
-            let stage = if *stage == EARTHQUAKE { "earthquake, largest of its rows" } else { stage };
+            let stage = match *stage {
+                EARTHQUAKE => say!(language, "earthquake, largest of its rows"),
+                stage => stage_name::name(language, stage),
+            };
             std::iter::once(Cell::words(stage))
                 .chain(names.iter().map(|name| cell(groups.get(name))))
                 .collect()
         };
         TextTable {
-            head: vec![std::iter::once(Head::words("at the end of")).chain(head).collect()],
+            head: vec![std::iter::once(Head::words(say!(language, "at the end of"))).chain(head).collect()],
             rows: stages.iter().map(row).collect(),
         }
     };
     Some(Block {
-        heading: "Force over yield, stage by stage".into(),
-        text: "Of the bolt of each group that is nearest to yield then, with the largest force below it; of groups that never \
+        heading: say!(language, "Force over yield, stage by stage"),
+        text: say!(
+            language,
+            "Of the bolt of each group that is nearest to yield then, with the largest force below it; of groups that never \
                yield the force. A group that takes on load in every stage after its own holds ground that still moves."
-            .into(),
+        ),
         tables: all.chunks(ABREAST).map(table).collect(),
         ..Block::default()
     })

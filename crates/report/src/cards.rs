@@ -44,10 +44,10 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         let note = say!(language, "{place} at {time}", place = group, time = at(widest.time));
         cards.push(card(say!(language, "Widest crack"), opening(cracks), note));
     }
-    let extremes = interfaces::extremes(&facts).into_iter();
-    cards.extend(extremes.map(|(label, value, note)| card(label.to_owned(), value, note)));
+    let extremes = interfaces::extremes(language, &facts).into_iter();
+    cards.extend(extremes.map(|(label, value, note)| card(label, value, note)));
     cards.extend(
-        bolt_card::hardest(&facts)
+        bolt_card::hardest(language, &facts)
             .map(|(value, note)| card(say!(language, "Force of the bolt nearest to yield"), value, note)),
     );
     // As the check has it; summaries of other versions leave it to the table.

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use crate::axes::{Axes, drawable};
+use crate::language::{Language, say};
 use crate::scale::{Scale, moment};
 use crate::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::thin::thin;
@@ -53,6 +54,29 @@ pub enum Mark {
     Largest,
     Highest,
     Lowest,
+    /// None: the files hold no such number.
+    Nothing,
+}
+
+impl Mark {
+    /// Of two values the one to be marked ranks higher.
+    fn rank(self, value: f64) -> f64 {
+        match self {
+            Mark::Largest | Mark::Nothing => value.abs(),
+            Mark::Highest => value,
+            Mark::Lowest => -value,
+        }
+    }
+
+    /// Time and value of the point of a line that is marked; of equal ones the first.
+    pub fn of(self, time: &[f64], line: &Line<'_>) -> Option<(f64, f64)> {
+        if self == Mark::Nothing {
+            return None;
+        }
+        let points = time.iter().copied().zip(line.values.iter().copied());
+        let points = points.filter(|(t, x)| drawable(*t) && drawable(*x));
+        points.reduce(|best, next| if self.rank(next.1) > self.rank(best.1) { next } else { best })
+    }
 }
 
 /// One set of axes.
@@ -81,25 +105,17 @@ pub struct Peak<'a> {
 impl Panel<'_> {
     /// The point to be marked; none if no value is finite.
     pub fn peak(&self, time: &[f64]) -> Option<Peak<'_>> {
-        let rank = |x: f64| match self.mark {
-            Mark::Largest => x.abs(),
-            Mark::Highest => x,
-            Mark::Lowest => -x,
-        };
-        let mut best: Option<Peak<'_>> = None;
-        for line in &self.lines {
-            for (&t, &x) in
-                time.iter().zip(line.values.iter()).filter(|(t, x)| drawable(**t) && drawable(**x))
-            {
-                if best.as_ref().is_none_or(|b| rank(x) > rank(b.value)) {
-                    best = Some(Peak { line, time: t, value: x });
-                }
-            }
-        }
-        best
+        let peaks = self.lines.iter().filter_map(|line| {
+            let (time, value) = self.mark.of(time, line)?;
+            Some(Peak { line, time, value })
+        });
+        peaks.reduce(
+            |best, next| if self.mark.rank(next.value) > self.mark.rank(best.value) { next } else { best },
+        )
     }
 
-    fn range(&self) -> (f64, f64) {
+    /// The smallest and the largest value of all lines, in SI.
+    pub fn range(&self) -> (f64, f64) {
         let finite = self.lines.iter().flat_map(|line| line.values.iter().copied()).filter(|x| drawable(*x));
         finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
     }
@@ -107,7 +123,7 @@ impl Panel<'_> {
 
 impl Chart<'_> {
     /// The figure as SVG.
-    pub fn draw(&self) -> String {
+    pub fn draw(&self, language: Language) -> String {
         let mut svg = Svg::new(WIDTH);
         let height = match self.panels.len() {
             0 | 1 => 270.0,
@@ -122,15 +138,16 @@ impl Chart<'_> {
         );
         let mut top = self.legend(&mut svg) - 4.0;
         for panel in &self.panels {
-            self.panel(&mut svg, panel, &across, top + HEADING, height);
+            self.panel(&mut svg, panel, &across, (top + HEADING, height), language);
             top += HEADING + height;
         }
         for (t, label) in &across.marks {
             let x = LEFT + across.fraction(*t) * (WIDTH - LEFT - RIGHT);
             svg.text((x, top + 17.0), Anchor::Middle, 12.0, Style::Muted, label);
         }
-        svg.text((WIDTH - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, "time (s)");
-        let description = self.panels.iter().map(|panel| self.remark(panel)).collect::<Vec<_>>().join("; ");
+        svg.text((WIDTH - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, &say!(language, "time (s)"));
+        let description =
+            self.panels.iter().map(|panel| self.remark(panel, language)).collect::<Vec<_>>().join("; ");
         svg.finish(top + 42.0, &self.title, &description)
     }
 
@@ -156,14 +173,21 @@ impl Chart<'_> {
         y + 4.0
     }
 
-    fn panel(&self, svg: &mut Svg, panel: &Panel<'_>, across: &Ticks, top: f64, height: f64) {
+    fn panel(
+        &self,
+        svg: &mut Svg,
+        panel: &Panel<'_>,
+        across: &Ticks,
+        (top, height): (f64, f64),
+        language: Language,
+    ) {
         let bottom = top + height;
         let (low, high) = panel.range();
         let up = Ticks::around(low * panel.scale.factor, high * panel.scale.factor, (height / 38.0) as usize);
         let axes = Axes { left: LEFT, right: WIDTH - RIGHT, top, bottom, across: across.clone(), up };
         axes.draw(svg);
         svg.text((LEFT, top - 8.0), Anchor::Start, 13.0, Style::Bold, &panel.scale.labelled(&panel.title));
-        svg.text((WIDTH - RIGHT, top - 8.0), Anchor::End, 12.0, Style::Muted, &self.remark(panel));
+        svg.text((WIDTH - RIGHT, top - 8.0), Anchor::End, 12.0, Style::Muted, &self.remark(panel, language));
         for line in &panel.lines {
             let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
             let points = self.time.iter().zip(line.values.iter());
@@ -177,18 +201,42 @@ impl Chart<'_> {
     }
 
     /// Names the marked point of a panel.
-    fn remark(&self, panel: &Panel<'_>) -> String {
-        let Some(peak) = panel.peak(self.time) else { return "no values".into() };
-        let what = match panel.mark {
-            Mark::Largest => "largest",
-            Mark::Highest => "highest",
-            Mark::Lowest => "lowest",
-        };
-        let (name, value, duration) = (
-            &peak.line.name,
-            panel.scale.quantity(peak.value),
-            self.time.last().copied().unwrap_or(f64::NAN),
-        );
-        format!("{what}: {name}, {value} at {}\u{a0}s", moment(peak.time, duration))
+    fn remark(&self, panel: &Panel<'_>, language: Language) -> String {
+        if panel.mark == Mark::Nothing {
+            return String::new();
+        }
+        let Some(peak) = panel.peak(self.time) else { return say!(language, "no values") };
+        let duration = self.time.last().copied().unwrap_or(f64::NAN);
+        let (name, value, time) =
+            (&peak.line.name, panel.scale.quantity(peak.value), moment(peak.time, duration));
+        match panel.mark {
+            Mark::Largest | Mark::Nothing => {
+                say!(
+                    language,
+                    "largest: {name}, {value} at {time}\u{a0}s",
+                    name = name,
+                    value = value,
+                    time = time
+                )
+            }
+            Mark::Highest => {
+                say!(
+                    language,
+                    "highest: {name}, {value} at {time}\u{a0}s",
+                    name = name,
+                    value = value,
+                    time = time
+                )
+            }
+            Mark::Lowest => {
+                say!(
+                    language,
+                    "lowest: {name}, {value} at {time}\u{a0}s",
+                    name = name,
+                    value = value,
+                    time = time
+                )
+            }
+        }
     }
 }

@@ -6,19 +6,28 @@ use tremolite_results::Table;
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Figure, Section};
+use crate::language::{Language, say};
 use crate::scale::{Scale, quantity};
 use crate::source::Source;
 
-const HEADING: &str = "Interfaces over time";
-/// Areas: column, name, and which colour.
-const AREAS: [(&str, &str, usize); 4] = [
-    ("ever_slid", "slid so far", 1),
-    ("ever_opened", "opened so far", 0),
-    ("sliding", "sliding now", 5),
-    ("open", "open now", 6),
-];
-const LENGTHS: [(&str, &str, usize); 2] =
-    [("max_slip", "largest slip so far", 4), ("max_gap", "largest gap so far", 2)];
+/// A column, its name, and which colour.
+type Wanted = (&'static str, String, usize);
+
+fn areas(language: Language) -> [Wanted; 4] {
+    [
+        ("ever_slid", say!(language, "slid so far"), 1),
+        ("ever_opened", say!(language, "opened so far"), 0),
+        ("sliding", say!(language, "sliding now"), 5),
+        ("open", say!(language, "open now"), 6),
+    ]
+}
+
+fn lengths(language: Language) -> [Wanted; 2] {
+    [
+        ("max_slip", say!(language, "largest slip so far"), 4),
+        ("max_gap", say!(language, "largest gap so far"), 2),
+    ]
+}
 
 /// Names of the interfaces: those of the summary, or of the table's columns.
 pub fn names(source: &Source) -> Vec<String> {
@@ -35,16 +44,18 @@ pub fn names(source: &Source) -> Vec<String> {
 
 /// The section of the page; nothing for a run without interfaces.
 pub fn section(source: &Source) -> Option<Section> {
+    let language = source.language;
+    let heading = say!(language, "Interfaces over time");
     let table = match source.interfaces.as_ref()? {
         Ok(table) => table,
-        Err(why) => return Some(Section::left_out(HEADING, why)),
+        Err(why) => return Some(Section::left_out(&heading, why)),
     };
     let facts = source.facts();
     let mut figures = Vec::new();
     let mut idle = Vec::new();
     for (k, name) in names(source).iter().enumerate() {
         let area = facts.interfaces.get(name).map_or(f64::NAN, |own| own.area);
-        match figure(table, name, area) {
+        match figure(language, table, name, area) {
             Some(figure) => {
                 figures.push(Figure { file: format!("interface-history-{}.svg", k + 1), ..figure })
             }
@@ -52,45 +63,57 @@ pub fn section(source: &Source) -> Option<Section> {
         }
     }
     if let (Some(last), false) = (figures.last_mut(), idle.is_empty()) {
-        last.caption.push_str(&format!(" Nothing slid or opened on {}.", idle.join(", ")));
+        last.caption.push_str(&say!(
+            language,
+            " Nothing slid or opened on {names}.",
+            names = idle.join(", ")
+        ));
     }
     Some(if figures.is_empty() {
-        Section::left_out(HEADING, "No interface slid or opened.")
+        Section::left_out(&heading, say!(language, "No interface slid or opened."))
     } else {
         Section::Drawn(figures)
     })
 }
 
 /// One interface; none where nothing slid or opened.
-fn figure(table: &Table, name: &str, area: f64) -> Option<Figure> {
+fn figure(language: Language, table: &Table, name: &str, area: f64) -> Option<Figure> {
     let column = |quantity: &str| table.column(&format!("{name}.{quantity}"));
     let most = |values: &[f64]| values.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
-    let line = |&(quantity, title, colour): &(&str, &str, usize)| {
+    let line = |(quantity, name, colour): Wanted| {
         let values = column(quantity).filter(|values| most(values) > 0.0)?;
-        Some(Line { name: title.into(), values: Cow::from(values), colour, stroke: Stroke::Thin })
+        Some(Line { name, values: Cow::from(values), colour, stroke: Stroke::Thin })
     };
-    let areas: Vec<Line> = AREAS.iter().filter_map(line).collect();
+    let areas: Vec<Line> = areas(language).into_iter().filter_map(line).collect();
     if areas.is_empty() {
         return None;
     }
     let scale = if area > 0.0 {
-        Scale { factor: 100.0 / area, unit: "% of its area".into() }
+        Scale { factor: 100.0 / area, unit: say!(language, "% of its area") }
     } else {
         Scale { factor: 1.0, unit: "m²".into() }
     };
-    let mut panels = vec![Panel { title: "area".into(), scale, lines: areas, mark: Mark::Highest }];
-    let lengths: Vec<Line> = LENGTHS.iter().filter_map(line).collect();
+    let mut panels = vec![Panel { title: say!(language, "area"), scale, lines: areas, mark: Mark::Highest }];
+    let lengths: Vec<Line> = lengths(language).into_iter().filter_map(line).collect();
     let size = lengths.iter().map(|line| most(&line.values)).fold(0.0, f64::max);
     if !lengths.is_empty() {
         let scale = Scale::suiting("m", size);
-        panels.push(Panel { title: "slip, gap".into(), scale, lines: lengths, mark: Mark::Highest });
+        panels.push(Panel { title: say!(language, "slip, gap"), scale, lines: lengths, mark: Mark::Highest });
     }
-    let whole = if area > 0.0 { format!(", {}", quantity("m2", area)) } else { String::new() };
-    let caption = format!(
-        "Interface {name}{whole}: its area that slides and is open in each row of interfaces.csv, and that did in any step \
-         so far; below, the largest slip and gap so far of pairs whose bond is broken, slip while they are closed."
+    let which = if area > 0.0 {
+        say!(language, "Interface {name}, {area}", name = name, area = quantity("m2", area))
+    } else {
+        say!(language, "Interface {name}", name = name)
+    };
+    let caption = say!(
+        language,
+        "{which}: its area that slides and is open in each row of interfaces.csv, and that did in any step \
+         so far; below, the largest slip and gap so far of pairs whose bond is broken, slip while they are closed. \
+         Look whether slip goes on growing to the end: then the interface has not come to rest.",
+        which = which
     );
     let time = table.column("time").unwrap_or(&[]);
-    let svg = Chart { title: format!("{HEADING}: {name}"), time, panels }.draw();
-    Some(Figure { heading: HEADING.into(), file: String::new(), svg, caption })
+    let svg = Chart { title: say!(language, "Interfaces over time: {name}", name = name), time, panels }
+        .draw(language);
+    Some(Figure { heading: say!(language, "Interfaces over time"), file: String::new(), svg, caption })
 }

@@ -1,6 +1,7 @@
 //! Shear over pressure at a pair, row by row, in the colours of its states.
 
 use crate::axes::{Axes, drawable};
+use crate::language::{Language, say};
 use crate::scale::Scale;
 use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::ticks::Ticks;
@@ -13,13 +14,14 @@ const HEIGHT: f64 = 330.0;
 
 /// The drawing before it is made. Stresses in Pa.
 pub struct Path<'a> {
+    pub language: Language,
     pub title: String,
     pub pressure: &'a [f64],
     pub shear: &'a [f64],
     /// Which of the states a row has.
     pub state: &'a dyn Fn(usize) -> Option<usize>,
     /// Name and colour.
-    pub states: &'a [(&'static str, usize)],
+    pub states: &'a [(String, usize)],
 }
 
 impl Path<'_> {
@@ -46,11 +48,11 @@ impl Path<'_> {
         };
         axes.draw(&mut svg);
         axes.number_across(&mut svg);
-        let label = scale.labelled("|shear|");
+        let label = scale.labelled(&say!(self.language, "|shear|"));
         svg.text((LEFT, TOP - 9.0), Anchor::Start, 13.0, Style::Bold, &label);
-        let label = scale.labelled("pressure, compression positive");
+        let mut x = LEFT + text_width(&label, 13.0) + 24.0;
+        let label = scale.labelled(&say!(self.language, "pressure, compression positive"));
         svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &label);
-        let mut x = LEFT + text_width("|shear| (MPa)", 13.0) + 24.0;
         let mut words = Vec::new();
         for (k, (name, colour)) in self.states.iter().enumerate() {
             let rows = (0..self.shear.len()).filter(|row| (self.state)(*row) == Some(k));
@@ -66,7 +68,7 @@ impl Path<'_> {
             svg.dots(*colour, &[(x, TOP - 13.5)]);
             svg.text((x + 8.0, TOP - 9.0), Anchor::Start, 12.0, Style::Plain, name);
             x += 8.0 + text_width(name, 12.0) + 18.0;
-            words.push(format!("{name} in {} rows", points.len()));
+            words.push(say!(self.language, "{name} in {rows} rows", name = name, rows = points.len()));
         }
         svg.finish(axes.bottom + 42.0, &self.title, &words.join("; "))
     }

@@ -5,17 +5,16 @@ use tremolite_results::{StageSummary, Summary};
 
 use crate::axes::Axes;
 use crate::figure::{Block, Figure};
+use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::Scale;
-use crate::stage_name::called;
+use crate::stage_name::{called, name};
 use crate::svg::{Anchor, Style, Svg};
 use crate::text_table::{Cell, Head, TextTable};
 use crate::ticks::Ticks;
 
-const HEADING: &str = "Convergence";
 /// Points side by side in one table.
 const ABREAST: usize = 5;
-const CLOSURE: &str = "wall to wall";
 
 /// A named point of a cavern.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +68,17 @@ fn parts(key: &str) -> (String, String, Option<(usize, f64)>) {
 }
 
 impl Point {
+    /// What it is called on the page.
+    pub fn called(&self, language: Language) -> String {
+        match self.label.as_str() {
+            "crown" => say!(language, "crown"),
+            "floor" => say!(language, "floor"),
+            "wall left" => say!(language, "wall left"),
+            "wall right" => say!(language, "wall right"),
+            other => other.to_owned(),
+        }
+    }
+
     /// Displacement since the initial equilibrium (m); zero where that has just ended, by definition.
     pub fn moved(&self, stages: &[StageSummary], k: usize) -> [f64; 3] {
         let nothing = if k == 0 { [0.0; 3] } else { [f64::NAN; 3] };
@@ -100,66 +110,88 @@ fn closure(stages: &[StageSummary], (left, right): (&Point, &Point), k: usize) -
 }
 
 /// What a closure is called beside others.
-fn closure_name(pairs: &[(&Point, &Point)], k: usize) -> String {
-    if pairs.len() == 1 { CLOSURE.into() } else { format!("{CLOSURE}, {}", pairs[k].0.label) }
+fn closure_name(language: Language, pairs: &[(&Point, &Point)], k: usize) -> String {
+    if pairs.len() == 1 {
+        say!(language, "wall to wall")
+    } else {
+        say!(language, "wall to wall, {wall}", wall = pairs[k].0.called(language))
+    }
 }
 
 /// The block; nothing for a run without stages after the first.
-pub fn block(facts: &Summary) -> Option<Block> {
+pub fn block(language: Language, facts: &Summary) -> Option<Block> {
     let stages = &facts.stages;
     if stages.len() < 2 {
         return None;
     }
     let caverns = caverns(stages);
-    let mut block = Block { heading: HEADING.into(), ..Block::default() };
+    let mut block = Block { heading: say!(language, "Convergence"), ..Block::default() };
     if caverns.is_empty() {
-        block.notes.push("Left out. The summary names no points of walls.".into());
+        block.notes.push(say!(language, "Left out. The summary names no points of walls."));
         return Some(block);
     }
-    block.text = "Displacement of the rock nearest to each named point since the initial equilibrium. In the figures motion towards \
+    block.text = say!(
+        language,
+        "Displacement of the rock nearest to each named point since the initial equilibrium. In the figures motion towards \
                   the opening is positive: crown down, floor up, the left wall (smaller x) to the right, the right one to the \
                   left. Wall to wall: how much nearer the two walls came. Motion should follow the excavation; \
                   where it goes on growing without any, or one wall runs away from the others, take a second look."
-        .into();
+    );
     for (number, (cavern, points)) in caverns.iter().enumerate() {
         if points.iter().any(|p| p.inward.is_some()) {
-            block.figures.push(figure(stages, cavern, points, number));
+            block.figures.push(figure(language, stages, cavern, points, number));
         } else {
-            block.notes.push(format!(
-                "{}: no figure, since no name says crown, wall left, wall right or floor.",
-                if cavern.is_empty() { "Points" } else { cavern }
-            ));
+            block.notes.push(if cavern.is_empty() {
+                say!(language, "Points: no figure, since no name says crown, wall left, wall right or floor.")
+            } else {
+                say!(
+                    language,
+                    "{cavern}: no figure, since no name says crown, wall left, wall right or floor.",
+                    cavern = cavern
+                )
+            });
         }
     }
     block.tables = caverns
         .iter()
         .flat_map(|(cavern, points)| points.chunks(ABREAST).map(move |points| (cavern, points)))
-        .map(|(cavern, points)| table(stages, cavern, points))
+        .map(|(cavern, points)| table(language, stages, cavern, points))
         .collect();
     Some(block)
 }
 
-fn figure(stages: &[StageSummary], cavern: &str, points: &[Point], number: usize) -> Figure {
+fn figure(
+    language: Language,
+    stages: &[StageSummary],
+    cavern: &str,
+    points: &[Point],
+    number: usize,
+) -> Figure {
     let mut curves: Vec<Curve> = Vec::new();
     // The dark colour is that of the closure.
     let mut colours = (0..).filter(|k| *k != 3);
     for point in points.iter().filter(|p| p.inward.is_some()) {
         let values = (0..stages.len()).map(|k| (k as f64, point.inwards(stages, k).unwrap_or(f64::NAN)));
-        curves.push(Curve::new(&point.label, colours.next().unwrap_or(0), Pen::Marked, values.collect()));
+        let (name, colour) = (point.called(language), colours.next().unwrap_or(0));
+        curves.push(Curve::new(name, colour, Pen::Marked, values.collect()));
     }
     let pairs = facing(points);
     for (k, pair) in pairs.iter().enumerate() {
         let values = (0..stages.len()).map(|k| (k as f64, closure(stages, *pair, k)));
-        curves.push(Curve::new(closure_name(&pairs, k), 3, Pen::Dashed, values.collect()));
+        curves.push(Curve::new(closure_name(language, &pairs, k), 3, Pen::Dashed, values.collect()));
     }
     let (low, high) = plot::ranges(&curves).1;
     let scale = Scale::suiting("m", low.abs().max(high.abs()));
     for point in curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()) {
         point.1 *= scale.factor;
     }
-    let what = if cavern.is_empty() { String::new() } else { format!("{cavern}: ") };
-    let heading = scale.labelled(&format!("{what}motion towards the opening"));
-    let names: Vec<&str> = stages.iter().map(|stage| stage.name.as_str()).collect();
+    let heading = scale.labelled(&if cavern.is_empty() {
+        say!(language, "motion towards the opening")
+    } else {
+        say!(language, "{name}: motion towards the opening", name = cavern)
+    });
+    let names: Vec<String> = stages.iter().map(|stage| name(language, &stage.name)).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let mut svg = Svg::new(WIDTH);
     let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &heading, &curves);
     let axes = Axes {
@@ -171,13 +203,8 @@ fn figure(stages: &[StageSummary], cavern: &str, points: &[Point], number: usize
         up: Ticks::around((low * scale.factor).min(0.0), (high * scale.factor).max(0.0), 6),
     };
     plot::draw(&mut svg, &axes, &curves);
-    svg.text(
-        (WIDTH - RIGHT, axes.bottom + 34.0),
-        Anchor::End,
-        12.0,
-        Style::Muted,
-        "at the end of each stage",
-    );
+    let along = say!(language, "at the end of each stage");
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &along);
     let file =
         format!("convergence{}.svg", if number == 0 { String::new() } else { format!("-{}", number + 1) });
     let most = points
@@ -185,33 +212,45 @@ fn figure(stages: &[StageSummary], cavern: &str, points: &[Point], number: usize
         .filter_map(|p| Some((p, p.inwards(stages, stages.len() - 1).filter(|x| x.is_finite())?)))
         .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
     let caption = most.map_or(String::new(), |(point, moved)| {
-        let way = if moved < 0.0 { "away from" } else { "towards" };
-        let end = called(stages.len() - 1, &stages[stages.len() - 1]);
-        format!(
-            "Most at the end ({end}): {}, {} {way} the opening.",
-            point.label,
-            scale.quantity(moved.abs())
-        )
+        let end = called(language, stages.len() - 1, &stages[stages.len() - 1]);
+        let (point, size) = (point.called(language), scale.quantity(moved.abs()));
+        if moved < 0.0 {
+            say!(
+                language,
+                "Most at the end ({end}): {point}, {size} away from the opening.",
+                end = end,
+                point = point,
+                size = size
+            )
+        } else {
+            say!(
+                language,
+                "Most at the end ({end}): {point}, {size} towards the opening.",
+                end = end,
+                point = point,
+                size = size
+            )
+        }
     });
     let svg = svg.finish(axes.bottom + 42.0, &heading, &caption);
-    Figure { heading: HEADING.into(), file, svg, caption }
+    Figure { heading: say!(language, "Convergence"), file, svg, caption }
 }
 
 /// Both components of each point, by stage.
-fn table(stages: &[StageSummary], cavern: &str, points: &[Point]) -> TextTable {
+fn table(language: Language, stages: &[StageSummary], cavern: &str, points: &[Point]) -> TextTable {
     let all = || (0..stages.len()).flat_map(|k| points.iter().flat_map(move |p| p.moved(stages, k)));
     let most = all().filter(|x| x.is_finite()).fold(0.0, |most: f64, x| most.max(x.abs()));
     let scale = Scale::suiting("m", most);
     let pairs = facing(points);
     let mut over = vec![Head::words(""), Head::words(scale.labelled(cavern).trim())];
-    let mut head = vec![Head::number("#"), Head::words("stage")];
+    let mut head = vec![Head::number("#"), Head::words(say!(language, "stage"))];
     for point in points {
-        over.push(Head::number(&point.label).over(2));
-        head.extend([Head::number("x"), Head::number("z, up")]);
+        over.push(Head::number(point.called(language)).over(2));
+        head.extend([Head::number("x"), Head::number(say!(language, "z, up"))]);
     }
     for k in 0..pairs.len() {
-        over.push(Head::number(closure_name(&pairs, k)));
-        head.push(Head::number("closer by"));
+        over.push(Head::number(closure_name(language, &pairs, k)));
+        head.push(Head::number(say!(language, "closer by")));
     }
     // A tenth of a percent of the largest is as fine as the method.
     let decimals = (2 - (most * scale.factor).max(1e-9).log10().floor() as i32).clamp(0, 6) as usize;

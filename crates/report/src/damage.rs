@@ -3,12 +3,13 @@
 use serde::Serialize;
 use tremolite_results::{Cracks, Damaged, GroupDamage, Onset, Summary};
 
+use crate::language::{Language, say};
 use crate::scale::{figures, moment, quantity, trimmed};
 
 /// Measures with the same thresholds in all groups whose laws have one of them.
 #[derive(Serialize)]
 pub struct DamageTable {
-    pub heading: &'static str,
+    pub heading: String,
     /// Thresholds, one a column.
     pub thresholds: Vec<String>,
     pub rows: Vec<DamageRow>,
@@ -54,26 +55,31 @@ pub struct CrackRow {
 }
 
 /// What a measure is called on the page; measures that this version does not know keep their names.
-pub fn heading(measure: &str) -> String {
+pub fn heading(language: Language, measure: &str) -> String {
     match measure {
-        "d_tension" => "Cracked, D⁺".into(),
-        "d_shear" => "Crushed or sheared, D⁻".into(),
-        "d_b_max" => "Mean of both, D_b".into(),
-        "plastic_shear_strain" => "Yielded in shear".into(),
-        "plastic_tension_strain" => "Yielded in tension".into(),
+        "d_tension" => say!(language, "Cracked, D⁺"),
+        "d_shear" => say!(language, "Crushed or sheared, D⁻"),
+        "d_b_max" => say!(language, "Mean of both, D_b"),
+        "plastic_shear_strain" => say!(language, "Yielded in shear"),
+        "plastic_tension_strain" => say!(language, "Yielded in tension"),
         other => other.into(),
     }
 }
 
 /// One table for damage and one for yielding, as far as the summary has them.
-pub fn tables(summary: &Summary) -> Vec<DamageTable> {
-    let damage = table(summary, "Damage of concrete", |measure| !measure.starts_with("plastic_"));
-    let plastic =
-        table(summary, "Yielding of rock: plastic strain", |measure| measure.starts_with("plastic_"));
-    [damage, plastic].into_iter().flatten().collect()
+pub fn tables(language: Language, summary: &Summary) -> Vec<DamageTable> {
+    let plastic = |measure: &str| measure.starts_with("plastic_");
+    let damage = table(language, summary, say!(language, "Damage of concrete"), |measure| !plastic(measure));
+    let yielding = table(language, summary, say!(language, "Yielding of rock: plastic strain"), plastic);
+    [damage, yielding].into_iter().flatten().collect()
 }
 
-fn table(summary: &Summary, heading: &'static str, wanted: impl Fn(&str) -> bool) -> Option<DamageTable> {
+fn table(
+    language: Language,
+    summary: &Summary,
+    heading: String,
+    wanted: impl Fn(&str) -> bool,
+) -> Option<DamageTable> {
     let measures = |group: &GroupDamage| -> Vec<(String, Damaged)> {
         let own = group.measures.iter().filter(|(name, _)| wanted(name));
         own.map(|(name, damaged)| (name.clone(), damaged.clone())).collect()
@@ -93,7 +99,7 @@ fn table(summary: &Summary, heading: &'static str, wanted: impl Fn(&str) -> bool
         let own: Vec<(String, DamageRow)> = measures(group)
             .into_iter()
             .map(|(measure, damaged)| {
-                let row = row(&measure, &damaged, group.volume, &thresholds, duration);
+                let row = row(language, &measure, &damaged, (group.volume, duration), &thresholds);
                 (measure, row)
             })
             .collect();
@@ -123,21 +129,28 @@ fn table(summary: &Summary, heading: &'static str, wanted: impl Fn(&str) -> bool
     }
     let mut notes = Vec::new();
     if repeated > 0 {
-        notes.push("D_b, the mean of both, is not listed where it equals D⁺.");
+        notes.push(say!(language, "D_b, the mean of both, is not listed where it equals D⁺."));
     }
     if idled > 0 {
-        notes.push("Measures that stayed zero are not listed.");
+        notes.push(say!(language, "Measures that stayed zero are not listed."));
     }
-    let note = notes.join(" ");
+    let note = notes.join(&say!(language, " "));
     (!rows.is_empty()).then_some(DamageTable { heading, thresholds, rows, note })
 }
 
-fn row(measure: &str, damaged: &Damaged, volume: f64, thresholds: &[String], duration: f64) -> DamageRow {
-    let (time, place) = damaged.first.map_or(("–".into(), String::new()), |first| when(&first, duration));
+fn row(
+    language: Language,
+    measure: &str,
+    damaged: &Damaged,
+    (volume, duration): (f64, f64),
+    thresholds: &[String],
+) -> DamageRow {
+    let (time, place) =
+        damaged.first.map_or(("–".into(), String::new()), |first| when(language, &first, duration));
     DamageRow {
         group: String::new(),
         volume: String::new(),
-        measure: heading(measure),
+        measure: heading(language, measure),
         beyond: thresholds.iter().map(|t| share(damaged, t, volume)).collect(),
         largest: trimmed(&figures(damaged.largest, 3)),
         time,
@@ -146,13 +159,13 @@ fn row(measure: &str, damaged: &Damaged, volume: f64, thresholds: &[String], dur
 }
 
 /// A time, and an element with its place.
-fn when(onset: &Onset, duration: f64) -> (String, String) {
-    (format!("{}\u{a0}s", moment(onset.time, duration)), place(onset.element, onset.at))
+fn when(language: Language, onset: &Onset, duration: f64) -> (String, String) {
+    (format!("{}\u{a0}s", moment(onset.time, duration)), place(language, onset.element, onset.at))
 }
 
-fn place(element: u64, at: [f64; 3]) -> String {
+fn place(language: Language, element: u64, at: [f64; 3]) -> String {
     let [x, y, z] = at.map(|x| trimmed(&format!("{x:.1}").replace('-', "−")));
-    format!("element\u{a0}{element} ({x},\u{a0}{y},\u{a0}{z})")
+    say!(language, "element\u{a0}{element} ({x},\u{a0}{y},\u{a0}{z})", element = element, x = x, y = y, z = z)
 }
 
 fn share(damaged: &Damaged, threshold: &str, volume: f64) -> Share {
@@ -176,19 +189,19 @@ pub fn opening(cracks: &Cracks) -> String {
 }
 
 /// The cracks of each group that has any.
-pub fn cracks(summary: &Summary) -> Vec<CrackRow> {
+pub fn cracks(language: Language, summary: &Summary) -> Vec<CrackRow> {
     let duration = summary.model.duration;
     let found = summary.damage.iter().filter_map(|(name, group)| {
         let cracks = group.cracks.as_ref()?;
-        let (time, place_of) = when(cracks.widest.as_ref()?, duration);
+        let (time, place_of) = when(language, cracks.widest.as_ref()?, duration);
         Some(CrackRow {
             group: name.clone(),
             through: if cracks.stacks > 0 {
-                format!("{} of {}", cracks.through, cracks.stacks)
+                say!(language, "{through} of {all}", through = cracks.through, all = cracks.stacks)
             } else {
                 "–".into()
             },
-            through_at: cracks.through_at.map_or(String::new(), |p| place(p.element, p.at)),
+            through_at: cracks.through_at.map_or(String::new(), |p| place(language, p.element, p.at)),
             opening: opening(cracks),
             time,
             place: place_of,

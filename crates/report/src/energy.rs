@@ -1,36 +1,26 @@
 //! Figure of the energy balance: every line over time, and below it the error.
 
-use tremolite_results::{Table, TrustLine};
+use std::borrow::Cow;
 
-use crate::chart::{Chart, Line, Mark, Panel, Stroke};
-use crate::figure::{Figure, Section};
-use crate::scale::{Scale, figures, quantity};
+use tremolite_results::Table;
+
+use crate::apart::{self, Titles};
+use crate::chart::{Line, Mark, Panel, Stroke};
+use crate::figure::Section;
+use crate::language::{Language, say};
+use crate::scale::figures;
 use crate::source::Source;
+use crate::units::Kind;
 
-const HEADING: &str = "Energy balance";
 /// The dark one; the other lines pass it over.
 const ERROR_COLOUR: usize = 3;
 
-/// Lines of interfaces, with what they are called on the page.
-const OF_INTERFACES: [(&str, &str); 4] = [
-    ("interface", "held by interfaces"),
-    ("friction", "friction and broken bonds of interfaces"),
-    ("created_by_interface", "created by interface laws"),
-    ("contact_damping", "contact damping"),
-];
-
-/// Lines of bolts, likewise.
-const OF_BOLTS: [(&str, &str); 3] = [
-    ("bolts", "held by bolts and their bonds"),
-    ("bolt_friction", "bonds of bolts that slide"),
-    ("bolt_plastic", "bolts that yield and break"),
-];
-
-/// Work through sides that follow the free field, positive into the model, and what it is called on the page.
-const FREE_FIELD: (&str, &str) = ("free_field", "work through the sides");
-/// Dashpots of viscous sides and a viscous top; beside free-field sides, whose dashpots are in [`FREE_FIELD`], what they are
-/// called.
-const SIDE_DASHPOTS: (&str, &str) = ("side_dashpots", "dashpots of viscous sides and top");
+/// Lines of interfaces.
+const OF_INTERFACES: [&str; 4] = ["interface", "friction", "created_by_interface", "contact_damping"];
+/// Lines of bolts: what they hold, and what they have taken.
+const OF_BOLTS: [&str; 3] = ["bolts", "bolt_friction", "bolt_plastic"];
+/// Work through sides that follow the free field, positive into the model.
+const FREE_FIELD: &str = "free_field";
 /// Of the check that takes the scheme's own part out of the error.
 const ERROR_CHECK: &str = "energy_error";
 /// The line behind which it stands: what else waves bring in.
@@ -61,22 +51,43 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
-/// What a line of a table is called on the page; its own name where that says it.
-fn words(line: &str, table: &Table) -> String {
-    let beside = table.column(FREE_FIELD.0).map(|_| &SIDE_DASHPOTS);
-    let known = OF_INTERFACES
-        .iter()
-        .chain(&OF_BOLTS)
-        .chain([&FREE_FIELD])
-        .chain(beside)
-        .find(|(name, _)| *name == line);
-    known.map_or_else(|| line.replace('_', " "), |(_, words)| (*words).to_owned())
+/// What a line of a table is called on the page; its own name where this version does not know it.
+fn words(line: &str, table: &Table, language: Language) -> String {
+    match line {
+        "kinetic" => say!(language, "kinetic"),
+        "strain" => say!(language, "strain"),
+        "hourglass" => say!(language, "hourglass"),
+        "dissipated" => say!(language, "dissipated"),
+        "created_by_law" => say!(language, "created by law"),
+        "band_damping" => say!(language, "band damping"),
+        "artificial_viscosity" => say!(language, "artificial viscosity"),
+        "interface" => say!(language, "held by interfaces"),
+        "friction" => say!(language, "friction and broken bonds of interfaces"),
+        "created_by_interface" => say!(language, "created by interface laws"),
+        "contact_damping" => say!(language, "contact damping"),
+        "bolts" => say!(language, "held by bolts and their bonds"),
+        "bolt_friction" => say!(language, "bonds of bolts that slide"),
+        "bolt_plastic" => say!(language, "bolts that yield and break"),
+        "rayleigh_damping" => say!(language, "rayleigh damping"),
+        "base_dashpots" => say!(language, "base dashpots"),
+        // Beside free-field sides, whose dashpots are in the line of those.
+        "side_dashpots" if table.column(FREE_FIELD).is_some() => {
+            say!(language, "dashpots of viscous sides and top")
+        }
+        "side_dashpots" => say!(language, "side dashpots"),
+        "base_springs" => say!(language, "base springs"),
+        FREE_FIELD => say!(language, "work through the sides"),
+        "input" => say!(language, "input"),
+        "initial" => say!(language, "initial"),
+        "error" => say!(language, "error"),
+        other => other.replace('_', " "),
+    }
 }
 
 /// All lines but the error, in the order of the table; work through the sides beside the input.
 fn in_order(table: &Table) -> Vec<(&str, &[f64])> {
     let mut all: Vec<_> = lines(table).collect();
-    if let Some(from) = all.iter().position(|(name, _)| *name == FREE_FIELD.0) {
+    if let Some(from) = all.iter().position(|(name, _)| *name == FREE_FIELD) {
         let through_sides = all.remove(from);
         let behind = all.iter().position(|(name, _)| *name == INPUT).map_or(from, |k| k + 1);
         all.insert(behind, through_sides);
@@ -84,132 +95,140 @@ fn in_order(table: &Table) -> Vec<(&str, &[f64])> {
     all
 }
 
-/// What has come in through sides that follow the free field; empty without them.
-fn through_sides(table: &Table) -> String {
-    let Some(values) = table.column(FREE_FIELD.0) else { return String::new() };
+/// What has come in through sides that follow the free field.
+fn through_sides(source: &Source, table: &Table) -> Option<String> {
+    let values = table.column(FREE_FIELD)?;
     let finite = || values.iter().copied().filter(|x| x.is_finite());
-    let Some(end) = finite().next_back() else { return String::new() };
-    format!(
-        " Work through the sides is that of the ground outside free-field sides on the model: of its forces, beyond those at \
-         the start, and of the dashpots between. It counts into the model: {} at the end, between {} and {} over the run. \
-         Level ground without caverns passes on next to nothing of the input; far below zero are scattered waves that leave.",
-        quantity("J", end),
-        quantity("J", finite().fold(f64::INFINITY, f64::min)),
-        quantity("J", finite().fold(f64::NEG_INFINITY, f64::max))
-    )
+    let energy = |value: f64| source.quantity(Kind::Energy, value);
+    Some(say!(
+        source.language,
+        "Work through the sides is that of the ground outside free-field sides on the model: of its forces, beyond those at \
+         the start, and of the dashpots between. It counts into the model: {end} at the end, between {least} and {most} over \
+         the run. Level ground without caverns passes on next to nothing of the input; far below zero are scattered waves that \
+         leave.",
+        end = energy(finite().next_back()?),
+        least = energy(finite().fold(f64::INFINITY, f64::min)),
+        most = energy(finite().fold(f64::NEG_INFINITY, f64::max))
+    ))
 }
 
-/// How the error that is drawn and that of the check differ; empty without the check.
-fn beside_check(source: &Source) -> String {
+/// How the error that is drawn and that of the check differ.
+fn beside_check(source: &Source) -> Option<String> {
     let facts = source.facts();
-    let check = facts.trust.iter().find(|line| line.id == ERROR_CHECK && !line.not_applicable);
-    let text = |line: &TrustLine| {
-        format!(
-            " It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check '{}' leaves that out, so its \
-             number is another.",
-            line.name
-        )
-    };
-    check.map_or(String::new(), text)
+    facts.trust.iter().find(|line| line.id == ERROR_CHECK && !line.not_applicable)?;
+    Some(say!(
+        source.language,
+        "It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check of the balance leaves that out, so \
+         its number is another."
+    ))
 }
 
-/// What interfaces hold and have taken at the end of the table; empty without them.
-fn of_interfaces(table: &Table) -> String {
-    let last = |line: &str| table.column(line).and_then(|values| values.last()).copied();
-    let (Some(held), Some(friction)) = (last("interface"), last("friction")) else { return String::new() };
-    let mut text = format!(
-        " At the end interfaces hold {}; friction and broken bonds have taken {}",
-        quantity("J", held),
-        quantity("J", friction)
+/// What interfaces hold and have taken at the end of the table.
+fn of_interfaces(source: &Source, table: &Table) -> Option<String> {
+    let language = source.language;
+    let last = |line: &str| table.column(line)?.last().map(|value| source.quantity(Kind::Energy, *value));
+    let mut text = say!(
+        language,
+        "At the end interfaces hold {held}; friction and broken bonds have taken {friction}.",
+        held = last("interface")?,
+        friction = last("friction")?
     );
     if let Some(damping) = last("contact_damping") {
-        text.push_str(&format!(", contact damping {}", quantity("J", damping)));
+        let more = say!(language, "Contact damping has taken {damping}.", damping = damping);
+        text = join(language, &text, &more);
     }
     if let Some(created) = last("created_by_interface") {
-        text.push_str(&format!("; their laws have given out {} that nobody put in", quantity("J", created)));
+        let more = say!(
+            language,
+            "Laws of interfaces have given out {created} that nobody put in.",
+            created = created
+        );
+        text = join(language, &text, &more);
     }
-    text.push('.');
-    text
+    Some(text)
 }
 
-/// What bolts hold and have taken at the end of the table; empty without them.
-fn of_bolts(table: &Table) -> String {
-    let last = |line: &str| table.column(line).and_then(|values| values.last()).copied();
-    let [Some(held), Some(friction), Some(plastic)] = OF_BOLTS.map(|(line, _)| last(line)) else {
-        return String::new();
-    };
-    let [held, friction, plastic] = [held, friction, plastic].map(|x| quantity("J", x));
-    format!(" At the end bolts hold {held}; their bonds have taken {friction}, their yield {plastic}.")
+/// What bolts hold and have taken at the end of the table.
+fn of_bolts(source: &Source, table: &Table) -> Option<String> {
+    let last = |line: &str| table.column(line)?.last().map(|value| source.quantity(Kind::Energy, *value));
+    let [held, friction, plastic] = OF_BOLTS.map(last);
+    Some(say!(
+        source.language,
+        "At the end bolts hold {held}; their bonds have taken {friction}, their yield {plastic}.",
+        held = held?,
+        friction = friction?,
+        plastic = plastic?
+    ))
+}
+
+fn join(language: Language, first: &str, second: &str) -> String {
+    say!(language, "{first} {second}", first = first, second = second)
+}
+
+fn panel<'a>(source: &Source, title: String, lines: Vec<Line<'a>>) -> Panel<'a> {
+    Panel { title, scale: source.scale(Kind::Energy), lines, mark: Mark::Largest }
 }
 
 /// The section of the page.
-pub fn section<'a>(source: &'a Source) -> Section {
+pub fn section(source: &Source) -> Section {
+    let language = source.language;
+    let heading = say!(language, "Energy balance");
     let table = match &source.energy {
         Ok(table) => table,
-        Err(why) => return Section::left_out(HEADING, why),
+        Err(why) => return Section::left_out(&heading, why),
     };
     let most = lines(table).map(|(_, values)| largest(values)).fold(0.0, f64::max);
     if most == 0.0 {
-        return Section::left_out(HEADING, "energy.csv holds no line that is not zero.");
+        return Section::left_out(&heading, say!(language, "energy.csv holds no line that is not zero."));
     }
     let (drawn, idle): (Vec<_>, Vec<_>) =
         in_order(table).into_iter().partition(|(_, values)| largest(values) > 0.0);
-    // Those of interfaces and bolts are small beside what goes through the model, and want scales of their own.
-    let is_of = |lines: &[(&str, &str)], name: &str| lines.iter().any(|(line, _)| *line == name);
+    // Those of interfaces and bolts are small beside what goes through the model, and want axes of their own.
     let (contact, drawn): (Vec<_>, Vec<_>) =
-        drawn.into_iter().partition(|(name, _)| is_of(&OF_INTERFACES, name));
-    let (bolts, drawn): (Vec<_>, Vec<_>) = drawn.into_iter().partition(|(name, _)| is_of(&OF_BOLTS, name));
+        drawn.into_iter().partition(|(name, _)| OF_INTERFACES.contains(name));
+    let (bolts, drawn): (Vec<_>, Vec<_>) = drawn.into_iter().partition(|(name, _)| OF_BOLTS.contains(name));
     let mut colours = (0..).filter(|k| *k != ERROR_COLOUR);
-    let mut panels = Vec::new();
-    for (title, lines) in [("energy", drawn), ("energy of interfaces", contact), ("energy of bolts", bolts)] {
-        let most = lines.iter().map(|(_, values)| largest(values)).fold(0.0, f64::max);
-        let line = |((name, values), colour): ((&'a str, &'a [f64]), usize)| Line {
-            name: words(name, table),
-            values: values.into(),
-            colour,
-            stroke: Stroke::Thin,
-        };
-        let lines: Vec<Line> = lines.into_iter().zip(colours.by_ref()).map(line).collect();
-        if !lines.is_empty() {
-            panels.push(Panel {
-                title: title.into(),
-                scale: Scale::suiting("J", most),
-                lines,
-                mark: Mark::Largest,
-            });
-        }
-    }
-    let mut caption = match (table.column("error"), worst_error(table)) {
-        (Some(error), Some((worst, ratio))) => {
-            let line = Line {
-                name: "error".into(),
-                values: error.into(),
-                colour: ERROR_COLOUR,
-                stroke: Stroke::Thin,
-            };
-            panels.push(Panel {
-                title: "error".into(),
-                scale: Scale::suiting("J", worst),
-                lines: vec![line],
-                mark: Mark::Largest,
-            });
-            let percent = figures(100.0 * ratio, 2);
-            format!(
-                "The error is at most {}, {percent}\u{a0}% of the largest energy held.{}",
-                quantity("J", worst),
-                beside_check(source)
-            )
-        }
-        _ => "energy.csv has no column error.".into(),
+    let line = |name: &str, values, colour| Line {
+        name: words(name, table, language),
+        values: Cow::Borrowed(values),
+        colour,
+        stroke: Stroke::Thin,
     };
-    caption.push_str(&through_sides(table));
-    caption.push_str(&of_interfaces(table));
-    caption.push_str(&of_bolts(table));
-    if !idle.is_empty() {
-        let names = idle.iter().map(|(name, _)| words(name, table)).collect::<Vec<_>>().join(", ");
-        caption.push_str(&format!(" Zero throughout: {names}."));
+    let mut panels = Vec::new();
+    for (title, own) in [
+        (say!(language, "energy"), drawn),
+        (say!(language, "energy of interfaces"), contact),
+        (say!(language, "energy of bolts"), bolts),
+    ] {
+        let own = own.into_iter().zip(colours.by_ref());
+        let own: Vec<Line> = own.map(|((name, values), colour)| line(name, values, colour)).collect();
+        if !own.is_empty() {
+            panels.push(panel(source, title, own));
+        }
     }
-    let time = table.column("time").unwrap_or(&[]);
-    let svg = Chart { title: HEADING.into(), time, panels }.draw();
-    Section::Drawn(vec![Figure { heading: HEADING.into(), file: "energy.svg".into(), svg, caption }])
+    let mut said = Vec::new();
+    match (table.column("error"), worst_error(table)) {
+        (Some(error), Some((worst, ratio))) => {
+            let error = line("error", error, ERROR_COLOUR);
+            panels.push(panel(source, say!(language, "error"), vec![error]));
+            said.push(say!(
+                language,
+                "The error is at most {worst}, {percent}\u{a0}% of the largest energy held.",
+                worst = source.quantity(Kind::Energy, worst),
+                percent = figures(100.0 * ratio, 2)
+            ));
+            said.extend(beside_check(source));
+        }
+        _ => said.push(say!(language, "{file} has no column {key}.", file = "energy.csv", key = "error")),
+    }
+    said.extend(through_sides(source, table));
+    said.extend(of_interfaces(source, table));
+    said.extend(of_bolts(source, table));
+    if !idle.is_empty() {
+        let names: Vec<String> = idle.iter().map(|(name, _)| words(name, table, language)).collect();
+        said.push(say!(language, "Zero throughout: {names}.", names = names.join(", ")));
+    }
+    let caption = said.into_iter().reduce(|a, b| join(language, &a, &b)).unwrap_or_default();
+    let titles = Titles { heading: &heading, file: "energy", caption: &caption };
+    Section::Drawn(apart::figures(language, &titles, table.column("time").unwrap_or(&[]), panels))
 }

@@ -30,6 +30,15 @@ impl Section {
         Section::LeftOut { heading: heading.into(), why: why.into() }
     }
 
+    /// Its heading; that of its first figure.
+    pub fn heading(&self) -> &str {
+        match self {
+            Section::Drawn(figures) => figures.first().map_or("", |figure| &figure.heading),
+            Section::Told(chapter) => &chapter.heading,
+            Section::LeftOut { heading, .. } => heading,
+        }
+    }
+
     /// All its figures.
     pub fn figures(&self) -> Vec<&Figure> {
         match self {

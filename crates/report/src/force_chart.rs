@@ -2,7 +2,8 @@
 
 use crate::axes::Axes;
 use crate::figure::Figure;
-use crate::lining::{Extreme, FORCES, KILO, Lining, Station, distance, joints};
+use crate::language::{Language, say};
+use crate::lining::{Extreme, KILO, Lining, Station, distance, forces, joints};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::trimmed;
 use crate::svg::{Anchor, Style, Svg, text_width};
@@ -12,7 +13,12 @@ use crate::ticks::Ticks;
 pub const COLOURS: [usize; 3] = [3, 1, 0];
 
 /// The figure of one section; nothing for fewer than two stations.
-pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -> Option<Figure> {
+pub fn figure(
+    language: Language,
+    lining: &Lining,
+    (y, section): (f64, &[&Station]),
+    suffix: &str,
+) -> Option<Figure> {
     if section.len() < 2 || !section.iter().any(|s| s.after[0].is_finite() || s.least.is_some()) {
         return None;
     }
@@ -23,12 +29,11 @@ pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -
         }))
         .collect();
     let end = along[along.len() - 1];
-    let title = format!("{}: forces along the lining", lining.name);
+    let title = say!(language, "{lining}: forces along the lining", lining = lining.name);
     let mut svg = Svg::new(WIDTH);
     let mut top = 0.0;
-    for (i, (symbol, name, unit)) in FORCES.into_iter().enumerate() {
-        let mut curves = curves(lining, section, &along, i);
-        let heading = format!("{symbol}, {name} ({unit})");
+    for (i, heading) in forces(language).into_iter().enumerate() {
+        let mut curves = curves(language, lining, section, &along, i);
         if i > 0 {
             curves.iter_mut().for_each(|curve| curve.name.clear());
         }
@@ -43,31 +48,40 @@ pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -
             across: Ticks::within(0.0, end, 12),
             up: Ticks::around(low.min(0.0), high.max(0.0), 5),
         };
-        for (k, words) in landmarks(section) {
+        for (k, words) in landmarks(language, section) {
             let (x, _) = axes.point(along[k], 0.0);
             svg.rule((x, top - if i == 0 { 4.0 } else { 0.0 }), (x, axes.bottom), true);
             if i == 0 {
-                let half = 0.5 * text_width(words, 11.0);
+                let half = 0.5 * text_width(&words, 11.0);
                 let x = x.clamp(LEFT + half, WIDTH - RIGHT - half);
-                svg.text((x, top - 7.0), Anchor::Middle, 11.0, Style::Muted, words);
+                svg.text((x, top - 7.0), Anchor::Middle, 11.0, Style::Muted, &words);
             }
         }
         plot::draw(&mut svg, &axes, &curves);
         top = axes.bottom + 26.0;
     }
-    svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, "along the lining (m)");
-    let caption = format!(
-        "Section y = {}\u{a0}m, {} stations going round from below by the wall of greater x over the crown. Lines break where \
+    let words = say!(language, "along the lining (m)");
+    svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, &words);
+    let mut caption = say!(
+        language,
+        "Section y = {y}\u{a0}m, {number} stations going round from below by the wall of greater x over the crown. Lines break where \
          stations are missing, as where walls meet.",
-        trimmed(&format!("{y:.2}").replace('-', "−")),
-        section.len()
+        y = trimmed(&format!("{y:.2}").replace('-', "−")),
+        number = section.len()
     );
-    let svg = svg.finish(top + 16.0, &title, "thrust, moment and shear over the length along the lining");
+    if lining.shaken() {
+        caption.push_str(&say!(
+            language,
+            " What lies between the line after the stages and those of the shaking is what the earthquake adds."
+        ));
+    }
+    let description = say!(language, "thrust, moment and shear over the length along the lining");
+    let svg = svg.finish(top + 16.0, &title, &description);
     Some(Figure { heading: title, file: format!("lining-forces{suffix}.svg"), svg, caption })
 }
 
 /// What is drawn of a force: after the stages, largest, smallest.
-fn curves(lining: &Lining, section: &[&Station], along: &[f64], i: usize) -> Vec<Curve> {
+fn curves(language: Language, lining: &Lining, section: &[&Station], along: &[f64], i: usize) -> Vec<Curve> {
     let after = |s: &Station| s.after[i];
     let extreme = |of: Option<Extreme>| of.map_or(f64::NAN, |e| e.forces[i]);
     let most = |s: &Station| extreme(s.most);
@@ -75,8 +89,8 @@ fn curves(lining: &Lining, section: &[&Station], along: &[f64], i: usize) -> Vec
     type Of<'a> = &'a dyn Fn(&Station) -> f64;
     let wanted: [(String, Of); 3] = [
         (lining.after.clone(), &after),
-        ("largest while the ground shakes".into(), &most),
-        ("smallest while the ground shakes".into(), &least),
+        (say!(language, "largest while the ground shakes"), &most),
+        (say!(language, "smallest while the ground shakes"), &least),
     ];
     let curve = |(k, (name, of)): (usize, (String, Of))| {
         let mut pieces = vec![Vec::new()];
@@ -97,7 +111,7 @@ fn curves(lining: &Lining, section: &[&Station], along: &[f64], i: usize) -> Vec
 }
 
 /// Stations by which one finds one's way.
-fn landmarks(section: &[&Station]) -> Vec<(usize, &'static str)> {
+fn landmarks(language: Language, section: &[&Station]) -> Vec<(usize, String)> {
     let ends = |of: &dyn Fn(&Station) -> f64| plot::range(section.iter().map(|s| of(s)));
     let ((left, right), (low, high)) = (ends(&|s| s.place[0]), ends(&|s| s.place[2]));
     let (x, z) = (0.5 * (left + right), 0.5 * (low + high));
@@ -106,9 +120,11 @@ fn landmarks(section: &[&Station]) -> Vec<(usize, &'static str)> {
         (0..section.len()).min_by(|a, b| away(section[*a]).total_cmp(&away(section[*b]))).unwrap_or(0)
     };
     let mut marks = Vec::new();
-    for (at, words) in
-        [([right, z], "wall of greater x"), ([x, high], "crown"), ([left, z], "wall of smaller x")]
-    {
+    for (at, words) in [
+        ([right, z], say!(language, "wall of greater x")),
+        ([x, high], say!(language, "crown")),
+        ([left, z], say!(language, "wall of smaller x")),
+    ] {
         let k = nearest(at);
         if !marks.iter().any(|(known, _)| *known == k) {
             marks.push((k, words));

@@ -2,7 +2,8 @@
 
 use crate::figure::Figure;
 use crate::force_chart::COLOURS;
-use crate::lining::{Extreme, FORCES, Lining, Station, joints, kilo};
+use crate::language::{Language, say};
+use crate::lining::{Extreme, Lining, Station, forces, joints, kilo};
 use crate::plot::{self, WIDTH};
 use crate::scale::trimmed;
 use crate::svg::{Anchor, Style, Svg, text_width};
@@ -18,7 +19,12 @@ const ROOM: f64 = 46.0;
 type Of<'a> = &'a dyn Fn(&Station) -> Option<f64>;
 
 /// The figure of one section; nothing for fewer than three stations, which have no shape.
-pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -> Option<Figure> {
+pub fn figure(
+    language: Language,
+    lining: &Lining,
+    (y, section): (f64, &[&Station]),
+    suffix: &str,
+) -> Option<Figure> {
     if section.len() < 3 || !section.iter().any(|s| s.after[0].is_finite() || s.least.is_some()) {
         return None;
     }
@@ -29,37 +35,38 @@ pub fn figure(lining: &Lining, (y, section): (f64, &[&Station]), suffix: &str) -
     let zoom = ((cell - 2.0 * margin) / (x.1 - x.0).max(1e-9))
         .min((TALLEST - 2.0 * LONGEST) / (z.1 - z.0).max(1e-9));
     let height = (z.1 - z.0) * zoom + 2.0 * margin;
-    let title = format!("{}: forces on the lining's shape", lining.name);
+    let title = say!(language, "{lining}: forces on the lining's shape", lining = lining.name);
     let mut svg = Svg::new(WIDTH);
-    legend(&mut svg, lining);
-    for (i, (symbol, name, unit)) in FORCES.into_iter().enumerate() {
+    legend(language, &mut svg, lining);
+    for (i, force) in forces(language).into_iter().enumerate() {
         let middle = (i as f64 + 0.5) * cell;
-        svg.text(
-            (middle, TOP - 8.0),
-            Anchor::Middle,
-            13.0,
-            Style::Bold,
-            &format!("{symbol}, {name} ({unit})"),
-        );
+        svg.text((middle, TOP - 8.0), Anchor::Middle, 13.0, Style::Bold, &force);
         let place = |s: &Station| {
             (middle + (s.place[0] - 0.5 * (x.0 + x.1)) * zoom, TOP + margin + (z.1 - s.place[2]) * zoom)
         };
         let places: Vec<(f64, f64)> = section.iter().map(|s| place(s)).collect();
         diagram(&mut svg, section, &places, i);
     }
-    let caption = format!(
-        "Section y = {}\u{a0}m; to the left x is smaller. The thin line is the middle of the lining. N is drawn outwards \
-         where it compresses, Q where it is positive, M on the side that it stretches; each of the three has a scale of its own, set by its largest value.",
-        trimmed(&format!("{y:.2}").replace('-', "−"))
+    let caption = say!(
+        language,
+        "Section y = {y}\u{a0}m; to the left x is smaller. The thin line is the middle of the lining. N is drawn outwards \
+         where it compresses, Q where it is positive, M on the side that it stretches; each of the three has a scale of its own, set by its largest value. Look \
+         where M peaks, and whether N still compresses there.",
+        y = trimmed(&format!("{y:.2}").replace('-', "−"))
     );
-    let svg = svg.finish(TOP + height + 4.0, &title, "thrust, moment and shear on the section of the lining");
+    let description = say!(language, "thrust, moment and shear on the section of the lining");
+    let svg = svg.finish(TOP + height + 4.0, &title, &description);
     Some(Figure { heading: title, file: format!("lining-shape{suffix}.svg"), svg, caption })
 }
 
-fn legend(svg: &mut Svg, lining: &Lining) {
+fn legend(language: Language, svg: &mut Svg, lining: &Lining) {
     let mut x = 24.0;
-    let all = [lining.after.as_str(), "largest while the ground shakes", "smallest while the ground shakes"];
-    for (k, name) in all.into_iter().enumerate().take(if lining.shaken() { 3 } else { 1 }) {
+    let all = [
+        lining.after.clone(),
+        say!(language, "largest while the ground shakes"),
+        say!(language, "smallest while the ground shakes"),
+    ];
+    for (k, name) in all.iter().enumerate().take(if lining.shaken() { 3 } else { 1 }) {
         svg.lines(COLOURS[k], 2.4, &[vec![(x, 11.5), (x + 20.0, 11.5)]]);
         svg.text((x + 26.0, 16.0), Anchor::Start, 12.0, Style::Plain, name);
         x += 26.0 + text_width(name, 12.0) + 16.0;

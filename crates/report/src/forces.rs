@@ -2,51 +2,66 @@
 
 use crate::cut_figure::plane;
 use crate::figure::{Block, Chapter};
-use crate::lining::{Extreme, FORCES, Lining, Station, kilo, linings};
+use crate::language::{Language, say};
+use crate::lining::{self, Extreme, Lining, Station, kilo, linings};
 use crate::scale::{moment, trimmed};
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
-use crate::{force_chart, force_shape, thrust_moment};
+use crate::{force_chart, force_shape, section_strength, thrust_moment};
 
 /// The chapter; nothing for a run that wrote no section forces.
 pub fn chapter(source: &Source) -> Option<Chapter> {
     const ID: &str = "forces";
-    let heading = "Section forces of the linings".to_owned();
+    let language = source.language;
+    let heading = say!(language, "Section forces of the linings");
     let rows = match source.sections.as_ref()? {
         Ok(rows) => rows,
         Err(why) => {
-            let block = Block { notes: vec![format!("Left out. {why}")], ..Block::default() };
+            let note = say!(language, "Left out. {why}", why = why);
+            let block = Block { notes: vec![note], ..Block::default() };
             return Some(Chapter { id: ID, heading, blocks: vec![block] });
         }
     };
     let facts = source.facts();
-    let linings = linings(rows, &facts);
+    let linings = linings(language, rows, &facts);
     let shaken = linings.iter().any(Lining::shaken);
-    let mut text = String::from(
+    let mut text = say!(
+        language,
         "Integrated through the thickness, a metre of the cavern's length. Tension is positive; a positive moment stretches the \
          intrados; where shear is positive, what comes next, \
-         going round by the wall of greater x over the crown, pushes towards the intrados.",
+         going round by the wall of greater x over the crown, pushes towards the intrados. The table has the extremes of all stations of a lining, with time and place (x, y, z in m). \
+         Look where the moment is large while the thrust is small or pulls: there the lining cracks first."
     );
-    text.push_str(if shaken {
-        " Each of N, M and Q has its largest and smallest value at a time of its own: the envelope is no state that the lining \
-         was ever in."
+    text.push_str(&if shaken {
+        say!(
+            language,
+            " Each of N, M and Q has its largest and smallest value at a time of its own: the envelope is no state that the \
+             lining was ever in."
+        )
     } else if source.shakes() {
-        " The file holds no extremes of the shaking."
+        say!(language, " The file holds no extremes of the shaking.")
     } else {
-        ""
+        String::new()
     });
-    let mut blocks =
-        vec![Block { text, tables: vec![table(&linings, facts.model.duration)], ..Block::default() }];
+    let mut blocks = vec![Block {
+        text,
+        tables: vec![table(language, &linings, facts.model.duration)],
+        ..Block::default()
+    }];
     let y = plane(&facts.positions);
     for (number, lining) in linings.iter().enumerate() {
         let (y, section) = lining.section(y);
         let mut block = Block { heading: lining.name.clone(), ..Block::default() };
         let suffix = if number == 0 { String::new() } else { format!("-{}", number + 1) };
-        block.figures.extend(force_shape::figure(lining, (y, &section), &suffix));
-        block.figures.extend(force_chart::figure(lining, (y, &section), &suffix));
-        block.figures.extend(thrust_moment::figure(lining, &section, &suffix));
+        block.figures.extend(force_shape::figure(language, lining, (y, &section), &suffix));
+        block.figures.extend(force_chart::figure(language, lining, (y, &section), &suffix));
+        block.figures.extend(thrust_moment::figure(language, lining, &section, &suffix));
+        match section_strength::figure(lining, &facts, &suffix, source.language) {
+            Ok(figure) => block.figures.push(figure),
+            Err(why) => block.notes.push(why),
+        }
         if block.figures.is_empty() {
-            block.notes.push("No figure: fewer than two stations have numbers.".into());
+            block.notes.push(say!(language, "No figure: fewer than two stations have numbers."));
         }
         blocks.push(block);
     }
@@ -54,20 +69,22 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
 }
 
 /// The largest and smallest of each force, over all stations.
-fn table(linings: &[Lining], duration: f64) -> TextTable {
+fn table(language: Language, linings: &[Lining], duration: f64) -> TextTable {
     let shaken = linings.iter().any(Lining::shaken);
-    let mut over = vec![Head::words("").over(2), Head::number("when the stages are done").over(2)];
-    let mut head =
-        vec![Head::words("lining"), Head::words(""), Head::number("largest"), Head::number("smallest")];
+    let extremes = || [Head::number(say!(language, "largest")), Head::number(say!(language, "smallest"))];
+    let mut over =
+        vec![Head::words("").over(2), Head::number(say!(language, "when the stages are done")).over(2)];
+    let mut head = vec![Head::words(say!(language, "lining")), Head::words("")];
+    head.extend(extremes());
     if shaken {
-        over.push(Head::number("while the ground shakes").over(2));
-        head.extend([Head::number("largest"), Head::number("smallest")]);
+        over.push(Head::number(say!(language, "while the ground shakes")).over(2));
+        head.extend(extremes());
     }
     let mut rows = Vec::new();
     for lining in linings {
-        for (i, (symbol, name, unit)) in FORCES.into_iter().enumerate() {
+        for (i, force) in lining::forces(language).into_iter().enumerate() {
             let label = if i == 0 { lining.name.as_str() } else { "" };
-            let mut row = vec![Cell::words(label), Cell::words(format!("{symbol}, {name} ({unit})"))];
+            let mut row = vec![Cell::words(label), Cell::words(force)];
             let after: Vec<_> = lining.stations.iter().map(|s| (s, s.after[i], f64::NAN)).collect();
             let shaking = |of: fn(&Station) -> Option<Extreme>| -> Vec<(&Station, f64, f64)> {
                 let each = lining.stations.iter().filter_map(|s| Some((s, of(s)?)));

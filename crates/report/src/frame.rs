@@ -139,10 +139,10 @@ impl Frame {
         self.levels[colours::level(value, (self.low, self.high))].push(outline);
     }
 
-    /// An area that has no value but is of a kind, which has a colour of its own and stands beside the map.
+    /// An area that has no value but is of a kind, which has a colour of its own and stands beside the map if it has a name.
     pub fn kind(&mut self, outline: &[[f64; 2]], (name, colour): (&'static str, &'static str)) {
         let outline = outline.iter().map(|&p| self.place(p)).collect();
-        match self.kinds.iter_mut().find(|(known, ..)| *known == name) {
+        match self.kinds.iter_mut().find(|(known, shade, _)| (*known, *shade) == (name, colour)) {
             Some((.., outlines)) => outlines.push(outline),
             None => self.kinds.push((name, colour, vec![outline])),
         }
@@ -193,7 +193,7 @@ impl Frame {
         }
         svg.text((LEFT + width, bottom + 36.0), Anchor::End, 12.0, Style::Muted, "x (m), z (m)");
         let (right, mut below) = (LEFT + width + 24.0, TOP);
-        for (name, colour, _) in self.kinds.iter() {
+        for (name, colour, _) in self.kinds.iter().filter(|(name, ..)| !name.is_empty()) {
             let y = below;
             svg.areas(
                 colour,

@@ -3,8 +3,7 @@
 use tremolite_results::{FreeField, Station};
 
 use crate::free_field_numbers::{SAME, from_column, from_theory, largest, peak};
-
-const MEAN: &str = "mean of the four corners";
+use crate::language::{Language, say};
 
 /// The model at one of its corners, or its mean over them, beside a column.
 #[derive(Clone)]
@@ -81,15 +80,15 @@ fn histories(of: &Station) -> impl Iterator<Item = &Vec<f64>> {
 
 /// The model at each corner beside each column that stands for it, of columns that are the same one; in a file without corners
 /// their mean beside no column.
-pub fn corners(found: &FreeField) -> Vec<Beside<'_>> {
-    let mean = |model| Beside { model, place: MEAN.into(), column: None };
+pub fn corners(language: Language, found: &FreeField) -> Vec<Beside<'_>> {
+    let mean = |model| Beside { model, place: say!(language, "mean of the four corners"), column: None };
     if found.corners.is_empty() {
         return found.model.iter().map(mean).collect();
     }
     let groups = alike(&found.columns);
     let mut all = Vec::new();
     for model in &found.corners {
-        let of = |column| Beside { model, place: format!("corner {}", model.name), column };
+        let of = |column| Beside { model, place: say!(language, "corner {name}", name = model.name), column };
         let serving = groups.iter().filter_map(|group| group.iter().find(|c| c.serves(&model.name)));
         let before = all.len();
         all.extend(serving.map(|column| of(Some(*column))));
@@ -103,8 +102,8 @@ pub fn corners(found: &FreeField) -> Vec<Beside<'_>> {
 impl<'a> Drawn<'a> {
     /// The corner of the model that is farthest from its column, and that column. Where there is no such pair, the column farthest
     /// from theory, without theory the one farthest from the model's mean, and beside it the mean or the corner that moves most.
-    pub fn of(found: &'a FreeField) -> Drawn<'a> {
-        let all = corners(found);
+    pub fn of(language: Language, found: &'a FreeField) -> Drawn<'a> {
+        let all = corners(language, found);
         let beside = |beside: Beside<'a>| {
             let column = beside.column?;
             let farthest = farthest(|place, axis| from_column(beside.model, column, place, axis))?;
@@ -115,9 +114,11 @@ impl<'a> Drawn<'a> {
         if let Some((model, apart)) = worst(pairs.into_iter()) {
             let column = model.column;
             let why = match column {
-                Some(column) if several => format!(
-                    "Drawn is the corner of the model that is farthest from its column, {}, and that column, {}.",
-                    model.model.name, column.name
+                Some(column) if several => say!(
+                    language,
+                    "Drawn is the corner of the model that is farthest from its column, {corner}, and that column, {column}.",
+                    corner = model.model.name,
+                    column = column.name
                 ),
                 _ => String::new(),
             };
@@ -134,20 +135,33 @@ impl<'a> Drawn<'a> {
             let of = |column| Some((column, farthest(|place, axis| from_column(mean, column, place, axis))?));
             worst(found.columns.iter().filter_map(of))
         };
-        let (column, from) = match farthest_from_theory(found) {
-            Some((column, _)) => (Some(column), "theory"),
-            None => match from_mean() {
-                Some((column, _)) => (Some(column), "the model"),
-                None => (found.columns.first(), ""),
-            },
+        let of_theory = || {
+            let (column, _) = farthest_from_theory(found)?;
+            let why = say!(
+                language,
+                "Of the {number} columns the one farthest from theory is drawn, {column}.",
+                number = found.columns.len(),
+                column = column.name
+            );
+            Some((column, why))
         };
-        let why = match (column, found.columns.len(), from) {
-            (Some(column), 2.., "") => format!("Of the columns the first is drawn, {}.", column.name),
-            (Some(column), n @ 2.., from) => {
-                format!("Of the {n} columns the one farthest from {from} is drawn, {}.", column.name)
-            }
-            _ => String::new(),
+        let of_mean = || {
+            let (column, _) = from_mean()?;
+            let why = say!(
+                language,
+                "Of the {number} columns the one farthest from the model is drawn, {column}.",
+                number = found.columns.len(),
+                column = column.name
+            );
+            Some((column, why))
         };
+        let first = || {
+            let column = found.columns.first()?;
+            let why = say!(language, "Of the columns the first is drawn, {column}.", column = column.name);
+            Some((column, why))
+        };
+        let (column, why) = of_theory().or_else(of_mean).or_else(first).unzip();
+        let why = why.filter(|_| found.columns.len() > 1).unwrap_or_default();
         let model = model.map(|beside| match found.corners.is_empty() {
             true => Beside { column, ..beside },
             false => beside,

@@ -5,12 +5,15 @@
 
 use tremolite_results::{Station, Velocities};
 
+use crate::language::{Language, say};
 use crate::scale::figures;
 use crate::source::Source;
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// What the places of a station are called.
-pub const PLACES: [&str; 2] = ["surface", "base"];
+pub fn places(language: Language) -> [String; 2] {
+    [say!(language, "surface"), say!(language, "base")]
+}
 
 /// By how much of their peak histories may differ and count as the same: round-off.
 pub const SAME: f64 = 1e-9;

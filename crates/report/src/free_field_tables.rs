@@ -3,7 +3,8 @@
 use tremolite_results::{FreeField, Station};
 
 use crate::free_field_beside::{Drawn, alike, corners};
-use crate::free_field_numbers::{self, AXES, PLACES, SAME, from_column, from_theory, largest, percent};
+use crate::free_field_numbers::{self, AXES, SAME, from_column, from_theory, largest, percent, places};
+use crate::language::{Language, say};
 use crate::scale::Scale;
 use crate::text_table::{Cell, Head, TextTable};
 
@@ -18,13 +19,13 @@ fn share(share: Option<f64>) -> Cell {
 }
 
 /// Headings: whose and along which axis, then two numbers and how far they are apart at each place.
-fn head(whose: &str, numbers: [&str; 2], scale: &Scale) -> Vec<Vec<Head>> {
+fn head(language: Language, whose: String, numbers: [String; 2], scale: &Scale) -> Vec<Vec<Head>> {
     let mut over = vec![Head::words("").over(2)];
-    over.extend(PLACES.map(|place| Head::number(place).over(3)));
-    let mut head = [whose, "along"].map(Head::words).to_vec();
-    for _ in PLACES {
-        head.extend(numbers.map(|what| Head::number(scale.labelled(what))));
-        head.push(Head::number("differs by (%)"));
+    over.extend(places(language).map(|place| Head::number(place).over(3)));
+    let mut head = vec![Head::words(whose), Head::words(say!(language, "along"))];
+    for _ in places(language) {
+        head.extend(numbers.iter().map(|what| Head::number(scale.labelled(what))));
+        head.push(Head::number(say!(language, "differs by (%)")));
     }
     vec![over, head]
 }
@@ -39,13 +40,13 @@ fn largest_of(station: &Station) -> f64 {
 }
 
 /// Peaks of all columns that differ, beside theory.
-pub fn of_columns(found: &FreeField, moving: &[usize], scale: &Scale) -> TextTable {
+pub fn of_columns(language: Language, found: &FreeField, moving: &[usize], scale: &Scale) -> TextTable {
     let mut rows = Vec::new();
     for group in alike(&found.columns) {
         let column = group[0];
         let mut name = Cell::words(column.name.as_str());
         if group.len() > 1 {
-            name = name.with(format!("{} columns of the same values", group.len()));
+            name = name.with(say!(language, "{number} columns of the same values", number = group.len()));
         }
         let most = largest_of(column);
         for &axis in moving.iter().filter(|&&axis| has(column, axis)) {
@@ -57,17 +58,31 @@ pub fn of_columns(found: &FreeField, moving: &[usize], scale: &Scale) -> TextTab
             rows.push(row);
         }
     }
-    TextTable { head: head("column", ["peak", "theory"], scale), rows }
+    TextTable {
+        head: head(
+            language,
+            say!(language, "column"),
+            [say!(language, "peak"), say!(language, "theory")],
+            scale,
+        ),
+        rows,
+    }
 }
 
 /// Peaks of the model at its corners beside those of the columns that stand for them; of its mean beside the column that is drawn.
-pub fn of_corners(found: &FreeField, drawn: &Drawn, moving: &[usize], scale: &Scale) -> TextTable {
+pub fn of_corners(
+    language: Language,
+    found: &FreeField,
+    drawn: &Drawn,
+    moving: &[usize],
+    scale: &Scale,
+) -> TextTable {
     let mut rows = Vec::new();
-    for beside in corners(found) {
+    for beside in corners(language, found) {
         let column = beside.column.or(drawn.column.filter(|_| found.corners.is_empty()));
-        let mut name = Cell::words(beside.place.trim_start_matches("corner "));
+        let mut name = Cell::words(if found.corners.is_empty() { &beside.place } else { &beside.model.name });
         if let Some(column) = column {
-            name = name.with(format!("beside {}", column.name));
+            name = name.with(say!(language, "beside {column}", column = column.name));
         }
         let most = column.map_or(f64::NAN, largest_of).max(largest_of(beside.model));
         for &axis in moving.iter().filter(|&&axis| has(beside.model, axis)) {
@@ -80,5 +95,13 @@ pub fn of_corners(found: &FreeField, drawn: &Drawn, moving: &[usize], scale: &Sc
             rows.push(row);
         }
     }
-    TextTable { head: head("model at", ["model", "column"], scale), rows }
+    TextTable {
+        head: head(
+            language,
+            say!(language, "model at"),
+            [say!(language, "model"), say!(language, "column")],
+            scale,
+        ),
+        rows,
+    }
 }

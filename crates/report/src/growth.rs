@@ -2,34 +2,40 @@
 
 use tremolite_results::Table;
 
-use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::apart::{self, Titles};
+use crate::chart::{Line, Mark, Panel, Stroke};
 use crate::damage::heading;
-use crate::figure::{Figure, Section};
+use crate::figure::Section;
+use crate::language::say;
 use crate::scale::Scale;
 use crate::source::Source;
-
-const HEADING: &str = "Damage over time";
+use crate::units::Kind;
 
 /// The section of the page; nothing for a run in which nothing could be damaged.
 pub fn section(source: &Source) -> Option<Section> {
+    let language = source.language;
+    let heading = say!(language, "Damage over time");
     let table = match source.damage.as_ref()? {
         Ok(table) => table,
-        Err(why) => return Some(Section::left_out(HEADING, why)),
+        Err(why) => return Some(Section::left_out(&heading, why)),
     };
     let time = table.column("time").unwrap_or(&[]);
-    let panels = panels(table);
+    let panels = panels(source, table);
     if panels.is_empty() {
-        return Some(Section::left_out(HEADING, "Nothing was damaged."));
+        return Some(Section::left_out(&heading, say!(language, "Nothing was damaged.")));
     }
-    let caption = "Share of each group's volume that is cracked or crushed (damage above 0.5) or has yielded, and the \
-                   widest crack so far.";
-    let svg = Chart { title: HEADING.into(), time, panels }.draw();
-    let figure = Figure { heading: HEADING.into(), file: "damage.svg".into(), svg, caption: caption.into() };
-    Some(Section::Drawn(vec![figure]))
+    let caption = say!(
+        language,
+        "Share of each group's volume that is cracked or crushed (damage above 0.5) or has yielded, and the widest crack so \
+         far. Does it grow in one blow, or with every cycle? What still grows at the end has not come to rest."
+    );
+    let titles = Titles { heading: &heading, file: "damage", caption: &caption };
+    Some(Section::Drawn(apart::figures(language, &titles, time, panels)))
 }
 
 /// A panel for each measure that rose in some group; a group keeps its colour.
-fn panels(table: &Table) -> Vec<Panel<'_>> {
+fn panels<'a>(source: &Source, table: &'a Table) -> Vec<Panel<'a>> {
+    let language = source.language;
     let mut groups: Vec<&str> = Vec::new();
     let mut panels: Vec<(&str, Panel)> = Vec::new();
     for (column, values) in table.columns.iter().zip(&table.values) {
@@ -45,14 +51,18 @@ fn panels(table: &Table) -> Vec<Panel<'_>> {
         });
         let line = Line { name: group.into(), values: values.into(), colour, stroke: Stroke::Thin };
         let scale = if column.unit == "m" {
-            Scale::suiting("m", most)
+            source.scale(Kind::Opening)
         } else {
-            Scale { factor: 100.0, unit: "% of volume".into() }
+            Scale { factor: 100.0, unit: say!(language, "% of volume") }
         };
         match panels.iter_mut().find(|(name, _)| *name == measure) {
             Some((_, panel)) => panel.lines.push(line),
             None => {
-                let title = if column.unit == "m" { "widest crack".into() } else { heading(measure) };
+                let title = if column.unit == "m" {
+                    say!(language, "widest crack")
+                } else {
+                    heading(language, measure)
+                };
                 panels.push((measure, Panel { title, scale, lines: vec![line], mark: Mark::Highest }));
             }
         }

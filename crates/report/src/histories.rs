@@ -5,49 +5,27 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
-use crate::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::apart::{self, Titles};
+use crate::chart::{Line, Mark, Panel, Stroke};
 use crate::contact_monitors::is_on_interface;
-use crate::figure::{Figure, Section};
-use crate::pairs::{difference, is_pair, names};
-use crate::scale::{Scale, quantity};
+use crate::figure::Section;
+use crate::language::{Language, say};
+use crate::pairs::{difference, from_mean, is_pair, names};
+use crate::scale::quantity;
 use crate::source::Source;
-use crate::svg::LINES;
+use crate::strength;
 
-/// Quantities that belong in one figure: name in the header, title of the panel, what is marked.
+/// Quantities that belong in one figure.
 struct Family {
-    heading: &'static str,
+    heading: String,
     file: &'static str,
-    caption: &'static str,
-    panels: &'static [(&'static str, &'static str, Mark)],
+    caption: String,
+    /// Name in the table's header, title of the panel, what is marked.
+    panels: Vec<(&'static str, String, Mark)>,
 }
 
-const DISPLACEMENT: Family = Family {
-    heading: "Displacement",
-    file: "displacement",
-    caption: "Relative to the state before the earthquake.",
-    panels: &[("ux", "x", Mark::Largest), ("uy", "y", Mark::Largest), ("uz", "z, up", Mark::Largest)],
-};
-const VELOCITY: Family = Family {
-    heading: "Velocity",
-    file: "velocity",
-    caption: "",
-    panels: &[("vx", "x", Mark::Largest), ("vy", "y", Mark::Largest), ("vz", "z, up", Mark::Largest)],
-};
-const ACCELERATION: Family = Family {
-    heading: "Acceleration",
-    file: "acceleration",
-    caption: "",
-    panels: &[("ax", "x", Mark::Largest), ("ay", "y", Mark::Largest), ("az", "z, up", Mark::Largest)],
-};
-const STRESS: Family = Family {
-    heading: "Principal stress",
-    file: "stress",
-    caption: "Tension is positive.",
-    panels: &[
-        ("s1", "s1, the largest principal stress", Mark::Highest),
-        ("s3", "s3, the smallest principal stress", Mark::Lowest),
-    ],
-};
+/// Names in the header of the quantities that have families.
+const FAMILIES: [&[&str]; 4] = [&["ux", "uy", "uz"], &["s1", "s3"], &["vx", "vy", "vz"], &["ax", "ay", "az"]];
 
 /// Quantities beyond the families that are known, by figures: components of one tensor share one.
 const TOGETHER: [&[&str]; 3] = [&["sxx", "syy", "szz"], &["sxy", "syz", "szx"], &["s2"]];
@@ -58,172 +36,249 @@ const NEGLIGIBLE: f64 = 1e-6;
 /// What one line of a figure shows: a monitor or a pair, and its history of one quantity.
 type Histories<'a> = Vec<(String, Cow<'a, [f64]>)>;
 
-/// The sections of the page that show histories.
-pub fn sections(source: &Source) -> Vec<Section> {
-    let table = match &source.monitors {
-        Ok(table) => table,
-        Err(why) => return vec![Section::left_out("Histories of the monitors", why)],
-    };
-    let names = names(table);
-    let (pairs, monitors): (Vec<String>, Vec<String>) =
-        names.iter().cloned().partition(|name| is_pair(name, &names));
-    // Those on interfaces have figures of their own.
-    let monitors: Vec<String> = monitors.into_iter().filter(|name| !is_on_interface(table, name)).collect();
-    let mut all_pairs: Vec<String> = source.facts().relative.keys().cloned().collect();
-    all_pairs.extend(pairs.into_iter().filter(|pair| !source.facts().relative.contains_key(pair)));
+/// The histories of a run, and whose they are.
+pub struct Recorded<'a> {
+    source: &'a Source,
+    table: &'a Table,
+    /// Those on interfaces and bolts apart, which have figures of their own.
+    monitors: Vec<String>,
+    pairs: Vec<String>,
+}
 
-    let of_monitors = |quantity: &str| -> Histories<'_> {
-        let column =
-            |name: &String| Some((name.clone(), Cow::from(table.column(&format!("{name}.{quantity}"))?)));
-        monitors.iter().filter_map(column).collect()
-    };
-    let of_pairs = |quantity: &str| -> Histories<'_> {
-        let pair = |name: &String| Some((name.clone(), difference(table, &monitors, name, quantity)?));
-        all_pairs.iter().filter_map(pair).collect()
-    };
-    let relative = Family {
-        heading: "Relative displacement",
-        file: "relative",
-        caption: "Of each pair, the displacement of the first monitor less that of the second.",
-        panels: DISPLACEMENT.panels,
-    };
-    let mut sections = vec![family(table, &DISPLACEMENT, of_monitors)];
-    sections.push(if all_pairs.is_empty() {
-        Section::left_out(relative.heading, "The case names no pairs of monitors ([[relative]]).")
-    } else {
-        family(table, &relative, of_pairs)
-    });
-    sections.extend([&STRESS, &VELOCITY, &ACCELERATION].map(|f| family(table, f, of_monitors)));
-    sections.extend(others(table, &monitors));
-    sections
+fn components(
+    language: Language,
+    names: &[&'static str; 3],
+    mark: Mark,
+) -> Vec<(&'static str, String, Mark)> {
+    let titles = ["x".to_owned(), "y".to_owned(), say!(language, "z, up")];
+    names.iter().zip(titles).map(|(name, title)| (*name, title, mark)).collect()
+}
+
+impl<'a> Recorded<'a> {
+    /// What `monitors.csv` holds.
+    ///
+    /// # Errors
+    /// The section that says why there is nothing.
+    pub fn of(source: &'a Source) -> Result<Self, Section> {
+        let table = source
+            .monitors
+            .as_ref()
+            .map_err(|why| Section::left_out(&say!(source.language, "Histories of the monitors"), why))?;
+        let names = names(table);
+        let (pairs, monitors): (Vec<String>, Vec<String>) =
+            names.iter().cloned().partition(|name| is_pair(name, &names));
+        let monitors = monitors.into_iter().filter(|name| !is_on_interface(table, name)).collect();
+        let known = source.facts().relative;
+        let mut all: Vec<String> = known.keys().cloned().collect();
+        all.extend(pairs.into_iter().filter(|pair| !known.contains_key(pair)));
+        Ok(Recorded { source, table, monitors, pairs: all })
+    }
+
+    fn of_monitors(&self, quantity: &str) -> Histories<'a> {
+        let column = |name: &String| {
+            Some((name.clone(), Cow::from(self.table.column(&format!("{name}.{quantity}"))?)))
+        };
+        self.monitors.iter().filter_map(column).collect()
+    }
+
+    /// Figure 5 of the paper.
+    pub fn displacement(&self) -> Section {
+        let language = self.source.language;
+        self.family(
+            Family {
+                heading: say!(language, "Displacement"),
+                file: "displacement",
+                caption: say!(
+                    language,
+                    "Relative to the state before the earthquake. Do all monitors move in step, so that the caverns ride \
+                     with the rock? And do they come back: what is left at the end has not."
+                ),
+                panels: components(language, &["ux", "uy", "uz"], Mark::Largest),
+            },
+            |quantity| self.of_monitors(quantity),
+        )
+    }
+
+    /// What of the displacement strains the linings: without the motion that all monitors share.
+    pub fn beside_mean(&self) -> Option<Section> {
+        let language = self.source.language;
+        if self.monitors.len() < 3 {
+            return None;
+        }
+        Some(self.family(
+            Family {
+                heading: say!(language, "Displacement less the mean of the monitors"),
+                file: "displacement-less-mean",
+                caption: say!(
+                    language,
+                    "Of each monitor its displacement less the mean of all in every row: what all share strains nothing and is \
+                     taken away. Look for monitors that leave the others for good."
+                ),
+                panels: components(language, &["ux", "uy", "uz"], Mark::Nothing),
+            },
+            |quantity| from_mean(self.of_monitors(quantity)),
+        ))
+    }
+
+    /// Of pairs that the case names.
+    pub fn relative(&self) -> Section {
+        let language = self.source.language;
+        let heading = say!(language, "Relative displacement");
+        if self.pairs.is_empty() {
+            let why = say!(language, "The case names no pairs of monitors ([[relative]]).");
+            return Section::left_out(&heading, why);
+        }
+        let caption = say!(
+            language,
+            "Of each pair, the displacement of the first monitor less that of the second: what the lining between them has to \
+             follow."
+        );
+        let panels = components(language, &["ux", "uy", "uz"], Mark::Largest);
+        self.family(Family { heading, file: "relative", caption, panels }, |quantity| {
+            let pair =
+                |name: &String| Some((name.clone(), difference(self.table, &self.monitors, name, quantity)?));
+            self.pairs.iter().filter_map(pair).collect()
+        })
+    }
+
+    /// Figure 6 of the paper.
+    pub fn stress(&self) -> Section {
+        let language = self.source.language;
+        let mut caption = say!(language, "Tension is positive.");
+        if let Some(strengths) = strength::tensile(self.source) {
+            caption = say!(
+                language,
+                "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Where it reaches that and \
+                 falls to nearly zero, a crack has opened.",
+                first = caption,
+                strengths = strengths
+            );
+        }
+        let panels = vec![
+            ("s1", say!(language, "s1, the largest principal stress"), Mark::Highest),
+            ("s3", say!(language, "s3, the smallest principal stress"), Mark::Lowest),
+        ];
+        let heading = say!(language, "Principal stress");
+        self.family(Family { heading, file: "stress", caption, panels }, |quantity| {
+            self.of_monitors(quantity)
+        })
+    }
+
+    pub fn velocity(&self) -> Section {
+        let language = self.source.language;
+        let (heading, panels) =
+            (say!(language, "Velocity"), components(language, &["vx", "vy", "vz"], Mark::Largest));
+        let family = Family { heading, file: "velocity", caption: String::new(), panels };
+        self.family(family, |quantity| self.of_monitors(quantity))
+    }
+
+    pub fn acceleration(&self) -> Section {
+        let language = self.source.language;
+        let caption = say!(
+            language,
+            "Far more than the rock's at one monitor alone is a loose piece that rings, or a crack that closes."
+        );
+        let (heading, panels) =
+            (say!(language, "Acceleration"), components(language, &["ax", "ay", "az"], Mark::Largest));
+        self.family(Family { heading, file: "acceleration", caption, panels }, |quantity| {
+            self.of_monitors(quantity)
+        })
+    }
+
+    /// Every quantity of the monitors that no family holds: those of [`TOGETHER`] first, then any other by itself, in
+    /// the order of the table. So a quantity that the engine gains has its figure without a word here. What pairs have
+    /// beyond displacement, its length, is left to the table.
+    pub fn others(&self) -> Vec<Section> {
+        let known = |quantity: &str| FAMILIES.iter().any(|names| names.contains(&quantity));
+        let mut figures_of: Vec<Vec<(&str, Histories<'_>)>> = vec![Vec::new(); TOGETHER.len()];
+        for (column, values) in self.table.columns.iter().zip(&self.table.values) {
+            let Some((monitor, quantity)) = column.name.rsplit_once('.') else { continue };
+            if known(quantity) || !self.monitors.iter().any(|name| name == monitor) {
+                continue;
+            }
+            let history = (monitor.to_owned(), Cow::from(values.as_slice()));
+            match figures_of.iter_mut().flatten().find(|(name, _)| *name == quantity) {
+                Some((_, histories)) => histories.push(history),
+                None => {
+                    let panel = (quantity, vec![history]);
+                    match TOGETHER.iter().position(|names| names.contains(&quantity)) {
+                        Some(figure) => figures_of[figure].push(panel),
+                        None => figures_of.push(vec![panel]),
+                    }
+                }
+            }
+        }
+        let mut sections = Vec::new();
+        for panels in figures_of.into_iter().filter(|panels| !panels.is_empty()) {
+            let heading = panels.iter().map(|panel| panel.0).collect::<Vec<_>>().join(", ");
+            let file = format!("further-{}", sections.len() + 1);
+            let titles = Titles { heading: &heading, file: &file, caption: "" };
+            let panels = panels
+                .into_iter()
+                .map(|(quantity, histories)| self.panel(quantity, quantity.into(), Mark::Largest, histories));
+            sections.push(self.drawn(&titles, panels.collect()));
+        }
+        sections
+    }
+
+    fn unit(&self, quantity: &str) -> &'a str {
+        let is = |name: &str| name.rsplit_once('.').is_some_and(|(_, q)| q == quantity);
+        self.table.columns.iter().find(|column| is(&column.name)).map_or("", |column| &column.unit)
+    }
+
+    fn panel<'h>(&self, quantity: &str, title: String, mark: Mark, histories: Histories<'h>) -> Panel<'h> {
+        let scale = self.source.units.of_history(self.unit(quantity), largest(&histories));
+        let lines = histories.into_iter().enumerate();
+        let line = |(colour, (name, values))| Line { name, values, colour, stroke: Stroke::Thin };
+        Panel { title, scale, lines: lines.map(line).collect(), mark }
+    }
+
+    fn drawn(&self, titles: &Titles<'_>, panels: Vec<Panel<'_>>) -> Section {
+        let time = self.table.column("time").unwrap_or(&[]);
+        Section::Drawn(apart::figures(self.source.language, titles, time, panels))
+    }
+
+    fn family<'h>(&self, family: Family, of: impl Fn(&str) -> Histories<'h>) -> Section {
+        let language = self.source.language;
+        let wanted = family.panels.iter().map(|panel| panel.0).collect::<Vec<_>>().join(", ");
+        let found: Vec<_> = family
+            .panels
+            .into_iter()
+            .map(|panel| (of(panel.0), panel))
+            .filter(|(histories, _)| !histories.is_empty())
+            .collect();
+        let most = found.iter().map(|(histories, _)| largest(histories)).fold(0.0, f64::max);
+        if found.is_empty() {
+            let why = say!(language, "monitors.csv has no columns of {names}.", names = wanted);
+            return Section::left_out(&family.heading, why);
+        }
+        if most == 0.0 {
+            return Section::left_out(&family.heading, say!(language, "All values are zero."));
+        }
+        let mut caption = family.caption;
+        let mut panels = Vec::new();
+        for (histories, (name, title, mark)) in found {
+            let size = largest(&histories);
+            if size >= NEGLIGIBLE * most {
+                panels.push(self.panel(name, title, mark, histories));
+                continue;
+            }
+            let missing = if size == 0.0 {
+                say!(language, "Not drawn: {title}, zero.", title = title)
+            } else {
+                let size = quantity(self.unit(name), size);
+                say!(language, "Not drawn: {title}, nowhere more than {size}.", title = title, size = size)
+            };
+            caption = match caption.is_empty() {
+                true => missing,
+                false => say!(language, "{first} {second}", first = caption, second = missing),
+            };
+        }
+        self.drawn(&Titles { heading: &family.heading, file: family.file, caption: &caption }, panels)
+    }
 }
 
 fn largest(histories: &Histories<'_>) -> f64 {
     let finite = histories.iter().flat_map(|(_, values)| values.iter()).filter(|x| x.is_finite());
     finite.fold(0.0, |most, x| f64::max(most, x.abs()))
-}
-
-fn unit<'a>(table: &'a Table, quantity: &str) -> &'a str {
-    let is = |name: &str| name.rsplit_once('.').is_some_and(|(_, q)| q == quantity);
-    table.columns.iter().find(|column| is(&column.name)).map_or("", |column| &column.unit)
-}
-
-fn family<'a>(table: &'a Table, family: &Family, of: impl Fn(&str) -> Histories<'a>) -> Section {
-    let found: Vec<_> =
-        family.panels.iter().map(|panel| (panel, of(panel.0))).filter(|(_, h)| !h.is_empty()).collect();
-    let most = found.iter().map(|(_, histories)| largest(histories)).fold(0.0, f64::max);
-    if found.is_empty() {
-        let wanted = family.panels.iter().map(|panel| panel.0).collect::<Vec<_>>().join(", ");
-        return Section::left_out(family.heading, format!("monitors.csv has no columns of {wanted}."));
-    }
-    if most == 0.0 {
-        return Section::left_out(family.heading, "All values are zero.");
-    }
-    let mut caption = family.caption.to_owned();
-    let mut panels = Vec::new();
-    for (&(quantity_name, title, mark), histories) in found {
-        let size = largest(&histories);
-        let unit = unit(table, quantity_name);
-        if size < NEGLIGIBLE * most {
-            let text = if size == 0.0 {
-                "zero".into()
-            } else {
-                format!("nowhere more than {}", quantity(unit, size))
-            };
-            caption.push_str(&format!(" Not drawn: {title}, {text}."));
-        } else {
-            panels.push(Wanted { title: title.into(), scale: Scale::suiting(unit, size), mark, histories });
-        }
-    }
-    Section::Drawn(figures(table, family.heading, family.file, caption.trim(), panels))
-}
-
-/// A panel before the lines are dealt out to figures.
-struct Wanted<'a> {
-    title: String,
-    scale: Scale,
-    mark: Mark,
-    histories: Histories<'a>,
-}
-
-impl Wanted<'_> {
-    /// The panel with the lines of these names alone.
-    fn with(&self, names: &[&str]) -> Panel<'_> {
-        let mut lines = Vec::new();
-        for (name, values) in &self.histories {
-            if let Some(colour) = names.iter().position(|n| n == name) {
-                lines.push(Line {
-                    name: name.clone(),
-                    values: Cow::Borrowed(values),
-                    colour,
-                    stroke: Stroke::Thin,
-                });
-            }
-        }
-        Panel { title: self.title.clone(), scale: self.scale.clone(), lines, mark: self.mark }
-    }
-}
-
-/// One figure for every seven names: as many as there are colours.
-fn figures(table: &Table, heading: &str, file: &str, caption: &str, panels: Vec<Wanted<'_>>) -> Vec<Figure> {
-    let mut names: Vec<&str> = Vec::new();
-    for (name, _) in panels.iter().flat_map(|panel| &panel.histories) {
-        if !names.contains(&name.as_str()) {
-            names.push(name);
-        }
-    }
-    let batches = names.chunks(LINES.len()).enumerate();
-    let figures = batches.map(|(number, names)| {
-        let panels =
-            panels.iter().map(|panel| panel.with(names)).filter(|panel| !panel.lines.is_empty()).collect();
-        let time = table.column("time").unwrap_or(&[]);
-        let suffix = if number == 0 { String::new() } else { format!("-{}", number + 1) };
-        Figure {
-            heading: if number == 0 { heading.into() } else { format!("{heading}, continued") },
-            file: format!("{file}{suffix}.svg"),
-            svg: Chart { title: heading.into(), time, panels }.draw(),
-            caption: caption.into(),
-        }
-    });
-    figures.collect()
-}
-
-/// Every quantity of the monitors that no family holds: those of [`TOGETHER`] first, then any other by itself, in the
-/// order of the table. So a quantity that the engine gains has its figure without a word here. What pairs have beyond
-/// displacement, its length, is left to the table.
-fn others(table: &Table, monitors: &[String]) -> Vec<Section> {
-    let families = [&DISPLACEMENT, &STRESS, &VELOCITY, &ACCELERATION];
-    let known =
-        |quantity: &str| families.iter().any(|family| family.panels.iter().any(|panel| panel.0 == quantity));
-    let mut figures_of: Vec<Vec<(&str, Histories<'_>)>> = vec![Vec::new(); TOGETHER.len()];
-    for (column, values) in table.columns.iter().zip(&table.values) {
-        let Some((monitor, quantity)) = column.name.rsplit_once('.') else { continue };
-        if known(quantity) || !monitors.iter().any(|name| name == monitor) {
-            continue;
-        }
-        let history = (monitor.to_owned(), Cow::from(values.as_slice()));
-        match figures_of.iter_mut().flatten().find(|(name, _)| *name == quantity) {
-            Some((_, histories)) => histories.push(history),
-            None => {
-                let panel = (quantity, vec![history]);
-                match TOGETHER.iter().position(|names| names.contains(&quantity)) {
-                    Some(figure) => figures_of[figure].push(panel),
-                    None => figures_of.push(vec![panel]),
-                }
-            }
-        }
-    }
-    let mut sections = Vec::new();
-    for panels in figures_of.into_iter().filter(|panels| !panels.is_empty()) {
-        let heading = panels.iter().map(|panel| panel.0).collect::<Vec<_>>().join(", ");
-        let file = format!("further-{}", sections.len() + 1);
-        let wanted = panels.into_iter().map(|(quantity, histories)| Wanted {
-            title: quantity.into(),
-            scale: Scale::suiting(unit(table, quantity), largest(&histories)),
-            mark: Mark::Largest,
-            histories,
-        });
-        sections.push(Section::Drawn(figures(table, &heading, &file, "", wanted.collect())));
-    }
-    sections
 }

@@ -67,6 +67,6 @@ pub fn section(source: &Source) -> Option<Section> {
     }
     caption.push_str(" Velocity and displacement should end near zero; the model follows any drift.");
     let time = table.column("time").unwrap_or(&[]);
-    let svg = Chart { title: HEADING.into(), time, panels }.draw();
+    let svg = Chart { title: HEADING.into(), time, panels }.draw(source.language);
     Some(Section::Drawn(vec![Figure { heading: HEADING.into(), file: "input.svg".into(), svg, caption }]))
 }

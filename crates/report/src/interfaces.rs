@@ -3,6 +3,7 @@
 use serde::Serialize;
 use tremolite_results::{InterfaceSummary, MaterialValue, PairPeak, Summary};
 
+use crate::language::{Language, say};
 use crate::scale::{count, figures, quantity, trimmed};
 
 /// All interfaces side by side.
@@ -15,9 +16,9 @@ pub struct InterfaceTable {
 /// One quantity of each.
 #[derive(Serialize)]
 pub struct InterfaceRow {
-    pub name: &'static str,
+    pub name: String,
     /// What it is, over which pairs and steps.
-    pub meaning: &'static str,
+    pub meaning: String,
     pub values: Vec<Entry>,
 }
 
@@ -29,53 +30,85 @@ pub struct Entry {
 }
 
 /// A row before it is filled in.
-type Wanted = (&'static str, &'static str, fn(&InterfaceSummary) -> Entry);
+type Wanted = (String, String, fn(Language, &InterfaceSummary) -> Entry);
 
-const ROWS: [Wanted; 13] = [
-    ("Law", "", |own| entry(own.law.clone(), String::new())),
-    ("Parameters", "of the law", |own| entry(parameters(own), String::new())),
-    ("Area", "and the pairs of nodes that share it", |own| entry(area(own.area), pairs(own))),
-    ("Normal stiffness k_n0", "closed and unloaded", |own| {
-        let chosen = if own.chosen { "chosen by the program" } else { "given" };
-        entry(quantity("Pa/m", own.normal_stiffness), chosen.into())
-    }),
-    ("Closure at 1\u{a0}MPa", "by the law", |own| entry(length(own.closure_at_1_mpa), String::new())),
-    ("Area that ever slid", "in any step", |own| part(own, own.ever_slid)),
-    ("Area that ever opened", "in any step", |own| part(own, own.ever_opened)),
-    ("Area sliding at the end", "", |own| part(own, own.sliding)),
-    ("Area open at the end", "", |own| part(own, own.open)),
-    ("Largest slip", "of closed pairs whose bond is broken, of all steps", |own| peak(&own.max_slip)),
-    ("Largest gap", "of all pairs whose bond is broken and all steps", |own| peak(&own.max_gap)),
-    ("Largest pressure", "of all pairs and steps", |own| {
-        let from = own.straight_from;
-        let beyond = own.max_pressure > from;
-        let note = format!("beyond {}, from which on the law is straight", trimmed(&quantity("Pa", from)));
-        entry(quantity("Pa", own.max_pressure), if beyond { note } else { String::new() })
-    }),
-    (
-        "Energy found at impacts",
-        "over the run, negative where it was lost; part of the balance's error",
-        |own| entry(quantity("J", own.impact_gain), String::new()),
-    ),
-];
+fn rows(language: Language) -> [Wanted; 13] {
+    let none = String::new;
+    [
+        (say!(language, "Law"), none(), |_, own| entry(own.law.clone(), String::new())),
+        (say!(language, "Parameters"), say!(language, "of the law"), |_, own| {
+            entry(parameters(own), String::new())
+        }),
+        (say!(language, "Area"), say!(language, "and the pairs of nodes that share it"), |language, own| {
+            entry(area(own.area), pairs(language, own))
+        }),
+        (say!(language, "Normal stiffness k_n0"), say!(language, "closed and unloaded"), |language, own| {
+            let chosen =
+                if own.chosen { say!(language, "chosen by the program") } else { say!(language, "given") };
+            entry(quantity("Pa/m", own.normal_stiffness), chosen)
+        }),
+        (say!(language, "Closure at 1\u{a0}MPa"), say!(language, "by the law"), |_, own| {
+            entry(length(own.closure_at_1_mpa), String::new())
+        }),
+        (say!(language, "Area that ever slid"), say!(language, "in any step"), |_, own| {
+            part(own, own.ever_slid)
+        }),
+        (say!(language, "Area that ever opened"), say!(language, "in any step"), |_, own| {
+            part(own, own.ever_opened)
+        }),
+        (say!(language, "Area sliding at the end"), none(), |_, own| part(own, own.sliding)),
+        (say!(language, "Area open at the end"), none(), |_, own| part(own, own.open)),
+        (
+            say!(language, "Largest slip"),
+            say!(language, "of closed pairs whose bond is broken, of all steps"),
+            |language, own| peak(language, &own.max_slip),
+        ),
+        (
+            say!(language, "Largest gap"),
+            say!(language, "of all pairs whose bond is broken and all steps"),
+            |language, own| peak(language, &own.max_gap),
+        ),
+        (say!(language, "Largest pressure"), say!(language, "of all pairs and steps"), |language, own| {
+            let from = own.straight_from;
+            let beyond = own.max_pressure > from;
+            let note = || {
+                say!(
+                    language,
+                    "beyond {pressure}, from which on the law is straight",
+                    pressure = trimmed(&quantity("Pa", from))
+                )
+            };
+            entry(quantity("Pa", own.max_pressure), if beyond { note() } else { String::new() })
+        }),
+        (
+            say!(language, "Energy found at impacts"),
+            say!(language, "over the run, negative where it was lost; part of the balance's error"),
+            |_, own| entry(quantity("J", own.impact_gain), String::new()),
+        ),
+    ]
+}
 
 /// The table; nothing for a run without interfaces.
-pub fn table(summary: &Summary) -> Option<InterfaceTable> {
+pub fn table(language: Language, summary: &Summary) -> Option<InterfaceTable> {
     let names: Vec<String> = summary.interfaces.keys().cloned().collect();
-    let row = |&(name, meaning, value): &Wanted| InterfaceRow {
+    let row = |(name, meaning, value): Wanted| InterfaceRow {
         name,
         meaning,
-        values: summary.interfaces.values().map(value).collect(),
+        values: summary.interfaces.values().map(|own| value(language, own)).collect(),
     };
-    (!names.is_empty()).then(|| InterfaceTable { names, rows: ROWS.iter().map(row).collect() })
+    (!names.is_empty()).then(|| InterfaceTable { names, rows: rows(language).into_iter().map(row).collect() })
 }
 
 /// The largest slip and gap of all interfaces that slid or opened: what it is, the value, and of which interface where.
-pub fn extremes(facts: &Summary) -> Vec<(&'static str, String, String)> {
-    type Wanted = (&'static str, fn(&InterfaceSummary) -> Option<&PairPeak>);
+pub fn extremes(language: Language, facts: &Summary) -> Vec<(String, String, String)> {
+    type Wanted = (String, fn(&InterfaceSummary) -> Option<&PairPeak>);
     let wanted: [Wanted; 2] = [
-        ("Largest slip of an interface", |own| (own.ever_slid > 0.0).then_some(&own.max_slip)),
-        ("Largest gap of an interface", |own| (own.ever_opened > 0.0).then_some(&own.max_gap)),
+        (say!(language, "Largest slip of an interface"), |own| {
+            (own.ever_slid > 0.0).then_some(&own.max_slip)
+        }),
+        (say!(language, "Largest gap of an interface"), |own| {
+            (own.ever_opened > 0.0).then_some(&own.max_gap)
+        }),
     ];
     let most = |(label, of): Wanted| {
         let all = facts.interfaces.iter().filter_map(|(name, own)| Some((name, of(own)?)));
@@ -84,7 +117,12 @@ pub fn extremes(facts: &Summary) -> Vec<(&'static str, String, String)> {
         Some((
             label,
             quantity("m", peak.value),
-            format!("{name} at ({place}) m, of pairs whose bond is broken, of all steps"),
+            say!(
+                language,
+                "{name} at ({place}) m, of pairs whose bond is broken, of all steps",
+                name = name,
+                place = place
+            ),
         ))
     };
     wanted.into_iter().filter_map(most).collect()
@@ -112,13 +150,18 @@ fn length(value: f64) -> String {
     if value == 0.0 { "0".into() } else { quantity("m", value) }
 }
 
-fn pairs(own: &InterfaceSummary) -> String {
-    let ends = match own.ends {
-        0 => String::new(),
-        1 => "; ends, closed, at 1 node".into(),
-        n => format!("; ends, closed, at {} nodes", count(n)),
-    };
-    format!("{}\u{a0}pairs{ends}", count(own.pairs))
+fn pairs(language: Language, own: &InterfaceSummary) -> String {
+    let pairs = count(own.pairs);
+    match own.ends {
+        0 => say!(language, "{pairs}\u{a0}pairs", pairs = pairs),
+        1 => say!(language, "{pairs}\u{a0}pairs; ends, closed, at 1 node", pairs = pairs),
+        n => say!(
+            language,
+            "{pairs}\u{a0}pairs; ends, closed, at {ends} nodes",
+            pairs = pairs,
+            ends = count(n)
+        ),
+    }
 }
 
 /// A part of the interface's area.
@@ -129,10 +172,11 @@ fn part(own: &InterfaceSummary, value: f64) -> Entry {
     entry(if value == 0.0 { "0".into() } else { area(value) }, note)
 }
 
-fn peak(peak: &PairPeak) -> Entry {
+fn peak(language: Language, peak: &PairPeak) -> Entry {
     let coordinate = |x: f64| trimmed(&format!("{x:.2}").replace('-', "−"));
     let known = peak.value > 0.0 && peak.at.iter().all(|x| x.is_finite());
     let [x, y, z] = peak.at.map(coordinate);
-    let note = if known { format!("at\u{a0}({x},\u{a0}{y},\u{a0}{z})") } else { String::new() };
+    let note = || say!(language, "at\u{a0}({x},\u{a0}{y},\u{a0}{z})", x = x, y = y, z = z);
+    let note = if known { note() } else { String::new() };
     entry(length(peak.value), note)
 }

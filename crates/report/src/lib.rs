@@ -6,6 +6,7 @@
 //!
 //! [`loops`] draws what comes of a law driven along a path, from plain columns.
 
+mod apart;
 mod axes;
 mod before;
 mod blocks;
@@ -17,11 +18,13 @@ mod cards;
 mod chart;
 pub mod chinese;
 mod colours;
+mod compare;
 mod contact_history;
 mod contact_map;
 mod contact_monitors;
 mod contact_panel;
 mod contact_path;
+mod contents;
 mod convergence;
 mod cut_figure;
 mod damage;
@@ -36,6 +39,7 @@ mod free_field;
 mod free_field_beside;
 mod free_field_numbers;
 mod free_field_tables;
+mod free_field_words;
 mod growth;
 mod histories;
 mod input;
@@ -44,6 +48,8 @@ pub mod language;
 mod lining;
 pub mod loops;
 mod materials;
+mod mesh_figure;
+mod multiples;
 mod page;
 mod pairs;
 mod peaks;
@@ -52,9 +58,12 @@ mod plot;
 mod reaction;
 mod relaxation;
 mod scale;
+mod section_strength;
+mod setting;
 mod source;
 mod stage_maps;
 mod stage_name;
+mod strength;
 pub mod strips;
 mod svg;
 mod text_table;
@@ -63,6 +72,8 @@ mod thrust_moment;
 mod ticks;
 mod told;
 mod unfold;
+mod units;
+mod verdict;
 mod view;
 
 use std::fs;
@@ -71,7 +82,9 @@ use std::path::{Path, PathBuf};
 
 use tremolite_results::replace_file;
 
-use crate::figure::{Chapter, Section};
+use crate::blocks::Blocks;
+pub use crate::compare::compare;
+use crate::contents::Content;
 pub use crate::language::Language;
 use crate::source::Source;
 
@@ -114,31 +127,19 @@ pub fn write_in(dir: &Path, language: Language) -> Result<PathBuf, Error> {
 }
 
 fn set(source: &Source) -> Result<PathBuf, Error> {
-    let chapters: Vec<Chapter> = [before::chapter(source), forces::chapter(source), bolts::chapter(source)]
-        .into_iter()
-        .flatten()
-        .collect();
-    let mut sections: Vec<Section> = Vec::new();
-    if source.shakes() {
-        sections.extend(input::section(source));
-        sections.extend(free_field::section(source));
-        sections.extend(contact_map::section(source));
-        sections.extend(contact_history::section(source));
-        sections.extend(growth::section(source));
-        sections.push(cut_figure::section(source));
-        sections.extend(histories::sections(source));
-        sections.extend(contact_monitors::section(source));
-        sections.push(energy::section(source));
-    } else {
-        sections.extend(contact_map::section(source));
-    }
+    let mut blocks = Blocks::default();
+    let view = view::embedded(source, &mut blocks);
+    let sections = contents::sections(source, !view.is_empty());
     let folder = source.folder.figures();
     fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;
-    let drawn = sections.iter().flat_map(Section::figures);
-    for figure in chapters.iter().flat_map(Chapter::figures).chain(drawn) {
-        replace_file(&folder.join(&figure.file), figure.svg.as_bytes())?;
+    for placed in &sections {
+        let Content::Section(section) = &placed.content else { continue };
+        for figure in section.figures() {
+            replace_file(&folder.join(&figure.file), figure.svg.as_bytes())?;
+        }
     }
     let path = source.folder.report();
-    replace_file(&path, page::html(source, &chapters, &sections)?.as_bytes())?;
+    let data = view + &blocks.elements();
+    replace_file(&path, page::html(source, &sections, data)?.as_bytes())?;
     Ok(path)
 }

@@ -3,6 +3,7 @@
 use indexmap::IndexMap;
 use tremolite_results::{SectionRow, Summary};
 
+use crate::language::{Language, say};
 use crate::stage_name::called;
 
 /// Stations whose y differ by less lie in one section (m).
@@ -14,9 +15,14 @@ const GAP: f64 = 2.2;
 /// six stations keeps to.
 const CORNER: f64 = 0.26;
 
-/// The three forces: symbol, name, unit in which they are shown. All are shown in thousands of their SI unit.
-pub const FORCES: [(&str, &str, &str); 3] =
-    [("N", "thrust", "kN/m"), ("M", "moment", "kN\u{a0}m/m"), ("Q", "shear", "kN/m")];
+/// The three forces with their symbols and the units in which they are shown: thousands of the SI ones.
+pub fn forces(language: Language) -> [String; 3] {
+    [
+        say!(language, "N, thrust (kN/m)"),
+        say!(language, "M, moment (kN\u{a0}m/m)"),
+        say!(language, "Q, shear (kN/m)"),
+    ]
+}
 /// From SI to what is shown.
 pub const KILO: f64 = 1e-3;
 
@@ -25,6 +31,8 @@ pub const KILO: f64 = 1e-3;
 pub struct Station {
     pub number: u32,
     pub place: [f64; 3],
+    /// m; not a number in files of older versions.
+    pub thickness: f64,
     /// N, M, Q when the stages are done; not a number without.
     pub after: [f64; 3],
     /// Smallest and largest while the ground shakes, with their times.
@@ -37,6 +45,8 @@ pub struct Station {
 pub struct Extreme {
     pub forces: [f64; 3],
     pub time: [f64; 3],
+    /// N at the time of M.
+    pub thrust: f64,
 }
 
 /// A lining: its stations in their order.
@@ -81,15 +91,15 @@ fn is_extreme(row: &SectionRow) -> bool {
 }
 
 /// All linings of the file.
-pub fn linings(rows: &[SectionRow], facts: &Summary) -> Vec<Lining> {
+pub fn linings(language: Language, rows: &[SectionRow], facts: &Summary) -> Vec<Lining> {
     let mut by_name: IndexMap<&str, Vec<&SectionRow>> = IndexMap::new();
     for row in rows {
         by_name.entry(&row.lining).or_default().push(row);
     }
-    by_name.into_iter().map(|(name, rows)| lining(name, &rows, facts)).collect()
+    by_name.into_iter().map(|(name, rows)| lining(language, name, &rows, facts)).collect()
 }
 
-fn lining(name: &str, rows: &[&SectionRow], facts: &Summary) -> Lining {
+fn lining(language: Language, name: &str, rows: &[&SectionRow], facts: &Summary) -> Lining {
     let stage = |row: &&&SectionRow| !is_extreme(row);
     // The last stage of which there are rows; the file goes by stages in their order.
     let of = |name: &str| rows.iter().filter(stage).any(|row| row.when == name);
@@ -97,20 +107,21 @@ fn lining(name: &str, rows: &[&SectionRow], facts: &Summary) -> Lining {
     let when =
         last.map(|(_, s)| s.name.clone()).or_else(|| rows.iter().rfind(stage).map(|row| row.when.clone()));
     let after = match (&last, &when) {
-        (Some((k, stage)), _) => format!("after {}", called(*k, stage)),
-        (None, Some(when)) => format!("after stage {when}"),
-        (None, None) => "before the shaking".into(),
+        (Some((k, stage)), _) => say!(language, "after {stage}", stage = called(language, *k, stage)),
+        (None, Some(when)) => say!(language, "after stage {name}", name = when),
+        (None, None) => say!(language, "before the shaking"),
     };
     let mut stations: IndexMap<u32, Station> = IndexMap::new();
     for row in rows {
         let station = stations.entry(row.station).or_insert(Station {
             number: row.station,
             place: row.place,
+            thickness: row.thickness,
             after: [f64::NAN; 3],
             least: None,
             most: None,
         });
-        let extreme = Extreme { forces: row.forces, time: row.time };
+        let extreme = Extreme { forces: row.forces, time: row.time, thrust: row.thrust_at_moment };
         match (is_extreme(row), row.when.as_str()) {
             (true, "min") => station.least = Some(extreme),
             (true, _) => station.most = Some(extreme),
@@ -172,6 +183,8 @@ mod tests {
             when: when.into(),
             time: [time; 3],
             forces: [n, 0.0, 0.0],
+            thrust_at_moment: n,
+            thickness: 0.5,
         }
     }
 
@@ -184,7 +197,7 @@ mod tests {
             row(0, 0.0, "min", 1.5, -3.0),
             row(0, 0.0, "max", 2.5, 4.0),
         ];
-        let lining = &linings(&rows, &Summary::default())[0];
+        let lining = &linings(Language::English, &rows, &Summary::default())[0];
         let station = &lining.stations[0];
         assert_eq!((station.after[0], lining.after.as_str()), (2.0, "after stage last"));
         assert_eq!(station.least.map(|e| (e.forces[0], e.time[0])), Some((-3.0, 1.5)));
@@ -198,7 +211,7 @@ mod tests {
                 .zip(points)
                 .map(|(k, p)| SectionRow { place: [p[0], 0.0, p[1]], ..row(k, 0.0, "s", f64::NAN, 0.0) })
                 .collect();
-            let lining = linings(&rows, &Summary::default()).remove(0);
+            let lining = linings(Language::English, &rows, &Summary::default()).remove(0);
             super::joints(&lining.section(None).1)
         };
         let ring: Vec<[f64; 2]> = (0..12)
@@ -228,7 +241,7 @@ mod tests {
         let rows: Vec<SectionRow> = (0..9)
             .map(|k| row(k, f64::from(k / 3) * 2.0 + f64::from(k) * 1e-9, "s", f64::NAN, 0.0))
             .collect();
-        let lining = &linings(&rows, &Summary::default())[0];
+        let lining = &linings(Language::English, &rows, &Summary::default())[0];
         let numbers = |y| lining.section(y).1.iter().map(|s| s.number).collect::<Vec<_>>();
         assert_eq!(numbers(Some(0.3)), [0, 1, 2]);
         assert_eq!(numbers(None), [3, 4, 5], "the middle");

@@ -1,26 +1,26 @@
 //! The page: the template filled in.
 
-use minijinja::syntax::SyntaxConfig;
+use minijinja::Value;
 use minijinja::value::Serde;
-use minijinja::{AutoEscape, Environment, Value};
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
-use crate::blocks::Blocks;
 use crate::cards;
+use crate::contents::{Content, Placed};
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
-use crate::figure::{Block, Chapter, Section};
+use crate::figure::{Block, Figure, Section};
 use crate::interfaces::{self, InterfaceTable};
+use crate::language::say;
 use crate::materials::{self, MaterialTable};
 use crate::peaks::{self, PeakTable};
+use crate::setting::{STYLE, environment, markup};
 use crate::source::Source;
-use crate::svg::escape;
+use crate::svg;
 use crate::text_table::TextTable;
-use crate::view;
+use crate::verdict::{self, Verdict};
 
 const TEMPLATE: &str = include_str!("../template/report.html");
-const STYLE: &str = include_str!("../template/report.css");
 /// Built from `page/src`, checked in.
 const SCRIPT: &str = include_str!("../page/dist/page.js");
 
@@ -32,6 +32,7 @@ struct Page {
     view: Value,
     script: Value,
     title: String,
+    verdict: Verdict,
     outcome: Outcome,
     findings: Vec<Outcome>,
     cards: Vec<Fact>,
@@ -42,12 +43,13 @@ struct Page {
     damage: Vec<DamageTable>,
     cracks: Vec<CrackRow>,
     interfaces: Option<InterfaceTable>,
-    chapters: Vec<Leaf>,
+    /// In their order.
+    sections: Vec<Part>,
     /// What to say in the place of the shaking; nothing where there is one.
     still: Option<String>,
-    sections: Vec<Part>,
     peaks: Vec<PeakTable>,
-    interval: Option<String>,
+    /// What peaks are taken from.
+    peaks_of: String,
     defaulted: Vec<Defaulted>,
     has_summary: bool,
     /// Whether to say that there was nothing to judge.
@@ -55,15 +57,9 @@ struct Page {
     run: Vec<Fact>,
     cut: bool,
     /// Of the result files those that are there: what they are, and their names.
-    files: Vec<(&'static str, Vec<&'static str>)>,
-}
-
-/// A chapter as it is set.
-#[derive(Serialize)]
-struct Leaf {
-    id: &'static str,
-    heading: String,
-    blocks: Vec<Paragraph>,
+    files: Vec<(String, Vec<&'static str>)>,
+    /// The case as it was read.
+    case: Option<String>,
 }
 
 /// A block as it is set.
@@ -77,11 +73,13 @@ struct Paragraph {
     notes: Vec<String>,
 }
 
-/// One section with figures, or blocks with tables and figures, or the reason for having none.
+/// One section: what the template sets by its id; or figures, or blocks with tables and figures, or the reason for having
+/// none.
 #[derive(Default, Serialize)]
 struct Part {
-    id: &'static str,
+    id: String,
     heading: String,
+    template: bool,
     why: String,
     figures: Vec<Drawing>,
     blocks: Vec<Paragraph>,
@@ -90,27 +88,29 @@ struct Part {
 #[derive(Serialize)]
 struct Drawing {
     svg: Value,
+    /// Whether it wants a page of paper for itself.
+    tall: bool,
     caption: String,
 }
 
-/// The page as text. All text from files is escaped by the template; only the drawings, which escape their
-/// own texts, go in as they are.
-pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Result<String, minijinja::Error> {
-    let (summary, language) = (source.facts(), source.language);
+/// The page as text; `data` is what its script reads. All text from files is escaped by the template; only the drawings, which
+/// escape their own texts, go in as they are.
+pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String, minijinja::Error> {
+    let language = source.language;
+    let summary = source.facts();
     let title = if summary.title.is_empty() {
         let path = source.folder.root();
-        path.file_name().map_or_else(|| "Results".into(), |name| name.to_string_lossy().into_owned())
+        path.file_name().map_or_else(|| say!(language, "Results"), |name| name.to_string_lossy().into_owned())
     } else {
         summary.title.clone()
     };
-    let mut blocks = Blocks::default();
-    let view = view::embedded(source, &mut blocks) + &blocks.elements();
     let page = Page {
-        language: source.language.code(),
-        view: Value::from_safe_string(view),
-        script: Value::from_safe_string(SCRIPT.into()),
-        style: Value::from_safe_string(STYLE.into()),
+        language: language.code(),
+        view: markup(&data),
+        script: markup(SCRIPT),
+        style: markup(STYLE),
         title,
+        verdict: verdict::verdict(source),
         outcome: facts::outcome(source),
         findings: facts::findings(language, &summary),
         cards: cards::key_results(source),
@@ -118,14 +118,13 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
         warnings: facts::warnings(language, &summary),
         model: facts::model(language, &summary),
         materials: materials::tables(language, &summary),
-        damage: damage::tables(&summary),
-        cracks: damage::cracks(&summary),
-        interfaces: interfaces::table(&summary),
-        chapters: chapters.iter().map(leaf).collect(),
+        damage: damage::tables(source.language, &summary),
+        cracks: damage::cracks(source.language, &summary),
+        interfaces: interfaces::table(source.language, &summary),
         still: source.still(),
         sections: sections.iter().map(part).collect(),
         peaks: peaks::peaks(source),
-        interval: peaks::interval(source),
+        peaks_of: peaks_of(source),
         defaulted: summary.defaulted.clone(),
         has_summary: source.summary.is_ok(),
         unjudged: source.summary.is_ok()
@@ -139,26 +138,33 @@ pub fn html(source: &Source, chapters: &[Chapter], sections: &[Section]) -> Resu
             .any(|table| table.as_ref().is_ok_and(|t| t.cut))
             || matches!(&source.free_field, Some(Ok(found)) if found.cut),
         files: files(source),
+        case: source.case.clone(),
     };
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
-    environment.add_filter("dots", dots);
-    environment.add_function("t", move |english: &str| language.pattern(english).to_owned());
+    let mut environment = environment(language)?;
     environment.add_template("report.html", TEMPLATE)?;
     environment.get_template("report.html")?.render(Serde(&page))
 }
 
-/// A name of several parts, which may break behind its dots and nowhere else.
-fn dots(name: String) -> Value {
-    Value::from_safe_string(escape(&name).replace('.', ".<wbr>"))
+/// What peaks are taken from.
+fn peaks_of(source: &Source) -> String {
+    let language = source.language;
+    let first = say!(language, "Times in s. The last column is the value at the end of the run.");
+    let Some(interval) = peaks::interval(source) else { return first };
+    say!(
+        language,
+        "{first} Taken from the rows of monitors.csv, {interval} apart: what rings faster may peak higher between them (a \
+         shorter output.histories shows it).",
+        first = first,
+        interval = interval
+    )
 }
 
 /// The result files that are there.
-fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
+fn files(source: &Source) -> Vec<(String, Vec<&'static str>)> {
+    let language = source.language;
     let kinds = [
         (
-            "Numbers in full",
+            say!(language, "Numbers in full"),
             &[
                 "monitors.csv",
                 "energy.csv",
@@ -173,8 +179,8 @@ fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
                 "summary.json",
             ][..],
         ),
-        ("Fields for ParaView", &["fields.pvd", "interfaces.pvd", "bolts.pvd", "stages.pvd"]),
-        ("The case as it was read", &["case.toml"]),
+        (say!(language, "Fields for ParaView"), &["fields.pvd", "interfaces.pvd", "bolts.pvd", "stages.pvd"]),
+        (say!(language, "The case as it was read"), &["case.toml"]),
     ];
     let root = source.folder.root();
     let there = |names: &[&'static str]| -> Vec<&'static str> {
@@ -187,39 +193,35 @@ fn files(source: &Source) -> Vec<(&'static str, Vec<&'static str>)> {
         .collect()
 }
 
-fn leaf(chapter: &Chapter) -> Leaf {
-    let paragraph = |block: &Block| Paragraph {
+fn paragraph(block: &Block) -> Paragraph {
+    Paragraph {
         heading: block.heading.clone(),
         lead: block.lead.clone(),
         text: block.text.clone(),
         tables: block.tables.clone(),
         figures: block.figures.iter().map(drawing).collect(),
         notes: block.notes.clone(),
-    };
-    Leaf {
-        id: chapter.id,
-        heading: chapter.heading.clone(),
-        blocks: chapter.blocks.iter().map(paragraph).collect(),
     }
 }
 
-fn part(section: &Section) -> Part {
-    match section {
-        Section::LeftOut { heading, why } => {
-            Part { heading: heading.clone(), why: why.clone(), ..Part::default() }
+fn part(placed: &Placed) -> Part {
+    let part = Part { id: placed.id.clone(), heading: placed.heading.clone(), ..Part::default() };
+    match &placed.content {
+        Content::Template => Part { template: true, ..part },
+        Content::Section(Section::LeftOut { why, .. }) => Part { why: why.clone(), ..part },
+        Content::Section(Section::Drawn(figures)) => {
+            Part { figures: figures.iter().map(drawing).collect(), ..part }
         }
-        Section::Drawn(figures) => Part {
-            heading: figures.first().map(|figure| figure.heading.clone()).unwrap_or_default(),
-            figures: figures.iter().map(drawing).collect(),
-            ..Part::default()
-        },
-        Section::Told(chapter) => {
-            let Leaf { id, heading, blocks } = leaf(chapter);
-            Part { id, heading, blocks, ..Part::default() }
+        Content::Section(Section::Told(chapter)) => {
+            Part { blocks: chapter.blocks.iter().map(paragraph).collect(), ..part }
         }
     }
 }
 
-fn drawing(figure: &crate::figure::Figure) -> Drawing {
-    Drawing { svg: Value::from_safe_string(figure.svg.clone()), caption: figure.caption.clone() }
+/// Height over width from which on a figure has a page of its own: shrunk to half a page its texts could not be read.
+const TALL: f64 = 0.75;
+
+fn drawing(figure: &Figure) -> Drawing {
+    let tall = svg::proportion(&figure.svg).is_some_and(|proportion| proportion > TALL);
+    Drawing { svg: markup(&figure.svg), tall, caption: figure.caption.clone() }
 }

@@ -43,3 +43,14 @@ pub fn difference<'a>(
     let second = table.column(&format!("{second}.{quantity}"))?;
     Some(first.iter().zip(second).map(|(a, b)| a - b).collect::<Vec<_>>().into())
 }
+
+/// Histories of one quantity, each less the mean of all in every row.
+pub fn from_mean<'a>(histories: Vec<(String, Cow<'a, [f64]>)>) -> Vec<(String, Cow<'a, [f64]>)> {
+    let rows = histories.iter().map(|(_, values)| values.len()).min().unwrap_or(0);
+    let mean = |row: usize| {
+        histories.iter().map(|(_, values)| values[row]).sum::<f64>() / histories.len().max(1) as f64
+    };
+    let mean: Vec<f64> = (0..rows).map(mean).collect();
+    let less = |values: Cow<'a, [f64]>| values.iter().zip(&mean).map(|(x, m)| x - m).collect::<Vec<_>>();
+    histories.into_iter().map(|(name, values)| (name, less(values).into())).collect()
+}

@@ -5,13 +5,15 @@ use tremolite_results::Summary;
 
 use crate::contact_monitors::QUANTITIES;
 use crate::facts::{ByName, duration};
-use crate::scale::{Scale, moment, quantity, trimmed};
+use crate::language::say;
+use crate::scale::{figures, moment, trimmed};
 use crate::source::Source;
+use crate::units::Kind;
 
 /// Peaks of one family of quantities in one unit.
 #[derive(Serialize)]
 pub struct PeakTable {
-    pub heading: &'static str,
+    pub heading: String,
     pub unit: String,
     pub rows: Vec<PeakRow>,
 }
@@ -33,40 +35,45 @@ pub struct PeakRow {
 pub fn interval(source: &Source) -> Option<String> {
     let time = source.monitors.as_ref().ok()?.column("time")?;
     let [first, second, ..] = time else { return None };
-    Some(trimmed(&quantity("s", second - first)))
+    Some(format!("{}\u{a0}s", trimmed(&figures(second - first, 3))))
 }
 
 /// Peaks of all monitors, and of pairs, by family.
 pub fn peaks(source: &Source) -> Vec<PeakTable> {
-    let (summary, duration) = (source.facts(), duration(source));
-    let peak_table = |heading, unit, all, wanted| peak_table(heading, unit, all, wanted, duration);
+    let (summary, language) = (source.facts(), source.language);
+    let table = |heading, kind, all, wanted| peak_table(source, heading, kind, all, wanted);
+    let (monitors, components) = (&summary.monitors, &["ux", "uy", "uz"][..]);
     let tables = [
-        peak_table("Displacement", "m", &summary.monitors, &["ux", "uy", "uz"][..]),
-        peak_table("Relative displacement", "m", &summary.relative, &["ux", "uy", "uz"][..]),
-        group_stress(&summary, duration),
-        peak_table(
-            "Principal stress of monitors, tension positive",
-            "Pa",
-            &summary.monitors,
+        table(say!(language, "Displacement"), Kind::Displacement, monitors, components),
+        table(say!(language, "Relative displacement"), Kind::Displacement, &summary.relative, components),
+        group_stress(source, &summary),
+        table(
+            say!(language, "Principal stress of monitors, tension positive"),
+            Kind::Stress,
+            monitors,
             &["s1", "s3"][..],
         ),
-        peak_table("Gap and slip of monitors on interfaces", "m", &summary.monitors, &QUANTITIES[..3]),
-        peak_table(
-            "Pressure, compression positive, and shear of monitors on interfaces",
-            "Pa",
-            &summary.monitors,
+        table(
+            say!(language, "Gap and slip of monitors on interfaces"),
+            Kind::Opening,
+            monitors,
+            &QUANTITIES[..3],
+        ),
+        table(
+            say!(language, "Pressure, compression positive, and shear of monitors on interfaces"),
+            Kind::Stress,
+            monitors,
             &QUANTITIES[3..6],
         ),
-        peak_table("Velocity", "m/s", &summary.monitors, &["vx", "vy", "vz"][..]),
-        peak_table("Acceleration", "m/s2", &summary.monitors, &["ax", "ay", "az"][..]),
+        table(say!(language, "Velocity"), Kind::Velocity, monitors, &["vx", "vy", "vz"][..]),
+        table(say!(language, "Acceleration"), Kind::Acceleration, monitors, &["ax", "ay", "az"][..]),
     ];
     tables.into_iter().filter(|table| !table.rows.is_empty()).collect()
 }
 
 /// The largest stresses of each group.
-fn group_stress(summary: &Summary, duration: f64) -> PeakTable {
-    let all = || summary.stress.values().flat_map(|s| [s.s1.value.abs(), s.s3.value.abs()]);
-    let scale = Scale::suiting("Pa", all().filter(|x| x.is_finite()).fold(0.0, f64::max));
+fn group_stress(source: &Source, summary: &Summary) -> PeakTable {
+    let (scale, duration) = (source.scale(Kind::Stress), duration(source));
     let rows = summary.stress.iter().flat_map(|(group, stress)| {
         let row = |monitor: &str, quantity: &str| PeakRow {
             monitor: monitor.to_owned(),
@@ -89,16 +96,19 @@ fn group_stress(summary: &Summary, duration: f64) -> PeakTable {
         };
         [s1, s3]
     });
-    let heading = "Principal stress of groups, tension positive; of 2×2×2 elements at the fibre while intact, else at points";
+    let heading = say!(
+        source.language,
+        "Principal stress of groups, tension positive; of 2×2×2 elements at the fibre while intact, else at points"
+    );
     let rows: Vec<PeakRow> = rows.collect();
     PeakTable { heading, unit: scale.unit, rows }
 }
 
-fn peak_table(heading: &'static str, unit: &str, all: &ByName, wanted: &[&str], duration: f64) -> PeakTable {
+fn peak_table(source: &Source, heading: String, kind: Kind, all: &ByName, wanted: &[&str]) -> PeakTable {
+    let (scale, duration) = (source.scale(kind), duration(source));
     let sizes =
         all.values().flat_map(|by_quantity| by_quantity.iter()).filter(|(q, _)| wanted.contains(&q.as_str()));
     let most = sizes.map(|(_, p)| p.largest().1.abs()).filter(|x| x.is_finite()).fold(0.0, f64::max);
-    let scale = Scale::suiting(unit, most);
     // Round-off of a component that does not move would be the longest numbers of the table.
     let idle = |x: f64| x.abs() < 1e-6 * most;
     let number = |x: f64| if idle(x) { "0".into() } else { scale.number(x) };

@@ -5,13 +5,13 @@ use tremolite_results::{StageSummary, Summary};
 use crate::axes::Axes;
 use crate::convergence::{Point, caverns};
 use crate::figure::{Block, Figure};
+use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::{Scale, figures, trimmed};
 use crate::stage_name::called;
 use crate::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::ticks::Ticks;
 
-const HEADING: &str = "Ground reaction";
 /// Figures beyond these say nothing new.
 const MOST: usize = 6;
 /// A share held that is round-off.
@@ -54,13 +54,13 @@ fn series(stages: &[StageSummary]) -> Vec<Steps> {
 }
 
 /// The block; nothing where every excavation was let go at once.
-pub fn block(facts: &Summary) -> Option<Block> {
+pub fn block(language: Language, facts: &Summary) -> Option<Block> {
     let stages = &facts.stages;
     let series = series(stages);
     let caverns = caverns(stages);
     let figures: Vec<Figure> = series
         .iter()
-        .filter_map(|steps| figure(stages, steps, &concerned(&caverns, &stages[steps.first])))
+        .filter_map(|steps| figure(language, stages, steps, &concerned(&caverns, &stages[steps.first])))
         .take(MOST)
         .enumerate()
         .map(|(number, figure)| named(figure, number))
@@ -70,12 +70,20 @@ pub fn block(facts: &Summary) -> Option<Block> {
     }
     let mut notes = Vec::new();
     if series.len() > figures.len() {
-        notes.push(format!("{} of {} such excavations are drawn.", figures.len(), series.len()));
+        notes.push(say!(
+            language,
+            "{drawn} of {all} such excavations are drawn.",
+            drawn = figures.len(),
+            all = series.len()
+        ));
     }
-    let text = "Motion towards the opening since the stage before the excavation, over the share of the forces at its surface \
+    let text = say!(
+        language,
+        "Motion towards the opening since the stage before the excavation, over the share of the forces at its surface \
                 that has been let go (what is left acts like a support). A straight line is elastic rock; where the curve \
-                steepens the rock yields. After a lining is installed the curve should flatten as the lining takes its share.";
-    Some(Block { heading: HEADING.into(), text: text.into(), figures, notes, ..Block::default() })
+                steepens the rock yields. After a lining is installed the curve should flatten as the lining takes its share."
+    );
+    Some(Block { heading: say!(language, "Ground reaction"), text, figures, notes, ..Block::default() })
 }
 
 /// The points of the caverns that the excavated groups belong to by name; all where none does.
@@ -100,7 +108,12 @@ fn named(figure: Figure, number: usize) -> Figure {
     Figure { file: format!("reaction{suffix}.svg"), ..figure }
 }
 
-fn figure(stages: &[StageSummary], steps: &Steps, points: &[(String, Point)]) -> Option<Figure> {
+fn figure(
+    language: Language,
+    stages: &[StageSummary],
+    steps: &Steps,
+    points: &[(String, Point)],
+) -> Option<Figure> {
     let before = steps.first - 1;
     let several = points.iter().any(|(cavern, _)| *cavern != points[0].0);
     let curve = |(k, (cavern, point)): (usize, &(String, Point))| {
@@ -109,7 +122,8 @@ fn figure(stages: &[StageSummary], steps: &Steps, points: &[(String, Point)]) ->
             let moved = point.inwards(stages, steps.first + i).unwrap_or(f64::NAN) - start;
             (100.0 * share, moved)
         });
-        let name = if several { format!("{cavern} {}", point.label) } else { point.label.clone() };
+        let name = point.called(language);
+        let name = if several { format!("{cavern} {name}") } else { name };
         let points: Vec<(f64, f64)> = std::iter::once((0.0, 0.0)).chain(after).collect();
         points[1..].iter().any(|p| p.1.is_finite()).then(|| Curve::new(name, k, Pen::Marked, points))
     };
@@ -122,8 +136,8 @@ fn figure(stages: &[StageSummary], steps: &Steps, points: &[(String, Point)]) ->
     for point in curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()) {
         point.1 *= scale.factor;
     }
-    let heading =
-        scale.labelled(&format!("{}: motion towards the opening", called(steps.first, &stages[steps.first])));
+    let stage = called(language, steps.first, &stages[steps.first]);
+    let heading = scale.labelled(&say!(language, "{name}: motion towards the opening", name = stage));
     let mut svg = Svg::new(WIDTH);
     let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &heading, &curves) + 16.0;
     let axes = Axes {
@@ -148,19 +162,30 @@ fn figure(stages: &[StageSummary], steps: &Steps, points: &[(String, Point)]) ->
         }
     }
     plot::draw(&mut svg, &axes, &curves);
-    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, "let go so far (%)");
+    let along = say!(language, "let go so far (%)");
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &along);
     let installed =
         steps.shares.iter().enumerate().filter(|(i, _)| !stages[steps.first + i].installed.is_empty());
     // What is installed in a stage is there before its forces go.
     let installed = installed.map(|(i, _)| {
         let share = if i == 0 { 0.0 } else { 100.0 * steps.shares[i - 1] };
         let names = stages[steps.first + i].installed.join(", ");
-        format!("{names} installed at {}\u{a0}%", trimmed(&figures(share, 3)))
+        say!(
+            language,
+            "{names} installed at {share}\u{a0}%",
+            names = names,
+            share = trimmed(&figures(share, 3))
+        )
     });
     let installed: Vec<String> = installed.collect();
-    let caption = if installed.is_empty() { String::new() } else { format!("{}.", installed.join("; ")) };
-    let svg = svg.finish(axes.bottom + 42.0, &heading, "motion over the share of forces let go");
-    Some(Figure { heading: HEADING.into(), file: String::new(), svg, caption })
+    let caption = if installed.is_empty() {
+        String::new()
+    } else {
+        say!(language, "{list}.", list = installed.join(&say!(language, "; ")))
+    };
+    let description = say!(language, "motion over the share of forces let go");
+    let svg = svg.finish(axes.bottom + 42.0, &heading, &description);
+    Some(Figure { heading: say!(language, "Ground reaction"), file: String::new(), svg, caption })
 }
 
 #[cfg(test)]

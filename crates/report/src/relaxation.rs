@@ -4,18 +4,21 @@ use tremolite_results::Summary;
 
 use crate::axes::Axes;
 use crate::figure::{Block, Figure};
+use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::scale::{figures, superscript, trimmed};
 use crate::source::Source;
+use crate::stage_name::name;
 use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::ticks::Ticks;
 
-const HEADING: &str = "How the model came to rest";
-
 /// The block; nothing without the file.
 pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
+    let language = source.language;
+    let heading = say!(language, "How the model came to rest");
     let left_out = |why: String| {
-        Some(Block { heading: HEADING.into(), notes: vec![format!("Left out. {why}")], ..Block::default() })
+        let note = say!(language, "Left out. {why}", why = why);
+        Some(Block { heading: heading.clone(), notes: vec![note], ..Block::default() })
     };
     let table = match source.relaxation.as_ref()? {
         Ok(table) => table,
@@ -23,45 +26,47 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     };
     let columns = (table.column("stage"), table.column("cycle"), table.column("ratio"));
     let (Some(stage), Some(cycle), Some(ratio)) = columns else {
-        return left_out("relaxation.csv has no columns stage, cycle and ratio.".into());
+        return left_out(say!(language, "relaxation.csv has no columns stage, cycle and ratio."));
     };
     let spans = spans(stage, cycle, facts);
     let tolerance = tolerance(facts);
-    let mut panels =
-        vec![("out of balance: Σ|R| / Σ|contributions|", vec![curve("", 0, &spans, cycle, ratio)])];
+    let title = say!(language, "out of balance: Σ|R| / Σ|contributions|");
+    let mut panels = vec![(title, vec![curve("", 0, &spans, cycle, ratio)])];
     if let Some(limit) = tolerance {
         let end = spans.last().map_or(1.0, |span| span.to);
         let line = vec![(0.0, limit.log10()), (end, limit.log10())];
-        let name = format!("tolerance {}", trimmed(&figures(limit, 2)));
+        let name = say!(language, "tolerance {limit}", limit = trimmed(&figures(limit, 2)));
         panels[0].1.push(Curve::new(name, 1, Pen::Dashed, line));
     }
-    let motions: Vec<Curve> =
-        [("motion in the stage", "motion", 3), ("motion left (estimate)", "motion_left", 2)]
-            .into_iter()
-            .filter_map(|(name, column, colour)| {
-                Some(curve(name, colour, &spans, cycle, table.column(column)?))
-            })
-            .filter(|curve| curve.pieces.iter().flatten().any(|p| p.1.is_finite()))
-            .collect();
+    let motions = [
+        (say!(language, "motion in the stage"), "motion", 3),
+        (say!(language, "motion left (estimate)"), "motion_left", 2),
+    ];
+    let motions: Vec<Curve> = motions
+        .into_iter()
+        .filter_map(|(name, column, colour)| Some(curve(&name, colour, &spans, cycle, table.column(column)?)))
+        .filter(|curve| curve.pieces.iter().flatten().any(|p| p.1.is_finite()))
+        .collect();
     if !motions.is_empty() {
-        panels.push(("motion of the node that moves most (m)", motions));
+        panels.push((say!(language, "motion of the node that moves most (m)"), motions));
     }
     if !panels[0].1[0].pieces.iter().flatten().any(|p| p.1.is_finite()) {
-        return left_out("relaxation.csv holds no ratio that is not zero.".into());
+        return left_out(say!(language, "relaxation.csv holds no ratio that is not zero."));
     }
-    let mut caption = String::from(
+    let mut caption = say!(
+        language,
         "Each stage begins out of balance and must end below the tolerance; a curve that levels off above it has not \
-         settled. Waves on the way down are usual.",
+         settled. Waves on the way down are usual."
     );
     if tolerance.is_none() {
-        caption.push_str(" The summary states no tolerance.");
+        caption.push_str(&say!(language, " The summary states no tolerance."));
     }
     if panels.len() > 1 {
-        caption.push_str(" The motion left should end far below the stage's own motion.");
+        caption.push_str(&say!(language, " The motion left should end far below the stage's own motion."));
     }
-    let svg = draw(&panels, &spans, facts);
-    let figure = Figure { heading: HEADING.into(), file: "relaxation.svg".into(), svg, caption };
-    Some(Block { heading: HEADING.into(), figures: vec![figure], ..Block::default() })
+    let svg = draw(language, &heading, &panels, &spans, facts);
+    let figure = Figure { heading: heading.clone(), file: "relaxation.svg".into(), svg, caption };
+    Some(Block { heading, figures: vec![figure], ..Block::default() })
 }
 
 /// What a run calls at rest: the limit of its own check.
@@ -120,7 +125,13 @@ fn decades((low, high): (f64, f64)) -> Ticks {
     Ticks { range: (low - 0.1, high + 0.1), marks: marks.collect() }
 }
 
-fn draw(panels: &[(&str, Vec<Curve>)], spans: &[Span], facts: &Summary) -> String {
+fn draw(
+    language: Language,
+    title: &str,
+    panels: &[(String, Vec<Curve>)],
+    spans: &[Span],
+    facts: &Summary,
+) -> String {
     let mut svg = Svg::new(WIDTH);
     let end = spans.last().map_or(1.0, |span| span.to.max(1.0));
     let across = Ticks::within(0.0, end, 10);
@@ -138,21 +149,23 @@ fn draw(panels: &[(&str, Vec<Curve>)], spans: &[Span], facts: &Summary) -> Strin
             svg.rule((x, top - if k == 0 { 14.0 } else { 0.0 }), (x, top + height), true);
         }
         if k == 0 {
-            names(&mut svg, &axes, spans, facts);
+            names(language, &mut svg, &axes, spans, facts);
         }
         plot::draw(&mut svg, &axes, curves);
         top += height + 26.0;
     }
-    svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, "cycles of all stages");
-    svg.finish(top + 16.0, HEADING, "out of balance over the cycles of all stages, with the tolerance")
+    let along = say!(language, "cycles of all stages");
+    svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, &along);
+    let description = say!(language, "out of balance over the cycles of all stages, with the tolerance");
+    svg.finish(top + 16.0, title, &description)
 }
 
 /// Names of the stages above their parts of the axis; numbers, or nothing, where there is no room.
-fn names(svg: &mut Svg, axes: &Axes, spans: &[Span], facts: &Summary) {
+fn names(language: Language, svg: &mut Svg, axes: &Axes, spans: &[Span], facts: &Summary) {
     for span in spans {
         let (from, to) = (axes.point(span.from, 0.0).0, axes.point(span.to, 0.0).0);
         let number = span.stage.to_string();
-        let name = facts.stages.get(span.stage).map_or("", |s| s.name.as_str());
+        let name = facts.stages.get(span.stage).map_or_else(String::new, |s| name(language, &s.name));
         let full = format!("{number} {name}");
         let fitting =
             [full.trim(), number.as_str()].into_iter().find(|t| text_width(t, 11.0) + 6.0 <= to - from);

@@ -9,6 +9,8 @@ use tremolite_results::{
 
 use crate::language::{Language, say};
 use crate::pairs::is_pair;
+use crate::scale::Scale;
+use crate::units::{Kind, Units};
 
 /// The content of a result folder; for each file that could not be read, a sentence that says why.
 pub struct Source {
@@ -33,6 +35,10 @@ pub struct Source {
     pub sections: Option<Result<Vec<SectionRow>, String>>,
     /// Nothing where the folder has no such file: the run has no bolts, or an older version ran.
     pub bolts: Option<Result<Vec<BoltRow>, String>>,
+    /// The case as it was read; nothing where the folder has no such file.
+    pub case: Option<String>,
+    /// One unit for one quantity.
+    pub units: Units,
 }
 
 impl Source {
@@ -42,11 +48,14 @@ impl Source {
     /// If the folder holds no results at all.
     pub fn read(root: &Path, language: Option<Language>) -> Result<Self, tremolite_results::Error> {
         let folder = ResultFolder::open_existing(root)?;
-        let mut summary = if folder.summary().exists() {
-            Summary::read(&folder.summary()).map_err(|e| e.to_string())
-        } else {
-            Err("There is no summary.json: the run is still under way, or it was killed.".into())
-        };
+        let summary = folder.summary();
+        let summary = summary.exists().then(|| Summary::read(&summary).map_err(|e| e.to_string()));
+        let asked = || summary.as_ref()?.as_ref().ok()?.report.language.parse().ok();
+        let language = language.or_else(asked).unwrap_or_default();
+        let mut summary = summary.unwrap_or_else(|| {
+            Err(say!(language, "There is no summary.json: the run is still under way, or it was killed."))
+        });
+        let table = |path: &Path, key: &str| table(path, key, language);
         let monitors = table(&folder.monitors(), "time");
         let energy = table(&folder.energy(), "time");
         if let (Ok(summary), Ok(monitors)) = (&mut summary, &monitors) {
@@ -58,10 +67,18 @@ impl Source {
         let free_field = folder.free_field();
         let free_field = free_field.exists().then(|| table(&free_field, "time").map(FreeField::of));
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
-        let sections = folder.sections().exists().then(|| sections(&folder.sections()));
+        let sections = folder.sections().exists().then(|| sections(&folder.sections(), language));
         let bolts = folder.bolts().exists().then(|| read_bolts(&folder.bolts()).map_err(|e| format!("{e}.")));
-        let asked = || summary.as_ref().ok()?.report.language.parse().ok();
-        let language = language.or_else(asked).unwrap_or_default();
+        let case = std::fs::read(root.join("case.toml")).ok();
+        let case = case.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+        let facts = facts(&summary, &monitors);
+        let of_ground = [energy.as_ref().ok(), motion.as_ref().and_then(|table| table.as_ref().ok())];
+        let of_joints = [&damage, &interfaces].map(|table| table.as_ref()?.as_ref().ok());
+        let of_joints = of_joints.into_iter().flatten().flat_map(kinds).map(|(kind, size)| match kind {
+            Kind::Displacement => (Kind::Opening, size),
+            other => (other, size),
+        });
+        let units = Units::of(&facts, of_ground.into_iter().flatten().flat_map(kinds).chain(of_joints));
         Ok(Source {
             language,
             folder,
@@ -75,7 +92,19 @@ impl Source {
             relaxation,
             sections,
             bolts,
+            case,
+            units,
         })
+    }
+
+    /// The page's unit of a quantity.
+    pub fn scale(&self, kind: Kind) -> Scale {
+        self.units.scale(kind)
+    }
+
+    /// A value with the page's unit of its quantity.
+    pub fn quantity(&self, kind: Kind, value: f64) -> String {
+        self.units.scale(kind).quantity(value)
     }
 
     /// Whether there is anything to show of the ground's shaking, or should be. Where a run has only come through stages,
@@ -110,14 +139,28 @@ impl Source {
 
     /// The summary, or an empty one.
     pub fn facts(&self) -> Summary {
-        self.summary.clone().unwrap_or_else(|_| {
-            let mut facts = Summary::default();
-            if let Ok(monitors) = &self.monitors {
-                complete(&mut facts, monitors);
-            }
-            facts
-        })
+        facts(&self.summary, &self.monitors)
     }
+}
+
+/// The summary, or one with peaks alone.
+fn facts(summary: &Result<Summary, String>, monitors: &Result<Table, String>) -> Summary {
+    summary.clone().unwrap_or_else(|_| {
+        let mut facts = Summary::default();
+        if let Ok(monitors) = monitors {
+            complete(&mut facts, monitors);
+        }
+        facts
+    })
+}
+
+/// What the columns of a table are, each with its largest value by size.
+fn kinds(table: &Table) -> impl Iterator<Item = (Kind, f64)> {
+    let columns = table.columns.iter().zip(&table.values);
+    columns.filter_map(|(column, values)| {
+        let finite = values.iter().filter(|x| x.is_finite());
+        Some((Kind::of_unit(&column.unit)?, finite.fold(0.0, |most, x| f64::max(most, x.abs()))))
+    })
 }
 
 /// Fills in peaks that the summary lacks from the histories.
@@ -135,23 +178,27 @@ fn complete(summary: &mut Summary, monitors: &Table) {
 }
 
 /// The section forces, if there are any rows.
-fn sections(path: &Path) -> Result<Vec<SectionRow>, String> {
+fn sections(path: &Path, language: Language) -> Result<Vec<SectionRow>, String> {
     let rows = read_sections(path).map_err(|e| format!("{e}."))?;
-    if rows.is_empty() { Err("sections.csv has no rows yet.".into()) } else { Ok(rows) }
+    if rows.is_empty() {
+        Err(say!(language, "{file} has no rows yet.", file = "sections.csv"))
+    } else {
+        Ok(rows)
+    }
 }
 
 /// A table that must have the column `key`.
-fn table(path: &Path, key: &str) -> Result<Table, String> {
+fn table(path: &Path, key: &str, language: Language) -> Result<Table, String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if !path.exists() {
-        return Err(format!("There is no {name} in the result folder."));
+        return Err(say!(language, "There is no {file} in the result folder.", file = name));
     }
     let table = Table::read(path).map_err(|e| format!("{e}."))?;
     if table.column(key).is_none() {
-        return Err(format!("{name} has no column {key}."));
+        return Err(say!(language, "{file} has no column {key}.", file = name, key = key));
     }
     if table.rows() == 0 {
-        return Err(format!("{name} has no rows yet."));
+        return Err(say!(language, "{file} has no rows yet.", file = name));
     }
     Ok(table)
 }

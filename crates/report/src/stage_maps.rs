@@ -42,7 +42,10 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         return left_out("stages.pvd lists no file yet.".into());
     };
     let number = last.time.max(0.0) as usize;
-    let when = facts.stages.get(number).map_or(format!("stage {number}"), |stage| called(number, stage));
+    let when = facts
+        .stages
+        .get(number)
+        .map_or(format!("stage {number}"), |stage| called(source.language, number, stage));
     let when = format!("after {when}");
     let file = pvd.locate(last);
     let y = plane(&facts.positions);

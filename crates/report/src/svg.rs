@@ -9,6 +9,7 @@ pub const INK: &str = "#1f2933";
 /// Text of lesser weight.
 pub const MUTED: &str = "#5b6773";
 const GRID: &str = "#e2e6ea";
+const VEIL: &str = "#d3dae1";
 const AXIS: &str = "#8b95a1";
 const FONTS: &str =
     "system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,'Noto Sans CJK SC',sans-serif";
@@ -135,6 +136,13 @@ impl Svg {
         self.put("\"/>");
     }
 
+    /// A pale area under lines, in the page's colour.
+    pub fn veil(&mut self, outline: &[(f64, f64)]) {
+        self.put(format_args!("<path class=\"veil\" fill=\"{VEIL}\" d=\""));
+        self.trace(outline, true);
+        self.put("\"/>");
+    }
+
     /// Thin dark lines on a map. Maps keep their own light colours in the dark, so these do not follow the page.
     pub fn borders(&mut self, lines: &[Vec<(f64, f64)>]) {
         self.put("<path fill=\"none\" stroke=\"#1f2933\" stroke-width=\"0.9\" stroke-linecap=\"round\" d=\"");
@@ -233,6 +241,13 @@ impl Svg {
             self.body
         )
     }
+}
+
+/// Height over width of a drawing made here.
+pub fn proportion(drawing: &str) -> Option<f64> {
+    let (size, _) = drawing.split_once("viewBox=\"0 0 ")?.1.split_once('"')?;
+    let (width, height) = size.split_once(' ')?;
+    Some(height.parse::<f64>().ok()? / width.parse::<f64>().ok()?)
 }
 
 /// How a text is set.

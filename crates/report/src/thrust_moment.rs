@@ -3,6 +3,7 @@
 use crate::axes::Axes;
 use crate::figure::Figure;
 use crate::force_chart::COLOURS;
+use crate::language::{Language, say};
 use crate::lining::{KILO, Lining, Station};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::svg::{Anchor, Style, Svg};
@@ -13,7 +14,7 @@ const BOXES: usize = 150;
 
 /// The figure; nothing for a lining without numbers. Of a lining of many stations those of the section are followed through
 /// the shaking.
-pub fn figure(lining: &Lining, section: &[&Station], suffix: &str) -> Option<Figure> {
+pub fn figure(language: Language, lining: &Lining, section: &[&Station], suffix: &str) -> Option<Figure> {
     let after: Vec<(f64, f64)> =
         lining.stations.iter().map(|s| (s.after[0] * KILO, s.after[1] * KILO)).collect();
     let all = lining.stations.len() <= BOXES;
@@ -33,7 +34,7 @@ pub fn figure(lining: &Lining, section: &[&Station], suffix: &str) -> Option<Fig
         .collect();
     let mut curves = Vec::new();
     if boxes.iter().flatten().any(|(n, m)| n.is_finite() && m.is_finite()) {
-        let name = "between which values each station went while the ground shook".into();
+        let name = say!(language, "between which values each station went while the ground shook");
         curves.push(Curve { name, colour: 6, pen: Pen::Thin, pieces: boxes });
     }
     if after.iter().any(|(n, m)| n.is_finite() && m.is_finite()) {
@@ -43,7 +44,7 @@ pub fn figure(lining: &Lining, section: &[&Station], suffix: &str) -> Option<Fig
         return None;
     }
     let ((left, right), (low, high)) = plot::ranges(&curves);
-    let title = format!("{}: M, moment (kN\u{a0}m/m), over N, thrust", lining.name);
+    let title = say!(language, "{lining}: M, moment (kN\u{a0}m/m), over N, thrust", lining = lining.name);
     let mut svg = Svg::new(WIDTH);
     let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &curves);
     let axes = Axes {
@@ -55,28 +56,28 @@ pub fn figure(lining: &Lining, section: &[&Station], suffix: &str) -> Option<Fig
         up: Ticks::around(low.min(0.0), high.max(0.0), 7),
     };
     plot::draw(&mut svg, &axes, &curves);
-    svg.text(
-        (WIDTH - RIGHT, axes.bottom + 34.0),
-        Anchor::End,
-        12.0,
-        Style::Muted,
-        "N (kN/m), tension positive",
-    );
+    let along = say!(language, "N (kN/m), tension positive");
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &along);
     let shaken = match (lining.shaken(), all) {
-        (false, _) => "",
-        (true, true) => {
+        (false, _) => String::new(),
+        (true, true) => say!(
+            language,
             " Every pair of N and M that a station had lies in its box; the corners need not have occurred together."
-        }
-        (true, false) => {
+        ),
+        (true, false) => say!(
+            language,
             " Boxes are those of the section drawn above: every pair of N and M that a station had lies in its box; the corners \
              need not have occurred together. The extremes of all sections are in the table."
-        }
+        ),
     };
-    let caption = format!(
-        "All {} stations of the lining, all sections.{shaken} Right of N = 0 a section is pulled. N and M are those of the concrete and of bars in it together. Lines of strength are not \
-         drawn: they need thickness, concrete and reinforcement, which the files of section forces do not hold.",
-        lining.stations.len()
+    let caption = say!(
+        language,
+        "All {number} stations of the lining, all sections.{shaken} Right of N = 0 a section is pulled. N and M are those of \
+         the concrete and of bars in it together.",
+        number = lining.stations.len(),
+        shaken = shaken
     );
-    let svg = svg.finish(axes.bottom + 42.0, &title, "moment over thrust at each station");
+    let description = say!(language, "moment over thrust at each station");
+    let svg = svg.finish(axes.bottom + 42.0, &title, &description);
     Some(Figure { heading: title, file: format!("thrust-moment{suffix}.svg"), svg, caption })
 }

@@ -1,9 +1,176 @@
 //! The model in three dimensions: what the page's script draws, in blocks of compressed numbers.
+//!
+//! A part is a body or an interface; its name and kind come from the result files ([`names`]). What the field files hold
+//! goes in as it is: places in u16 steps, scalars in 255 levels between their extremes over all times, displacement in i16
+//! steps about the mean of the model at that time. Vectors and tensors stay in the files.
 
-use crate::blocks::Blocks;
+mod code;
+mod columns;
+mod encode;
+mod faces;
+mod fit;
+mod interface;
+mod labels;
+mod manifest;
+mod mesh;
+mod names;
+mod notes;
+mod part;
+#[cfg(test)]
+mod tests;
+
+use tremolite_results::{FieldFile, Pvd, SectionRow};
+
+use self::code::Grid16;
+use self::encode::Common;
+use self::fit::fit;
+use self::manifest::{Kind, Manifest, Moment, PartData};
+use self::part::Part;
+use crate::blocks::{Blocks, json_element};
+use crate::language::say;
 use crate::source::Source;
 
+/// Bytes that the blocks of the view may take in a page of a small model, and of any other: with the script (0.8 MB) and
+/// the figures a page stays below 4 and 12 MB.
+const BUDGET: [usize; 2] = [3_500_000, 11_000_000];
+/// Elements that a small model has at most.
+const SMALL: usize = 20_000;
+
 /// The page's manifest of the view, its numbers in `blocks`; empty where there is nothing to draw or the case wants none.
-pub fn embedded(_source: &Source, _blocks: &mut Blocks) -> String {
-    String::new()
+/// Where a file cannot be read the manifest has no parts, and a note that says why.
+pub fn embedded(source: &Source, blocks: &mut Blocks) -> String {
+    within(source, blocks, None)
+}
+
+/// As [`embedded`], with another budget.
+pub fn within(source: &Source, blocks: &mut Blocks, budget: Option<usize>) -> String {
+    if source.summary.as_ref().is_ok_and(|summary| !summary.report.view) {
+        return String::new();
+    }
+    let folder = &source.folder;
+    let list = |path: &std::path::Path| {
+        path.exists().then(|| Pvd::read(path).map_err(|e| e.to_string())).filter(|list| {
+            // A run that has not come so far has a list without files.
+            list.as_ref().map_or(true, |pvd| !pvd.snapshots().is_empty())
+        })
+    };
+    let (clock, found) = match list(&folder.pvd()) {
+        Some(found) => ("earthquake", Some(found)),
+        None => ("stages", list(&folder.stages_pvd())),
+    };
+    let manifest = match found {
+        None => return String::new(),
+        Some(Ok(pvd)) => drawn(source, clock, &pvd, blocks, budget),
+        Some(Err(why)) => Err(why),
+    };
+    let manifest = manifest.unwrap_or_else(|why| Manifest {
+        version: 1,
+        clock,
+        origin: [0.0; 3],
+        step: [0.0; 3],
+        times: Vec::new(),
+        mean: Vec::new(),
+        displacement_step: 0.0,
+        parts: Vec::new(),
+        notes: vec![say!(source.language, "The view is left out. {why}.", why = why)],
+    });
+    // Only keys that are no texts could fail, and there are none.
+    json_element("view-data", &serde_json::to_string(&manifest).unwrap_or_default())
+}
+
+/// # Errors
+/// In words, if a field file cannot be read.
+fn drawn(
+    source: &Source,
+    clock: &'static str,
+    pvd: &Pvd,
+    blocks: &mut Blocks,
+    budget: Option<usize>,
+) -> Result<Manifest, String> {
+    let (language, summary) = (source.language, source.facts());
+    let moments = moments(source, clock, pvd);
+    let mut solids: Vec<Part> = Vec::new();
+    let mut mean = Vec::new();
+    for (time, snapshot) in pvd.snapshots().iter().enumerate() {
+        let file = FieldFile::solids(&pvd.locate(snapshot)).map_err(|e| e.to_string())?;
+        mean.push(file.displacement.as_deref().map_or([0.0; 3], mean_of));
+        part::take(&mut solids, time, &file, 8, mean[time]);
+    }
+    let (interfaces, broken) = match interface::read(&source.folder.interfaces_pvd(), &moments, &solids) {
+        Ok(interfaces) => (interfaces, None),
+        Err(why) => (Vec::new(), Some(why)),
+    };
+
+    let rows: &[SectionRow] = source.sections.as_ref().and_then(|rows| rows.as_deref().ok()).unwrap_or(&[]);
+    let linings: Vec<&str> = rows.iter().map(|row| row.lining.as_str()).collect();
+    let mut names = names::bodies(language, &solids);
+    let mut kinds = names::kinds(&solids, &linings, &summary);
+    let mut outer = faces::outer(&solids.iter().map(|part| &part.mesh).collect::<Vec<_>>());
+    for part in &interfaces {
+        let numbered = || say!(language, "interface {number}", number = part.owner);
+        names.push(interface::name(part).map_or_else(numbered, str::to_owned));
+        kinds.push(Kind::Interface);
+        outer.push(faces::of_interface(&part.mesh));
+    }
+
+    let elements: usize = solids.iter().map(|part| part.mesh.elements.len()).sum();
+    let parts: Vec<Part> = solids.into_iter().chain(interfaces).collect();
+    let common = Common {
+        language,
+        grid: Grid16::around(parts.iter().flat_map(|part| &part.mesh.points)),
+        times: moments.len(),
+        step: displacement_step(&parts),
+    };
+    let mut draft = Blocks::default();
+    let mut data: Vec<PartData> = Vec::new();
+    let mut notes = Vec::new();
+    for ((part, name), (kind, outer)) in parts.iter().zip(names).zip(kinds.into_iter().zip(&outer)) {
+        let (encoded, uniform) = common.encode(part, name, kind, outer, &mut draft);
+        notes.extend(notes::uniform(language, &encoded.name, &uniform));
+        data.push(encoded);
+    }
+    let budget = budget.unwrap_or(BUDGET[usize::from(elements > SMALL)]);
+    let left = fit(&mut data, moments.len(), &draft, budget);
+    data.iter_mut().flat_map(PartData::blocks).for_each(|block| *block = blocks.take(&draft, *block));
+    notes.splice(0..0, notes::left_out(language, &left, budget));
+    notes.extend(broken.map(|why| say!(language, "Interfaces are left out. {why}.", why = why)));
+    notes.extend(notes::vectors(language, clock, &parts));
+    Ok(Manifest {
+        version: 1,
+        clock,
+        origin: common.grid.origin,
+        step: common.grid.step,
+        times: moments,
+        mean,
+        displacement_step: common.step,
+        parts: data,
+        notes,
+    })
+}
+
+/// The times of the files, or the stages.
+fn moments(source: &Source, clock: &str, pvd: &Pvd) -> Vec<Moment> {
+    let stages = source.summary.as_ref().map_or(&[][..], |summary| &summary.stages);
+    let label = |t: f64| {
+        if clock == "earthquake" {
+            return format!("{t} s");
+        }
+        let name = stages.get(t as usize).map_or("", |stage| &stage.name);
+        if name.is_empty() { say!(source.language, "stage {number}", number = t) } else { name.to_owned() }
+    };
+    pvd.snapshots().iter().map(|snapshot| Moment { t: snapshot.time, label: label(snapshot.time) }).collect()
+}
+
+/// Over all points of a file.
+fn mean_of(displacement: &[[f32; 3]]) -> [f64; 3] {
+    let finite = || displacement.iter().filter(|u| u.iter().all(|x| x.is_finite()));
+    let count = finite().count().max(1) as f64;
+    [0, 1, 2].map(|axis| finite().map(|u| f64::from(u[axis])).sum::<f64>() / count)
+}
+
+/// The finest step in which i16 holds all displacements (m).
+fn displacement_step(parts: &[Part]) -> f64 {
+    let all = parts.iter().flat_map(|part| part.displacement.iter().flatten().flatten().flatten());
+    let most = all.filter(|x| x.is_finite()).fold(0.0f32, |most, x| most.max(x.abs()));
+    f64::from(most) / f64::from(i16::MAX)
 }

@@ -15,7 +15,7 @@
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |
 //! | `bolts.csv` | [`bolts`] | forces, slip and state of bolts, a row a bolt and time |
 //! | `fields.pvd`, `interfaces.pvd`, `stages.pvd`, `bolts.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/`, `stages/` and `bolts/` |
-//! | `fields/*.vtu` | [`cut`] | cuts through them; `tremolite_mesh::vtu` reads and writes the files themselves |
+//! | `fields/*.vtu` | [`cut`], [`field_file`] | cuts through them, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
 //! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
 //! | `bolts/*.vtu` | [`bolt_lines`] | the segments of bolts with what they did |
 //!
@@ -28,8 +28,10 @@ pub mod bolts;
 pub mod cut;
 pub mod damage;
 pub mod error;
+pub mod field_file;
 pub mod folder;
 pub mod free_field;
+pub mod hexahedron;
 pub mod interface;
 pub mod materials;
 pub mod number;
@@ -51,6 +53,7 @@ pub use bolts::{BoltRow, BoltWriter, EARTHQUAKE, read_bolts};
 pub use cut::{Cut, CutCell};
 pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;
+pub use field_file::{FieldCell, FieldFile, Scalar};
 pub use folder::{HAND_OVER, ResultFolder, replace_file};
 pub use free_field::{FreeField, Station, Velocities};
 pub use interface::{InterfaceSummary, PairPeak, PairPlace};

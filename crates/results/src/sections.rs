@@ -20,9 +20,13 @@ pub struct SectionRow {
     pub time: [f64; 3],
     /// N (N/m, tension positive), M (N m/m, positive with tension at the intrados), Q (N/m).
     pub forces: [f64; 3],
+    /// Thrust (N/m) at the same time as M: the two are a state that the section was in.
+    pub thrust_at_moment: f64,
+    /// Of the section (m), not a number in files of older versions.
+    pub thickness: f64,
 }
 
-const HEADERS: [&str; 12] = [
+const HEADERS: [&str; 14] = [
     "lining",
     "station",
     "x [m]",
@@ -35,6 +39,8 @@ const HEADERS: [&str; 12] = [
     "Q [N/m]",
     "time_M [s]",
     "time_Q [s]",
+    "N_at_M [N/m]",
+    "thickness [m]",
 ];
 
 /// Writes the file whole.
@@ -66,6 +72,8 @@ pub fn write_sections(path: &Path, rows: &[SectionRow]) -> Result<(), Error> {
             q,
             of_m,
             of_q,
+            text(row.thrust_at_moment),
+            text(row.thickness),
         ]
     });
     write_rows(&mut out, head.chain(body));
@@ -87,6 +95,8 @@ pub fn read_sections(path: &Path) -> Result<Vec<SectionRow>, Error> {
         let value = |i: usize| -> Result<f64, Error> {
             field(i)?.parse().map_err(|_| fault(format!("'{}' is not a number", HEADERS[i])))
         };
+        // Files of older versions end before these.
+        let later = |i: usize| if record.len() > i { value(i) } else { Ok(f64::NAN) };
         rows.push(SectionRow {
             lining: field(0)?.to_owned(),
             station: field(1)?.parse().map_err(|_| fault("'station' is not a number".into()))?,
@@ -94,6 +104,8 @@ pub fn read_sections(path: &Path) -> Result<Vec<SectionRow>, Error> {
             when: field(5)?.to_owned(),
             time: [value(6)?, value(10)?, value(11)?],
             forces: [value(7)?, value(8)?, value(9)?],
+            thrust_at_moment: later(12)?,
+            thickness: later(13)?,
         });
     }
     Ok(rows)
@@ -112,6 +124,8 @@ mod tests {
             when: "bench 1, lower".into(),
             time: [f64::NAN; 3],
             forces: [-1.25e6, 3.0e4, 12.0],
+            thrust_at_moment: -1.25e6,
+            thickness: 0.5,
         };
         let extreme = SectionRow { when: "max".into(), time: [1.5, 2.5, 3.5], ..row.clone() };
         let folder = tempfile::tempdir().unwrap();
@@ -121,5 +135,15 @@ mod tests {
         assert_eq!(read[1], extreme);
         assert_eq!((&read[0].lining, &read[0].when, read[0].forces), (&row.lining, &row.when, row.forces));
         assert!(read[0].time.iter().all(|t| t.is_nan()));
+    }
+
+    #[test]
+    fn files_without_the_later_columns_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("sections.csv");
+        let head = HEADERS[..12].join(",");
+        std::fs::write(&path, format!("{head}\nhall,1,0,0,0,lining,NaN,-2,3,4,NaN,NaN\n")).unwrap();
+        let [row] = &read_sections(&path).unwrap()[..] else { panic!("one row") };
+        assert!(row.forces == [-2.0, 3.0, 4.0] && row.thickness.is_nan() && row.thrust_at_moment.is_nan());
     }
 }

@@ -1,25 +1,37 @@
-//! `tremolite report`: the page again, from the result files.
+//! `tremolite report`: the page again, from the result files; or runs beside one another.
 
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::print;
 use std::path::PathBuf;
+use tremolite_report::Language;
 
 #[derive(clap::Args)]
 pub struct Args {
     /// The result folder
-    folder: PathBuf,
-    /// The page's language, en or zh; left out, that of the case
+    #[arg(required_unless_present = "compare", conflicts_with = "compare")]
+    folder: Option<PathBuf>,
+    /// Two or more result folders to set beside one another, the first being that which the others are compared with
+    #[arg(long, num_args = 2.., value_name = "DIR")]
+    compare: Vec<PathBuf>,
+    /// Where the comparison is written
+    #[arg(long, value_name = "FILE", default_value = "comparison.html", requires = "compare")]
+    out: PathBuf,
+    /// The page's language, en or zh; left out, that of the (first) case
     #[arg(long, value_name = "CODE")]
-    language: Option<tremolite_report::Language>,
+    language: Option<Language>,
 }
 
 pub fn run(args: &Args) -> Outcome {
-    tremolite_results::ResultFolder::open_existing(&args.folder).map_err(Failure::input)?;
-    let page = match args.language {
-        Some(language) => tremolite_report::write_in(&args.folder, language),
-        None => tremolite_report::write(&args.folder),
+    for folder in args.folder.iter().chain(&args.compare) {
+        tremolite_results::ResultFolder::open_existing(folder).map_err(Failure::input)?;
+    }
+    let page = match (&args.folder, args.language) {
+        (None, language) => {
+            tremolite_report::compare(&args.compare, &args.out, language).map(|()| args.out.clone())
+        }
+        (Some(folder), Some(language)) => tremolite_report::write_in(folder, language),
+        (Some(folder), None) => tremolite_report::write(folder),
     };
-    let page = page.map_err(Failure::failed)?;
-    print(&page.display().to_string());
+    print(&page.map_err(Failure::failed)?.display().to_string());
     Ok(Code::Done)
 }

@@ -61,9 +61,11 @@ fn patterns() -> BTreeMap<String, String> {
         spoken(text.parse().unwrap_or_else(|e| panic!("{file}: {e}")), &mut found);
         patterns.extend(found.into_iter().map(|pattern| (pattern, file.clone())));
     }
-    let template = crates.join("report/template/report.html");
-    let text = fs::read_to_string(&template).unwrap();
-    patterns.extend(asked(&text).map(|pattern| (pattern, template.display().to_string())));
+    for name in ["report.html", "compare.html"] {
+        let template = crates.join("report/template").join(name);
+        let text = fs::read_to_string(&template).unwrap();
+        patterns.extend(asked(&text).map(|pattern| (pattern, template.display().to_string())));
+    }
     patterns
 }
 

@@ -74,7 +74,19 @@ fn a_new_case_checks_runs_and_reports() {
 
     std::fs::remove_file(results.join("report.html")).unwrap();
     assert_eq!(code(&tremolite(folder.path(), &["report", "results/study"])), 0);
-    assert!(std::fs::read_to_string(results.join("report.html")).unwrap().contains("A first cavern"));
+    let page = || std::fs::read_to_string(results.join("report.html")).unwrap();
+    assert!(page().contains("A first cavern") && page().contains("<html lang=\"en\">"));
+    assert_eq!(code(&tremolite(folder.path(), &["report", "results/study", "--language", "zh"])), 0);
+    assert!(page().contains("<html lang=\"zh-CN\">"));
+    assert_eq!(code(&tremolite(folder.path(), &["report", "results/study", "--language", "fr"])), 2);
+
+    // Two runs of one case: the same numbers beside one another.
+    let compare = ["report", "--compare", "results/study", "results/study-2", "--out", "both.html"];
+    assert_eq!(code(&tremolite(folder.path(), &compare)), 0);
+    let both = std::fs::read_to_string(folder.path().join("both.html")).unwrap();
+    assert!(both.contains("study-2") && both.contains("both folders hold the same case"), "{both}");
+    assert_eq!(code(&tremolite(folder.path(), &["report", "--compare", "results/study"])), 2);
+    assert_eq!(code(&tremolite(folder.path(), &["report"])), 2);
 }
 
 #[test]

@@ -3,14 +3,7 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
-    ("Materials", "材料"),
     (".", "。"),
-    ("Made of it", "所用部位"),
-    ("Density; speeds of P and S waves", "密度；P 波与 S 波波速"),
-    ("Damping", "阻尼"),
-    ("Parameters", "参数"),
-    ("What the law makes of them", "由本构模型导出的量"),
-    ("default", "默认"),
     ("{count} elements, one-point", "{count} 个单元，单点积分"),
     ("{count} elements, full", "{count} 个单元，完全积分"),
     ("{count} elements, {kind}", "{count} 个单元，{kind}"),

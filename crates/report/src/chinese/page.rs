@@ -1,5 +1,111 @@
-//! Of the page's template.
+//! The page's frame: the template, the order of the sections and the tables of peaks.
 
 use super::Texts;
 
-pub const TEXTS: Texts = &[("Can these results be trusted?", "结果是否可信？")];
+pub const TEXTS: Texts = &[
+    ("Results", "计算结果"),
+    (
+        "Times in s. The last column is the value at the end of the run.",
+        "时间单位为 s。最后一列为计算结束时的值。",
+    ),
+    (
+        "{first} Taken from the rows of monitors.csv, {interval} apart: what rings faster may peak higher between them (a shorter output.histories shows it).",
+        "{first}取自 monitors.csv 的各行，间隔 {interval}：更快的振荡在两行之间可能有更高的峰值（减小 output.histories 即可看到）。",
+    ),
+    ("Numbers in full", "完整数据"),
+    ("Fields for ParaView", "ParaView 场文件"),
+    ("The case as it was read", "读入的算例"),
+    ("What was found", "主要结论"),
+    ("The model in three dimensions", "三维模型"),
+    ("Earthquake", "地震"),
+    ("Peaks", "峰值"),
+    ("Damage", "损伤"),
+    ("Interfaces", "接触面"),
+    ("Model", "模型"),
+    ("Model and motion", "模型与地震动"),
+    ("Materials", "材料"),
+    ("Assumptions and defaults", "假定与默认值"),
+    ("The case", "算例"),
+    ("How it was run", "计算过程"),
+    ("Can these results be trusted?", "结果是否可信？"),
+    (
+        "A table ends in the middle of a line: this page shows a run that is still going on, or one that was killed.",
+        "有一个数据表在行中间中断：本页所示的计算仍在进行，或已被终止。",
+    ),
+    ("Contents", "目录"),
+    (
+        "No structure is judged: no material of this run can crack or yield.",
+        "未对任何结构作判断：本次计算的材料既不会开裂也不会屈服。",
+    ),
+    (
+        "The model turns where scripts run. The figures below hold all of it.",
+        "三维模型需要运行脚本才能转动查看；其内容均见下列各图。",
+    ),
+    ("There are no histories to take peaks from.", "没有可取峰值的时程。"),
+    ("largest", "最大"),
+    ("at", "时刻"),
+    ("smallest", "最小"),
+    ("at the end", "结束时"),
+    (
+        "At the end of the run. Groups may overlap. Volumes in m³, with the share of the group’s volume where something of it is damaged; places in m.",
+        "计算结束时的状态。各组可以重叠。体积单位为 m³，有损伤时附占该组体积的比例；位置单位为 m。",
+    ),
+    ("Cracks", "裂缝"),
+    ("through the thickness", "贯穿厚度"),
+    ("for one at", "其中一处"),
+    ("widest opening", "最大宽度"),
+    ("in", "位于"),
+    (
+        "Through: every element from the inner surface to the outer is damaged beyond 0.9 at a pair of points along its thickness. Opening: damage times the largest strain times the element’s extent across the crack; several cracks in one element count together.",
+        "贯穿：从内表面到外表面的每个单元，在沿厚度的一对积分点上损伤均超过 0.9。宽度：损伤 × 最大应变 × 单元垂直于裂缝的尺寸；同一单元内的多条裂缝合并计算。",
+    ),
+    ("volume", "体积"),
+    ("above {threshold}", "超过 {threshold}"),
+    ("first", "首次"),
+    (
+        "Over the whole run. Percentages are of the interface’s own area; places in m.",
+        "全过程。百分数以接触面自身面积计；位置单位为 m。",
+    ),
+    ("Check", "检查项"),
+    ("Found", "结果"),
+    ("Limit", "限值"),
+    ("The run recorded no checks.", "本次计算没有记录任何检查。"),
+    ("Without a summary there are no checks.", "没有摘要，因此没有检查结果。"),
+    ("The summary says nothing of the model.", "摘要中没有模型信息。"),
+    (
+        "Without a summary the model is not known here; case.toml holds the case.",
+        "没有摘要，此处无法给出模型；算例见 case.toml。",
+    ),
+    ("Made of it", "用于"),
+    ("Density; speeds of P and S waves", "密度；P 波与 S 波波速"),
+    ("Damping", "阻尼"),
+    ("Parameters", "参数"),
+    ("What the law makes of them", "由本构导出的量"),
+    ("default", "默认"),
+    ("Said before the run", "计算前的提示（程序原文，英文）"),
+    ("What the case left open", "算例未给定的参数"),
+    (
+        "These keys were not in the case; the run used the values shown.",
+        "算例中没有以下键；计算采用了所示的值。",
+    ),
+    ("Nothing: every parameter was given.", "无：所有参数均已给定。"),
+    ("Without a summary this is not known.", "没有摘要，无从得知。"),
+    ("Each figure is also a file in figures/.", "每幅图在 figures/ 中另有单独的文件。"),
+    ("Left out.", "从略。"),
+    ("Principal stress of monitors, tension positive", "监测点主应力（拉为正）"),
+    ("Gap and slip of monitors on interfaces", "接触面监测点的张开与滑移"),
+    (
+        "Pressure, compression positive, and shear of monitors on interfaces",
+        "接触面监测点的压应力（压为正）与剪应力",
+    ),
+    (
+        "Principal stress of groups, tension positive; of 2×2×2 elements at the fibre while intact, else at points",
+        "各组主应力（拉为正）；2×2×2 单元未损伤时取外缘纤维处，否则取积分点",
+    ),
+    ("The section and its monitors", "断面与监测点"),
+    (
+        "Elements on the plane y = {y}\u{a0}m: {shown} of the {all} that the plane meets are shown. Dark is what is not rock. Places of the monitors are under 'Model'. Are the elements small where stresses change fast, round the openings and at the corners?",
+        "平面 y = {y}\u{a0}m 上的单元：该平面切到 {all} 个，图示 {shown} 个。深色为围岩以外的部分。监测点坐标见“模型”一节。请看应力变化剧烈处（洞周与转角）的单元是否足够小。",
+    ),
+    ("mesh of the section", "断面网格"),
+];

@@ -86,7 +86,7 @@ fn a_monitor_on_an_interface_has_its_own_figures_and_no_others() {
 }
 
 #[test]
-fn lines_of_interfaces_in_the_energy_balance_have_words_and_a_scale_of_their_own() {
+fn lines_of_interfaces_in_the_energy_balance_have_words_and_axes_of_their_own_in_the_one_unit() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path());
     let page = page(&folder);
@@ -95,7 +95,7 @@ fn lines_of_interfaces_in_the_energy_balance_have_words_and_a_scale_of_their_own
     {
         assert!(svg.contains(text), "{text}");
     }
-    assert!(svg.contains("energy (MJ)") && svg.contains("energy of interfaces (kJ)"));
+    assert!(svg.contains("energy (kJ)") && svg.contains("energy of interfaces (kJ)"));
     assert!(page.contains(
         "At the end interfaces hold 3.00\u{a0}kJ; friction and broken bonds have taken 50.0\u{a0}kJ"
     ));
@@ -184,7 +184,7 @@ fn a_run_without_interfaces_says_nothing_of_them() {
     let mut table = TableWriter::create(&folder.monitors(), &columns).unwrap();
     (0..9).for_each(|step| table.write(&[f64::from(step), f64::from(step)]).unwrap());
     let page = page(&folder);
-    let body = page.split_once("</style>").unwrap().1;
+    let body = page.split_once("</style>").unwrap().1.split_once("</main>").unwrap().0;
     assert!(!body.to_lowercase().contains("interface"));
     assert!(
         fs::read_dir(folder.figures()).unwrap().all(|f| !f

@@ -1,9 +1,15 @@
 //! The tests of this crate, one binary.
 
 mod bolts;
+mod chinese_page;
+mod compare;
 mod free_field;
 mod further_quantities;
 mod interface_results;
 mod interfaces;
+mod page;
 mod report;
 mod stages;
+mod view;
+mod view_blocks;
+mod view_files;

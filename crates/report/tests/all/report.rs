@@ -13,7 +13,7 @@ use tremolite_results::{
 };
 
 /// A small but complete result folder: monitors with the given names, one second of a swinging motion.
-fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
+pub fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
     let folder = ResultFolder::create(Some(root), "case", false).unwrap();
     let quantities =
         [("ux", "m"), ("uy", "m"), ("uz", "m"), ("vx", "m/s"), ("ax", "m/s2"), ("s1", "Pa"), ("d_b", "")];
@@ -102,6 +102,7 @@ fn the_page_shows_every_monitor_every_check_and_every_default() {
         drawings(&folder),
         [
             "acceleration.svg",
+            "displacement-less-mean.svg",
             "displacement.svg",
             "energy.svg",
             "further-1.svg",
@@ -126,6 +127,8 @@ fn the_page_is_self_contained_and_equal_for_equal_results() {
     assert!(first.contains("content=\"default-src 'none'; script-src 'unsafe-inline'"));
     let (main, _) = first.split_once("</main>").unwrap();
     let outside = main.replace("http://www.w3.org/2000/svg", "");
+    // Links lead into the page itself.
+    let outside = outside.replace("href=\"#", "");
     for reference in ["http:", "https:", "src=", "href=", "@import", "url(", "<script "] {
         assert!(!outside.contains(reference), "{reference}");
     }
@@ -228,15 +231,24 @@ fn the_banner_tells_failed_stopped_warned_and_good_runs_apart() {
 }
 
 #[test]
-fn more_monitors_than_colours_go_on_in_further_figures() {
+fn more_monitors_than_a_page_of_paper_holds_go_on_in_further_figures() {
     let temp = tempfile::tempdir().unwrap();
     let names: Vec<String> = (0..16).map(|i| format!("M{i}")).collect();
     let folder = results(temp.path(), &names.iter().map(String::as_str).collect::<Vec<_>>());
     write(folder.root()).unwrap();
     let drawn = drawings(&folder);
-    for file in ["displacement.svg", "displacement-2.svg", "displacement-3.svg"] {
+    for (file, monitors, cells) in
+        [("displacement.svg", ["M0", "M13"], 28), ("displacement-2.svg", ["M14", "M15"], 4)]
+    {
         assert!(drawn.iter().any(|name| name == file), "{file}");
+        let drawing = fs::read_to_string(folder.figures().join(file)).unwrap();
+        // x and z; nothing moves along y. Each has a cell of its own with the range of all behind it.
+        for monitor in monitors {
+            assert_eq!(drawing.matches(&format!(">{monitor}</text>")).count(), 2, "{file}: {monitor}");
+        }
+        assert_eq!(drawing.matches("class=\"veil\"").count(), cells, "{file}");
     }
+    assert!(!drawn.contains(&"displacement-3.svg".to_owned()));
 }
 
 #[test]
@@ -268,7 +280,7 @@ fn a_field_file_gives_a_section_and_a_broken_one_a_reason() {
 }
 
 /// A lining of 80 m³ with two measures of damage.
-fn cracked() -> GroupDamage {
+pub fn cracked() -> GroupDamage {
     let measure = |beyond: &[(&str, f64)], first| Damaged {
         beyond: beyond.iter().map(|(t, v)| ((*t).to_owned(), *v)).collect(),
         largest: 0.95,
@@ -380,7 +392,7 @@ fn damage_over_time_is_drawn_group_by_group() {
     for text in [
         "Damage over time",
         "Cracked, D⁺ (% of volume)",
-        "widest crack (µm)",
+        "widest crack (mm)",
         "highest: a.lining, 30.0\u{a0}% of volume",
     ] {
         assert!(page.contains(text), "{text}");

@@ -16,6 +16,8 @@ use tremolite_results::{ResultFolder, SectionRow, write_sections};
 const STAGES: &str = "section forces of stages";
 /// By station and force over the shaking: largest with its time, smallest with its time.
 const EXTREMES: &str = "section forces";
+/// By station over the shaking: the thrust at the largest moment and at the smallest.
+const THRUST: &str = "thrust at the extremes of the moment";
 
 /// The stations of a model's linings, followed row by row. Their forces are those of the concrete and of bars in it that move
 /// with it.
@@ -99,14 +101,19 @@ impl SectionForces {
     fn follow(&self, memory: &mut Memory, time: f64, forces: &[[f64; 3]]) {
         let start = || [f64::NEG_INFINITY, 0.0, f64::INFINITY, 0.0].repeat(3 * self.stations.len());
         let kept = memory.entry(EXTREMES.into()).or_insert_with(start);
-        for (now, kept) in forces.iter().flatten().zip(kept.chunks_exact_mut(4)) {
-            if *now > kept[0] {
-                (kept[0], kept[1]) = (*now, time);
-            }
-            if *now < kept[2] {
-                (kept[2], kept[3]) = (*now, time);
+        let mut at_moment = Vec::new();
+        for (k, now) in forces.iter().flatten().enumerate() {
+            let kept = &mut kept[4 * k..4 * k + 4];
+            for (c, beyond) in [(0, *now > kept[0]), (2, *now < kept[2])] {
+                if beyond {
+                    (kept[c], kept[c + 1]) = (*now, time);
+                    // Of the moment, the second of the three, the thrust beside it.
+                    at_moment.extend((k % 3 == 1).then_some((k / 3, c / 2)));
+                }
             }
         }
+        let thrust = memory.entry(THRUST.into()).or_insert_with(|| vec![f64::NAN; 2 * self.stations.len()]);
+        at_moment.into_iter().for_each(|(station, end)| thrust[2 * station + end] = forces[station][0]);
     }
 
     /// Writes sections.csv whole from what is remembered; nothing without stations.
@@ -119,14 +126,17 @@ impl SectionForces {
         }
         let mut rows = Vec::new();
         let mut number = HashMap::<&str, u32>::new();
-        let row = |lining: &str, station: u32, place, when: &str, time, forces| SectionRow {
-            lining: lining.to_owned(),
-            station,
-            place,
-            when: when.to_owned(),
-            time,
-            forces,
-        };
+        let row =
+            |lining: &str, number: u32, station: &Station, when: &str, time, forces, thrust| SectionRow {
+                lining: lining.to_owned(),
+                station: number,
+                place: station.place,
+                thickness: station.thickness,
+                thrust_at_moment: thrust,
+                when: when.to_owned(),
+                time,
+                forces,
+            };
         for (k, (lining, station)) in self.stations.iter().enumerate() {
             let next = number.entry(lining).or_default();
             *next += 1;
@@ -135,15 +145,16 @@ impl SectionForces {
             for (stage, forces) in plan.stages.iter().zip(stages.chunks_exact(3 * self.stations.len())) {
                 let forces = [forces[at], forces[at + 1], forces[at + 2]];
                 if forces.iter().all(|f| f.is_finite()) {
-                    rows.push(row(lining, *next, station.place, &stage.name, [f64::NAN; 3], forces));
+                    rows.push(row(lining, *next, station, &stage.name, [f64::NAN; 3], forces, forces[0]));
                 }
             }
             let Some(kept) = memory.get(EXTREMES) else { continue };
             let of = |i: usize, c: usize| kept[4 * (at + i) + c];
+            let thrust = |c: usize| memory.get(THRUST).map_or(f64::NAN, |kept| kept[2 * k + c / 2]);
             for (when, c) in [("min", 2), ("max", 0)] {
                 let (forces, times) = ([0, 1, 2].map(|i| of(i, c)), [0, 1, 2].map(|i| of(i, c + 1)));
                 if forces.iter().all(|f| f.is_finite()) {
-                    rows.push(row(lining, *next, station.place, when, times, forces));
+                    rows.push(row(lining, *next, station, when, times, forces, thrust(c)));
                 }
             }
         }
@@ -198,5 +209,43 @@ impl Observer for SectionForces {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         self.follow(memory, view.snapshot.time, &self.at(view));
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A station in the plane z = 0, half a metre thick.
+    fn station(x: f64) -> Station {
+        let faces = [[[0.0; 3]; 4]; 2];
+        Station {
+            stack: Vec::new(),
+            place: [x, 0.0, 0.0],
+            normal: [0.0, 0.0, 1.0],
+            along: [1.0, 0.0, 0.0],
+            thickness: 0.5,
+            faces,
+        }
+    }
+
+    #[test]
+    fn the_thrust_of_the_largest_moment_is_that_of_its_time() {
+        let stations = [1.0, 2.0].map(|x| ("hall".to_owned(), station(x))).to_vec();
+        let all = SectionForces {
+            schedule: Schedule { every: 1, last: None },
+            stations,
+            steel: vec![Vec::new(); 2],
+        };
+        let mut memory = Memory::new();
+        // N, M, Q of both stations at three times; the second station's moments swing the other way.
+        let rows = [
+            [[-1.0, 2.0, 0.0], [-10.0, -2.0, 0.0]],
+            [[-3.0, 9.0, 1.0], [-30.0, -9.0, 0.0]],
+            [[-7.0, -4.0, 0.0], [-70.0, 4.0, 0.0]],
+        ];
+        rows.iter().enumerate().for_each(|(k, forces)| all.follow(&mut memory, k as f64, forces));
+        assert_eq!(memory[THRUST], [-3.0, -7.0, -70.0, -30.0]);
+        assert_eq!(memory[EXTREMES][4..8], [9.0, 1.0, -4.0, 2.0]);
     }
 }

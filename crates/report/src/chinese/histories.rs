@@ -1,0 +1,56 @@
+//! Of the figures of histories.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    ("Each line stands alone; grey is the range of all of them.", "每条曲线单独绘出；灰色为全部曲线的范围。"),
+    ("{value} at {time}\u{a0}s", "{time}\u{a0}s 时 {value}"),
+    ("no values", "无数值"),
+    ("largest: {name}, {value} at {time}\u{a0}s", "最大：{name}，{value}（{time}\u{a0}s）"),
+    ("highest: {name}, {value} at {time}\u{a0}s", "最高：{name}，{value}（{time}\u{a0}s）"),
+    ("lowest: {name}, {value} at {time}\u{a0}s", "最低：{name}，{value}（{time}\u{a0}s）"),
+    ("z, up", "z（向上）"),
+    ("Histories of the monitors", "监测点时程"),
+    ("Displacement", "位移"),
+    (
+        "Relative to the state before the earthquake. Do all monitors move in step, so that the caverns ride with the rock? And do they come back: what is left at the end has not.",
+        "相对于震前状态。请看各监测点是否同步运动（洞室随围岩整体运动），以及是否回到原位：结束时剩余的即为残余位移。",
+    ),
+    ("Displacement less the mean of the monitors", "位移与监测点平均值之差"),
+    (
+        "Of each monitor its displacement less the mean of all in every row: what all share strains nothing and is taken away. Look for monitors that leave the others for good.",
+        "各监测点位移减去每一时刻全部监测点的平均值：共同的运动不产生应变，已扣除。请看是否有监测点最终偏离其余各点。",
+    ),
+    ("Relative displacement", "相对位移"),
+    ("The case names no pairs of monitors ([[relative]]).", "算例没有指定监测点对（[[relative]]）。"),
+    (
+        "Of each pair, the displacement of the first monitor less that of the second: what the lining between them has to follow.",
+        "每一对中第一个监测点的位移减去第二个的：即两点之间的衬砌必须承受的变形。",
+    ),
+    ("Tension is positive.", "拉应力为正。"),
+    (
+        "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Where it reaches that and falls to nearly zero, a crack has opened.",
+        "{first}请将 s1 与监测点所在材料的抗拉强度对照：{strengths}。达到强度后降至接近零处，裂缝已张开。",
+    ),
+    ("s1, the largest principal stress", "s1，第一主应力"),
+    ("s3, the smallest principal stress", "s3，第三主应力"),
+    ("Principal stress", "主应力"),
+    ("Velocity", "速度"),
+    (
+        "Far more than the rock's at one monitor alone is a loose piece that rings, or a crack that closes.",
+        "若仅某一监测点远大于围岩，则为松动块体振荡或裂缝闭合所致。",
+    ),
+    ("Acceleration", "加速度"),
+    ("monitors.csv has no columns of {names}.", "monitors.csv 没有 {names} 列。"),
+    ("All values are zero.", "所有数值均为零。"),
+    ("Not drawn: {title}, zero.", "未绘出：{title}，为零。"),
+    ("Not drawn: {title}, nowhere more than {size}.", "未绘出：{title}，各处均不超过 {size}。"),
+    ("Damage over time", "损伤发展过程"),
+    ("Nothing was damaged.", "没有损伤。"),
+    (
+        "Share of each group's volume that is cracked or crushed (damage above 0.5) or has yielded, and the widest crack so far. Does it grow in one blow, or with every cycle? What still grows at the end has not come to rest.",
+        "各组中开裂、压碎（损伤大于 0.5）或屈服的体积比例，以及至此的最大裂缝宽度。请看损伤是一次形成还是随每个循环增长；结束时仍在增长的尚未稳定。",
+    ),
+    ("% of volume", "% 体积"),
+    ("widest crack", "最大裂缝宽度"),
+];

@@ -1,0 +1,37 @@
+//! Of moment over thrust against strength.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    (
+        "The summary does not say of what strength the concrete of this lining is.",
+        "summary.json 未给出该衬砌混凝土的强度。",
+    ),
+    (
+        "sections.csv holds no thickness and no thrust at the time of the largest moment.",
+        "sections.csv 中没有厚度，也没有最大弯矩时刻的轴力。",
+    ),
+    ("elastic section: a fibre reaches f_t or f_c", "弹性截面：边缘纤维达到 f_t 或 f_c"),
+    ("cracked plain section, f_c over the compressed part", "开裂素混凝土截面：受压区应力为 f_c"),
+    (
+        "at the largest and smallest moment of the shaking, with the thrust of that time",
+        "地震中弯矩最大与最小时刻，轴力取同一时刻",
+    ),
+    ("{lining}: moment over thrust against strength", "{lining}：轴力—弯矩与截面强度"),
+    ("N / (f_c t), tension positive; upwards M / (f_c t²)", "N / (f_c t)，受拉为正；纵轴 M / (f_c t²)"),
+    (
+        "f_c {compression} and f_t {tension}, static, t the thickness at each of {stations} stations. Outside the full line an \
+         uncracked section would crack or crush; outside the dashed one plain concrete cannot bear what is there, and what \
+         keeps it is reinforcement, which the lines leave out, or strength that grows with the rate.",
+        "静力强度 f_c {compression}，f_t {tension}；t 为各断面（共 {stations} 个）的厚度。实线以外，未开裂截面将开裂或压碎；\
+         虚线以外，素混凝土无法承受，须靠图中未计入的钢筋，或随加载速率提高的强度。",
+    ),
+    (
+        " When the stages are done {elastic} stations lie outside the full line, {ultimate} outside the dashed one.",
+        "施工完成时，{elastic} 个断面在实线以外，{ultimate} 个在虚线以外。",
+    ),
+    (
+        " At an extreme of their moment while the ground shakes: {elastic} and {ultimate}.",
+        "地震中弯矩达到极值时，分别为 {elastic} 个和 {ultimate} 个。",
+    ),
+];

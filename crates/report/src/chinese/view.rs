@@ -1,0 +1,71 @@
+//! Of the model in three dimensions.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    ("The view is left out. {why}.", "三维视图从略。{why}。"),
+    ("Interfaces are left out. {why}.", "接触面从略。{why}。"),
+    ("interface {number}", "接触面 {number}"),
+    ("body {number}", "实体 {number}"),
+    ("stage {number}", "施工步 {number}"),
+    ("{name} and {number} more groups", "{name} 及另外 {number} 个单元组"),
+    (
+        "Not among the fields of {part}, since they have one value throughout: {fields}. A 0 may also mean that its material does not know the quantity.",
+        "下列场量在 {part} 中处处、时时为同一值，故未列出：{fields}。值为 0 也可能表示其材料没有该量。",
+    ),
+    (
+        "To keep the page small the ground is shown at one time in {every} only, the last included; linings and interfaces at all times.",
+        "为控制页面大小，围岩每 {every} 个时刻只显示一个（含最后时刻）；衬砌和接触面显示全部时刻。",
+    ),
+    (
+        "To keep the page small these fields of the ground are left out: {fields}.",
+        "为控制页面大小，未列入围岩的下列场量：{fields}。",
+    ),
+    (
+        "To keep the page small the displacement of the ground is left out.",
+        "为控制页面大小，未列入围岩的位移。",
+    ),
+    (
+        "The view takes {size} MB of the page, more than the {budget} MB meant for it.",
+        "三维视图占页面 {size} MB，超出为其预留的 {budget} MB。",
+    ),
+    (
+        "Vectors and tensors other than the displacement are not in the view; {folder} and interfaces/*.vtu hold them: {names}.",
+        "除位移外，矢量和张量不在三维视图中，见 {folder} 和 interfaces/*.vtu：{names}。",
+    ),
+    (
+        "Vectors and tensors other than the displacement are not in the view; {folder} holds them: {names}.",
+        "除位移外，矢量和张量不在三维视图中，见 {folder}：{names}。",
+    ),
+    ("largest principal stress s1", "第一主应力 s1"),
+    ("smallest principal stress s3", "第三主应力 s3"),
+    ("largest s1 so far", "至今最大的 s1"),
+    ("smallest s3 so far", "至今最小的 s3"),
+    ("largest displacement so far", "至今最大位移"),
+    ("damage in tension", "受拉损伤"),
+    ("damage in shear", "受剪损伤"),
+    ("mean damage D_b now", "当前平均损伤 D_b"),
+    ("largest mean damage D_b so far", "至今最大平均损伤 D_b"),
+    ("widest crack so far", "至今最大裂缝宽度"),
+    ("plastic shear strain", "塑性剪应变"),
+    ("plastic tension strain", "塑性拉应变"),
+    (
+        "plastic state: 1 shear now, 2 tension now, 4 and 8 the same in the past",
+        "塑性状态：1 当前剪切，2 当前受拉，4 和 8 为过去的剪切和受拉",
+    ),
+    ("plastic strain along x", "沿 x 的塑性应变"),
+    ("plastic strain along y", "沿 y 的塑性应变"),
+    ("plastic strain along z", "沿 z 的塑性应变"),
+    ("plastic shear strain in xy", "xy 面塑性剪应变"),
+    ("plastic shear strain in yz", "yz 面塑性剪应变"),
+    ("plastic shear strain in zx", "zx 面塑性剪应变"),
+    ("gap now", "当前张开"),
+    ("largest gap so far", "至今最大张开"),
+    ("largest slip so far", "至今最大滑移"),
+    ("pressure now", "当前压力"),
+    ("largest pressure so far", "至今最大压力"),
+    ("state: 0 bonded, 1 stuck, 2 sliding, 3 open", "状态：0 粘结，1 粘着，2 滑移，3 张开"),
+    ("slid so far (1)", "至今曾滑移 (1)"),
+    ("opened so far (1)", "至今曾张开 (1)"),
+    ("area of a pair", "接触对面积"),
+];

@@ -1,0 +1,101 @@
+//! The page of a comparison.
+
+use minijinja::value::Serde;
+use serde::Serialize;
+
+use super::Run;
+use super::case_text::{Changes, changes};
+use super::histories::{figures_of, parting};
+use super::numbers::{checks, head, tables};
+use crate::language::{Language, say};
+use crate::scale::{count, quantity, span, trimmed};
+use crate::setting::{STYLE, environment, markup};
+use crate::text_table::{Cell, TextTable};
+
+const TEMPLATE: &str = include_str!("../../template/compare.html");
+
+#[derive(Serialize)]
+struct Page {
+    language: &'static str,
+    style: minijinja::Value,
+    title: String,
+    /// What each run is.
+    runs: TextTable,
+    changes: Vec<Changes>,
+    tables: Vec<Part>,
+    parting: Option<TextTable>,
+    checks: TextTable,
+    /// Heading and drawing.
+    figures: Vec<(String, minijinja::Value)>,
+    /// Why a run has no summary or no histories.
+    missing: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Part {
+    heading: String,
+    table: TextTable,
+}
+
+/// The page as text.
+pub fn html(runs: &[Run], language: Language) -> Result<String, minijinja::Error> {
+    let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
+    let page = Page {
+        language: language.code(),
+        style: markup(STYLE),
+        title: say!(language, "Comparison: {runs}", runs = names.join(", ")),
+        runs: what_they_are(runs, language),
+        changes: changes(runs),
+        tables: tables(runs, language)
+            .into_iter()
+            .map(|t| Part { heading: t.heading, table: t.table })
+            .collect(),
+        parting: parting(runs, language),
+        checks: checks(runs, language),
+        figures: figures_of(runs, language).into_iter().map(|f| (f.heading, markup(&f.svg))).collect(),
+        missing: missing(runs),
+    };
+    let mut environment = environment(language)?;
+    environment.add_template("compare.html", TEMPLATE)?;
+    environment.get_template("compare.html")?.render(Serde(&page))
+}
+
+fn missing(runs: &[Run]) -> Vec<String> {
+    let mut missing = Vec::new();
+    for run in runs {
+        let reasons = [run.source.summary.as_ref().err(), run.source.monitors.as_ref().err()];
+        missing.extend(reasons.into_iter().flatten().map(|why| format!("{}: {why}", run.name)));
+    }
+    missing
+}
+
+fn what_they_are(runs: &[Run], language: Language) -> TextTable {
+    let facts: Vec<_> = runs.iter().map(|run| run.source.facts()).collect();
+    let known = |text: String, known: bool| Cell::number(if known { text } else { "–".into() });
+    let row = |label: String, of: &dyn Fn(&tremolite_results::Summary) -> Cell| -> Vec<Cell> {
+        std::iter::once(Cell::words(label)).chain(facts.iter().map(of)).collect()
+    };
+    let rows = vec![
+        row(say!(language, "title"), &|s| Cell::words(&s.title)),
+        row(say!(language, "checks that pass"), &|s| {
+            let (judged, warnings) = (s.judged(), s.warnings());
+            let text = say!(
+                language,
+                "{passed} of {judged}",
+                passed = judged.saturating_sub(warnings),
+                judged = judged
+            );
+            known(text, judged > 0)
+        }),
+        row(say!(language, "elements"), &|s| known(count(s.model.elements), s.model.elements > 0)),
+        row(say!(language, "time step"), &|s| {
+            known(quantity("s", s.model.time_step), s.model.time_step > 0.0)
+        }),
+        row(say!(language, "shaking"), &|s| {
+            known(trimmed(&quantity("s", s.model.duration)), s.model.duration > 0.0)
+        }),
+        row(say!(language, "wall-clock time"), &|s| known(span(s.wall_seconds), s.wall_seconds > 0.0)),
+        row(say!(language, "program"), &|s| known(s.version.clone(), !s.version.is_empty())),
+    ];
+    TextTable { head: vec![head(runs)], rows }
+}

@@ -1,0 +1,227 @@
+//! Figure of moment over thrust against the strength of the plain section: where it cracks, and what it can bear at all.
+//!
+//! Both are made dimensionless by the section's own thickness t and the concrete's compressive strength f_c, so that walls
+//! and crown of unlike thickness share one diagram: n = N/(f_c t), m = M/(f_c t²). A section that is straight and elastic
+//! cracks where a fibre's n ± 6m reaches f_t/f_c, and its concrete reaches f_c where n ± 6m = −1. Cracked, without
+//! tension, and with f_c over the whole of the compressed part it bears m = ½|n|(1 − |n|) at most.
+
+use tremolite_results::Summary;
+
+use crate::axes::Axes;
+use crate::figure::Figure;
+use crate::language::{Language, say};
+use crate::lining::{Lining, Station};
+use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::scale::quantity;
+use crate::svg::{Anchor, Style, Svg};
+use crate::ticks::Ticks;
+
+/// Static strengths of a lining's concrete (Pa).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strength {
+    pub tension: f64,
+    pub compression: f64,
+}
+
+impl Strength {
+    /// Of the material that the group is made of; nothing where the summary does not say.
+    pub fn of(group: &str, facts: &Summary) -> Option<Self> {
+        let made = |names: &str| names.split(", ").any(|name| name == group);
+        let material = facts.materials.values().find(|m| m.groups.iter().any(|g| made(&g.names)))?;
+        let value = |name: &str| material.values.iter().find(|v| v.name == name).map(|v| v.value);
+        let found =
+            Strength { tension: value("tensile_strength")?, compression: value("compressive_strength")? };
+        (found.tension > 0.0 && found.compression > 0.0).then_some(found)
+    }
+
+    /// Whether no fibre of an elastic section leaves its strength.
+    pub fn sound(self, [n, m]: [f64; 2]) -> bool {
+        let most = 6.0 * m.abs();
+        n + most <= self.tension / self.compression && n - most >= -1.0
+    }
+
+    /// Whether a plain cracked section can bear it.
+    pub fn bearable([n, m]: [f64; 2]) -> bool {
+        n <= 0.0 && m.abs() <= 0.5 * n.abs() * (1.0 - n.abs())
+    }
+
+    /// The border of [`Strength::sound`], closed.
+    fn elastic(self) -> Vec<(f64, f64)> {
+        let cracks = self.tension / self.compression;
+        // Where both limits meet: n + 6m = f_t/f_c, n − 6m = −1.
+        let (n, m) = (0.5 * (cracks - 1.0), (1.0 + cracks) / 12.0);
+        vec![(cracks, 0.0), (n, m), (-1.0, 0.0), (n, -m), (cracks, 0.0)]
+    }
+
+    /// The border of [`Strength::bearable`], closed.
+    fn ultimate() -> Vec<(f64, f64)> {
+        let upper = (0..=60).map(|k| f64::from(k) / 60.0).map(|n| (-n, 0.5 * n * (1.0 - n)));
+        let lower: Vec<(f64, f64)> = upper.clone().rev().map(|(n, m)| (n, -m)).collect();
+        upper.chain(lower).collect()
+    }
+}
+
+/// Thrust and moment that occurred together, dimensionless: when the stages are done, and at both extremes of the moment.
+fn states(station: &Station, strength: Strength) -> (Option<[f64; 2]>, Vec<[f64; 2]>) {
+    let t = station.thickness;
+    let state = |n: f64, m: f64| {
+        let found = [n / (strength.compression * t), m / (strength.compression * t * t)];
+        found.iter().all(|x| x.is_finite()).then_some(found)
+    };
+    let shaken = [station.least, station.most].into_iter().flatten();
+    (state(station.after[0], station.after[1]), shaken.filter_map(|e| state(e.thrust, e.forces[1])).collect())
+}
+
+/// The figure, or a sentence why there is none.
+pub fn figure(lining: &Lining, facts: &Summary, suffix: &str, language: Language) -> Result<Figure, String> {
+    let strength = Strength::of(&lining.name, facts).ok_or_else(|| {
+        say!(language, "The summary does not say of what strength the concrete of this lining is.")
+    })?;
+    let all: Vec<_> = lining.stations.iter().map(|s| states(s, strength)).collect();
+    let after: Vec<[f64; 2]> = all.iter().filter_map(|(after, _)| *after).collect();
+    let shaken: Vec<[f64; 2]> = all.iter().flat_map(|(_, shaken)| shaken.clone()).collect();
+    if after.is_empty() && shaken.is_empty() {
+        return Err(say!(
+            language,
+            "sections.csv holds no thickness and no thrust at the time of the largest moment."
+        ));
+    }
+    let points = |states: &[[f64; 2]]| states.iter().map(|[n, m]| (*n, *m)).collect::<Vec<_>>();
+    let mut curves = vec![
+        Curve::new(
+            say!(language, "elastic section: a fibre reaches f_t or f_c"),
+            1,
+            Pen::Line,
+            strength.elastic(),
+        ),
+        Curve::new(
+            say!(language, "cracked plain section, f_c over the compressed part"),
+            3,
+            Pen::Dashed,
+            Strength::ultimate(),
+        ),
+    ];
+    if !shaken.is_empty() {
+        let name =
+            say!(language, "at the largest and smallest moment of the shaking, with the thrust of that time");
+        curves.push(Curve::new(name, 6, Pen::Dots, points(&shaken)));
+    }
+    if !after.is_empty() {
+        curves.push(Curve::new(&lining.after, 0, Pen::Dots, points(&after)));
+    }
+    // As far as there are points, and a little of the lines in any case.
+    let (_, (low, high)) = plot::ranges(&curves[2..]);
+    let most = 1.2 * high.abs().max(low.abs()).max(0.01);
+    let left = plot::ranges(&curves[2..]).0.0.min(-0.05) * 1.15;
+    let right = plot::ranges(&curves[2..]).0.1.max(1.3 * strength.tension / strength.compression) * 1.1;
+    let clipped: Vec<Curve> = curves
+        .into_iter()
+        .map(|curve| Curve {
+            pieces: curve.pieces.iter().flat_map(|p| within(p, (left, right), most)).collect(),
+            ..curve
+        })
+        .collect();
+    let title = say!(language, "{lining}: moment over thrust against strength", lining = lining.name);
+    let mut svg = Svg::new(WIDTH);
+    let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &clipped);
+    let axes = Axes {
+        left: LEFT,
+        right: WIDTH - RIGHT,
+        top,
+        bottom: top + 320.0,
+        across: Ticks::within(left, right, 10),
+        up: Ticks::within(-most, most, 7),
+    };
+    plot::draw(&mut svg, &axes, &clipped);
+    let below = say!(language, "N / (f_c t), tension positive; upwards M / (f_c t²)");
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
+    let svg = svg.finish(axes.bottom + 42.0, &title, &below);
+    let count =
+        |states: &[[f64; 2]], fine: &dyn Fn([f64; 2]) -> bool| states.iter().filter(|s| !fine(**s)).count();
+    let beyond = |fine: &dyn Fn([f64; 2]) -> bool| {
+        let each = all.iter().filter(|(_, shaken)| !shaken.iter().all(|s| fine(*s)));
+        each.count()
+    };
+    let mut caption = say!(
+        language,
+        "f_c {compression} and f_t {tension}, static, t the thickness at each of {stations} stations. Outside the full line an \
+         uncracked section would crack or crush; outside the dashed one plain concrete cannot bear what is there, and what \
+         keeps it is reinforcement, which the lines leave out, or strength that grows with the rate.",
+        compression = quantity("Pa", strength.compression),
+        tension = quantity("Pa", strength.tension),
+        stations = lining.stations.len(),
+    );
+    if !after.is_empty() {
+        caption.push_str(&say!(
+            language,
+            " When the stages are done {elastic} stations lie outside the full line, {ultimate} outside the dashed one.",
+            elastic = count(&after, &|s| strength.sound(s)),
+            ultimate = count(&after, &Strength::bearable),
+        ));
+    }
+    if !shaken.is_empty() {
+        caption.push_str(&say!(
+            language,
+            " At an extreme of their moment while the ground shakes: {elastic} and {ultimate}.",
+            elastic = beyond(&|s| strength.sound(s)),
+            ultimate = beyond(&Strength::bearable),
+        ));
+    }
+    Ok(Figure { heading: title, file: format!("section-strength{suffix}.svg"), svg, caption })
+}
+
+/// The parts of a line within the axes. Lines here are finely cut or straight, so it is enough to cut each piece at the border.
+fn within(line: &[(f64, f64)], (left, right): (f64, f64), most: f64) -> Vec<Vec<(f64, f64)>> {
+    if line.len() < 2 {
+        return vec![line.to_vec()];
+    }
+    let inside = |(x, y): (f64, f64)| (left..=right).contains(&x) && y.abs() <= most;
+    // Points alone are not cut: the axes hold them all.
+    if line.iter().all(|p| inside(*p)) {
+        return vec![line.to_vec()];
+    }
+    let mut pieces = Vec::new();
+    for pair in line.windows(2) {
+        const PARTS: i32 = 400;
+        let at = |k: i32| {
+            let s = f64::from(k) / f64::from(PARTS);
+            (pair[0].0 + s * (pair[1].0 - pair[0].0), pair[0].1 + s * (pair[1].1 - pair[0].1))
+        };
+        let shown: Vec<(f64, f64)> = (0..=PARTS).map(at).filter(|p| inside(*p)).collect();
+        if let (Some(first), Some(last)) = (shown.first(), shown.last()) {
+            pieces.push(vec![*first, *last]);
+        }
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CONCRETE: Strength = Strength { tension: 1.0, compression: 10.0 };
+
+    /// By hand: t = 0.5 m, N = −1 MN/m at an eccentricity e: fibres −2 (1 ± 6e/t) MPa.
+    #[test]
+    fn an_elastic_section_cracks_where_its_fibre_reaches_the_tensile_strength() {
+        let state = |e: f64| [-1e6 / (10e6 * 0.5), -1e6 * e / (10e6 * 0.25)];
+        // −2 (1 − 12e) = 1 at e = 0.125 m.
+        assert!(CONCRETE.sound(state(0.124)) && !CONCRETE.sound(state(0.126)));
+        assert!(!CONCRETE.sound([-1.01, 0.0]) && !CONCRETE.sound([0.101, 0.0]));
+        // The block: N = f_c (t − 2e), e = ½(t − N/f_c) = 0.2 m.
+        assert!(Strength::bearable(state(0.199)) && !Strength::bearable(state(0.201)));
+    }
+
+    #[test]
+    fn the_lines_are_where_the_judgement_turns() {
+        for (n, m) in CONCRETE.elastic() {
+            assert!(
+                CONCRETE.sound([0.999 * n, 0.999 * m]) && !CONCRETE.sound([1.001 * n, 1.001 * m]),
+                "{n} {m}"
+            );
+        }
+        for (n, m) in Strength::ultimate().into_iter().filter(|(_, m)| *m != 0.0) {
+            assert!(Strength::bearable([n, 0.999 * m]) && !Strength::bearable([n, 1.001 * m]), "{n} {m}");
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! The verdict: whether the lining stands, in five lines at most, from what the summary found.
+
+use serde::Serialize;
+use tremolite_results::{Cracks, Finding, Severity, Status, Summary};
+
+use crate::language::{Language, say};
+use crate::scale::{figures, moment};
+use crate::source::Source;
+use crate::units::Kind;
+
+/// Lines that the verdict may have.
+const LINES: usize = 5;
+/// Linings that have a line each; further ones share the last.
+const ALONE: usize = 2;
+
+/// What stands at the top of the page.
+#[derive(Serialize)]
+pub struct Verdict {
+    pub question: String,
+    pub answer: String,
+    /// `good`, `warn` or `bad`: the colour of the answer.
+    pub class: &'static str,
+    pub lines: Vec<Line>,
+}
+
+/// A fact of the verdict with its colour.
+#[derive(Serialize)]
+pub struct Line {
+    pub class: &'static str,
+    pub text: String,
+}
+
+/// The verdict of a run.
+pub fn verdict(source: &Source) -> Verdict {
+    let facts = source.facts();
+    let language = source.language;
+    let mut lines = vec![run(source, &facts)];
+    let linings = linings(&facts);
+    lines.extend(linings.iter().take(ALONE).map(|finding| lining(source, finding)));
+    if let [next, ..] = linings.get(ALONE..).unwrap_or_default() {
+        let count = linings.len() - ALONE;
+        let next = lining(source, next);
+        let text = say!(
+            language,
+            "{count} further structures that fared no worse; of them {worst}",
+            count = count,
+            worst = next.text
+        );
+        lines.push(Line { text, ..next });
+    }
+    lines.extend(around(source, &facts));
+    lines.extend(relative(source, &facts));
+    lines.truncate(LINES);
+    let (class, answer) = answer(source, &linings);
+    Verdict { question: say!(language, "Does the lining stand?"), answer, class, lines }
+}
+
+fn class(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Undamaged => "good",
+        Severity::Damaged => "warn",
+        Severity::Through => "bad",
+    }
+}
+
+/// Whether a finding is of rock, which yields but does not crack.
+fn of_rock(finding: &Finding) -> bool {
+    finding.numbers.keys().any(|name| name.starts_with("share_yielded"))
+}
+
+/// Findings of what can crack, the worst first; of equal ones that which is cracked most.
+fn linings(facts: &Summary) -> Vec<&Finding> {
+    let cracks = |finding: &&Finding| finding.id.starts_with("damage_") && !of_rock(finding);
+    // An undamaged group has no numbers: whether it can crack is known from what its damage is measured by.
+    let concrete = |finding: &&Finding| {
+        let group = facts.damage.get(&finding.group);
+        group.is_none_or(|group| group.measures.keys().any(|name| !name.starts_with("plastic_")))
+    };
+    let mut all: Vec<&Finding> = facts.findings.iter().filter(cracks).filter(concrete).collect();
+    let share = |finding: &Finding| finding.numbers.get("share_cracked").copied().unwrap_or(0.0);
+    all.sort_by(|a, b| (b.severity as u8).cmp(&(a.severity as u8)).then(share(b).total_cmp(&share(a))));
+    all
+}
+
+fn answer(source: &Source, linings: &[&Finding]) -> (&'static str, String) {
+    let language = source.language;
+    let Ok(summary) = &source.summary else {
+        return ("warn", say!(language, "Not known: there is no summary of the run."));
+    };
+    match (summary.status, linings.first().map(|finding| finding.severity)) {
+        (Status::Failed, _) => ("bad", say!(language, "Not known: the run failed.")),
+        (Status::Stopped, Some(Severity::Through)) => {
+            ("bad", say!(language, "The run has not ended, and cracks already run through its thickness."))
+        }
+        (Status::Stopped, _) => ("warn", say!(language, "Not known yet: the run has not ended.")),
+        (Status::Done, None) => ("warn", say!(language, "Not judged: no structure of this run can crack.")),
+        (Status::Done, Some(Severity::Through)) => {
+            ("bad", say!(language, "Not unharmed: cracks run through its thickness."))
+        }
+        (Status::Done, Some(Severity::Damaged)) => {
+            ("warn", say!(language, "It is cracked, but nowhere through its thickness."))
+        }
+        (Status::Done, Some(Severity::Undamaged)) if source.still().is_some() => {
+            ("good", say!(language, "It is undamaged; no earthquake has come."))
+        }
+        (Status::Done, Some(Severity::Undamaged)) => ("good", say!(language, "It is undamaged.")),
+    }
+}
+
+/// How the run went, and whether it can be trusted.
+fn run(source: &Source, facts: &Summary) -> Line {
+    let language = source.language;
+    if source.summary.is_err() {
+        return Line {
+            class: "warn",
+            text: say!(language, "The run left no summary, so nothing is checked."),
+        };
+    }
+    let (judged, warnings) = (facts.judged(), facts.warnings());
+    let passed = judged - warnings.min(judged);
+    let (class, text) = match facts.status {
+        Status::Failed => ("bad", say!(language, "The run failed: what follows is not to be trusted.")),
+        Status::Stopped => ("warn", say!(language, "The run was stopped before its end.")),
+        Status::Done if judged == 0 => ("warn", say!(language, "The run is done, but nothing was checked.")),
+        Status::Done if warnings == 0 => (
+            "good",
+            say!(
+                language,
+                "The run can be trusted as far as it checks itself: {passed} of {judged} checks pass.",
+                passed = passed,
+                judged = judged
+            ),
+        ),
+        Status::Done => (
+            "warn",
+            say!(
+                language,
+                "The run is done; {passed} of {judged} checks pass: look at the others first.",
+                passed = passed,
+                judged = judged
+            ),
+        ),
+    };
+    Line { class, text }
+}
+
+/// A lining's cracks.
+fn lining(source: &Source, finding: &Finding) -> Line {
+    let language = source.language;
+    let number = |name: &str| finding.numbers.get(name).copied().filter(|x| x.is_finite());
+    let group = &finding.group;
+    let text = match (finding.severity, number("share_cracked")) {
+        (Severity::Undamaged, _) => say!(language, "{group}: undamaged.", group = group),
+        (_, None) => format!("{group}: {}", finding.headline),
+        (_, Some(cracked)) => {
+            let cracked = percent(cracked);
+            let opening = number("crack_opening").map(|x| opening(source, x));
+            match (number("through").filter(|n| *n > 0.0), number("places"), opening) {
+                (Some(through), Some(places), Some(opening)) => say!(
+                    language,
+                    "{group}: cracked in {cracked} of its volume, through the thickness at {through} of {places} places; \
+                     widest crack {opening}.",
+                    group = group,
+                    cracked = cracked,
+                    through = through,
+                    places = places,
+                    opening = opening
+                ),
+                (_, _, Some(opening)) => say!(
+                    language,
+                    "{group}: cracked in {cracked} of its volume, nowhere through the thickness; widest crack {opening}.",
+                    group = group,
+                    cracked = cracked,
+                    opening = opening
+                ),
+                _ => say!(
+                    language,
+                    "{group}: cracked in {cracked} of its volume.",
+                    group = group,
+                    cracked = cracked
+                ),
+            }
+        }
+    };
+    Line { class: class(finding.severity), text }
+}
+
+fn opening(source: &Source, value: f64) -> String {
+    match value > Cracks::LOOSE {
+        true => format!(">\u{a0}{}", source.quantity(Kind::Opening, Cracks::LOOSE)),
+        false => source.quantity(Kind::Opening, value),
+    }
+}
+
+/// A share; a small one does not become zero.
+fn percent(share: f64) -> String {
+    match share {
+        0.0 => "0".into(),
+        s if s > 0.0 && s < 1e-3 => "<\u{a0}0.1\u{a0}%".into(),
+        s => format!("{:.1}\u{a0}%", 100.0 * s),
+    }
+}
+
+/// What lies around the linings: the worst interface, the worst bolts, the rock.
+fn around(source: &Source, facts: &Summary) -> Option<Line> {
+    let language = source.language;
+    let worst = |prefix: &str| {
+        let own = facts.findings.iter().filter(|finding| finding.id.starts_with(prefix));
+        let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied().unwrap_or(0.0);
+        let rank = |f: &Finding| {
+            let area = number(f, "share_slid").max(number(f, "share_opened"));
+            (f.severity as u8, area.max(number(f, "force_over_yield")))
+        };
+        own.reduce(|a, b| if rank(b) > rank(a) { b } else { a })
+    };
+    let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied();
+    let mut found: Vec<(Severity, String)> = Vec::new();
+    if let Some(interface) = worst("interface_")
+        && let (Some(slid), Some(opened)) =
+            (number(interface, "share_slid"), number(interface, "share_opened"))
+    {
+        let text = match slid == 0.0 && opened == 0.0 {
+            true => say!(language, "Interface {name}: neither slid nor opened.", name = interface.group),
+            false => say!(
+                language,
+                "Interface {name}: slid over {slid} and opened over {opened} of its area.",
+                name = interface.group,
+                slid = percent(slid),
+                opened = percent(opened)
+            ),
+        };
+        found.push((interface.severity, text));
+    }
+    if let Some(bolts) = worst("bolts_")
+        && let (Some(all), Some(yielded), Some(broken)) =
+            (number(bolts, "bolts"), number(bolts, "yielded"), number(bolts, "broken"))
+    {
+        let text = say!(
+            language,
+            "Bolts {name}: {yielded} of {all} yielded, {broken} broke.",
+            name = bolts.group,
+            yielded = yielded,
+            all = all,
+            broken = broken
+        );
+        found.push((bolts.severity, text));
+    }
+    if let Some(rock) = facts.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8) {
+        let shear = number(rock, "share_yielded_in_shear").unwrap_or(0.0);
+        let tension = number(rock, "share_yielded_in_tension").unwrap_or(0.0);
+        let text = say!(
+            language,
+            "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
+            name = rock.group,
+            shear = percent(shear),
+            tension = percent(tension)
+        );
+        found.push((rock.severity, text));
+    }
+    let severity = found.iter().map(|(severity, _)| *severity).max_by_key(|severity| *severity as u8)?;
+    let text = found.into_iter().map(|(_, text)| text).reduce(|a, b| join(language, &a, &b))?;
+    Some(Line { class: class(severity), text })
+}
+
+fn join(language: Language, first: &str, second: &str) -> String {
+    say!(language, "{first} {second}", first = first, second = second)
+}
+
+/// The pair of monitors that moved apart most.
+fn relative(source: &Source, facts: &Summary) -> Option<Line> {
+    let lengths = facts.relative.iter().filter_map(|(pair, of)| Some((pair, of.get("u")?)));
+    let (pair, most) =
+        lengths.filter(|(_, p)| p.max.is_finite()).max_by(|a, b| a.1.max.total_cmp(&b.1.max))?;
+    let share = |x: f64| source.quantity(Kind::Displacement, x);
+    let text = say!(
+        source.language,
+        "Monitors {pair} moved by up to {most} against each other, at {time}\u{a0}s; {left} at the end.",
+        pair = pair,
+        most = share(most.max),
+        time = moment(most.t_max, facts.model.duration),
+        left = if most.residual.is_finite() { share(most.residual) } else { figures(most.residual, 3) }
+    );
+    Some(Line { class: "plain", text })
+}

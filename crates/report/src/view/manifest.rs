@@ -1,0 +1,108 @@
+//! What the page's script is told of the view: the blocks that hold numbers, and what these mean. SI throughout.
+
+use serde::Serialize;
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Manifest {
+    pub version: u32,
+    /// `earthquake` or `stages`.
+    pub clock: &'static str,
+    /// Place = origin + step × u16 (m).
+    pub origin: [f64; 3],
+    pub step: [f64; 3],
+    pub times: Vec<Moment>,
+    /// By time, mean displacement of the model (m).
+    pub mean: Vec<[f64; 3]>,
+    /// What a displacement of 1 is (m); 0 where no file holds displacement.
+    pub displacement_step: f64,
+    pub parts: Vec<PartData>,
+    /// For the reader.
+    pub notes: Vec<String>,
+}
+
+/// A time, or the end of a stage.
+#[derive(Clone, Serialize)]
+pub struct Moment {
+    /// s, or the stage's number.
+    pub t: f64,
+    pub label: String,
+}
+
+/// `rock`, `lining` or `interface`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    Rock,
+    Lining,
+    Interface,
+}
+
+#[derive(Serialize)]
+pub struct PartData {
+    pub name: String,
+    pub kind: Kind,
+    pub groups: Vec<Group>,
+    pub points: Points,
+    pub cells: Cells,
+    pub elements: usize,
+    pub faces: Faces,
+    /// By time; none where it was left out.
+    pub displacement: Vec<Option<usize>>,
+    pub fields: Vec<Field>,
+}
+
+#[derive(Serialize)]
+pub struct Group {
+    pub name: String,
+    pub block: usize,
+}
+
+#[derive(Serialize)]
+pub struct Points {
+    pub count: usize,
+    pub block: usize,
+}
+
+#[derive(Serialize)]
+pub struct Cells {
+    pub count: usize,
+    pub corners: usize,
+    pub block: usize,
+}
+
+#[derive(Serialize)]
+pub struct Faces {
+    pub count: usize,
+    pub block: usize,
+    pub kind: usize,
+}
+
+#[derive(Serialize)]
+pub struct Field {
+    pub name: String,
+    pub label: String,
+    pub unit: String,
+    pub low: f64,
+    pub high: f64,
+    /// `cells` or `points`.
+    pub at: &'static str,
+    /// By time; none where it was left out.
+    pub blocks: Vec<Option<usize>>,
+}
+
+impl PartData {
+    /// All numbers of blocks.
+    pub fn blocks(&mut self) -> impl Iterator<Item = &mut usize> {
+        let fixed = [
+            &mut self.points.block,
+            &mut self.cells.block,
+            &mut self.elements,
+            &mut self.faces.block,
+            &mut self.faces.kind,
+        ];
+        let groups = self.groups.iter_mut().map(|group| &mut group.block);
+        let fields = self.fields.iter_mut().flat_map(|field| &mut field.blocks);
+        fixed.into_iter().chain(groups).chain(fields.chain(&mut self.displacement).flatten())
+    }
+}

@@ -1,0 +1,117 @@
+//! What is left out to keep within a budget.
+
+use std::path::Path;
+
+use serde_json::Value;
+use tremolite_mesh::vtu::{Array, Grid, Values};
+use tremolite_mesh::{Element, Mesh, Shape};
+use tremolite_results::{Cracks, GroupDamage, Pvd, ResultFolder, Summary};
+
+use super::within;
+use crate::blocks::Blocks;
+use crate::source::Source;
+
+const TIMES: usize = 9;
+
+/// A row of 40 hexahedra of rock and two of lining, with numbers that do not pack well.
+fn source(root: &Path) -> Source {
+    let folder = ResultFolder::create(Some(root), "case", false).unwrap();
+    let mut mesh = Mesh::default();
+    for i in 0..=42 {
+        let x = f64::from(i);
+        mesh.nodes.extend([[x, 0.0, 0.0], [x, 1.0, 0.0], [x, 1.0, 1.0], [x, 0.0, 1.0]]);
+    }
+    for i in (0..42u32).map(|i| 4 * i) {
+        let nodes = [i, i + 4, i + 5, i + 1, i + 3, i + 7, i + 6, i + 2];
+        mesh.elements.push(Element::new(Shape::Hex8, &nodes));
+    }
+    let mut pvd = Pvd::create(&folder.pvd()).unwrap();
+    for time in 0..TIMES {
+        let (mut grid, _) = Grid::from_mesh(&mesh, None);
+        let rough = |count: usize, seed: usize| {
+            let number = |k: usize| ((k * 7919 + seed * 104_729 + time * 1_299_709) as f32).sin();
+            Values::Float32((0..count).map(number).collect())
+        };
+        let lining = |k: i64| k >= 40;
+        grid.cell_data = vec![
+            Array::new("element", "", 1, Values::Int64((0..42).collect())),
+            Array::new("body", "", 1, Values::Int32((0..42).map(|k| lining(k).into()).collect())),
+            Array::new("group:lining", "", 1, Values::UInt8((0..42).map(|k| lining(k).into()).collect())),
+            Array::new("s3", "Pa", 1, rough(42, 1)),
+            Array::new("s1", "Pa", 1, rough(42, 2)),
+            Array::new("own", "", 1, rough(42, 3)),
+        ];
+        grid.point_data = vec![Array::new("displacement", "m", 3, rough(3 * 43 * 4, 4))];
+        grid.write(&folder.fields().join(format!("{time}.vtu"))).unwrap();
+        pvd.add(time as f64, &format!("fields/{time}.vtu")).unwrap();
+    }
+    let mut summary = Summary::default();
+    let cracks = GroupDamage { cracks: Some(Cracks::default()), ..GroupDamage::default() };
+    summary.damage.insert("lining".into(), cracks);
+    summary.write(&folder.summary()).unwrap();
+    Source::read(root, None).unwrap()
+}
+
+/// The manifest, and how much its blocks take.
+fn view(source: &Source, budget: Option<usize>) -> (Value, usize) {
+    let mut blocks = Blocks::default();
+    let text = within(source, &mut blocks, budget);
+    let json = text.split_once('>').unwrap().1.rsplit_once("</script>").unwrap().0;
+    let elements = blocks.elements();
+    let size = elements.lines().map(|line| line.split(['>', '<']).nth(2).unwrap().len()).sum();
+    (serde_json::from_str(json).unwrap(), size)
+}
+
+/// At which times a series is there.
+fn there(series: &Value) -> Vec<usize> {
+    (0..TIMES).filter(|&time| !series[time].is_null()).collect()
+}
+
+#[test]
+fn over_the_budget_times_of_the_ground_go_then_fields_then_displacement() {
+    let temp = tempfile::tempdir().unwrap();
+    let source = source(temp.path());
+    let (full, all) = view(&source, None);
+    let every: Vec<usize> = (0..TIMES).collect();
+    assert_eq!(there(&full["parts"][0]["displacement"]), every);
+    assert!(!full["notes"].to_string().contains("To keep"));
+    let names = |part: &Value| -> Vec<String> {
+        part["fields"].as_array().unwrap().iter().map(|f| f["name"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(view(&source, Some(all)), (full.clone(), all), "just enough");
+
+    // Each time a byte too little for what there was: one step after the other.
+    let mut seen: Vec<(Vec<usize>, Vec<String>)> = Vec::new();
+    let mut budget = all - 1;
+    loop {
+        let (less, size) = view(&source, Some(budget));
+        let (rock, lining, notes) = (&less["parts"][0], &less["parts"][1], less["notes"].to_string());
+        assert_eq!(there(&lining["displacement"]), every);
+        assert!(lining["fields"].as_array().unwrap().iter().all(|field| there(&field["blocks"]) == every));
+        let (fields, times) = (names(rock), there(&rock["displacement"]));
+        assert!((0..fields.len()).all(|k| there(&rock["fields"][k]["blocks"]) == times));
+        assert_eq!(size <= budget, !notes.contains("more than the"), "{size} of {budget}: {notes}");
+        assert!(notes.contains("one time in"), "{notes}");
+        assert_eq!(notes.contains("fields of the ground"), fields.len() < 3);
+        assert_eq!(notes.contains("displacement of the ground"), times.is_empty());
+        if size > budget {
+            assert_eq!(seen.pop(), Some((times, fields)), "nothing more can go");
+            seen.push((Vec::new(), Vec::new()));
+            break;
+        }
+        seen.push((times, fields));
+        budget = size - 1;
+    }
+    let steps: Vec<(Vec<usize>, &[&str])> = vec![
+        (vec![0, 2, 4, 6, 8], &["s3", "s1", "own"]),
+        (vec![0, 4, 8], &["s3", "s1", "own"]),
+        (vec![0, 8], &["s3", "s1", "own"]),
+        (vec![0, 8], &["s3", "s1"]),
+        (vec![0, 8], &["s1"]),
+        (vec![0, 8], &[]),
+        (vec![], &[]),
+    ];
+    let steps: Vec<(Vec<usize>, Vec<String>)> =
+        steps.into_iter().map(|(t, f)| (t, f.iter().map(|&f| f.to_owned()).collect())).collect();
+    assert_eq!(seen, steps);
+}
