@@ -72,6 +72,11 @@ impl Language {
         said.set(&|english| self.pattern(english).to_owned())
     }
 
+    /// A sentence of a result file as plain text, or the English beside it where this language lacks a pattern of it.
+    pub fn tell_or(self, said: &Said, english: &str) -> String {
+        if said.is_empty() || !self.knows(said) { english.to_owned() } else { self.tell(said) }
+    }
+
     /// A pattern with its slots filled. Use [`say!`](crate::language::say).
     pub fn fill(self, english: &str, slots: &[(&str, &dyn Display)]) -> String {
         let slot =
