@@ -129,13 +129,6 @@ impl Seam {
         };
         (0..self.pairs.len()).min_by(|&a, &b| square(a).total_cmp(&square(b))).unwrap_or(0)
     }
-
-    /// A pair for messages: its interface, the number of its node, and where that is.
-    pub fn pair_name(&self, mesh: &Mesh, pair: usize) -> String {
-        let [x, y, z] = self.place(mesh, pair);
-        let node = mesh.node_id(self.pairs[pair].nodes[1] as usize);
-        format!("interface '{}' at node {node} at ({x:.1}, {y:.1}, {z:.1}) m", self.name)
-    }
 }
 
 /// σ·n \[Pa\].

@@ -362,26 +362,6 @@ impl Model {
         let count = self.patches[..self.user_patches].last().map_or(0, |p| p.body + 1);
         &self.bodies[..count]
     }
-
-    /// An element by its number in the user's file, and the smallest group that holds it; one of a slab or column by that of which
-    /// it was made.
-    pub fn element_name(&self, element: usize) -> String {
-        let parent = self.parents[element] as usize;
-        if parent != element {
-            let in_slab = self.slabs.iter().any(|slab| slab.sheet.elements().any(|e| e as usize == element));
-            let place = if in_slab { "outside the side" } else { "in a column" };
-            return format!("{}, as it goes on {place}", self.element_name(parent));
-        }
-        let holds = |elements: &[u32]| elements.contains(&(element as u32));
-        let groups = self.mesh.groups.iter().filter(|(_, elements)| holds(elements));
-        let smallest = groups.min_by_key(|(_, elements)| elements.len()).map(|(name, _)| name);
-        let name = smallest.or_else(|| self.bodies.iter().find(|b| holds(&b.elements)).map(|b| &b.name));
-        let number = self.mesh.element_id(element);
-        match name {
-            Some(name) => format!("element {number} of '{name}'"),
-            None => format!("element {number}"),
-        }
-    }
 }
 
 fn ascending(mut elements: Vec<u32>) -> Vec<u32> {

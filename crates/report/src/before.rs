@@ -103,7 +103,8 @@ fn changes(language: Language, k: usize, stage: &StageSummary) -> String {
     if !stage.installed.is_empty() {
         parts.push(say!(language, "installed {groups}", groups = stage.installed.join(", ")));
     }
-    parts.extend(stage.changed.iter().cloned());
+    let said = |k: usize| stage.changed_said.get(k).cloned().unwrap_or_default();
+    parts.extend(stage.changed.iter().enumerate().map(|(k, text)| language.tell_or(&said(k), text)));
     match (parts.is_empty(), k) {
         (false, _) => parts.join(&say!(language, "; ")),
         (true, 0) => say!(language, "initial equilibrium"),

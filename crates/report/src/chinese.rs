@@ -9,15 +9,21 @@ mod contact;
 mod damage;
 mod depth;
 mod energy;
+mod facts;
+mod findings;
 mod forces;
 mod free_field;
 mod histories;
 mod input;
+mod interface_checks;
 mod maps;
+pub mod materials;
+mod outcome;
 mod page;
 mod section_strength;
 mod source;
 mod spectra;
+mod trust;
 mod verdict;
 mod view;
 
@@ -33,15 +39,22 @@ pub const TABLES: &[Texts] = &[
     damage::TEXTS,
     depth::TEXTS,
     energy::TEXTS,
+    facts::TEXTS,
+    findings::TEXTS,
     forces::TEXTS,
     free_field::TEXTS,
     histories::TEXTS,
     input::TEXTS,
+    interface_checks::TEXTS,
     maps::TEXTS,
+    materials::LAWS,
+    materials::TEXTS,
+    outcome::TEXTS,
     page::TEXTS,
     section_strength::TEXTS,
     source::TEXTS,
     spectra::TEXTS,
+    trust::TEXTS,
     verdict::TEXTS,
     view::TEXTS,
 ];

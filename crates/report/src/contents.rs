@@ -6,7 +6,7 @@ use crate::language::say;
 use crate::source::Source;
 use crate::{
     before, bolts, contact_history, contact_map, contact_monitors, damage, depth, energy, forces, free_field,
-    growth, input, interfaces, maps, materials, mesh_figure, spectra,
+    growth, input, interfaces, maps, mesh_figure, spectra,
 };
 
 /// A section in its place.
@@ -110,7 +110,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
         None => say!(language, "Model and motion"),
     };
     page.set("model", model, true);
-    page.set("materials", say!(language, "Materials"), !materials::tables(&facts).is_empty());
+    page.set("materials", say!(language, "Materials"), !facts.materials.is_empty());
     page.set("defaulted", say!(language, "Assumptions and defaults"), true);
     page.set("case", say!(language, "The case"), source.case.is_some());
     page.set("run", say!(language, "How it was run"), true);

@@ -62,9 +62,19 @@ impl Language {
         }
     }
 
+    /// Whether it has all patterns of a sentence.
+    pub fn knows(self, said: &Said) -> bool {
+        self == Language::English || said.all(&|english| self.known(english).is_some())
+    }
+
     /// A sentence of a result file.
     pub fn tell(self, said: &Said) -> String {
         said.set(&|english| self.pattern(english).to_owned())
+    }
+
+    /// A sentence of a result file as plain text, or the English beside it where this language lacks a pattern of it.
+    pub fn tell_or(self, said: &Said, english: &str) -> String {
+        if said.is_empty() || !self.knows(said) { english.to_owned() } else { self.tell(said) }
     }
 
     /// A pattern with its slots filled. Use [`say!`](crate::language::say).

@@ -1,9 +1,12 @@
 //! What the model is made of, as tables.
 
+use minijinja::Value;
 use serde::Serialize;
-use tremolite_results::{MaterialFacts, MaterialValue, Origin, Summary};
+use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin, Summary};
 
+use crate::language::{Language, say};
 use crate::scale::{count, figures, quantity, trimmed};
+use crate::told::{known, told};
 
 /// A material and its values.
 #[derive(Serialize)]
@@ -11,12 +14,12 @@ pub struct MaterialTable {
     pub name: String,
     /// The law's word and what it is.
     pub law: String,
-    pub summary: String,
+    pub summary: Value,
     /// Groups with the number and kind of their elements.
     pub groups: Vec<MadeOf>,
     pub density: String,
     pub speeds: String,
-    pub damping: String,
+    pub damping: Value,
     /// What the case gives or the law's defaults fill in.
     pub given: Vec<Row>,
     /// What the law works out of that.
@@ -35,52 +38,59 @@ pub struct MadeOf {
 pub struct Row {
     pub name: String,
     pub value: String,
-    pub meaning: String,
+    pub meaning: Value,
     /// Whether the case left it out.
     pub default: bool,
 }
 
 /// A table for each material of the summary.
-pub fn tables(summary: &Summary) -> Vec<MaterialTable> {
-    summary.materials.iter().map(|(name, facts)| table(name, facts)).collect()
+pub fn tables(language: Language, summary: &Summary) -> Vec<MaterialTable> {
+    summary.materials.iter().map(|(name, facts)| table(language, name, facts)).collect()
 }
 
-fn table(name: &str, facts: &MaterialFacts) -> MaterialTable {
+fn table(language: Language, name: &str, facts: &MaterialFacts) -> MaterialTable {
     let speed = |v: f64| quantity("m/s", v);
     let rows = |derived: bool| {
-        facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived).map(row).collect()
+        let own = facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived);
+        own.map(|value| row(language, value)).collect()
     };
     MaterialTable {
         name: name.into(),
         law: facts.law.clone(),
-        summary: facts.summary.clone(),
+        summary: known(language, &facts.summary),
         groups: facts
             .groups
             .iter()
-            .map(|g| MadeOf {
-                names: g.names.clone(),
-                elements: format!("{} elements, {}", count(g.elements), g.element),
-            })
+            .map(|g| MadeOf { names: g.names.clone(), elements: elements(language, g) })
             .collect(),
         density: quantity("kg/m3", facts.density.round()),
         speeds: format!("{}, {}", speed(facts.wave_speed_p), speed(facts.wave_speed_s)),
-        damping: facts.damping.clone(),
+        damping: told(language, &facts.damping_said, &facts.damping),
         given: rows(false),
         derived: rows(true),
     }
 }
 
-fn row(value: &MaterialValue) -> Row {
+fn elements(language: Language, group: &MaterialGroup) -> String {
+    let count = count(group.elements);
+    match group.element.as_str() {
+        "one-point" => say!(language, "{count} elements, one-point", count = count),
+        "full" => say!(language, "{count} elements, full", count = count),
+        other => say!(language, "{count} elements, {kind}", count = count, kind = other),
+    }
+}
+
+fn row(language: Language, value: &MaterialValue) -> Row {
     Row {
         name: value.name.clone(),
-        value: text(value),
+        value: text(language, value),
         // What follows a semicolon is for who writes the case.
-        meaning: value.meaning.split("; ").next().unwrap_or_default().into(),
+        meaning: known(language, value.meaning.split("; ").next().unwrap_or_default()),
         default: value.origin == Origin::Default,
     }
 }
 
-fn text(value: &MaterialValue) -> String {
+fn text(language: Language, value: &MaterialValue) -> String {
     if !value.word.is_empty() {
         return value.word.clone();
     }
@@ -91,6 +101,6 @@ fn text(value: &MaterialValue) -> String {
     if value.value == value.most || value.most.is_nan() {
         one(value.value)
     } else {
-        format!("{} to {}", one(value.value), one(value.most))
+        say!(language, "{least} to {most}", least = one(value.value), most = one(value.most))
     }
 }

@@ -5,6 +5,7 @@ use minijinja::value::Serde;
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
+use crate::cards;
 use crate::contents::{Content, Placed};
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
@@ -36,7 +37,7 @@ struct Page {
     findings: Vec<Outcome>,
     cards: Vec<Fact>,
     checks: Vec<Check>,
-    warnings: Vec<String>,
+    warnings: Vec<Value>,
     model: Vec<Fact>,
     materials: Vec<MaterialTable>,
     damage: Vec<DamageTable>,
@@ -113,12 +114,12 @@ pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String
         title,
         verdict: verdict::verdict(source),
         outcome: facts::outcome(source),
-        findings: facts::findings(&summary),
-        cards: facts::key_results(source),
-        checks: facts::checks(&summary),
-        warnings: summary.before.clone(),
-        model: facts::model(&summary),
-        materials: materials::tables(&summary),
+        findings: facts::findings(language, &summary),
+        cards: cards::key_results(source),
+        checks: facts::checks(language, &summary),
+        warnings: facts::warnings(language, &summary),
+        model: facts::model(language, &summary),
+        materials: materials::tables(language, &summary),
         damage: damage::tables(source.language, &summary),
         cracks: damage::cracks(source.language, &summary),
         interfaces: interfaces::table(source.language, &summary),
@@ -132,7 +133,7 @@ pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String
             && summary.findings.is_empty()
             && source.still().is_none()
             && !summary.stages.iter().any(|stage| stage.plastic_volume > 0.0),
-        run: facts::run(&summary),
+        run: facts::run(language, &summary),
         cut: [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()]
             .into_iter()
             .flatten()

@@ -151,7 +151,10 @@ fn lining(source: &Source, finding: &Finding) -> Line {
     let group = &finding.group;
     let text = match (finding.severity, number("share_cracked")) {
         (Severity::Undamaged, _) => say!(language, "{group}: undamaged.", group = group),
-        (_, None) => format!("{group}: {}", finding.headline),
+        (_, None) => {
+            let headline = language.tell_or(&finding.headline_said, &finding.headline);
+            say!(language, "{group}: {headline}", group = group, headline = headline)
+        }
         (_, Some(cracked)) => {
             let cracked = percent(cracked);
             let opening = number("crack_opening").map(|x| opening(source, x));

@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::number;
+use crate::{Said, number};
 
 /// How badly a structure fared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -30,11 +30,44 @@ pub struct Finding {
     pub severity: Severity,
     /// What matters most, to be read after the group's name: 'cracked in 20 % of its volume'.
     pub headline: String,
+    /// The same as a pattern; empty in files of other versions.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub headline_said: Said,
     /// The rest, in sentences; may be empty.
     pub text: String,
+    /// The same as a pattern.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub text_said: Said,
     /// What it says, by name, SI units; shares are of the group's volume.
     #[serde(deserialize_with = "number::deserialize_map")]
     pub numbers: IndexMap<String, f64>,
+}
+
+impl Finding {
+    /// A finding without numbers. Its texts are patterns, as those of [`TrustLine`](crate::TrustLine).
+    pub fn new(id: String, group: &str, severity: Severity, headline: Said, text: Said) -> Self {
+        Finding {
+            id,
+            group: group.into(),
+            severity,
+            headline: headline.to_string(),
+            headline_said: headline,
+            text: text.to_string(),
+            text_said: text,
+            numbers: IndexMap::new(),
+        }
+    }
+
+    /// The same finding with one of the numbers that it says.
+    pub fn with(mut self, name: &str, value: f64) -> Self {
+        self.numbers.insert(name.into(), value);
+        self
+    }
+
+    /// The same finding with the place of something \[m\], a number a coordinate: `NAME_x`.
+    pub fn with_place(self, name: &str, [x, y, z]: [f64; 3]) -> Self {
+        self.with(&format!("{name}_x"), x).with(&format!("{name}_y"), y).with(&format!("{name}_z"), z)
+    }
 }
 
 /// How far the elements of a group are damaged at the end of a run.

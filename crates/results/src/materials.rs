@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::number;
+use crate::{Said, number};
 
 /// A material and what is made of it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -23,6 +23,9 @@ pub struct MaterialFacts {
     pub wave_speed_s: f64,
     /// How it is damped, in words.
     pub damping: String,
+    /// The same as a pattern; empty in files of other versions.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub damping_said: Said,
     /// What is made of it.
     pub groups: Vec<MaterialGroup>,
     /// The law's parameters and constants.

@@ -32,6 +32,20 @@ impl Said {
         Said { pattern: pattern.into(), slots: IndexMap::new() }
     }
 
+    /// Whether it says nothing, as in files that know of no patterns.
+    pub fn is_empty(&self) -> bool {
+        self.pattern.is_empty()
+    }
+
+    /// Whether `known` holds of its own pattern and of all in its slots.
+    pub fn all(&self, known: &impl Fn(&str) -> bool) -> bool {
+        let parts = |slot: &Slot| match slot {
+            Slot::Text(_) => true,
+            Slot::Said(parts) => parts.iter().all(|part| part.all(known)),
+        };
+        (self.is_empty() || known(&self.pattern)) && self.slots.values().all(parts)
+    }
+
     /// The same with what stands in a slot.
     pub fn with(mut self, slot: &str, value: impl Into<Slot>) -> Self {
         self.slots.insert(slot.into(), value.into());
@@ -130,5 +144,7 @@ mod tests {
         };
         assert_eq!(whole.set(&other), "a {b}: 3: slid 4");
         assert_eq!(said!("an open { and {none}").to_string(), "an open { and {none}");
+        assert!(whole.all(&|pattern| pattern.starts_with("bolt") || pattern.starts_with('{')));
+        assert!(!whole.all(&|pattern| pattern.starts_with('{')), "a part is not known");
     }
 }

@@ -1,6 +1,6 @@
 //! Stages before the earthquake: what changed in each, and how the model came to rest.
 
-use crate::{Column, Error, number, replace_file};
+use crate::{Column, Error, Said, number, replace_file};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -15,6 +15,9 @@ pub struct StageSummary {
     pub installed: Vec<String>,
     /// What else changes, a phrase each: materials, pressures.
     pub changed: Vec<String>,
+    /// The same as patterns; none in files of other versions.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub changed_said: Vec<Said>,
     /// Share of what was out of balance that was let go.
     #[serde(with = "number", default = "number::absent")]
     pub release: f64,

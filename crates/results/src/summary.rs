@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     BoltPlace, BoltSummary, Error, Fact, Finding, GroupDamage, GroupStress, InterfaceSummary, MaterialFacts,
-    PairPlace, Peaks, StageSummary, TrustLine, number, replace_file,
+    PairPlace, Peaks, Said, StageSummary, TrustLine, number, replace_file,
 };
 
 /// How a run ended.
@@ -39,6 +39,9 @@ pub struct Summary {
     pub verdict: String,
     /// How the run went: the first part of the verdict.
     pub outcome: String,
+    /// The same as a pattern; empty in files of other versions.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub outcome_said: Said,
     /// What became of each structure: the second part.
     pub findings: Vec<Finding>,
     /// Wall-clock time of the whole run (s), resumed parts included.
@@ -112,6 +115,9 @@ pub struct ModelFacts {
     pub time_step: f64,
     /// What sets the time step, in words: which element, boundary or damping.
     pub step_set_by: String,
+    /// The same as a pattern.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub step_set_by_said: Said,
     /// Simulated time (s).
     #[serde(with = "number", default = "number::absent")]
     pub duration: f64,

@@ -1,9 +1,12 @@
 //! The trust report: numbers against limits, and facts.
+//!
+//! Their texts are given as [`Said`] alone, and the English beside it is made of that: no text is without a pattern by
+//! oversight, and the two cannot part.
 
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::number;
+use crate::{Said, number};
 
 /// On which side of its limit a number should be.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,6 +27,9 @@ pub struct TrustLine {
     pub id: String,
     /// What was measured.
     pub name: String,
+    /// The same as a pattern; empty in files of other versions.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub name_said: Said,
     /// The number; NaN if it could not be had.
     #[serde(with = "number", default = "number::absent")]
     pub value: f64,
@@ -38,6 +44,9 @@ pub struct TrustLine {
     pub unit: String,
     /// What it means or where it was found, in words; may be empty.
     pub note: String,
+    /// The same as a pattern.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub note_said: Said,
     /// Whether there was nothing to measure, as the note says; the line then neither passes nor warns.
     pub not_applicable: bool,
     /// What the value was made of, by name, SI units.
@@ -47,26 +56,27 @@ pub struct TrustLine {
 
 impl TrustLine {
     /// A line that passes if `value ≤ limit`. NaN does not pass.
-    pub fn at_most(id: impl Into<String>, name: &str, value: f64, limit: f64, unit: &str) -> Self {
+    pub fn at_most(id: impl Into<String>, name: Said, value: f64, limit: f64, unit: &str) -> Self {
         let pass = value <= limit;
         TrustLine { bound: Bound::AtMost, pass, ..Self::line(id.into(), name, value, limit, unit) }
     }
 
     /// A line that passes if `value ≥ limit`. NaN does not pass.
-    pub fn at_least(id: impl Into<String>, name: &str, value: f64, limit: f64, unit: &str) -> Self {
+    pub fn at_least(id: impl Into<String>, name: Said, value: f64, limit: f64, unit: &str) -> Self {
         let pass = value >= limit;
         TrustLine { bound: Bound::AtLeast, pass, ..Self::line(id.into(), name, value, limit, unit) }
     }
 
     /// A line that cannot be judged, with the reason. Its `pass` is true, so that no reader takes it for a warning.
-    pub fn not_applicable(id: impl Into<String>, name: &str, why: impl Into<String>) -> Self {
+    pub fn not_applicable(id: impl Into<String>, name: Said, why: Said) -> Self {
         let line = Self::line(id.into(), name, f64::NAN, f64::NAN, "").with_note(why);
         TrustLine { not_applicable: true, pass: true, ..line }
     }
 
     /// The same line with a note.
-    pub fn with_note(mut self, note: impl Into<String>) -> Self {
-        self.note = note.into();
+    pub fn with_note(mut self, note: Said) -> Self {
+        self.note = note.to_string();
+        self.note_said = note;
         self
     }
 
@@ -76,8 +86,9 @@ impl TrustLine {
         self
     }
 
-    fn line(id: String, name: &str, value: f64, limit: f64, unit: &str) -> Self {
-        TrustLine { id, name: name.into(), value, limit, unit: unit.into(), ..TrustLine::default() }
+    fn line(id: String, name: Said, value: f64, limit: f64, unit: &str) -> Self {
+        let line = TrustLine { id, name: name.to_string(), value, limit, ..TrustLine::default() };
+        TrustLine { name_said: name, unit: unit.into(), ..line }
     }
 }
 
@@ -89,6 +100,9 @@ pub struct Fact {
     pub id: String,
     /// What it is.
     pub name: String,
+    /// The same as a pattern; empty in files of other versions.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub name_said: Said,
     /// The number.
     #[serde(with = "number", default = "number::absent")]
     pub value: f64,
@@ -96,11 +110,32 @@ pub struct Fact {
     pub unit: String,
     /// What it means, in words; may be empty.
     pub note: String,
+    /// The same as a pattern.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub note_said: Said,
+    /// Numbers that the note gives, by name, SI units.
+    #[serde(deserialize_with = "number::deserialize_map", skip_serializing_if = "IndexMap::is_empty")]
+    pub numbers: IndexMap<String, f64>,
 }
 
 impl Fact {
-    pub fn new(id: impl Into<String>, name: &str, value: f64, unit: &str, note: impl Into<String>) -> Self {
-        Fact { id: id.into(), name: name.into(), value, unit: unit.into(), note: note.into() }
+    pub fn new(id: impl Into<String>, name: Said, value: f64, unit: &str, note: Said) -> Self {
+        Fact {
+            id: id.into(),
+            name: name.to_string(),
+            name_said: name,
+            value,
+            unit: unit.into(),
+            note: note.to_string(),
+            note_said: note,
+            numbers: IndexMap::new(),
+        }
+    }
+
+    /// The same fact with one of the numbers that its note gives.
+    pub fn with(mut self, name: &str, value: f64) -> Self {
+        self.numbers.insert(name.into(), value);
+        self
     }
 }
 

@@ -3,6 +3,8 @@
 use crate::groups::{Group, groups};
 use crate::history::History;
 use crate::observers::{Cracks as Watch, onset_memory};
+use crate::phrases::{listed, sentences};
+use crate::places::point;
 use crate::quantities::{MEASURES, Measure, threshold};
 use crate::stacks::{Stack, stacks};
 use indexmap::IndexMap;
@@ -12,7 +14,7 @@ use tremolite_engine::phase::Phase;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
-use tremolite_results::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity, snake};
+use tremolite_results::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Said, Severity, said, snake};
 
 /// What summaries say of damage, by group. Volumes are those of integration points, and first times go by the rows of
 /// the histories.
@@ -115,82 +117,143 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
         let damaged = damaged(measure)?;
         Some(damaged.beyond.get(&threshold(measure.counts)).copied().unwrap_or(0.0) / found.volume)
     };
-    let mut numbers: IndexMap<String, f64> =
-        MEASURES.iter().filter_map(|m| Some((format!("share_{}", snake(m.words)), share(m)?))).collect();
+    let numbers = MEASURES.iter().filter_map(|m| Some((format!("share_{}", snake(m.words)), share(m)?)));
     // The mean of the directions repeats what cracks and crushing say.
     let told = MEASURES.iter().filter(|m| m.role != Role::MeanDamagePeak);
-    let shares: Vec<String> = told
+    let shares: Vec<Said> = told
         .filter_map(|m| Some((m, share(m).filter(|share| *share > 0.0)?)))
-        .map(|(m, share)| format!("{} in {} of its volume", m.words, percent(share)))
+        .map(|(m, share)| match percent(share) {
+            Some(percent) => {
+                said!("{measure} in {percent} % of its volume", measure = words(m), percent = percent)
+            }
+            None => said!("{measure} in less than 0.1 % of its volume", measure = words(m)),
+        })
         .collect();
     let first = MEASURES
         .iter()
         .filter_map(|m| Some((m, damaged(m)?.first?)))
         .min_by(|a, b| a.1.time.total_cmp(&b.1.time));
     if first.is_none() && shares.is_empty() {
-        let headline = "undamaged".to_owned();
-        return Finding {
-            id,
-            group: group.into(),
-            severity: Severity::Undamaged,
-            headline,
-            ..Finding::default()
-        };
+        return Finding::new(id, group, Severity::Undamaged, said!("undamaged"), Said::default());
     }
-    let mut headline = if shares.is_empty() { "hardly damaged".to_owned() } else { shares.join(", ") };
+    let mut headline = if shares.is_empty() { vec![said!("hardly damaged")] } else { shares };
     let mut severity = Severity::Damaged;
-    let mut sentences = Vec::new();
-    let at = |[x, y, z]: [f64; 3]| format!("({x:.1}, {y:.1}, {z:.1}) m");
-    if let Some(cracks) = &found.cracks
-        && let Some(widest) = cracks.widest
-    {
-        numbers.extend([
-            ("crack_opening".to_owned(), cracks.opening),
-            ("crack_time".to_owned(), widest.time),
-            ("through".to_owned(), cracks.through as f64),
-            ("places".to_owned(), cracks.stacks as f64),
-        ]);
-        if let Some(place) = cracks.through_at {
+    let mut text = Vec::new();
+    let cracks = found.cracks.as_ref().filter(|cracks| cracks.widest.is_some());
+    if let Some(cracks) = cracks {
+        if cracks.through_at.is_some() {
             severity = Severity::Through;
-            headline += &format!(", through the thickness at {} of {} places", cracks.through, cracks.stacks);
-            sentences.push(format!("One such place is element {} at {}.", place.element, at(place.at)));
-        } else if cracks.stacks > 0 {
-            sentences.push("No crack runs through the thickness.".to_owned());
-        }
-        if cracks.is_loose() {
-            sentences.push(format!(
-                "Cracks open beyond {:.0} mm: pieces have come loose, which this model does not follow.",
-                1e3 * Cracks::LOOSE
-            ));
-        } else {
-            sentences.push(format!(
-                "Widest crack {:.2} mm, at {:.2} s in element {} at {}.",
-                1e3 * cracks.opening,
-                widest.time,
-                widest.element,
-                at(widest.at)
+            headline.push(said!(
+                "through the thickness at {through} of {places} places",
+                through = cracks.through.to_string(),
+                places = cracks.stacks.to_string(),
             ));
         }
+        text.extend(of_cracks(cracks));
     }
     // Without an earthquake nothing tells when.
-    if let Some((measure, onset)) = first {
-        // At rest nothing is damaged at t = 0 but by stages.
-        let when = match onset.time > 0.0 {
-            true => format!("at {:.2} s", onset.time),
-            false => "before the earthquake".to_owned(),
-        };
-        let (words, element) = (measure.words, onset.element);
-        sentences.push(format!("First {words} {when} in element {element} at {}.", at(onset.at)));
-        numbers.extend([("first_time".to_owned(), onset.time), ("first_element".to_owned(), element as f64)]);
+    text.extend(first.map(|(measure, onset)| begins(measure, &onset)));
+    let mut finding = Finding::new(id, group, severity, listed(headline), sentences(text));
+    finding.numbers.extend(numbers);
+    if let (Some(cracks), Some(widest)) = (cracks, cracks.and_then(|cracks| cracks.widest)) {
+        finding = finding
+            .with("crack_opening", cracks.opening)
+            .with("crack_time", widest.time)
+            .with("crack_element", widest.element as f64)
+            .with_place("crack", widest.at)
+            .with("through", cracks.through as f64)
+            .with("places", cracks.stacks as f64);
+        if let Some(place) = cracks.through_at {
+            finding = finding.with("through_element", place.element as f64).with_place("through", place.at);
+        }
     }
-    Finding { id, group: group.into(), severity, headline, text: sentences.join(" "), numbers }
+    if let Some((_, onset)) = first {
+        let element = onset.element as f64;
+        finding = finding
+            .with("first_time", onset.time)
+            .with("first_element", element)
+            .with_place("first", onset.at);
+    }
+    finding
 }
 
-/// A share of a volume; small ones do not become zero.
-fn percent(share: f64) -> String {
-    match 100.0 * share {
-        0.0 => "0 %".into(),
-        x if x < 0.1 => "less than 0.1 %".into(),
-        x => format!("{x:.1} %"),
+/// Whether cracks run through, and the widest.
+fn of_cracks(cracks: &Cracks) -> Vec<Said> {
+    let mut text = Vec::new();
+    if let Some(place) = cracks.through_at {
+        text.push(said!(
+            "One such place is element {element} at {place}.",
+            element = place.element.to_string(),
+            place = point(place.at),
+        ));
+    } else if cracks.stacks > 0 {
+        text.push(said!("No crack runs through the thickness."));
+    }
+    let Some(widest) = cracks.widest else { return text };
+    text.push(match cracks.is_loose() {
+        true => said!(
+            "Cracks open beyond {limit} mm: pieces have come loose, which this model does not follow.",
+            limit = format!("{:.0}", 1e3 * Cracks::LOOSE),
+        ),
+        false => said!(
+            "Widest crack {opening} mm, at {time} s in element {element} at {place}.",
+            opening = format!("{:.2}", 1e3 * cracks.opening),
+            time = format!("{:.2}", widest.time),
+            element = widest.element.to_string(),
+            place = point(widest.at),
+        ),
+    });
+    text
+}
+
+/// Where and when damage began.
+fn begins(measure: &Measure, onset: &Onset) -> Said {
+    let (words, element, place) = (words(measure), onset.element.to_string(), point(onset.at));
+    // At rest nothing is damaged at t = 0 but by stages.
+    if onset.time > 0.0 {
+        said!(
+            "First {measure} at {time} s in element {element} at {place}.",
+            measure = words,
+            time = format!("{:.2}", onset.time),
+            element = element,
+            place = place,
+        )
+    } else {
+        said!(
+            "First {measure} before the earthquake in element {element} at {place}.",
+            measure = words,
+            element = element,
+            place = place,
+        )
+    }
+}
+
+/// [`Measure::words`].
+fn words(measure: &Measure) -> Said {
+    match measure.role {
+        Role::TensionDamage => said!("cracked"),
+        Role::ShearDamage => said!("crushed or sheared"),
+        Role::MeanDamagePeak => said!("mean principal damage"),
+        Role::PlasticShear => said!("yielded in shear"),
+        Role::PlasticTension => said!("yielded in tension"),
+        _ => Said::plain(measure.words),
+    }
+}
+
+/// A share of a volume that is not too small to tell.
+fn percent(share: f64) -> Option<String> {
+    let percent = 100.0 * share;
+    (percent >= 0.1).then(|| format!("{percent:.1}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn measures_are_called_in_findings_what_they_are_called_in_tables() {
+        for measure in &MEASURES {
+            assert_eq!(words(measure).to_string(), measure.words);
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! What interfaces did, for people.
 
+use crate::places::point;
 use crate::plan::{PairMonitor, Plan};
 use crate::units::unit;
 use indexmap::IndexMap;
@@ -11,7 +12,7 @@ use tremolite_kernels::contact::PairSeen;
 use tremolite_laws::{Need, Octet, Parameter, Value};
 use tremolite_mesh::pairs::tangents;
 use tremolite_results::{
-    Finding, InterfaceSummary, MaterialValue, Origin, PairPeak, PairPlace, Severity, snake,
+    Finding, InterfaceSummary, MaterialValue, Origin, PairPeak, PairPlace, Said, Severity, said, snake,
 };
 
 /// Pressure \[Pa\] at which the closure of an interface is told.
@@ -114,53 +115,54 @@ pub fn findings(interfaces: &IndexMap<String, InterfaceSummary>) -> Vec<Finding>
 
 fn finding(name: &str, interface: &InterfaceSummary) -> Finding {
     let InterfaceSummary { area, ever_slid, ever_opened, max_gap, max_slip, .. } = interface;
-    let share = |part: f64| 100.0 * part / area;
-    let headline = match (*ever_slid > 0.0, *ever_opened > 0.0) {
-        (false, false) => format!("the interface neither slid nor opened on its {area:.0} m²"),
-        (true, false) => format!("the interface slid over {:.1} % of its {area:.0} m²", share(*ever_slid)),
-        (false, true) => {
-            format!("the interface opened over {:.1} % of its {area:.0} m²", share(*ever_opened))
+    let whole = format!("{area:.0}");
+    let share = |part: f64| format!("{:.1}", 100.0 * part / area);
+    let (slid, opened) = (share(*ever_slid), share(*ever_opened));
+    let (slip, gap) = (length(max_slip.value), length(max_gap.value));
+    let (slip_at, gap_at) = (point(max_slip.at), point(max_gap.at));
+    let (headline, text) = match (*ever_slid > 0.0, *ever_opened > 0.0) {
+        (false, false) => {
+            (said!("the interface neither slid nor opened on its {area} m²", area = whole), Said::default())
         }
-        (true, true) => format!(
-            "the interface slid over {:.1} % and opened over {:.1} % of its {area:.0} m²",
-            share(*ever_slid),
-            share(*ever_opened)
+        (true, false) => (
+            said!("the interface slid over {slid} % of its {area} m²", slid = slid, area = whole),
+            said!("Largest slip {slip} at {slip_at}.", slip = slip, slip_at = slip_at),
+        ),
+        (false, true) => (
+            said!("the interface opened over {opened} % of its {area} m²", opened = opened, area = whole),
+            said!("Largest gap {gap} at {gap_at}.", gap = gap, gap_at = gap_at),
+        ),
+        (true, true) => (
+            said!(
+                "the interface slid over {slid} % and opened over {opened} % of its {area} m²",
+                slid = slid,
+                opened = opened,
+                area = whole,
+            ),
+            said!(
+                "Largest slip {slip} at {slip_at}, largest gap {gap} at {gap_at}.",
+                slip = slip,
+                slip_at = slip_at,
+                gap = gap,
+                gap_at = gap_at,
+            ),
         ),
     };
-    let place = |peak: &PairPeak| {
-        let [x, y, z] = peak.at;
-        let value = peak.value;
-        let value =
-            if value < 1e-5 { format!("{:.2} µm", 1e6 * value) } else { format!("{:.2} mm", 1e3 * value) };
-        format!("{value} at ({x:.1}, {y:.1}, {z:.1}) m")
-    };
-    let mut parts = Vec::new();
-    if *ever_slid > 0.0 {
-        parts.push(format!("largest slip {}", place(max_slip)));
-    }
-    if *ever_opened > 0.0 {
-        parts.push(format!("largest gap {}", place(max_gap)));
-    }
-    let mut text = parts.join(", ");
-    if !text.is_empty() {
-        text = format!("{}{}.", text[..1].to_uppercase(), &text[1..]);
-    }
     let severity = match (*ever_slid > 0.0, *ever_opened > 0.0) {
         (false, false) => Severity::Undamaged,
         _ => Severity::Damaged,
     };
-    let numbers = [
-        ("share_slid", ever_slid / area),
-        ("share_opened", ever_opened / area),
-        ("max_slip", max_slip.value),
-        ("max_gap", max_gap.value),
-    ];
-    Finding {
-        id: format!("interface_{}", snake(name)),
-        group: name.to_owned(),
-        severity,
-        headline,
-        text,
-        numbers: numbers.map(|(name, value)| (name.to_owned(), value)).into_iter().collect(),
-    }
+    Finding::new(format!("interface_{}", snake(name)), name, severity, headline, text)
+        .with("area", *area)
+        .with("share_slid", ever_slid / area)
+        .with("share_opened", ever_opened / area)
+        .with("max_slip", max_slip.value)
+        .with_place("max_slip", max_slip.at)
+        .with("max_gap", max_gap.value)
+        .with_place("max_gap", max_gap.at)
+}
+
+/// A slip or gap as one says it.
+fn length(x: f64) -> String {
+    if x < 1e-5 { format!("{:.2} µm", 1e6 * x) } else { format!("{:.2} mm", 1e3 * x) }
 }

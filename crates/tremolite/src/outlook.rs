@@ -94,7 +94,7 @@ pub fn outlook(model: &Model, assembly: &Assembly, plan: &Plan) -> Result<Outloo
             excavated: named(model, &planned.excavated),
             installed: named(model, &planned.installed),
             release: planned.release.share,
-            changed: planned.changed.clone(),
+            changed: planned.changed.iter().map(ToString::to_string).collect(),
             standing: now.len(),
             gone: before.difference(&now).count(),
             begun: if k == 0 { 0 } else { now.difference(&before).count() },

@@ -11,6 +11,7 @@ use crate::fingerprint::fingerprint;
 use crate::history::History;
 use crate::motion_table;
 use crate::observers::{Depth, OBSERVERS, Observer, OwnObservers, SectionForces, Setting, Stepped, View};
+use crate::places;
 use crate::plan::{Plan, Steps};
 use crate::spectra;
 use before::{Before, Stages};
@@ -18,13 +19,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::engine::{BodyBooks, Relaxed};
-use tremolite_engine::hexahedra::centroid;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
 use tremolite_engine::{Engine, Halt, Snapshot, StableStep, Stage, stable_step};
 use tremolite_kernels::Lines;
-use tremolite_results::{ResultFolder, StageSummary};
+use tremolite_results::{ResultFolder, Said, StageSummary};
 
 /// How far a run is.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,12 +54,12 @@ pub enum Ending {
     Restless {
         stage: String,
         relaxed: Relaxed,
-        place: String,
+        place: Said,
     },
     /// Energy appeared: the halt, and the element where most of it is.
     Failed {
         halt: Halt,
-        place: String,
+        place: Said,
     },
 }
 
@@ -344,7 +344,7 @@ pub fn run(
 }
 
 /// The element that holds most energy, or the first whose energy is not a number.
-fn hottest_element(model: &Model, phase: &Phase, snapshot: &Snapshot) -> String {
+fn hottest_element(model: &Model, phase: &Phase, snapshot: &Snapshot) -> Said {
     let mut worst = (f64::NEG_INFINITY, 0);
     for (e, slot) in phase.element_slot.iter().enumerate() {
         let Some(slot) = slot else { continue };
@@ -357,8 +357,7 @@ fn hottest_element(model: &Model, phase: &Phase, snapshot: &Snapshot) -> String 
             worst = (energy, e);
         }
     }
-    let [x, y, z] = centroid(&model.mesh, worst.1 as u32);
-    format!("{} at ({x:.2}, {y:.2}, {z:.2}) m", model.element_name(worst.1))
+    places::element_at(model, worst.1 as u32)
 }
 
 /// Seconds a step takes here, from a short timing of the real engine on a state of its own.

@@ -2,6 +2,7 @@
 
 use tremolite_engine::engine::{Relaxed, Release, Rest};
 use tremolite_engine::{Assembly, Engine, Model, ModelError, Phase, Stage, State};
+use tremolite_results::Said;
 
 /// A stage as a plan has it. The first of all is the equilibrium of what is there at the start.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,7 +12,7 @@ pub struct PlannedStage {
     /// What changes, for people: groups that go, groups that begin, and a phrase for each other change.
     pub excavated: Vec<String>,
     pub installed: Vec<String>,
-    pub changed: Vec<String>,
+    pub changed: Vec<Said>,
 }
 
 impl PlannedStage {

@@ -4,17 +4,15 @@ use crate::damage;
 use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
 use crate::observers::{BoltForces, Extremes};
+use crate::outcome::run_in_words;
 use crate::run::Ending;
 use crate::stress::stresses;
 use crate::support;
 use crate::survey::step_in_words;
 use crate::trust::{facts, trust};
 use indexmap::IndexMap;
-use tremolite_engine::Halt;
-use tremolite_engine::engine::Relaxed;
 use tremolite_results::{
-    BoltSummary, Finding, GroupStress, ModelFacts, MotionFacts as MotionSummary, Status, Summary, TrustLine,
-    peaks_by_monitor,
+    BoltSummary, Finding, ModelFacts, MotionFacts as MotionSummary, Status, Summary, peaks_by_monitor,
 };
 
 /// The summary of a run that ended.
@@ -38,6 +36,7 @@ pub fn summary(evidence: Evidence) -> Summary {
     let damage = damage::damage(model, phase, outcome.history(assembly), &outcome.state.observers);
     let stress = stresses(model, phase, &outcome.state.observers);
     let run = run_in_words(&evidence, &trust, &stress);
+    let set_by = step_in_words(model, assembly, &outcome.stable);
     let interfaces = interfaces(model, assembly, &outcome.state.history);
     let memory = &outcome.state.observers;
     let bolts = support::bolts(
@@ -68,8 +67,9 @@ pub fn summary(evidence: Evidence) -> Summary {
     Summary {
         title: plan.title.clone(),
         status,
-        verdict: verdict(&run, &findings, &bolts),
-        outcome: run,
+        verdict: verdict(&run.to_string(), &findings, &bolts),
+        outcome: run.to_string(),
+        outcome_said: run,
         findings,
         wall_seconds: evidence.wall_seconds,
         element_updates_per_second: outcome.updates_per_second(phase.counted_elements),
@@ -79,7 +79,8 @@ pub fn summary(evidence: Evidence) -> Summary {
             nodes: survey.nodes as u64,
             steps: outcome.taken,
             time_step: outcome.dt,
-            step_set_by: step_in_words(model, assembly, &outcome.stable),
+            step_set_by: set_by.to_string(),
+            step_set_by_said: set_by,
             duration: outcome.taken as f64 * outcome.dt,
         },
         materials: evidence.materials,
@@ -123,90 +124,6 @@ fn verdict(run: &str, findings: &[Finding], bolts: &IndexMap<String, BoltSummary
         if !finding.text.is_empty() {
             text += &format!(" {}", finding.text);
         }
-    }
-    text
-}
-
-/// Why a stage did not come to rest.
-fn restless(stage: &str, number: usize, relaxed: &Relaxed, place: &str) -> String {
-    let (Relaxed::AtRest(rest) | Relaxed::Stopped(rest) | Relaxed::Restless(rest) | Relaxed::Torn(rest, _)) =
-        relaxed;
-    let why = match relaxed {
-        Relaxed::Torn(..) => format!(
-            "after {} cycles elements there had strained by a tenth or moved by more than their own length: nothing holds them",
-            rest.cycles
-        ),
-        _ => format!(
-            "after {} cycles {:.1e} of all forces were out of balance and {:.1e} m of motion were left",
-            rest.cycles, rest.ratio, rest.left
-        ),
-    };
-    const SUPPORT: &str = "support it, take less out at once, or let it go in smaller shares (`release`)";
-    let remedy = match relaxed {
-        Relaxed::Torn(..) => format!("What was left without support there comes down: {SUPPORT}."),
-        _ => format!(
-            "Give more `max_cycles` if it was on its way to rest (relaxation.csv shows it); what was left without support comes \
-             down: {SUPPORT}."
-        ),
-    };
-    format!(
-        "The stage '{stage}' did not come to rest: {why}. Most moves {place}, as `motion_of_last_cycle` in stages/{number:03}.vtu \
-         shows. {remedy}"
-    )
-}
-
-fn run_in_words(evidence: &Evidence, trust: &[TrustLine], stress: &IndexMap<String, GroupStress>) -> String {
-    let Evidence { outcome, plan, .. } = evidence;
-    let judged = trust.iter().filter(|t| !t.not_applicable);
-    let passed = judged.clone().filter(|t| t.pass).count();
-    let time = outcome.taken as f64 * outcome.dt;
-    let mut text = match &outcome.ending {
-        Ending::Done if plan.duration == 0.0 => {
-            format!("All {} stages came to rest; there is no earthquake in this case.", outcome.stages.len())
-        }
-        Ending::Done => format!("The run reached its end, {time:.2} s."),
-        Ending::Stopped if outcome.stages.len() < plan.stages.len() => {
-            let name = &plan.stages[outcome.stages.len()].name;
-            format!("The run was stopped in the stage '{name}'; go on with --resume.")
-        }
-        Ending::Restless { stage, relaxed, place } => restless(stage, outcome.stages.len(), relaxed, place),
-        Ending::Stopped => format!("The run was stopped at {time:.3} s; go on with --resume."),
-        Ending::Failed { halt, place } => {
-            let (what, energy, supplied) = match halt {
-                Halt::Energy { kinetic, supplied, .. } => ("kinetic energy", kinetic, supplied),
-                Halt::Held { held, supplied, .. } => ("energy held by motion and elements", held, supplied),
-            };
-            format!(
-                "The run became unstable and was stopped at {time:.4} s: the {what} of {energy:.3e} J exceeds all \
-                 the energy supplied, {supplied:.3e} J. Most of it is in {place}. Use a smaller time_step or safety."
-            )
-        }
-    };
-    text += &format!(" {passed} of {} checks of the run pass", judged.count());
-    let warned: Vec<&str> = trust.iter().filter(|t| !t.pass).map(|t| t.name.as_str()).collect();
-    if warned.is_empty() {
-        text += ".";
-    } else {
-        text += &format!("; look at: {}.", warned.join(", "));
-    }
-    if matches!(outcome.ending, Ending::Failed { .. } | Ending::Restless { .. }) {
-        return text;
-    }
-    let peaks: Vec<String> = stress
-        .iter()
-        .filter(|(_, of)| of.whole && of.s1.value.is_finite())
-        .map(|(name, of)| format!("{:.2} MPa in {name} at {:.2} s", of.s1.value / 1e6, of.s1.time))
-        .collect();
-    if !peaks.is_empty() {
-        text += &format!(
-            " Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {} ({}).",
-            peaks.join(", "),
-            if plan.stages.is_empty() {
-                "change by the earthquake alone"
-            } else {
-                "in all, initial stress included"
-            }
-        );
     }
     text
 }

@@ -1,5 +1,6 @@
 //! What can be said of a model before it runs: materials, steps, wavelengths, memory.
 
+use crate::places;
 use rayon::prelude::*;
 use tremolite_engine::ModelError;
 use tremolite_engine::assembly::Assembly;
@@ -9,6 +10,7 @@ use tremolite_engine::{Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::{FullGeometry, OnePointGeometry, element_frequencies};
+use tremolite_results::{Said, said};
 
 /// Bytes an element beside the state and the kernels' geometry: mesh, groups, and fields on their way to a file.
 /// Measured on 13,452 and 76,992 elements, 970 and 870.
@@ -144,34 +146,36 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
 }
 
 /// What sets the stable step, in words.
-pub fn limit_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> String {
+pub fn limit_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> Said {
     match &stable.limit {
         Limit::Element(e) => {
-            let [x, y, z] = centroid(&model.mesh, model.parents[*e as usize]);
-            format!("{} at ({x:.1}, {y:.1}, {z:.1}) m", model.element_name(*e as usize))
+            let place = places::point(centroid(&model.mesh, model.parents[*e as usize]));
+            said!("{what} at {place}", what = places::element(model, *e as usize), place = place)
         }
-        Limit::Part { member, node } => {
-            let [x, y, z] = model.mesh.nodes[*node as usize];
-            format!(
-                "{} at node {} at ({x:.1}, {y:.1}, {z:.1}) m",
-                assembly.members[*member as usize].name,
-                model.mesh.node_id(*node as usize)
-            )
-        }
-        Limit::Damping => "Rayleigh damping, mostly its stiffness-proportional part".into(),
+        Limit::Part { member, node } => said!(
+            "{part} at node {node} at {place}",
+            part = places::part(&assembly.members[*member as usize].name),
+            node = model.mesh.node_id(*node as usize).to_string(),
+            place = places::point(model.mesh.nodes[*node as usize]),
+        ),
+        Limit::Damping => said!("Rayleigh damping, mostly its stiffness-proportional part"),
     }
 }
 
 /// What impacts at interfaces allow, in words, where there are any.
-pub fn impacts_in_words(model: &Model, stable: &StableStep) -> Option<String> {
+pub fn impacts_in_words(model: &Model, stable: &StableStep) -> Option<Said> {
     let contact = stable.contact?;
     let seam = &model.seams[contact.interface];
-    let pair = seam.pair_name(&model.mesh, contact.pair);
-    Some(format!("impacts allow {:.3e} s, ω_c Δt = {} at {pair}", contact.dt, seam.limit))
+    Some(said!(
+        "impacts allow {step} s, ω_c Δt = {limit} at {pair}",
+        step = format!("{:.3e}", contact.dt),
+        limit = seam.limit.to_string(),
+        pair = places::pair(&model.mesh, seam, contact.pair),
+    ))
 }
 
 /// What sets the step that is used, in words.
-pub fn step_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> String {
+pub fn step_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> Said {
     let shorter = stable.contact.is_some_and(|contact| contact.dt < model.time_step.safety * stable.dt);
     let impacts = impacts_in_words(model, stable).filter(|_| shorter);
     impacts.unwrap_or_else(|| limit_in_words(model, assembly, stable))

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 use tremolite::disk::{Disk, disk};
 use tremolite::interfaces::{interfaces, monitors};
 use tremolite::outlook::{Outlook, StressAt, outlook, stress_at_start};
+use tremolite::places::element;
 use tremolite::plan::Steps;
 use tremolite::run::{choose_step, time_step_cost};
 use tremolite::setup::MotionFacts;
@@ -167,15 +168,17 @@ pub fn run(args: &Args) -> Outcome {
             groups,
             materials: &setup.materials,
             motion: motion.as_ref(),
-            coarsest: survey.coarsest().map_or(String::new(), |b| model.element_name(b.coarsest as usize)),
+            coarsest: survey
+                .coarsest()
+                .map_or(String::new(), |b| element(&model, b.coarsest as usize).to_string()),
             survey,
             interfaces: interfaces(&model, &assembly, &assembly.rest().history),
             pairs: monitors(&model, &plan),
             bolts: support::bolts(&model.bolts, &plan, None, &|_, _| Vec::new(), &[]),
             bolt_monitors: support::monitors(&model.bolts, &plan),
             stable: stable.dt,
-            set_by: limit_in_words(&model, &assembly, &stable),
-            impacts: impacts_in_words(&model, &stable),
+            set_by: limit_in_words(&model, &assembly, &stable).to_string(),
+            impacts: impacts_in_words(&model, &stable).map(|said| said.to_string()),
             dt,
             outlook,
             initial: stress_at_start(&model),

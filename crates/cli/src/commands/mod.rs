@@ -15,6 +15,7 @@ pub mod verify;
 
 use crate::exit::Failure;
 use std::path::Path;
+use tremolite::places::element;
 use tremolite::plan::{Plan, Steps};
 use tremolite::setup::{Laws, Setup, changed, original_folder, setup};
 use tremolite::support;
@@ -234,7 +235,7 @@ pub fn check_waves(case: &Case, model: &Model, survey: &Survey) -> Vec<Problem> 
                 format!(
                     "a shear wave of the motion's highest frequency has {:.1} elements in {}: it will not arrive as it was",
                     body.per_wavelength,
-                    model.element_name(body.coarsest as usize)
+                    element(model, body.coarsest as usize)
                 ),
                 "make elements smaller, or take the highest frequencies out with \"lowpass\"; 8 elements and more are good",
             )

@@ -2,7 +2,7 @@
 
 #[path = "../../../laws/tests/all/common/samples.rs"]
 #[allow(dead_code)]
-mod samples;
+pub mod samples;
 
 use crate::law::answer;
 use samples::{Columns, Sample, samples};

@@ -4,6 +4,8 @@ mod boundary_figures;
 mod check;
 mod checks;
 mod chinese;
+mod chinese_laws;
+mod chinese_run;
 mod circles;
 mod commands;
 mod every_law;

@@ -82,7 +82,7 @@ pub const TEXTS: Texts = &[
     ("Parameters", "参数"),
     ("What the law makes of them", "由本构导出的量"),
     ("default", "默认"),
-    ("Said before the run", "计算前的提示"),
+    ("Said before the run", "计算前的提示（程序原文，英文）"),
     ("What the case left open", "算例未给定的参数"),
     (
         "These keys were not in the case; the run used the values shown.",

@@ -74,10 +74,10 @@ pub fn tables(runs: &[Run], language: Language) -> Vec<Compared> {
 /// The checks of all runs.
 pub fn checks(runs: &[Run], language: Language) -> TextTable {
     let facts: Vec<Summary> = runs.iter().map(|run| run.source.facts()).collect();
-    let mut ids: Vec<(&str, &str)> = Vec::new();
+    let mut ids: Vec<(&str, String)> = Vec::new();
     for line in facts.iter().flat_map(|s| &s.trust) {
         if !ids.iter().any(|(id, _)| *id == line.id) {
-            ids.push((&line.id, &line.name));
+            ids.push((&line.id, language.tell_or(&line.name_said, &line.name)));
         }
     }
     let entry = |line: Option<&TrustLine>| match line {

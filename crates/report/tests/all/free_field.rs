@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use tremolite_report::write;
-use tremolite_results::{Column, ResultFolder, Summary, TableWriter, TrustLine};
+use tremolite_results::{Column, ResultFolder, Summary, TableWriter, TrustLine, said};
 
 /// A folder of a run that shook, without anything of the free field.
 pub fn results(root: &Path) -> ResultFolder {
@@ -308,10 +308,10 @@ fn the_error_that_is_drawn_and_that_of_the_check_are_told_apart() {
     let told = "It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check of the \
                 balance leaves that out";
     assert!(!page().contains("aᵀMa"));
-    const NAME: &str = "energy error over the largest energy held";
+    let name = || said!("energy error over the largest energy held");
     for (line, wanted) in [
-        (TrustLine::at_most("energy_error", NAME, 1e-9, 5e-4, ""), true),
-        (TrustLine::not_applicable("energy_error", NAME, "nothing moves"), false),
+        (TrustLine::at_most("energy_error", name(), 1e-9, 5e-4, ""), true),
+        (TrustLine::not_applicable("energy_error", name(), said!("nothing moves")), false),
     ] {
         Summary { trust: vec![line], ..Summary::default() }.write(&folder.summary()).unwrap();
         assert_eq!(page().contains(told), wanted);

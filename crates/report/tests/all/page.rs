@@ -50,7 +50,11 @@ fn results(root: &Path) -> ResultFolder {
     let mut summary = Summary {
         title: "Two linings".into(),
         status: Status::Done,
-        trust: (0..4).map(|k| TrustLine::at_most(format!("check_{k}"), "check", 0.5, 1.0, "")).collect(),
+        trust: (0..4)
+            .map(|k| {
+                TrustLine::at_most(format!("check_{k}"), tremolite_results::said!("check"), 0.5, 1.0, "")
+            })
+            .collect(),
         findings: vec![
             cracked("hall.lining", [0.123, 7.0, 96.0, 6e-4]),
             cracked("adit.lining", [0.345, 0.0, 48.0, 2e-4]),

@@ -9,7 +9,7 @@ use tremolite_report::write;
 use tremolite_results::{
     Column, Cracks, Damaged, Defaulted, Finding, GroupDamage, MaterialFacts, MaterialGroup, MaterialValue,
     Onset, Origin, Place, Pvd, ResultFolder, Severity, Status, Summary, Table, TableWriter, TrustLine,
-    peaks_by_monitor,
+    peaks_by_monitor, said,
 };
 
 /// A small but complete result folder: monitors with the given names, one second of a swinging motion.
@@ -44,7 +44,8 @@ pub fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
         verdict: "The lining stays elastic.".into(),
         wall_seconds: 90.0,
         trust: vec![
-            TrustLine::at_most("energy_error", "energy error", 0.0015, 0.01, "").with_note("over the run"),
+            TrustLine::at_most("energy_error", said!("energy error"), 0.0015, 0.01, "")
+                .with_note(said!("over the run")),
         ],
         defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
         monitors: peaks_by_monitor(&Table::read(&folder.monitors()).unwrap()),
@@ -368,7 +369,11 @@ fn a_line_that_cannot_be_judged_counts_neither_way() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.trust.push(TrustLine::not_applicable("free_field", "free field", "the rock yields"));
+    summary.trust.push(TrustLine::not_applicable(
+        "free_field",
+        said!("free field"),
+        said!("the rock yields"),
+    ));
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     for text in ["1 of 1 checks pass", "not applicable", "the rock yields", "<span class=\"pill\">–"] {

@@ -8,7 +8,7 @@ use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
 use tremolite_report::write;
 use tremolite_results::{
-    Column, Pvd, ResultFolder, SectionRow, StageSummary, Status, Summary, TableWriter, TrustLine,
+    Column, Pvd, ResultFolder, SectionRow, StageSummary, Status, Summary, TableWriter, TrustLine, said,
     write_sections, write_stages,
 };
 
@@ -51,6 +51,7 @@ fn stages() -> Vec<StageSummary> {
             }),
             installed: groups(if k == 4 { &["tunnel.lining"] } else { &[] }),
             changed: if k == 5 { vec!["tunnel.lining becomes hardened concrete".into()] } else { Vec::new() },
+            changed_said: Vec::new(),
             release: release[k],
             tolerance: 1e-5,
             cycles: 260 + 90 * k as u64,
@@ -250,8 +251,20 @@ pub fn example(root: &Path, shaken: bool) -> ResultFolder {
         outcome: "The run reached its end: every stage came to rest.".into(),
         stages,
         trust: vec![
-            TrustLine::at_most("at_rest", "out of balance at the end of stages, the worst", 8.7e-6, 1e-5, ""),
-            TrustLine::at_most("held_at_the_end", "forces still held after the last stage", 0.0, 1e-9, ""),
+            TrustLine::at_most(
+                "at_rest",
+                said!("out of balance at the end of stages, the worst"),
+                8.7e-6,
+                1e-5,
+                "",
+            ),
+            TrustLine::at_most(
+                "held_at_the_end",
+                said!("forces still held after the last stage"),
+                0.0,
+                1e-9,
+                "",
+            ),
         ],
         ..Summary::default()
     };

@@ -4,7 +4,7 @@ use std::fs;
 
 use tremolite_results::{
     Cracks, Damaged, Defaulted, Error, Finding, GroupDamage, MaterialFacts, MaterialValue, Onset, Origin,
-    Peaks, Severity, Status, Summary, Table, TrustLine, peaks_by_monitor,
+    Peaks, Said, Severity, Status, Summary, Table, TrustLine, peaks_by_monitor, said,
 };
 
 fn summary() -> Summary {
@@ -15,9 +15,15 @@ fn summary() -> Summary {
         wall_seconds: 12.5,
         element_updates_per_second: 3.2e7,
         trust: vec![
-            TrustLine::at_most("energy_error", "energy error", 0.002, 0.01, "")
-                .with_note("largest over time"),
-            TrustLine::at_least("elements_per_wavelength", "elements per shortest wavelength", 7.5, 10.0, ""),
+            TrustLine::at_most("energy_error", said!("energy error"), 0.002, 0.01, "")
+                .with_note(said!("largest over time")),
+            TrustLine::at_least(
+                "elements_per_wavelength",
+                said!("elements per shortest wavelength"),
+                7.5,
+                10.0,
+                "",
+            ),
         ],
         defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
         ..Summary::default()
@@ -41,15 +47,9 @@ fn summary() -> Summary {
     let widest = Some(Onset { time: 5.0, element: 7, at: [0.0; 3] });
     let cracks = Some(Cracks { opening: 1e-4, widest, stacks: 8, through: 0, through_at: None });
     let lining = GroupDamage { volume: 10.0, measures: [("d_tension".to_owned(), tension)].into(), cracks };
-    let finding = Finding {
-        id: "damage_hall_lining".into(),
-        group: "hall.lining".into(),
-        severity: Severity::Damaged,
-        headline: "cracked".into(),
-        text: String::new(),
-        numbers: [("share_cracked".to_owned(), 0.25)].into(),
-    };
-    summary.findings.push(finding);
+    let id = "damage_hall_lining".to_owned();
+    let finding = Finding::new(id, "hall.lining", Severity::Damaged, said!("cracked"), Said::default());
+    summary.findings.push(finding.with("share_cracked", 0.25));
     let young = MaterialValue {
         name: "young".into(),
         value: 1e10,
@@ -82,7 +82,7 @@ fn the_json_is_what_the_contract_says() {
     let line = serde_json::to_string(&summary().trust[1]).unwrap();
     assert_eq!(
         line,
-        r#"{"id":"elements_per_wavelength","name":"elements per shortest wavelength","value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":"","not_applicable":false,"numbers":{}}"#
+        r#"{"id":"elements_per_wavelength","name":"elements per shortest wavelength","name_said":{"pattern":"elements per shortest wavelength"},"value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":"","not_applicable":false,"numbers":{}}"#
     );
     let defaulted = serde_json::to_string(&summary().defaulted).unwrap();
     assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);
@@ -138,19 +138,22 @@ fn summaries_of_other_versions_are_read_and_damaged_ones_refused_with_the_line()
 
 #[test]
 fn a_line_that_cannot_be_judged_is_no_warning_and_does_not_count() {
-    let line = TrustLine::not_applicable("free_field", "free field", "the rock yields");
-    let summary =
-        Summary { trust: vec![line, TrustLine::at_most("a", "a", 2.0, 1.0, "")], ..Summary::default() };
+    let line = TrustLine::not_applicable("free_field", said!("free field"), said!("the rock yields"));
+    let summary = Summary {
+        trust: vec![line, TrustLine::at_most("a", said!("a"), 2.0, 1.0, "")],
+        ..Summary::default()
+    };
     assert_eq!((summary.judged(), summary.warnings()), (1, 1));
 }
 
 #[test]
 fn a_number_that_is_not_one_never_passes_a_trust_limit() {
     assert!(
-        TrustLine::at_most("a", "a", 1.0, 1.0, "").pass && TrustLine::at_least("a", "a", 1.0, 1.0, "").pass
+        TrustLine::at_most("a", said!("a"), 1.0, 1.0, "").pass
+            && TrustLine::at_least("a", said!("a"), 1.0, 1.0, "").pass
     );
-    assert!(!TrustLine::at_most("a", "a", f64::NAN, 1.0, "").pass);
-    assert!(!TrustLine::at_least("a", "a", f64::NAN, 1.0, "").pass);
+    assert!(!TrustLine::at_most("a", said!("a"), f64::NAN, 1.0, "").pass);
+    assert!(!TrustLine::at_least("a", said!("a"), f64::NAN, 1.0, "").pass);
 }
 
 #[test]

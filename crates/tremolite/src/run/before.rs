@@ -8,6 +8,7 @@ use crate::history::History;
 use crate::observers::{
     BoltForces, BoltGrid, FieldGrid, InterfaceGrid, SectionForces, View, at_rest, columns,
 };
+use crate::places;
 use crate::plan::Plan;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
@@ -15,11 +16,11 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 use tremolite_engine::engine::{Relaxed, Rest};
-use tremolite_engine::hexahedra::{centroid, hex};
+use tremolite_engine::hexahedra::hex;
 use tremolite_engine::state::{Memory, State};
 use tremolite_engine::{Assembly, Engine, Model, Phase, Snapshot, Stage};
 use tremolite_laws::{Role, Row};
-use tremolite_results::{Column, Pvd, ResultFolder, TableWriter, write_stages};
+use tremolite_results::{Column, Pvd, ResultFolder, Said, TableWriter, said, write_stages};
 
 /// What is remembered of how stages came to rest: stage, cycle, ratio, motion left, motion.
 const RELAXATION: &str = "relaxation";
@@ -34,7 +35,7 @@ pub(super) enum Before {
     Failed {
         stage: usize,
         relaxed: Relaxed,
-        place: String,
+        place: Said,
     },
 }
 
@@ -273,7 +274,7 @@ fn plastic_volume(view: &View) -> f64 {
 }
 
 /// Where a relaxation that failed moves most.
-fn place(model: &Model, phase: &Phase, relaxed: &Relaxed) -> String {
+fn place(model: &Model, phase: &Phase, relaxed: &Relaxed) -> Said {
     let element = match relaxed {
         Relaxed::Torn(_, element) => Some(*element),
         Relaxed::AtRest(rest) | Relaxed::Stopped(rest) | Relaxed::Restless(rest) => {
@@ -283,7 +284,5 @@ fn place(model: &Model, phase: &Phase, relaxed: &Relaxed) -> String {
             slots.filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).find(holds).map(|e| e as u32)
         }
     };
-    let Some(element) = element else { return "no element".into() };
-    let [x, y, z] = centroid(&model.mesh, element);
-    format!("{} at ({x:.2}, {y:.2}, {z:.2}) m", model.element_name(element as usize))
+    element.map_or_else(|| said!("no element"), |element| places::element_at(model, element))
 }

@@ -12,7 +12,7 @@ use tremolite_engine::Model;
 use tremolite_engine::engine::Rest;
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::state::Memory;
-use tremolite_results::StageSummary;
+use tremolite_results::{Said, StageSummary};
 
 /// Numbers of each stage, one behind the other: those of [`Rested::own`].
 const MEMORY: &str = "stages";
@@ -110,7 +110,8 @@ pub(super) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<Stag
                 name: planned.name.clone(),
                 excavated: planned.excavated.clone(),
                 installed: planned.installed.clone(),
-                changed: planned.changed.clone(),
+                changed: planned.changed.iter().map(Said::to_string).collect(),
+                changed_said: planned.changed.clone(),
                 release: planned.release.share,
                 tolerance: planned.release.tolerance[0],
                 cycles: row[0] as u64,

@@ -1,5 +1,6 @@
 //! What reports say of the materials: what was given, what was filled in, what the laws made of it.
 
+use crate::phrases::clauses;
 use crate::units::unit;
 use indexmap::IndexMap;
 use tremolite_case::{Case, Element, Fill, Material};
@@ -9,7 +10,7 @@ use tremolite_engine::hexahedra::hex;
 use tremolite_kernels::{AnyMaterial, Law};
 use tremolite_laws::{Parameter, Value};
 use tremolite_mesh::Mesh;
-use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
+use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin, Said, said};
 
 /// The materials that bodies are made of, by name, in the order of the case's regions. `bodies` are those of the
 /// solid regions, `reference` is the frequency \[Hz\] at which moduli are meant with damping over a band.
@@ -41,7 +42,8 @@ pub fn facts(
                 density: body.density,
                 wave_speed_p,
                 wave_speed_s,
-                damping: damping.clone(),
+                damping: damping.to_string(),
+                damping_said: damping.clone(),
                 groups: Vec::new(),
                 values: values(case, material, parameters, &*body.material, range(mesh, elements)),
             }
@@ -115,26 +117,33 @@ fn values(
 }
 
 /// The damping that all materials have, in words.
-fn damping(case: &Case, reference: Option<f64>) -> String {
+fn damping(case: &Case, reference: Option<f64>) -> Said {
     let dynamic = &case.dynamic;
     let (mass, stiffness) = (dynamic.rayleigh.mass.value, dynamic.rayleigh.stiffness.value);
     let mut parts = Vec::new();
     if mass > 0.0 || stiffness > 0.0 {
-        let percent =
-            |f: f64| 100.0 * (mass / (4.0 * std::f64::consts::PI * f) + std::f64::consts::PI * f * stiffness);
-        parts.push(format!(
-            "Rayleigh, {mass} 1/s of the mass and {stiffness} s of the stiffness: {:.2} % at 1 Hz, {:.2} % at 10 Hz",
-            percent(1.0),
-            percent(10.0)
+        let percent = |f: f64| {
+            let ratio = mass / (4.0 * std::f64::consts::PI * f) + std::f64::consts::PI * f * stiffness;
+            format!("{:.2}", 100.0 * ratio)
+        };
+        parts.push(said!(
+            "Rayleigh, {mass} 1/s of the mass and {stiffness} s of the stiffness: {at_1} % at 1 Hz, {at_10} % at 10 Hz",
+            mass = mass.to_string(),
+            stiffness = stiffness.to_string(),
+            at_1 = percent(1.0),
+            at_10 = percent(10.0),
         ));
     }
     if let Some(band) = &dynamic.band {
         let [low, high] = band.band.value;
-        let meant = reference.map_or(String::new(), |f| format!("; E is meant at {f:.2} Hz"));
-        parts.push(format!(
-            "{:.2} % over {low} to {high} Hz by three Maxwell bodies{meant}",
-            100.0 * band.ratio.value
-        ));
+        let part = said!(
+            "{ratio} % over {low} to {high} Hz by three Maxwell bodies",
+            ratio = format!("{:.2}", 100.0 * band.ratio.value),
+            low = low.to_string(),
+            high = high.to_string(),
+        );
+        parts.push(part);
+        parts.extend(reference.map(|f| said!("E is meant at {frequency} Hz", frequency = format!("{f:.2}"))));
     }
-    if parts.is_empty() { "none".into() } else { parts.join("; ") }
+    if parts.is_empty() { said!("none") } else { clauses(parts) }
 }

@@ -24,6 +24,7 @@ use tremolite_kernels::Law;
 use tremolite_laws::Dimension;
 use tremolite_laws::band::Band;
 use tremolite_mesh::Mesh;
+use tremolite_results::{Said, said};
 
 /// Motion left over that of the stage, over the tolerance of what is out of balance.
 const MOTION: f64 = 100.0;
@@ -232,14 +233,17 @@ fn add(space: &mut Space, of: u32, body: usize, life: Life) -> u32 {
 }
 
 /// What a stage changes besides what stands, a phrase each.
-fn changes(case: &Case, stage: &case::Stage) -> Vec<String> {
+fn changes(case: &Case, stage: &case::Stage) -> Vec<Said> {
     let materials = stage.materials.iter().map(|(groups, material)| {
-        format!("{} becomes {}", groups.value, case.materials[material.value].name.value)
+        let material = &case.materials[material.value].name.value;
+        said!("{groups} becomes {material}", groups = &groups.value, material = material)
     });
     let pressure = |p: f64| case::units::format(p, Dimension::PRESSURE);
-    let pressures =
-        stage.pressures.iter().map(|(face, p)| format!("{} on {}", pressure(p.value), face.value));
-    let bolts = stage.bolts.iter().map(|bolts| format!("bolts '{}' placed", bolts.name.value));
+    let pressures = stage
+        .pressures
+        .iter()
+        .map(|(face, p)| said!("{pressure} on {face}", pressure = pressure(p.value), face = &face.value));
+    let bolts = stage.bolts.iter().map(|bolts| said!("bolts '{name}' placed", name = &bolts.name.value));
     materials.chain(pressures).chain(bolts).collect()
 }
 

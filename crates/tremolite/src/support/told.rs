@@ -1,11 +1,13 @@
 //! What is told of groups of bolts.
 
 use super::{BoltSeen, Look, seen};
+use crate::phrases::{clauses, sentences};
+use crate::places::point;
 use crate::plan::{BoltMonitor, Plan};
 use indexmap::IndexMap;
 use tremolite_engine::Stage;
 use tremolite_engine::bolts::{BoltSet, SegmentState};
-use tremolite_results::{BoltPeak, BoltPlace, BoltSummary, EARTHQUAKE, Finding, Severity, snake};
+use tremolite_results::{BoltPeak, BoltPlace, BoltSummary, EARTHQUAKE, Finding, Said, Severity, said, snake};
 
 /// Every group of bolts: `stage` is the last that the run came to, if any; `look` sees how they stand then, and `peaks` has
 /// the largest force of each group and the same over what it yields at.
@@ -122,7 +124,7 @@ pub fn warnings(groups: &IndexMap<String, BoltSummary>) -> Vec<(String, String, 
 /// A finding for each group that is there.
 pub fn findings(groups: &IndexMap<String, BoltSummary>) -> Vec<Finding> {
     let there = groups.iter().filter(|(_, group)| group.there && group.bolts > 0);
-    there.map(|(name, group)| finding(name, group)).collect()
+    there.map(|(name, group)| finding(name, group, None)).collect()
 }
 
 /// Groups beyond which they are told as one.
@@ -154,91 +156,126 @@ pub fn together(groups: &IndexMap<String, BoltSummary>) -> Option<Finding> {
         }
     }
     all.force_over_yield = over;
-    let mut all = finding(&format!("All {} groups of bolts and bars", there().count()), &all);
-    // Bolts are numbered in their groups.
-    all.text = all.text.replacen(" at (", &format!(" of '{of}' at ("), 1);
-    Some(all)
+    Some(finding(&format!("All {} groups of bolts and bars", there().count()), &all, Some(&of)))
 }
 
-fn finding(name: &str, group: &BoltSummary) -> Finding {
+/// Of one group, or of several together and the one that the largest force is of: bolts are numbered in their groups.
+fn finding(name: &str, group: &BoltSummary, of: Option<&str>) -> Finding {
     let BoltSummary { bolts, yielded, broken, slid, cut, gone, .. } = *group;
-    let (headline, text) = (headline(group), text(group));
-    let whole = yielded == 0 && broken == 0 && slid == 0;
-    let numbers = [
-        ("bolts", bolts as f64),
-        ("yielded", yielded as f64),
-        ("broken", broken as f64),
-        ("slid", slid as f64),
-        ("cut", cut as f64),
-        ("gone", gone as f64),
-        ("max_force", group.largest.force),
-        ("force_over_yield", group.force_over_yield),
-        ("max_slip", group.max_slip),
-    ];
-    Finding {
-        id: format!("bolts_{}", snake(name)),
-        group: name.to_owned(),
-        severity: match (whole, broken) {
-            (true, _) => Severity::Undamaged,
-            (_, 0) => Severity::Damaged,
-            _ => Severity::Through,
-        },
-        headline,
-        text,
-        numbers: numbers.map(|(name, value)| (name.to_owned(), value)).into_iter().collect(),
+    let severity = match (yielded == 0 && broken == 0 && slid == 0, broken) {
+        (true, _) => Severity::Undamaged,
+        (_, 0) => Severity::Damaged,
+        _ => Severity::Through,
+    };
+    let finding =
+        Finding::new(format!("bolts_{}", snake(name)), name, severity, headline(group), text(group, of))
+            .with("bolts", bolts as f64)
+            .with("yielded", yielded as f64)
+            .with("broken", broken as f64)
+            .with("slid", slid as f64)
+            .with("cut", cut as f64)
+            .with("gone", gone as f64)
+            .with("max_force", group.largest.force)
+            .with("force_over_yield", group.force_over_yield)
+            .with("max_slip", group.max_slip);
+    let BoltPeak { bolt, at, time, .. } = group.largest;
+    if bolt == 0 {
+        return finding;
     }
+    finding.with("max_force_bolt", bolt as f64).with_place("max_force", at).with("max_force_time", time)
 }
 
 /// '3 of 240 bolts yielded, none broke; largest force 0.82 of yield'.
-fn headline(group: &BoltSummary) -> String {
+fn headline(group: &BoltSummary) -> Said {
     let BoltSummary { bolts, yielded, broken, gone, .. } = *group;
+    let all = bolts.to_string();
     if gone == bolts {
         return match bolts {
-            1 => "nothing is left of its one bolt, which excavations took".to_owned(),
-            _ => format!("nothing is left of its {bolts} bolts, which excavations took"),
+            1 => said!("nothing is left of its one bolt, which excavations took"),
+            _ => said!("nothing is left of its {bolts} bolts, which excavations took", bolts = all),
         };
     }
-    let some = |count: u64| if count == 0 { "none".to_owned() } else { count.to_string() };
-    let lost = match (group.yield_force.is_finite(), broken) {
-        (true, _) if bolts == 1 && yielded + broken == 0 => "its one bolt did not yield".to_owned(),
-        (true, _) if yielded + broken == 0 => format!("none of {bolts} bolts yielded"),
-        (false, 0) if bolts == 1 => "its one bolt never yields".to_owned(),
-        (true, _) => format!("{} of {bolts} bolts yielded, {} broke", some(yielded), some(broken)),
-        (false, 0) => format!("{bolts} bolts, which never yield"),
-        (false, _) => format!("{broken} of {bolts} bolts broke"),
+    let (yields, some_yielded, some_broke) = (group.yield_force.is_finite(), yielded > 0, broken > 0);
+    let (yielded, broken) = (yielded.to_string(), broken.to_string());
+    let lost = match (yields, some_yielded, some_broke) {
+        (true, false, false) if bolts == 1 => said!("its one bolt did not yield"),
+        (true, false, false) => said!("none of {bolts} bolts yielded", bolts = all),
+        (true, true, false) => {
+            said!("{yielded} of {bolts} bolts yielded, none broke", yielded = yielded, bolts = all)
+        }
+        (true, false, true) => {
+            said!("none of {bolts} bolts yielded, {broken} broke", bolts = all, broken = broken)
+        }
+        (true, true, true) => said!(
+            "{yielded} of {bolts} bolts yielded, {broken} broke",
+            yielded = yielded,
+            bolts = all,
+            broken = broken,
+        ),
+        (false, _, false) if bolts == 1 => said!("its one bolt never yields"),
+        (false, _, false) => said!("{bolts} bolts, which never yield", bolts = all),
+        (false, _, true) => said!("{broken} of {bolts} bolts broke", broken = broken, bolts = all),
     };
-    let most = match group.yield_force.is_finite() {
-        true => format!("{:.2} of yield", group.force_over_yield),
-        false => signed(group.largest.force),
+    let most = match yields {
+        true => said!("largest force {share} of yield", share = format!("{:.2}", group.force_over_yield)),
+        false => said!("largest force {force}", force = signed(group.largest.force)),
     };
-    format!("{lost}; largest force {most}")
+    clauses([lost, most])
 }
 
-fn text(group: &BoltSummary) -> String {
-    let mut text = String::new();
-    let BoltPeak { force, bolt, at: [x, y, z], ref stage, time } = group.largest;
-    if bolt > 0 {
-        let when = match stage.as_str() {
-            "" => String::new(),
-            EARTHQUAKE => format!(" at {time:.2} s"),
-            stage => format!(" in the stage '{stage}'"),
-        };
-        text = format!("Largest force {} in bolt {bolt} at ({x:.1}, {y:.1}, {z:.1}) m{when}.", signed(force));
-    }
+fn text(group: &BoltSummary, of: Option<&str>) -> Said {
+    let mut text = Vec::new();
+    text.extend((group.largest.bolt > 0).then(|| largest(&group.largest, of)));
     if group.slid > 0 {
-        text += &format!(" The bond of {} slid; largest slip {}.", group.slid, metres(group.max_slip));
+        text.push(said!(
+            "The bond of {slid} slid; largest slip {slip}.",
+            slid = group.slid.to_string(),
+            slip = metres(group.max_slip),
+        ));
     }
     if group.cut > 0 && group.gone < group.bolts {
-        text += &format!(" Excavations cut {}", group.cut);
-        text += &if group.gone > 0 { format!(" and left nothing of {}.", group.gone) } else { ".".into() };
+        let cut = group.cut.to_string();
+        text.push(match group.gone {
+            0 => said!("Excavations cut {cut}.", cut = cut),
+            gone => {
+                said!("Excavations cut {cut} and left nothing of {gone}.", cut = cut, gone = gone.to_string())
+            }
+        });
     }
-    text.trim_start().to_owned()
+    sentences(text)
+}
+
+/// The largest force, with its bolt, place and time.
+fn largest(peak: &BoltPeak, of: Option<&str>) -> Said {
+    let (force, place) = (signed(peak.force), point(peak.at));
+    let number = peak.bolt.to_string();
+    let bolt = match of {
+        Some(group) => said!("bolt {bolt} of '{group}'", bolt = number, group = group),
+        None => said!("bolt {bolt}", bolt = number),
+    };
+    match peak.stage.as_str() {
+        "" => said!("Largest force {force} in {bolt} at {place}.", force = force, bolt = bolt, place = place),
+        EARTHQUAKE => said!(
+            "Largest force {force} in {bolt} at {place} at {time} s.",
+            force = force,
+            bolt = bolt,
+            place = place,
+            time = format!("{:.2}", peak.time),
+        ),
+        stage => said!(
+            "Largest force {force} in {bolt} at {place} in the stage '{stage}'.",
+            force = force,
+            bolt = bolt,
+            place = place,
+            stage = stage,
+        ),
+    }
 }
 
 /// A force with its sense, where it is not the usual one.
-fn signed(force: f64) -> String {
-    let sense = if force < 0.0 { " of compression" } else { "" };
-    format!("{}{sense}", newtons(force.abs()))
+fn signed(force: f64) -> Said {
+    let size = newtons(force.abs());
+    if force < 0.0 { said!("{force} of compression", force = size) } else { said!("{force}", force = size) }
 }
 
 /// The size of a force as one says it.

@@ -2,7 +2,7 @@
 
 use crate::evidence::Evidence;
 use crate::run::Beginning;
-use tremolite_results::{Fact, TrustLine};
+use tremolite_results::{Fact, Said, TrustLine, said};
 
 /// What is held besides weight, loads and reactions when the shaking begins, over all contributions: ten times what stages
 /// leave out of balance.
@@ -12,59 +12,70 @@ const INITIAL: f64 = 0.1;
 
 /// Change of the initial stress over itself.
 const CHANGE: f64 = 0.1;
-/// What to look at where the initial stress does not fit.
-const FITS: &str = "the initial stress is out of balance where it differs from the weight above, or from what the rock can bear: \
-                    look at `lateral`, `stress` or `overburden`; on slopes and beside layers some is right";
+
+const HELD_ID: &str = "held_at_the_end";
+const CHANGE_ID: &str = "initial_stress_change";
+const INITIAL_ID: &str = "initial_motion";
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
-    const HELD_ID: &str = "held_at_the_end";
-    const HELD_NAME: &str =
-        "held besides weight, loads and reactions after the last stage, over all contributions";
-    const CHANGE_ID: &str = "initial_stress_change";
-    const CHANGE_NAME: &str = "change of the initial stress on the way to equilibrium over that stress";
-    const INITIAL_ID: &str = "initial_motion";
-    const INITIAL_NAME: &str = "motion to the initial equilibrium over the stages'";
+    let held_name =
+        || said!("held besides weight, loads and reactions after the last stage, over all contributions");
+    let change_name = || said!("change of the initial stress on the way to equilibrium over that stress");
+    let initial_name = || said!("motion to the initial equilibrium over the stages'");
     let stages = &evidence.outcome.stages;
     let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
-        let why = if evidence.plan.stages.is_empty() {
-            "nothing comes before the earthquake"
-        } else {
-            "no stage came to rest"
+        let why = || match evidence.plan.stages.is_empty() {
+            true => said!("nothing comes before the earthquake"),
+            false => said!("no stage came to rest"),
         };
         return vec![
-            TrustLine::not_applicable(HELD_ID, HELD_NAME, why),
-            TrustLine::not_applicable(INITIAL_ID, INITIAL_NAME, why),
-            TrustLine::not_applicable(CHANGE_ID, CHANGE_NAME, why),
+            TrustLine::not_applicable(HELD_ID, held_name(), why()),
+            TrustLine::not_applicable(INITIAL_ID, initial_name(), why()),
+            TrustLine::not_applicable(CHANGE_ID, change_name(), why()),
         ];
     };
-    let all = stages.len() == evidence.plan.stages.len();
-    let held = TrustLine::at_most(HELD_ID, HELD_NAME, last.held, HELD, "").with_note(
-        "what stages have not let go stays held in the shaking: end with a stage whose `release` is 1",
-    );
-    let held =
-        if all { held } else { TrustLine::not_applicable(HELD_ID, HELD_NAME, "not all stages are done") };
+    let held = if stages.len() == evidence.plan.stages.len() {
+        TrustLine::at_most(HELD_ID, held_name(), last.held, HELD, "").with_note(said!(
+            "what stages have not let go stays held in the shaking: end with a stage whose `release` is 1"
+        ))
+    } else {
+        TrustLine::not_applicable(HELD_ID, held_name(), said!("not all stages are done"))
+    };
     let largest = stages[1..].iter().map(|stage| stage.largest_motion).fold(0.0, f64::max);
     let excavates = stages[1..].iter().any(|stage| !stage.excavated.is_empty());
     let initial = if excavates {
-        TrustLine::at_most(INITIAL_ID, INITIAL_NAME, first.largest_motion / largest, INITIAL, "")
+        TrustLine::at_most(INITIAL_ID, initial_name(), first.largest_motion / largest, INITIAL, "")
             .with("initial", first.largest_motion)
             .with("largest", largest)
-            .with_note(FITS)
+            .with_note(fits())
     } else {
-        TrustLine::not_applicable(INITIAL_ID, INITIAL_NAME, "no stage that came to rest excavates")
+        TrustLine::not_applicable(INITIAL_ID, initial_name(), said!("no stage that came to rest excavates"))
     };
     let change = match Beginning::recall(&evidence.outcome.state.observers) {
-        Some(found) if !evidence.model.initial.is_empty() => {
-            TrustLine::at_most(CHANGE_ID, CHANGE_NAME, found.change, CHANGE, "")
-                .with("imbalance", found.imbalance)
-                .with_note(format!(
-                    "integrated over what stands; {:.1e} of all forces were out of balance at first; {FITS}",
-                    found.imbalance
-                ))
-        }
-        _ => TrustLine::not_applicable(CHANGE_ID, CHANGE_NAME, "the ground begins without stress"),
+        Some(found) if !evidence.model.initial.is_empty() => TrustLine::at_most(
+            CHANGE_ID,
+            change_name(),
+            found.change,
+            CHANGE,
+            "",
+        )
+        .with("imbalance", found.imbalance)
+        .with_note(said!(
+            "integrated over what stands; {imbalance} of all forces were out of balance at first; {remedy}",
+            imbalance = format!("{:.1e}", found.imbalance),
+            remedy = fits(),
+        )),
+        _ => TrustLine::not_applicable(CHANGE_ID, change_name(), said!("the ground begins without stress")),
     };
     vec![held, initial, change]
+}
+
+/// What to look at where the initial stress does not fit.
+fn fits() -> Said {
+    said!(
+        "the initial stress is out of balance where it differs from the weight above, or from what the rock can bear: look at \
+         `lateral`, `stress` or `overburden`; on slopes and beside layers some is right"
+    )
 }
 
 pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
@@ -73,38 +84,38 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
     if let Some(first) = outcome.stages.first() {
         facts.push(Fact::new(
             "initial_plastic_volume",
-            "plastic shear strain at the initial equilibrium, integrated",
+            said!("plastic shear strain at the initial equilibrium, integrated"),
             first.plastic_volume,
             "m3",
-            "rock that the initial stress itself brings to yield",
+            said!("rock that the initial stress itself brings to yield"),
         ));
         let worst = outcome.stages.iter().map(|stage| stage.ratio).fold(0.0, f64::max);
         facts.push(Fact::new(
             "stages_out_of_balance",
-            "out of balance over all contributions, worst of the stages",
+            said!("out of balance over all contributions, worst of the stages"),
             worst,
             "",
-            "each stage goes on until this is below `initial.tolerance`, and little motion is left",
+            said!("each stage goes on until this is below `initial.tolerance`, and little motion is left"),
         ));
     }
     if let Some(Beginning { pairs, beyond, .. }) =
         Beginning::recall(&outcome.state.observers).filter(|found| found.pairs > 0)
     {
-        facts.push(Fact::new(
-            "initial_pairs_beyond_strength",
-            "pairs of interfaces that the initial stress brings beyond their strength",
-            beyond as f64,
-            "",
-            format!("of {pairs} that are there from the start: they slid or opened on the way to the initial equilibrium"),
-        ));
+        let note = said!(
+            "of {pairs} that are there from the start: they slid or opened on the way to the initial equilibrium",
+            pairs = pairs.to_string(),
+        );
+        let name = said!("pairs of interfaces that the initial stress brings beyond their strength");
+        let fact = Fact::new("initial_pairs_beyond_strength", name, beyond as f64, "", note);
+        facts.push(fact.with("pairs", pairs as f64));
     }
     if let Some(drift) = outcome.quiet {
         facts.push(Fact::new(
             "quiet_drift",
-            "largest displacement in 100 steps without motion",
+            said!("largest displacement in 100 steps without motion"),
             drift,
             "m",
-            "what all parts do at rest is held, so nothing moves but by round-off",
+            said!("what all parts do at rest is held, so nothing moves but by round-off"),
         ));
     }
     facts

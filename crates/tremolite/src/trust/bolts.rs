@@ -2,17 +2,16 @@
 
 use crate::evidence::Evidence;
 use crate::observers::BoltForces;
+use crate::phrases::clauses;
 use crate::support::{look, seen};
 use tremolite_engine::hexahedra::hex;
-use tremolite_results::TrustLine;
+use tremolite_results::{Said, TrustLine, said};
 
 /// Slip over the size of the element beside it: a bolt's direction and the elements it lies in do not change.
 const SLIP: f64 = 0.1;
-const SLIP_NAME: &str = "largest slip of bolts over element size";
 const SLIP_ID: &str = "bolt_slip";
 /// Out of balance along a bolt over its group's largest force: a thousandth of what an engineer reads off, far above round-off.
 const BALANCED: f64 = 1e-6;
-const BALANCE_NAME: &str = "force of bonds beyond their strength over the largest of bolts";
 const BALANCE_ID: &str = "bolt_balance";
 /// A largest force \[N\] below which none is meant.
 const LEAST: f64 = 1.0;
@@ -20,10 +19,18 @@ const LEAST: f64 = 1.0;
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let bonded = evidence.model.bolts.iter().any(|set| set.kind.bond.is_some() && !set.bolts.is_empty());
     if !bonded {
-        let none = |id, name| TrustLine::not_applicable(id, name, "no bolts with a bond");
-        return vec![none(SLIP_ID, SLIP_NAME), none(BALANCE_ID, BALANCE_NAME)];
+        let none = |id, name| TrustLine::not_applicable(id, name, said!("no bolts with a bond"));
+        return vec![none(SLIP_ID, slip_name()), none(BALANCE_ID, balance_name())];
     }
     vec![slip(evidence), balance(evidence)]
+}
+
+fn slip_name() -> Said {
+    said!("largest slip of bolts over element size")
+}
+
+fn balance_name() -> Said {
+    said!("force of bonds beyond their strength over the largest of bolts")
 }
 
 /// The largest of some shares, with what else is to be said of it and the bolt: group and number.
@@ -42,8 +49,11 @@ impl Worst {
         }
     }
 
-    fn place(&self) -> String {
-        self.bolt.as_ref().map(|(group, bolt)| format!("bolt {bolt} of {group}; ")).unwrap_or_default()
+    /// A check with the bolt that it is of, before what is to be said.
+    fn told(&self, line: TrustLine, what: Said) -> TrustLine {
+        let Some((group, bolt)) = &self.bolt else { return line.with_note(what) };
+        let at = said!("bolt {bolt} of {group}", bolt = bolt.to_string(), group = group);
+        line.with("bolt", f64::from(*bolt)).with_note(clauses([at, what]))
     }
 }
 
@@ -59,11 +69,14 @@ fn slip(evidence: &Evidence) -> TrustLine {
             worst.take(seen.slip / size, seen.slip, &set.kind.name, bolt.bar);
         }
     }
-    let at = worst.place();
-    TrustLine::at_most(SLIP_ID.to_owned(), SLIP_NAME, worst.share, SLIP, "").with("slip", worst.value).with_note(format!(
-        "{at}of any step, over the smallest element that the bolt lies in: a bolt stays in the elements it was cut by and keeps \
-         its direction, so slip must stay small"
-    ))
+    let line = TrustLine::at_most(SLIP_ID, slip_name(), worst.share, SLIP, "").with("slip", worst.value);
+    worst.told(
+        line,
+        said!(
+            "of any step, over the smallest element that the bolt lies in: a bolt stays in the elements it was cut by and keeps \
+             its direction, so slip must stay small"
+        ),
+    )
 }
 
 /// What of bolts' forces no law answers for: there was no balance along the bolt.
@@ -80,10 +93,13 @@ fn balance(evidence: &Evidence) -> TrustLine {
             worst.take(rest / force, rest, &set.kind.name, bolt.bar);
         }
     }
-    let at = worst.place();
-    let line = TrustLine::at_most(BALANCE_ID.to_owned(), BALANCE_NAME, worst.share, BALANCED, "");
-    line.with("force", worst.value).with_note(format!(
-        "{at}what bonds carried beyond their strength, in any step since the bolt was placed, over the largest force of its group \
-         in any: beyond round-off there was no balance, as where a bolt is drawn out"
-    ))
+    let line =
+        TrustLine::at_most(BALANCE_ID, balance_name(), worst.share, BALANCED, "").with("force", worst.value);
+    worst.told(
+        line,
+        said!(
+            "what bonds carried beyond their strength, in any step since the bolt was placed, over the largest force of its group \
+             in any: beyond round-off there was no balance, as where a bolt is drawn out"
+        ),
+    )
 }

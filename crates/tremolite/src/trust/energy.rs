@@ -2,11 +2,12 @@
 
 use crate::evidence::Evidence;
 use crate::observers::ENERGY_MEMORY;
+use crate::phrases::listed;
 use tremolite_engine::Quadrature;
 use tremolite_kernels::{Booked, Line};
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
-use tremolite_results::{TrustLine, snake};
+use tremolite_results::{TrustLine, said, snake};
 
 /// Energy that may be lost or found, over the largest that motion and elements held, beyond the scheme's own ⅛Δt²aᵀMa: an
 /// elastic model closes to round-off, damage that jumps within a step leaves some.
@@ -51,17 +52,17 @@ fn noise(evidence: &Evidence) -> f64 {
 /// The largest |error| of all rows over the largest energy that was held in one.
 fn error(evidence: &Evidence) -> TrustLine {
     const ID: &str = "energy_error";
-    const NAME: &str = "energy error over the largest energy held";
+    let name = said!("energy error over the largest energy held");
     let bodies = evidence.model.user_bodies().iter();
     let unbooked = bodies.filter(|body| {
         let columns = body.material.info().history;
         !columns.is_empty() && position(columns, Role::Dissipated).is_none()
     });
-    let unbooked: Vec<String> =
-        unbooked.map(|body| format!("{} of {}", body.material.info().name, body.name)).collect();
+    let unbooked =
+        unbooked.map(|body| said!("{law} of {body}", law = body.material.info().name, body = &body.name));
     if !evidence.phase.keeps_books {
-        let why = format!("a law books nothing of what it dissipates: {}", unbooked.join(", "));
-        return TrustLine::not_applicable(ID, NAME, why);
+        let why = said!("a law books nothing of what it dissipates: {bodies}", bodies = listed(unbooked));
+        return TrustLine::not_applicable(ID, name, why);
     }
     let held =
         [Line::Kinetic, Line::Strain, Line::Hourglass, Line::Interface].map(|line| column(evidence, line));
@@ -69,57 +70,54 @@ fn error(evidence: &Evidence) -> TrustLine {
     let held = largest((0..held[0].len()).map(at));
     let error = evidence.outcome.state.observers.get(ENERGY_MEMORY).map_or(f64::NAN, |kept| kept[1]);
     if held <= noise(evidence) {
-        return TrustLine::not_applicable(
-            ID,
-            NAME,
-            "nothing moves beyond the round-off of what was stored before",
-        );
+        let why = said!("nothing moves beyond the round-off of what was stored before");
+        return TrustLine::not_applicable(ID, name, why);
     }
-    TrustLine::at_most(ID, NAME, error / held, ERROR, "")
+    TrustLine::at_most(ID, name, error / held, ERROR, "")
         .with("error", error)
         .with("held", held)
-        .with_note(
+        .with_note(said!(
             "largest difference of all rows between the energy found and the energy put in, every line booked by itself, but \
-             for ⅛Δt²aᵀMa, which belongs to the scheme",
-        )
+             for ⅛Δt²aᵀMa, which belongs to the scheme"
+        ))
 }
 
 /// For each body whose law dissipates: is its work in its lines?
 fn bodies(evidence: &Evidence) -> Vec<TrustLine> {
-    const NAME: &str = "work in no line over energy dissipated";
     let mut lines = Vec::new();
     for (body, books) in evidence.model.user_bodies().iter().zip(&evidence.outcome.bodies) {
         if position(body.material.info().history, Role::Dissipated).is_none() {
             continue;
         }
-        let (id, name) =
-            (format!("body_energy_error_{}", snake(&body.name)), format!("{NAME}, {}", body.name));
+        let id = format!("body_energy_error_{}", snake(&body.name));
+        let name = said!("work in no line over energy dissipated, {body}", body = &body.name);
         let dissipated = books.held[Line::Dissipated];
         // A law that books nothing of what it takes does not come away with that.
         if dissipated == 0.0 && books.error().abs() <= ERROR * books.work.abs() {
-            lines.push(TrustLine::not_applicable(id, &name, "nothing was damaged and nothing flowed"));
+            lines.push(TrustLine::not_applicable(id, name, said!("nothing was damaged and nothing flowed")));
             continue;
         }
         lines.push(
-            TrustLine::at_most(id, &name, books.error().abs() / dissipated, BODY_ERROR, "")
+            TrustLine::at_most(id, name, books.error().abs() / dissipated, BODY_ERROR, "")
                 .with("work", books.work)
                 .with("error", books.error())
                 .with("dissipated", dissipated)
-                .with_note(
+                .with_note(said!(
                     "work on the body's elements less what they hold, have dissipated and created, at the end; damage that \
-                     jumps within a step leaves some, which shrinks with the step",
-                ),
+                     jumps within a step leaves some, which shrinks with the step"
+                )),
         );
     }
     if lines.is_empty() {
-        lines.push(TrustLine::not_applicable("body_energy_error", NAME, "no law dissipates"));
+        let name = said!("work in no line over energy dissipated");
+        lines.push(TrustLine::not_applicable("body_energy_error", name, said!("no law dissipates")));
     }
     lines
 }
 
 fn created(evidence: &Evidence) -> TrustLine {
     const ID: &str = "energy_created_by_laws";
-    const NAME: &str = "energy created by laws over energy dissipated";
+    let name = said!("energy created by laws over energy dissipated");
     // Its largest rise: what loops took before does not pay for what they give out later.
     let mut least = 0.0_f64;
     let created = largest(column(evidence, Line::Created).iter().map(|&now| {
@@ -128,20 +126,22 @@ fn created(evidence: &Evidence) -> TrustLine {
     }));
     let dissipated = largest(column(evidence, Line::Dissipated).iter().copied());
     if dissipated == 0.0 && created == 0.0 {
-        return TrustLine::not_applicable(ID, NAME, "nothing was damaged and nothing flowed");
+        return TrustLine::not_applicable(ID, name, said!("nothing was damaged and nothing flowed"));
     }
-    TrustLine::at_most(ID, NAME, created / dissipated, CREATED, "")
+    TrustLine::at_most(ID, name, created / dissipated, CREATED, "")
         .with("created", created)
         .with("dissipated", dissipated)
-        .with_note("largest rise of what closed strain loops of cracked concrete gave out; split = \"compliance\" cannot")
+        .with_note(said!(
+            "largest rise of what closed strain loops of cracked concrete gave out; split = \"compliance\" cannot"
+        ))
 }
 
 /// The largest ratio of hourglass to strain energy, row by row.
 fn hourglass(evidence: &Evidence) -> TrustLine {
     const ID: &str = "hourglass_energy";
-    const NAME: &str = "hourglass energy over strain energy";
+    let name = said!("hourglass energy over strain energy");
     if evidence.model.user_bodies().iter().all(|body| body.quadrature == Quadrature::Full) {
-        return TrustLine::not_applicable(ID, NAME, "no one-point elements");
+        return TrustLine::not_applicable(ID, name, said!("no one-point elements"));
     }
     let [hourglass, strain] = [Line::Hourglass, Line::Strain].map(|line| column(evidence, line));
     let most = largest(strain.iter().copied());
@@ -149,11 +149,12 @@ fn hourglass(evidence: &Evidence) -> TrustLine {
     let ratio = |row: usize| hourglass[row] / strain[row].max(STILL * most);
     let worst = (0..strain.len()).max_by(|a, b| ratio(*a).total_cmp(&ratio(*b)));
     let Some(row) = worst.filter(|_| most > noise(evidence)) else {
-        return TrustLine::not_applicable(ID, NAME, "nothing is strained");
+        return TrustLine::not_applicable(ID, name, said!("nothing is strained"));
     };
     let time = evidence.energy.column("time").map_or(f64::NAN, |time| time[row]);
-    TrustLine::at_most(ID, NAME, ratio(row), HOURGLASS, "").with("time", time).with_note(format!(
-        "largest ratio of all rows, at {time:.2} s: energy of the one-point elements' stabilisation, bending that their one \
-         point misses"
+    TrustLine::at_most(ID, name, ratio(row), HOURGLASS, "").with("time", time).with_note(said!(
+        "largest ratio of all rows, at {time} s: energy of the one-point elements' stabilisation, bending that their one point \
+         misses",
+        time = format!("{time:.2}"),
     ))
 }

@@ -3,15 +3,20 @@
 use super::seam;
 use crate::evidence::Evidence;
 use tremolite_kernels::Line;
-use tremolite_results::TrustLine;
+use tremolite_results::{Said, TrustLine, said};
 
 /// Energy that interface laws may create, over what friction took.
 const CREATED: f64 = 0.05;
 /// Where nothing slid: over all that was supplied, the limit of the balance's own error.
 const UNSEEN: f64 = 5e-4;
 
-const UNSTRESSED: &str = "interfaces without initial stress";
-const CREATED_BY: &str = "energy created by interface laws over that of friction";
+fn unstressed_name() -> Said {
+    said!("interfaces without initial stress")
+}
+
+fn created_name() -> Said {
+    said!("energy created by interface laws over that of friction")
+}
 
 /// Checks of the shaking alone.
 const OF_SHAKING: [&str; 3] = ["energy_created_by_interfaces", "interface_impacts", "interface_step"];
@@ -26,19 +31,20 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
 fn all(evidence: &Evidence) -> Vec<TrustLine> {
     let Evidence { model, .. } = evidence;
     if model.user_seams().is_empty() {
-        const LINES: [(&str, &str); 9] = [
-            ("interface_without_initial_stress", UNSTRESSED),
-            ("energy_created_by_interfaces", CREATED_BY),
-            ("interface_closure", "largest closure of the interface over its limit"),
-            ("interface_slip", "largest slip over element size"),
-            ("interface_gap", "largest gap over element size"),
-            ("interface_straight", "pairs beyond the pressure from which the law is straight"),
-            ("interface_impacts", "energy found at impacts over energy supplied"),
-            ("interface_step", "time step times frequency of the stiffest pair"),
-            ("interface_chosen", "closure of the interface over that of the elements beside it"),
-        ];
-        let line = |(id, name)| TrustLine::not_applicable(id, name, "no interface");
-        return LINES.map(line).into();
+        let line = |(id, name)| TrustLine::not_applicable(id, name, said!("no interface"));
+        return [
+            ("interface_without_initial_stress", unstressed_name()),
+            ("energy_created_by_interfaces", created_name()),
+            ("interface_closure", said!("largest closure of the interface over its limit")),
+            ("interface_slip", said!("largest slip over element size")),
+            ("interface_gap", said!("largest gap over element size")),
+            ("interface_straight", said!("pairs beyond the pressure from which the law is straight")),
+            ("interface_impacts", said!("energy found at impacts over energy supplied")),
+            ("interface_step", said!("time step times frequency of the stiffest pair")),
+            ("interface_chosen", said!("closure of the interface over that of the elements beside it")),
+        ]
+        .map(line)
+        .into();
     }
     let mut lines = vec![unstressed(evidence), created(evidence)];
     lines.extend((0..model.user_seams().len()).flat_map(|number| seam::of(evidence, number)));
@@ -49,14 +55,18 @@ fn all(evidence: &Evidence) -> Vec<TrustLine> {
 fn unstressed(evidence: &Evidence) -> TrustLine {
     const ID: &str = "interface_without_initial_stress";
     if !evidence.model.initial.is_empty() {
-        return TrustLine::not_applicable(ID, UNSTRESSED, "the ground begins with initial stress");
+        return TrustLine::not_applicable(
+            ID,
+            unstressed_name(),
+            said!("the ground begins with initial stress"),
+        );
     }
     let names: Vec<&str> = evidence.model.user_seams().iter().map(|seam| seam.name.as_str()).collect();
-    let line = TrustLine::at_most(ID, UNSTRESSED, names.len() as f64, 0.0, "");
-    line.with_note(format!(
-        "{}: nothing presses the sides together before the earthquake, and no weight closes them again, so they part and slide \
-         earlier and further than in place; one without a bond is open from the first motion on",
-        names.join("; ")
+    let line = TrustLine::at_most(ID, unstressed_name(), names.len() as f64, 0.0, "");
+    line.with_note(said!(
+        "{names}: nothing presses the sides together before the earthquake, and no weight closes them again, so they part and \
+         slide earlier and further than in place; one without a bond is open from the first motion on",
+        names = names.join("; "),
     ))
 }
 
@@ -71,18 +81,22 @@ fn created(evidence: &Evidence) -> TrustLine {
     let friction = column(Line::Friction).iter().copied().fold(0.0, f64::max);
     const ID: &str = "energy_created_by_interfaces";
     if created == 0.0 && friction == 0.0 {
-        return TrustLine::not_applicable(ID, CREATED_BY, "nothing slid or opened");
+        return TrustLine::not_applicable(ID, created_name(), said!("nothing slid or opened"));
     }
     let supplied = evidence.outcome.state.ledger.supplied;
     if friction == 0.0 && created <= UNSEEN * supplied {
         let share = created / supplied;
-        let why = format!("nothing slid, and pairs gave out {share:.0e} of all energy supplied");
-        return TrustLine::not_applicable(ID, CREATED_BY, why);
+        let why = said!(
+            "nothing slid, and pairs gave out {share} of all energy supplied",
+            share = format!("{share:.0e}"),
+        );
+        let line = TrustLine::not_applicable(ID, created_name(), why);
+        return line.with("created", created).with("supplied", supplied);
     }
-    TrustLine::at_most(ID, CREATED_BY, created / friction, CREATED, "")
+    TrustLine::at_most(ID, created_name(), created / friction, CREATED, "")
         .with("created", created)
         .with("friction", friction)
-        .with_note(
-            "largest rise of what pairs gave out whose shear stiffness goes by the closure; tangential = \"constant\" cannot",
-        )
+        .with_note(said!(
+            "largest rise of what pairs gave out whose shear stiffness goes by the closure; tangential = \"constant\" cannot"
+        ))
 }

@@ -1,13 +1,14 @@
 //! Checks of what the material laws assume and did.
 
 use crate::evidence::Evidence;
+use crate::phrases::clauses;
 use tremolite_engine::Body;
 use tremolite_engine::extent::extents;
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
-use tremolite_results::{Fact, TrustLine, snake};
+use tremolite_results::{Fact, Said, TrustLine, said, snake};
 
 /// Fracture energy of a weak concrete \[N/m\]: `mc1990`, G_F0 (f_cm/10 MPa)^0.7 with 25 N/m for 8 mm of aggregate and
 /// f_cm = 28 MPa. Less means that elements crack for less than a crack takes.
@@ -26,7 +27,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
 /// Monitors in elements that tension has broken through: nothing holds such pieces, so their displacements mean little.
 fn broken_monitors(evidence: &Evidence) -> TrustLine {
     const ID: &str = "monitors_on_broken_elements";
-    const NAME: &str = "monitors on broken elements";
+    let name = said!("monitors on broken elements");
     let Evidence { assembly, phase, plan, outcome, .. } = evidence;
     let history = outcome.history(assembly);
     let mut judged = 0;
@@ -40,17 +41,17 @@ fn broken_monitors(evidence: &Evidence) -> TrustLine {
         }
     }
     if judged == 0 {
-        return TrustLine::not_applicable(ID, NAME, "no monitor is in a material that cracks");
+        return TrustLine::not_applicable(ID, name, said!("no monitor is in a material that cracks"));
     }
     let note = if broken.is_empty() {
-        "elements whose every point is broken in tension are loose pieces".to_owned()
+        said!("elements whose every point is broken in tension are loose pieces")
     } else {
-        format!(
-            "{}: every point of the element is broken; its displacement is that of a loose piece",
-            broken.join(", ")
+        said!(
+            "{monitors}: every point of the element is broken; its displacement is that of a loose piece",
+            monitors = broken.join(", "),
         )
     };
-    TrustLine::at_most(ID, NAME, broken.len() as f64, 0.0, "")
+    TrustLine::at_most(ID, name, broken.len() as f64, 0.0, "")
         .with("judged", f64::from(judged))
         .with_note(note)
 }
@@ -58,9 +59,9 @@ fn broken_monitors(evidence: &Evidence) -> TrustLine {
 /// Rock that yields by its pressure, without the pressure.
 fn unstressed(model: &Model) -> TrustLine {
     const ID: &str = "yielding_rock_without_initial_stress";
-    const NAME: &str = "yielding rock without initial stress";
+    let name = said!("yielding rock without initial stress");
     if !model.initial.is_empty() {
-        return TrustLine::not_applicable(ID, NAME, "the ground begins with initial stress");
+        return TrustLine::not_applicable(ID, name, said!("the ground begins with initial stress"));
     }
     let plastic = [Role::PlasticShear, Role::PlasticTension];
     let bodies = model.user_bodies().iter().filter(|body| {
@@ -69,12 +70,12 @@ fn unstressed(model: &Model) -> TrustLine {
     });
     let names: Vec<&str> = bodies.map(|b| b.name.as_str()).collect();
     if names.is_empty() {
-        return TrustLine::not_applicable(ID, NAME, "no rock yields by its pressure");
+        return TrustLine::not_applicable(ID, name, said!("no rock yields by its pressure"));
     }
-    TrustLine::at_most(ID, NAME, names.len() as f64, 0.0, "").with_note(format!(
-        "{}: strength grows with pressure, and the weight of the ground is not in this run; it yields earlier and further \
+    TrustLine::at_most(ID, name, names.len() as f64, 0.0, "").with_note(said!(
+        "{names}: strength grows with pressure, and the weight of the ground is not in this run; it yields earlier and further \
          than in place, most of all in tension",
-        names.join("; ")
+        names = names.join("; "),
     ))
 }
 
@@ -98,23 +99,26 @@ fn given_energy(body: &Body) -> bool {
 /// What cracks across the elements dissipate, a line for each body whose law softens by strain alone.
 fn crack_energies(model: &Model) -> Vec<TrustLine> {
     const ID: &str = "implied_fracture_energy";
-    const NAME: &str = "implied fracture energy";
     let mut lines = Vec::new();
     for body in model.user_bodies().iter().filter(|body| !given_energy(body)) {
         let Some([least, most]) = crack_energy(model, body) else { continue };
-        let (id, name) = (format!("{ID}_{}", snake(&body.name)), format!("{NAME}, {}", body.name));
+        let id = format!("{ID}_{}", snake(&body.name));
+        let name = said!("implied fracture energy, {body}", body = &body.name);
         lines.push(
-            TrustLine::at_least(id, &name, least, CRACK_ENERGY, "N/m")
+            TrustLine::at_least(id, name, least, CRACK_ENERGY, "N/m")
                 .with("least", least)
                 .with("most", most)
-                .with_note(format!(
-                    "{least:.0} to {most:.0} N/m for cracks across the elements' shortest to longest extents: a law that \
-                     softens by strain alone dissipates more the larger the element; give fracture_energy"
+                .with_note(said!(
+                    "{least} to {most} N/m for cracks across the elements' shortest to longest extents: a law that softens by \
+                     strain alone dissipates more the larger the element; give fracture_energy",
+                    least = format!("{least:.0}"),
+                    most = format!("{most:.0}"),
                 )),
         );
     }
     if lines.is_empty() {
-        lines.push(TrustLine::not_applicable(ID, NAME, "no law softens by strain alone"));
+        let name = said!("implied fracture energy");
+        lines.push(TrustLine::not_applicable(ID, name, said!("no law softens by strain alone")));
     }
     lines
 }
@@ -126,24 +130,29 @@ pub(super) fn facts(model: &Model) -> Vec<Fact> {
         .filter_map(|body| {
             let [energy, _] = crack_energy(model, body)?;
             let id = format!("fracture_energy_{}", snake(&body.name));
-            let name = format!("fracture energy, {}", body.name);
-            Some(Fact::new(
-                id,
-                &name,
-                energy,
-                "N/m",
-                "given; cracks dissipate it whatever the size of the element",
-            ))
+            let name = said!("fracture energy, {body}", body = &body.name);
+            let note = said!("given; cracks dissipate it whatever the size of the element");
+            Some(Fact::new(id, name, energy, "N/m", note))
         })
         .collect()
 }
 
 fn warnings(model: &Model) -> TrustLine {
-    let warnings: Vec<String> = model
-        .user_bodies()
-        .iter()
-        .flat_map(|b| b.material.warnings().into_iter().map(|w| format!("{}: {w}", b.name)))
-        .collect();
-    TrustLine::at_most("law_warnings", "warnings of material laws", warnings.len() as f64, 0.0, "")
-        .with_note(warnings.join("; "))
+    let of = |body: &Body| {
+        body.material.warnings().into_iter().map(|w| (body.name.clone(), w)).collect::<Vec<_>>()
+    };
+    let warnings: Vec<(String, String)> = model.user_bodies().iter().flat_map(of).collect();
+    let line = TrustLine::at_most(
+        "law_warnings",
+        said!("warnings of material laws"),
+        warnings.len() as f64,
+        0.0,
+        "",
+    );
+    // As the laws say them, in English alone.
+    line.with_note(clauses(
+        warnings
+            .into_iter()
+            .map(|(body, warning)| said!("{body}: {warning}", body = body, warning = Said::plain(&warning))),
+    ))
 }

@@ -13,7 +13,7 @@ pub(crate) use waves::DRIFT;
 
 use crate::evidence::Evidence;
 use crate::survey::limit_in_words;
-use tremolite_results::{Fact, TrustLine, tell_apart};
+use tremolite_results::{Fact, TrustLine, said, tell_apart};
 
 /// Every check of a run.
 pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
@@ -41,20 +41,26 @@ pub(crate) fn facts(evidence: &Evidence) -> Vec<Fact> {
     let mut facts = vec![
         Fact::new(
             "time_step_over_stable_step",
-            "time step over stable step",
+            said!("time step over stable step"),
             outcome.dt / stable.dt,
             "",
-            format!(
-                "set by {set_by}; the estimate changed by {:.0e} in the last of {} iterations",
-                stable.change, stable.iterations
+            said!(
+                "set by {set_by}; the estimate changed by {change} in the last of {iterations} iterations",
+                set_by = set_by,
+                change = format!("{:.0e}", stable.change),
+                iterations = stable.iterations.to_string(),
             ),
-        ),
+        )
+        .with("change", stable.change)
+        .with("iterations", stable.iterations as f64),
         Fact::new(
             "step_left_by_viscosity",
-            "stable step over that without artificial viscosity",
+            said!("stable step over that without artificial viscosity"),
             stable.dt / stable.undamped,
             "",
-            "artificial viscosity damps the ringing of pieces between cracks and costs a share of the step",
+            said!(
+                "artificial viscosity damps the ringing of pieces between cracks and costs a share of the step"
+            ),
         ),
     ];
     facts.extend(material::facts(model));

@@ -2,13 +2,14 @@
 
 use crate::evidence::Evidence;
 use crate::observers::Interfaces;
+use crate::places;
 use tremolite_engine::Seam;
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
 use tremolite_kernels::contact::PairSeen;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::topology::vector_areas;
-use tremolite_results::{TrustLine, snake};
+use tremolite_results::{Said, TrustLine, said, snake};
 
 /// Closure over the largest: beyond, k_n is sixteen times k_n0, and what the joint still closes says more of the law's end
 /// than of the joint.
@@ -32,30 +33,31 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let history = &outcome.state.history;
     let totals = contacts.totals(seam, history);
     let id = |what: &str| format!("{what}_{}", snake(&seam.name));
-    let name = |what: &str| format!("{what}, {}", seam.name);
+    let name = |what: Said| said!("{check}, {interface}", check = what, interface = &seam.name);
 
     let closure = match contacts.law.closure_limit() {
         None => TrustLine::not_applicable(
             id("interface_closure"),
-            &name("largest closure over its limit"),
-            format!("the law '{}' has no largest closure", contacts.law.info().name),
+            name(said!("largest closure over its limit")),
+            said!("the law '{law}' has no largest closure", law = contacts.law.info().name),
         ),
         Some(limit) => {
             let most = contacts.law.closure(totals.largest_pressure.max(0.0));
             let line = TrustLine::at_most(
                 id("interface_closure"),
-                &name("largest closure over its limit"),
+                name(said!("largest closure over its limit")),
                 most / limit,
                 CLOSURE,
                 "",
             );
-            line.with("closure", most).with("limit", limit).with_note(
+            line.with("closure", most).with("limit", limit).with_note(said!(
                 "of all pairs and steps, as the law closes at the largest pressure, over `max_closure`: the joint is nearly shut \
-                 and as stiff as it can be; give a larger one, or a stiffer joint",
-            )
+                 and as stiff as it can be; give a larger one, or a stiffer joint"
+            ))
         }
     };
 
+    let node = |pair: usize| model.mesh.node_id(seam.pairs[pair].nodes[1] as usize) as f64;
     let edges = shortest_edges(&model.mesh, seam);
     // The largest value over the edges at its pair, and that pair.
     let worst = |value: fn(&PairSeen) -> f64| {
@@ -66,59 +68,65 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
                 worst = (share, k);
             }
         }
-        (worst.0, seam.pair_name(&model.mesh, worst.1))
+        (worst.0, worst.1)
     };
     let (share, at) = worst(|seen| seen.largest_slip);
-    let slip = TrustLine::at_most(id("interface_slip"), &name("largest slip over element size"), share, SLIP, "")
+    let slip_name = name(said!("largest slip over element size"));
+    let slip = TrustLine::at_most(id("interface_slip"), slip_name, share, SLIP, "")
         .with("slip", totals.largest_slip)
-        .with_note(format!(
-            "shortest edge of the faces at {at}; normals and partners of pairs do not change, so slip must stay small"
+        .with("node", node(at))
+        .with_note(said!(
+            "shortest edge of the faces at {pair}; normals and partners of pairs do not change, so slip must stay small",
+            pair = places::pair(&model.mesh, seam, at),
         ));
     let (share, at) = worst(|seen| seen.largest_gap);
-    let gap = TrustLine::at_most(id("interface_gap"), &name("largest gap over element size"), share, GAP, "")
+    let gap_name = name(said!("largest gap over element size"));
+    let gap = TrustLine::at_most(id("interface_gap"), gap_name, share, GAP, "")
         .with("gap", totals.largest_gap)
-        .with_note(format!(
-            "shortest edge of the faces at {at}; what is so far apart has come loose, and closes on faces that are not its own"
+        .with("node", node(at))
+        .with_note(said!(
+            "shortest edge of the faces at {pair}; what is so far apart has come loose, and closes on faces that are not its own",
+            pair = places::pair(&model.mesh, seam, at),
         ));
 
     let straight = match contacts.law.straight_from() {
         None => TrustLine::not_applicable(
             id("interface_straight"),
-            &name("pairs beyond the pressure from which the law is straight"),
-            "the law is straight throughout",
+            name(said!("pairs beyond the pressure from which the law is straight")),
+            said!("the law is straight throughout"),
         ),
         Some(limit) => TrustLine::at_most(
             id("interface_straight"),
-            &name("pairs beyond the pressure from which the law is straight"),
+            name(said!("pairs beyond the pressure from which the law is straight")),
             totals.beyond as f64,
             0.0,
             "",
         )
         .with("pressure", totals.largest_pressure)
         .with("limit", limit)
-        .with_note(format!(
-            "of {} pairs; the largest pressure was {:.3} MPa, and from {:.3} MPa on the joint is held at a constant stiffness, \
-             so that it does not shorten the step; give a larger `pressure_for_step`, at the price of a shorter one",
-            seam.pairs.len(),
-            totals.largest_pressure / 1e6,
-            limit / 1e6
+        .with("pairs", seam.pairs.len() as f64)
+        .with_note(said!(
+            "of {pairs} pairs; the largest pressure was {pressure} MPa, and from {limit} MPa on the joint is held at a constant \
+             stiffness, so that it does not shorten the step; give a larger `pressure_for_step`, at the price of a shorter one",
+            pairs = seam.pairs.len().to_string(),
+            pressure = format!("{:.3}", totals.largest_pressure / 1e6),
+            limit = format!("{:.3}", limit / 1e6),
         )),
     };
 
     let supplied = outcome.state.ledger.supplied;
     let gained = Interfaces::largest_gain(&outcome.state.observers, number);
     let (impacts_id, impacts_name) =
-        (id("interface_impacts"), name("energy found at impacts over energy supplied"));
-    let judged = TrustLine::at_most(&impacts_id, &impacts_name, gained / supplied, IMPACTS, "")
-    .with("impact_gain", gained)
-    .with("supplied", supplied)
-    .with_note(
-        "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller \
-         `contact_limit` or a larger `contact_damping` lessens it",
-    );
+        (id("interface_impacts"), name(said!("energy found at impacts over energy supplied")));
     let impacts = match evidence.outcome.shaken {
-        true => judged,
-        false => TrustLine::not_applicable(impacts_id, &impacts_name, "there is no earthquake"),
+        true => TrustLine::at_most(impacts_id, impacts_name, gained / supplied, IMPACTS, "")
+            .with("impact_gain", gained)
+            .with("supplied", supplied)
+            .with_note(said!(
+                "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a \
+                 smaller `contact_limit` or a larger `contact_damping` lessens it"
+            )),
+        false => TrustLine::not_applicable(impacts_id, impacts_name, said!("there is no earthquake")),
     };
 
     // A step that is just as long as the limit lets it may differ by round-off.
@@ -126,34 +134,35 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let product = if product > seam.limit { product * (1.0 - ROUND_OFF) } else { product };
     let step = TrustLine::at_most(
         id("interface_step"),
-        &name("time step times frequency of the stiffest pair"),
+        name(said!("time step times frequency of the stiffest pair")),
         product,
         seam.limit,
         "",
     )
     .with("frequency", contacts.frequency)
-    .with_note(format!(
-        "ω_c of {} with its stiffest state; beyond 0.8 impacts may gain energy though the step is stable",
-        seam.pair_name(&model.mesh, contacts.stiffest_pair)
+    .with("node", node(contacts.stiffest_pair))
+    .with_note(said!(
+        "ω_c of {pair} with its stiffest state; beyond 0.8 impacts may gain energy though the step is stable",
+        pair = places::pair(&model.mesh, seam, contacts.stiffest_pair),
     ));
 
-    const NAME: &str = "closure of the interface over that of the elements beside it";
+    let chosen_name = name(said!("closure of the interface over that of the elements beside it"));
     let chosen = if contacts.chosen {
         let stiffness = contacts.law.stiffness(0.0)[0];
         TrustLine::at_most(
             id("interface_chosen"),
-            &name(NAME),
+            chosen_name,
             1.0 / (stiffness * give_of_elements(evidence.model, seam)),
             CHOSEN,
             "",
         )
         .with("normal_stiffness", stiffness)
-        .with_note(
+        .with_note(said!(
             "at equal pressure, unloaded; the program chose the stiffness so that the interface does not set the time step, and it \
-             is so soft that results hang on it: give `normal_stiffness` of a test, or a shorter `time_step`",
-        )
+             is so soft that results hang on it: give `normal_stiffness` of a test, or a shorter `time_step`"
+        ))
     } else {
-        TrustLine::not_applicable(id("interface_chosen"), &name(NAME), "its stiffness was given")
+        TrustLine::not_applicable(id("interface_chosen"), chosen_name, said!("its stiffness was given"))
     };
     vec![closure, slip, gap, straight, impacts, step, chosen]
 }

@@ -2,8 +2,9 @@
 
 use crate::evidence::Evidence;
 use crate::observers::{ColumnSeen, FreeFieldSeen};
+use crate::places;
 use tremolite_engine::Side;
-use tremolite_results::TrustLine;
+use tremolite_results::{Said, TrustLine, said};
 
 /// Elements a wavelength below which a wave's amplitude and speed suffer (Kuhlemeyer & Lysmer 1973).
 const PER_WAVELENGTH: f64 = 8.0;
@@ -12,127 +13,152 @@ const THEORY: f64 = 0.05;
 /// Difference of the model's velocity at its corners from the column's, over its peak: what sides and caverns make of the
 /// free field there.
 const CORNERS: f64 = 0.1;
-/// Id and name of the checks of the free field.
-const AGAINST_THEORY: (&str, &str) = ("free_field_theory", "free field against theory");
-const AGAINST_COLUMNS: (&str, &str) = ("model_against_free_field", "model's corners against free field");
 /// Displacement of the input at its end over its peak.
 pub(crate) const DRIFT: f64 = 0.1;
 
+/// Id and name of the checks of the free field.
+fn free_field_theory() -> (&'static str, Said) {
+    ("free_field_theory", said!("free field against theory"))
+}
+
+fn model_against_free_field() -> (&'static str, Said) {
+    ("model_against_free_field", said!("model's corners against free field"))
+}
+
 pub(super) fn per_wavelength(evidence: &Evidence) -> TrustLine {
     const ID: &str = "elements_per_wavelength";
-    const NAME: &str = "elements per shortest wavelength";
+    let name = said!("elements per shortest wavelength");
     let Evidence { model, survey, .. } = evidence;
     let (Some(coarsest), Some(motion)) = (survey.coarsest(), evidence.motion) else {
-        return TrustLine::not_applicable(ID, NAME, "no wave comes in");
+        return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };
-    TrustLine::at_least(ID, NAME, coarsest.per_wavelength, PER_WAVELENGTH, "")
+    TrustLine::at_least(ID, name, coarsest.per_wavelength, PER_WAVELENGTH, "")
         .with("frequency", motion.highest_frequency)
         .with("element", model.mesh.element_id(coarsest.coarsest as usize) as f64)
-        .with_note(format!(
-            "shear waves of {:.1} Hz (99.9 % of the input's energy lies below) along the longest edge of {}",
-            motion.highest_frequency,
-            model.element_name(coarsest.coarsest as usize)
+        .with_note(said!(
+            "shear waves of {frequency} Hz (99.9 % of the input's energy lies below) along the longest edge of {element}",
+            frequency = format!("{:.1}", motion.highest_frequency),
+            element = places::element(model, coarsest.coarsest as usize),
         ))
 }
 
 pub(super) fn drift(evidence: &Evidence) -> TrustLine {
     const ID: &str = "input_drift";
-    const NAME: &str = "input displacement at its end over its peak";
+    let name = said!("input displacement at its end over its peak");
     let Some(incident) = &evidence.model.incident else {
-        return TrustLine::not_applicable(ID, NAME, "no wave comes in");
+        return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };
-    TrustLine::at_most(ID, NAME, incident.motion.drift(), DRIFT, "").with_note(
+    TrustLine::at_most(ID, name, incident.motion.drift(), DRIFT, "").with_note(said!(
         "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.process, behind \
-         filter and taper",
-    )
+         filter and taper"
+    ))
 }
 
 /// The reference column against theory, and the model's corners against the column.
 pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
-    let both = |why: &str| {
-        let none = |(id, name): (&str, &str)| TrustLine::not_applicable(id, name, why);
-        vec![none(AGAINST_THEORY), none(AGAINST_COLUMNS)]
+    let both = |why: Said| {
+        let none = |(id, name)| TrustLine::not_applicable(id, name, why.clone());
+        vec![none(free_field_theory()), none(model_against_free_field())]
     };
     let Evidence { model, outcome, .. } = evidence;
     if model.incident.is_none() {
-        return both("no wave comes in");
+        return both(said!("no wave comes in"));
     }
     if model.columns.is_empty() {
-        let why = format!("there is no reference column: {}", model.no_column);
-        let mut lines = both(&why);
+        // As the engine says it, in English alone.
+        let why = said!("there is no reference column: {reason}", reason = Said::plain(&model.no_column));
+        let mut lines = both(why.clone());
         // Periodic sides leave uniform motion alone. What others make of it cannot be told here, and that is no pass.
         if model.sides.iter().any(|side| *side != Side::Periodic) {
-            let (id, name) = AGAINST_COLUMNS;
-            lines[1] = TrustLine::at_most(id, name, f64::NAN, CORNERS, "").with_note(format!(
-                "cannot be checked, since {why}; and sides that are not periodic may spoil the free field"
+            let (id, name) = model_against_free_field();
+            lines[1] = TrustLine::at_most(id, name, f64::NAN, CORNERS, "").with_note(said!(
+                "cannot be checked, since {why}; and sides that are not periodic may spoil the free field",
+                why = why,
             ));
         }
         return lines;
     }
     let Some(seen) = FreeFieldSeen::of(model, &outcome.state.observers) else {
-        return both("no row was written");
+        return both(said!("no row was written"));
     };
     vec![against_theory(&seen.columns), against_columns(&seen.columns)]
 }
 
 /// The columns against theory, the worst of those that have some.
 fn against_theory(columns: &[ColumnSeen]) -> TrustLine {
-    let (id, name) = AGAINST_THEORY;
-    let none = |why: &str| TrustLine::not_applicable(id, name, why);
+    let (id, name) = free_field_theory();
+    let none = |why: Said| TrustLine::not_applicable(id, name.clone(), why);
     let known: Vec<_> = columns.iter().filter_map(|column| Some((column, column.theory?))).collect();
     if known.is_empty() {
-        return none("theory is of ground that hangs together, and an interface runs through every column");
+        return none(said!(
+            "theory is of ground that hangs together, and an interface runs through every column"
+        ));
     }
     let elastic: Vec<_> = known.iter().filter(|(column, _)| !column.damaged).collect();
     if elastic.is_empty() {
-        return none("the rock of every column yields or cracks, and theory is elastic");
+        return none(said!("the rock of every column yields or cracks, and theory is elastic"));
     }
     let shown = elastic.iter().filter(|(_, theory)| theory.seen >= 0.5 * theory.peak);
     // What is no number is the worst.
     let worst = shown.clone().max_by(|(_, a), (_, b)| a.error().total_cmp(&b.error()));
     let Some((column, theory)) = worst else {
-        return none("the rows of the histories are too few to show the wave");
+        return none(said!("the rows of the histories are too few to show the wave"));
     };
     let [top, base] = theory.difference;
-    let end = if base > top || base.is_nan() { "base" } else { "top" };
-    let mut note = format!(
-        "velocity at the {end} of column '{}' against one-dimensional theory of its layers, damping included",
-        column.name
-    );
-    if columns.len() > 1 {
-        let (count, left) = (shown.count(), columns.len());
-        note += &format!("; the worst of {count} columns of {left}");
-        if count < left {
-            note += ", since the others yield, crack, are cut by an interface, or show no wave in the rows";
+    let (shown, all) = (shown.count(), columns.len());
+    let end = match base > top || base.is_nan() {
+        true => said!(
+            "velocity at the base of column '{column}' against one-dimensional theory of its layers, damping included",
+            column = &column.name,
+        ),
+        false => said!(
+            "velocity at the top of column '{column}' against one-dimensional theory of its layers, damping included",
+            column = &column.name,
+        ),
+    };
+    let (worst_of, of) = (shown.to_string(), all.to_string());
+    let note = match (all > 1, shown < all) {
+        (false, _) => end,
+        (true, false) => {
+            said!("{end}; the worst of {shown} columns of {all}", end = end, shown = worst_of, all = of)
         }
-    }
+        (true, true) => said!(
+            "{end}; the worst of {shown} columns of {all}, since the others yield, crack, are cut by an interface, or show no wave \
+             in the rows",
+            end = end,
+            shown = worst_of,
+            all = of,
+        ),
+    };
     TrustLine::at_most(id, name, theory.error(), THEORY, "")
         .with("difference", theory.error() * theory.peak)
         .with("peak", theory.peak)
+        .with("shown", shown as f64)
+        .with("columns", all as f64)
         .with_note(note)
 }
 
 /// The model's own corners against the columns that stand for them, the worst of all.
 fn against_columns(columns: &[ColumnSeen]) -> TrustLine {
-    let (id, name) = AGAINST_COLUMNS;
+    let (id, name) = model_against_free_field();
     let error = |column: &&ColumnSeen| {
         let [surface, base] = column.corners;
         if surface.is_nan() || base.is_nan() { f64::NAN } else { surface.max(base) / column.peak }
     };
     let moved = columns.iter().filter(|column| column.peak > 0.0);
     let Some(worst) = moved.max_by(|a, b| error(a).total_cmp(&error(b))) else {
-        return TrustLine::not_applicable(id, name, "nothing has reached a column of the ground");
+        return TrustLine::not_applicable(id, name, said!("nothing has reached a column of the ground"));
     };
     let [surface, base] = worst.corners;
     TrustLine::at_most(id, name, error(&worst), CORNERS, "")
         .with("surface", surface)
         .with("base", base)
         .with("peak", worst.peak)
-        .with_note(format!(
-            "velocity of the model's own surface and base at its vertical edges against that of column '{}', over that one's \
-             peak: sides that hold or drain the free field, caverns too near to them (make `sides` wider), or ground that dips, slopes \
-             or changes from side to side, which goes on level outside",
-            worst.name
+        .with_note(said!(
+            "velocity of the model's own surface and base at its vertical edges against that of column '{column}', over that one's \
+             peak: sides that hold or drain the free field, caverns too near to them (make `sides` wider), or ground that dips, \
+             slopes or changes from side to side, which goes on level outside",
+            column = &worst.name,
         ))
 }
 

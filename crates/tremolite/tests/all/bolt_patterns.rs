@@ -377,7 +377,10 @@ fn the_wall_behind_a_lining_that_is_installed_in_the_same_stage_is_the_rock() {
     let lining = "lining = { walls = \"0.5 m\", crown = \"0.5 m\", layers = 1 }\n";
     let (_, made) = arch(lining, &pattern("walls", "2"));
     let bolts = ends(&made.problem.bolts[0]);
-    assert_eq!(made.plan.stages[1].changed, ["bolts 'walls of all' placed"]);
+    assert_eq!(
+        made.plan.stages[1].changed.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        ["bolts 'walls of all' placed"]
+    );
     assert!(made.plan.stages[0].changed.is_empty());
     let side = bolts.iter().filter(|&&e| direction(e)[0].abs() > 0.999).collect::<Vec<_>>();
     assert!(side.len() > 100, "{}", side.len());

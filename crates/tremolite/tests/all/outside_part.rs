@@ -113,7 +113,7 @@ fn springs_that_set_the_step_are_named_by_their_part() {
     let stiff = Ready::new(on_springs(1e12));
     let stable = tremolite::stable_step(&stiff.model, &stiff.assembly, &stiff.phase);
     assert!(matches!(stable.limit, Limit::Part { .. }), "{stable:?}");
-    let words = tremolite::survey::limit_in_words(&stiff.model, &stiff.assembly, &stable);
+    let words = tremolite::survey::limit_in_words(&stiff.model, &stiff.assembly, &stable).to_string();
     assert!(words.starts_with("side springs at node "), "{words}");
 }
 

@@ -176,6 +176,7 @@ fn a_step_thirty_per_cent_too_large_is_stopped_by_the_guard_with_the_element_nam
     let (Halt::Energy { kinetic: energy, supplied, step, .. }
     | Halt::Held { held: energy, supplied, step, .. }) = halt;
     assert!(energy > supplied);
+    let place = place.to_string();
     assert!(place.starts_with("element ") && place.contains("of '"), "{place}");
     assert!(*step < outcome.steps.total);
     // What was computed before is there, and readable.

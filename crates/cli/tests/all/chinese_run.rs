@@ -1,0 +1,73 @@
+//! What a run says of itself reaches a Chinese page in Chinese.
+
+use crate::stage_case::{JOINT, LATERAL, SHAKING, STAGES, case, change, errors, run};
+use std::fs;
+use tremolite_report::{Language, write_in};
+use tremolite_results::{ResultFolder, Said, Summary};
+
+/// Bolts into the rock beside the opening, placed with its shell.
+const BOLTS: &str = r#"install = ["shell"]
+[[stage.bolts]]
+name = "wall"
+points = [[["12.1 m", "1 m", "8.5 m"], ["15 m", "1 m", "8.5 m"]], [["12.1 m", "3 m", "8.5 m"], ["15 m", "3 m", "8.5 m"]]]
+diameter = "25 mm"
+yield = "400 MPa"
+bond = { stiffness = "10 GPa", strength = "300 kN/m", friction_angle = "0 deg" }
+"#;
+
+const CONCRETE: &str = r#"law = "concrete-damage"
+friction_angle = "46 deg"
+cohesion = "2 MPa"
+tensile_strength = "0.02 MPa"
+ultimate_strain_ratio = 10.0
+residual_tension = 0.1
+residual_shear = 0.2
+young = "20 GPa""#;
+
+#[test]
+fn all_that_a_run_with_stages_an_interface_bolts_and_damage_says_has_chinese() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = temp.path();
+    case(folder, LATERAL, &format!("{STAGES}{JOINT}"), SHAKING);
+    change(folder, "install = [\"shell\"]\n", BOLTS);
+    change(folder, "law = \"elastic\"\nyoung = \"20 GPa\"", CONCRETE);
+    let output = run(folder, "out", &[]);
+    assert!(output.status.success(), "{}", errors(&output));
+    let results = ResultFolder::open_existing(&folder.join("out")).unwrap();
+    let summary = Summary::read(&results.summary()).unwrap();
+
+    // Laws speak English alone when they warn; this case gives them no reason.
+    let mut told: Vec<(&str, &Said, &String)> = vec![
+        ("outcome", &summary.outcome_said, &summary.outcome),
+        ("step", &summary.model.step_set_by_said, &summary.model.step_set_by),
+    ];
+    let lines = summary.trust.iter();
+    told.extend(lines.flat_map(|l| [(&*l.id, &l.name_said, &l.name), (&*l.id, &l.note_said, &l.note)]));
+    let facts = summary.facts.iter();
+    told.extend(facts.flat_map(|f| [(&*f.id, &f.name_said, &f.name), (&*f.id, &f.note_said, &f.note)]));
+    let findings = summary.findings.iter();
+    told.extend(
+        findings.flat_map(|f| [(&*f.id, &f.headline_said, &f.headline), (&*f.id, &f.text_said, &f.text)]),
+    );
+    for stage in &summary.stages {
+        told.extend(
+            stage.changed_said.iter().zip(&stage.changed).map(|(said, text)| (&*stage.name, said, text)),
+        );
+    }
+    told.extend(summary.materials.iter().map(|(name, m)| (name.as_str(), &m.damping_said, &m.damping)));
+    for id in
+        ["damage_shell", "interface_joint", "bolts_", "bolt_slip", "held_at_the_end", "hourglass_energy"]
+    {
+        assert!(told.iter().any(|(found, ..)| found.starts_with(id)), "nothing is said of {id}");
+    }
+    for (id, said, english) in told {
+        assert_eq!(&said.to_string(), english, "{id}");
+        assert!(Language::Chinese.knows(said), "{id}: no Chinese for \"{english}\"");
+    }
+
+    // And so it stands on the page: nothing but what was said before the run is marked as English.
+    let page = fs::read_to_string(write_in(results.root(), Language::Chinese).unwrap()).unwrap();
+    let english: Vec<&str> = page.split("<span lang=\"en\">").skip(1).collect();
+    assert_eq!(english.len(), summary.before.len(), "{english:#?}");
+    assert!(page.contains("能量误差与最大持有能量之比"));
+}

@@ -1,0 +1,152 @@
+//! The few numbers that stand at the top of the page.
+
+use tremolite_results::{Peaks, Summary, Table};
+
+use crate::bolt_card;
+use crate::damage::opening;
+use crate::energy::worst_error;
+use crate::facts::{ByName, Fact, card, duration};
+use crate::interfaces;
+use crate::language::{Language, say};
+use crate::scale::{figures, moment, quantity};
+use crate::source::Source;
+
+/// The few numbers that a reader wants first.
+pub fn key_results(source: &Source) -> Vec<Fact> {
+    let (facts, language) = (source.facts(), source.language);
+    let duration = duration(source);
+    let at = |time: f64| format!("{}\u{a0}s", moment(time, duration));
+    let mut cards = stage_cards(language, &facts);
+    if let Ok(table) = &source.monitors
+        && let Some((monitor, time, size)) = longest(table, facts.monitors.keys())
+    {
+        cards.push(card(
+            say!(language, "Largest displacement of a monitor"),
+            quantity("m", size),
+            say!(language, "{place} at {time}", place = monitor, time = at(time)),
+        ));
+    }
+    let component = |name: &str| ["ux", "uy", "uz"].contains(&name);
+    let most = extreme(&facts.relative, component, |p| p.largest().1.abs());
+    if let Some((pair, name, peaks)) = most {
+        let (time, value) = peaks.largest();
+        let axis = name.trim_start_matches('u');
+        let note = say!(language, "{pair}, {axis}, at {time}", pair = pair, axis = axis, time = at(time));
+        let label = say!(language, "Largest relative displacement, one component");
+        cards.push(card(label, quantity("m", value.abs()), note));
+    }
+    cards.extend(stress_cards(language, &facts, at));
+    let cracks = facts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
+    let cracks = cracks.filter_map(|(name, cracks)| Some((name, cracks, cracks.widest?)));
+    // Of equal ones the first: the whole stands before its parts.
+    let wider = cracks.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a });
+    if let Some((group, cracks, widest)) = wider {
+        let note = say!(language, "{place} at {time}", place = group, time = at(widest.time));
+        cards.push(card(say!(language, "Widest crack"), opening(cracks), note));
+    }
+    let extremes = interfaces::extremes(language, &facts).into_iter();
+    cards.extend(extremes.map(|(label, value, note)| card(label, value, note)));
+    cards.extend(
+        bolt_card::hardest(language, &facts)
+            .map(|(value, note)| card(say!(language, "Force of the bolt nearest to yield"), value, note)),
+    );
+    // As the check has it; summaries of other versions leave it to the table.
+    let checked = facts.trust.iter().find(|line| line.id == "energy_error");
+    let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));
+    let of_table = || source.energy.as_ref().ok().and_then(worst_error);
+    if let Some((error, ratio)) = checked.or_else(of_table) {
+        let note = say!(language, "{energy}, of the largest energy held", energy = quantity("J", error));
+        cards.push(card(
+            say!(language, "Largest error of the energy balance"),
+            format!("{}\u{a0}%", figures(100.0 * ratio, 2)),
+            note,
+        ));
+    }
+    cards
+}
+
+/// What the stages before the shaking left: the most that a wall moved, what has yielded, and how far from rest it is.
+fn stage_cards(language: Language, facts: &Summary) -> Vec<Fact> {
+    let mut cards = Vec::new();
+    let Some(last) = facts.stages.last().filter(|_| facts.stages.len() > 1) else { return cards };
+    let size = |u: &[f64; 3]| u.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let moved = last.walls.iter().map(|(name, u)| (name, size(u))).filter(|(_, size)| size.is_finite());
+    if let Some((name, size)) = moved.max_by(|a, b| a.1.total_cmp(&b.1)) {
+        let note = say!(language, "{wall}, after the last stage, since the initial equilibrium", wall = name);
+        cards.push(card(say!(language, "Largest motion of a wall in the stages"), quantity("m", size), note));
+    }
+    if last.plastic_volume > 0.0 {
+        let value = format!("{}\u{a0}m³", figures(last.plastic_volume, 3));
+        let label = say!(language, "Plastic shear strain × volume, ∫Γ dV");
+        cards.push(card(label, value, say!(language, "after the last stage")));
+    }
+    cards
+}
+
+/// The largest stresses of all groups; of the monitors in summaries that know of none.
+fn stress_cards(language: Language, facts: &Summary, at: impl Fn(f64) -> String) -> Vec<Fact> {
+    let mut cards = Vec::new();
+    let (largest, smallest) =
+        (|| say!(language, "Largest principal stress s1"), || say!(language, "Smallest principal stress s3"));
+    let groups = || facts.stress.iter().filter(|(_, stress)| stress.whole);
+    let most = groups().max_by(|a, b| a.1.s1.value.total_cmp(&b.1.s1.value)).map(|(name, s)| (name, &s.s1));
+    let least = groups().min_by(|a, b| a.1.s3.value.total_cmp(&b.1.s3.value)).map(|(name, s)| (name, &s.s3));
+    for (label, found) in [(largest(), most), (smallest(), least)] {
+        if let Some((group, peak)) = found {
+            let note = say!(
+                language,
+                "{group} at {time}; at the fibre of intact 2×2×2 elements, else at points",
+                group = group,
+                time = at(peak.time)
+            );
+            cards.push(card(label, quantity("Pa", peak.value), note));
+        }
+    }
+    if !cards.is_empty() {
+        return cards;
+    }
+    let of_monitor = |monitor: &str, time: f64| {
+        say!(language, "monitor {monitor} at {time}", monitor = monitor, time = at(time))
+    };
+    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s1", |p| p.max) {
+        let note = of_monitor(monitor, peaks.t_max);
+        cards.push(card(largest(), quantity("Pa", peaks.max), note));
+    }
+    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s3", |p| -p.min) {
+        let note = of_monitor(monitor, peaks.t_min);
+        cards.push(card(smallest(), quantity("Pa", peaks.min), note));
+    }
+    cards
+}
+
+/// Monitor, time and length of the longest displacement vector.
+fn longest<'a>(table: &Table, monitors: impl Iterator<Item = &'a String>) -> Option<(&'a str, f64, f64)> {
+    let time = table.column("time")?;
+    let mut best: Option<(&str, f64, f64)> = None;
+    for monitor in monitors {
+        let parts = ["ux", "uy", "uz"].map(|q| table.column(&format!("{monitor}.{q}")));
+        let parts: Vec<&[f64]> = parts.into_iter().flatten().collect();
+        if parts.is_empty() {
+            continue;
+        }
+        for (row, &t) in time.iter().enumerate() {
+            let length = parts.iter().map(|part| part[row] * part[row]).sum::<f64>().sqrt();
+            if length.is_finite() && best.is_none_or(|(_, _, most)| length > most) {
+                best = Some((monitor, t, length));
+            }
+        }
+    }
+    best
+}
+
+fn extreme(
+    all: &ByName,
+    wanted: impl Fn(&str) -> bool,
+    rank: impl Fn(&Peaks) -> f64,
+) -> Option<(&str, &str, Peaks)> {
+    let each =
+        all.iter().flat_map(|(name, by_quantity)| by_quantity.iter().map(move |(q, peaks)| (name, q, peaks)));
+    each.filter(|(_, q, peaks)| wanted(q) && rank(peaks).is_finite())
+        .max_by(|a, b| rank(a.2).total_cmp(&rank(b.2)))
+        .map(|(name, q, peaks)| (name.as_str(), q.as_str(), *peaks))
+}

@@ -1,0 +1,67 @@
+//! Of the cards at the top, the checks and the facts of the model and the run.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    ("No summary of the run", "没有本次计算的摘要"),
+    ("Run: failed", "计算：失败"),
+    ("Run: stopped before its end", "计算：未完成即停止"),
+    ("Run: done, but nothing was checked", "计算：完成，但未作任何检查"),
+    ("Run: sound ({judged} of {judged} checks pass)", "计算：可靠（{judged} 项检查全部通过）"),
+    ("Run: done, 1 of {judged} checks warns", "计算：完成，{judged} 项检查中 1 项警告"),
+    ("Run: done, {warnings} of {judged} checks warn", "计算：完成，{judged} 项检查中 {warnings} 项警告"),
+    // Cards.
+    ("Largest displacement of a monitor", "监测点最大位移"),
+    ("{place} at {time}", "{place}，{time}"),
+    ("{pair}, {axis}, at {time}", "{pair}，{axis}，{time}"),
+    ("Largest relative displacement, one component", "最大相对位移（单分量）"),
+    ("Force of the bolt nearest to yield", "最接近屈服的锚杆轴力"),
+    ("{energy}, of the largest energy held", "{energy}，相对于最大持有能量"),
+    ("Largest error of the energy balance", "能量平衡最大误差"),
+    ("{wall}, after the last stage, since the initial equilibrium", "{wall}，末阶段之后，自初始平衡起算"),
+    ("Largest motion of a wall in the stages", "施工阶段洞壁最大位移"),
+    ("Plastic shear strain × volume, ∫Γ dV", "塑性剪应变 × 体积，∫Γ dV"),
+    ("after the last stage", "末阶段之后"),
+    ("Largest principal stress s1", "最大主应力 s1"),
+    ("Smallest principal stress s3", "最小主应力 s3"),
+    (
+        "{group} at {time}; at the fibre of intact 2×2×2 elements, else at points",
+        "{group}，{time}；完好的 2×2×2 单元取边缘纤维处，其余取积分点",
+    ),
+    ("monitor {monitor} at {time}", "监测点 {monitor}，{time}"),
+    // The model.
+    ("Elements", "单元数"),
+    ("Nodes", "节点数"),
+    ("Time step", "时间步长"),
+    ("Steps", "步数"),
+    ("{time} of shaking", "地震历时 {time}"),
+    ("Kind of motion given", "给定地震动的类型"),
+    ("outcrop", "露头运动"),
+    ("incident", "入射波"),
+    ("within", "地层内运动"),
+    ("incident motion = {factor} × the motion given", "入射运动 = {factor} × 给定运动"),
+    ("Record", "地震记录"),
+    ("Peak incident acceleration, {axis}", "入射加速度峰值，{axis}"),
+    ("Monitors (x, y, z in m)", "监测点（x、y、z，单位 m）"),
+    ("Monitors on interfaces (x, y, z in m)", "接触面监测点（x、y、z，单位 m）"),
+    (
+        "{monitor} on {interface}\u{a0}({place}), m\u{a0}({normal})",
+        "{monitor} 位于 {interface}\u{a0}({place})，m\u{a0}({normal})",
+    ),
+    (
+        "at the pair nearest to what was asked for; m points out of the first side into the second",
+        "位于离指定点最近的节点对；m 由第一侧指向第二侧",
+    ),
+    // The run.
+    ("Program", "程序"),
+    ("Command", "命令"),
+    ("Started", "开始时间"),
+    ("Instructions", "指令集"),
+    ("Threads", "线程数"),
+    ("Wall-clock time", "计算耗时"),
+    ("Element updates", "单元更新速率"),
+    ("{rate}\u{a0}million a second", "每秒 {rate}\u{a0}百万次"),
+    ("once", "一次"),
+    ("{count} times", "{count} 次"),
+    ("Resumed from a checkpoint", "从检查点续算"),
+];

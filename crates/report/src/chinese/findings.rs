@@ -1,0 +1,86 @@
+//! Of what became of structures.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    // Joints of phrases.
+    ("{group}: {headline}", "{group}：{headline}"),
+    ("{first} {rest}", "{first}{rest}"),
+    ("{first}, {rest}", "{first}，{rest}"),
+    ("{first}; {rest}", "{first}；{rest}"),
+    // Damage.
+    ("undamaged", "未损伤"),
+    ("hardly damaged", "几乎未损伤"),
+    ("cracked", "开裂"),
+    ("crushed or sheared", "压碎或剪坏"),
+    ("mean principal damage", "平均主损伤"),
+    ("yielded in shear", "剪切屈服"),
+    ("yielded in tension", "受拉屈服"),
+    ("{measure} in {percent} % of its volume", "{percent} % 的体积{measure}"),
+    ("{measure} in less than 0.1 % of its volume", "不足 0.1 % 的体积{measure}"),
+    ("through the thickness at {through} of {places} places", "{places} 处中有 {through} 处贯穿厚度"),
+    ("One such place is element {element} at {place}.", "其中一处为单元 {element}，位于 {place}。"),
+    ("No crack runs through the thickness.", "没有裂缝贯穿厚度。"),
+    (
+        "Cracks open beyond {limit} mm: pieces have come loose, which this model does not follow.",
+        "裂缝宽度超过 {limit} mm：已有块体松脱，本模型不能模拟其后的运动。",
+    ),
+    (
+        "Widest crack {opening} mm, at {time} s in element {element} at {place}.",
+        "最大裂缝宽度 {opening} mm，出现在 {time} s，单元 {element}，位于 {place}。",
+    ),
+    (
+        "First {measure} at {time} s in element {element} at {place}.",
+        "{time} s 首次{measure}，单元 {element}，位于 {place}。",
+    ),
+    (
+        "First {measure} before the earthquake in element {element} at {place}.",
+        "地震前首次{measure}，单元 {element}，位于 {place}。",
+    ),
+    // Interfaces.
+    ("the interface neither slid nor opened on its {area} m²", "接触面在其 {area} m² 上既未滑移也未张开"),
+    ("the interface slid over {slid} % of its {area} m²", "接触面 {area} m² 中有 {slid} % 发生滑移"),
+    ("the interface opened over {opened} % of its {area} m²", "接触面 {area} m² 中有 {opened} % 张开"),
+    (
+        "the interface slid over {slid} % and opened over {opened} % of its {area} m²",
+        "接触面 {area} m² 中有 {slid} % 发生滑移、{opened} % 张开",
+    ),
+    ("Largest slip {slip} at {slip_at}.", "最大滑移量 {slip}，位于 {slip_at}。"),
+    ("Largest gap {gap} at {gap_at}.", "最大张开量 {gap}，位于 {gap_at}。"),
+    (
+        "Largest slip {slip} at {slip_at}, largest gap {gap} at {gap_at}.",
+        "最大滑移量 {slip}，位于 {slip_at}；最大张开量 {gap}，位于 {gap_at}。",
+    ),
+    // Bolts.
+    ("nothing is left of its one bolt, which excavations took", "仅有的一根锚杆已被开挖挖除，无剩余"),
+    ("nothing is left of its {bolts} bolts, which excavations took", "{bolts} 根锚杆均已被开挖挖除，无剩余"),
+    ("its one bolt did not yield", "仅有的一根锚杆未屈服"),
+    ("none of {bolts} bolts yielded", "{bolts} 根锚杆均未屈服"),
+    ("{yielded} of {bolts} bolts yielded, none broke", "{bolts} 根锚杆中 {yielded} 根屈服，无断裂"),
+    ("none of {bolts} bolts yielded, {broken} broke", "{bolts} 根锚杆中无屈服，{broken} 根断裂"),
+    (
+        "{yielded} of {bolts} bolts yielded, {broken} broke",
+        "{bolts} 根锚杆中 {yielded} 根屈服，{broken} 根断裂",
+    ),
+    ("its one bolt never yields", "仅有的一根锚杆按不屈服计算"),
+    ("{bolts} bolts, which never yield", "{bolts} 根锚杆，按不屈服计算"),
+    ("{broken} of {bolts} bolts broke", "{bolts} 根锚杆中 {broken} 根断裂"),
+    ("largest force {share} of yield", "最大轴力为屈服轴力的 {share}"),
+    ("largest force {force}", "最大轴力 {force}"),
+    ("{force} of compression", "{force}（受压）"),
+    ("{force}", "{force}"),
+    ("The bond of {slid} slid; largest slip {slip}.", "{slid} 根的粘结发生滑移；最大滑移量 {slip}。"),
+    ("Excavations cut {cut}.", "开挖切断 {cut} 根。"),
+    ("Excavations cut {cut} and left nothing of {gone}.", "开挖切断 {cut} 根，其中 {gone} 根完全挖除。"),
+    ("bolt {bolt}", "{bolt} 号锚杆"),
+    ("bolt {bolt} of '{group}'", "“{group}”的 {bolt} 号锚杆"),
+    ("Largest force {force} in {bolt} at {place}.", "最大轴力 {force}，{bolt}，位于 {place}。"),
+    (
+        "Largest force {force} in {bolt} at {place} at {time} s.",
+        "最大轴力 {force}，{bolt}，位于 {place}，时刻 {time} s。",
+    ),
+    (
+        "Largest force {force} in {bolt} at {place} in the stage '{stage}'.",
+        "最大轴力 {force}，{bolt}，位于 {place}，出现在阶段“{stage}”。",
+    ),
+];

@@ -1,0 +1,79 @@
+//! Of how a run went, and of its places.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    (
+        "All {stages} stages came to rest; there is no earthquake in this case.",
+        "全部 {stages} 个阶段均达到静止；本算例没有地震。",
+    ),
+    ("The run reached its end, {time} s.", "计算已到达终点 {time} s。"),
+    (
+        "The run was stopped in the stage '{name}'; go on with --resume.",
+        "计算在阶段“{name}”中被停止；可用 --resume 继续。",
+    ),
+    ("The run was stopped at {time} s; go on with --resume.", "计算在 {time} s 被停止；可用 --resume 继续。"),
+    (
+        "The run became unstable and was stopped at {time} s: the kinetic energy of {energy} J exceeds all the energy supplied, {supplied} J.",
+        "计算失稳，在 {time} s 停止：动能 {energy} J 超过全部输入能量 {supplied} J。",
+    ),
+    (
+        "The run became unstable and was stopped at {time} s: the energy held by motion and elements of {energy} J exceeds all the energy supplied, {supplied} J.",
+        "计算失稳，在 {time} s 停止：运动与单元持有的能量 {energy} J 超过全部输入能量 {supplied} J。",
+    ),
+    ("Most of it is in {place}.", "其大部分位于{place}。"),
+    ("Use a smaller time_step or safety.", "请减小 time_step 或 safety。"),
+    (
+        "The stage '{stage}' did not come to rest: after {cycles} cycles elements there had strained by a tenth or moved by more than their own length: nothing holds them.",
+        "阶段“{stage}”未达到静止：{cycles} 个循环后，该处单元的应变已达十分之一或位移超过自身长度：没有任何约束。",
+    ),
+    (
+        "The stage '{stage}' did not come to rest: after {cycles} cycles {ratio} of all forces were out of balance and {left} m of motion were left.",
+        "阶段“{stage}”未达到静止：{cycles} 个循环后，不平衡力占全部力的 {ratio}，剩余位移 {left} m。",
+    ),
+    (
+        "Most moves {place}, as `motion_of_last_cycle` in stages/{number}.vtu shows.",
+        "运动最大处为{place}，见 stages/{number}.vtu 中的 `motion_of_last_cycle`。",
+    ),
+    (
+        "What was left without support there comes down: support it, take less out at once, or let it go in smaller shares (`release`).",
+        "该处失去支撑的部分正在塌落：请加以支护、减小一次开挖量，或减小每次释放的比例（`release`）。",
+    ),
+    (
+        "Give more `max_cycles` if it was on its way to rest (relaxation.csv shows it); what was left without support comes down: support it, take less out at once, or let it go in smaller shares (`release`).",
+        "若正趋于静止（见 relaxation.csv），请加大 `max_cycles`；失去支撑的部分会塌落：请加以支护、减小一次开挖量，或减小每次释放的比例（`release`）。",
+    ),
+    ("{passed} of {judged} checks of the run pass.", "{judged} 项检查中 {passed} 项通过。"),
+    (
+        "{passed} of {judged} checks of the run pass; look at: {names}.",
+        "{judged} 项检查中 {passed} 项通过；请查看：{names}。",
+    ),
+    ("{stress} MPa in {group} at {time} s", "{group} {stress} MPa（{time} s）"),
+    (
+        "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (change by the earthquake alone).",
+        "最大主应力（完好的 2×2×2 单元取边缘纤维处，其余取积分点）：{peaks}（仅地震引起的变化）。",
+    ),
+    (
+        "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (in all, initial stress included).",
+        "最大主应力（完好的 2×2×2 单元取边缘纤维处，其余取积分点）：{peaks}（总应力，含初始应力）。",
+    ),
+    // Places.
+    ("no element", "无单元"),
+    ("element {number}", "单元 {number}"),
+    ("element {number} of '{group}'", "“{group}”的单元 {number}"),
+    ("{element}, as it goes on outside the side", "{element}（侧边界外的延伸部分）"),
+    ("{element}, as it goes on in a column", "{element}（土柱中的延伸部分）"),
+    ("{what} at {place}", "{what}，位于 {place}"),
+    ("interface '{name}' at node {node} at {place}", "接触面“{name}”的节点 {node}，位于 {place}"),
+    ("interface '{name}'", "接触面“{name}”"),
+    ("springs of the base", "底部弹簧"),
+    ("base of the free field", "自由场底部"),
+    ("{name}", "{name}"),
+    ("{part} at node {node} at {place}", "{part}的节点 {node}，位于 {place}"),
+    ("Rayleigh damping, mostly its stiffness-proportional part", "Rayleigh 阻尼，主要是刚度比例部分"),
+    ("impacts allow {step} s, ω_c Δt = {limit} at {pair}", "碰撞允许步长 {step} s，ω_c Δt = {limit}，{pair}"),
+    // What stages change.
+    ("{groups} becomes {material}", "{groups} 变为 {material}"),
+    ("{pressure} on {face}", "{face} 上作用 {pressure}"),
+    ("bolts '{name}' placed", "安装锚杆“{name}”"),
+];

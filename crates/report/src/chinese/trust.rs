@@ -1,0 +1,169 @@
+//! Of the checks of a run: waves, energy, stages, materials.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    // Before the earthquake.
+    (
+        "held besides weight, loads and reactions after the last stage, over all contributions",
+        "末阶段结束时除自重、荷载与支座反力外仍被约束的力与全部贡献之比",
+    ),
+    (
+        "change of the initial stress on the way to equilibrium over that stress",
+        "达到平衡过程中初始应力的变化与初始应力之比",
+    ),
+    ("motion to the initial equilibrium over the stages'", "达到初始平衡的位移与各施工阶段位移之比"),
+    ("nothing comes before the earthquake", "地震之前没有任何阶段"),
+    ("no stage came to rest", "没有阶段达到静止"),
+    (
+        "what stages have not let go stays held in the shaking: end with a stage whose `release` is 1",
+        "各阶段未释放的部分在地震过程中仍被约束：请以 `release` 为 1 的阶段结束",
+    ),
+    ("not all stages are done", "尚有阶段未完成"),
+    ("no stage that came to rest excavates", "已达静止的阶段中没有开挖"),
+    (
+        "integrated over what stands; {imbalance} of all forces were out of balance at first; {remedy}",
+        "在现存部分上积分；起初不平衡力占全部力的 {imbalance}；{remedy}",
+    ),
+    ("the ground begins without stress", "地层初始无应力"),
+    (
+        "the initial stress is out of balance where it differs from the weight above, or from what the rock can bear: look at `lateral`, `stress` or `overburden`; on slopes and beside layers some is right",
+        "初始应力与上覆自重不符或超出岩体承载能力之处不平衡：请检查 `lateral`、`stress` 或 `overburden`；在坡面处和岩层交界附近，少量不平衡是正常的",
+    ),
+    ("plastic shear strain at the initial equilibrium, integrated", "初始平衡时塑性剪应变的体积积分"),
+    ("rock that the initial stress itself brings to yield", "初始应力本身即使其屈服的岩体"),
+    ("out of balance over all contributions, worst of the stages", "不平衡力与全部贡献之比，取各阶段最大值"),
+    (
+        "each stage goes on until this is below `initial.tolerance`, and little motion is left",
+        "每个阶段计算至该值低于 `initial.tolerance` 且剩余位移很小为止",
+    ),
+    (
+        "of {pairs} that are there from the start: they slid or opened on the way to the initial equilibrium",
+        "共 {pairs} 对自始存在：它们在达到初始平衡的过程中滑移或张开",
+    ),
+    (
+        "pairs of interfaces that the initial stress brings beyond their strength",
+        "初始应力超过其强度的接触面节点对",
+    ),
+    ("largest displacement in 100 steps without motion", "无输入运动的 100 步内的最大位移"),
+    (
+        "what all parts do at rest is held, so nothing moves but by round-off",
+        "各部分静止时的作用力均被平衡，因此除舍入误差外没有运动",
+    ),
+    // The step.
+    ("time step over stable step", "时间步长与稳定步长之比"),
+    (
+        "set by {set_by}; the estimate changed by {change} in the last of {iterations} iterations",
+        "控制因素：{set_by}；在 {iterations} 次迭代的最后一次中估计值变化 {change}",
+    ),
+    ("stable step over that without artificial viscosity", "稳定步长与不计人工黏性的稳定步长之比"),
+    (
+        "artificial viscosity damps the ringing of pieces between cracks and costs a share of the step",
+        "人工黏性抑制裂缝之间碎块的高频振荡，代价是步长有所减小",
+    ),
+    // Waves.
+    ("elements per shortest wavelength", "最短波长内的单元数（每波长单元数）"),
+    ("no wave comes in", "没有波输入"),
+    (
+        "shear waves of {frequency} Hz (99.9 % of the input's energy lies below) along the longest edge of {element}",
+        "频率 {frequency} Hz（输入能量的 99.9 % 在此频率以下）的剪切波，沿{element}的最长边",
+    ),
+    ("input displacement at its end over its peak", "输入位移的终值与峰值之比"),
+    (
+        "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.process, behind filter and taper",
+        "数值大说明记录存在漂移，模型会随之移动：请在 motion.process 中将 \"baseline\" 放在滤波与加窗之后，作为最后一步",
+    ),
+    ("free field against theory", "自由场与自由场理论解之差"),
+    ("model's corners against free field", "模型角部与自由场之差"),
+    ("there is no reference column: {reason}", "没有参考土柱：{reason}"),
+    (
+        "cannot be checked, since {why}; and sides that are not periodic may spoil the free field",
+        "无法检查，原因：{why}；并且非周期性侧边界可能破坏自由场",
+    ),
+    ("no row was written", "没有写出任何数据行"),
+    (
+        "theory is of ground that hangs together, and an interface runs through every column",
+        "理论解针对连续的地层，而每个土柱都有接触面穿过",
+    ),
+    (
+        "the rock of every column yields or cracks, and theory is elastic",
+        "每个土柱的岩体都屈服或开裂，而理论解是弹性的",
+    ),
+    ("the rows of the histories are too few to show the wave", "时程的数据行太少，不足以反映该波"),
+    (
+        "velocity at the base of column '{column}' against one-dimensional theory of its layers, damping included",
+        "土柱“{column}”底部的速度与其各层一维理论解（计入阻尼）之差",
+    ),
+    (
+        "velocity at the top of column '{column}' against one-dimensional theory of its layers, damping included",
+        "土柱“{column}”顶部的速度与其各层一维理论解（计入阻尼）之差",
+    ),
+    ("{end}; the worst of {shown} columns of {all}", "{end}；取 {all} 个土柱中 {shown} 个的最差者"),
+    (
+        "{end}; the worst of {shown} columns of {all}, since the others yield, crack, are cut by an interface, or show no wave in the rows",
+        "{end}；取 {all} 个土柱中 {shown} 个的最差者，其余土柱屈服、开裂、被接触面切断，或数据行中未反映出波",
+    ),
+    ("nothing has reached a column of the ground", "尚无波到达地层土柱"),
+    (
+        "velocity of the model's own surface and base at its vertical edges against that of column '{column}', over that one's peak: sides that hold or drain the free field, caverns too near to them (make `sides` wider), or ground that dips, slopes or changes from side to side, which goes on level outside",
+        "模型竖向棱边处地表和底面的速度与土柱“{column}”速度之差，除以后者的峰值：可能原因是侧边界约束或消耗自由场、洞室离侧边界太近（请加大 `sides`），或地层倾斜、地表有坡、两侧地层不同，而模型外按水平延伸",
+    ),
+    // Energy.
+    ("energy error over the largest energy held", "能量误差与最大持有能量之比"),
+    ("a law books nothing of what it dissipates: {bodies}", "有本构模型不记录其耗散的能量：{bodies}"),
+    ("{law} of {body}", "{body} 的 {law}"),
+    ("nothing moves beyond the round-off of what was stored before", "运动未超出此前储存能量的舍入误差"),
+    (
+        "largest difference of all rows between the energy found and the energy put in, every line booked by itself, but for ⅛Δt²aᵀMa, which belongs to the scheme",
+        "各数据行中求得的能量与输入能量之差的最大值，各项独立记录；不含属于积分格式本身的 ⅛Δt²aᵀMa",
+    ),
+    ("work in no line over energy dissipated", "未归入任何项的功与耗散能之比"),
+    ("work in no line over energy dissipated, {body}", "未归入任何项的功与耗散能之比，{body}"),
+    ("nothing was damaged and nothing flowed", "既无损伤也无塑性流动"),
+    (
+        "work on the body's elements less what they hold, have dissipated and created, at the end; damage that jumps within a step leaves some, which shrinks with the step",
+        "终了时对该体单元所做的功减去其持有、耗散和产生的能量；一步内突增的损伤会留下少量差值，随步长减小而减小",
+    ),
+    ("no law dissipates", "没有耗散能量的本构模型"),
+    ("energy created by laws over energy dissipated", "本构模型产生的能量与耗散能之比"),
+    (
+        "largest rise of what closed strain loops of cracked concrete gave out; split = \"compliance\" cannot",
+        "开裂混凝土在闭合应变循环中释放能量的最大增量；split = \"compliance\" 不会出现",
+    ),
+    ("hourglass energy over strain energy", "沙漏能与应变能之比"),
+    ("no one-point elements", "没有单点积分单元"),
+    ("nothing is strained", "没有变形"),
+    (
+        "largest ratio of all rows, at {time} s: energy of the one-point elements' stabilisation, bending that their one point misses",
+        "各数据行中的最大比值，出现在 {time} s：单点积分单元沙漏控制的能量，即其单个积分点未计及的弯曲",
+    ),
+    // Materials.
+    ("monitors on broken elements", "位于断裂单元上的监测点"),
+    ("no monitor is in a material that cracks", "没有监测点位于会开裂的材料中"),
+    (
+        "elements whose every point is broken in tension are loose pieces",
+        "所有积分点均已拉断的单元是松动块体",
+    ),
+    (
+        "{monitors}: every point of the element is broken; its displacement is that of a loose piece",
+        "{monitors}：单元的所有积分点均已断裂；其位移是松动块体的位移",
+    ),
+    ("yielding rock without initial stress", "无初始应力的屈服岩体"),
+    ("the ground begins with initial stress", "地层具有初始应力"),
+    ("no rock yields by its pressure", "没有强度随压力变化的屈服岩体"),
+    (
+        "{names}: strength grows with pressure, and the weight of the ground is not in this run; it yields earlier and further than in place, most of all in tension",
+        "{names}：强度随压力增长，而本次计算未计入地层自重；与实际相比屈服更早、范围更大，受拉时尤甚",
+    ),
+    ("implied fracture energy", "隐含断裂能"),
+    ("implied fracture energy, {body}", "隐含断裂能，{body}"),
+    (
+        "{least} to {most} N/m for cracks across the elements' shortest to longest extents: a law that softens by strain alone dissipates more the larger the element; give fracture_energy",
+        "裂缝横穿单元最短至最长尺寸时为 {least} 至 {most} N/m：仅按应变软化的本构模型，单元越大耗散越多；请给出 fracture_energy",
+    ),
+    ("no law softens by strain alone", "没有仅按应变软化的本构模型"),
+    ("fracture energy, {body}", "断裂能，{body}"),
+    ("given; cracks dissipate it whatever the size of the element", "已给定；无论单元大小，裂缝都耗散该能量"),
+    ("warnings of material laws", "材料本构模型的警告"),
+    ("{body}: {warning}", "{body}：{warning}"),
+];

@@ -1,0 +1,156 @@
+//! How a run went, in words.
+
+use crate::evidence::Evidence;
+use crate::phrases::{listed, sentences};
+use crate::run::Ending;
+use indexmap::IndexMap;
+use tremolite_engine::Halt;
+use tremolite_engine::engine::Relaxed;
+use tremolite_results::{GroupStress, Said, TrustLine, said};
+
+/// How it ended, how many checks pass, and the largest stresses.
+pub(crate) fn run_in_words(
+    evidence: &Evidence,
+    trust: &[TrustLine],
+    stress: &IndexMap<String, GroupStress>,
+) -> Said {
+    let Evidence { outcome, plan, .. } = evidence;
+    let ended = match &outcome.ending {
+        Ending::Restless { stage, relaxed, place } => restless(stage, outcome.stages.len(), relaxed, place),
+        Ending::Failed { halt, place } => failed(halt, place, outcome.taken as f64 * outcome.dt),
+        Ending::Done | Ending::Stopped => vec![in_good_order(evidence)],
+    };
+    let mut text = ended;
+    text.push(checks(trust));
+    if matches!(outcome.ending, Ending::Done | Ending::Stopped) {
+        text.extend(stresses(stress, plan.stages.is_empty()));
+    }
+    sentences(text)
+}
+
+fn in_good_order(evidence: &Evidence) -> Said {
+    let Evidence { outcome, plan, .. } = evidence;
+    let time = outcome.taken as f64 * outcome.dt;
+    match &outcome.ending {
+        Ending::Done if plan.duration == 0.0 => said!(
+            "All {stages} stages came to rest; there is no earthquake in this case.",
+            stages = outcome.stages.len().to_string(),
+        ),
+        Ending::Done => said!("The run reached its end, {time} s.", time = format!("{time:.2}")),
+        _ => match plan.stages.get(outcome.stages.len()) {
+            Some(stage) => {
+                said!("The run was stopped in the stage '{name}'; go on with --resume.", name = &stage.name)
+            }
+            None => {
+                said!("The run was stopped at {time} s; go on with --resume.", time = format!("{time:.3}"))
+            }
+        },
+    }
+}
+
+/// Why a run was ended whose energy grew out of nothing.
+fn failed(halt: &Halt, place: &Said, time: f64) -> Vec<Said> {
+    let (time, joule) = (format!("{time:.4}"), |x: &f64| format!("{x:.3e}"));
+    let why = match halt {
+        Halt::Energy { kinetic, supplied, .. } => said!(
+            "The run became unstable and was stopped at {time} s: the kinetic energy of {energy} J exceeds all the energy \
+             supplied, {supplied} J.",
+            time = time,
+            energy = joule(kinetic),
+            supplied = joule(supplied),
+        ),
+        Halt::Held { held, supplied, .. } => said!(
+            "The run became unstable and was stopped at {time} s: the energy held by motion and elements of {energy} J exceeds \
+             all the energy supplied, {supplied} J.",
+            time = time,
+            energy = joule(held),
+            supplied = joule(supplied),
+        ),
+    };
+    let place = said!("Most of it is in {place}.", place = place.clone());
+    vec![why, place, said!("Use a smaller time_step or safety.")]
+}
+
+/// Why a stage did not come to rest.
+fn restless(stage: &str, number: usize, relaxed: &Relaxed, place: &Said) -> Vec<Said> {
+    let (Relaxed::AtRest(rest) | Relaxed::Stopped(rest) | Relaxed::Restless(rest) | Relaxed::Torn(rest, _)) =
+        relaxed;
+    let cycles = rest.cycles.to_string();
+    let why = match relaxed {
+        Relaxed::Torn(..) => said!(
+            "The stage '{stage}' did not come to rest: after {cycles} cycles elements there had strained by a tenth or moved by \
+             more than their own length: nothing holds them.",
+            stage = stage,
+            cycles = cycles,
+        ),
+        _ => said!(
+            "The stage '{stage}' did not come to rest: after {cycles} cycles {ratio} of all forces were out of balance and \
+             {left} m of motion were left.",
+            stage = stage,
+            cycles = cycles,
+            ratio = format!("{:.1e}", rest.ratio),
+            left = format!("{:.1e}", rest.left),
+        ),
+    };
+    let place = said!(
+        "Most moves {place}, as `motion_of_last_cycle` in stages/{number}.vtu shows.",
+        place = place.clone(),
+        number = format!("{number:03}"),
+    );
+    let remedy = match relaxed {
+        Relaxed::Torn(..) => said!(
+            "What was left without support there comes down: support it, take less out at once, or let it go in smaller shares \
+             (`release`)."
+        ),
+        _ => said!(
+            "Give more `max_cycles` if it was on its way to rest (relaxation.csv shows it); what was left without support comes \
+             down: support it, take less out at once, or let it go in smaller shares (`release`)."
+        ),
+    };
+    vec![why, place, remedy]
+}
+
+fn checks(trust: &[TrustLine]) -> Said {
+    let judged = || trust.iter().filter(|line| !line.not_applicable);
+    let passed = judged().filter(|line| line.pass).count().to_string();
+    let judged = judged().count().to_string();
+    let warned: Vec<Said> =
+        trust.iter().filter(|line| !line.pass).map(|line| line.name_said.clone()).collect();
+    match warned.is_empty() {
+        true => said!("{passed} of {judged} checks of the run pass.", passed = passed, judged = judged),
+        false => said!(
+            "{passed} of {judged} checks of the run pass; look at: {names}.",
+            passed = passed,
+            judged = judged,
+            names = listed(warned),
+        ),
+    }
+}
+
+/// The largest principal stress of each group; nothing where none is known.
+fn stresses(stress: &IndexMap<String, GroupStress>, alone: bool) -> Option<Said> {
+    let known = stress.iter().filter(|(_, of)| of.whole && of.s1.value.is_finite());
+    let peaks: Vec<Said> = known
+        .map(|(name, of)| {
+            said!(
+                "{stress} MPa in {group} at {time} s",
+                stress = format!("{:.2}", of.s1.value / 1e6),
+                group = name,
+                time = format!("{:.2}", of.s1.time),
+            )
+        })
+        .collect();
+    let peaks = (!peaks.is_empty()).then(|| listed(peaks))?;
+    Some(match alone {
+        true => said!(
+            "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (change by the \
+             earthquake alone).",
+            peaks = peaks,
+        ),
+        false => said!(
+            "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (in all, initial \
+             stress included).",
+            peaks = peaks,
+        ),
+    })
+}
