@@ -33,7 +33,9 @@ export class Legend {
     // One stop of the tab key a legend; arrows go on from there.
     button.tabIndex = k === 0 ? 0 : -1;
     const value = document.createElement("data");
-    button.append(swatch(line, colour), line.name, value);
+    const name = document.createElement("span");
+    name.textContent = line.name;
+    button.append(swatch(line, colour), name, value);
     this.values.push(value);
     button.addEventListener("click", (event) => answers.toggled(line.name, event.shiftKey));
     for (const event of ["pointerenter", "focus"]) button.addEventListener(event, () => answers.lifted(line.name));
@@ -57,9 +59,9 @@ export class Legend {
   }
 
   /** Writes the values at the cursor; blanks without one. */
-  at(values: Value[] | null): void {
+  at(values: Value[] | null, digits: number): void {
     this.values.forEach((element, k) => {
-      element.textContent = values ? shown(values[k]) : "";
+      element.textContent = values ? shown(values[k], digits) : "";
       element.value = values?.[k] == null ? "" : String(Number(values[k].toPrecision(7)));
     });
   }
