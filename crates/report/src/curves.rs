@@ -11,7 +11,6 @@ use serde::Serialize;
 
 use crate::blocks::{Blocks, json_element};
 use crate::chart::{Chart, Panel as Drawn, Stroke};
-use crate::figure::Figure;
 use crate::language::Language;
 
 /// More rows than this are thinned: at 0.005 s it is 40 s, at four bytes a number 32 kB a line.
@@ -164,12 +163,11 @@ fn peaks(rows: &[usize], lines: &[&[f64]], limit: usize) -> Vec<usize> {
     kept.into_iter().collect()
 }
 
-/// The page's manifest of the curves, their numbers in `blocks`; empty where no figure has any.
-pub fn embedded<'a>(figures: impl Iterator<Item = &'a Figure>, blocks: &mut Blocks) -> String {
+/// The page's manifest of the curves of figures, by their files, their numbers in `blocks`; empty where there are none.
+pub fn embedded<'a>(figures: impl Iterator<Item = (&'a str, &'a Curves)>, blocks: &mut Blocks) -> String {
     let mut known: Vec<(Vec<u8>, usize)> = Vec::new();
     let mut entries: IndexMap<&str, Entry<'_>> = IndexMap::new();
-    for figure in figures {
-        let Some(curves) = &figure.curves else { continue };
+    for (file, curves) in figures {
         let across = packed(curves.across.values.iter());
         let across_block = match known.iter().find(|(bytes, _)| *bytes == across) {
             Some((_, block)) => *block,
@@ -182,7 +180,7 @@ pub fn embedded<'a>(figures: impl Iterator<Item = &'a Figure>, blocks: &mut Bloc
         let lines = curves.panels.iter().flat_map(|panel| &panel.lines);
         let block = blocks.add(&packed(lines.flat_map(|line| &line.values)));
         let rows = curves.across.values.len();
-        entries.insert(&figure.file, Entry { curves, rows, block, across_block });
+        entries.insert(file, Entry { curves, rows, block, across_block });
     }
     match serde_json::to_string(&entries) {
         Ok(json) if !entries.is_empty() => json_element("curves-data", &json),
