@@ -211,15 +211,11 @@ fn peaks(rows: &[usize], lines: &[&[f64]], limit: usize) -> Vec<usize> {
     kept.into_iter().collect()
 }
 
-/// The page's manifest of the curves, by the files of their figures, their numbers in `blocks`; empty where no figure has any.
-pub fn embedded<'a>(
-    figures: impl Iterator<Item = (&'a str, Option<&'a Curves>)>,
-    blocks: &mut Blocks,
-) -> String {
+/// The page's manifest of the curves of figures, by their files, their numbers in `blocks`; empty where there are none.
+pub fn embedded<'a>(figures: impl Iterator<Item = (&'a str, &'a Curves)>, blocks: &mut Blocks) -> String {
     let mut known: Vec<(Vec<u8>, usize)> = Vec::new();
     let mut entries: IndexMap<&str, Entry<'_>> = IndexMap::new();
     for (file, curves) in figures {
-        let Some(curves) = curves else { continue };
         let across = packed(curves.across.values.iter());
         let across_block = match known.iter().find(|(bytes, _)| *bytes == across) {
             Some((_, block)) => *block,

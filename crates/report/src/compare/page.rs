@@ -47,7 +47,9 @@ pub fn html(runs: &[Run], language: Language) -> Result<String, minijinja::Error
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
     let figures = figures_of(runs, language);
     let mut blocks = Blocks::default();
-    let curves = embedded(figures.iter().map(|f| (f.file.as_str(), f.curves.as_ref())), &mut blocks);
+    let of_figures =
+        figures.iter().filter_map(|figure| Some((figure.file.as_str(), figure.curves.as_ref()?)));
+    let curves = embedded(of_figures, &mut blocks);
     let page = Page {
         language: language.code(),
         style: markup(STYLE),
