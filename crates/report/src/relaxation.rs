@@ -36,7 +36,9 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     let mut panels = vec![(title, vec![curve("", 0, &spans, cycle, ratio)])];
     if let Some(limit) = tolerance {
         let end = spans.last().map_or(1.0, |span| span.to);
-        let line = vec![(0.0, limit), (end, limit)];
+        // At every row, so that it too has a value at the script's cursor.
+        let rows = spans.iter().flat_map(|span| span.rows.clone().map(|row| span.shift + cycle[row]));
+        let line = std::iter::once(0.0).chain(rows).chain([end]).map(|x| (x, limit)).collect();
         let name = say!(language, "tolerance {limit}", limit = trimmed(&figures(limit, 2)));
         panels[0].1.push(Curve::new(name, 1, Pen::Dashed, line));
     }

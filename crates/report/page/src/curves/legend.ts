@@ -12,6 +12,12 @@ export interface Answers {
   lifted(name: string | null): void;
 }
 
+/** A line's value at the cursor, and where it stands if not there. */
+export interface Told {
+  value: Value;
+  elsewhere: string;
+}
+
 /** The legend of a panel. */
 export class Legend {
   readonly element = document.createElement("div");
@@ -59,10 +65,11 @@ export class Legend {
   }
 
   /** Writes the values at the cursor; blanks without one. */
-  at(values: Value[] | null, digits: number): void {
+  at(values: Told[] | null, digits: number): void {
     this.values.forEach((element, k) => {
-      element.textContent = values ? shown(values[k], digits) : "";
-      element.value = values?.[k] == null ? "" : String(Number(values[k].toPrecision(7)));
+      const { value, elsewhere } = values?.[k] ?? {};
+      element.textContent = values ? shown(value, digits) + (elsewhere ? ` (${elsewhere})` : "") : "";
+      element.value = value == null ? "" : String(Number(value.toPrecision(7)));
     });
   }
 }

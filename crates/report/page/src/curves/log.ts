@@ -5,8 +5,8 @@ const WITHIN = [[1], [1, 2, 5], [1, 2, 3, 4, 5, 6, 7, 8, 9]];
 
 /** About `wanted` round values from `low` to `high`: powers of ten, between them where there is room, evenly spaced in a short stretch. */
 export function marks(low: number, high: number, wanted: number): number[] {
-  const from = Math.floor(Math.log10(low) - 1e-9);
-  const to = Math.ceil(Math.log10(high) + 1e-9);
+  const from = Math.floor(Math.log10(low) + 1e-9);
+  const to = Math.ceil(Math.log10(high) - 1e-9);
   const inside = (x: number): boolean => x >= low * (1 - 1e-9) && x <= high * (1 + 1e-9);
   for (const parts of WITHIN) {
     const every = Math.max(1, Math.ceil((to - from) / (1.4 * wanted)));

@@ -2,9 +2,9 @@
 import type uPlot from "uplot";
 import { save } from "../save";
 import { csv } from "./csv";
-import { acrossName, type Entry, type Line, labelled, type Numbers, ownRow } from "./data";
+import { acrossName, type Entry, type Line, labelled, type Numbers, ownRow, type Value } from "./data";
 import { shown } from "./format";
-import { Legend } from "./legend";
+import { Legend, type Told } from "./legend";
 import { Palette } from "./palette";
 import { picture } from "./picture";
 import { place, plot } from "./plot";
@@ -113,7 +113,7 @@ export class Stack {
       magnified: 1,
       shared: { key: `curves ${entry.across.name} ${entry.across.unit}`, listens: () => this.seen },
       onCursor: (row) => {
-        legend.at(row == null ? null : values.map((line) => line[ownRow(line, row)]), entry.abreast > 1 ? 3 : 4);
+        legend.at(row == null ? null : values.map((line) => this.told(line, row)), entry.abreast > 1 ? 3 : 4);
         if (k === 0) this.read(row);
       },
       onRange: (min, max) => this.enlarge(min, max),
@@ -146,6 +146,13 @@ export class Stack {
     const { across } = this.entry;
     const at = row == null ? "" : `${acrossName(this.entry)} ${shown(this.numbers.across[row])}\u00a0${across.unit}`;
     this.readout.textContent = at;
+  }
+
+  /** What a line has at a row; of a row of other lines alone, its nearest own with its place. */
+  private told(line: Value[], row: number): Told {
+    const own = ownRow(line, row);
+    const place = `${shown(this.numbers.across[own])}\u00a0${this.entry.across.unit}`.trim();
+    return { value: line[own], elsewhere: own === row ? "" : place };
   }
 
   private toggle(name: string, alone: boolean): void {
