@@ -60,6 +60,8 @@ export function plot(wanted: Wanted): uPlot {
       stroke: () => palette.line(line.colour),
       width: width * magnified,
       dash: dash?.map((length) => length * magnified),
+      // uPlot draws on across a gap and cuts it out, to whole pixels: of a steep stretch more than a pixel's length is left.
+      gaps: (_u, _line, _from, _to, gaps) => gaps.map(([from, to]) => [from - magnified, to + magnified]),
       points: { show: line.points, size: 5 * magnified, width: 0, fill: () => palette.line(line.colour) },
     };
   });
