@@ -12,6 +12,7 @@ use crate::source::Source;
 use crate::svg::{Anchor, Style, Svg};
 use crate::text_table::{Cell, Head, TextTable};
 use crate::ticks::Ticks;
+use crate::units::Kind;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// A component this much smaller than the largest does not count as moving.
@@ -88,11 +89,12 @@ fn monitors(table: &Table) -> Vec<&str> {
 }
 
 /// Rows of spectra by component, all over the same periods and on the same scale.
-fn draw(rows: &[Row], axes_of: &[usize], periods: &[f64], title: &str, language: Language) -> String {
+fn draw(source: &Source, rows: &[Row], axes_of: &[usize], periods: &[f64], title: &str) -> String {
+    let language = source.language;
     let mut svg = Svg::new(WIDTH);
     let all: Vec<&Point> = rows.iter().flat_map(|row| row.drawn.iter().map(|drawn| drawn.point)).collect();
     let most = axes_of.iter().map(|&axis| largest(&all, axis)).fold(0.0, f64::max);
-    let scale = Scale::suiting("m/s2", most);
+    let scale = source.scale(Kind::Acceleration);
     let (low, high) = plot::range(periods.iter().copied());
     // Where one component moves, monitors stand beside each other.
     let across = if axes_of.len() > 1 { axes_of.len() } else { rows.len().min(3) };
@@ -159,7 +161,7 @@ pub fn of_input(source: &Source) -> Option<Figure> {
     let all = points.iter().zip(names).zip(pens).filter(|((point, _), _)| point.is_known());
     let drawn = all.map(|((point, name), (colour, pen))| Drawn { name, point, colour, pen }).collect();
     let title = say!(language, "Response spectra of the motion that comes in");
-    let svg = draw(&[Row { name: "", drawn }], &axes_of, periods, &title, language);
+    let svg = draw(source, &[Row { name: "", drawn }], &axes_of, periods, &title);
     let caption = say!(
         language,
         "Largest acceleration of an oscillator of each period with 5 % of critical damping (ω² times its largest displacement). \
@@ -214,7 +216,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let figures = rows.chunks(ROWS).enumerate().map(|(k, rows)| Figure {
         heading: String::new(),
         file: if k == 0 { "spectra.svg".into() } else { format!("spectra-{}.svg", k + 1) },
-        svg: draw(rows, &axes_of, periods, &heading, language),
+        svg: draw(source, rows, &axes_of, periods, &heading),
         caption: if k == 0 { caption.clone() } else { String::new() },
         curves: None,
     });
@@ -264,8 +266,7 @@ fn explained(source: &Source) -> String {
 fn peaks(source: &Source, points: &[(Point, Point)], axes_of: &[usize], periods: &[f64]) -> TextTable {
     let language = source.language;
     let shortest = ROWS_A_PERIOD * interval(source).unwrap_or(0.0);
-    let own: Vec<&Point> = points.iter().map(|(own, _)| own).collect();
-    let scale = Scale::suiting("m/s2", axes_of.iter().map(|&axis| largest(&own, axis)).fold(0.0, f64::max));
+    let scale = source.scale(Kind::Acceleration);
     let largest = scale.labelled(&say!(language, "largest"));
     let at = say!(language, "at period (s)");
     let pair = || [Head::number(&largest), Head::number(&at)];

@@ -15,7 +15,7 @@ fn table(path: &Path, columns: &[(&str, &str, &[f64])]) {
     }
 }
 
-fn shaken(root: &Path) -> ResultFolder {
+pub fn shaken(root: &Path) -> ResultFolder {
     let folder = ResultFolder::create(Some(root), "case", true).unwrap();
     let (time, one) = ([0.0, 0.01, 0.02], [0.0, 1.0, 0.5]);
     table(&folder.monitors(), &[("time", "s", &time), ("A.ax", "m/s2", &one)]);
