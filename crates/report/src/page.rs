@@ -90,8 +90,8 @@ struct Drawing {
     /// The name by which the manifest of the curves knows it; empty for a figure without.
     curves: String,
     svg: Value,
-    /// Whether it wants a page of paper for itself.
-    tall: bool,
+    /// How much of a page of paper it wants: `tall` all of it, `high` more than half; else nothing.
+    height: &'static str,
     caption: String,
 }
 
@@ -222,15 +222,21 @@ fn part(placed: &Placed) -> Part {
     }
 }
 
-/// Height over width from which on a figure has a page of its own: shrunk to half a page its texts could not be read.
-const TALL: f64 = 0.75;
+/// Height over width from which on a figure has a page of its own, or more than half of one: shrunk to half a page its texts
+/// could not be read.
+const TALL: f64 = 1.0;
+const HIGH: f64 = 0.75;
 
 fn drawing(figure: &Figure) -> Drawing {
-    let tall = svg::proportion(&figure.svg).is_some_and(|proportion| proportion > TALL);
+    let height = match svg::proportion(&figure.svg) {
+        Some(proportion) if proportion > TALL => "tall",
+        Some(proportion) if proportion > HIGH => "high",
+        _ => "",
+    };
     Drawing {
         curves: figure.curves.as_ref().map(|_| figure.file.clone()).unwrap_or_default(),
         svg: markup(&figure.svg),
-        tall,
+        height,
         caption: figure.caption.clone(),
     }
 }

@@ -12,6 +12,11 @@ use crate::units::Kind;
 const LINES: usize = 5;
 /// Linings that have a line each; further ones share the last.
 const ALONE: usize = 2;
+/// Characters of a name of which nothing is left out: of a group, and of a check, which stands alone in its line.
+const NAME: usize = 48;
+const CHECK: usize = 96;
+/// How many of a longer one's end are kept.
+const END: usize = 12;
 
 /// What stands at the top of the page.
 #[derive(Serialize)]
@@ -48,7 +53,8 @@ pub fn verdict(source: &Source) -> Verdict {
         );
         lines.push(Line { text, ..next });
     }
-    lines.extend(around(source, &facts));
+    let room = LINES.saturating_sub(lines.len());
+    lines.extend(within(room, around(source, &facts), language));
     lines.extend(relative(source, &facts));
     lines.truncate(LINES);
     let (class, answer) = answer(source, &linings);
@@ -85,20 +91,23 @@ fn linings(facts: &Summary) -> Vec<&Finding> {
 fn answer(source: &Source, linings: &[&Finding]) -> (&'static str, String) {
     let language = source.language;
     let Ok(summary) = &source.summary else {
-        return ("warn", say!(language, "Not known: there is no summary of the run."));
+        return ("warn", say!(language, "Cannot be said: there is no summary of the run."));
     };
     match (summary.status, linings.first().map(|finding| finding.severity)) {
-        (Status::Failed, _) => ("bad", say!(language, "Not known: the run failed.")),
+        (Status::Failed, _) => ("bad", say!(language, "Cannot be said: the run failed.")),
         (Status::Stopped, Some(Severity::Through)) => {
             ("bad", say!(language, "The run has not ended, and cracks already run through its thickness."))
         }
-        (Status::Stopped, _) => ("warn", say!(language, "Not known yet: the run has not ended.")),
+        (Status::Stopped, _) => ("warn", say!(language, "Cannot be said yet: the run has not ended.")),
         (Status::Done, None) => ("warn", say!(language, "Not judged: no structure of this run can crack.")),
         (Status::Done, Some(Severity::Through)) => {
-            ("bad", say!(language, "Not unharmed: cracks run through its thickness."))
+            ("bad", say!(language, "It is damaged: cracks run through its thickness."))
         }
         (Status::Done, Some(Severity::Damaged)) => {
             ("warn", say!(language, "It is cracked, but nowhere through its thickness."))
+        }
+        (Status::Done, Some(Severity::Undamaged)) if summary.warnings() > 0 || summary.judged() == 0 => {
+            ("warn", say!(language, "It is undamaged as computed, but the checks do not vouch for that."))
         }
         (Status::Done, Some(Severity::Undamaged)) if source.still().is_some() => {
             ("good", say!(language, "It is undamaged; no earthquake has come."))
@@ -131,24 +140,69 @@ fn run(source: &Source, facts: &Summary) -> Line {
                 judged = judged
             ),
         ),
-        Status::Done => (
-            "warn",
-            say!(
-                language,
-                "The run is done; {passed} of {judged} checks pass: look at the others first.",
-                passed = passed,
-                judged = judged
-            ),
-        ),
+        Status::Done => ("warn", warned(source, facts, passed, judged)),
     };
     Line { class, text }
+}
+
+/// That checks warn, and which.
+fn warned(source: &Source, facts: &Summary, passed: usize, judged: usize) -> String {
+    let language = source.language;
+    let warn = facts.trust.iter().filter(|line| !line.pass && !line.not_applicable);
+    let mut names = warn.map(|line| language.tell_or(&line.name_said, &line.name));
+    let check = short(&names.next().unwrap_or_default(), CHECK);
+    match names.count() {
+        0 => say!(
+            language,
+            "The run is done; {passed} of {judged} checks pass. Look at the other first: {check}.",
+            passed = passed,
+            judged = judged,
+            check = check
+        ),
+        more => say!(
+            language,
+            "The run is done; {passed} of {judged} checks pass. Look first at: {check}; and {more} more.",
+            passed = passed,
+            judged = judged,
+            check = check,
+            more = more
+        ),
+    }
+}
+
+/// A name as it is, or without its middle.
+fn short(name: &str, most: usize) -> String {
+    let all: Vec<char> = name.chars().collect();
+    match all.len() > most {
+        true => {
+            let [start, end] = [&all[..most - END - 1], &all[all.len() - END..]];
+            format!(
+                "{}…{}",
+                start.iter().collect::<String>().trim_end(),
+                end.iter().collect::<String>().trim_start()
+            )
+        }
+        false => name.to_owned(),
+    }
+}
+
+/// The lines in the room there is for them: those that have none of their own share the last.
+fn within(room: usize, mut lines: Vec<(Severity, String)>, language: Language) -> Vec<Line> {
+    while lines.len() > room.max(1) {
+        let Some((severity, text)) = lines.pop() else { break };
+        if let Some(last) = lines.last_mut() {
+            let worse = if severity as u8 > last.0 as u8 { severity } else { last.0 };
+            *last = (worse, say!(language, "{first} {second}", first = last.1, second = text));
+        }
+    }
+    lines.into_iter().map(|(severity, text)| Line { class: class(severity), text }).collect()
 }
 
 /// A lining's cracks.
 fn lining(source: &Source, finding: &Finding) -> Line {
     let language = source.language;
     let number = |name: &str| finding.numbers.get(name).copied().filter(|x| x.is_finite());
-    let group = &finding.group;
+    let group = &short(&finding.group, NAME);
     let text = match (finding.severity, number("share_cracked")) {
         (Severity::Undamaged, _) => say!(language, "{group}: undamaged.", group = group),
         (_, None) => {
@@ -205,7 +259,7 @@ fn percent(share: f64) -> String {
 }
 
 /// What lies around the linings: the worst interface, the worst bolts, the rock.
-fn around(source: &Source, facts: &Summary) -> Option<Line> {
+fn around(source: &Source, facts: &Summary) -> Vec<(Severity, String)> {
     let language = source.language;
     let worst = |prefix: &str| {
         let own = facts.findings.iter().filter(|finding| finding.id.starts_with(prefix));
@@ -222,14 +276,32 @@ fn around(source: &Source, facts: &Summary) -> Option<Line> {
         && let (Some(slid), Some(opened)) =
             (number(interface, "share_slid"), number(interface, "share_opened"))
     {
-        let text = match slid == 0.0 && opened == 0.0 {
-            true => say!(language, "Interface {name}: neither slid nor opened.", name = interface.group),
-            false => say!(
+        let name = short(&interface.group, NAME);
+        let (slides, opens) = (percent(slid), percent(opened));
+        let text = match (slid > 0.0, opened > 0.0) {
+            (false, false) => say!(language, "Interface {name}: neither slid nor opened.", name = name),
+            (true, false) => {
+                say!(
+                    language,
+                    "Interface {name}: slid over {slid} of its area, opened nowhere.",
+                    name = name,
+                    slid = slides
+                )
+            }
+            (false, true) => {
+                say!(
+                    language,
+                    "Interface {name}: opened over {opened} of its area, slid nowhere.",
+                    name = name,
+                    opened = opens
+                )
+            }
+            (true, true) => say!(
                 language,
                 "Interface {name}: slid over {slid} and opened over {opened} of its area.",
-                name = interface.group,
-                slid = percent(slid),
-                opened = percent(opened)
+                name = name,
+                slid = slides,
+                opened = opens
             ),
         };
         found.push((interface.severity, text));
@@ -238,35 +310,59 @@ fn around(source: &Source, facts: &Summary) -> Option<Line> {
         && let (Some(all), Some(yielded), Some(broken)) =
             (number(bolts, "bolts"), number(bolts, "yielded"), number(bolts, "broken"))
     {
-        let text = say!(
-            language,
-            "Bolts {name}: {yielded} of {all} yielded, {broken} broke.",
-            name = bolts.group,
-            yielded = yielded,
-            all = all,
-            broken = broken
-        );
+        let name = short(&bolts.group, NAME);
+        let text = match (yielded > 0.0, broken > 0.0) {
+            (false, false) => say!(language, "Bolts {name}: none of {all} yielded.", name = name, all = all),
+            (_, false) => say!(
+                language,
+                "Bolts {name}: {yielded} of {all} yielded, none broke.",
+                name = name,
+                yielded = yielded,
+                all = all
+            ),
+            (_, true) => say!(
+                language,
+                "Bolts {name}: {yielded} of {all} yielded, {broken} broke.",
+                name = name,
+                yielded = yielded,
+                all = all,
+                broken = broken
+            ),
+        };
         found.push((bolts.severity, text));
     }
     if let Some(rock) = facts.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8) {
         let shear = number(rock, "share_yielded_in_shear").unwrap_or(0.0);
         let tension = number(rock, "share_yielded_in_tension").unwrap_or(0.0);
-        let text = say!(
-            language,
-            "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
-            name = rock.group,
-            shear = percent(shear),
-            tension = percent(tension)
-        );
+        let name = short(&rock.group, NAME);
+        let (in_shear, in_tension) = (percent(shear), percent(tension));
+        let text = match (shear > 0.0, tension > 0.0) {
+            (false, false) => say!(language, "{group}: undamaged.", group = name),
+            (true, false) => {
+                say!(
+                    language,
+                    "{name}: yielded in shear in {shear} of its volume.",
+                    name = name,
+                    shear = in_shear
+                )
+            }
+            (false, true) => say!(
+                language,
+                "{name}: yielded in tension in {tension} of its volume.",
+                name = name,
+                tension = in_tension
+            ),
+            (true, true) => say!(
+                language,
+                "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
+                name = name,
+                shear = in_shear,
+                tension = in_tension
+            ),
+        };
         found.push((rock.severity, text));
     }
-    let severity = found.iter().map(|(severity, _)| *severity).max_by_key(|severity| *severity as u8)?;
-    let text = found.into_iter().map(|(_, text)| text).reduce(|a, b| join(language, &a, &b))?;
-    Some(Line { class: class(severity), text })
-}
-
-fn join(language: Language, first: &str, second: &str) -> String {
-    say!(language, "{first} {second}", first = first, second = second)
+    found
 }
 
 /// The pair of monitors that moved apart most.

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use tremolite_report::write;
-use tremolite_results::ResultFolder;
+use tremolite_results::{ResultFolder, Summary};
 
 use crate::{bolts, free_field, interface_results, page, spectra, stages};
 
@@ -54,9 +54,17 @@ fn a_quantity_has_one_unit_in_every_section() {
         free_field::free_field(&folder, columns);
         folder
     };
+    // A strong group beside one that hardly carries anything.
+    let bolted: Made = |root| {
+        let folder = bolts::results(root);
+        let mut summary = Summary::read(&folder.summary()).unwrap();
+        summary.bolts[0].yield_force = 2.5e6;
+        summary.write(&folder.summary()).unwrap();
+        folder
+    };
     let folders: [(&str, Made, &[&str]); 7] = [
         ("page", page::results, &["m", "Pa", "J", "m/s"]),
-        ("bolts", bolts::results, &["N"]),
+        ("bolts", bolted, &["N"]),
         ("interfaces", interface_results::results, &["m", "Pa", "J"]),
         ("stages", |root| stages::example(root, false), &["m", "Pa"]),
         ("stages and an earthquake", |root| stages::example(root, true), &["m", "Pa"]),
