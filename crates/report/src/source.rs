@@ -180,7 +180,12 @@ fn facts(summary: &Result<Summary, String>, monitors: &Result<Table, String>) ->
 
 /// What the columns of a table are, each with its largest value by size.
 fn kinds(table: &Table) -> impl Iterator<Item = (Kind, f64)> {
-    let columns = table.columns.iter().zip(&table.values);
+    // Levels are no displacements.
+    let columns = table
+        .columns
+        .iter()
+        .zip(&table.values)
+        .filter(|(column, _)| !["depth", "z"].contains(&column.name.as_str()));
     columns.filter_map(|(column, values)| {
         let finite = values.iter().filter(|x| x.is_finite());
         Some((Kind::of_unit(&column.unit)?, finite.fold(0.0, |most, x| f64::max(most, x.abs()))))
