@@ -3,20 +3,17 @@
 use serde::Serialize;
 use tremolite_results::{Cracks, Finding, Severity, Status, Summary};
 
+use crate::brief::{CHECK, NAME, percent, short};
 use crate::language::{Language, say};
 use crate::scale::{figures, moment};
 use crate::source::Source;
+use crate::surroundings::{around, of_rock};
 use crate::units::Kind;
 
 /// Lines that the verdict may have.
 const LINES: usize = 5;
 /// Linings that have a line each; further ones share the last.
 const ALONE: usize = 2;
-/// Characters of a name of which nothing is left out: of a group, and of a check, which stands alone in its line.
-const NAME: usize = 48;
-const CHECK: usize = 96;
-/// How many of a longer one's end are kept.
-const END: usize = 12;
 
 /// What stands at the top of the page.
 #[derive(Serialize)]
@@ -54,7 +51,7 @@ pub fn verdict(source: &Source) -> Verdict {
         lines.push(Line { text, ..next });
     }
     let room = LINES.saturating_sub(lines.len());
-    lines.extend(within(room, around(source, &facts), language));
+    lines.extend(within(room, around(language, &facts), language));
     lines.extend(relative(source, &facts));
     lines.truncate(LINES);
     let (class, answer) = answer(source, &linings);
@@ -67,11 +64,6 @@ fn class(severity: Severity) -> &'static str {
         Severity::Damaged => "warn",
         Severity::Through => "bad",
     }
-}
-
-/// Whether a finding is of rock, which yields but does not crack.
-fn of_rock(finding: &Finding) -> bool {
-    finding.numbers.keys().any(|name| name.starts_with("share_yielded"))
 }
 
 /// Findings of what can crack, the worst first; of equal ones that which is cracked most.
@@ -170,22 +162,6 @@ fn warned(source: &Source, facts: &Summary, passed: usize, judged: usize) -> Str
     }
 }
 
-/// A name as it is, or without its middle.
-fn short(name: &str, most: usize) -> String {
-    let all: Vec<char> = name.chars().collect();
-    match all.len() > most {
-        true => {
-            let [start, end] = [&all[..most - END - 1], &all[all.len() - END..]];
-            format!(
-                "{}…{}",
-                start.iter().collect::<String>().trim_end(),
-                end.iter().collect::<String>().trim_start()
-            )
-        }
-        false => name.to_owned(),
-    }
-}
-
 /// The lines in the room there is for them: those that have none of their own share the last.
 fn within(room: usize, mut lines: Vec<(Severity, String)>, language: Language) -> Vec<Line> {
     while lines.len() > room.max(1) {
@@ -247,122 +223,6 @@ fn opening(source: &Source, value: f64) -> String {
         true => format!(">\u{a0}{}", source.quantity(Kind::Opening, Cracks::LOOSE)),
         false => source.quantity(Kind::Opening, value),
     }
-}
-
-/// A share; a small one does not become zero.
-fn percent(share: f64) -> String {
-    match share {
-        0.0 => "0".into(),
-        s if s > 0.0 && s < 1e-3 => "<\u{a0}0.1\u{a0}%".into(),
-        s => format!("{:.1}\u{a0}%", 100.0 * s),
-    }
-}
-
-/// What lies around the linings: the worst interface, the worst bolts, the rock.
-fn around(source: &Source, facts: &Summary) -> Vec<(Severity, String)> {
-    let language = source.language;
-    let worst = |prefix: &str| {
-        let own = facts.findings.iter().filter(|finding| finding.id.starts_with(prefix));
-        let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied().unwrap_or(0.0);
-        let rank = |f: &Finding| {
-            let area = number(f, "share_slid").max(number(f, "share_opened"));
-            (f.severity as u8, area.max(number(f, "force_over_yield")))
-        };
-        own.reduce(|a, b| if rank(b) > rank(a) { b } else { a })
-    };
-    let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied();
-    let mut found: Vec<(Severity, String)> = Vec::new();
-    if let Some(interface) = worst("interface_")
-        && let (Some(slid), Some(opened)) =
-            (number(interface, "share_slid"), number(interface, "share_opened"))
-    {
-        let name = short(&interface.group, NAME);
-        let (slides, opens) = (percent(slid), percent(opened));
-        let text = match (slid > 0.0, opened > 0.0) {
-            (false, false) => say!(language, "Interface {name}: neither slid nor opened.", name = name),
-            (true, false) => {
-                say!(
-                    language,
-                    "Interface {name}: slid over {slid} of its area, opened nowhere.",
-                    name = name,
-                    slid = slides
-                )
-            }
-            (false, true) => {
-                say!(
-                    language,
-                    "Interface {name}: opened over {opened} of its area, slid nowhere.",
-                    name = name,
-                    opened = opens
-                )
-            }
-            (true, true) => say!(
-                language,
-                "Interface {name}: slid over {slid} and opened over {opened} of its area.",
-                name = name,
-                slid = slides,
-                opened = opens
-            ),
-        };
-        found.push((interface.severity, text));
-    }
-    if let Some(bolts) = worst("bolts_")
-        && let (Some(all), Some(yielded), Some(broken)) =
-            (number(bolts, "bolts"), number(bolts, "yielded"), number(bolts, "broken"))
-    {
-        let name = short(&bolts.group, NAME);
-        let text = match (yielded > 0.0, broken > 0.0) {
-            (false, false) => say!(language, "Bolts {name}: none of {all} yielded.", name = name, all = all),
-            (_, false) => say!(
-                language,
-                "Bolts {name}: {yielded} of {all} yielded, none broke.",
-                name = name,
-                yielded = yielded,
-                all = all
-            ),
-            (_, true) => say!(
-                language,
-                "Bolts {name}: {yielded} of {all} yielded, {broken} broke.",
-                name = name,
-                yielded = yielded,
-                all = all,
-                broken = broken
-            ),
-        };
-        found.push((bolts.severity, text));
-    }
-    if let Some(rock) = facts.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8) {
-        let shear = number(rock, "share_yielded_in_shear").unwrap_or(0.0);
-        let tension = number(rock, "share_yielded_in_tension").unwrap_or(0.0);
-        let name = short(&rock.group, NAME);
-        let (in_shear, in_tension) = (percent(shear), percent(tension));
-        let text = match (shear > 0.0, tension > 0.0) {
-            (false, false) => say!(language, "{group}: undamaged.", group = name),
-            (true, false) => {
-                say!(
-                    language,
-                    "{name}: yielded in shear in {shear} of its volume.",
-                    name = name,
-                    shear = in_shear
-                )
-            }
-            (false, true) => say!(
-                language,
-                "{name}: yielded in tension in {tension} of its volume.",
-                name = name,
-                tension = in_tension
-            ),
-            (true, true) => say!(
-                language,
-                "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
-                name = name,
-                shear = in_shear,
-                tension = in_tension
-            ),
-        };
-        found.push((rock.severity, text));
-    }
-    found
 }
 
 /// The pair of monitors that moved apart most.
