@@ -12,7 +12,7 @@ use tremolite_results::{
 
 /// Monitors that move by half a metre and apart by a third of a millimetre, and cracks: what would take three units if
 /// each had its own.
-fn results(root: &Path) -> ResultFolder {
+pub fn results(root: &Path) -> ResultFolder {
     let folder = ResultFolder::create(Some(root), "case", false).unwrap();
     let monitors = ["A", "B", "C", "D", "E", "F"];
     let quantities = [("ux", "m"), ("uz", "m"), ("s1", "Pa"), ("vx", "m/s")];
