@@ -195,7 +195,7 @@ impl Leaves<'_> {
     fn text(&mut self, text: &str, name: &str) -> String {
         let mut out = String::new();
         let mut last = 0;
-        for (k, (at, end, value, half)) in of_line(text).into_iter().enumerate() {
+        for (k, (at, end, value, _)) in of_line(text).into_iter().enumerate() {
             let name = format!("{name}#{k}");
             let by = factor(self.copy, &name);
             let digits = &text[at..end];
@@ -208,7 +208,6 @@ impl Leaves<'_> {
             } else {
                 format!("{:.decimals$}", value.abs() * by)
             };
-            let _ = half;
             let shown: f64 = of_line(&new).first().map_or(f64::NAN, |found| found.2);
             self.know(Kind::Leaf, name, shown.abs() * value.signum());
             out.push_str(&text[last..at]);
@@ -312,6 +311,7 @@ fn table(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
                 ("smallest", finite().min_by(by_size)),
                 ("largest by size", finite().max_by(|x, y| values[**x].abs().total_cmp(&values[**y].abs()))),
                 ("first", finite().next()),
+                ("second", finite().nth(1)),
                 ("last", finite().last()),
             ];
             for (what, row) in marked {
@@ -344,6 +344,23 @@ fn table(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
     }
     let alike = alike.into_iter();
     known.extend(alike.map(|(name, value)| Known { kind: Kind::Over, name: format!("{file}: largest of all {name}"), value }));
+    if file == "energy.csv" {
+        let of = |name: &str| columns.iter().position(|column| own(column) == name).and_then(|k| numbers[k].as_ref());
+        let held = ["kinetic", "strain", "hourglass", "interface", "bolts"].map(of);
+        let sum = |row: usize| held.iter().flatten().map(|values| values[row]).sum::<f64>();
+        let most = (0..rows.len()).map(sum).fold(0.0, f64::max);
+        let error = of("error").map_or(0.0, |values| values.iter().fold(0.0_f64, |most, x| most.max(x.abs())));
+        known.push(Known { kind: Kind::Over, name: "error over the largest energy held".into(), value: error / most });
+    }
+    // How far a monitor is from where it was, the largest of its rows.
+    for column in columns.iter().map(|column| own(column)).filter(|_| file == "monitors.csv") {
+        let Some(monitor) = column.strip_suffix(".ux") else { continue };
+        let of = |name: &str| columns.iter().position(|column| own(column) == format!("{monitor}.{name}"));
+        let all: Vec<&Vec<f64>> = ["ux", "uy", "uz"].into_iter().filter_map(of).filter_map(|k| numbers[k].as_ref()).collect();
+        let length = |row: usize| all.iter().map(|values| values[row].powi(2)).sum::<f64>().sqrt();
+        let most = (0..rows.len()).map(length).fold(0.0, f64::max);
+        known.push(Known { kind: Kind::Over, name: format!("length of the displacement of {monitor}"), value: most });
+    }
     let mut out = format!("{header}\n");
     for row in rows {
         let quoted = row.iter().map(|e| if e.contains(',') { format!("\"{e}\"") } else { e.clone() });
@@ -411,7 +428,8 @@ fn fields(from: &Path, to: &Path, folder: &str, copy: u64, content: &mut Content
             *point = point.map(|x| x * places);
         }
         for array in grid.point_data.iter_mut().chain(&mut grid.cell_data) {
-            if array.name == "normal" {
+            // Directions, and states, which some files hold as floating-point numbers.
+            if array.name == "normal" || array.name.contains("state") {
                 continue;
             }
             let by = factor(copy, &format!("{folder}/{file}: {}", array.name));

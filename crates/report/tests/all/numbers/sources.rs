@@ -45,6 +45,28 @@ pub enum Source {
     Unsettled,
 }
 
+impl Source {
+    /// In words that begin with what kind it is.
+    pub fn told(&self) -> String {
+        match self {
+            Source::Zero => "nothing".into(),
+            Source::Constant => "constant".into(),
+            Source::In(Kind::Over, name) => format!("over: {name}"),
+            Source::In(Kind::Row, name) => format!("row: {name}"),
+            Source::In(_, name) => format!("stands: {name}"),
+            Source::Place(what) => (*what).into(),
+            Source::Of(what) => what.clone(),
+            Source::Unknown => "unknown".into(),
+            Source::Unsettled => "unsettled".into(),
+        }
+    }
+
+    /// Whether a file holds the number itself.
+    pub fn stands(&self) -> bool {
+        matches!(self, Source::Zero | Source::In(Kind::Leaf | Kind::Extreme | Kind::Field, _))
+    }
+}
+
 impl Pages {
     /// The pages of a folder and `copies` copies of it.
     pub fn of(root: &Path, copies: u64, language: Language) -> Pages {
@@ -118,9 +140,11 @@ impl Pages {
         }
         let single = best.map(|(kind, k)| Source::In(kind, self.known[k].name.clone()));
         // Where something lies in a field file, and areas and volumes there.
+        // Zeros behind the point may be left out, so that the finest tells how fine they are.
+        let fine = given().map(|(_, half)| *half).fold(f64::INFINITY, f64::min);
         let grows = |power: i32| {
             shown.iter().zip(&self.places).all(|(shown, by)| {
-                shown.is_none_or(|(own, half_own)| (own - value * by.powi(power)).abs() <= half_own + half * 1.1)
+                shown.is_none_or(|(own, _)| (own - value * by.powi(power)).abs() <= 2.1 * fine)
             })
         };
         match best {
@@ -136,24 +160,29 @@ impl Pages {
     fn of_two(&self, token: usize, shown: &[Option<(f64, f64)>]) -> Option<String> {
         let (value, half) = shown[0].map(|(value, half)| (value.abs(), half))?;
         type Of = fn(f64, f64) -> f64;
-        let forms: [(&str, Of, Of); 4] = [
+        let forms: [(&str, Of, Of); 5] = [
             ("ratio", |a, b| a / b, |t, b| t * b),
             ("difference", |a, b| a - b, |t, b| b + t),
             ("sum", |a, b| a + b, |t, b| t - b),
+            ("relative difference", |a, b| 1.0 - a / b, |t, b| (1.0 - t) * b),
             ("relative difference", |a, b| a / b - 1.0, |t, b| (1.0 + t) * b),
         ];
-        for (what, of, solved) in forms {
+        let leaves: Vec<(f64, usize)> =
+            self.sizes.iter().copied().filter(|(_, k)| self.known[*k].kind == Kind::Leaf).collect();
+        for ((what, of, solved), sizes) in
+            [&leaves, &self.sizes].into_iter().flat_map(|sizes| forms.map(|form| (form, sizes)))
+        {
             let factors = match self.tokens[token].factor {
                 Some(factor) => vec![factor, 1.0],
                 None => vec![1.0, 1e2, 1e3, 1e-6, 1e-3],
             };
             for factor in factors {
-                for (_, b) in &self.sizes {
+                for (_, b) in sizes {
                     let own = &self.values[*b];
                     let (x, y) = (solved((value - half) / factor, own[0].abs()), solved((value + half) / factor, own[0].abs()));
                     let (x, y) = (x.min(y), x.max(y));
-                    let from = self.sizes.partition_point(|(size, _)| *size < x * (1.0 - 1e-9));
-                    for (size, a) in &self.sizes[from..] {
+                    let from = sizes.partition_point(|(size, _)| *size < x * (1.0 - 1e-9));
+                    for (size, a) in &sizes[from..] {
                         if *size > y * (1.0 + 1e-9) {
                             break;
                         }

@@ -27,12 +27,6 @@ impl Token {
         let to = behind.char_indices().nth(60).map_or(behind.len(), |(at, _)| at);
         format!("{} [{}] …{}…", self.text, self.above, &self.line[from..self.at + to])
     }
-
-    /// Whether it stands within `phrase`.
-    pub fn within(&self, phrase: &str) -> bool {
-        let mut places = self.line.match_indices(phrase).map(|(at, _)| at);
-        places.any(|at| at <= self.at && self.at + self.text.len() <= at + phrase.len())
-    }
 }
 
 /// What values in SI are multiplied by before a unit.
@@ -92,7 +86,7 @@ pub fn tokens(page: &str, names: &[String]) -> Vec<Token> {
         }
         let mut text = text.trim().to_owned();
         for (entity, character) in
-            [("&#x2f;", "/"), ("&#x27;", "'"), ("&quot;", "\""), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")]
+            [("&#x2f;", "/"), ("&#x27;", "'"), ("&#39;", "'"), ("&quot;", "\""), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")]
         {
             text = text.replace(entity, character);
         }
@@ -164,7 +158,12 @@ fn without(text: &str, open: &str, close: &str) -> String {
 fn unit(text: &str) -> Option<f64> {
     let text = text.trim_start_matches(['\u{a0}', '\u{202f}', ' ']);
     let end = text.find(|c: char| !(c.is_alphabetic() || "²³/%".contains(c))).unwrap_or(text.len());
-    UNITS.iter().find(|(name, _)| *name == &text[..end]).map(|(_, factor)| *factor)
+    factor_of(&text[..end])
+}
+
+/// What a value in SI is multiplied by before this unit.
+pub fn factor_of(unit: &str) -> Option<f64> {
+    UNITS.iter().find(|(name, _)| *name == unit).map(|(_, factor)| *factor)
 }
 
 /// Begin, end, value and half of the last digit of each number in a text.
