@@ -7,6 +7,7 @@ mod scaled;
 mod sources;
 mod tokens;
 
+use std::fs;
 use std::path::Path;
 
 use tremolite_report::Language;
@@ -17,10 +18,10 @@ use super::{bolts, free_field, interface_results, page, report, stages};
 
 /// By how much numbers are scaled at most, up and down: enough to be seen in three figures, too little to make another
 /// monitor the one that moves most wherever that can be helped.
-const SPREAD: f64 = 0.04;
+const SPREAD: f64 = 0.05;
 
 /// How many copies of a folder a number is followed through.
-const COPIES: u64 = 6;
+const COPIES: u64 = 5;
 
 /// A number that stands in no file as it is: of what kind it is, and where on the page.
 type Derived = (&'static str, &'static str);
@@ -83,11 +84,26 @@ fn numbers_of_monitors_checks_and_damage_stand_in_the_files() {
         CARD,
         BALANCE[0],
         // Shares of the group's volume, as said above the table.
-        ("ratio of damage.hall.lining.measures.d_tension.beyond.0.5 and damage.hall.lining.volume", "Cracked, D⁺"),
-        ("ratio of damage.hall.lining.measures.d_tension.beyond.0.9 and damage.hall.lining.volume", "Cracked, D⁺"),
-        ("ratio of damage.hall.lining.measures.d_b_max.beyond.0.5 and damage.hall.lining.volume", "hall.lining"),
-        ("ratio of damage.hall.lining.measures.d_b_max.beyond.0.9 and damage.hall.lining.volume", "hall.lining"),
-        ("ratio of damage.hall.lining.measures.plastic_shear_strain.beyond.1e-6 and damage.hall.lining.volume", "hall.lining"),
+        (
+            "ratio of damage.hall.lining.measures.d_tension.beyond.0.5 and damage.hall.lining.volume",
+            "Cracked, D⁺",
+        ),
+        (
+            "ratio of damage.hall.lining.measures.d_tension.beyond.0.9 and damage.hall.lining.volume",
+            "Cracked, D⁺",
+        ),
+        (
+            "ratio of damage.hall.lining.measures.d_b_max.beyond.0.5 and damage.hall.lining.volume",
+            "hall.lining",
+        ),
+        (
+            "ratio of damage.hall.lining.measures.d_b_max.beyond.0.9 and damage.hall.lining.volume",
+            "hall.lining",
+        ),
+        (
+            "ratio of damage.hall.lining.measures.plastic_shear_strain.beyond.1e-6 and damage.hall.lining.volume",
+            "hall.lining",
+        ),
     ];
     assert_sound(temp.path(), Language::English, &derived);
 }
@@ -114,9 +130,11 @@ fn numbers_of_stages_and_section_forces_stand_in_the_files() {
 #[test]
 fn numbers_of_bolts_stand_in_the_files() {
     let temp = tempfile::tempdir().unwrap();
-    bolts::results(temp.path());
+    let folder = bolts::results(temp.path());
+    // Without the ground, whose cells would take most of the time.
+    fs::remove_file(folder.pvd()).unwrap();
+    fs::remove_dir_all(folder.fields()).unwrap();
     let derived = [
-        CUT,
         RELEASE,
         ("over: sum of bolts.*.bolts", "bolts yielded"),
         ("place", "on the plane y ="),

@@ -33,17 +33,22 @@ fn both_runs_numbers_are_their_own_and_differences_are_of_the_two() {
         // Runs are compared by rows: the first's number, the second's, the difference.
         let mut rows = 0;
         for table in part.split("<table").skip(1) {
-            let (_, unit) = table.split_once("<th>(").map_or(("", ""), |(a, rest)| (a, rest.split(')').next().unwrap()));
+            let (_, unit) =
+                table.split_once("<th>(").map_or(("", ""), |(a, rest)| (a, rest.split(')').next().unwrap()));
             let factor = factor_of(&unit.replace("&#x2f;", "/")).unwrap_or(1.0);
             for row in table.split("<tr>").skip(2) {
                 let (label, cells) = row.split_once("</td>").unwrap();
                 let found = tokens(&format!("<main>{cells}</main>"), &[]);
                 let [first, second, apart] = &found[..] else {
                     // Equal small counts.
-                    assert!(found.len() == 2 && found[0].value == found[1].value && cells.contains(">=<"), "{label}: {cells}");
+                    assert!(
+                        found.len() == 2 && found[0].value == found[1].value && cells.contains(">=<"),
+                        "{label}: {cells}"
+                    );
                     continue;
                 };
-                check(&known, factor, unit == "%", [first, second, apart]).unwrap_or_else(|| panic!("{label}: {cells}"));
+                check(&known, factor, unit == "%", [first, second, apart])
+                    .unwrap_or_else(|| panic!("{label}: {cells}"));
                 rows += 1;
             }
         }

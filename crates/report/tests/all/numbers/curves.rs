@@ -94,7 +94,8 @@ fn check(root: &Path, derived: &[&str]) {
             let same = |(x, own): (&f64, &f32)| (factor * x) as f32 == *own || (x.is_nan() && own.is_nan());
             values.len() == line.values.len() && values.iter().zip(&line.values).all(same)
         };
-        let found: Vec<&str> = columns.iter().filter(|(_, values)| equal(values)).map(|(name, _)| &**name).collect();
+        let found: Vec<&str> =
+            columns.iter().filter(|(_, values)| equal(values)).map(|(name, _)| &**name).collect();
         // A line that is called as a monitor or a group is of its columns.
         let prefix = format!("{}.", line.name);
         let owned = |name: &str| name.split_once(':').is_some_and(|(_, column)| column.starts_with(&prefix));
@@ -106,7 +107,9 @@ fn check(root: &Path, derived: &[&str]) {
             _ => wrong.push(format!("{} ({}) is none of its columns, but {found:?}", line.told, line.unit)),
         }
     }
-    wrong.extend(derived.iter().zip(met).filter(|(_, met)| !met).map(|(entry, _)| format!("no line needs {entry}")));
+    wrong.extend(
+        derived.iter().zip(met).filter(|(_, met)| !met).map(|(entry, _)| format!("no line needs {entry}")),
+    );
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

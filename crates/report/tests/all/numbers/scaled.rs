@@ -43,8 +43,30 @@ pub struct Content {
 
 /// Leaves of the summary that name something, or say how the page is set; no numbers are taken from them.
 const NAMING: [&str; 24] = [
-    "title", "status", "verdict", "severity", "group", "placed", "stage", "id", "name", "key", "law", "kind", "unit", "bound",
-    "pattern", "path", "hash", "started", "program", "command", "version", "instruction_set", "language", "names",
+    "title",
+    "status",
+    "verdict",
+    "severity",
+    "group",
+    "placed",
+    "stage",
+    "id",
+    "name",
+    "key",
+    "law",
+    "kind",
+    "unit",
+    "bound",
+    "pattern",
+    "path",
+    "hash",
+    "started",
+    "program",
+    "command",
+    "version",
+    "instruction_set",
+    "language",
+    "names",
 ];
 
 /// Factors by which what is called `name` is scaled in the copy `copy`; those of no other name or copy.
@@ -59,7 +81,10 @@ fn factor(copy: u64, name: &str) -> f64 {
     hash ^= hash >> 33;
     hash = hash.wrapping_mul(0xff51_afd7_ed55_8ccd);
     hash ^= hash >> 33;
-    1.0 + super::SPREAD * ((hash >> 11) as f64 / (1_u64 << 52) as f64 - 1.0)
+    // By half of the spread at least, up or down.
+    let part = (hash >> 12) as f64 / (1_u64 << 52) as f64;
+    let by = super::SPREAD * (0.5 + 0.5 * part);
+    if hash & 1 == 0 { 1.0 + by } else { 1.0 - by }
 }
 
 /// Writes the copy `copy` of `from` into `to`; 0 is as it was.
@@ -155,7 +180,9 @@ impl Leaves<'_> {
                     }
                 }
             }
-            Value::String(text) if NAMING.contains(&last.as_str()) || path[0] == "positions" || last == "source" => {
+            Value::String(text)
+                if NAMING.contains(&last.as_str()) || path[0] == "positions" || last == "source" =>
+            {
                 self.name(text);
             }
             Value::String(text) => {
@@ -224,7 +251,9 @@ impl Leaves<'_> {
             let all = summary[part].as_object().into_iter().flat_map(Map::values);
             for (quantity, peaks) in all.filter_map(Value::as_object).flatten() {
                 for end in ["max", "min"] {
-                    let (Some(value), Some(time)) = (peaks[end].as_f64(), peaks[&format!("t_{end}")].as_f64()) else {
+                    let (Some(value), Some(time)) =
+                        (peaks[end].as_f64(), peaks[&format!("t_{end}")].as_f64())
+                    else {
                         continue;
                     };
                     for name in [&quantity[..1], quantity] {
@@ -275,7 +304,11 @@ fn table(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
             continue;
         };
         // One factor for all times, of which some are read beside one another.
-        let by = if name.starts_with("time") { factor(copy, "time") } else { factor(copy, &format!("{file}:{column}")) };
+        let by = if name.starts_with("time") {
+            factor(copy, "time")
+        } else {
+            factor(copy, &format!("{file}:{column}"))
+        };
         for (value, row) in values.iter_mut().zip(&mut rows) {
             *value *= by;
             row[k] = format!("{value}");
@@ -287,7 +320,8 @@ fn table(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
     for (k, row) in rows.iter().enumerate() {
         parts.entry(String::new()).or_default().push(k);
         let mut words = vec![];
-        let texts = row.iter().zip(&numbers).filter(|(entry, own)| own.is_none() && entry.parse::<f64>().is_err());
+        let texts =
+            row.iter().zip(&numbers).filter(|(entry, own)| own.is_none() && entry.parse::<f64>().is_err());
         for (entry, _) in texts {
             parts.entry(format!(" where {entry}")).or_default().push(k);
             words.push(entry.as_str());
@@ -303,7 +337,8 @@ fn table(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
         if at.len() < 2 && part.contains(" and ") {
             continue;
         }
-        for (column, values) in columns.iter().zip(&numbers).filter_map(|(c, v)| Some((own(c), v.as_ref()?))) {
+        for (column, values) in columns.iter().zip(&numbers).filter_map(|(c, v)| Some((own(c), v.as_ref()?)))
+        {
             let by_size = |x: &&usize, y: &&usize| values[**x].total_cmp(&values[**y]);
             let finite = || at.iter().filter(|k| values[**k].is_finite());
             let marked = [
@@ -316,9 +351,14 @@ fn table(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
             ];
             for (what, row) in marked {
                 let Some(&row) = row else { continue };
-                for (other, values) in columns.iter().zip(&numbers).filter_map(|(c, v)| Some((own(c), v.as_ref()?))) {
+                for (other, values) in
+                    columns.iter().zip(&numbers).filter_map(|(c, v)| Some((own(c), v.as_ref()?)))
+                {
                     // Of tables of histories the time alone stands beside a value.
-                    if other == column || columns.len() < 20 || ["time", "period", "depth", "z"].contains(&other.as_str()) {
+                    if other == column
+                        || columns.len() < 20
+                        || ["time", "period", "depth", "z"].contains(&other.as_str())
+                    {
                         let name = format!("{file}: {other} at {what} {column}{part}");
                         known.push(Known { kind: Kind::Extreme, name, value: values[row] });
                     }
@@ -326,7 +366,11 @@ fn table(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
             }
             let count = at.len() as f64;
             let sum: f64 = finite().map(|k| values[*k]).sum();
-            known.push(Known { kind: Kind::Over, name: format!("{file}: mean of {column}{part}"), value: sum / count });
+            known.push(Known {
+                kind: Kind::Over,
+                name: format!("{file}: mean of {column}{part}"),
+                value: sum / count,
+            });
         }
         known.push(Known { kind: Kind::Over, name: format!("{file}: rows{part}"), value: at.len() as f64 });
     }
@@ -343,23 +387,39 @@ fn table(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
         known.extend(values.iter().map(|value| Known { kind: Kind::Row, name: name.clone(), value: *value }));
     }
     let alike = alike.into_iter();
-    known.extend(alike.map(|(name, value)| Known { kind: Kind::Over, name: format!("{file}: largest of all {name}"), value }));
+    known.extend(alike.map(|(name, value)| Known {
+        kind: Kind::Over,
+        name: format!("{file}: largest of all {name}"),
+        value,
+    }));
     if file == "energy.csv" {
-        let of = |name: &str| columns.iter().position(|column| own(column) == name).and_then(|k| numbers[k].as_ref());
+        let of = |name: &str| {
+            columns.iter().position(|column| own(column) == name).and_then(|k| numbers[k].as_ref())
+        };
         let held = ["kinetic", "strain", "hourglass", "interface", "bolts"].map(of);
         let sum = |row: usize| held.iter().flatten().map(|values| values[row]).sum::<f64>();
         let most = (0..rows.len()).map(sum).fold(0.0, f64::max);
-        let error = of("error").map_or(0.0, |values| values.iter().fold(0.0_f64, |most, x| most.max(x.abs())));
-        known.push(Known { kind: Kind::Over, name: "error over the largest energy held".into(), value: error / most });
+        let error =
+            of("error").map_or(0.0, |values| values.iter().fold(0.0_f64, |most, x| most.max(x.abs())));
+        known.push(Known {
+            kind: Kind::Over,
+            name: "error over the largest energy held".into(),
+            value: error / most,
+        });
     }
     // How far a monitor is from where it was, the largest of its rows.
     for column in columns.iter().map(|column| own(column)).filter(|_| file == "monitors.csv") {
         let Some(monitor) = column.strip_suffix(".ux") else { continue };
         let of = |name: &str| columns.iter().position(|column| own(column) == format!("{monitor}.{name}"));
-        let all: Vec<&Vec<f64>> = ["ux", "uy", "uz"].into_iter().filter_map(of).filter_map(|k| numbers[k].as_ref()).collect();
+        let all: Vec<&Vec<f64>> =
+            ["ux", "uy", "uz"].into_iter().filter_map(of).filter_map(|k| numbers[k].as_ref()).collect();
         let length = |row: usize| all.iter().map(|values| values[row].powi(2)).sum::<f64>().sqrt();
         let most = (0..rows.len()).map(length).fold(0.0, f64::max);
-        known.push(Known { kind: Kind::Over, name: format!("length of the displacement of {monitor}"), value: most });
+        known.push(Known {
+            kind: Kind::Over,
+            name: format!("length of the displacement of {monitor}"),
+            value: most,
+        });
     }
     let mut out = format!("{header}\n");
     for row in rows {
@@ -390,7 +450,11 @@ fn listed(file: &str, text: &str, copy: u64, content: &mut Content) -> String {
         match time.filter(|_| !line.contains("stage")) {
             Some((time, _)) => {
                 let scaled = time.parse::<f64>().unwrap() * factor(copy, "time");
-                content.known.push(Known { kind: Kind::Field, name: format!("time in {file}"), value: scaled });
+                content.known.push(Known {
+                    kind: Kind::Field,
+                    name: format!("time in {file}"),
+                    value: scaled,
+                });
                 line.replace(&format!("timestep=\"{time}\""), &format!("timestep=\"{scaled}\""))
             }
             None => line.to_owned(),
@@ -418,7 +482,8 @@ fn fields(from: &Path, to: &Path, folder: &str, copy: u64, content: &mut Content
         let file = path.file_name().unwrap().to_str().unwrap();
         let mut grid = Grid::read(path).unwrap();
         let places = factor(copy, "places");
-        let mut known = |name: String, value: f64| content.known.push(Known { kind: Kind::Field, name, value });
+        let mut known =
+            |name: String, value: f64| content.known.push(Known { kind: Kind::Field, name, value });
         for i in 0..3 {
             let all = || grid.points.iter().map(|p| p[i] * places);
             known(format!("{folder}/{file}: largest place {i}"), all().fold(f64::MIN, f64::max));

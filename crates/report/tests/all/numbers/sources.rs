@@ -91,7 +91,8 @@ impl Pages {
             all.push(content.known);
         }
         let known = all[0].clone();
-        let values: Vec<Vec<f64>> = (0..known.len()).map(|k| all.iter().map(|own| own[k].value).collect()).collect();
+        let values: Vec<Vec<f64>> =
+            (0..known.len()).map(|k| all.iter().map(|own| own[k].value).collect()).collect();
         let usable = (0..known.len()).filter(|&k| known[k].value.is_finite() && known[k].value != 0.0);
         let mut digits: Vec<(f64, usize)> = usable.clone().map(|k| (mantissa(known[k].value), k)).collect();
         digits.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -120,7 +121,9 @@ impl Pages {
         };
         let fits = |k: usize, factor: f64| {
             let near = |(shown, own): (&Option<(f64, f64)>, &f64)| {
-                shown.is_none_or(|(value, half)| (value.abs() - (factor * own).abs()).abs() <= 1.000_001 * half)
+                shown.is_none_or(|(value, half)| {
+                    (value.abs() - (factor * own).abs()).abs() <= 1.000_001 * half
+                })
             };
             shown.iter().zip(&self.values[k]).all(near)
         };
@@ -179,20 +182,28 @@ impl Pages {
             for factor in factors {
                 for (_, b) in sizes {
                     let own = &self.values[*b];
-                    let (x, y) = (solved((value - half) / factor, own[0].abs()), solved((value + half) / factor, own[0].abs()));
+                    let (x, y) = (
+                        solved((value - half) / factor, own[0].abs()),
+                        solved((value + half) / factor, own[0].abs()),
+                    );
                     let (x, y) = (x.min(y), x.max(y));
                     let from = sizes.partition_point(|(size, _)| *size < x * (1.0 - 1e-9));
                     for (size, a) in &sizes[from..] {
                         if *size > y * (1.0 + 1e-9) {
                             break;
                         }
-                        let fits = shown.iter().zip(self.values[*a].iter().zip(own)).all(|(shown, (a, b))| {
-                            shown.is_none_or(|(value, half)| {
-                                (value.abs() - factor * of(a.abs(), b.abs()).abs()).abs() <= 1.000_001 * half
-                            })
-                        });
+                        let fits =
+                            shown.iter().zip(self.values[*a].iter().zip(own)).all(|(shown, (a, b))| {
+                                shown.is_none_or(|(value, half)| {
+                                    (value.abs() - factor * of(a.abs(), b.abs()).abs()).abs()
+                                        <= 1.000_001 * half
+                                })
+                            });
                         if fits && a != b {
-                            return Some(format!("{what} of {} and {}", self.known[*a].name, self.known[*b].name));
+                            return Some(format!(
+                                "{what} of {} and {}",
+                                self.known[*a].name, self.known[*b].name
+                            ));
                         }
                     }
                 }

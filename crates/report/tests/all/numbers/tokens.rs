@@ -85,9 +85,15 @@ pub fn tokens(page: &str, names: &[String]) -> Vec<Token> {
             _ => {}
         }
         let mut text = text.trim().to_owned();
-        for (entity, character) in
-            [("&#x2f;", "/"), ("&#x27;", "'"), ("&#39;", "'"), ("&quot;", "\""), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")]
-        {
+        for (entity, character) in [
+            ("&#x2f;", "/"),
+            ("&#x27;", "'"),
+            ("&#39;", "'"),
+            ("&quot;", "\""),
+            ("&lt;", "<"),
+            ("&gt;", ">"),
+            ("&amp;", "&"),
+        ] {
             text = text.replace(entity, character);
         }
         // Names keep their length, so that places in the line stay what they are.
@@ -213,7 +219,9 @@ pub fn of_line(line: &str) -> Vec<(usize, usize, f64, f64)> {
                 power.push(c);
                 k += 1;
             }
-        } else if at(k) == 'e' && (at(k + 1).is_ascii_digit() || (at(k + 1) == '-' && at(k + 2).is_ascii_digit())) {
+        } else if at(k) == 'e'
+            && (at(k + 1).is_ascii_digit() || (at(k + 1) == '-' && at(k + 2).is_ascii_digit()))
+        {
             k += 1;
             while at(k) == '-' || at(k).is_ascii_digit() {
                 power.push(at(k));
