@@ -250,6 +250,10 @@ impl Leaves<'_> {
             let mut largest: BTreeMap<String, (f64, f64)> = BTreeMap::new();
             let all = summary[part].as_object().into_iter().flat_map(Map::values);
             for (quantity, peaks) in all.filter_map(Value::as_object).flatten() {
+                if let (Some(max), Some(min)) = (peaks["max"].as_f64(), peaks["min"].as_f64()) {
+                    let most = if max.abs() >= min.abs() { max } else { min };
+                    self.know(Kind::Leaf, format!("larger of both {quantity} in {part}"), most);
+                }
                 for end in ["max", "min"] {
                     let (Some(value), Some(time)) =
                         (peaks[end].as_f64(), peaks[&format!("t_{end}")].as_f64())
