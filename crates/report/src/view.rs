@@ -128,7 +128,7 @@ fn drawn(
     let grid = Grid16::around(parts.iter().flat_map(|part| &part.mesh.points));
     let encoded = |levels: f64| {
         let step = largest_displacement(&parts) / levels;
-        let common = Common { language, grid: grid.clone(), times: moments.len(), step };
+        let common = Common { language, grid, times: moments.len(), step };
         let mut draft = Blocks::default();
         let mut data: Vec<PartData> = Vec::new();
         let mut notes = Vec::new();

@@ -3,8 +3,12 @@
 
 mod compared;
 mod curves;
+mod field_files;
+mod known;
+mod leaves;
 mod scaled;
 mod sources;
+mod tables;
 mod tokens;
 
 use std::fs;

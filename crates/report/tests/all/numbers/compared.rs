@@ -6,7 +6,8 @@ use tremolite_report::{Language, compare};
 use tremolite_results::Summary;
 
 use super::super::{interface_results, report};
-use super::scaled::{Kind, scaled};
+use super::known::{Kind, Known};
+use super::scaled::scaled;
 use super::tokens::{Token, factor_of, tokens};
 
 #[test]
@@ -57,7 +58,7 @@ fn both_runs_numbers_are_their_own_and_differences_are_of_the_two() {
 }
 
 /// Nothing where no one number, or share of two, of the summaries is shown, each run's own.
-fn check(known: &[Vec<super::scaled::Known>; 2], factor: f64, share: bool, shown: [&Token; 3]) -> Option<()> {
+fn check(known: &[Vec<Known>; 2], factor: f64, share: bool, shown: [&Token; 3]) -> Option<()> {
     let near = |token: &Token, value: f64| (token.value - value).abs() <= 1.000_001 * token.half;
     let fits = |a: f64, b: f64| {
         let percent = 100.0 * (b.abs() - a.abs()) / a.abs();

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use tremolite_report::{Language, write_in};
 
-use super::scaled::{Kind, Known, scaled};
+use super::known::{Kind, Known};
+use super::scaled::scaled;
 use super::tokens::{Token, places, tokens};
 
 /// Pages that say the same of numbers that are other ones in each.
