@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::chart::{Chart, Line, Panel};
 use crate::curves::Curves;
 use crate::figure::Figure;
-use crate::language::{Language, say};
+use crate::language::Language;
 use crate::multiples::{Cell, Multiples};
 
 /// More lines than this hide one another.
@@ -43,15 +43,10 @@ pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Ve
     }
     let rows = rows(&panels);
     let sheets = rows.len().div_ceil(ROWS);
-    let alone = say!(language, "Each line stands alone; grey is the range of all of them.");
-    let caption = match titles.caption {
-        "" => alone,
-        caption => say!(language, "{first} {second}", first = caption, second = alone),
-    };
     let drawn = rows.chunks(ROWS).enumerate().map(|(number, rows)| {
         let svg = Multiples { title: titles.heading, time, rows: rows.to_vec() }.draw(language);
         // Said once, below the last.
-        let caption = if number + 1 == sheets { caption.clone() } else { String::new() };
+        let caption = if number + 1 == sheets { titles.caption.into() } else { String::new() };
         // The page's script shows one curve of many when it is asked to, so it gets panels with all of them.
         let chart = Chart { title: titles.heading.into(), time, panels: together(&panels, rows) };
         figure(number, svg, caption, &chart)

@@ -11,18 +11,25 @@ use serde::Serialize;
 
 use crate::blocks::{Blocks, json_element};
 use crate::chart::{Chart, Panel as Drawn, Stroke};
-use crate::figure::Figure;
 use crate::language::Language;
 
 /// More rows than this are thinned: at 0.005 s it is 40 s, at four bytes a number 32 kB a line.
 const ROWS: usize = 8000;
 
+/// In the place of a value: the row is one of other lines, and this line goes on across it.
+pub const PASSED: f64 = f64::INFINITY;
+
 /// What the curves of one figure are made of.
 #[derive(Clone, Debug, Serialize)]
 pub struct Curves {
     pub title: String,
+    /// Above all panels, what they have in common; may be empty.
+    pub heading: String,
     pub across: Across,
     pub panels: Vec<Panel>,
+    /// Panels beside each other.
+    pub abreast: usize,
+    pub rules: Vec<Rule>,
     /// How many rows there were before thinning; as many as now where none went.
     pub of_rows: usize,
 }
@@ -39,12 +46,31 @@ pub struct Across {
     pub values: Vec<f64>,
 }
 
+/// A place along the abscissa that has a name.
+#[derive(Clone, Debug, Serialize)]
+pub struct Rule {
+    pub across: f64,
+    pub name: String,
+    pub side: Side,
+}
+
+/// Which part of a rule's name stands at it.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Side {
+    Start,
+    Center,
+    End,
+}
+
 /// One set of axes.
 #[derive(Clone, Debug, Serialize)]
 pub struct Panel {
     pub title: String,
     pub unit: String,
     pub log: bool,
+    /// The ends of the upright axis, where they do not follow the values.
+    pub ends: Option<[f64; 2]>,
     /// Names the marked point; may be empty.
     pub remark: String,
     pub mark: Option<Mark>,
@@ -66,7 +92,9 @@ pub struct Line {
     /// As [`Svg::lines`](crate::svg::Svg::lines) takes it.
     pub colour: usize,
     pub stroke: Stroke,
-    /// In the panel's unit, one for each of the abscissa; what is not finite leaves a gap.
+    /// Whether its points are drawn too.
+    pub points: bool,
+    /// In the panel's unit, one for each of the abscissa; what is not a number leaves a gap, and [`PASSED`] none.
     #[serde(skip)]
     pub values: Vec<f64>,
 }
@@ -82,6 +110,20 @@ struct Entry<'a> {
 }
 
 impl Curves {
+    /// Panels one below the other.
+    pub fn new(title: &str, across: Across, panels: Vec<Panel>) -> Curves {
+        let curves = Curves {
+            title: title.into(),
+            heading: String::new(),
+            across,
+            panels,
+            abreast: 1,
+            rules: Vec::new(),
+            of_rows: 0,
+        };
+        curves.thinned(ROWS)
+    }
+
     /// Those of a chart.
     pub fn of_chart(chart: &Chart<'_>, language: Language) -> Curves {
         let panel = |panel: &Drawn<'_>| {
@@ -95,12 +137,18 @@ impl Curves {
                 name: line.name.clone(),
                 colour: line.colour,
                 stroke: line.stroke,
-                values: line.values.iter().map(|x| x * factor).collect(),
+                points: false,
+                values: line
+                    .values
+                    .iter()
+                    .map(|x| if x.is_finite() { x * factor } else { f64::NAN })
+                    .collect(),
             };
             Panel {
                 title: panel.title.clone(),
                 unit: panel.scale.unit.clone(),
                 log: false,
+                ends: None,
                 remark: chart.remark(panel, language),
                 mark,
                 lines: panel.lines.iter().map(line).collect(),
@@ -109,8 +157,7 @@ impl Curves {
         let across =
             Across { name: String::new(), unit: "s".into(), log: false, values: chart.time.to_vec() };
         let panels = chart.panels.iter().map(panel).collect();
-        let curves = Curves { title: chart.title.clone(), across, panels, of_rows: 0 };
-        curves.thinned(ROWS)
+        Curves::new(&chart.title, across, panels)
     }
 
     /// Those rows alone that can be drawn, and of very many those that show every line's peaks.
@@ -164,12 +211,11 @@ fn peaks(rows: &[usize], lines: &[&[f64]], limit: usize) -> Vec<usize> {
     kept.into_iter().collect()
 }
 
-/// The page's manifest of the curves, their numbers in `blocks`; empty where no figure has any.
-pub fn embedded<'a>(figures: impl Iterator<Item = &'a Figure>, blocks: &mut Blocks) -> String {
+/// The page's manifest of the curves of figures, by their files, their numbers in `blocks`; empty where there are none.
+pub fn embedded<'a>(figures: impl Iterator<Item = (&'a str, &'a Curves)>, blocks: &mut Blocks) -> String {
     let mut known: Vec<(Vec<u8>, usize)> = Vec::new();
     let mut entries: IndexMap<&str, Entry<'_>> = IndexMap::new();
-    for figure in figures {
-        let Some(curves) = &figure.curves else { continue };
+    for (file, curves) in figures {
         let across = packed(curves.across.values.iter());
         let across_block = match known.iter().find(|(bytes, _)| *bytes == across) {
             Some((_, block)) => *block,
@@ -182,7 +228,7 @@ pub fn embedded<'a>(figures: impl Iterator<Item = &'a Figure>, blocks: &mut Bloc
         let lines = curves.panels.iter().flat_map(|panel| &panel.lines);
         let block = blocks.add(&packed(lines.flat_map(|line| &line.values)));
         let rows = curves.across.values.len();
-        entries.insert(&figure.file, Entry { curves, rows, block, across_block });
+        entries.insert(file, Entry { curves, rows, block, across_block });
     }
     match serde_json::to_string(&entries) {
         Ok(json) if !entries.is_empty() => json_element("curves-data", &json),
@@ -192,7 +238,9 @@ pub fn embedded<'a>(figures: impl Iterator<Item = &'a Figure>, blocks: &mut Bloc
 
 /// Numbers in single precision, little-endian, their bytes in four planes.
 fn packed<'a>(values: impl Iterator<Item = &'a f64>) -> Vec<u8> {
-    let numbers: Vec<[u8; 4]> = values.map(|x| (*x as f32).to_le_bytes()).collect();
+    // What single precision cannot hold is not drawn, and is not to be taken for PASSED.
+    let single = |x: &f64| if x.is_finite() && !(*x as f32).is_finite() { f32::NAN } else { *x as f32 };
+    let numbers: Vec<[u8; 4]> = values.map(|x| single(x).to_le_bytes()).collect();
     (0..4).flat_map(|plane| numbers.iter().map(move |bytes| bytes[plane])).collect()
 }
 
@@ -206,6 +254,7 @@ mod tests {
             name: format!("m{k}"),
             colour: k,
             stroke: Stroke::Thin,
+            points: false,
             values: time.iter().map(|t| (t * 7.0 + k as f64).sin() + f64::from(*t == 31.234) * 5.0).collect(),
         };
         let lines = (0..7).map(line).collect();
@@ -213,12 +262,15 @@ mod tests {
             title: "x".into(),
             unit: "mm".into(),
             log: false,
+            ends: None,
             remark: String::new(),
             mark: None,
             lines,
         };
         let across = Across { name: String::new(), unit: "s".into(), log: false, values: time };
-        Curves { title: "x".into(), across, panels: vec![panel], of_rows: 0 }
+        let title = "x".into();
+        let (heading, rules) = (String::new(), Vec::new());
+        Curves { title, heading, across, panels: vec![panel], abreast: 1, rules, of_rows: 0 }
     }
 
     #[test]
@@ -251,13 +303,13 @@ mod tests {
 
     #[test]
     fn numbers_come_back_from_their_planes_to_seven_digits() {
-        let values = [1.5, -2.345_678_9e-7, f64::NAN, 1e300, 15.01];
+        let values = [1.5, -2.345_678_9e-7, f64::NAN, 1e300, 15.01, PASSED];
         let bytes = packed(values.iter());
-        assert_eq!(bytes.len(), 20);
+        assert_eq!(bytes.len(), 24);
         let number = |k: usize| f32::from_le_bytes([0, 1, 2, 3].map(|plane| bytes[plane * values.len() + k]));
         assert_eq!(number(0), 1.5);
         assert!((f64::from(number(1)) / values[1] - 1.0).abs() < f64::from(f32::EPSILON) / 2.0);
-        assert!(number(2).is_nan() && number(3).is_infinite());
+        assert!(number(2).is_nan() && number(3).is_nan() && number(5).is_infinite());
         assert_eq!(number(4), 15.01);
     }
 }

@@ -1,10 +1,12 @@
 //! Figure of section forces along a lining.
 
 use crate::axes::Axes;
+use crate::curves::{Rule, Side};
 use crate::figure::Figure;
 use crate::language::{Language, say};
 use crate::lining::{Extreme, KILO, Lining, Station, distance, forces, joints};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::plotted::{self, Plot};
 use crate::scale::trimmed;
 use crate::svg::{Anchor, Style, Svg, text_width};
 use crate::ticks::Ticks;
@@ -32,8 +34,10 @@ pub fn figure(
     let title = say!(language, "{lining}: forces along the lining", lining = lining.name);
     let mut svg = Svg::new(WIDTH);
     let mut top = 0.0;
+    let mut panels = Vec::new();
     for (i, heading) in forces(language).into_iter().enumerate() {
         let mut curves = curves(language, lining, section, &along, i);
+        let answering = curves.clone();
         if i > 0 {
             curves.iter_mut().for_each(|curve| curve.name.clear());
         }
@@ -59,9 +63,20 @@ pub fn figure(
         }
         plot::draw(&mut svg, &axes, &curves);
         top = axes.bottom + 26.0;
+        panels.push((heading, axes.up.range, answering));
     }
-    let words = say!(language, "along the lining (m)");
-    svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, &words);
+    let words = say!(language, "along the lining");
+    svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, &format!("{words} (m)"));
+    let plots = panels.iter().map(|(heading, ends, curves)| Plot {
+        title: heading.clone(),
+        unit: String::new(),
+        log: false,
+        ends: Some((*ends).into()),
+        curves,
+    });
+    let mut curves = plotted::curves(&title, &words, "m", &plots.collect::<Vec<_>>());
+    let landmarks = landmarks(language, section).into_iter();
+    curves.rules = landmarks.map(|(k, name)| Rule { across: along[k], name, side: Side::Center }).collect();
     let mut caption = say!(
         language,
         "Section y = {y}\u{a0}m, {number} stations going round from below by the wall of greater x over the crown. Lines break where \
@@ -77,7 +92,8 @@ pub fn figure(
     }
     let description = say!(language, "thrust, moment and shear over the length along the lining");
     let svg = svg.finish(top + 16.0, &title, &description);
-    Some(Figure { heading: title, file: format!("lining-forces{suffix}.svg"), svg, caption, curves: None })
+    let file = format!("lining-forces{suffix}.svg");
+    Some(Figure { heading: title, file, svg, caption, curves: Some(curves) })
 }
 
 /// What is drawn of a force: after the stages, largest, smallest.

@@ -66,6 +66,7 @@ mod period_axis;
 mod plan;
 mod plastic_zones;
 mod plot;
+mod plotted;
 mod reaction;
 mod relative_motion;
 mod relaxation;
@@ -78,6 +79,7 @@ mod sheet_words;
 mod snapshots;
 mod source;
 mod spectra;
+mod spectra_figure;
 mod stage_maps;
 mod stage_name;
 mod strength;
@@ -161,7 +163,8 @@ fn set(source: &Source) -> Result<PathBuf, Error> {
         Content::Section(section) => section.figures(),
         _ => Vec::new(),
     });
-    let curves = curves::embedded(figures, &mut blocks);
+    let of_figures = figures.filter_map(|figure| Some((figure.file.as_str(), figure.curves.as_ref()?)));
+    let curves = curves::embedded(of_figures, &mut blocks);
     // The view is the part that can be made smaller, so it comes last.
     let rest = page::html(source, &sections, String::new())?.len() + curves.len() + blocks.elements().len();
     let view = view::embedded(source, &mut blocks, rest);

@@ -94,6 +94,9 @@ impl Multiples<'_> {
                 svg.text((x, top + 16.0), Anchor::Middle, 12.0, Style::Muted, label);
             }
         }
+        // True of the drawing alone, so not of the figure's caption: the page's script shows lines together.
+        let alone = say!(language, "Each line stands alone; grey is the range of all of them.");
+        svg.text((indent, top + 33.0), Anchor::Start, 12.0, Style::Muted, &alone);
         svg.text((WIDTH - RIGHT, top + 33.0), Anchor::End, 12.0, Style::Muted, &say!(language, "time (s)"));
         svg.finish(top + 41.0, self.title, &said.join("; "))
     }

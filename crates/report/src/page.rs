@@ -14,15 +14,13 @@ use crate::interfaces::{self, InterfaceTable};
 use crate::language::say;
 use crate::materials::{self, MaterialTable};
 use crate::peaks::{self, PeakTable};
-use crate::setting::{STYLE, environment, markup};
+use crate::setting::{SCRIPT, STYLE, environment, markup};
 use crate::source::Source;
 use crate::svg;
 use crate::text_table::TextTable;
 use crate::verdict::{self, Verdict};
 
 const TEMPLATE: &str = include_str!("../template/report.html");
-/// Built from `page/src`, checked in.
-const SCRIPT: &str = include_str!("../page/dist/page.js");
 
 #[derive(Serialize)]
 struct Page {

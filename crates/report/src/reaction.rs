@@ -4,9 +4,11 @@ use tremolite_results::{StageSummary, Summary};
 
 use crate::axes::Axes;
 use crate::convergence::{Point, caverns};
+use crate::curves::{Rule, Side};
 use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::plotted::{self, Plot};
 use crate::scale::{Scale, figures, trimmed};
 use crate::stage_name::called;
 use crate::svg::{Anchor, LINES, Style, Svg, text_width};
@@ -137,7 +139,8 @@ fn figure(
         point.1 *= scale.factor;
     }
     let stage = called(language, steps.first, &stages[steps.first]);
-    let heading = scale.labelled(&say!(language, "{name}: motion towards the opening", name = stage));
+    let named = say!(language, "{name}: motion towards the opening", name = stage);
+    let heading = scale.labelled(&named);
     let mut svg = Svg::new(WIDTH);
     let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &heading, &curves) + 16.0;
     let axes = Axes {
@@ -150,20 +153,27 @@ fn figure(
     };
     let mut free_from = f64::NEG_INFINITY;
     for (i, share) in steps.shares.iter().enumerate() {
-        let stage = &stages[steps.first + i];
         let (x, _) = axes.point(100.0 * share, 0.0);
         svg.rule((x, top - 14.0), (x, axes.bottom), true);
-        let text = format!("{} {}", steps.first + i, stage.name);
-        let width = text_width(text.trim(), 11.0);
+        let text = label(stages, steps.first + i);
+        let width = text_width(&text, 11.0);
         // From the rule to the left, where the stage went.
         if x - width - 4.0 > free_from {
-            svg.text((x - 4.0, top - 4.0), Anchor::End, 11.0, Style::Muted, text.trim());
+            svg.text((x - 4.0, top - 4.0), Anchor::End, 11.0, Style::Muted, &text);
             free_from = x;
         }
     }
     plot::draw(&mut svg, &axes, &curves);
-    let along = say!(language, "let go so far (%)");
-    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &along);
+    let along = say!(language, "let go so far");
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &format!("{along} (%)"));
+    let plot = Plot { title: named, unit: scale.unit.clone(), log: false, ends: None, curves: &curves };
+    let mut answering = plotted::curves(&heading, &along, "%", &[plot]);
+    let rule = |(i, share): (usize, &f64)| Rule {
+        across: 100.0 * share,
+        name: label(stages, steps.first + i),
+        side: Side::End,
+    };
+    answering.rules = steps.shares.iter().enumerate().map(rule).collect();
     let installed =
         steps.shares.iter().enumerate().filter(|(i, _)| !stages[steps.first + i].installed.is_empty());
     // What is installed in a stage is there before its forces go.
@@ -190,8 +200,13 @@ fn figure(
         file: String::new(),
         svg,
         caption,
-        curves: None,
+        curves: Some(answering),
     })
+}
+
+/// Number and name of a stage.
+fn label(stages: &[StageSummary], k: usize) -> String {
+    format!("{k} {}", stages[k].name).trim().to_owned()
 }
 
 #[cfg(test)]

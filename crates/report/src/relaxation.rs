@@ -3,9 +3,11 @@
 use tremolite_results::Summary;
 
 use crate::axes::Axes;
+use crate::curves::{Curves, Rule, Side};
 use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::plotted::{self, Plot};
 use crate::scale::{figures, superscript, trimmed};
 use crate::source::Source;
 use crate::stage_name::name;
@@ -34,7 +36,9 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     let mut panels = vec![(title, vec![curve("", 0, &spans, cycle, ratio)])];
     if let Some(limit) = tolerance {
         let end = spans.last().map_or(1.0, |span| span.to);
-        let line = vec![(0.0, limit.log10()), (end, limit.log10())];
+        // At every row, so that it too has a value at the script's cursor.
+        let rows = spans.iter().flat_map(|span| span.rows.clone().map(|row| span.shift + cycle[row]));
+        let line = std::iter::once(0.0).chain(rows).chain([end]).map(|x| (x, limit)).collect();
         let name = say!(language, "tolerance {limit}", limit = trimmed(&figures(limit, 2)));
         panels[0].1.push(Curve::new(name, 1, Pen::Dashed, line));
     }
@@ -65,8 +69,8 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         caption.push_str(&say!(language, " The motion left should end far below the stage's own motion."));
     }
     let svg = draw(language, &heading, &panels, &spans, facts);
-    let figure =
-        Figure { heading: heading.clone(), file: "relaxation.svg".into(), svg, caption, curves: None };
+    let curves = Some(answering(language, &heading, &panels, &spans, facts));
+    let figure = Figure { heading: heading.clone(), file: "relaxation.svg".into(), svg, caption, curves };
     Some(Block { heading, figures: vec![figure], ..Block::default() })
 }
 
@@ -104,11 +108,11 @@ fn spans(stage: &[f64], cycle: &[f64], facts: &Summary) -> Vec<Span> {
     spans
 }
 
-/// A value in powers of ten over the cycles of the run, a piece a stage.
+/// A value over the cycles of the run, a piece a stage; what has no logarithm is left out.
 fn curve(name: &str, colour: usize, spans: &[Span], cycle: &[f64], values: &[f64]) -> Curve {
-    let log = |x: f64| if x > 0.0 { x.log10() } else { f64::NAN };
+    let positive = |x: f64| if x > 0.0 { x } else { f64::NAN };
     let piece =
-        |span: &Span| span.rows.clone().map(|row| (span.shift + cycle[row], log(values[row]))).collect();
+        |span: &Span| span.rows.clone().map(|row| (span.shift + cycle[row], positive(values[row]))).collect();
     Curve { name: name.into(), colour, pen: Pen::Line, pieces: spans.iter().map(piece).collect() }
 }
 
@@ -142,7 +146,9 @@ fn draw(
         // Names of the stages stand above the first axes.
         top += if k == 0 { 16.0 } else { 0.0 };
         let height = if k == 0 { 230.0 } else { 160.0 };
-        let up = decades(plot::ranges(curves).1);
+        let mut curves = curves.clone();
+        curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()).for_each(|p| p.1 = p.1.log10());
+        let up = decades(plot::ranges(&curves).1);
         let axes =
             Axes { left: LEFT, right: WIDTH - RIGHT, top, bottom: top + height, across: across.clone(), up };
         for span in &spans[1.min(spans.len())..] {
@@ -152,7 +158,7 @@ fn draw(
         if k == 0 {
             names(language, &mut svg, &axes, spans, facts);
         }
-        plot::draw(&mut svg, &axes, curves);
+        plot::draw(&mut svg, &axes, &curves);
         top += height + 26.0;
     }
     let along = say!(language, "cycles of all stages");
@@ -161,15 +167,43 @@ fn draw(
     svg.finish(top + 16.0, title, &description)
 }
 
+/// The same for the page's script.
+fn answering(
+    language: Language,
+    title: &str,
+    panels: &[(String, Vec<Curve>)],
+    spans: &[Span],
+    facts: &Summary,
+) -> Curves {
+    let plots = panels.iter().map(|(heading, curves)| Plot {
+        title: heading.clone(),
+        unit: String::new(),
+        log: true,
+        ends: None,
+        curves,
+    });
+    let plots: Vec<Plot> = plots.collect();
+    let mut curves = plotted::curves(title, &say!(language, "cycles of all stages"), "", &plots);
+    let rule =
+        |span: &Span| Rule { across: span.from, name: full_name(language, span, facts), side: Side::Start };
+    curves.rules = spans.iter().map(rule).collect();
+    curves
+}
+
+/// Number and name of a stage.
+fn full_name(language: Language, span: &Span, facts: &Summary) -> String {
+    let name = facts.stages.get(span.stage).map_or_else(String::new, |s| name(language, &s.name));
+    format!("{} {name}", span.stage).trim().to_owned()
+}
+
 /// Names of the stages above their parts of the axis; numbers, or nothing, where there is no room.
 fn names(language: Language, svg: &mut Svg, axes: &Axes, spans: &[Span], facts: &Summary) {
     for span in spans {
         let (from, to) = (axes.point(span.from, 0.0).0, axes.point(span.to, 0.0).0);
         let number = span.stage.to_string();
-        let name = facts.stages.get(span.stage).map_or_else(String::new, |s| name(language, &s.name));
-        let full = format!("{number} {name}");
+        let full = full_name(language, span, facts);
         let fitting =
-            [full.trim(), number.as_str()].into_iter().find(|t| text_width(t, 11.0) + 6.0 <= to - from);
+            [full.as_str(), number.as_str()].into_iter().find(|t| text_width(t, 11.0) + 6.0 <= to - from);
         if let Some(text) = fitting {
             svg.text((from + 4.0, axes.top - 4.0), Anchor::Start, 11.0, Style::Muted, text);
         }

@@ -9,6 +9,9 @@ use crate::svg::escape;
 /// The style sheet of all pages.
 pub const STYLE: &str = include_str!("../template/report.css");
 
+/// The script of all pages, built from `page/src` and checked in.
+pub const SCRIPT: &str = include_str!("../page/dist/page.js");
+
 /// An environment for templates of pages in a language: everything is escaped but [`markup`]. It knows `t('English text')`
 /// and the filter `dots`.
 pub fn environment<'a>(language: Language) -> Result<Environment<'a>, minijinja::Error> {

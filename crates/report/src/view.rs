@@ -30,8 +30,9 @@ use crate::blocks::{Blocks, json_element};
 use crate::language::say;
 use crate::source::Source;
 
-/// Bytes that the page of a small model may have, and of any other. The view takes what the rest of the page leaves it.
-const PAGE: [usize; 2] = [4_000_000, 12_000_000];
+/// Bytes that the page of a small model may have, and of any other: 4 and 12 MB less what the view's list of its blocks may
+/// take. The blocks take what the rest of the page leaves.
+const PAGE: [usize; 2] = [3_850_000, 11_800_000];
 /// Bytes that the view has in any case, so that a page full of curves shows its linings.
 const LEAST: usize = 500_000;
 /// Elements that a small model has at most.

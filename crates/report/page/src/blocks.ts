@@ -7,10 +7,19 @@ function text(block: number): string {
   return element.textContent ?? "";
 }
 
+/** Base64 as bytes; by the browser where it can, else by a plain loop, which is many times as fast as a function for each. */
+function unpacked(base64: string): Uint8Array<ArrayBuffer> {
+  const own = Uint8Array as unknown as { fromBase64?: (text: string) => Uint8Array<ArrayBuffer> };
+  if (own.fromBase64) return own.fromBase64(base64);
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; k++) bytes[k] = text.charCodeAt(k);
+  return bytes;
+}
+
 /** The bytes of a block. */
 export async function bytes(block: number): Promise<ArrayBuffer> {
-  const packed = Uint8Array.from(atob(text(block)), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const stream = new Blob([unpacked(text(block))]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).arrayBuffer();
 }
 

@@ -5,7 +5,7 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
-/** A folder with the result folders english, chinese and named (.ci/page makes them). */
+/** A folder with the result folders english, chinese, named and coarse, and the comparison of the first with the last (.ci/page makes them). */
 export const RESULTS = resolve(process.env.TREMOLITE_PAGES ?? "results");
 assert.ok(
   existsSync(join(RESULTS, "english", "report.html")),

@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { agree, SI, table } from "./csv.mjs";
 import { answering, browser, look, result, withPage } from "./browser.mjs";
+import { bundled } from "./bundled.mjs";
 
 let running;
 // The model would take its time where graphics are software, and is not looked at here.
@@ -28,11 +29,11 @@ async function hover(figure, share, panel = 0) {
 /** What the figure says at the cursor: the row, and each panel's values with name and unit. */
 function read(figure) {
   return figure.evaluate((element) => ({
-    time: Number(element.querySelector("output").textContent.replace(/[^\d.−]/g, "").replace("−", "-")),
+    time: Number(element.querySelector("output").textContent.match(/ ([\d.−]+)/)?.[1].replace("−", "-") ?? NaN),
     panels: [...element.querySelectorAll(".curves-panel")].map((panel) => ({
       title: panel.querySelector("b").textContent,
       lines: [...panel.querySelectorAll(".curves-legend button")].map((button) => ({
-        name: button.childNodes[1].textContent,
+        name: button.querySelector("span").textContent,
         value: button.querySelector("data").value,
         shown: button.querySelector("data").textContent,
         pressed: button.getAttribute("aria-pressed"),
@@ -221,3 +222,104 @@ on("curves fit the screen of a phone", async (page) => {
   const beyond = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   assert.equal(beyond, 0);
 }, { viewport: { width: 390, height: 844 } });
+
+on("spectra lie on a logarithmic axis, and their values at the cursor are those of spectra.csv", async (page) => {
+  const spectra = table(result("english", "spectra.csv"));
+  const periods = spectra.get("period").values;
+  const [first, last] = [periods[0], periods[periods.length - 1]];
+  const figure = await answering(page, "spectra.svg");
+  await page.setViewportSize({ width: 1400, height: 1800 });
+  let compared = 0;
+  for (const share of [0.15, 0.5, 0.8]) {
+    await hover(figure, share, 1);
+    const { time: period, panels } = await read(figure);
+    const row = periods.findIndex((x) => Math.abs(x / period - 1) < 1e-3);
+    assert.ok(row >= 0, `${period} s is no row`);
+    // Rows are as far apart as their ratio; half of that, and a pixel.
+    const place = Math.log(period / first) / Math.log(last / first);
+    assert.ok(Math.abs(place - share) < 0.5 / (periods.length - 1) + 0.006, `${period} s stands at ${place}, not at ${share}`);
+    for (const { title, lines } of panels) {
+      const [, monitor, axis] = title.match(/^(.*), along ([xyz]) \(/);
+      assert.deepEqual(lines.map((line) => line.name), ["free field at the monitor's level", "monitor"]);
+      lines.forEach(({ value, shown }, k) => {
+        const wanted = spectra.get(`${monitor}${k ? "" : ".free_field"}.a${axis}`).values[row];
+        assert.ok(agree(Number(value) * SI[unitOf(title)], wanted), `${title} at ${period} s: ${value}, not ${wanted}`);
+        assert.notEqual(shown, "");
+        compared++;
+      });
+    }
+  }
+  assert.ok(compared >= 18, `${compared} values`);
+});
+
+on("a stretch of a logarithmic axis has its numbers", async (page) => {
+  const figure = await answering(page, "spectra.svg");
+  const over = figure.locator(".u-over").first();
+  const { x, y, width } = await over.boundingBox();
+  await page.mouse.move(x + 0.3 * width, y + 50);
+  await page.mouse.down();
+  await page.mouse.move(x + 0.33 * width, y + 50, { steps: 3 });
+  await page.mouse.move(x + 0.38 * width, y + 50, { steps: 3 });
+  await page.mouse.up();
+  assert.equal(await figure.locator(".curves-bar button").first().isEnabled(), true);
+  const periods = table(result("english", "spectra.csv")).get("period").values;
+  const [first, last] = [periods[0], periods[periods.length - 1]];
+  for (const panel of [0, 2]) {
+    await hover(figure, 0.5, panel);
+    const place = Math.log((await read(figure)).time / first) / Math.log(last / first);
+    assert.ok(Math.abs(place - 0.34) < 0.02, `${place}`);
+  }
+});
+
+on("section forces at the cursor are those of sections.csv, with the places named", async (page) => {
+  const rows = result("english", "sections.csv").trim().split("\n").map((row) => row.split(","));
+  const figure = await answering(page, "lining-forces.svg");
+  const lining = (await figure.locator("svg title").first().textContent()).split(":")[0];
+  await hover(figure, 0.35, 1);
+  const { panels } = await read(figure);
+  assert.deepEqual(panels.map(({ title }) => title[0]), ["N", "M", "Q"]);
+  const column = { N: rows[0].findIndex((head) => /^N /.test(head)), M: rows[0].findIndex((head) => /^M /.test(head)), Q: rows[0].findIndex((head) => /^Q /.test(head)) };
+  const largest = panels.map(({ title, lines }) => {
+    const { value } = lines.find(({ name }) => name.startsWith("largest"));
+    return [column[title[0]], Number(value) * 1e3];
+  });
+  const found = rows.some((row) => row[0] === lining && row.includes("max") && largest.every(([k, value]) => agree(value, Number(row[k]))));
+  assert.ok(found, `no row of ${lining} has ${largest.map(([, value]) => value)}`);
+});
+
+test("numbers of an axis are not rounded away", async () => {
+  const { ticks } = await bundled("src/curves/format.ts");
+  assert.deepEqual(ticks([0, 2.5, 5], false), ["0", "2.5", "5.0"]);
+  assert.deepEqual(ticks([0, 0.25, 0.5], false), ["0", "0.25", "0.50"]);
+  assert.deepEqual(ticks([-200, 0, 200], false), ["−200", "0", "200"]);
+  const { marks } = await bundled("src/curves/log.ts");
+  assert.deepEqual(marks(0.02, 10, 7), [0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10]);
+  assert.deepEqual(marks(1e-9, 1e-2, 5).length, 8);
+  assert.ok(marks(0.31, 0.39, 6).length >= 3, `${marks(0.31, 0.39, 6)}`);
+  assert.deepEqual(ticks(marks(1e-6, 1, 5), true).slice(-3), ["10⁻²", "10⁻¹", "1"]);
+});
+
+test("histories of runs with rows at other times lie over one another, each with its own values", () =>
+  withPage(running, "compared", async (page) => {
+    const coarse = table(result("coarse", "monitors.csv"));
+    const figure = await answering(page, "histories-1.svg");
+    for (const share of [0.2, 0.45, 0.7, 0.701, 0.703]) {
+      await hover(figure, share);
+      const { time: t, panels } = await read(figure);
+      for (const { title, lines } of panels) {
+        assert.deepEqual(lines.map((line) => line.name), ["english", "coarse"]);
+        const quantity = `A.${title.split(" ")[0]}`;
+        const unit = SI[unitOf(title)];
+        assert.ok(agree(Number(lines[0].value) * unit, monitors.get(quantity).values[rowAt(t)]), `${title} at ${t} s`);
+        // Every other row: its nearest is at most one row off.
+        const near = coarse.get("time").values.map((own, row) => [Math.abs(own - t), row]).filter(([away]) => away < 0.0056);
+        const own = near.map(([, row]) => coarse.get(quantity).values[row]);
+        assert.ok(own.some((wanted) => agree(Number(lines[1].value) * unit, wanted)), `${title}: ${lines[1].value} is none of ${own}`);
+        // What stands elsewhere says where.
+        const there = coarse.get("time").values.some((own) => Math.abs(own - t) < 1e-6);
+        const said = lines[1].shown.match(/\(([\d.]+)\u00a0s\)$/)?.[1];
+        assert.equal(said === undefined, there, lines[1].shown);
+        if (said) assert.ok(near.some(([, row]) => Math.abs(coarse.get("time").values[row] - Number(said)) < 1e-6), said);
+      }
+    }
+  }));

@@ -79,16 +79,19 @@ test("names of groups that are markup are shown as they are", async () => {
   });
 });
 
-/** Texts with three English words or more that a reader sees, less the names of the case. */
+/** Texts with three English words or more that a reader sees, less the names of the case, its text, and the values that the run
+ *  gives in its own words, which are marked as English. */
 function english(page, names) {
   return page.evaluate((names) => {
     const found = [];
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {
       const parent = node.parentElement;
-      if (parent.closest("script, style, code, title, desc, data") || !parent.checkVisibility()) continue;
+      if (parent.closest("script, style, code, title, desc, data, #case pre, #defaulted [lang=en], [translate=no]") || !parent.checkVisibility()) continue;
       let text = node.textContent;
       for (const name of names) text = text.replaceAll(name, "·");
+      // Components of stress are symbols.
+      text = text.replace(/\bs[xyz]{2}\b/g, "·");
       const words = /[A-Za-z][a-z'’]+(?:[\s,;:–-]+(?:a|[A-Za-z][a-z'’]+)){2,}/.exec(text);
       if (words) found.push(text.trim().slice(0, 160));
     }
@@ -96,10 +99,11 @@ function english(page, names) {
   }, names);
 }
 
-/** What the case names: its title, stages, monitors and the rest. */
+/** What the case names, its title, stages, monitors and the rest, and its keys, which the page lists as they are. */
 function names() {
   const named = [...result("chinese", "case.toml").matchAll(/^ *(?:name|title) *= *"([^"\n]*)"/gm)].map((match) => match[1]);
-  return named.sort((a, b) => b.length - a.length);
+  const keys = [...result("chinese", "case.toml").matchAll(/^ *([a-z_]{4,}) *=/gm)].map((match) => match[1]);
+  return [...named, ...keys].sort((a, b) => b.length - a.length);
 }
 
 test("a Chinese page has no text left in English", async () => {

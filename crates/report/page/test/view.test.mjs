@@ -152,6 +152,42 @@ on("the pointer shows the value as a text", async (page) => {
   }, [text, element]);
 });
 
+/** The words of each code of a pair, from sound to bad. */
+const PAIRS = ["bonded", "stuck, bond broken", "sliding", "open"];
+
+on("codes are told in words, of pairs the worst of an element's points", async (page) => {
+  await show(page, { field: "state", time: last, cut: null, scale: 0, parts: ["lining-rock"] });
+  const file = filesOf(join(RESULTS, "english", "interfaces.pvd")).map(readVtu)[last];
+  const of = elements(file);
+  const said = new Set();
+  for (const { element } of of.filter((_, k) => k % 5 === 0)) {
+    const picked = await page.evaluate((element) => {
+      const at = window.tremolite.view.locate(element);
+      return at && window.tremolite.view.pick(at.x, at.y);
+    }, element);
+    if (!picked || picked.part !== "lining-rock") continue;
+    said.add(picked.text);
+    assert.equal(picked.text, PAIRS[picked.value]);
+    // An element at a corner has more than one face in the interface.
+    const faces = of.filter((other) => other.element === element);
+    const wanted = faces.map(({ corners }) => Math.max(...corners.map((point) => file.points.get("state")[point])));
+    assert.ok(wanted.includes(picked.value), `element ${element}: ${picked.value} is none of ${wanted}`);
+  }
+  assert.ok(said.size >= 2, [...said].join());
+});
+
+on("one click draws the displacement as large as is easily seen", async (page) => {
+  await show(page, { field: "s1", time: last, cut: null, scale: 0 });
+  const before = await drawn(page);
+  const button = page.locator("#view button", { hasText: "well seen" });
+  const scale = (await button.textContent()).match(/\d+/)[0];
+  await button.click();
+  await page.waitForTimeout(400);
+  assert.ok((await page.locator("#view .view-slide output").allTextContents()).some((text) => text.includes(scale)));
+  const { differing } = await look(page, await drawn(page), { other: before });
+  assert.ok(differing > 0.005, `${differing}`);
+});
+
 on("the view's picture is not blank", async (page) => {
   const data = await page.evaluate(async () => {
     const blob = await window.tremolite.view.picture();

@@ -49,7 +49,7 @@ export function filesOf(pvd) {
   return [...text.matchAll(/file="([^"]*)"/g)].map((match) => join(dirname(pvd), match[1]));
 }
 
-/** Of each element of a file: its number, groups, the middle of its corners, and its row. */
+/** Of each element of a file: its number, groups, corners with their middle, and its row. */
 export function elements(file) {
   const points = file.points.get("Points");
   const ends = Array.from(file.cells.get("offsets"), Number);
@@ -59,6 +59,6 @@ export function elements(file) {
     const own = corners.slice(row ? ends[row - 1] : 0, ends[row]);
     const middle = [0, 1, 2].map((axis) => own.reduce((sum, point) => sum + points[3 * point + axis], 0) / own.length);
     const inside = groups.filter((name) => file.cells.get(name)[row]).map((name) => name.slice("group:".length));
-    return { element, row, groups: inside, middle };
+    return { element, row, groups: inside, middle, corners: own };
   });
 }

@@ -118,7 +118,7 @@ pub const TEXTS: Texts = &[
         "自开挖前一阶段起的向洞内位移，随开挖面上已释放荷载比例的变化（未释放的部分相当于支护）。直线表示围岩处于\
          弹性状态；曲线变陡处围岩屈服。衬砌施作后由其分担荷载，曲线应变缓。",
     ),
-    ("let go so far (%)", "已释放 (%)"),
+    ("let go so far", "已释放"),
     ("{names} installed at {share}\u{a0}%", "释放 {share}\u{a0}% 时施作 {names}"),
     ("{list}.", "{list}。"),
     ("motion over the share of forces let go", "位移随已释放荷载比例的变化"),

@@ -35,7 +35,7 @@ pub const TEXTS: Texts = &[
     ("smallest while the ground shakes", "地震过程中最小值"),
     ("wall of greater x", "x 较大侧边墙"),
     ("wall of smaller x", "x 较小侧边墙"),
-    ("along the lining (m)", "沿衬砌的距离 (m)"),
+    ("along the lining", "沿衬砌的距离"),
     (
         "Section y = {y}\u{a0}m, {number} stations going round from below by the wall of greater x over the \
          crown. Lines break where stations are missing, as where walls meet.",

@@ -8,7 +8,6 @@ pub const TEXTS: Texts = &[
     ("{count} elements, full", "{count} 个单元，完全积分"),
     ("{count} elements, {kind}", "{count} 个单元，{kind}"),
     ("{least} to {most}", "{least} 至 {most}"),
-    ("none", "无"),
     (
         "Rayleigh, {mass} 1/s of the mass and {stiffness} s of the stiffness: {at_1} % at 1 Hz, {at_10} % at 10 Hz",
         "Rayleigh 阻尼，质量系数 {mass} 1/s，刚度系数 {stiffness} s：1 Hz 时 {at_1} %，10 Hz 时 {at_10} %",

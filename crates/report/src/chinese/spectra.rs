@@ -5,7 +5,7 @@ use super::Texts;
 pub const TEXTS: Texts = &[
     ("spectral acceleration, 5 % damping", "谱加速度，阻尼比 5 %"),
     ("{name}, along {axis}", "{name}，{axis} 向"),
-    ("period (s)", "周期 (s)"),
+    ("period", "周期"),
     ("motion given", "给定地震动"),
     ("free field, surface", "自由场地表"),
     ("free field, base", "自由场底部"),

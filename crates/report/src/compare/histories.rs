@@ -5,10 +5,12 @@ use tremolite_results::Table;
 use super::Run;
 use super::numbers::head;
 use crate::axes::Axes;
+use crate::curves::Curves;
 use crate::figure::Figure;
 use crate::language::{Language, say};
 use crate::pairs::names;
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::plotted::{self, Plot};
 use crate::scale::{Scale, figures, trimmed};
 use crate::svg::{Anchor, Style, Svg};
 use crate::text_table::{Cell, TextTable};
@@ -77,7 +79,29 @@ pub fn figures_of(runs: &[Run], language: Language) -> Vec<Figure> {
         let histories = of_monitor(&tables, name);
         (!histories.is_empty()).then(|| figure(runs, name, &histories, language))
     });
-    each.collect()
+    let named = |(k, figure): (usize, Figure)| Figure { file: format!("histories-{}.svg", k + 1), ..figure };
+    each.enumerate().map(named).collect()
+}
+
+/// The histories for the page's script.
+fn answering(runs: &[Run], monitor: &str, histories: &[History]) -> Curves {
+    let curves = |history: &History| {
+        let scale = Scale::suiting(history.unit, history.largest());
+        let curve = |(run, time, values): &(usize, &[f64], &[f64])| {
+            let points = time.iter().zip(values.iter()).map(|(t, x)| (*t, x * scale.factor));
+            Curve::new(&runs[*run].name, *run, Pen::Line, points.collect())
+        };
+        history.of.iter().map(curve).collect::<Vec<_>>()
+    };
+    let drawn: Vec<(&History, Vec<Curve>)> = histories.iter().map(|h| (h, curves(h))).collect();
+    let plots = drawn.iter().map(|(history, curves)| Plot {
+        title: history.quantity.into(),
+        unit: Scale::suiting(history.unit, history.largest()).unit,
+        log: false,
+        ends: None,
+        curves,
+    });
+    plotted::curves(monitor, "", "s", &plots.collect::<Vec<_>>())
 }
 
 fn figure(runs: &[Run], monitor: &str, histories: &[History], language: Language) -> Figure {
@@ -122,7 +146,8 @@ fn figure(runs: &[Run], monitor: &str, histories: &[History], language: Language
     let below = say!(language, "time (s)");
     svg.text((WIDTH - RIGHT, bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
     let svg = svg.finish(bottom + 42.0, monitor, &say!(language, "histories of the runs, overlaid"));
-    Figure { heading: monitor.into(), file: String::new(), svg, caption: String::new(), curves: None }
+    let curves = Some(answering(runs, monitor, histories));
+    Figure { heading: monitor.into(), file: String::new(), svg, caption: String::new(), curves }
 }
 
 /// By monitor and quantity the largest difference from the first run at one time, over the first run's largest value. Of runs

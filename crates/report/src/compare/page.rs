@@ -7,9 +7,11 @@ use super::Run;
 use super::case_text::{Changes, changes};
 use super::histories::{figures_of, parting};
 use super::numbers::{checks, head, tables};
+use crate::blocks::Blocks;
+use crate::curves::embedded;
 use crate::language::{Language, say};
 use crate::scale::{count, quantity, span, trimmed};
-use crate::setting::{STYLE, environment, markup};
+use crate::setting::{SCRIPT, STYLE, environment, markup};
 use crate::text_table::{Cell, TextTable};
 
 const TEMPLATE: &str = include_str!("../../template/compare.html");
@@ -18,6 +20,9 @@ const TEMPLATE: &str = include_str!("../../template/compare.html");
 struct Page {
     language: &'static str,
     style: minijinja::Value,
+    script: minijinja::Value,
+    /// What the script reads.
+    data: minijinja::Value,
     title: String,
     /// What each run is.
     runs: TextTable,
@@ -25,7 +30,7 @@ struct Page {
     tables: Vec<Part>,
     parting: Option<TextTable>,
     checks: TextTable,
-    /// Heading and drawing.
+    /// Name by which the script knows it, and drawing.
     figures: Vec<(String, minijinja::Value)>,
     /// Why a run has no summary or no histories.
     missing: Vec<String>,
@@ -40,9 +45,16 @@ struct Part {
 /// The page as text.
 pub fn html(runs: &[Run], language: Language) -> Result<String, minijinja::Error> {
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
+    let figures = figures_of(runs, language);
+    let mut blocks = Blocks::default();
+    let of_figures =
+        figures.iter().filter_map(|figure| Some((figure.file.as_str(), figure.curves.as_ref()?)));
+    let curves = embedded(of_figures, &mut blocks);
     let page = Page {
         language: language.code(),
         style: markup(STYLE),
+        script: markup(SCRIPT),
+        data: markup(&(curves + &blocks.elements())),
         title: say!(language, "Comparison: {runs}", runs = names.join(", ")),
         runs: what_they_are(runs, language),
         changes: changes(runs),
@@ -52,7 +64,7 @@ pub fn html(runs: &[Run], language: Language) -> Result<String, minijinja::Error
             .collect(),
         parting: parting(runs, language),
         checks: checks(runs, language),
-        figures: figures_of(runs, language).into_iter().map(|f| (f.heading, markup(&f.svg))).collect(),
+        figures: figures.into_iter().map(|f| (f.file, markup(&f.svg))).collect(),
         missing: missing(runs),
     };
     let mut environment = environment(language)?;

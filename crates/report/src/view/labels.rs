@@ -17,9 +17,7 @@ pub fn label(language: Language, name: &str) -> String {
         "crack_opening" => say!(language, "widest crack so far"),
         "plastic_shear_strain" => say!(language, "plastic shear strain"),
         "plastic_tension_strain" => say!(language, "plastic tension strain"),
-        "plastic_state" => {
-            say!(language, "plastic state: 1 shear now, 2 tension now, 4 and 8 the same in the past")
-        }
+        "plastic_state" => say!(language, "plastic state"),
         "plastic_exx" => say!(language, "plastic strain along x"),
         "plastic_eyy" => say!(language, "plastic strain along y"),
         "plastic_ezz" => say!(language, "plastic strain along z"),
@@ -31,7 +29,7 @@ pub fn label(language: Language, name: &str) -> String {
         "slip_max" => say!(language, "largest slip so far"),
         "pressure" => say!(language, "pressure now"),
         "pressure_max" => say!(language, "largest pressure so far"),
-        "state" => say!(language, "state: 0 bonded, 1 stuck, 2 sliding, 3 open"),
+        "state" => say!(language, "state of the interface"),
         "slid" => say!(language, "slid so far (1)"),
         "opened" => say!(language, "opened so far (1)"),
         "area" => say!(language, "area of a pair"),

@@ -182,7 +182,9 @@ fn finding(name: &str, group: &BoltSummary, of: Option<&str>) -> Finding {
     if bolt == 0 {
         return finding;
     }
-    finding.with("max_force_bolt", bolt as f64).with_place("max_force", at).with("max_force_time", time)
+    let finding = finding.with("max_force_bolt", bolt as f64).with_place("max_force", at);
+    // A stage has no time.
+    if time.is_finite() { finding.with("max_force_time", time) } else { finding }
 }
 
 /// '3 of 240 bolts yielded, none broke; largest force 0.82 of yield'.

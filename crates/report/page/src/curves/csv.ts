@@ -1,5 +1,5 @@
 // The numbers of a figure as comma-separated values.
-import { acrossName, type Entry, type Numbers } from "./data";
+import { acrossName, type Entry, type Numbers, type Value } from "./data";
 
 /** `name [unit]`, as in the result files; in quotes where it must be. */
 function header(name: string, unit: string): string {
@@ -8,7 +8,7 @@ function header(name: string, unit: string): string {
 }
 
 /** What single precision holds: seven digits. */
-function number(value: number | null): string {
+function number(value: Value): string {
   return value == null ? "" : String(Number(value.toPrecision(7)));
 }
 
@@ -16,7 +16,7 @@ function number(value: number | null): string {
 export function csv(entry: Entry, { across, panels }: Numbers): string {
   const several = entry.panels.length > 1;
   const heads = entry.panels.flatMap((panel) =>
-    panel.lines.map((line) => header(several || !line.name ? `${panel.title}: ${line.name}` : line.name, panel.unit)),
+    panel.lines.map((line) => header(several && line.name ? `${panel.title}: ${line.name}` : line.name || panel.title, panel.unit)),
   );
   const columns = panels.flat();
   const rows = across.map((x, row) => [number(x), ...columns.map((column) => number(column[row]))].join(","));

@@ -21,17 +21,28 @@ function raised(power: number): string {
   return (power < 0 ? "⁻" : "") + digits;
 }
 
-/** Ticks of an axis: as many decimals as tell neighbours apart; powers of ten on a logarithmic axis. */
+/** Ticks of an axis: as many decimals as tell neighbours apart; powers of ten on a logarithmic axis that goes far. */
 export function ticks(values: (number | null)[], log: boolean): string[] {
   const there = values.filter((x): x is number => x != null);
   const step = there.length > 1 ? Math.min(...there.slice(1).map((x, k) => Math.abs(x - there[k]))) : Math.abs(there[0] ?? 1);
-  const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step || 1) + 1e-9)));
+  const decimals = decimalsOf(step || 1);
+  const far = log && there.some((x) => x < 0.99e-3 || x > 1.01e5);
   const plain = (x: number): string => {
     if (x === 0) return "0";
     const size = Math.abs(x);
     const sign = x < 0 ? "−" : "";
-    if (size >= 1e6 || size < 1e-4) return sign + powered(size, 2).replace(/\.0(?= )/, "").replace(/^1 × /, "");
+    if (size !== 1 && (far || size >= 1e6 || size < 1e-4)) return sign + powered(size, 2).replace(/\.0(?= )/, "").replace(/^1 × /, "");
     return sign + (log ? String(Number(size.toPrecision(6))) : size.toFixed(decimals));
   };
   return values.map((x) => (x == null ? "" : plain(x)));
+}
+
+/** With how many decimals a step and its multiples are written: 2.5 has one. */
+function decimalsOf(step: number): number {
+  const most = 12;
+  for (let decimals = 0; decimals < most; decimals++) {
+    const scaled = step * 10 ** decimals;
+    if (scaled > 0.99 && Math.abs(scaled - Math.round(scaled)) < 1e-6 * scaled) return decimals;
+  }
+  return most;
 }

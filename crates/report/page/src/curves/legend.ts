@@ -12,6 +12,12 @@ export interface Answers {
   lifted(name: string | null): void;
 }
 
+/** A line's value at the cursor, and where it stands if not there. */
+export interface Told {
+  value: Value;
+  elsewhere: string;
+}
+
 /** The legend of a panel. */
 export class Legend {
   readonly element = document.createElement("div");
@@ -33,7 +39,9 @@ export class Legend {
     // One stop of the tab key a legend; arrows go on from there.
     button.tabIndex = k === 0 ? 0 : -1;
     const value = document.createElement("data");
-    button.append(swatch(line, colour), line.name, value);
+    const name = document.createElement("span");
+    name.textContent = line.name;
+    button.append(swatch(line, colour), name, value);
     this.values.push(value);
     button.addEventListener("click", (event) => answers.toggled(line.name, event.shiftKey));
     for (const event of ["pointerenter", "focus"]) button.addEventListener(event, () => answers.lifted(line.name));
@@ -57,10 +65,11 @@ export class Legend {
   }
 
   /** Writes the values at the cursor; blanks without one. */
-  at(values: Value[] | null): void {
+  at(values: Told[] | null, digits: number): void {
     this.values.forEach((element, k) => {
-      element.textContent = values ? shown(values[k]) : "";
-      element.value = values?.[k] == null ? "" : String(Number(values[k].toPrecision(7)));
+      const { value, elsewhere } = values?.[k] ?? {};
+      element.textContent = values ? shown(value, digits) + (elsewhere ? ` (${elsewhere})` : "") : "";
+      element.value = value == null ? "" : String(Number(value.toPrecision(7)));
     });
   }
 }

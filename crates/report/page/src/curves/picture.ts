@@ -1,11 +1,13 @@
 // A figure as PNG: on white, in twice the pixels of the page, with what is shown now.
 import type uPlot from "uplot";
-import { acrossName, type Entry, labelled, type Numbers } from "./data";
+import { acrossName, type Entry, labelled, type Numbers, type Panel } from "./data";
 import { type Palette, pen } from "./palette";
-import { LEFT, plot } from "./plot";
+import { LEFT, place, plot } from "./plot";
 
 /** Pixels for each of the page. */
 const MAGNIFIED = 2;
+/** Room for a panel's title, and with its names. */
+const TITLE = 26;
 const HEADING = 44;
 const WIDTH = 940;
 
@@ -16,7 +18,6 @@ export interface Shown {
   palette: Palette;
   hidden: Set<string>;
   range: [number, number];
-  height: (last: boolean) => number;
 }
 
 /** Draws the picture. */
@@ -26,55 +27,69 @@ export async function picture(shown: Shown): Promise<Blob | null> {
   const plots = entry.panels.map((_, k) => magnifiedPlot(shown, k));
   // uPlot draws in a microtask.
   await new Promise((done) => setTimeout(done, 0));
-  const heights = plots.map((u) => u.height + HEADING * MAGNIFIED);
+  const { abreast } = entry;
+  const wide = WIDTH / abreast;
+  // Panels beside each other have the same names, which stand above them once.
+  const heading = abreast > 1 ? TITLE : HEADING;
+  const heights = plots.map((u) => heading + u.height / MAGNIFIED);
+  const top = 26 + (entry.heading ? HEADING : 0);
+  const row = Math.max(...heights);
+  const bottom = abreast > 1 ? top + row * Math.ceil(plots.length / abreast) : heights.reduce((sum, height) => sum + height, top);
   const canvas = document.createElement("canvas");
   canvas.width = WIDTH * MAGNIFIED;
-  canvas.height = heights.reduce((sum, height) => sum + height, 54 * MAGNIFIED);
+  canvas.height = (bottom + 28) * MAGNIFIED;
   const context = canvas.getContext("2d");
   if (!context) return null;
   context.fillStyle = palette.paper();
   context.fillRect(0, 0, canvas.width, canvas.height);
   const text = writer(context);
-  text(entry.title, LEFT, 20, { bold: true, size: 15 });
-  let top = 26;
-  entry.panels.forEach((panel, k) => {
-    text(labelled(panel.title, panel.unit), LEFT, top + 18, { bold: true });
-    text(panel.remark, WIDTH - 10, top + 18, { end: true, colour: palette.muted() });
-    let x = LEFT;
-    for (const line of panel.lines.filter((line) => !shown.hidden.has(line.name))) {
+  const names = (panel: Panel, left: number, y: number): void => {
+    let x = left;
+    for (const line of panel.lines.filter((line) => line.name && !shown.hidden.has(line.name))) {
       const { width, dash } = pen(line.stroke, line.colour);
       context.strokeStyle = palette.line(line.colour);
       context.lineWidth = Math.max(2.4, width);
       context.setLineDash(dash ?? []);
       context.beginPath();
-      context.moveTo(x, top + 33);
-      context.lineTo(x + 20, top + 33);
+      context.moveTo(x, y - 4);
+      context.lineTo(x + 20, y - 4);
       context.stroke();
-      x += 26 + text(line.name, x + 25, top + 37, {}) + 14;
+      x += 26 + text(line.name, x + 25, y, {}) + 14;
     }
-    top += HEADING;
+  };
+  text(entry.title, LEFT, 20, { bold: true, size: 15 });
+  if (entry.heading) text(entry.heading, LEFT, 44, { bold: true });
+  if (abreast > 1) names(entry.panels[0], LEFT, 63);
+  let y = top;
+  entry.panels.forEach((panel, k) => {
+    const left = (k % abreast) * wide;
+    text(labelled(panel.title, panel.unit), left + LEFT, y + 18, { bold: true });
+    text(panel.remark, left + wide - 10, y + 18, { end: true, colour: palette.muted() });
+    if (abreast === 1) names(panel, LEFT, y + 37);
     const { ctx, height } = plots[k];
-    context.drawImage(ctx.canvas, 0, top, WIDTH, height / MAGNIFIED);
-    top += height / MAGNIFIED;
+    context.drawImage(ctx.canvas, left, y + heading, wide, height / MAGNIFIED);
+    if (abreast === 1) y += heights[k];
+    else if (k % abreast === abreast - 1) y += row;
   });
-  text(labelled(acrossName(entry), entry.across.unit), WIDTH - 10, top + 14, { end: true, colour: palette.muted() });
+  text(labelled(acrossName(entry), entry.across.unit), WIDTH - 10, bottom + 14, { end: true, colour: palette.muted() });
   for (const u of plots) u.destroy();
   palette.onPaper = false;
   return new Promise((done) => canvas.toBlob(done, "image/png"));
 }
 
-function magnifiedPlot({ entry, numbers, palette, hidden, range, height }: Shown, k: number): uPlot {
-  const last = k === entry.panels.length - 1;
+function magnifiedPlot({ entry, numbers, palette, hidden, range }: Shown, k: number): uPlot {
   const panel = entry.panels[k];
+  const { height, ...placed } = place(entry, k);
   const u = plot({
     panel,
     palette,
-    last,
+    ...placed,
     across: numbers.across,
     values: numbers.panels[k],
     logAcross: entry.across.log,
-    width: WIDTH * MAGNIFIED,
-    height: height(last) * MAGNIFIED,
+    rules: entry.rules,
+    width: (WIDTH / entry.abreast) * MAGNIFIED,
+    height: height * MAGNIFIED,
     magnified: MAGNIFIED,
   });
   u.setScale("x", { min: range[0], max: range[1] });

@@ -2,16 +2,17 @@
 import type uPlot from "uplot";
 import { save } from "../save";
 import { csv } from "./csv";
-import { acrossName, type Entry, labelled, type Numbers } from "./data";
+import { acrossName, type Entry, type Line, labelled, type Numbers, ownRow, type Value } from "./data";
 import { shown } from "./format";
-import { Legend } from "./legend";
+import { Legend, type Told } from "./legend";
 import { Palette } from "./palette";
 import { picture } from "./picture";
-import { BELOW, plot } from "./plot";
+import { place, plot } from "./plot";
 import { words } from "./words";
 
 /** One panel on the page. */
 interface Pane {
+  element: HTMLElement;
   plot: uPlot;
   legend: Legend;
 }
@@ -21,6 +22,9 @@ export class Stack {
   readonly element = div("curves");
   private panes: Pane[] = [];
   private hidden = new Set<string>();
+  private grid = div("curves-grid");
+  /** The names of all panels, where they stand once. */
+  private names?: Legend;
   private range: [number, number];
   private palette: Palette;
   private readout = document.createElement("output");
@@ -31,7 +35,12 @@ export class Stack {
   constructor(private file: string, private entry: Entry, private numbers: Numbers, private drawing: SVGSVGElement) {
     this.palette = new Palette();
     this.range = this.ends;
-    this.element.append(this.palette.probe, this.bar(), ...entry.panels.map((_, k) => this.pane(k)), this.below());
+    this.grid.style.setProperty("--abreast", String(entry.abreast));
+    this.grid.classList.toggle("abreast", entry.abreast > 1);
+    this.element.append(this.palette.probe, this.bar(), this.heading(), this.grid);
+    entry.panels.forEach((_, k) => this.panes.push(this.pane(k)));
+    this.grid.append(...this.panes.map(({ element }) => element));
+    this.element.append(this.below());
     this.element.setAttribute("role", "group");
     this.element.setAttribute("aria-label", drawing.querySelector("title")?.textContent ?? entry.title);
     this.follow();
@@ -53,8 +62,8 @@ export class Stack {
       save(`${name}.csv`, new Blob([csv(this.entry, this.numbers)], { type: "text/csv" }));
     });
     const image = button("PNG", words.png, async () => {
-      const { entry, numbers, palette, hidden, range, height } = this;
-      const content = await picture({ entry, numbers, palette, hidden, range, height });
+      const { entry, numbers, palette, hidden, range } = this;
+      const content = await picture({ entry, numbers, palette, hidden, range });
       if (content) save(`${name}.png`, content);
     });
     const bar = div("curves-bar");
@@ -62,41 +71,53 @@ export class Stack {
     return bar;
   }
 
-  /** Height of a panel in the page, about as in the drawing. */
-  private height = (last: boolean): number => {
-    const height = { 1: 270, 2: 200 }[this.entry.panels.length] ?? 158;
-    return height + (last ? BELOW : 6);
-  };
+  private heading(): HTMLElement {
+    const heading = div("curves-heading");
+    const title = document.createElement("b");
+    title.textContent = this.entry.heading;
+    heading.append(title);
+    heading.hidden = !this.entry.heading;
+    // Panels beside each other have the same names, which stand above them once; below each are its values alone.
+    if (this.entry.abreast > 1) {
+      this.names = this.legend(this.entry.panels[0].lines);
+      heading.append(this.names.element);
+    }
+    return heading;
+  }
 
-  private pane(k: number): HTMLElement {
-    const { entry, numbers, palette } = this;
-    const panel = entry.panels[k];
-    const last = k === entry.panels.length - 1;
-    const values = numbers.panels[k];
+  private legend(lines: Line[]): Legend {
+    const { palette } = this;
     palette.onPaper = true;
-    const legend = new Legend(panel.lines, (line) => palette.line(line.colour), {
+    const legend = new Legend(lines, (line) => palette.line(line.colour), {
       toggled: (name, alone) => this.toggle(name, alone),
       lifted: (name) => this.lift(name),
     });
     palette.onPaper = false;
+    return legend;
+  }
+
+  private pane(k: number): Pane {
+    const { entry, numbers, palette } = this;
+    const panel = entry.panels[k];
+    const values = numbers.panels[k];
+    const legend = this.legend(panel.lines);
     const made = plot({
       panel,
       palette,
-      last,
       values,
+      ...place(entry, k),
       across: numbers.across,
       logAcross: entry.across.log,
-      width: this.width,
-      height: this.height(last),
+      rules: entry.rules,
+      width: this.width / entry.abreast,
       magnified: 1,
       shared: { key: `curves ${entry.across.name} ${entry.across.unit}`, listens: () => this.seen },
       onCursor: (row) => {
-        legend.at(row == null ? null : values.map((line) => line[row]));
+        legend.at(row == null ? null : values.map((line) => this.told(line, row)), entry.abreast > 1 ? 3 : 4);
         if (k === 0) this.read(row);
       },
       onRange: (min, max) => this.enlarge(min, max),
     });
-    this.panes.push({ plot: made, legend });
     if (k === 0) this.keys(made);
     const heading = div("curves-heading");
     const title = document.createElement("b");
@@ -106,7 +127,7 @@ export class Stack {
     heading.append(title, remark);
     const element = div("curves-panel");
     element.append(heading, legend.element, made.root);
-    return element;
+    return { element, plot: made, legend };
   }
 
   private below(): HTMLElement {
@@ -127,6 +148,13 @@ export class Stack {
     this.readout.textContent = at;
   }
 
+  /** What a line has at a row; of a row of other lines alone, its nearest own with its place. */
+  private told(line: Value[], row: number): Told {
+    const own = ownRow(line, row);
+    const place = `${shown(this.numbers.across[own])}\u00a0${this.entry.across.unit}`.trim();
+    return { value: line[own], elsewhere: own === row ? "" : place };
+  }
+
   private toggle(name: string, alone: boolean): void {
     const names = new Set(this.entry.panels.flatMap((panel) => panel.lines.map((line) => line.name)));
     const others = [...names].filter((other) => other !== name);
@@ -140,6 +168,7 @@ export class Stack {
   }
 
   private choose(): void {
+    this.names?.show(this.hidden);
     this.panes.forEach(({ plot, legend }, k) => {
       this.entry.panels[k].lines.forEach((line, i) => {
         const show = !this.hidden.has(line.name);
@@ -210,9 +239,9 @@ export class Stack {
   private follow(): void {
     new ResizeObserver(() => {
       // Nothing is as wide as nothing while the page is printed.
-      const width = this.element.clientWidth;
-      if (!width) return;
-      for (const { plot } of this.panes) {
+      if (!this.element.clientWidth) return;
+      for (const { plot, element } of this.panes) {
+        const width = element.clientWidth;
         if (plot.width !== width) plot.setSize({ width, height: plot.height });
       }
     }).observe(this.element);

@@ -1,8 +1,10 @@
 // Colours by value: one map for sizes and one for values of either sign. Both are graded evenly for the eye and are
 // told apart by the colour-blind.
 
-/** How a range takes its colours: light at zero, and dark at its far end or at both. */
-export type Scheme = "rising" | "falling" | "diverging";
+import type { Codes } from "./codes";
+
+/** How a range takes its colours: light at zero, and dark at its far end or at both; or by the kind of a code. */
+export type Scheme = "rising" | "falling" | "diverging" | Codes;
 
 /** The ends of the bar, in SI. */
 export interface Range {
@@ -58,15 +60,21 @@ export function schemeOf({ low, high }: Range): Scheme {
 export function placing(scheme: Scheme, { low, high }: Range): { scale: number; shift: number } {
   if (scheme === "diverging") return { scale: 0.5 / Math.max(-low, high), shift: 0.5 };
   const scale = 1 / (high - low || 1);
-  return scheme === "rising" ? { scale, shift: -low * scale } : { scale: -scale, shift: high * scale };
+  return scheme === "falling" ? { scale: -scale, shift: high * scale } : { scale, shift: -low * scale };
 }
 
 /** 256 colours of a map, red green blue alpha. */
 export function table(scheme: Scheme): Uint8Array {
   const out = new Uint8Array(1024);
   for (let i = 0; i < 256; i++) {
-    const colour = scheme === "diverging" ? diverging(i / 255) : magma(i / 255);
+    const colour = colourOf(scheme, i / 255);
     out.set([...colour.map(Math.round), 255], 4 * i);
   }
   return out;
+}
+
+function colourOf(scheme: Scheme, t: number): number[] {
+  if (typeof scheme === "string") return scheme === "diverging" ? diverging(t) : magma(t);
+  const code = Math.min(scheme.most, Math.floor(t * (scheme.most + 1)));
+  return scheme.kinds[scheme.kind(code)].colour;
 }

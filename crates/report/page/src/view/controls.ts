@@ -3,6 +3,7 @@ import type { From } from "./camera";
 import { button, check, choice, el, fold, number, slider } from "./inputs";
 import type { Manifest } from "./manifest";
 import type { Box } from "./part";
+import { suggestedOf } from "./start";
 import type { RangeKind, RockStyle, State } from "./state";
 import type { Choice } from "./values";
 import { words } from "./words";
@@ -103,25 +104,36 @@ export function controls(held: Manifest, box: Box, state: State, fields: Choice[
     changed();
   });
 
+  const seen = suggestedOf(scales, held, box);
+  const easily = seen === null ? null : button(words.suggested(String(seen)), () => {
+    state.scale = seen;
+    scale.set(scales.indexOf(seen));
+    changed();
+  }, words.suggestedHint);
+
+  const limits = el("div", { class: "view-row view-limits" }, el("span", {}, words.lowest), low, el("span", {}, words.highest), high, unit);
   const cuts = cutControls(box, state, changed);
   const shown = shownControls(held, state, changed);
   return {
     element: el(
       "form",
       { class: "view-controls" },
-      fold(words.field, true, field.row, range.row, el("div", { class: "view-row view-limits" }, el("span", {}, words.lowest), low, el("span", {}, words.highest), high, unit), both ? rock.row : null),
+      fold(words.field, true, field.row, range.row, limits, both ? rock.row : null),
       fold(
         names.one,
         true,
         ...(many ? [times[0].row, times[1].row, el("div", { class: "view-row" }, play), beside.row] : []),
         held.displacementStep > 0 ? scale.row : null,
+        held.displacementStep > 0 && easily ? el("div", { class: "view-row view-indented" }, easily) : null,
         held.displacementStep > 0 ? el("p", { class: "note" }, words.deformationNote) : null,
       ),
       fold(words.cuts, wide, ...cuts.rows),
       fold(words.shown, wide, ...shown.rows),
     ),
     /** Shows what the state has become, and the limits of the bar in its unit. */
-    tell(limits: { low: number; high: number; unit: string }) {
+    tell(bar: { low: number; high: number; unit: string; coded: boolean }) {
+      // Codes have their colours once and for all.
+      range.row.hidden = limits.hidden = bar.coded;
       field.input.value = state.field;
       shown.tell();
       range.input.value = state.range;
@@ -131,10 +143,10 @@ export function controls(held: Manifest, box: Box, state: State, fields: Choice[
       times.forEach((time, side) => time.set(state.times[side]));
       cuts.tell();
       scale.set(scales.indexOf(state.scale));
-      for (const [input, value] of [[low, limits.low], [high, limits.high]] as const) {
-        if (document.activeElement !== input) input.value = rounded(value, limits.high - limits.low);
+      for (const [input, value] of [[low, bar.low], [high, bar.high]] as const) {
+        if (document.activeElement !== input) input.value = rounded(value, bar.high - bar.low);
       }
-      unit.textContent = limits.unit;
+      unit.textContent = bar.unit;
     },
   };
 }

@@ -2,6 +2,7 @@
 import { Color } from "three";
 import { cameraOn, subject } from "./camera";
 import { type Range, schemeOf } from "./colours";
+import { codesOf, stepsOf } from "./codes";
 import { AXES, controls, toolbar } from "./controls";
 import { take, type Picked, type Show, type ViewHook } from "./hook";
 import { el } from "./inputs";
@@ -18,7 +19,7 @@ import type { Stage } from "./stage";
 import { standings } from "./standing";
 import { alongAxis, firstState, scalesOf } from "./start";
 import { followPointer, hitLines, valueText } from "./tip";
-import { minus, suiting } from "./units";
+import { minus, type Shown, suiting } from "./units";
 import { choices, hasField } from "./values";
 import { words } from "./words";
 
@@ -41,7 +42,12 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
   let anyNothing = false;
 
   const field = () => fields.find((f) => f.name === state.field);
-  const shown = () => suiting(field()?.unit ?? "", Math.max(Math.abs(range.low), Math.abs(range.high)));
+  const codes = () => codesOf(state.field);
+  const shown = (): Shown => ({
+    ...suiting(field()?.unit ?? "", Math.max(Math.abs(range.low), Math.abs(range.high))),
+    says: codes()?.words,
+  });
+  const scheme = () => codes() ?? schemeOf(range);
   const timeOf = (panel: Panel) => state.times[panels.indexOf(panel)];
   const used = () => (state.beside ? panels : panels.slice(1));
 
@@ -62,13 +68,14 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
     if (mine !== asked) return;
     const colours = coloured(parts, state);
     used().forEach((panel, i) => fill(panel, layers[i], got[i], colours, paint));
-    const span = await spanOf(state, used());
+    const coded = codes();
+    const span = coded ? stepsOf(coded) : await spanOf(state, used());
     if (mine !== asked) return;
     range = span ?? { low: 0, high: 1 };
     if (!(range.high > range.low)) range = { low: range.low, high: range.low + (Math.abs(range.low) || 1) * 1e-6 };
     seen = rangeNow(used(), colours, state);
     anyNothing = used().some((panel) => panel.drawn.some(({ layer, level }) => layer.opacity > 0 && colours.includes(layer.sheet.part) && level.some((known, i) => i % 2 === 1 && !known)));
-    paint.colours(schemeOf(range), range);
+    paint.colours(scheme(), range);
     paint.shared.deform.value = state.scale;
     state.cuts.forEach(({ on, keep: side }, axis) => {
       paint.planes.cutAt.value.setComponent(axis, drawnAt(state, box, axis));
@@ -76,7 +83,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
     });
     const { factor, unit } = shown();
     filled = true;
-    form.tell({ low: range.low * factor, high: range.high * factor, unit });
+    form.tell({ low: range.low * factor, high: range.high * factor, unit, coded: coded !== null });
     render();
   };
 
@@ -95,7 +102,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
       nothing: `#${new Color(colour("--paper")).lerp(new Color(colour("--ink")), 0.32).getHexString()}`,
       bar: field() && {
         range,
-        scheme: schemeOf(range),
+        scheme: scheme(),
         shown: unit,
         beyond: { below: !!seen && seen.low < range.low - slack, above: !!seen && seen.high > range.high + slack },
         nothing: anyNothing,
@@ -106,6 +113,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
   };
   const captionOf = (time: number): string[] => {
     const lines = [field()?.label ?? "", held.times[time].label];
+    if (codes() && held.parts.some((part) => part.fields.some((f) => f.name === state.field && f.at === "points"))) lines.push(words.worstOfFace);
     if (state.scale > 0) lines.push(words.deformedBy(String(state.scale)));
     held.parts.forEach((part, p) => {
       const drawn = state.shown[p] && hasField(parts[p], state.field);

@@ -85,8 +85,31 @@ export function wrapped(pen: CanvasRenderingContext2D, line: string, room: numbe
   return now ? [...lines, now.trimEnd()] : lines;
 }
 
+/** The kinds of codes with their colours, one below the other. */
+function drawKinds(pen: CanvasRenderingContext2D, over: Overlay, kinds: { name: string; colour: number[] | string }[]) {
+  const last = over.panels[over.panels.length - 1];
+  const row = 20;
+  pen.font = FONT;
+  const room = Math.max(...kinds.map(({ name }) => pen.measureText(name).width));
+  const left = over.width - room - 40;
+  const top = last.top + (last.height - row * kinds.length) / 2;
+  ground(pen, over, left - 8, top - 6, room + 40, row * kinds.length + 12);
+  kinds.forEach(({ name, colour }, k) => {
+    const y = top + row * (k + 0.5);
+    pen.fillStyle = typeof colour === "string" ? colour : `rgb(${colour.join()})`;
+    pen.fillRect(left, y - 6, 14, 12);
+    pen.strokeStyle = over.muted;
+    pen.lineWidth = 1;
+    pen.strokeRect(left + 0.5, y - 5.5, 13, 11);
+    text(pen, name, left + 20, y, over.ink);
+  });
+}
+
 function drawBar(pen: CanvasRenderingContext2D, over: Overlay, bar: NonNullable<Overlay["bar"]>) {
   const { range, scheme, shown, beyond } = bar;
+  if (typeof scheme !== "string") {
+    return drawKinds(pen, over, [...scheme.kinds, ...(bar.nothing ? [{ name: words.nothing, colour: over.nothing }] : [])]);
+  }
   const last = over.panels[over.panels.length - 1];
   const height = Math.min(260, last.height * 0.55);
   const top = last.top + (last.height - height) / 2;

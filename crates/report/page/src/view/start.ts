@@ -5,17 +5,28 @@ import type { Box } from "./part";
 import type { Cut, State } from "./state";
 import type { Choice } from "./values";
 
-/** Scales of the displacement: none, true, and round ones past the one that shows it as 3 % of the model. */
-export function scalesOf(held: Manifest, box: Box): number[] {
+/** The scale at which the largest displacement is 3 % of the model. */
+function easilySeen(held: Manifest, box: Box): number {
   // The step is chosen so that the largest relative displacement takes all of i16.
   const largest = held.displacementStep * 32767;
-  const suggested = (0.03 * box.diagonal) / largest;
+  return (0.03 * box.diagonal) / largest;
+}
+
+/** Scales of the displacement: none, true, and round ones past the one at which it is easily seen. */
+export function scalesOf(held: Manifest, box: Box): number[] {
+  const suggested = easilySeen(held, box);
   const scales = [0, 1];
-  if (!(largest > 0) || !Number.isFinite(suggested)) return scales;
+  if (!Number.isFinite(suggested)) return scales;
   for (let power = 1; power <= 1e12; power *= 10) {
     for (const m of [2, 5, 10]) if (m * power <= suggested * 4) scales.push(m * power);
   }
   return scales;
+}
+
+/** Of the scales past the true one that nearest to the one at which it is easily seen; nothing without any. */
+export function suggestedOf(scales: number[], held: Manifest, box: Box): number | null {
+  const away = (scale: number) => Math.abs(Math.log(scale / easilySeen(held, box)));
+  return scales.slice(2).reduce<number | null>((best, next) => (best === null || away(next) < away(best) ? next : best), null);
 }
 
 /** The axis along which the subject reaches through most of the model: caverns are looked at across it. */

@@ -9,6 +9,7 @@ import { words } from "./words";
 /** A value with half the step of what the page holds, to the decimals that this step leaves. */
 export function valueText(hit: Hit, shown: Shown): string {
   if (Number.isNaN(hit.value)) return words.noValueHere;
+  if (shown.says) return shown.says(Math.round(hit.value));
   const half = hit.half * shown.factor;
   const value = hit.value * shown.factor;
   if (!(half > 0)) return withUnit(figures(value, 4), shown.unit);

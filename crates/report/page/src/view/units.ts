@@ -4,6 +4,8 @@
 export interface Shown {
   factor: number;
   unit: string;
+  /** What a value means, where it is a code. */
+  says?: (value: number) => string;
 }
 
 // As the page's other figures take them: the size in SI from which on it serves, its factor, its name.

@@ -1,4 +1,5 @@
 // Values of a field over a part at a time, held or made from the displacement.
+import { codesOf } from "./codes";
 import { displacementSteps, fieldBytes } from "./decode";
 import type { FieldHeld, Manifest } from "./manifest";
 import type { Range } from "./colours";
@@ -70,9 +71,27 @@ export async function valuesOf(held: Manifest, part: Part, name: string, time: n
   const block = field?.blocks[time] ?? null;
   if (!field || block === null) return null;
   const level = (field.high - field.low) / 254;
+  // Codes are whole, so what is held is exact once rounded.
+  if (codesOf(name)) {
+    const code = Float32Array.from({ length: 256 }, (_, q) => (q === 255 ? NaN : Math.round(field.low + q * level)));
+    const codes = Float32Array.from(await fieldBytes(block), (q) => code[q]);
+    return { at: "cells", array: field.at === "cells" ? codes : worst(part, codes), half: 0 };
+  }
   const value = Float32Array.from({ length: 256 }, (_, q) => (q === 255 ? NaN : field.low + q * level));
   const array = Float32Array.from(await fieldBytes(block), (q) => value[q]);
   return { at: field.at, array, half: level / 2 };
+}
+
+/** By cell the largest code of its points: between two codes there is none that could be drawn. */
+function worst(part: Part, codes: Float32Array): Float32Array {
+  return Float32Array.from({ length: part.count }, (_, c) => {
+    let most = NaN;
+    for (let k = 0; k < part.corners; k++) {
+      const code = codes[part.cells[k * part.count + c]];
+      if (!(most >= code)) most = Number.isNaN(code) ? most : code;
+    }
+    return most;
+  });
 }
 
 /** The least and the largest of the values over the shown cells. */

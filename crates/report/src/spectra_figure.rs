@@ -1,0 +1,196 @@
+//! Figures of response spectra: rows of axes side by side, all on one scale.
+
+use tremolite_results::Table;
+
+use crate::axes::Axes;
+use crate::curves::Curves;
+use crate::figure::Figure;
+use crate::language::{Language, say};
+use crate::period_axis::{axis, place};
+use crate::plot::{self, Curve, Pen, RIGHT, WIDTH};
+use crate::plotted::{self, Plot};
+use crate::scale::Scale;
+use crate::svg::{Anchor, Style, Svg};
+use crate::ticks::Ticks;
+
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+/// A component this much smaller than the largest does not count as moving.
+const IDLE: f64 = 1e-3;
+const HEIGHT: f64 = 128.0;
+/// Room left of each pair of axes for its numbers, and between neighbours.
+const LEFT: f64 = 46.0;
+const APART: f64 = 10.0;
+
+/// What is drawn: the columns of a point.
+pub struct Point<'a> {
+    pub name: String,
+    /// Along x, y and z; empty where the file has none.
+    pub spectrum: [&'a [f64]; 3],
+}
+
+impl<'a> Point<'a> {
+    pub fn of(table: &'a Table, name: &str) -> Point<'a> {
+        let along = |axis: &str| table.column(&format!("{name}.a{axis}")).unwrap_or(&[]);
+        Point { name: name.into(), spectrum: AXES.map(along) }
+    }
+
+    pub fn is_known(&self) -> bool {
+        self.spectrum.iter().any(|s| s.iter().any(|x| x.is_finite()))
+    }
+
+    /// Period (s), from one on, and value of the largest of a component.
+    pub fn peak(&self, periods: &[f64], axis: usize, shortest: f64) -> Option<(f64, f64)> {
+        let values = periods.iter().copied().zip(self.spectrum[axis].iter().copied());
+        values
+            .filter(|(period, x)| x.is_finite() && *period >= shortest)
+            .reduce(|most, next| if next.1 > most.1 { next } else { most })
+    }
+}
+
+/// A spectrum that is drawn, under the name it has in the legend.
+pub struct Drawn<'a> {
+    pub name: String,
+    pub point: &'a Point<'a>,
+    pub colour: usize,
+    pub pen: Pen,
+}
+
+/// Spectra of one pair of axes, or of several components.
+pub struct Row<'a> {
+    /// Before the component in the heading; empty for none.
+    pub name: &'a str,
+    pub drawn: Vec<Drawn<'a>>,
+}
+
+pub fn largest(points: &[&Point], axis: usize) -> f64 {
+    let values = points.iter().flat_map(|point| point.spectrum[axis]).copied();
+    values.filter(|x| x.is_finite()).fold(0.0, f64::max)
+}
+
+/// The components that move.
+pub fn moving(points: &[&Point]) -> Vec<usize> {
+    let sizes = [0, 1, 2].map(|axis| largest(points, axis));
+    let most = sizes.into_iter().fold(0.0, f64::max);
+    (0..3).filter(|&axis| most > 0.0 && sizes[axis] > IDLE * most).collect()
+}
+
+/// Rows of spectra by component, all over the same periods and on the same scale; without heading and caption.
+pub fn figure(
+    rows: &[Row],
+    axes_of: &[usize],
+    periods: &[f64],
+    title: &str,
+    file: String,
+    language: Language,
+) -> Figure {
+    let all: Vec<&Point> = rows.iter().flat_map(|row| row.drawn.iter().map(|drawn| drawn.point)).collect();
+    let most = axes_of.iter().map(|&axis| largest(&all, axis)).fold(0.0, f64::max);
+    let scale = Scale::suiting("m/s2", most);
+    let (low, high) = plot::range(periods.iter().copied());
+    let words = scale.labelled(&say!(language, "spectral acceleration, 5 % damping"));
+    let cells: Vec<Cell> = rows
+        .iter()
+        .flat_map(|row| axes_of.iter().map(move |&axis| (row, axis)))
+        .map(|(row, axis)| Cell {
+            heading: heading(row, axis, language),
+            curves: curves(row, axis, periods, &scale),
+        })
+        .collect();
+    let sheet = Sheet {
+        // Where one component moves, monitors stand beside each other.
+        abreast: if axes_of.len() > 1 { axes_of.len() } else { rows.len().clamp(1, 3) },
+        cells,
+        across: axis(low, high),
+        up: Ticks::within(0.0, 1.06 * most * scale.factor, 4),
+        unit: scale.unit,
+        words,
+        period: say!(language, "period"),
+    };
+    let svg = sheet.draw(title);
+    Figure { heading: String::new(), file, svg, caption: String::new(), curves: Some(sheet.curves(title)) }
+}
+
+/// One pair of axes.
+struct Cell {
+    heading: String,
+    /// Over periods (s).
+    curves: Vec<Curve>,
+}
+
+/// What a figure is made of.
+struct Sheet {
+    cells: Vec<Cell>,
+    abreast: usize,
+    across: Ticks,
+    up: Ticks,
+    unit: String,
+    /// What is drawn, with the unit.
+    words: String,
+    /// What it is drawn over.
+    period: String,
+}
+
+impl Sheet {
+    fn draw(&self, title: &str) -> String {
+        let mut svg = Svg::new(WIDTH);
+        let wide = (WIDTH - RIGHT + APART) / self.abreast as f64;
+        let legend = self.cells.first().map_or(&[][..], |cell| &cell.curves);
+        let mut top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &self.words, legend);
+        for line in self.cells.chunks(self.abreast) {
+            for (k, cell) in line.iter().enumerate() {
+                let mut drawn = cell.curves.clone();
+                for curve in &mut drawn {
+                    curve.name.clear();
+                    curve.pieces.iter_mut().flatten().for_each(|point| point.0 = place(point.0));
+                }
+                let left = LEFT + k as f64 * wide;
+                svg.text((left, top + 16.0), Anchor::Start, 12.5, Style::Bold, &cell.heading);
+                let top = top + 24.0;
+                let axes = Axes {
+                    left,
+                    right: left + wide - LEFT - APART,
+                    top,
+                    bottom: top + HEIGHT,
+                    across: self.across.clone(),
+                    up: self.up.clone(),
+                };
+                plot::draw(&mut svg, &axes, &drawn);
+            }
+            top += 24.0 + HEIGHT + 24.0;
+        }
+        let below = format!("{} (s)", self.period);
+        svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, &below);
+        svg.finish(top + 16.0, title, &self.words)
+    }
+
+    fn curves(&self, title: &str) -> Curves {
+        let plots = self.cells.iter().map(|cell| Plot {
+            title: cell.heading.clone(),
+            unit: self.unit.clone(),
+            log: false,
+            ends: Some(self.up.range.into()),
+            curves: &cell.curves,
+        });
+        let mut curves = plotted::curves(title, &self.period, "s", &plots.collect::<Vec<_>>());
+        curves.across.log = true;
+        curves.heading.clone_from(&self.words);
+        curves.abreast = self.abreast;
+        curves
+    }
+}
+
+fn heading(row: &Row, axis: usize, language: Language) -> String {
+    match row.name {
+        "" => say!(language, "along {axis}", axis = AXES[axis]),
+        name => say!(language, "{name}, along {axis}", name = name, axis = AXES[axis]),
+    }
+}
+
+fn curves(row: &Row, axis: usize, periods: &[f64], scale: &Scale) -> Vec<Curve> {
+    let curve = |drawn: &Drawn| {
+        let points = periods.iter().zip(drawn.point.spectrum[axis]);
+        let points = points.map(|(period, value)| (*period, value * scale.factor)).collect();
+        Curve::new(drawn.name.clone(), drawn.colour, drawn.pen, points)
+    };
+    row.drawn.iter().map(curve).collect()
+}
