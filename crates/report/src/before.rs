@@ -5,10 +5,11 @@ use tremolite_results::{StageSummary, Summary};
 use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
 use crate::pairs::is_pair;
-use crate::scale::{Scale, count, figures, quantity, trimmed};
+use crate::scale::{count, figures, trimmed};
 use crate::source::Source;
 use crate::stage_name::{called, name};
 use crate::text_table::{Cell, Head, TextTable};
+use crate::units::Kind;
 use crate::{convergence, reaction, relaxation, stage_maps};
 
 /// A sum over the sum of the sizes of its parts, or a value over the largest of its kind, below this is round-off.
@@ -22,25 +23,25 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     if facts.stages.is_empty() && source.relaxation.is_none() {
         return None;
     }
-    let mut blocks = vec![table(language, &facts)];
+    let mut blocks = vec![table(source, &facts)];
     blocks.extend(relaxation::block(source, &facts));
-    blocks.extend(convergence::block(language, &facts));
-    blocks.extend(reaction::block(language, &facts));
-    blocks.extend(monitors(language, &facts));
+    blocks.extend(convergence::block(source, &facts));
+    blocks.extend(reaction::block(source, &facts));
+    blocks.extend(monitors(source, &facts));
     blocks.extend(stage_maps::block(source, &facts));
     let heading =
         if source.shakes() { say!(language, "Before the earthquake") } else { say!(language, "Stages") };
     Some(Chapter { id: "before", heading, blocks })
 }
 
-fn table(language: Language, facts: &Summary) -> Block {
+fn table(source: &Source, facts: &Summary) -> Block {
+    let language = source.language;
     let stages = &facts.stages;
     if stages.is_empty() {
         let note = say!(language, "The table of stages is left out: summary.json lists none yet.");
         return Block { notes: vec![note], ..Block::default() };
     }
-    let most = stages.iter().map(|s| s.largest_motion).filter(|x| x.is_finite()).fold(0.0, f64::max);
-    let motion = Scale::suiting("m", most);
+    let motion = source.scale(Kind::Displacement);
     let head = vec![
         Head::number("#"),
         Head::words(say!(language, "stage")),
@@ -70,7 +71,7 @@ fn table(language: Language, facts: &Summary) -> Block {
             Cell::number(if stage.motion_left == 0.0 {
                 "0".into()
             } else {
-                quantity("m", stage.motion_left)
+                source.size(Kind::Displacement, stage.motion_left)
             }),
             Cell::number(motion.number(stage.largest_motion)),
             Cell::number(figures(stage.plastic_volume, 3)),
@@ -113,7 +114,8 @@ fn changes(language: Language, k: usize, stage: &StageSummary) -> String {
 }
 
 /// What the monitors show when the stages are done.
-fn monitors(language: Language, facts: &Summary) -> Option<Block> {
+fn monitors(source: &Source, facts: &Summary) -> Option<Block> {
+    let language = source.language;
     let (k, last) = facts.stages.iter().enumerate().next_back()?;
     let quantities = [("ux", "m"), ("uy", "m"), ("uz", "m"), ("s1", "Pa"), ("s3", "Pa")];
     let value = |of: &indexmap::IndexMap<String, Option<f64>>, name: &str| of.get(name).copied().flatten();
@@ -125,7 +127,7 @@ fn monitors(language: Language, facts: &Summary) -> Option<Block> {
             .flat_map(|of| wanted().filter_map(|(name, _)| value(of, name)).collect::<Vec<_>>());
         all.filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
     };
-    let scales = quantities.map(|(_, unit)| Scale::suiting(unit, largest(unit)));
+    let scales = quantities.map(|(_, unit)| source.units.suiting(unit, largest(unit)));
     let known = |name: &str| last.monitors.values().any(|of| value(of, name).is_some_and(f64::is_finite));
     let columns: Vec<usize> = (0..quantities.len()).filter(|&i| known(quantities[i].0)).collect();
     if columns.is_empty() {

@@ -2,11 +2,14 @@
 
 use tremolite_results::{BoltSummary, Summary};
 
-use crate::language::{Language, say};
-use crate::scale::{count, figures, quantity};
+use crate::language::say;
+use crate::scale::{count, figures};
+use crate::source::Source;
+use crate::units::Kind;
 
 /// The bolt nearest to yield of all groups, or where none yields the one with the largest force: the value and what it is.
-pub fn hardest(language: Language, facts: &Summary) -> Option<(String, String)> {
+pub fn hardest(source: &Source, facts: &Summary) -> Option<(String, String)> {
+    let language = source.language;
     let there = facts.bolts.iter().filter(|(_, group)| group.largest.bolt > 0);
     let load = |group: &BoltSummary| (group.force_over_yield, group.largest.force.abs());
     let more = |a: &BoltSummary, b: &BoltSummary| {
@@ -37,5 +40,5 @@ pub fn hardest(language: Language, facts: &Summary) -> Option<(String, String)> 
             all = count(all)
         ),
     };
-    Some((quantity("N", group.largest.force), note))
+    Some((source.quantity(Kind::Force, group.largest.force), note))
 }

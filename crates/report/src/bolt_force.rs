@@ -4,11 +4,12 @@ use tremolite_results::{BoltLine, BoltLines, Summary};
 
 use crate::axes::Axes;
 use crate::figure::{Block, Figure};
-use crate::language::{Language, say};
+use crate::language::say;
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
-use crate::scale::{Scale, quantity};
+use crate::source::Source;
 use crate::svg::{Anchor, LINES, Style, Svg};
 use crate::ticks::Ticks;
+use crate::units::Kind;
 
 /// Bolts that are longer than this many times another are drawn apart: anchors and bars of a lining would hide the others.
 const ALIKE: f64 = 3.0;
@@ -27,7 +28,8 @@ impl Worst<'_> {
 }
 
 /// The block; nothing where no bolt carries anything. `when` is in words, and whether that is in the earthquake.
-pub fn block(language: Language, lines: &BoltLines, facts: &Summary, when: (&str, bool)) -> Option<Block> {
+pub fn block(source: &Source, lines: &BoltLines, facts: &Summary, when: (&str, bool)) -> Option<Block> {
+    let language = source.language;
     let worst = |(group, name)| {
         let bolt = hardest(lines, group)?;
         let own = lines.lines.iter().filter(|line| line.group == group && line.bolt == bolt).collect();
@@ -50,7 +52,7 @@ pub fn block(language: Language, lines: &BoltLines, facts: &Summary, when: (&str
         return None;
     }
     let figures = families.iter().take(MOST).enumerate();
-    let figures = figures.map(|(k, family)| figure(language, family, facts, when, k)).collect();
+    let figures = figures.map(|(k, family)| figure(source, family, facts, when, k)).collect();
     let heading = say!(language, "Force along the bolts that carry most");
     Some(Block { heading, figures, ..Block::default() })
 }
@@ -59,24 +61,26 @@ pub fn block(language: Language, lines: &BoltLines, facts: &Summary, when: (&str
 const MOST: usize = 3;
 
 fn figure(
-    language: Language,
+    source: &Source,
     family: &[Worst],
     facts: &Summary,
     (when, shaken): (&str, bool),
     number: usize,
 ) -> Figure {
+    let language = source.language;
     let (mut curves, mut named) = (Vec::new(), Vec::new());
     for (colour, Worst { name, bolt, own }) in family.iter().enumerate() {
         let label = say!(language, "{group}, bolt {bolt}", group = name, bolt = bolt);
         curves.push(Curve::new(label, colour, Pen::Line, steps(own, |line| line.force)));
         curves.push(Curve::new("", colour, Pen::Dashed, steps(own, |line| line.force_max)));
         let yields = facts.bolts.get(*name).map(|group| group.yield_force).filter(|force| force.is_finite());
-        let named_at =
-            |force| say!(language, "{group} at {force}", group = name, force = quantity("N", force));
+        let named_at = |force| {
+            say!(language, "{group} at {force}", group = name, force = source.quantity(Kind::Force, force))
+        };
         named.extend(yields.map(named_at));
     }
     let ((_, far), (low, high)) = plot::ranges(&curves);
-    let scale = Scale::suiting("N", low.abs().max(high.abs()));
+    let scale = source.scale(Kind::Force);
     for point in curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()) {
         point.1 *= scale.factor;
     }
@@ -178,6 +182,6 @@ mod tests {
     #[test]
     fn a_group_that_carries_nothing_has_no_curve() {
         let lines = BoltLines { groups: vec!["idle".into()], lines: vec![line([0.0, 1.0], 0.0, 0)] };
-        assert!(block(Language::English, &lines, &Summary::default(), ("at 1 s", true)).is_none());
+        assert!(hardest(&lines, 0).is_none());
     }
 }

@@ -9,6 +9,7 @@ use crate::scale::{Scale, figures, trimmed};
 use crate::section_view::{borders, plane};
 use crate::sentences::joined;
 use crate::source::Source;
+use crate::units::Kind;
 use crate::window::Window;
 
 const GROUND: &str = "#c3cad2";
@@ -33,7 +34,7 @@ pub fn block(source: &Source, lines: &BoltLines, when: &str) -> Option<Block> {
     let finite = || left().filter(|line| value(line).is_finite());
     let worst = finite().max_by(|a, b| value(a).total_cmp(&value(b)))?;
     let most = value(worst);
-    let scale = if share { Scale { factor: 1.0, unit: String::new() } } else { Scale::suiting("N", most) };
+    let scale = if share { Scale { factor: 1.0, unit: String::new() } } else { source.scale(Kind::Force) };
     let language = source.language;
     // A share has one scale on every page, so that a colour means the same; what is beyond is as dark as what yields.
     let row = Row::of(window, 1);

@@ -5,9 +5,10 @@ use tremolite_results::{BoltLines, BoltPeak, BoltRow, BoltSummary, EARTHQUAKE, P
 
 use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
-use crate::scale::{count, figures, moment, quantity, trimmed};
+use crate::scale::{count, figures, moment, trimmed};
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
+use crate::units::Kind;
 use crate::{bolt_force, bolt_map, stage_name};
 
 const ID: &str = "bolts";
@@ -29,11 +30,11 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
             "Of each group over the whole run. Forces are those of largest size of any stage and step, tension positive; a bolt counts under \
                       every heading it comes under, and what an excavation has taken of it counts no more. Places in m."
         );
-        first.tables = vec![groups(language, &facts), deeds(language, &facts)];
+        first.tables = vec![groups(source, &facts), deeds(source, &facts)];
     }
     let mut blocks = vec![first];
     match &source.bolts {
-        Some(Ok(rows)) => blocks.extend(by_stage(language, rows, &facts)),
+        Some(Ok(rows)) => blocks.extend(by_stage(source, rows, &facts)),
         Some(Err(why)) => blocks.push(left_out(language, why)),
         None => {
             blocks.push(left_out(language, &say!(language, "There is no bolts.csv in the result folder.")));
@@ -42,7 +43,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     match last(source) {
         Ok(Last { lines, when, shaken }) => {
             blocks.extend(bolt_map::block(source, &lines, &when));
-            blocks.extend(bolt_force::block(language, &lines, &facts, (&when, shaken)));
+            blocks.extend(bolt_force::block(source, &lines, &facts, (&when, shaken)));
         }
         Err(why) => blocks.push(left_out(language, &why)),
     }
@@ -83,7 +84,8 @@ fn last(source: &Source) -> Result<Last, String> {
 }
 
 /// What there is of each group.
-fn groups(language: Language, facts: &Summary) -> TextTable {
+fn groups(source: &Source, facts: &Summary) -> TextTable {
+    let language = source.language;
     let head = vec![
         Head::words(say!(language, "group")),
         Head::words(say!(language, "placed in")),
@@ -101,7 +103,7 @@ fn groups(language: Language, facts: &Summary) -> TextTable {
             stage => stage.to_owned(),
         };
         let yields = match group.yield_force.is_finite() {
-            true => quantity("N", group.yield_force),
+            true => source.quantity(Kind::Force, group.yield_force),
             false => say!(language, "never"),
         };
         let gone = match group.gone {
@@ -123,7 +125,8 @@ fn groups(language: Language, facts: &Summary) -> TextTable {
 }
 
 /// What became of it.
-fn deeds(language: Language, facts: &Summary) -> TextTable {
+fn deeds(source: &Source, facts: &Summary) -> TextTable {
+    let language = source.language;
     let head = vec![
         Head::words(say!(language, "group")),
         Head::number(say!(language, "largest force")),
@@ -148,12 +151,12 @@ fn deeds(language: Language, facts: &Summary) -> TextTable {
             (false, 0) => Cell::number("–").with(say!(language, "no bond")),
             (_, 0) => Cell::number("0"),
             (_, number) => {
-                let slip = quantity("m", group.max_slip);
+                let slip = source.quantity(Kind::Opening, group.max_slip);
                 Cell::number(count(number)).with(say!(language, "by up to {slip}", slip = slip))
             }
         };
         row.extend([
-            Cell::number(quantity("N", group.largest.force)),
+            Cell::number(source.quantity(Kind::Force, group.largest.force)),
             place(language, &group.largest, facts.model.duration),
             Cell::number(over),
             Cell::number(count(group.yielded)),
@@ -184,7 +187,8 @@ fn place(language: Language, peak: &BoltPeak, duration: f64) -> Cell {
 }
 
 /// What each group carried at most at the end of each stage, and in the rows of the earthquake.
-fn by_stage(language: Language, rows: &[BoltRow], facts: &Summary) -> Option<Block> {
+fn by_stage(source: &Source, rows: &[BoltRow], facts: &Summary) -> Option<Block> {
+    let language = source.language;
     // By stage, then by group: the largest share of yield, and the largest force.
     let mut stages: IndexMap<&str, IndexMap<&str, (f64, f64)>> = IndexMap::new();
     let mut names: IndexMap<&str, ()> = facts.bolts.keys().map(|name| (name.as_str(), ())).collect();
@@ -201,8 +205,8 @@ fn by_stage(language: Language, rows: &[BoltRow], facts: &Summary) -> Option<Blo
         let head = names.iter().map(|name| Head::number(*name));
         let cell = |most: Option<&(f64, f64)>| match most {
             None => Cell::number("–"),
-            Some((0.0, force)) => Cell::number(quantity("N", *force)),
-            Some((over, force)) => Cell::number(figures(*over, 2)).with(quantity("N", *force)),
+            Some((0.0, force)) => Cell::number(source.quantity(Kind::Force, *force)),
+            Some((over, force)) => Cell::number(figures(*over, 2)).with(source.quantity(Kind::Force, *force)),
         };
         let row = |(stage, groups): (&&str, &IndexMap<&str, (f64, f64)>)| {
             let stage = match *stage {

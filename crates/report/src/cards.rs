@@ -7,22 +7,23 @@ use crate::damage::opening;
 use crate::energy::worst_error;
 use crate::facts::{ByName, Fact, card, duration};
 use crate::interfaces;
-use crate::language::{Language, say};
-use crate::scale::{figures, moment, quantity};
+use crate::language::say;
+use crate::scale::{figures, moment};
 use crate::source::Source;
+use crate::units::Kind;
 
 /// The few numbers that a reader wants first.
 pub fn key_results(source: &Source) -> Vec<Fact> {
     let (facts, language) = (source.facts(), source.language);
     let duration = duration(source);
     let at = |time: f64| format!("{}\u{a0}s", moment(time, duration));
-    let mut cards = stage_cards(language, &facts);
+    let mut cards = stage_cards(source, &facts);
     if let Ok(table) = &source.monitors
         && let Some((monitor, time, size)) = longest(table, facts.monitors.keys())
     {
         cards.push(card(
             say!(language, "Largest displacement of a monitor"),
-            quantity("m", size),
+            source.quantity(Kind::Displacement, size),
             say!(
                 language,
                 "{monitor} at {time}, its components together in one row of monitors.csv",
@@ -38,21 +39,21 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         let axis = name.trim_start_matches('u');
         let note = say!(language, "{pair}, {axis}, at {time}", pair = pair, axis = axis, time = at(time));
         let label = say!(language, "Largest relative displacement, one component");
-        cards.push(card(label, quantity("m", value.abs()), note));
+        cards.push(card(label, source.quantity(Kind::Displacement, value.abs()), note));
     }
-    cards.extend(stress_cards(language, &facts, at));
+    cards.extend(stress_cards(source, &facts, at));
     let cracks = facts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
     let cracks = cracks.filter_map(|(name, cracks)| Some((name, cracks, cracks.widest?)));
     // Of equal ones the first: the whole stands before its parts.
     let wider = cracks.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a });
     if let Some((group, cracks, widest)) = wider {
         let note = say!(language, "{place} at {time}", place = group, time = at(widest.time));
-        cards.push(card(say!(language, "Widest crack"), opening(cracks), note));
+        cards.push(card(say!(language, "Widest crack"), opening(source, cracks), note));
     }
-    let extremes = interfaces::extremes(language, &facts).into_iter();
+    let extremes = interfaces::extremes(source, &facts).into_iter();
     cards.extend(extremes.map(|(label, value, note)| card(label, value, note)));
     cards.extend(
-        bolt_card::hardest(language, &facts)
+        bolt_card::hardest(source, &facts)
             .map(|(value, note)| card(say!(language, "Force of the bolt nearest to yield"), value, note)),
     );
     // As the check has it; summaries of other versions leave it to the table.
@@ -60,7 +61,11 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));
     let of_table = || source.energy.as_ref().ok().and_then(worst_error);
     if let Some((error, ratio)) = checked.or_else(of_table) {
-        let note = say!(language, "{energy}, of the largest energy held", energy = quantity("J", error));
+        let note = say!(
+            language,
+            "{energy}, of the largest energy held",
+            energy = source.quantity(Kind::Energy, error)
+        );
         cards.push(card(
             say!(language, "Largest error of the energy balance"),
             format!("{}\u{a0}%", figures(100.0 * ratio, 2)),
@@ -71,14 +76,19 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
 }
 
 /// What the stages before the shaking left: the most that a wall moved, what has yielded, and how far from rest it is.
-fn stage_cards(language: Language, facts: &Summary) -> Vec<Fact> {
+fn stage_cards(source: &Source, facts: &Summary) -> Vec<Fact> {
+    let language = source.language;
     let mut cards = Vec::new();
     let Some(last) = facts.stages.last().filter(|_| facts.stages.len() > 1) else { return cards };
     let size = |u: &[f64; 3]| u.iter().map(|x| x * x).sum::<f64>().sqrt();
     let moved = last.walls.iter().map(|(name, u)| (name, size(u))).filter(|(_, size)| size.is_finite());
     if let Some((name, size)) = moved.max_by(|a, b| a.1.total_cmp(&b.1)) {
         let note = say!(language, "{wall}, after the last stage, since the initial equilibrium", wall = name);
-        cards.push(card(say!(language, "Largest motion of a wall in the stages"), quantity("m", size), note));
+        cards.push(card(
+            say!(language, "Largest motion of a wall in the stages"),
+            source.quantity(Kind::Displacement, size),
+            note,
+        ));
     }
     if last.plastic_volume > 0.0 {
         let value = format!("{}\u{a0}m³", figures(last.plastic_volume, 3));
@@ -89,7 +99,8 @@ fn stage_cards(language: Language, facts: &Summary) -> Vec<Fact> {
 }
 
 /// The largest stresses of all groups; of the monitors in summaries that know of none.
-fn stress_cards(language: Language, facts: &Summary, at: impl Fn(f64) -> String) -> Vec<Fact> {
+fn stress_cards(source: &Source, facts: &Summary, at: impl Fn(f64) -> String) -> Vec<Fact> {
+    let language = source.language;
     let mut cards = Vec::new();
     let (largest, smallest) =
         (|| say!(language, "Largest principal stress s1"), || say!(language, "Smallest principal stress s3"));
@@ -104,7 +115,7 @@ fn stress_cards(language: Language, facts: &Summary, at: impl Fn(f64) -> String)
                 group = group,
                 time = at(peak.time)
             );
-            cards.push(card(label, quantity("Pa", peak.value), note));
+            cards.push(card(label, source.quantity(Kind::Stress, peak.value), note));
         }
     }
     if !cards.is_empty() {
@@ -115,11 +126,11 @@ fn stress_cards(language: Language, facts: &Summary, at: impl Fn(f64) -> String)
     };
     if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s1", |p| p.max) {
         let note = of_monitor(monitor, peaks.t_max);
-        cards.push(card(largest(), quantity("Pa", peaks.max), note));
+        cards.push(card(largest(), source.quantity(Kind::Stress, peaks.max), note));
     }
     if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s3", |p| -p.min) {
         let note = of_monitor(monitor, peaks.t_min);
-        cards.push(card(smallest(), quantity("Pa", peaks.min), note));
+        cards.push(card(smallest(), source.quantity(Kind::Stress, peaks.min), note));
     }
     cards
 }

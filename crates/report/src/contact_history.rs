@@ -10,6 +10,7 @@ use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
 use crate::scale::{Scale, quantity};
 use crate::source::Source;
+use crate::units::Kind;
 
 /// A column, its name, and which colour.
 type Wanted = (&'static str, String, usize);
@@ -56,7 +57,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let mut idle = Vec::new();
     for (k, name) in names(source).iter().enumerate() {
         let area = facts.interfaces.get(name).map_or(f64::NAN, |own| own.area);
-        match figure(language, table, name, area) {
+        match figure(source, table, name, area) {
             Some(figure) => {
                 figures.push(Figure { file: format!("interface-history-{}.svg", k + 1), ..figure })
             }
@@ -78,7 +79,8 @@ pub fn section(source: &Source) -> Option<Section> {
 }
 
 /// One interface; none where nothing slid or opened.
-fn figure(language: Language, table: &Table, name: &str, area: f64) -> Option<Figure> {
+fn figure(source: &Source, table: &Table, name: &str, area: f64) -> Option<Figure> {
+    let language = source.language;
     let column = |quantity: &str| table.column(&format!("{name}.{quantity}"));
     let most = |values: &[f64]| values.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     let line = |(quantity, name, colour): Wanted| {
@@ -96,9 +98,8 @@ fn figure(language: Language, table: &Table, name: &str, area: f64) -> Option<Fi
     };
     let mut panels = vec![Panel { title: say!(language, "area"), scale, lines: areas, mark: Mark::Highest }];
     let lengths: Vec<Line> = lengths(language).into_iter().filter_map(line).collect();
-    let size = lengths.iter().map(|line| most(&line.values)).fold(0.0, f64::max);
     if !lengths.is_empty() {
-        let scale = Scale::suiting("m", size);
+        let scale = source.scale(Kind::Opening);
         panels.push(Panel { title: say!(language, "slip, gap"), scale, lines: lengths, mark: Mark::Highest });
     }
     let which = if area > 0.0 {

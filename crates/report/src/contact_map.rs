@@ -7,12 +7,13 @@ use crate::contact_panel::{BELOW, Layer, ROW, TITLE, frame, panel};
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
 use crate::plan::{Bars, LEFT, Plan};
-use crate::scale::{Scale, moment};
+use crate::scale::moment;
 use crate::sentences::joined;
 use crate::sheet_words::{developed, from_left, labels};
 use crate::source::Source;
 use crate::svg::Svg;
 use crate::unfold::{Sheet, unfold};
+use crate::units::Kind;
 
 /// The section of the page; nothing for a run without files of interfaces.
 pub fn section(source: &Source) -> Option<Section> {
@@ -45,7 +46,7 @@ pub fn section(source: &Source) -> Option<Section> {
             idle.push(name);
             continue;
         }
-        let (svg, mut said) = draw(language, surface, &layers, &name, &groups);
+        let (svg, mut said) = draw(source, surface, &layers, &name, &groups);
         said.push(match source.shakes() {
             true => {
                 let time = moment(last.time, crate::facts::duration(source));
@@ -107,12 +108,13 @@ fn layers(language: Language, surface: &PairSurface) -> Vec<Layer<'_>> {
 
 /// The figure of one interface, and what is said of it.
 fn draw(
-    language: Language,
+    source: &Source,
     surface: &PairSurface,
     layers: &[Layer],
     name: &str,
     groups: &ElementGroups,
 ) -> (String, Vec<String>) {
+    let language = source.language;
     let mut sheets = unfold(&surface.points, &surface.normals, &surface.faces);
     from_left(&mut sheets, &surface.points);
     let plan = Plan::of(&sheets, layers.len(), Bars::Each);
@@ -120,8 +122,7 @@ fn draw(
     let mut svg = Svg::new(940.0);
     let above = TITLE + ROW + if plan.upright { ROW } else { 0.0 };
     let height = above + plan.size.1 + BELOW;
-    // One unit, so that slip and gap can be set side by side.
-    let scale = Scale::suiting("m", layers.iter().map(Layer::most).fold(0.0, f64::max));
+    let scale = source.scale(Kind::Opening);
     let mut remarks = Vec::new();
     for (k, layer) in layers.iter().enumerate() {
         let (column, row) = if plan.beside { (k, 0) } else { (0, k) };

@@ -8,6 +8,7 @@ use crate::language::{Language, say};
 use crate::loops::{Course, Loops, Quantity, Track};
 use crate::source::Source;
 use crate::strips::Strip;
+use crate::units::Kind;
 
 /// The columns of such a monitor.
 pub const QUANTITIES: [&str; 7] = ["gap", "slip1", "slip2", "pressure", "shear1", "shear2", "state"];
@@ -35,34 +36,33 @@ pub fn section(source: &Source) -> Option<Section> {
     let monitors = crate::pairs::names(table).into_iter().filter(|name| is_on_interface(table, name));
     let both = |(k, name): (usize, String)| {
         let file = |what: &str| format!("interface-{what}-{}.svg", k + 1);
-        [
-            figure(source.language, table, &name, file("monitor")),
-            path(source.language, table, &name, file("path")),
-        ]
+        [figure(source, table, &name, file("monitor")), path(source, table, &name, file("path"))]
     };
     let figures: Vec<Figure> = monitors.enumerate().flat_map(both).collect();
     (!figures.is_empty()).then_some(Section::Drawn(figures))
 }
 
-fn figure(language: Language, table: &Table, monitor: &str, file: String) -> Figure {
+fn figure(source: &Source, table: &Table, monitor: &str, file: String) -> Figure {
+    let language = source.language;
     let column = |quantity: &str| table.column(&format!("{monitor}.{quantity}")).unwrap_or(&[]);
-    let track = |name: String, unit: &str, wanted: Vec<(&'static str, String, usize)>| {
+    let track = |name: String, unit: &str, kind: Kind, wanted: Vec<(&'static str, String, usize)>| {
         let course = |(quantity, name, colour): (&'static str, String, usize)| {
             let values = column(quantity);
             (!values.is_empty()).then_some(Course { name, colour, values })
         };
         let courses: Vec<Course> = wanted.into_iter().filter_map(course).collect();
-        (!courses.is_empty()).then(|| Track { quantity: Quantity::new(name, unit), courses })
+        (!courses.is_empty())
+            .then(|| Track { quantity: Quantity::new(name, unit).shown_in(source.scale(kind)), courses })
     };
     let both =
         |first, second| vec![(first, say!(language, "along e1"), 1), (second, say!(language, "along e2"), 5)];
     let gap = || say!(language, "gap");
     let pressure = vec![("pressure", say!(language, "pressure"), 0)];
     let tracks = [
-        track(gap(), "m", vec![("gap", gap(), 0)]),
-        track(say!(language, "slip"), "m", both("slip1", "slip2")),
-        track(say!(language, "pressure, compression positive"), "Pa", pressure),
-        track(say!(language, "shear"), "Pa", both("shear1", "shear2")),
+        track(gap(), "m", Kind::Opening, vec![("gap", gap(), 0)]),
+        track(say!(language, "slip"), "m", Kind::Opening, both("slip1", "slip2")),
+        track(say!(language, "pressure, compression positive"), "Pa", Kind::Stress, pressure),
+        track(say!(language, "shear"), "Pa", Kind::Stress, both("shear1", "shear2")),
     ];
     let state = column("state");
     let strips = STATES.into_iter().zip(states(language)).map(|((number, colour), name)| Strip {
@@ -98,7 +98,8 @@ fn figure(language: Language, table: &Table, monitor: &str, file: String) -> Fig
 }
 
 /// Shear over pressure, each row in the colour of its state.
-fn path(language: Language, table: &Table, monitor: &str, file: String) -> Figure {
+fn path(source: &Source, table: &Table, monitor: &str, file: String) -> Figure {
+    let language = source.language;
     let column = |quantity: &str| table.column(&format!("{monitor}.{quantity}")).unwrap_or(&[]);
     let (along, across) = (column("shear1"), column("shear2"));
     let of_row = |row: usize| along[row].hypot(across.get(row).copied().unwrap_or(0.0));
@@ -111,6 +112,7 @@ fn path(language: Language, table: &Table, monitor: &str, file: String) -> Figur
         title: say!(language, "{monitor}: shear over pressure", monitor = monitor),
         pressure: column("pressure"),
         shear: &shear,
+        scale: source.scale(Kind::Stress),
         state: &|row| STATES.iter().position(|s| state.get(row) == Some(&s.0)),
         states: &states,
     };

@@ -18,6 +18,8 @@ pub struct Path<'a> {
     pub title: String,
     pub pressure: &'a [f64],
     pub shear: &'a [f64],
+    /// Of both, so that the slope of friction is seen.
+    pub scale: Scale,
     /// Which of the states a row has.
     pub state: &'a dyn Fn(usize) -> Option<usize>,
     /// Name and colour.
@@ -34,8 +36,7 @@ impl Path<'_> {
             all.fold((0.0, 0.0), |(low, high), x| (f64::min(low, x), f64::max(high, x)))
         };
         let (p, q) = (ends(self.pressure), ends(self.shear));
-        // One unit for both, so that the slope of friction is seen.
-        let scale = Scale::suiting("Pa", f64::max(p.1, -p.0).max(q.1));
+        let scale = &self.scale;
         let ticks =
             |(low, high): (f64, f64), wanted| Ticks::around(low * scale.factor, high * scale.factor, wanted);
         let axes = Axes {

@@ -101,7 +101,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
 
     page.set("peaks", say!(language, "Peaks"), source.still().is_none());
     page.set("damage", say!(language, "Damage"), !damage::tables(language, &facts).is_empty());
-    page.set("interfaces", say!(language, "Interfaces"), interfaces::table(language, &facts).is_some());
+    page.set("interfaces", say!(language, "Interfaces"), interfaces::table(source, &facts).is_some());
     page.put("energy", shakes.then(|| energy::section(source)));
     page.set("trust", say!(language, "Can these results be trusted?"), true);
 

@@ -7,11 +7,12 @@ use crate::axes::Axes;
 use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
-use crate::scale::Scale;
+use crate::source::Source;
 use crate::stage_name::{called, name};
 use crate::svg::{Anchor, Style, Svg};
 use crate::text_table::{Cell, Head, TextTable};
 use crate::ticks::Ticks;
+use crate::units::Kind;
 
 /// Points side by side in one table.
 const ABREAST: usize = 5;
@@ -119,7 +120,8 @@ fn closure_name(language: Language, pairs: &[(&Point, &Point)], k: usize) -> Str
 }
 
 /// The block; nothing for a run without stages after the first.
-pub fn block(language: Language, facts: &Summary) -> Option<Block> {
+pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
+    let language = source.language;
     let stages = &facts.stages;
     if stages.len() < 2 {
         return None;
@@ -139,7 +141,7 @@ pub fn block(language: Language, facts: &Summary) -> Option<Block> {
     );
     for (number, (cavern, points)) in caverns.iter().enumerate() {
         if points.iter().any(|p| p.inward.is_some()) {
-            block.figures.push(figure(language, stages, cavern, points, number));
+            block.figures.push(figure(source, stages, cavern, points, number));
         } else {
             block.notes.push(if cavern.is_empty() {
                 say!(language, "Points: no figure, since no name says crown, wall left, wall right or floor.")
@@ -155,18 +157,13 @@ pub fn block(language: Language, facts: &Summary) -> Option<Block> {
     block.tables = caverns
         .iter()
         .flat_map(|(cavern, points)| points.chunks(ABREAST).map(move |points| (cavern, points)))
-        .map(|(cavern, points)| table(language, stages, cavern, points))
+        .map(|(cavern, points)| table(source, stages, cavern, points))
         .collect();
     Some(block)
 }
 
-fn figure(
-    language: Language,
-    stages: &[StageSummary],
-    cavern: &str,
-    points: &[Point],
-    number: usize,
-) -> Figure {
+fn figure(source: &Source, stages: &[StageSummary], cavern: &str, points: &[Point], number: usize) -> Figure {
+    let language = source.language;
     let mut curves: Vec<Curve> = Vec::new();
     // The dark colour is that of the closure.
     let mut colours = (0..).filter(|k| *k != 3);
@@ -181,7 +178,7 @@ fn figure(
         curves.push(Curve::new(closure_name(language, &pairs, k), 3, Pen::Dashed, values.collect()));
     }
     let (low, high) = plot::ranges(&curves).1;
-    let scale = Scale::suiting("m", low.abs().max(high.abs()));
+    let scale = source.scale(Kind::Displacement);
     for point in curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()) {
         point.1 *= scale.factor;
     }
@@ -237,10 +234,11 @@ fn figure(
 }
 
 /// Both components of each point, by stage.
-fn table(language: Language, stages: &[StageSummary], cavern: &str, points: &[Point]) -> TextTable {
+fn table(source: &Source, stages: &[StageSummary], cavern: &str, points: &[Point]) -> TextTable {
+    let language = source.language;
     let all = || (0..stages.len()).flat_map(|k| points.iter().flat_map(move |p| p.moved(stages, k)));
     let most = all().filter(|x| x.is_finite()).fold(0.0, |most: f64, x| most.max(x.abs()));
-    let scale = Scale::suiting("m", most);
+    let scale = source.scale(Kind::Displacement);
     let pairs = facing(points);
     let mut over = vec![Head::words(""), Head::words(scale.labelled(cavern).trim())];
     let mut head = vec![Head::number("#"), Head::words(say!(language, "stage"))];

@@ -4,14 +4,15 @@ use tremolite_results::{Cut, CutCell};
 
 use crate::figure::Figure;
 use crate::frame_row::Row;
-use crate::language::{Language, say};
+use crate::language::say;
 use crate::scale::Scale;
 use crate::section_view::{Positions, borders, on_plane, place, points, window};
 use crate::sentences::joined;
+use crate::source::Source;
 
 /// A cut with what is said of it.
 pub struct Map<'a> {
-    pub language: Language,
+    pub source: &'a Source,
     pub cut: &'a Cut,
     /// The same smoothed, at the corners of each cell; without it the cells stand alone.
     pub smooth: Option<&'a [Vec<f64>]>,
@@ -31,14 +32,14 @@ pub struct Map<'a> {
 impl Map<'_> {
     /// The figure; `positions` are points to be named in it.
     pub fn figure(&self, positions: &Positions) -> Figure {
-        let (language, cut) = (self.language, self.cut);
+        let (language, cut) = (self.source.language, self.cut);
         let window = window(cut, positions, self.margin, |_| false);
         let seen: Vec<usize> =
             (0..cut.cells.len()).filter(|&k| window.meets(&cut.cells[k].outline)).collect();
         let finite = || seen.iter().map(|&k| &cut.cells[k]).filter(|cell| cell.value.is_finite());
         let low = finite().map(|cell| cell.value).fold(f64::INFINITY, f64::min);
         let high = finite().map(|cell| cell.value).fold(f64::NEG_INFINITY, f64::max);
-        let scale = Scale::suiting(&cut.unit, low.abs().max(high.abs()));
+        let scale = self.source.units.suiting(&cut.unit, low.abs().max(high.abs()));
         let row = Row::of(window, if self.smooth.is_some() { 2 } else { 1 });
         let borders = borders(&cut.cells);
         let frame = || {
@@ -77,7 +78,7 @@ impl Map<'_> {
     }
 
     fn caption<'a>(&self, cells: impl Iterator<Item = &'a CutCell>, scale: &Scale, zero: bool) -> String {
-        let language = self.language;
+        let language = self.source.language;
         let plane = on_plane(language, self.cut.y);
         let mut said = vec![say!(
             language,

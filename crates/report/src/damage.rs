@@ -4,7 +4,9 @@ use serde::Serialize;
 use tremolite_results::{Cracks, Damaged, GroupDamage, Onset, Summary};
 
 use crate::language::{Language, say};
-use crate::scale::{figures, moment, quantity, trimmed};
+use crate::scale::{figures, moment, trimmed};
+use crate::source::Source;
+use crate::units::Kind;
 
 /// Measures with the same thresholds in all groups whose laws have one of them.
 #[derive(Serialize)]
@@ -180,16 +182,17 @@ fn share(damaged: &Damaged, threshold: &str, volume: f64) -> Share {
 }
 
 /// The widest opening; of loose pieces the limit.
-pub fn opening(cracks: &Cracks) -> String {
+pub fn opening(source: &Source, cracks: &Cracks) -> String {
     if cracks.is_loose() {
-        format!(">\u{a0}{}", trimmed(&quantity("m", Cracks::LOOSE)))
+        format!(">\u{a0}{}", trimmed(&source.quantity(Kind::Opening, Cracks::LOOSE)))
     } else {
-        quantity("m", cracks.opening)
+        source.quantity(Kind::Opening, cracks.opening)
     }
 }
 
 /// The cracks of each group that has any.
-pub fn cracks(language: Language, summary: &Summary) -> Vec<CrackRow> {
+pub fn cracks(source: &Source, summary: &Summary) -> Vec<CrackRow> {
+    let language = source.language;
     let duration = summary.model.duration;
     let found = summary.damage.iter().filter_map(|(name, group)| {
         let cracks = group.cracks.as_ref()?;
@@ -202,7 +205,7 @@ pub fn cracks(language: Language, summary: &Summary) -> Vec<CrackRow> {
                 "–".into()
             },
             through_at: cracks.through_at.map_or(String::new(), |p| place(language, p.element, p.at)),
-            opening: opening(cracks),
+            opening: opening(source, cracks),
             time,
             place: place_of,
         })

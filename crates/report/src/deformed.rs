@@ -4,13 +4,14 @@ use tremolite_results::{Peaks, Slice, Snapshot};
 
 use crate::figure::{Figure, Section};
 use crate::frame_row::Row;
-use crate::language::{Language, say};
+use crate::language::say;
 use crate::relative_motion::{Moved, Rigid, exaggeration};
-use crate::scale::{Scale, figures, moment, trimmed};
+use crate::scale::{figures, moment, trimmed};
 use crate::section_view::{Edge, Positions, area, border_sides, on_plane, plane, points, window};
 use crate::sentences::joined;
 use crate::snapshots::Snapshots;
 use crate::source::Source;
+use crate::units::Kind;
 
 /// Room around linings, as a part of their extent: ground that strains with them.
 const MARGIN: f64 = 0.15;
@@ -40,7 +41,7 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
     };
     let time = snapshots.at(snapshot.time);
     let duration = crate::facts::duration(source);
-    let length = |size: f64| Scale::suiting("m", size).quantity(size);
+    let length = |size: f64| source.quantity(Kind::Displacement, size);
     let why = match (&seen, &strained) {
         (Some((_, pair, size)), Some((most_pair, at, most))) => say!(
             language,
@@ -66,7 +67,7 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
             when = time
         ),
     };
-    Section::Drawn(vec![figure(language, &heading, &slice, &cut, &motion, why, &facts.positions)])
+    Section::Drawn(vec![figure(source, &heading, &slice, &cut, &motion, why, &facts.positions)])
 }
 
 /// The pair of monitors that moved most against each other, when, and how far.
@@ -111,7 +112,7 @@ fn widest_seen<'a>(source: &Source, snapshots: &'a Snapshots) -> Option<(&'a Sna
 }
 
 fn figure(
-    language: Language,
+    source: &Source,
     heading: &str,
     slice: &Slice,
     cut: &tremolite_results::Cut,
@@ -119,6 +120,7 @@ fn figure(
     why: String,
     positions: &Positions,
 ) -> Figure {
+    let language = source.language;
     let window = window(cut, positions, MARGIN, |_| false);
     let seen: Vec<usize> = (0..cut.cells.len()).filter(|&k| window.meets(&cut.cells[k].outline)).collect();
     let in_plane = |u: &[f64; 3]| [u[0], u[2]];
@@ -149,7 +151,7 @@ fn figure(
         .fold(0.0, f64::max);
     let factor = exaggeration(farthest, DRAWN * width.max(height));
 
-    let scale = Scale::suiting("m", most);
+    let scale = source.scale(Kind::Displacement);
     let row = Row::of(window, 1);
     let mut frame = row.frame(0.0, most * scale.factor);
     for &k in &seen {
@@ -181,7 +183,6 @@ fn figure(
         &[(name, frame)],
         &say!(language, "a section with filled contours and the deformed shape"),
     );
-    let common = Scale::suiting("m", rigid.shift());
     let said = [
         why,
         say!(
@@ -189,7 +190,7 @@ fn figure(
             "Colours: length of the displacement in the plane, {plane}, less the mean motion ({shift}) and the mean turn of all that is \
              drawn, which strain nothing; up to {most}. Motion along y is not in it. Interpolated between nodes.",
             plane = on_plane(language, cut.y),
-            shift = common.quantity(rigid.shift()),
+            shift = scale.quantity(rigid.shift()),
             most = scale.quantity(most)
         ),
         say!(

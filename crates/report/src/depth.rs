@@ -168,7 +168,7 @@ fn draw(
         };
         match quantity.strain {
             true => Scale { factor: 1e6, unit: "10⁻⁶".into() },
-            false => Scale::suiting(quantity.unit, moving.iter().map(of).fold(0.0, f64::max)),
+            false => source.units.suiting(quantity.unit, moving.iter().map(of).fold(0.0, f64::max)),
         }
     };
     let scales: Vec<Scale> = quantities.iter().map(scale).collect();

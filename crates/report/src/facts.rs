@@ -9,6 +9,7 @@ use crate::language::{Language, say};
 use crate::scale::{count, figures, quantity, span, trimmed};
 use crate::source::Source;
 use crate::told::{in_english, told};
+use crate::units::Kind;
 
 /// An outcome at the top of the page.
 #[derive(Serialize)]
@@ -138,7 +139,8 @@ pub fn warnings(language: Language, summary: &Summary) -> Vec<Value> {
 }
 
 /// Size, time step and motion.
-pub fn model(language: Language, summary: &Summary) -> Vec<Fact> {
+pub fn model(source: &Source, summary: &Summary) -> Vec<Fact> {
+    let language = source.language;
     let model = &summary.model;
     let mut facts = Vec::new();
     if model.elements > 0 {
@@ -152,7 +154,7 @@ pub fn model(language: Language, summary: &Summary) -> Vec<Fact> {
         let shaking = say!(language, "{time} of shaking", time = span(model.duration));
         facts.push(card(say!(language, "Steps"), count(model.steps), shaking));
     }
-    facts.extend(motion(language, summary));
+    facts.extend(motion(source, summary));
     for fact in &summary.facts {
         facts.push(Fact {
             label: told(language, &fact.name_said, &capital(&fact.name)),
@@ -165,7 +167,8 @@ pub fn model(language: Language, summary: &Summary) -> Vec<Fact> {
 }
 
 /// The motion that went in.
-fn motion(language: Language, summary: &Summary) -> Vec<Fact> {
+fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
+    let language = source.language;
     let motion = &summary.motion;
     let mut facts = Vec::new();
     if !motion.kind.is_empty() {
@@ -184,16 +187,17 @@ fn motion(language: Language, summary: &Summary) -> Vec<Fact> {
     }
     let sources: Vec<&String> = motion.source.values().collect();
     let shared = sources.windows(2).all(|pair| pair[0] == pair[1]);
-    if let Some(source) = sources.first().filter(|_| shared) {
-        facts.push(card(say!(language, "Record"), (*source).clone(), ""));
+    if let Some(record) = sources.first().filter(|_| shared) {
+        facts.push(card(say!(language, "Record"), (*record).clone(), ""));
     }
     // Round-off of a component that the record does not have is no motion.
     let largest = motion.peak_acceleration.values().fold(0.0_f64, |most, x| most.max(x.abs()));
     for (axis, &peak) in &motion.peak_acceleration {
         let peak = if peak.abs() < 1e-9 * largest { 0.0 } else { peak };
-        let source = motion.source.get(axis).filter(|_| !shared).map_or("", String::as_str);
-        let value = format!("{} ({}\u{a0}g)", quantity("m/s2", peak), figures(peak / 9.806_65, 2));
-        facts.push(card(say!(language, "Peak incident acceleration, {axis}", axis = axis), value, source));
+        let record = motion.source.get(axis).filter(|_| !shared).map_or("", String::as_str);
+        let value =
+            format!("{} ({}\u{a0}g)", source.quantity(Kind::Acceleration, peak), figures(peak / 9.806_65, 2));
+        facts.push(card(say!(language, "Peak incident acceleration, {axis}", axis = axis), value, record));
     }
     facts
 }

@@ -56,7 +56,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         block.figures.extend(force_shape::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(force_chart::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(thrust_moment::figure(language, lining, &section, &suffix));
-        match section_strength::figure(lining, &facts, &suffix, source.language) {
+        match section_strength::figure(source, lining, &facts, &suffix) {
             Ok(figure) => block.figures.push(figure),
             Err(why) => block.notes.push(why),
         }

@@ -11,8 +11,9 @@ use crate::free_field_numbers::{AXES, Wave, largest, places};
 use crate::free_field_tables::{of_columns, of_corners};
 use crate::free_field_words::{explained, verdict};
 use crate::language::{Language, say};
-use crate::scale::{Scale, quantity};
+use crate::scale::Scale;
 use crate::source::Source;
+use crate::units::Kind;
 
 /// A component this much smaller than the largest does not count as moving: the sides that hold a normal go by the same.
 const IDLE: f64 = 1e-3;
@@ -52,8 +53,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let size = |axis: usize| sizes[axis].max(drawn.largest(axis));
     let moving: Vec<usize> =
         (0..3).filter(|&axis| sizes[axis] > IDLE * most || size(axis) > SCATTERED * most).collect();
-    // One unit for all, in which what is a tenth of the largest still has its figures.
-    let scale = Scale::suiting("m/s", 0.1 * most);
+    let scale = source.scale(Kind::Velocity);
     let panels = panels(language, &wave, &drawn, (&moving, &scale));
     let chart = Chart { title: heading.clone(), time: &found.time, panels };
     let mut caption = drawn.why.clone();
@@ -70,7 +70,7 @@ pub fn section(source: &Source) -> Option<Section> {
                 language,
                 " Not drawn: {axis}, nowhere more than {size}.",
                 axis = AXES[axis],
-                size = quantity("m/s", size)
+                size = scale.quantity(size)
             ),
             _ => say!(language, " Not drawn: {axis}, zero.", axis = AXES[axis]),
         });

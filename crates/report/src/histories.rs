@@ -11,7 +11,6 @@ use crate::contact_monitors::is_on_interface;
 use crate::figure::Section;
 use crate::language::{Language, say};
 use crate::pairs::{difference, from_mean, is_pair, names};
-use crate::scale::quantity;
 use crate::source::Source;
 use crate::strength;
 
@@ -227,7 +226,7 @@ impl<'a> Recorded<'a> {
     }
 
     fn panel<'h>(&self, quantity: &str, title: String, mark: Mark, histories: Histories<'h>) -> Panel<'h> {
-        let scale = self.source.units.of_history(self.unit(quantity), largest(&histories));
+        let scale = self.source.units.suiting(self.unit(quantity), largest(&histories));
         let lines = histories.into_iter().enumerate();
         let line = |(colour, (name, values))| Line { name, values, colour, stroke: Stroke::Thin };
         Panel { title, scale, lines: lines.map(line).collect(), mark }
@@ -266,7 +265,7 @@ impl<'a> Recorded<'a> {
             let missing = if size == 0.0 {
                 say!(language, "Not drawn: {title}, zero.", title = title)
             } else {
-                let size = quantity(self.unit(name), size);
+                let size = self.source.units.suiting(self.unit(name), size).quantity(size);
                 say!(language, "Not drawn: {title}, nowhere more than {size}.", title = title, size = size)
             };
             caption = match caption.is_empty() {

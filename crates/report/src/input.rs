@@ -4,9 +4,10 @@ use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
-use crate::scale::{Scale, figures, quantity};
+use crate::scale::figures;
 use crate::source::Source;
 use crate::spectra;
+use crate::units::Kind;
 use tremolite_results::Table;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -34,10 +35,8 @@ pub fn section(source: &Source) -> Option<Section> {
         Ok(table) => table,
         Err(why) => return Some(Section::left_out(&heading, why)),
     };
-    let of_all =
-        |components: &[(usize, &[f64])]| components.iter().map(|(_, x)| largest(x)).fold(0.0, f64::max);
     let accelerations = moving(table, "a");
-    let scale = Scale::suiting("m/s2", of_all(&accelerations));
+    let scale = source.scale(Kind::Acceleration);
     // Components one below the other, on one unit.
     let panels: Vec<Panel> = accelerations
         .iter()
@@ -48,18 +47,20 @@ pub fn section(source: &Source) -> Option<Section> {
             mark: Mark::Largest,
         })
         .collect();
-    let drift: Vec<Panel> =
-        [("v", say!(language, "velocity"), "m/s"), ("u", say!(language, "displacement"), "m")]
-            .into_iter()
-            .map(|(kind, title, unit)| (moving(table, kind), title, unit))
-            .filter(|(components, ..)| !components.is_empty())
-            .map(|(components, title, unit)| Panel {
-                title,
-                scale: Scale::suiting(unit, of_all(&components)),
-                lines: components.into_iter().map(line).collect(),
-                mark: Mark::Largest,
-            })
-            .collect();
+    let drift: Vec<Panel> = [
+        ("v", say!(language, "velocity"), Kind::Velocity),
+        ("u", say!(language, "displacement"), Kind::Displacement),
+    ]
+    .into_iter()
+    .map(|(letter, title, kind)| (moving(table, letter), title, kind))
+    .filter(|(components, ..)| !components.is_empty())
+    .map(|(components, title, kind)| Panel {
+        title,
+        scale: source.scale(kind),
+        lines: components.into_iter().map(line).collect(),
+        mark: Mark::Largest,
+    })
+    .collect();
     if panels.is_empty() && drift.is_empty() {
         return Some(Section::left_out(&heading, say!(language, "motion.csv holds no motion.")));
     }
@@ -95,7 +96,12 @@ pub fn section(source: &Source) -> Option<Section> {
 fn caption(source: &Source, accelerations: &[(usize, &[f64])]) -> String {
     let language = source.language;
     let peaks = accelerations.iter().map(|(axis, values)| {
-        say!(language, "{peak} along {axis}", peak = quantity("m/s2", largest(values)), axis = AXES[*axis])
+        say!(
+            language,
+            "{peak} along {axis}",
+            peak = source.quantity(Kind::Acceleration, largest(values)),
+            axis = AXES[*axis]
+        )
     });
     let peaks = peaks.collect::<Vec<_>>().join(&say!(language, ", "));
     let mut text = say!(

@@ -5,6 +5,8 @@ use tremolite_results::{InterfaceSummary, MaterialValue, PairPeak, Summary};
 
 use crate::language::{Language, say};
 use crate::scale::{count, figures, quantity, trimmed};
+use crate::source::Source;
+use crate::units::Kind;
 
 /// All interfaces side by side.
 #[derive(Serialize)]
@@ -30,7 +32,7 @@ pub struct Entry {
 }
 
 /// A row before it is filled in.
-type Wanted = (String, String, fn(Language, &InterfaceSummary) -> Entry);
+type Wanted = (String, String, fn(&Source, &InterfaceSummary) -> Entry);
 
 fn rows(language: Language) -> [Wanted; 13] {
     let none = String::new;
@@ -39,16 +41,17 @@ fn rows(language: Language) -> [Wanted; 13] {
         (say!(language, "Parameters"), say!(language, "of the law"), |_, own| {
             entry(parameters(own), String::new())
         }),
-        (say!(language, "Area"), say!(language, "and the pairs of nodes that share it"), |language, own| {
-            entry(area(own.area), pairs(language, own))
+        (say!(language, "Area"), say!(language, "and the pairs of nodes that share it"), |source, own| {
+            entry(area(own.area), pairs(source.language, own))
         }),
-        (say!(language, "Normal stiffness k_n0"), say!(language, "closed and unloaded"), |language, own| {
+        (say!(language, "Normal stiffness k_n0"), say!(language, "closed and unloaded"), |source, own| {
+            let language = source.language;
             let chosen =
                 if own.chosen { say!(language, "chosen by the program") } else { say!(language, "given") };
             entry(quantity("Pa/m", own.normal_stiffness), chosen)
         }),
-        (say!(language, "Closure at 1\u{a0}MPa"), say!(language, "by the law"), |_, own| {
-            entry(length(own.closure_at_1_mpa), String::new())
+        (say!(language, "Closure at 1\u{a0}MPa"), say!(language, "by the law"), |source, own| {
+            entry(length(source, own.closure_at_1_mpa), String::new())
         }),
         (say!(language, "Area that ever slid"), say!(language, "in any step"), |_, own| {
             part(own, own.ever_slid)
@@ -61,46 +64,52 @@ fn rows(language: Language) -> [Wanted; 13] {
         (
             say!(language, "Largest slip"),
             say!(language, "of closed pairs whose bond is broken, of all steps"),
-            |language, own| peak(language, &own.max_slip),
+            |source, own| peak(source, &own.max_slip),
         ),
         (
             say!(language, "Largest gap"),
             say!(language, "of all pairs whose bond is broken and all steps"),
-            |language, own| peak(language, &own.max_gap),
+            |source, own| peak(source, &own.max_gap),
         ),
-        (say!(language, "Largest pressure"), say!(language, "of all pairs and steps"), |language, own| {
+        (say!(language, "Largest pressure"), say!(language, "of all pairs and steps"), |source, own| {
+            let language = source.language;
             let from = own.straight_from;
             let beyond = own.max_pressure > from;
             let note = || {
                 say!(
                     language,
                     "beyond {pressure}, from which on the law is straight",
-                    pressure = trimmed(&quantity("Pa", from))
+                    pressure = trimmed(&source.quantity(Kind::Stress, from))
                 )
             };
-            entry(quantity("Pa", own.max_pressure), if beyond { note() } else { String::new() })
+            entry(
+                source.quantity(Kind::Stress, own.max_pressure),
+                if beyond { note() } else { String::new() },
+            )
         }),
         (
             say!(language, "Energy found at impacts"),
             say!(language, "over the run, negative where it was lost; part of the balance's error"),
-            |_, own| entry(quantity("J", own.impact_gain), String::new()),
+            |source, own| entry(source.quantity(Kind::Energy, own.impact_gain), String::new()),
         ),
     ]
 }
 
 /// The table; nothing for a run without interfaces.
-pub fn table(language: Language, summary: &Summary) -> Option<InterfaceTable> {
+pub fn table(source: &Source, summary: &Summary) -> Option<InterfaceTable> {
     let names: Vec<String> = summary.interfaces.keys().cloned().collect();
     let row = |(name, meaning, value): Wanted| InterfaceRow {
         name,
         meaning,
-        values: summary.interfaces.values().map(|own| value(language, own)).collect(),
+        values: summary.interfaces.values().map(|own| value(source, own)).collect(),
     };
-    (!names.is_empty()).then(|| InterfaceTable { names, rows: rows(language).into_iter().map(row).collect() })
+    (!names.is_empty())
+        .then(|| InterfaceTable { names, rows: rows(source.language).into_iter().map(row).collect() })
 }
 
 /// The largest slip and gap of all interfaces that slid or opened: what it is, the value, and of which interface where.
-pub fn extremes(language: Language, facts: &Summary) -> Vec<(String, String, String)> {
+pub fn extremes(source: &Source, facts: &Summary) -> Vec<(String, String, String)> {
+    let language = source.language;
     type Wanted = (String, fn(&InterfaceSummary) -> Option<&PairPeak>);
     let wanted: [Wanted; 2] = [
         (say!(language, "Largest slip of an interface"), |own| {
@@ -116,7 +125,7 @@ pub fn extremes(language: Language, facts: &Summary) -> Vec<(String, String, Str
         let place = peak.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−"))).join(",\u{a0}");
         Some((
             label,
-            quantity("m", peak.value),
+            source.quantity(Kind::Opening, peak.value),
             say!(
                 language,
                 "{name} at ({place}) m, of pairs whose bond is broken, of all steps",
@@ -146,8 +155,8 @@ fn area(value: f64) -> String {
     format!("{}\u{a0}m²", trimmed(&figures(value, 4)))
 }
 
-fn length(value: f64) -> String {
-    if value == 0.0 { "0".into() } else { quantity("m", value) }
+fn length(source: &Source, value: f64) -> String {
+    if value == 0.0 { "0".into() } else { source.size(Kind::Opening, value) }
 }
 
 fn pairs(language: Language, own: &InterfaceSummary) -> String {
@@ -172,11 +181,12 @@ fn part(own: &InterfaceSummary, value: f64) -> Entry {
     entry(if value == 0.0 { "0".into() } else { area(value) }, note)
 }
 
-fn peak(language: Language, peak: &PairPeak) -> Entry {
+fn peak(source: &Source, peak: &PairPeak) -> Entry {
+    let language = source.language;
     let coordinate = |x: f64| trimmed(&format!("{x:.2}").replace('-', "−"));
     let known = peak.value > 0.0 && peak.at.iter().all(|x| x.is_finite());
     let [x, y, z] = peak.at.map(coordinate);
     let note = || say!(language, "at\u{a0}({x},\u{a0}{y},\u{a0}{z})", x = x, y = y, z = z);
     let note = if known { note() } else { String::new() };
-    entry(length(peak.value), note)
+    entry(length(source, peak.value), note)
 }

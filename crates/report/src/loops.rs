@@ -24,18 +24,25 @@ pub struct Quantity {
     pub name: String,
     /// SI unit; empty for a pure number.
     pub unit: String,
+    /// The unit that it is shown in where that does not go by its own size.
+    shown_in: Option<Scale>,
 }
 
 impl Quantity {
     pub fn new(name: impl Into<String>, unit: impl Into<String>) -> Self {
-        Quantity { name: name.into(), unit: unit.into() }
+        Quantity { name: name.into(), unit: unit.into(), shown_in: None }
+    }
+
+    /// The same in a unit that others share.
+    pub(crate) fn shown_in(self, scale: Scale) -> Self {
+        Quantity { shown_in: Some(scale), ..self }
     }
 
     fn scale<'a>(&self, values: impl Iterator<Item = &'a f64>) -> Scale {
-        Scale::suiting(
-            &self.unit,
-            values.filter(|x| drawable(**x)).fold(0.0, |most, x| f64::max(most, x.abs())),
-        )
+        self.shown_in.clone().unwrap_or_else(|| {
+            let sizes = values.filter(|x| drawable(**x)).map(|x| x.abs());
+            Scale::suiting(&self.unit, sizes.fold(0.0, f64::max))
+        })
     }
 }
 

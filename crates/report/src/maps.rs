@@ -56,7 +56,7 @@ fn stress(source: &Source, snapshots: &Snapshots) -> Section {
         _ => snapshots.at(snapshots.last().time),
     };
     let map = Map {
-        language,
+        source,
         cut: &cut,
         smooth: smooth.as_deref(),
         heading: &heading,

@@ -88,8 +88,8 @@ struct Drawing {
     /// The name by which the manifest of the curves knows it; empty for a figure without.
     curves: String,
     svg: Value,
-    /// Whether it wants a page of paper for itself.
-    tall: bool,
+    /// How much of a page of paper it wants: `tall` all of it, `high` more than half; else nothing.
+    height: &'static str,
     caption: String,
 }
 
@@ -116,11 +116,11 @@ pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String
         cards: cards::key_results(source),
         checks: facts::checks(language, &summary),
         warnings: facts::warnings(language, &summary),
-        model: facts::model(language, &summary),
+        model: facts::model(source, &summary),
         materials: materials::tables(language, &summary),
         damage: damage::tables(source.language, &summary),
-        cracks: damage::cracks(source.language, &summary),
-        interfaces: interfaces::table(source.language, &summary),
+        cracks: damage::cracks(source, &summary),
+        interfaces: interfaces::table(source, &summary),
         still: source.still(),
         sections: sections.iter().map(part).collect(),
         peaks: peaks::peaks(source),
@@ -220,15 +220,21 @@ fn part(placed: &Placed) -> Part {
     }
 }
 
-/// Height over width from which on a figure has a page of its own: shrunk to half a page its texts could not be read.
-const TALL: f64 = 0.75;
+/// Height over width from which on a figure has a page of its own, or more than half of one: shrunk to half a page its texts
+/// could not be read.
+const TALL: f64 = 1.0;
+const HIGH: f64 = 0.75;
 
 fn drawing(figure: &Figure) -> Drawing {
-    let tall = svg::proportion(&figure.svg).is_some_and(|proportion| proportion > TALL);
+    let height = match svg::proportion(&figure.svg) {
+        Some(proportion) if proportion > TALL => "tall",
+        Some(proportion) if proportion > HIGH => "high",
+        _ => "",
+    };
     Drawing {
         curves: figure.curves.as_ref().map(|_| figure.file.clone()).unwrap_or_default(),
         svg: markup(&figure.svg),
-        tall,
+        height,
         caption: figure.caption.clone(),
     }
 }

@@ -6,13 +6,15 @@ use crate::axes::Axes;
 use crate::convergence::{Point, caverns};
 use crate::curves::{Rule, Side};
 use crate::figure::{Block, Figure};
-use crate::language::{Language, say};
+use crate::language::say;
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
-use crate::scale::{Scale, figures, trimmed};
+use crate::scale::{figures, trimmed};
+use crate::source::Source;
 use crate::stage_name::called;
 use crate::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::ticks::Ticks;
+use crate::units::Kind;
 
 /// Figures beyond these say nothing new.
 const MOST: usize = 6;
@@ -56,13 +58,14 @@ fn series(stages: &[StageSummary]) -> Vec<Steps> {
 }
 
 /// The block; nothing where every excavation was let go at once.
-pub fn block(language: Language, facts: &Summary) -> Option<Block> {
+pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
+    let language = source.language;
     let stages = &facts.stages;
     let series = series(stages);
     let caverns = caverns(stages);
     let figures: Vec<Figure> = series
         .iter()
-        .filter_map(|steps| figure(language, stages, steps, &concerned(&caverns, &stages[steps.first])))
+        .filter_map(|steps| figure(source, stages, steps, &concerned(&caverns, &stages[steps.first])))
         .take(MOST)
         .enumerate()
         .map(|(number, figure)| named(figure, number))
@@ -111,11 +114,12 @@ fn named(figure: Figure, number: usize) -> Figure {
 }
 
 fn figure(
-    language: Language,
+    source: &Source,
     stages: &[StageSummary],
     steps: &Steps,
     points: &[(String, Point)],
 ) -> Option<Figure> {
+    let language = source.language;
     let before = steps.first - 1;
     let several = points.iter().any(|(cavern, _)| *cavern != points[0].0);
     let curve = |(k, (cavern, point)): (usize, &(String, Point))| {
@@ -134,7 +138,7 @@ fn figure(
         return None;
     }
     let (low, high) = plot::ranges(&curves).1;
-    let scale = Scale::suiting("m", low.abs().max(high.abs()));
+    let scale = source.scale(Kind::Displacement);
     for point in curves.iter_mut().flat_map(|curve| curve.pieces.iter_mut().flatten()) {
         point.1 *= scale.factor;
     }

@@ -9,12 +9,13 @@ use tremolite_results::Summary;
 
 use crate::axes::Axes;
 use crate::figure::Figure;
-use crate::language::{Language, say};
+use crate::language::say;
 use crate::lining::{Lining, Station};
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
-use crate::scale::quantity;
+use crate::source::Source;
 use crate::svg::{Anchor, Style, Svg};
 use crate::ticks::Ticks;
+use crate::units::Kind;
 
 /// Static strengths of a lining's concrete (Pa).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,7 +74,8 @@ fn states(station: &Station, strength: Strength) -> (Option<[f64; 2]>, Vec<[f64;
 }
 
 /// The figure, or a sentence why there is none.
-pub fn figure(lining: &Lining, facts: &Summary, suffix: &str, language: Language) -> Result<Figure, String> {
+pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -> Result<Figure, String> {
+    let language = source.language;
     let strength = Strength::of(&lining.name, facts).ok_or_else(|| {
         say!(language, "The summary does not say of what strength the concrete of this lining is.")
     })?;
@@ -147,8 +149,8 @@ pub fn figure(lining: &Lining, facts: &Summary, suffix: &str, language: Language
         "f_c {compression} and f_t {tension}, static, t the thickness at each of {stations} stations. Outside the full line an \
          uncracked section would crack or crush; outside the dashed one plain concrete cannot bear what is there, and what \
          keeps it is reinforcement, which the lines leave out, or strength that grows with the rate.",
-        compression = quantity("Pa", strength.compression),
-        tension = quantity("Pa", strength.tension),
+        compression = source.quantity(Kind::Stress, strength.compression),
+        tension = source.quantity(Kind::Stress, strength.tension),
         stations = lining.stations.len(),
     );
     if !after.is_empty() {

@@ -73,7 +73,7 @@ impl Source {
         let interfaces = folder.interfaces().exists().then(|| table(&folder.interfaces(), "time"));
         let motion = folder.motion().exists().then(|| table(&folder.motion(), "time"));
         let free_field = folder.free_field();
-        let free_field = free_field.exists().then(|| table(&free_field, "time").map(FreeField::of));
+        let free_field = free_field.exists().then(|| table(&free_field, "time"));
         let spectra = folder.spectra().exists().then(|| table(&folder.spectra(), "period"));
         let depth = folder.depth().exists().then(|| table(&folder.depth(), "depth"));
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
@@ -82,13 +82,15 @@ impl Source {
         let case = std::fs::read(root.join("case.toml")).ok();
         let case = case.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
         let facts = facts(&summary, &monitors);
-        let of_ground = [energy.as_ref().ok(), motion.as_ref().and_then(|table| table.as_ref().ok())];
+        let of_ground = [&motion, &free_field, &spectra, &depth].map(|table| table.as_ref()?.as_ref().ok());
+        let of_ground = of_ground.into_iter().flatten().chain(energy.as_ref().ok()).flat_map(kinds);
         let of_joints = [&damage, &interfaces].map(|table| table.as_ref()?.as_ref().ok());
         let of_joints = of_joints.into_iter().flatten().flat_map(kinds).map(|(kind, size)| match kind {
             Kind::Displacement => (Kind::Opening, size),
             other => (other, size),
         });
-        let units = Units::of(&facts, of_ground.into_iter().flatten().flat_map(kinds).chain(of_joints));
+        let of_bolts = bolts.iter().flatten().flatten().map(|row| (Kind::Force, row.max_force));
+        let units = Units::of(&facts, of_ground.chain(of_joints).chain(of_bolts));
         Ok(Source {
             language,
             folder,
@@ -98,7 +100,7 @@ impl Source {
             damage,
             interfaces,
             motion,
-            free_field,
+            free_field: free_field.map(|table| table.map(FreeField::of)),
             spectra,
             depth,
             relaxation,
@@ -150,6 +152,15 @@ impl Source {
         })
     }
 
+    /// A size with the page's unit of its quantity, where less than a thousandth of the unit is as good as nothing.
+    pub fn size(&self, kind: Kind, value: f64) -> String {
+        let scale = self.scale(kind);
+        match value > 0.0 && value * scale.factor < 1e-3 {
+            true => format!("<\u{a0}0.001\u{a0}{}", scale.unit),
+            false => scale.quantity(value),
+        }
+    }
+
     /// The summary, or an empty one.
     pub fn facts(&self) -> Summary {
         facts(&self.summary, &self.monitors)
@@ -169,7 +180,12 @@ fn facts(summary: &Result<Summary, String>, monitors: &Result<Table, String>) ->
 
 /// What the columns of a table are, each with its largest value by size.
 fn kinds(table: &Table) -> impl Iterator<Item = (Kind, f64)> {
-    let columns = table.columns.iter().zip(&table.values);
+    // Levels are no displacements.
+    let columns = table
+        .columns
+        .iter()
+        .zip(&table.values)
+        .filter(|(column, _)| !["depth", "z"].contains(&column.name.as_str()));
     columns.filter_map(|(column, values)| {
         let finite = values.iter().filter(|x| x.is_finite());
         Some((Kind::of_unit(&column.unit)?, finite.fold(0.0, |most, x| f64::max(most, x.abs()))))

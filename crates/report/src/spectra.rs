@@ -5,10 +5,11 @@ use tremolite_results::Table;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::{Language, say};
 use crate::plot::Pen;
-use crate::scale::{Scale, quantity, trimmed};
+use crate::scale::{quantity, trimmed};
 use crate::source::Source;
-use crate::spectra_figure::{AXES, Drawn, Point, Row, figure, largest, moving};
+use crate::spectra_figure::{AXES, Drawn, Point, Row, figure, moving};
 use crate::text_table::{Cell, Head, TextTable};
+use crate::units::Kind;
 
 /// Monitors in one figure: as many as a printed page has room for.
 const ROWS: usize = 6;
@@ -46,7 +47,7 @@ pub fn of_input(source: &Source) -> Option<Figure> {
     let drawn = all.map(|((point, name), (colour, pen))| Drawn { name, point, colour, pen }).collect();
     let title = say!(language, "Response spectra of the motion that comes in");
     let rows = [Row { name: "", drawn }];
-    let figure = figure(&rows, &axes_of, periods, &title, "input-spectra.svg".into(), language);
+    let figure = figure(&rows, &axes_of, periods, &title, "input-spectra.svg".into(), source);
     let caption = say!(
         language,
         "Largest acceleration of an oscillator of each period with 5 % of critical damping (ω² times its largest displacement). \
@@ -100,7 +101,7 @@ pub fn section(source: &Source) -> Option<Section> {
     }
     let figures = rows.chunks(ROWS).enumerate().map(|(k, rows)| {
         let file = if k == 0 { "spectra.svg".into() } else { format!("spectra-{}.svg", k + 1) };
-        let figure = figure(rows, &axes_of, periods, &heading, file, language);
+        let figure = figure(rows, &axes_of, periods, &heading, file, source);
         Figure { caption: if k == 0 { caption.clone() } else { String::new() }, ..figure }
     });
     let block = Block {
@@ -149,8 +150,7 @@ fn explained(source: &Source) -> String {
 fn peaks(source: &Source, points: &[(Point, Point)], axes_of: &[usize], periods: &[f64]) -> TextTable {
     let language = source.language;
     let shortest = ROWS_A_PERIOD * interval(source).unwrap_or(0.0);
-    let own: Vec<&Point> = points.iter().map(|(own, _)| own).collect();
-    let scale = Scale::suiting("m/s2", axes_of.iter().map(|&axis| largest(&own, axis)).fold(0.0, f64::max));
+    let scale = source.scale(Kind::Acceleration);
     let largest = scale.labelled(&say!(language, "largest"));
     let at = say!(language, "at period (s)");
     let pair = || [Head::number(&largest), Head::number(&at)];

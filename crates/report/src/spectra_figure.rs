@@ -10,8 +10,10 @@ use crate::period_axis::{axis, place};
 use crate::plot::{self, Curve, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
 use crate::scale::Scale;
+use crate::source::Source;
 use crate::svg::{Anchor, Style, Svg};
 use crate::ticks::Ticks;
+use crate::units::Kind;
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// A component this much smaller than the largest does not count as moving.
@@ -62,7 +64,7 @@ pub struct Row<'a> {
     pub drawn: Vec<Drawn<'a>>,
 }
 
-pub fn largest(points: &[&Point], axis: usize) -> f64 {
+fn largest(points: &[&Point], axis: usize) -> f64 {
     let values = points.iter().flat_map(|point| point.spectrum[axis]).copied();
     values.filter(|x| x.is_finite()).fold(0.0, f64::max)
 }
@@ -81,11 +83,12 @@ pub fn figure(
     periods: &[f64],
     title: &str,
     file: String,
-    language: Language,
+    source: &Source,
 ) -> Figure {
+    let language = source.language;
     let all: Vec<&Point> = rows.iter().flat_map(|row| row.drawn.iter().map(|drawn| drawn.point)).collect();
     let most = axes_of.iter().map(|&axis| largest(&all, axis)).fold(0.0, f64::max);
-    let scale = Scale::suiting("m/s2", most);
+    let scale = source.scale(Kind::Acceleration);
     let (low, high) = plot::range(periods.iter().copied());
     let words = scale.labelled(&say!(language, "spectral acceleration, 5 % damping"));
     let cells: Vec<Cell> = rows

@@ -78,7 +78,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         };
         let smooth = file.smooth(&slice, &cut.field);
         let map = Map {
-            language,
+            source,
             cut: &cut,
             smooth: smooth.as_deref(),
             heading: &heading,

@@ -62,13 +62,17 @@ impl Kind {
         match self {
             // Millimetres as long as they can be read: metres would show nothing of what strains a lining, and widths of
             // cracks are set beside limits in millimetres.
-            Kind::Displacement | Kind::Opening if (1e-4..10.0).contains(&largest) => {
+            Kind::Displacement | Kind::Opening if largest == 0.0 || (1e-4..10.0).contains(&largest) => {
                 Scale::suiting("m", 1e-2)
             }
             Kind::Displacement | Kind::Opening => Scale::suiting("m", largest),
-            Kind::Velocity => Scale::suiting("m/s", largest),
+            // What ground at rest in one direction does beside what it does in another still has its figures.
+            Kind::Velocity => Scale::suiting("m/s", 0.1 * largest),
             Kind::Acceleration => Scale::suiting("m/s2", largest),
+            // Field files may hold what nothing here knows of.
+            Kind::Stress if largest == 0.0 => Scale::suiting("Pa", 1e6),
             Kind::Stress => Scale::suiting("Pa", largest),
+            Kind::Force if largest == 0.0 => Scale::suiting("N", 1e4),
             Kind::Force => Scale::suiting("N", largest),
             // The error of the balance, and what joints and bolts hold, are small beside the largest line.
             Kind::Energy => Scale::suiting("J", 0.1 * largest),
@@ -129,8 +133,8 @@ impl Units {
         self.0[kind as usize].clone()
     }
 
-    /// The unit of histories in the SI unit `unit` up to `largest`: that of their kind, or else what suits them.
-    pub fn of_history(&self, unit: &str, largest: f64) -> Scale {
+    /// The unit of values in the SI unit `unit` up to `largest`: that of their kind, or else what suits them.
+    pub fn suiting(&self, unit: &str, largest: f64) -> Scale {
         Kind::of_unit(unit).map_or_else(|| Scale::suiting(unit, largest), |kind| self.scale(kind))
     }
 }
@@ -148,6 +152,6 @@ mod tests {
         assert_eq!(unit(Kind::Displacement, 40.0), "m");
         assert_eq!(unit(Kind::Opening, 4e-4), "mm");
         assert_eq!(unit(Kind::Energy, 3.4e9), "MJ");
-        assert_eq!(unit(Kind::Stress, 0.0), "Pa");
+        assert_eq!(unit(Kind::Stress, 0.0), "MPa");
     }
 }

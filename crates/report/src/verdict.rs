@@ -3,9 +3,11 @@
 use serde::Serialize;
 use tremolite_results::{Cracks, Finding, Severity, Status, Summary};
 
+use crate::brief::{CHECK, NAME, percent, short};
 use crate::language::{Language, say};
 use crate::scale::{figures, moment};
 use crate::source::Source;
+use crate::surroundings::{around, of_rock};
 use crate::units::Kind;
 
 /// Lines that the verdict may have.
@@ -48,7 +50,8 @@ pub fn verdict(source: &Source) -> Verdict {
         );
         lines.push(Line { text, ..next });
     }
-    lines.extend(around(source, &facts));
+    let room = LINES.saturating_sub(lines.len());
+    lines.extend(within(room, around(language, &facts), language));
     lines.extend(relative(source, &facts));
     lines.truncate(LINES);
     let (class, answer) = answer(source, &linings);
@@ -61,11 +64,6 @@ fn class(severity: Severity) -> &'static str {
         Severity::Damaged => "warn",
         Severity::Through => "bad",
     }
-}
-
-/// Whether a finding is of rock, which yields but does not crack.
-fn of_rock(finding: &Finding) -> bool {
-    finding.numbers.keys().any(|name| name.starts_with("share_yielded"))
 }
 
 /// Findings of what can crack, the worst first; of equal ones that which is cracked most.
@@ -85,20 +83,23 @@ fn linings(facts: &Summary) -> Vec<&Finding> {
 fn answer(source: &Source, linings: &[&Finding]) -> (&'static str, String) {
     let language = source.language;
     let Ok(summary) = &source.summary else {
-        return ("warn", say!(language, "Not known: there is no summary of the run."));
+        return ("warn", say!(language, "Cannot be said: there is no summary of the run."));
     };
     match (summary.status, linings.first().map(|finding| finding.severity)) {
-        (Status::Failed, _) => ("bad", say!(language, "Not known: the run failed.")),
+        (Status::Failed, _) => ("bad", say!(language, "Cannot be said: the run failed.")),
         (Status::Stopped, Some(Severity::Through)) => {
             ("bad", say!(language, "The run has not ended, and cracks already run through its thickness."))
         }
-        (Status::Stopped, _) => ("warn", say!(language, "Not known yet: the run has not ended.")),
+        (Status::Stopped, _) => ("warn", say!(language, "Cannot be said yet: the run has not ended.")),
         (Status::Done, None) => ("warn", say!(language, "Not judged: no structure of this run can crack.")),
         (Status::Done, Some(Severity::Through)) => {
-            ("bad", say!(language, "Not unharmed: cracks run through its thickness."))
+            ("bad", say!(language, "It is damaged: cracks run through its thickness."))
         }
         (Status::Done, Some(Severity::Damaged)) => {
             ("warn", say!(language, "It is cracked, but nowhere through its thickness."))
+        }
+        (Status::Done, Some(Severity::Undamaged)) if summary.warnings() > 0 || summary.judged() == 0 => {
+            ("warn", say!(language, "It is undamaged as computed, but the checks do not vouch for that."))
         }
         (Status::Done, Some(Severity::Undamaged)) if source.still().is_some() => {
             ("good", say!(language, "It is undamaged; no earthquake has come."))
@@ -131,24 +132,53 @@ fn run(source: &Source, facts: &Summary) -> Line {
                 judged = judged
             ),
         ),
-        Status::Done => (
-            "warn",
-            say!(
-                language,
-                "The run is done; {passed} of {judged} checks pass: look at the others first.",
-                passed = passed,
-                judged = judged
-            ),
-        ),
+        Status::Done => ("warn", warned(source, facts, passed, judged)),
     };
     Line { class, text }
+}
+
+/// That checks warn, and which.
+fn warned(source: &Source, facts: &Summary, passed: usize, judged: usize) -> String {
+    let language = source.language;
+    let warn = facts.trust.iter().filter(|line| !line.pass && !line.not_applicable);
+    let mut names = warn.map(|line| language.tell_or(&line.name_said, &line.name));
+    let check = short(&names.next().unwrap_or_default(), CHECK);
+    match names.count() {
+        0 => say!(
+            language,
+            "The run is done; {passed} of {judged} checks pass. Look at the other first: {check}.",
+            passed = passed,
+            judged = judged,
+            check = check
+        ),
+        more => say!(
+            language,
+            "The run is done; {passed} of {judged} checks pass. Look first at: {check}; and {more} more.",
+            passed = passed,
+            judged = judged,
+            check = check,
+            more = more
+        ),
+    }
+}
+
+/// The lines in the room there is for them: those that have none of their own share the last.
+fn within(room: usize, mut lines: Vec<(Severity, String)>, language: Language) -> Vec<Line> {
+    while lines.len() > room.max(1) {
+        let Some((severity, text)) = lines.pop() else { break };
+        if let Some(last) = lines.last_mut() {
+            let worse = if severity as u8 > last.0 as u8 { severity } else { last.0 };
+            *last = (worse, say!(language, "{first} {second}", first = last.1, second = text));
+        }
+    }
+    lines.into_iter().map(|(severity, text)| Line { class: class(severity), text }).collect()
 }
 
 /// A lining's cracks.
 fn lining(source: &Source, finding: &Finding) -> Line {
     let language = source.language;
     let number = |name: &str| finding.numbers.get(name).copied().filter(|x| x.is_finite());
-    let group = &finding.group;
+    let group = &short(&finding.group, NAME);
     let text = match (finding.severity, number("share_cracked")) {
         (Severity::Undamaged, _) => say!(language, "{group}: undamaged.", group = group),
         (_, None) => {
@@ -193,80 +223,6 @@ fn opening(source: &Source, value: f64) -> String {
         true => format!(">\u{a0}{}", source.quantity(Kind::Opening, Cracks::LOOSE)),
         false => source.quantity(Kind::Opening, value),
     }
-}
-
-/// A share; a small one does not become zero.
-fn percent(share: f64) -> String {
-    match share {
-        0.0 => "0".into(),
-        s if s > 0.0 && s < 1e-3 => "<\u{a0}0.1\u{a0}%".into(),
-        s => format!("{:.1}\u{a0}%", 100.0 * s),
-    }
-}
-
-/// What lies around the linings: the worst interface, the worst bolts, the rock.
-fn around(source: &Source, facts: &Summary) -> Option<Line> {
-    let language = source.language;
-    let worst = |prefix: &str| {
-        let own = facts.findings.iter().filter(|finding| finding.id.starts_with(prefix));
-        let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied().unwrap_or(0.0);
-        let rank = |f: &Finding| {
-            let area = number(f, "share_slid").max(number(f, "share_opened"));
-            (f.severity as u8, area.max(number(f, "force_over_yield")))
-        };
-        own.reduce(|a, b| if rank(b) > rank(a) { b } else { a })
-    };
-    let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied();
-    let mut found: Vec<(Severity, String)> = Vec::new();
-    if let Some(interface) = worst("interface_")
-        && let (Some(slid), Some(opened)) =
-            (number(interface, "share_slid"), number(interface, "share_opened"))
-    {
-        let text = match slid == 0.0 && opened == 0.0 {
-            true => say!(language, "Interface {name}: neither slid nor opened.", name = interface.group),
-            false => say!(
-                language,
-                "Interface {name}: slid over {slid} and opened over {opened} of its area.",
-                name = interface.group,
-                slid = percent(slid),
-                opened = percent(opened)
-            ),
-        };
-        found.push((interface.severity, text));
-    }
-    if let Some(bolts) = worst("bolts_")
-        && let (Some(all), Some(yielded), Some(broken)) =
-            (number(bolts, "bolts"), number(bolts, "yielded"), number(bolts, "broken"))
-    {
-        let text = say!(
-            language,
-            "Bolts {name}: {yielded} of {all} yielded, {broken} broke.",
-            name = bolts.group,
-            yielded = yielded,
-            all = all,
-            broken = broken
-        );
-        found.push((bolts.severity, text));
-    }
-    if let Some(rock) = facts.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8) {
-        let shear = number(rock, "share_yielded_in_shear").unwrap_or(0.0);
-        let tension = number(rock, "share_yielded_in_tension").unwrap_or(0.0);
-        let text = say!(
-            language,
-            "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
-            name = rock.group,
-            shear = percent(shear),
-            tension = percent(tension)
-        );
-        found.push((rock.severity, text));
-    }
-    let severity = found.iter().map(|(severity, _)| *severity).max_by_key(|severity| *severity as u8)?;
-    let text = found.into_iter().map(|(_, text)| text).reduce(|a, b| join(language, &a, &b))?;
-    Some(Line { class: class(severity), text })
-}
-
-fn join(language: Language, first: &str, second: &str) -> String {
-    say!(language, "{first} {second}", first = first, second = second)
 }
 
 /// The pair of monitors that moved apart most.

@@ -8,16 +8,20 @@ pub const TEXTS: Texts = &[
         "另有 {count} 个结构，情况不比以上更差；其中 {worst}",
     ),
     ("Does the lining stand?", "衬砌能否经受住地震？"),
-    ("Not known: there is no summary of the run.", "未知：没有本次计算的摘要。"),
-    ("Not known: the run failed.", "未知：计算失败。"),
+    ("Cannot be said: there is no summary of the run.", "无法判断：没有本次计算的摘要。"),
+    ("Cannot be said: the run failed.", "无法判断：计算失败。"),
     (
         "The run has not ended, and cracks already run through its thickness.",
         "计算尚未结束，但裂缝已贯穿衬砌厚度。",
     ),
-    ("Not known yet: the run has not ended.", "尚未可知：计算没有结束。"),
+    ("Cannot be said yet: the run has not ended.", "尚无法判断：计算没有结束。"),
     ("Not judged: no structure of this run can crack.", "未作判断：本次计算中没有会开裂的结构。"),
-    ("Not unharmed: cracks run through its thickness.", "受损：裂缝贯穿衬砌厚度。"),
+    ("It is damaged: cracks run through its thickness.", "已受损：裂缝贯穿衬砌厚度。"),
     ("It is cracked, but nowhere through its thickness.", "已开裂，但没有一处贯穿厚度。"),
+    (
+        "It is undamaged as computed, but the checks do not vouch for that.",
+        "计算结果为未损伤，但自检不能为此作保。",
+    ),
     ("It is undamaged; no earthquake has come.", "未损伤；尚未经历地震。"),
     ("It is undamaged.", "未损伤。"),
     ("The run left no summary, so nothing is checked.", "本次计算没有留下摘要，因此未作任何检查。"),
@@ -29,8 +33,12 @@ pub const TEXTS: Texts = &[
         "就自检而言计算可信：{judged} 项检查中 {passed} 项通过。",
     ),
     (
-        "The run is done; {passed} of {judged} checks pass: look at the others first.",
-        "计算已完成；{judged} 项检查中 {passed} 项通过：请先查看其余各项。",
+        "The run is done; {passed} of {judged} checks pass. Look at the other first: {check}.",
+        "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看未通过的一项：{check}。",
+    ),
+    (
+        "The run is done; {passed} of {judged} checks pass. Look first at: {check}; and {more} more.",
+        "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看：{check}；以及另外 {more} 项。",
     ),
     ("{group}: undamaged.", "{group}：未损伤。"),
     (
@@ -48,6 +56,19 @@ pub const TEXTS: Texts = &[
         "接触面 {name}：滑移面积占 {slid}，张开面积占 {opened}。",
     ),
     (
+        "Interface {name}: slid over {slid} of its area, opened nowhere.",
+        "接触面 {name}：滑移面积占 {slid}，没有张开。",
+    ),
+    (
+        "Interface {name}: opened over {opened} of its area, slid nowhere.",
+        "接触面 {name}：张开面积占 {opened}，没有滑移。",
+    ),
+    ("Bolts {name}: none of {all} yielded.", "锚杆 {name}：{all} 根均未屈服。"),
+    (
+        "Bolts {name}: {yielded} of {all} yielded, none broke.",
+        "锚杆 {name}：{all} 根中 {yielded} 根屈服，无一断裂。",
+    ),
+    (
         "Bolts {name}: {yielded} of {all} yielded, {broken} broke.",
         "锚杆 {name}：{all} 根中 {yielded} 根屈服，{broken} 根断裂。",
     ),
@@ -55,6 +76,8 @@ pub const TEXTS: Texts = &[
         "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
         "{name}：剪切屈服体积占 {shear}，受拉屈服体积占 {tension}。",
     ),
+    ("{name}: yielded in shear in {shear} of its volume.", "{name}：剪切屈服体积占 {shear}。"),
+    ("{name}: yielded in tension in {tension} of its volume.", "{name}：受拉屈服体积占 {tension}。"),
     ("{first} {second}", "{first}{second}"),
     (
         "Monitors {pair} moved by up to {most} against each other, at {time}\u{a0}s; {left} at the end.",

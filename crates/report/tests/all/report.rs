@@ -328,7 +328,7 @@ fn damage_is_tabled_by_group_and_measure_with_volumes_shares_beginnings_and_crac
         "hall.<wbr>&lt;lining&gt;",
         "d_new",
         "7 of 96",
-        "240\u{a0}µm",
+        "0.240\u{a0}mm",
         "7.50\u{a0}s",
         "share of the group’s volume",
     ] {

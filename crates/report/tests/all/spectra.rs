@@ -15,7 +15,7 @@ fn table(path: &Path, columns: &[(&str, &str, &[f64])]) {
     }
 }
 
-fn shaken(root: &Path) -> ResultFolder {
+pub fn shaken(root: &Path) -> ResultFolder {
     let folder = ResultFolder::create(Some(root), "case", true).unwrap();
     let (time, one) = ([0.0, 0.01, 0.02], [0.0, 1.0, 0.5]);
     table(&folder.monitors(), &[("time", "s", &time), ("A.ax", "m/s2", &one)]);
@@ -84,6 +84,7 @@ fn peaks_along_depth_point_down_and_monitors_stand_at_their_level() {
                 ("depth", "m", &[0.0, 20.0, 40.0]),
                 ("free_field.vx", "m/s", &[0.2, 0.15, 0.1]),
                 ("free_field.ax", "m/s2", &[2.0, 1.5, 1.0]),
+                ("free_field.ux", "m", &[0.02, 0.01, 0.0]),
                 (theory, "m/s2", &[2.0, 1.5, 1.0]),
                 ("free_field.gxz", "1", &[1e-4, 2e-4, f64::NAN]),
                 ("model.ax", "m/s2", &[1.9, 1.4, 0.9]),
@@ -95,7 +96,7 @@ fn peaks_along_depth_point_down_and_monitors_stand_at_their_level() {
     assert!(text.contains("Peaks along depth") && !text.contains("No theory stands beside it"));
     let svg = drawing(&folder, "depth.svg");
     assert!(
-        ["free field, theory", "edge of the model", "monitors", "shear strain γxz"]
+        ["free field, theory", "edge of the model", "monitors", "shear strain γxz", "from base, x (mm)"]
             .iter()
             .all(|x| svg.contains(x))
     );

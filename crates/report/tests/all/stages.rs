@@ -332,7 +332,7 @@ fn a_static_study_has_a_whole_page_that_misses_nothing() {
         "installed tunnel.<wbr>lining",
         "initial equilibrium",
         ">50\u{a0}%<",
-        ">1.30\u{a0}µm<",
+        ">0.00130\u{a0}mm<",
         "tolerance 1\u{202f}×\u{202f}10⁻⁵",
         "Largest motion of a wall in the stages",
         "stages.csv",

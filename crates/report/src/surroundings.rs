@@ -1,0 +1,117 @@
+//! What the verdict says of what lies around the linings.
+
+use tremolite_results::{Finding, Severity, Summary};
+
+use crate::brief::{NAME, percent, short};
+use crate::language::{Language, say};
+
+/// What lies around the linings: the worst interface, the worst bolts, the rock.
+pub fn around(language: Language, facts: &Summary) -> Vec<(Severity, String)> {
+    let worst = |prefix: &str| {
+        let own = facts.findings.iter().filter(|finding| finding.id.starts_with(prefix));
+        let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied().unwrap_or(0.0);
+        let rank = |f: &Finding| {
+            let area = number(f, "share_slid").max(number(f, "share_opened"));
+            (f.severity as u8, area.max(number(f, "force_over_yield")))
+        };
+        own.reduce(|a, b| if rank(b) > rank(a) { b } else { a })
+    };
+    let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied();
+    let mut found: Vec<(Severity, String)> = Vec::new();
+    if let Some(interface) = worst("interface_")
+        && let (Some(slid), Some(opened)) =
+            (number(interface, "share_slid"), number(interface, "share_opened"))
+    {
+        let name = short(&interface.group, NAME);
+        let (slides, opens) = (percent(slid), percent(opened));
+        let text = match (slid > 0.0, opened > 0.0) {
+            (false, false) => say!(language, "Interface {name}: neither slid nor opened.", name = name),
+            (true, false) => {
+                say!(
+                    language,
+                    "Interface {name}: slid over {slid} of its area, opened nowhere.",
+                    name = name,
+                    slid = slides
+                )
+            }
+            (false, true) => {
+                say!(
+                    language,
+                    "Interface {name}: opened over {opened} of its area, slid nowhere.",
+                    name = name,
+                    opened = opens
+                )
+            }
+            (true, true) => say!(
+                language,
+                "Interface {name}: slid over {slid} and opened over {opened} of its area.",
+                name = name,
+                slid = slides,
+                opened = opens
+            ),
+        };
+        found.push((interface.severity, text));
+    }
+    if let Some(bolts) = worst("bolts_")
+        && let (Some(all), Some(yielded), Some(broken)) =
+            (number(bolts, "bolts"), number(bolts, "yielded"), number(bolts, "broken"))
+    {
+        let name = short(&bolts.group, NAME);
+        let text = match (yielded > 0.0, broken > 0.0) {
+            (false, false) => say!(language, "Bolts {name}: none of {all} yielded.", name = name, all = all),
+            (_, false) => say!(
+                language,
+                "Bolts {name}: {yielded} of {all} yielded, none broke.",
+                name = name,
+                yielded = yielded,
+                all = all
+            ),
+            (_, true) => say!(
+                language,
+                "Bolts {name}: {yielded} of {all} yielded, {broken} broke.",
+                name = name,
+                yielded = yielded,
+                all = all,
+                broken = broken
+            ),
+        };
+        found.push((bolts.severity, text));
+    }
+    if let Some(rock) = facts.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8) {
+        let shear = number(rock, "share_yielded_in_shear").unwrap_or(0.0);
+        let tension = number(rock, "share_yielded_in_tension").unwrap_or(0.0);
+        let name = short(&rock.group, NAME);
+        let (in_shear, in_tension) = (percent(shear), percent(tension));
+        let text = match (shear > 0.0, tension > 0.0) {
+            (false, false) => say!(language, "{group}: undamaged.", group = name),
+            (true, false) => {
+                say!(
+                    language,
+                    "{name}: yielded in shear in {shear} of its volume.",
+                    name = name,
+                    shear = in_shear
+                )
+            }
+            (false, true) => say!(
+                language,
+                "{name}: yielded in tension in {tension} of its volume.",
+                name = name,
+                tension = in_tension
+            ),
+            (true, true) => say!(
+                language,
+                "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
+                name = name,
+                shear = in_shear,
+                tension = in_tension
+            ),
+        };
+        found.push((rock.severity, text));
+    }
+    found
+}
+
+/// Whether a finding is of rock, which yields but does not crack.
+pub fn of_rock(finding: &Finding) -> bool {
+    finding.numbers.keys().any(|name| name.starts_with("share_yielded"))
+}
