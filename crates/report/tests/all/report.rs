@@ -438,7 +438,7 @@ fn materials_are_tabled_with_what_is_made_of_them_and_what_their_laws_derive() {
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     for text in [
-        "concrete: concrete-damage",
+        "concrete: <code>concrete-damage</code>",
         "hall.<wbr>lining",
         "1\u{202f}234 elements, full",
         "2752\u{a0}kg",
