@@ -156,7 +156,7 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
     if !after.is_empty() {
         caption.push_str(&say!(
             language,
-            " When the stages are done {elastic} stations lie outside the full line, {ultimate} outside the dashed one.",
+            " Counted over the rows of sections.csv: when the stages are done {elastic} stations lie outside the full line, {ultimate} outside the dashed one.",
             elastic = count(&after, &|s| strength.sound(s)),
             ultimate = count(&after, &Strength::bearable),
         ));
@@ -164,7 +164,7 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
     if !shaken.is_empty() {
         caption.push_str(&say!(
             language,
-            " At an extreme of their moment while the ground shakes: {elastic} and {ultimate}.",
+            " At an extreme of their moment while the ground shakes, counted over the same file: {elastic} and {ultimate}.",
             elastic = beyond(&|s| strength.sound(s)),
             ultimate = beyond(&Strength::bearable),
         ));

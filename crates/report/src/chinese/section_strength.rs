@@ -27,11 +27,11 @@ pub const TEXTS: Texts = &[
          虚线以外，素混凝土无法承受，须靠图中未计入的钢筋，或随加载速率提高的强度。",
     ),
     (
-        " When the stages are done {elastic} stations lie outside the full line, {ultimate} outside the dashed one.",
-        "施工完成时，{elastic} 个断面在实线以外，{ultimate} 个在虚线以外。",
+        " Counted over the rows of sections.csv: when the stages are done {elastic} stations lie outside the full line, {ultimate} outside the dashed one.",
+        "按 sections.csv 各行统计：施工完成时，{elastic} 个断面在实线以外，{ultimate} 个在虚线以外。",
     ),
     (
-        " At an extreme of their moment while the ground shakes: {elastic} and {ultimate}.",
-        "地震中弯矩达到极值时，分别为 {elastic} 个和 {ultimate} 个。",
+        " At an extreme of their moment while the ground shakes, counted over the same file: {elastic} and {ultimate}.",
+        "按同一文件统计，地震中弯矩达到极值时，分别为 {elastic} 个和 {ultimate} 个。",
     ),
 ];

@@ -8,6 +8,7 @@ mod further_quantities;
 mod interface_results;
 mod interfaces;
 mod maps;
+mod numbers;
 mod one_unit;
 mod page;
 mod report;
