@@ -246,4 +246,5 @@ pub const TEXTS: Texts = &[
     ("fields.pvd lists no field file yet.", "fields.pvd 尚未列出任何场文件。"),
     ("before the earthquake, t = 0", "地震前，t = 0"),
     ("after the earthquake, t = {time}\u{a0}s", "地震后，t = {time}\u{a0}s"),
+    ("so far, t = {time}\u{a0}s", "目前为止，t = {time}\u{a0}s"),
 ];
