@@ -89,8 +89,9 @@ pub fn section(source: &Source) -> Option<Section> {
     let mut caption = say!(
         language,
         "Spectral acceleration with 5 % damping, all on one scale. Each monitor is drawn full; dashed is the free field at its own \
-         level, which is how the ground would move there without caverns. Where the monitor rises above it, the cavern or the \
-         lining rings at that period or amplifies the wave; where it stays below, the cavern shields it."
+         level, which is how the ground would move there without caverns. Where the monitor rises above it at periods of \
+         ten rows and more, the cavern or the lining rings at that period or amplifies the wave; where it stays below, the cavern \
+         shields it."
     );
     if !beside {
         caption = say!(
@@ -138,9 +139,9 @@ fn explained(source: &Source) -> String {
     say!(
         source.language,
         "Of the accelerations between rows of the histories, {interval} apart, of the monitors and of the free field alike. \
-         Oscillators are looked at in the rows: one that rings alone at a period below {short} may peak more than 5 % above what is \
-         drawn, so the table has the largest from there on. Short periods that the motion given does not have come from cracks \
-         and joints that open and close.",
+         Rows so far apart show short periods too low, by 20 % at the shortest that is drawn, five rows, and by 5 to 9 % at {short}, \
+         ten rows: the table has the largest from there on. Short periods that the motion given does not have come from cracks \
+         and joints that open and close, sampled by the rows.",
         interval = shown(interval),
         short = shown(ROWS_A_PERIOD * interval)
     )
@@ -151,7 +152,7 @@ fn peaks(source: &Source, points: &[(Point, Point)], axes_of: &[usize], periods:
     let language = source.language;
     let shortest = ROWS_A_PERIOD * interval(source).unwrap_or(0.0);
     let scale = source.scale(Kind::Acceleration);
-    let largest = scale.labelled(&say!(language, "largest"));
+    let largest = scale.labelled(&say!(language, "largest from ten rows a period on"));
     let at = say!(language, "at period (s)");
     let pair = || [Head::number(&largest), Head::number(&at)];
     let over = vec![
