@@ -24,7 +24,12 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         cards.push(card(
             say!(language, "Largest displacement of a monitor"),
             source.quantity(Kind::Displacement, size),
-            say!(language, "{place} at {time}", place = monitor, time = at(time)),
+            say!(
+                language,
+                "{monitor} at {time}, its components together in one row of monitors.csv",
+                monitor = monitor,
+                time = at(time)
+            ),
         ));
     }
     let component = |name: &str| ["ux", "uy", "uz"].contains(&name);

@@ -45,7 +45,7 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
     let why = match (&seen, &strained) {
         (Some((_, pair, size)), Some((most_pair, at, most))) => say!(
             language,
-            "Drawn is the field file {when}, in which of all files monitors have moved most against each other, {pair} by {size}. The most over the run is {most} of {most_pair} at {time}\u{a0}s.",
+            "Drawn is the field file {when}, in which of all files monitors have moved most against each other, {pair} by {size} in the row of monitors.csv nearest to it. The most over the run is {most} of {most_pair} at {time}\u{a0}s.",
             when = time,
             pair = pair,
             size = length(*size),

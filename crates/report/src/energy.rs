@@ -213,7 +213,7 @@ pub fn section(source: &Source) -> Section {
             panels.push(panel(source, say!(language, "error"), vec![error]));
             said.push(say!(
                 language,
-                "The error is at most {worst}, {percent}\u{a0}% of the largest energy held.",
+                "The error is at most {worst}, {percent}\u{a0}% of the largest energy held, the sum of what motion, elements, interfaces and bolts hold at one time. Both are those of the rows of energy.csv.",
                 worst = source.quantity(Kind::Energy, worst),
                 percent = figures(100.0 * ratio, 2)
             ));

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use tremolite_results::{Fields, Pvd, Snapshot};
+use tremolite_results::{Fields, Pvd, Snapshot, Status};
 
 use crate::facts::duration;
 use crate::language::say;
@@ -75,6 +75,10 @@ impl<'a> Snapshots<'a> {
     /// What the last file stands for.
     pub fn after(&self) -> String {
         let time = moment(self.last().time, duration(self.source));
-        say!(self.source.language, "after the earthquake, t = {time}\u{a0}s", time = time)
+        // Of a run that was stopped, failed, or is still going on the last file is not the end.
+        match self.source.summary.as_ref().is_ok_and(|summary| summary.status == Status::Done) {
+            true => say!(self.source.language, "after the earthquake, t = {time}\u{a0}s", time = time),
+            false => say!(self.source.language, "so far, t = {time}\u{a0}s", time = time),
+        }
     }
 }

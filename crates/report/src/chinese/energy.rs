@@ -50,8 +50,8 @@ pub const TEXTS: Texts = &[
     ("energy of interfaces", "接触面能量"),
     ("energy of bolts", "锚杆能量"),
     (
-        "The error is at most {worst}, {percent}\u{a0}% of the largest energy held.",
-        "误差最大为 {worst}，占最大储能的 {percent}\u{a0}%。",
+        "The error is at most {worst}, {percent}\u{a0}% of the largest energy held, the sum of what motion, elements, interfaces and bolts hold at one time. Both are those of the rows of energy.csv.",
+        "误差最大为 {worst}，占最大持有能量（同一时刻动能、单元、接触面与锚杆所持能量之和）的 {percent}\u{a0}%。两者均取自 energy.csv 各行。",
     ),
     ("Zero throughout: {names}.", "始终为零：{names}。"),
 ];

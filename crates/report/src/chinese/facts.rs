@@ -13,6 +13,10 @@ pub const TEXTS: Texts = &[
     // Cards.
     ("Largest displacement of a monitor", "监测点最大位移"),
     ("{place} at {time}", "{place}，{time}"),
+    (
+        "{monitor} at {time}, its components together in one row of monitors.csv",
+        "{monitor}，{time}，monitors.csv 同一行各分量合成",
+    ),
     ("{pair}, {axis}, at {time}", "{pair}，{axis}，{time}"),
     ("Largest relative displacement, one component", "最大相对位移（单分量）"),
     ("Force of the bolt nearest to yield", "最接近屈服的锚杆轴力"),

@@ -161,8 +161,8 @@ pub const TEXTS: Texts = &[
     ("The field files have no displacement with three components.", "场文件没有三分量的位移。"),
     ("The plane of the section meets no element.", "断面不经过任何单元。"),
     (
-        "Drawn is the field file {when}, in which of all files monitors have moved most against each other, {pair} by {size}. The most over the run is {most} of {most_pair} at {time}\u{a0}s.",
-        "图为场文件（{when}），全部文件中此时监测点间相对位移最大：{pair} 为 {size}。全程最大为 {most_pair} 在 {time}\u{a0}s 的 {most}。",
+        "Drawn is the field file {when}, in which of all files monitors have moved most against each other, {pair} by {size} in the row of monitors.csv nearest to it. The most over the run is {most} of {most_pair} at {time}\u{a0}s.",
+        "图为场文件（{when}），全部文件中此时监测点间相对位移最大：{pair} 为 {size}（取自 monitors.csv 中最接近的一行）。全程最大为 {most_pair} 在 {time}\u{a0}s 的 {most}。",
     ),
     (
         "The file {when} is the nearest to {time}\u{a0}s, when monitors moved most against each other: {pair} by {size}.",
@@ -246,4 +246,5 @@ pub const TEXTS: Texts = &[
     ("fields.pvd lists no field file yet.", "fields.pvd 尚未列出任何场文件。"),
     ("before the earthquake, t = 0", "地震前，t = 0"),
     ("after the earthquake, t = {time}\u{a0}s", "地震后，t = {time}\u{a0}s"),
+    ("so far, t = {time}\u{a0}s", "目前为止，t = {time}\u{a0}s"),
 ];

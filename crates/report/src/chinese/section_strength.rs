@@ -12,26 +12,30 @@ pub const TEXTS: Texts = &[
         "sections.csv 中没有厚度，也没有最大弯矩时刻的轴力。",
     ),
     ("elastic section: a fibre reaches f_t or f_c", "弹性截面：边缘纤维达到 f_t 或 f_c"),
-    ("cracked plain section, f_c over the compressed part", "开裂素混凝土截面：受压区应力为 f_c"),
     (
-        "at the largest and smallest moment of the shaking, with the thrust of that time",
-        "地震中弯矩最大与最小时刻，轴力取同一时刻",
+        "what is left once cracked: no tension, f_c over the compressed part",
+        "开裂后的截面：不计拉应力，受压区应力为 f_c",
+    ),
+    (
+        "at the extremes of moment and thrust while the ground shakes, each with the other of that time",
+        "地震中弯矩与轴力的极值（另一内力取同一时刻）",
     ),
     ("{lining}: moment over thrust against strength", "{lining}：轴力—弯矩与截面强度"),
     ("N / (f_c t), tension positive; upwards M / (f_c t²)", "N / (f_c t)，受拉为正；纵轴 M / (f_c t²)"),
     (
         "f_c {compression} and f_t {tension}, static, t the thickness at each of {stations} stations. Outside the full line an \
-         uncracked section would crack or crush; outside the dashed one plain concrete cannot bear what is there, and what \
-         keeps it is reinforcement, which the lines leave out, or strength that grows with the rate.",
+         uncracked section cracks or crushes; a cracked one bears what lies inside the dashed line. Outside both plain concrete \
+         cannot bear what is there, and what keeps it is reinforcement, which the lines leave out, or strength that grows with \
+         the rate.",
         "静力强度 f_c {compression}，f_t {tension}；t 为各断面（共 {stations} 个）的厚度。实线以外，未开裂截面将开裂或压碎；\
-         虚线以外，素混凝土无法承受，须靠图中未计入的钢筋，或随加载速率提高的强度。",
+         开裂后的截面可承受虚线以内的内力。两线以外，素混凝土无法承受，须靠图中未计入的钢筋，或随加载速率提高的强度。",
     ),
     (
-        " When the stages are done {elastic} stations lie outside the full line, {ultimate} outside the dashed one.",
-        "施工完成时，{elastic} 个断面在实线以外，{ultimate} 个在虚线以外。",
+        " Counted over the rows of sections.csv: when the stages are done {elastic} stations lie outside the full line, {ultimate} outside both.",
+        "按 sections.csv 各行统计：施工完成时，{elastic} 个断面在实线以外，{ultimate} 个在两线以外。",
     ),
     (
-        " At an extreme of their moment while the ground shakes: {elastic} and {ultimate}.",
-        "地震中弯矩达到极值时，分别为 {elastic} 个和 {ultimate} 个。",
+        " At one of those extremes, counted over the same file: {elastic} and {ultimate}. Cracks may be at more places: N and M hold nothing of stresses along the cavern, and a section that has cracked no longer carries what cracked it.",
+        "在上述极值时刻（同一文件统计）分别为 {elastic} 个和 {ultimate} 个。开裂位置可能更多：N、M 不反映沿洞轴方向的应力，且已开裂的截面不再承受致裂时的内力。",
     ),
 ];

@@ -9,6 +9,7 @@ mod gaps;
 mod interface_results;
 mod interfaces;
 mod maps;
+mod numbers;
 mod one_unit;
 mod page;
 mod report;

@@ -238,7 +238,7 @@ fn of_all_files_that_is_drawn_in_which_monitors_moved_most() {
     let page = page(&folder);
     assert!(page.contains("Drawn is the field file at 1.000\u{a0}s, in which"), "which");
     assert!(
-        page.contains("A-B by 1.00\u{a0}mm. The most over the run is 2.00\u{a0}mm of A-B at 0.450\u{a0}s.")
+        page.contains("A-B by 1.00\u{a0}mm in the row of monitors.csv nearest to it. The most over the run is 2.00\u{a0}mm of A-B at 0.450\u{a0}s.")
     );
 }
 
