@@ -64,7 +64,7 @@ pub fn outcome(source: &Source) -> Outcome {
         Status::Stopped => ("warn", say!(language, "Run: stopped before its end")),
         Status::Done if judged == 0 => ("warn", say!(language, "Run: done, but nothing was checked")),
         Status::Done if warnings == 0 => {
-            ("good", say!(language, "Run: sound ({judged} of {judged} checks pass)", judged = judged))
+            ("good", say!(language, "Run: all {judged} checks pass", judged = judged))
         }
         Status::Done if warnings == 1 => {
             ("warn", say!(language, "Run: done, 1 of {judged} checks warns", judged = judged))

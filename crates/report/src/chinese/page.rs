@@ -100,7 +100,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "Principal stress of groups, tension positive; of 2×2×2 elements at the fibre while intact, else at points",
-        "各组主应力（拉为正）；2×2×2 单元未损伤时取外缘纤维处，否则取积分点",
+        "各组主应力（拉为正）；2×2×2 单元未损伤时取截面边缘处，否则取积分点",
     ),
     ("The section and its monitors", "断面与监测点"),
     (

@@ -34,7 +34,7 @@ pub const TEXTS: Texts = &[
     (
         "Spectral acceleration with 5 % damping, all on one scale. No column of ground stood beside the model, so there is no \
          free field to compare with.",
-        "谱加速度，阻尼比 5 %，各图比例相同。模型旁没有自由场土柱，故无自由场可比。",
+        "谱加速度，阻尼比 5 %，各图比例相同。模型旁没有自由场柱，故无自由场可比。",
     ),
     ("free field at the monitor's level", "监测点高程处的自由场"),
     (
