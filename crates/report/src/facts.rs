@@ -177,13 +177,7 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
             "incident motion = {factor} × the motion given",
             factor = trimmed(&figures(motion.factor, 3))
         );
-        let kind = match motion.kind.as_str() {
-            "outcrop" => say!(language, "outcrop"),
-            "incident" => say!(language, "incident"),
-            "within" => say!(language, "within"),
-            other => other.to_owned(),
-        };
-        facts.push(card(say!(language, "Kind of motion given"), kind, note));
+        facts.push(card(say!(language, "Kind of motion given"), kind_of_motion(language, &motion.kind), note));
     }
     let sources: Vec<&String> = motion.source.values().collect();
     let shared = sources.windows(2).all(|pair| pair[0] == pair[1]);
@@ -200,6 +194,16 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
         facts.push(card(say!(language, "Peak incident acceleration, {axis}", axis = axis), value, record));
     }
     facts
+}
+
+/// The kind of motion that a case gives.
+pub(crate) fn kind_of_motion(language: Language, kind: &str) -> String {
+    match kind {
+        "outcrop" => say!(language, "outcrop"),
+        "incident" => say!(language, "incident"),
+        "within" => say!(language, "within"),
+        other => other.to_owned(),
+    }
 }
 
 /// Where the monitors are.

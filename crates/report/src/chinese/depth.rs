@@ -20,7 +20,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "No theory stands beside it: the ground of the column has yielded or cracked, or an interface runs through it.",
-        "未绘理论解：自由场柱的岩土已屈服或开裂，或有接触面穿过。",
+        "未绘理论解：自由场柱的岩体已屈服或开裂，或有接触面穿过。",
     ),
     ("free field, theory", "自由场，理论解"),
     ("free field", "自由场"),

@@ -101,7 +101,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "the motion given ({kind}) peaks at {given} and the incident wave at {incident}",
-        "给定运动（{kind}）峰值为 {given}，入射波峰值为 {incident}",
+        "给定运动为{kind}，峰值为 {given}，入射波峰值为 {incident}",
     ),
     (
         "the motion given peaks at {given} and the incident wave at {incident}",

@@ -22,6 +22,6 @@ pub const TEXTS: Texts = &[
     ),
     (
         "It is taken as {kind}: the wave that comes up through the base is {factor} times this.",
-        "按 {kind} 处理：自底部入射的上行波为其 {factor} 倍。",
+        "按{kind}处理：自底部入射的上行波为其 {factor} 倍。",
     ),
 ];

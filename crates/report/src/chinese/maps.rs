@@ -77,7 +77,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the earthquake began; no bolt of these yields. From the file {when}. Dark is the largest.",
-        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为地震开始以来任一时步的最大轴力；这些锚杆不会屈服。文件：{when}。颜色越深越大。",
+        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为地震开始以来任一时步的最大轴力（{when}的文件）；这些锚杆不会屈服。颜色越深越大。",
     ),
     (
         "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the stage began over the force at which it yields, from the file {when}. Black violet is yield.",
@@ -85,7 +85,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the stage began; no bolt of these yields. From the file {when}. Dark is the largest.",
-        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为该阶段开始以来任一步的最大轴力；这些锚杆不会屈服。文件：{when}。颜色越深越大。",
+        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为该阶段开始以来任一步的最大轴力（{when}的文件）；这些锚杆不会屈服。颜色越深越大。",
     ),
     (
         "Look for bolts that are dark along a row or on one flank, where the ground pushes in, and for dark stretches in the middle of bolts, where they cross what opens or slides.",
