@@ -196,7 +196,7 @@ impl Chart<'_> {
             let points = self.time.iter().zip(line.values.iter());
             let points = points.map(|(&t, &x)| axes.point(shown(t), shown(x) * panel.scale.factor));
             let (pen, colour) = line.stroke.pen(line.colour);
-            svg.lines(colour, pen, &thin(points, 0.12));
+            svg.lines(colour, pen, &thin(points, 0.2));
         }
         if let Some(peak) = panel.peak(self.time) {
             svg.ring(axes.point(peak.time, peak.value * panel.scale.factor), peak.line.colour);

@@ -1,6 +1,7 @@
 //! The numbers of a figure's curves, for the page's script: with them the curves answer to the pointer.
 //!
-//! Values are single precision in the units of the figure, about seven digits; the CSV files hold all. The bytes of
+//! Values are in the units of the figure, to five digits, as single precision whose last bits are zero: what no curve shows
+//! would be a quarter of the page. The abscissa has all of single precision; the CSV files hold all digits. The bytes of
 //! the numbers stand in planes, first bytes before second ones, since exponents repeat and mantissas do not: on histories
 //! that takes a sixth off what zlib alone leaves.
 
@@ -12,6 +13,9 @@ use serde::Serialize;
 use crate::blocks::{Blocks, json_element};
 use crate::chart::{Chart, Panel as Drawn, Stroke};
 use crate::language::Language;
+
+/// Of single precision the sign, the exponent and 16 bits: to 8 parts in a million.
+const SHOWN: u32 = !0x7f;
 
 /// More rows than this are thinned: at 0.005 s it is 40 s, at four bytes a number 32 kB a line.
 const ROWS: usize = 8000;
@@ -216,7 +220,7 @@ pub fn embedded<'a>(figures: impl Iterator<Item = (&'a str, &'a Curves)>, blocks
     let mut known: Vec<(Vec<u8>, usize)> = Vec::new();
     let mut entries: IndexMap<&str, Entry<'_>> = IndexMap::new();
     for (file, curves) in figures {
-        let across = packed(curves.across.values.iter());
+        let across = packed(curves.across.values.iter(), u32::MAX);
         let across_block = match known.iter().find(|(bytes, _)| *bytes == across) {
             Some((_, block)) => *block,
             None => {
@@ -226,7 +230,7 @@ pub fn embedded<'a>(figures: impl Iterator<Item = (&'a str, &'a Curves)>, blocks
             }
         };
         let lines = curves.panels.iter().flat_map(|panel| &panel.lines);
-        let block = blocks.add(&packed(lines.flat_map(|line| &line.values)));
+        let block = blocks.add(&packed(lines.flat_map(|line| &line.values), SHOWN));
         let rows = curves.across.values.len();
         entries.insert(file, Entry { curves, rows, block, across_block });
     }
@@ -236,11 +240,16 @@ pub fn embedded<'a>(figures: impl Iterator<Item = (&'a str, &'a Curves)>, blocks
     }
 }
 
-/// Numbers in single precision, little-endian, their bytes in four planes.
-fn packed<'a>(values: impl Iterator<Item = &'a f64>) -> Vec<u8> {
+/// Numbers in single precision, of which `bits` are kept, little-endian, their bytes in four planes.
+fn packed<'a>(values: impl Iterator<Item = &'a f64>, bits: u32) -> Vec<u8> {
     // What single precision cannot hold is not drawn, and is not to be taken for PASSED.
     let single = |x: &f64| if x.is_finite() && !(*x as f32).is_finite() { f32::NAN } else { *x as f32 };
-    let numbers: Vec<[u8; 4]> = values.map(|x| single(x).to_le_bytes()).collect();
+    // Rounded to the bits that are kept; the largest numbers of all would become infinite, and are left alone.
+    let kept = |x: f32| {
+        let rounded = f32::from_bits(x.to_bits().saturating_add((!bits).div_ceil(2)) & bits);
+        if x.is_finite() && rounded.is_finite() { rounded } else { x }
+    };
+    let numbers: Vec<[u8; 4]> = values.map(|x| kept(single(x)).to_le_bytes()).collect();
     (0..4).flat_map(|plane| numbers.iter().map(move |bytes| bytes[plane])).collect()
 }
 
@@ -304,12 +313,24 @@ mod tests {
     #[test]
     fn numbers_come_back_from_their_planes_to_seven_digits() {
         let values = [1.5, -2.345_678_9e-7, f64::NAN, 1e300, 15.01, PASSED];
-        let bytes = packed(values.iter());
+        let bytes = packed(values.iter(), u32::MAX);
         assert_eq!(bytes.len(), 24);
         let number = |k: usize| f32::from_le_bytes([0, 1, 2, 3].map(|plane| bytes[plane * values.len() + k]));
         assert_eq!(number(0), 1.5);
         assert!((f64::from(number(1)) / values[1] - 1.0).abs() < f64::from(f32::EPSILON) / 2.0);
         assert!(number(2).is_nan() && number(3).is_nan() && number(5).is_infinite());
         assert_eq!(number(4), 15.01);
+    }
+
+    #[test]
+    fn what_is_drawn_keeps_five_digits_and_its_last_byte_is_zero_or_half() {
+        let values = [1.5, -2.345_678_9e-7, f64::NAN, f64::from(f32::MAX), 15.01, PASSED, 0.0];
+        let bytes = packed(values.iter(), SHOWN);
+        let number = |k: usize| f32::from_le_bytes([0, 1, 2, 3].map(|plane| bytes[plane * values.len() + k]));
+        for k in [0, 1, 3, 4] {
+            assert!((f64::from(number(k)) / values[k] - 1.0).abs() < 8e-6, "{}", number(k));
+        }
+        assert!(number(2).is_nan() && number(5).is_infinite() && number(6) == 0.0);
+        assert!([0, 1, 4].iter().all(|&k| bytes[k] & 0x7f == 0));
     }
 }

@@ -177,7 +177,11 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
             "incident motion = {factor} × the motion given",
             factor = trimmed(&figures(motion.factor, 3))
         );
-        facts.push(card(say!(language, "Kind of motion given"), kind_of_motion(language, &motion.kind), note));
+        facts.push(card(
+            say!(language, "Kind of motion given"),
+            kind_of_motion(language, &motion.kind),
+            note,
+        ));
     }
     let sources: Vec<&String> = motion.source.values().collect();
     let shared = sources.windows(2).all(|pair| pair[0] == pair[1]);

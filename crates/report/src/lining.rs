@@ -45,8 +45,9 @@ pub struct Station {
 pub struct Extreme {
     pub forces: [f64; 3],
     pub time: [f64; 3],
-    /// N at the time of M.
+    /// N at the time of M, and M at the time of N.
     pub thrust: f64,
+    pub moment: f64,
 }
 
 /// A lining: its stations in their order.
@@ -121,7 +122,12 @@ fn lining(language: Language, name: &str, rows: &[&SectionRow], facts: &Summary)
             least: None,
             most: None,
         });
-        let extreme = Extreme { forces: row.forces, time: row.time, thrust: row.thrust_at_moment };
+        let extreme = Extreme {
+            forces: row.forces,
+            time: row.time,
+            thrust: row.thrust_at_moment,
+            moment: row.moment_at_thrust,
+        };
         match (is_extreme(row), row.when.as_str()) {
             (true, "min") => station.least = Some(extreme),
             (true, _) => station.most = Some(extreme),
@@ -184,6 +190,7 @@ mod tests {
             time: [time; 3],
             forces: [n, 0.0, 0.0],
             thrust_at_moment: n,
+            moment_at_thrust: 0.0,
             thickness: 0.5,
         }
     }

@@ -115,7 +115,7 @@ impl Multiples<'_> {
         let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
         let points = self.time.iter().zip(line.values.iter());
         let points = points.map(|(&t, &x)| axes.point(shown(t), shown(x) * panel.scale.factor));
-        svg.lines(INK, 1.2, &thin(points, 0.12));
+        svg.lines(INK, 1.2, &thin(points, 0.2));
         let (time, value) = panel.mark.of(self.time, line)?;
         let at = moment(time, self.time.last().copied().unwrap_or(f64::NAN));
         let remark = say!(language, "{value} at {time}\u{a0}s", value = panel.scale.number(value), time = at);

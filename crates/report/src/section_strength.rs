@@ -68,7 +68,7 @@ impl Strength {
     }
 }
 
-/// Thrust and moment that occurred together, dimensionless: when the stages are done, and at both extremes of the moment.
+/// Thrust and moment that occurred together, dimensionless: when the stages are done, and at the extremes of both.
 fn states(station: &Station, strength: Strength) -> (Option<[f64; 2]>, Vec<[f64; 2]>) {
     let t = station.thickness;
     let state = |n: f64, m: f64| {
@@ -76,7 +76,8 @@ fn states(station: &Station, strength: Strength) -> (Option<[f64; 2]>, Vec<[f64;
         found.iter().all(|x| x.is_finite()).then_some(found)
     };
     let shaken = [station.least, station.most].into_iter().flatten();
-    (state(station.after[0], station.after[1]), shaken.filter_map(|e| state(e.thrust, e.forces[1])).collect())
+    let together = shaken.flat_map(|e| [state(e.thrust, e.forces[1]), state(e.forces[0], e.moment)]);
+    (state(station.after[0], station.after[1]), together.flatten().collect())
 }
 
 /// The figure, or a sentence why there is none.
@@ -104,18 +105,20 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
         ),
         Curve::new(
             say!(language, "what is left once cracked: no tension, f_c over the compressed part"),
-            3,
+            1,
             Pen::Dashed,
             Strength::ultimate(),
         ),
     ];
     if !shaken.is_empty() {
-        let name =
-            say!(language, "at the largest and smallest moment of the shaking, with the thrust of that time");
+        let name = say!(
+            language,
+            "at the extremes of moment and thrust while the ground shakes, each with the other of that time"
+        );
         curves.push(Curve::new(name, 6, Pen::Dots, points(&shaken)));
     }
     if !after.is_empty() {
-        curves.push(Curve::new(&lining.after, 0, Pen::Dots, points(&after)));
+        curves.push(Curve::new(&lining.after, 3, Pen::Dots, points(&after)));
     }
     // As far as there are points, and a little of the lines in any case.
     let (_, (low, high)) = plot::ranges(&curves[2..]);
@@ -171,7 +174,7 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
     if !shaken.is_empty() {
         caption.push_str(&say!(
             language,
-            " At an extreme of their moment while the ground shakes, counted over the same file: {elastic} and {ultimate}.",
+            " At one of those extremes, counted over the same file: {elastic} and {ultimate}. Cracks may be at more places: N and M hold nothing of stresses along the cavern, and a section that has cracked no longer carries what cracked it.",
             elastic = beyond(&|s| strength.sound(s)),
             ultimate = beyond(&|s| strength.bears(s)),
         ));

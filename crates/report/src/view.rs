@@ -82,6 +82,7 @@ fn within(source: &Source, blocks: &mut Blocks, budget: &dyn Fn(usize) -> usize)
         times: Vec::new(),
         mean: Vec::new(),
         displacement_step: 0.0,
+        displacement_largest: 0.0,
         parts: Vec::new(),
         notes: vec![say!(source.language, "The view is left out. {why}.", why = why)],
     });
@@ -159,6 +160,7 @@ fn drawn(
         times: moments,
         mean,
         displacement_step: common.step,
+        displacement_largest: largest_displacement(&parts),
         parts: data,
         notes,
     })

@@ -22,11 +22,13 @@ pub struct SectionRow {
     pub forces: [f64; 3],
     /// Thrust (N/m) at the same time as M: the two are a state that the section was in.
     pub thrust_at_moment: f64,
+    /// Moment (N m/m) at the same time as N, another such state.
+    pub moment_at_thrust: f64,
     /// Of the section (m), not a number in files of older versions.
     pub thickness: f64,
 }
 
-const HEADERS: [&str; 14] = [
+const HEADERS: [&str; 15] = [
     "lining",
     "station",
     "x [m]",
@@ -41,6 +43,7 @@ const HEADERS: [&str; 14] = [
     "time_Q [s]",
     "N_at_M [N/m]",
     "thickness [m]",
+    "M_at_N [N]",
 ];
 
 /// Writes the file whole.
@@ -74,6 +77,7 @@ pub fn write_sections(path: &Path, rows: &[SectionRow]) -> Result<(), Error> {
             of_q,
             text(row.thrust_at_moment),
             text(row.thickness),
+            text(row.moment_at_thrust),
         ]
     });
     write_rows(&mut out, head.chain(body));
@@ -106,6 +110,7 @@ pub fn read_sections(path: &Path) -> Result<Vec<SectionRow>, Error> {
             forces: [value(7)?, value(8)?, value(9)?],
             thrust_at_moment: later(12)?,
             thickness: later(13)?,
+            moment_at_thrust: later(14)?,
         });
     }
     Ok(rows)
@@ -125,6 +130,7 @@ mod tests {
             time: [f64::NAN; 3],
             forces: [-1.25e6, 3.0e4, 12.0],
             thrust_at_moment: -1.25e6,
+            moment_at_thrust: 3.0e4,
             thickness: 0.5,
         };
         let extreme = SectionRow { when: "max".into(), time: [1.5, 2.5, 3.5], ..row.clone() };

@@ -16,5 +16,5 @@ export function table(text) {
 /** What a display unit is in SI. */
 export const SI = { m: 1, mm: 1e-3, "µm": 1e-6, "m/s": 1, "mm/s": 1e-3, "m/s²": 1, MPa: 1e6, kPa: 1e3, Pa: 1, J: 1, kJ: 1e3, MJ: 1e6, s: 1 };
 
-/** Whether two numbers agree to the seven digits of single precision. */
-export const agree = (a, b) => Math.abs(a - b) <= 6e-7 * Math.max(Math.abs(a), Math.abs(b)) + 1e-30;
+/** Whether two numbers agree to the five digits that curves hold. */
+export const agree = (a, b) => Math.abs(a - b) <= 1e-5 * Math.max(Math.abs(a), Math.abs(b)) + 1e-30;

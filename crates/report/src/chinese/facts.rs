@@ -22,7 +22,10 @@ pub const TEXTS: Texts = &[
     ("Force of the bolt nearest to yield", "最接近屈服的锚杆轴力"),
     ("{energy}, of the largest energy held", "{energy}，相对于最大持有能量"),
     ("Largest error of the energy balance", "能量平衡最大误差"),
-    ("{wall}, after the last stage, since the initial equilibrium", "{wall}，最后施工阶段之后，自初始平衡起算"),
+    (
+        "{wall}, after the last stage, since the initial equilibrium",
+        "{wall}，最后施工阶段之后，自初始平衡起算",
+    ),
     ("Largest motion of a wall in the stages", "施工阶段洞壁最大位移"),
     ("Plastic shear strain × volume, ∫Γ dV", "塑性剪应变 × 体积，∫Γ dV"),
     ("after the last stage", "最后施工阶段之后"),

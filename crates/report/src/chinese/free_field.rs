@@ -107,7 +107,10 @@ pub const TEXTS: Texts = &[
         "the motion given peaks at {given} and the incident wave at {incident}",
         "给定运动峰值为 {given}，入射波峰值为 {incident}",
     ),
-    ("the {place} of column {column} at {speed} ({beside})", "自由场柱 {column} {place}峰值为 {speed}（{beside}）"),
+    (
+        "the {place} of column {column} at {speed} ({beside})",
+        "自由场柱 {column} {place}峰值为 {speed}（{beside}）",
+    ),
     (
         "theory {theory}; they differ by at most {share} of its peak",
         "理论值 {theory}，最多相差其峰值的 {share}",

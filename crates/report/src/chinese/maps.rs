@@ -146,10 +146,7 @@ pub const TEXTS: Texts = &[
     ),
     ("damage of the linings by kind", "衬砌损伤（按类型）"),
     ("The same numbers over the whole lining.", "同一数值在整个衬砌上的分布。"),
-    (
-        "The section meets no lining, and none lies on other ground.",
-        "断面不经过衬砌，也没有衬砌与围岩相邻。",
-    ),
+    ("The section meets no lining, and none lies on other ground.", "断面不经过衬砌，也没有衬砌与围岩相邻。"),
     ("rock", "围岩"),
     ("{title}: up to {most}", "{title}：最大 {most}"),
     (

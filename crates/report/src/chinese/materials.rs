@@ -144,7 +144,10 @@ pub const LAWS: Texts = &[
     // Interfaces.
     ("normal stiffness per area k_n", "单位面积法向刚度 k_n"),
     ("shear stiffness per area k_t", "单位面积切向刚度 k_t"),
-    ("normal stiffness per area k_n0 of the closed, unloaded joint", "闭合未加载接触面的单位面积法向刚度 k_n0"),
+    (
+        "normal stiffness per area k_n0 of the closed, unloaded joint",
+        "闭合未加载接触面的单位面积法向刚度 k_n0",
+    ),
     ("largest closure T, at which the hyperbola ends", "最大闭合量 T，双曲线在此终止"),
     ("ν of k_t = k_n/(2(1 + ν))", "k_t = k_n/(2(1 + ν)) 中的 ν"),
     (

@@ -17,8 +17,8 @@ pub const TEXTS: Texts = &[
         "开裂后的截面：不计拉应力，受压区应力为 f_c",
     ),
     (
-        "at the largest and smallest moment of the shaking, with the thrust of that time",
-        "地震中弯矩最大与最小时刻，轴力取同一时刻",
+        "at the extremes of moment and thrust while the ground shakes, each with the other of that time",
+        "地震中弯矩与轴力的极值（另一内力取同一时刻）",
     ),
     ("{lining}: moment over thrust against strength", "{lining}：轴力—弯矩与截面强度"),
     ("N / (f_c t), tension positive; upwards M / (f_c t²)", "N / (f_c t)，受拉为正；纵轴 M / (f_c t²)"),
@@ -35,7 +35,7 @@ pub const TEXTS: Texts = &[
         "按 sections.csv 各行统计：施工完成时，{elastic} 个断面在实线以外，{ultimate} 个在两线以外。",
     ),
     (
-        " At an extreme of their moment while the ground shakes, counted over the same file: {elastic} and {ultimate}.",
-        "按同一文件统计，地震中弯矩达到极值时，分别为 {elastic} 个和 {ultimate} 个。",
+        " At one of those extremes, counted over the same file: {elastic} and {ultimate}. Cracks may be at more places: N and M hold nothing of stresses along the cavern, and a section that has cracked no longer carries what cracked it.",
+        "在上述极值时刻（同一文件统计）分别为 {elastic} 个和 {ultimate} 个。开裂位置可能更多：N、M 不反映沿洞轴方向的应力，且已开裂的截面不再承受致裂时的内力。",
     ),
 ];

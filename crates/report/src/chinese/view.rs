@@ -44,7 +44,7 @@ pub const TEXTS: Texts = &[
     ("largest displacement so far", "历史最大位移"),
     ("damage in tension", "受拉损伤"),
     ("damage in shear", "受剪损伤"),
-    ("mean damage D_b now", "当前平均损伤 D_b"),
+    ("mean damage D_b now: closed cracks count less", "当前平均损伤 D_b"),
     ("largest mean damage D_b so far", "历史最大平均损伤 D_b"),
     ("widest crack so far", "历史最大裂缝宽度"),
     ("plastic shear strain", "塑性剪应变"),

@@ -12,7 +12,7 @@ pub fn label(language: Language, name: &str) -> String {
         "displacement_max" => say!(language, "largest displacement so far"),
         "d_tension" => say!(language, "damage in tension"),
         "d_shear" => say!(language, "damage in shear"),
-        "d_b" => say!(language, "mean damage D_b now"),
+        "d_b" => say!(language, "mean damage D_b now: closed cracks count less"),
         "d_b_max" => say!(language, "largest mean damage D_b so far"),
         "crack_opening" => say!(language, "widest crack so far"),
         "plastic_shear_strain" => say!(language, "plastic shear strain"),

@@ -16,6 +16,8 @@ pub struct Manifest {
     pub mean: Vec<[f64; 3]>,
     /// What a displacement of 1 is (m); 0 where no file holds displacement.
     pub displacement_step: f64,
+    /// The largest component of any displacement about the mean (m).
+    pub displacement_largest: f64,
     pub parts: Vec<PartData>,
     /// For the reader.
     pub notes: Vec<String>,

@@ -184,6 +184,7 @@ fn sections(folder: &ResultFolder, shaken: bool) {
                 time: [f64::NAN; 3],
                 forces,
                 thrust_at_moment: forces[0],
+                moment_at_thrust: forces[1],
                 thickness: LINING,
             };
             rows.push(SectionRow { forces: forces.map(|f| 0.05 * f), ..row.clone() });
@@ -228,6 +229,7 @@ fn hall(rows: &mut Vec<SectionRow>, first: u32, shaken: bool) {
             time: [time; 3],
             forces: [forces[0] + share * 4e5, forces[1] + share * 9e4, forces[2] + share * 4e4],
             thrust_at_moment: forces[0] + share * 2e5,
+            moment_at_thrust: forces[1] + share * 3e4,
             thickness: 1.0,
         };
         rows.push(row("bench, rest", f64::NAN, 0.0));

@@ -214,6 +214,7 @@ fn parts_have_names_kinds_and_groups_whatever_these_are_called() {
         forces: [0.0; 3],
         thickness: 0.5,
         thrust_at_moment: 0.0,
+        moment_at_thrust: 0.0,
     };
     write_sections(&folder.sections(), &[row]).unwrap();
     assert_eq!(said(&Page::of(&folder).unwrap()), pairs([("rock", "rock"), ("hall.lining", "lining")]));

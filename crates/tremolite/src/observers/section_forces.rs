@@ -16,8 +16,9 @@ use tremolite_results::{ResultFolder, SectionRow, write_sections};
 const STAGES: &str = "section forces of stages";
 /// By station and force over the shaking: largest with its time, smallest with its time.
 const EXTREMES: &str = "section forces";
-/// By station over the shaking: the thrust at the largest moment and at the smallest.
-const THRUST: &str = "thrust at the extremes of the moment";
+/// By station over the shaking: the thrust at the largest moment and at the smallest, the moment at the largest thrust and at
+/// the smallest.
+const BESIDE: &str = "thrust and moment beside each other's extremes";
 
 /// The stations of a model's linings, followed row by row. Their forces are those of the concrete and of bars in it that move
 /// with it.
@@ -101,19 +102,24 @@ impl SectionForces {
     fn follow(&self, memory: &mut Memory, time: f64, forces: &[[f64; 3]]) {
         let start = || [f64::NEG_INFINITY, 0.0, f64::INFINITY, 0.0].repeat(3 * self.stations.len());
         let kept = memory.entry(EXTREMES.into()).or_insert_with(start);
-        let mut at_moment = Vec::new();
+        let mut beside = Vec::new();
         for (k, now) in forces.iter().flatten().enumerate() {
             let kept = &mut kept[4 * k..4 * k + 4];
             for (c, beyond) in [(0, *now > kept[0]), (2, *now < kept[2])] {
                 if beyond {
                     (kept[c], kept[c + 1]) = (*now, time);
-                    // Of the moment, the second of the three, the thrust beside it.
-                    at_moment.extend((k % 3 == 1).then_some((k / 3, c / 2)));
+                    // Beside the moment, the second of the three, the thrust, and beside that the moment.
+                    beside.extend(
+                        [(1, 0, 0), (0, 1, 2)]
+                            .into_iter()
+                            .filter(|(of, ..)| k % 3 == *of)
+                            .map(|(_, other, at)| (4 * (k / 3) + at + c / 2, forces[k / 3][other])),
+                    );
                 }
             }
         }
-        let thrust = memory.entry(THRUST.into()).or_insert_with(|| vec![f64::NAN; 2 * self.stations.len()]);
-        at_moment.into_iter().for_each(|(station, end)| thrust[2 * station + end] = forces[station][0]);
+        let kept = memory.entry(BESIDE.into()).or_insert_with(|| vec![f64::NAN; 4 * self.stations.len()]);
+        beside.into_iter().for_each(|(at, value)| kept[at] = value);
     }
 
     /// Writes sections.csv whole from what is remembered; nothing without stations.
@@ -127,15 +133,18 @@ impl SectionForces {
         let mut rows = Vec::new();
         let mut number = HashMap::<&str, u32>::new();
         let row =
-            |lining: &str, number: u32, station: &Station, when: &str, time, forces, thrust| SectionRow {
-                lining: lining.to_owned(),
-                station: number,
-                place: station.place,
-                thickness: station.thickness,
-                thrust_at_moment: thrust,
-                when: when.to_owned(),
-                time,
-                forces,
+            |lining: &str, number: u32, station: &Station, when: &str, time, forces, beside: [f64; 2]| {
+                SectionRow {
+                    lining: lining.to_owned(),
+                    station: number,
+                    place: station.place,
+                    thickness: station.thickness,
+                    thrust_at_moment: beside[0],
+                    moment_at_thrust: beside[1],
+                    when: when.to_owned(),
+                    time,
+                    forces,
+                }
             };
         for (k, (lining, station)) in self.stations.iter().enumerate() {
             let next = number.entry(lining).or_default();
@@ -145,16 +154,27 @@ impl SectionForces {
             for (stage, forces) in plan.stages.iter().zip(stages.chunks_exact(3 * self.stations.len())) {
                 let forces = [forces[at], forces[at + 1], forces[at + 2]];
                 if forces.iter().all(|f| f.is_finite()) {
-                    rows.push(row(lining, *next, station, &stage.name, [f64::NAN; 3], forces, forces[0]));
+                    rows.push(row(
+                        lining,
+                        *next,
+                        station,
+                        &stage.name,
+                        [f64::NAN; 3],
+                        forces,
+                        [forces[0], forces[1]],
+                    ));
                 }
             }
             let Some(kept) = memory.get(EXTREMES) else { continue };
             let of = |i: usize, c: usize| kept[4 * (at + i) + c];
-            let thrust = |c: usize| memory.get(THRUST).map_or(f64::NAN, |kept| kept[2 * k + c / 2]);
+            let beside = |c: usize| {
+                let kept = memory.get(BESIDE).map(|kept| &kept[4 * k..]);
+                kept.map_or([f64::NAN; 2], |kept| [kept[c / 2], kept[2 + c / 2]])
+            };
             for (when, c) in [("min", 2), ("max", 0)] {
                 let (forces, times) = ([0, 1, 2].map(|i| of(i, c)), [0, 1, 2].map(|i| of(i, c + 1)));
                 if forces.iter().all(|f| f.is_finite()) {
-                    rows.push(row(lining, *next, station, when, times, forces, thrust(c)));
+                    rows.push(row(lining, *next, station, when, times, forces, beside(c)));
                 }
             }
         }
@@ -245,7 +265,8 @@ mod tests {
             [[-7.0, -4.0, 0.0], [-70.0, 4.0, 0.0]],
         ];
         rows.iter().enumerate().for_each(|(k, forces)| all.follow(&mut memory, k as f64, forces));
-        assert_eq!(memory[THRUST], [-3.0, -7.0, -70.0, -30.0]);
+        // The thrust at the largest and the smallest moment, the moment at the largest and the smallest thrust.
+        assert_eq!(memory[BESIDE], [-3.0, -7.0, 2.0, -4.0, -70.0, -30.0, -2.0, 4.0]);
         assert_eq!(memory[EXTREMES][4..8], [9.0, 1.0, -4.0, 2.0]);
     }
 }

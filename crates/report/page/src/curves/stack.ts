@@ -59,7 +59,7 @@ export class Stack {
     this.whole.disabled = true;
     const name = this.file.replace(/\.svg$/, "");
     const numbers = button("CSV", words.csv, () => {
-      save(`${name}.csv`, new Blob([csv(this.entry, this.numbers)], { type: "text/csv" }));
+      save(`${name}.csv`, new Blob(["\ufeff", csv(this.entry, this.numbers)], { type: "text/csv" }));
     });
     const image = button("PNG", words.png, async () => {
       const { entry, numbers, palette, hidden, range } = this;

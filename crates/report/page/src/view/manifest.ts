@@ -36,6 +36,8 @@ export interface Manifest {
   times: { t: number; label: string }[];
   mean: [number, number, number][];
   displacementStep: number;
+  /** The largest component of any displacement about the mean, m. */
+  displacementLargest: number;
   parts: PartHeld[];
   notes: string[];
 }

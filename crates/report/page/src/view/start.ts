@@ -7,9 +7,7 @@ import type { Choice } from "./values";
 
 /** The scale at which the largest displacement is 3 % of the model. */
 function easilySeen(held: Manifest, box: Box): number {
-  // The step is chosen so that the largest relative displacement takes all of i16.
-  const largest = held.displacementStep * 32767;
-  return (0.03 * box.diagonal) / largest;
+  return (0.03 * box.diagonal) / held.displacementLargest;
 }
 
 /** Scales of the displacement: none, true, and round ones past the one at which it is easily seen. */
@@ -18,7 +16,7 @@ export function scalesOf(held: Manifest, box: Box): number[] {
   const scales = [0, 1];
   if (!Number.isFinite(suggested)) return scales;
   for (let power = 1; power <= 1e12; power *= 10) {
-    for (const m of [2, 5, 10]) if (m * power <= suggested * 4) scales.push(m * power);
+    for (const m of [2, 5, 10]) if (m * power <= suggested * 20) scales.push(m * power);
   }
   return scales;
 }
@@ -40,7 +38,7 @@ export function firstState(held: Manifest, box: Box, fields: Choice[], along: nu
   const last = held.times.length - 1;
   const cut = (axis: number): Cut => ({ on: axis === along, at: box.centre[axis], keep: axis === 1 ? 1 : -1 });
   return {
-    field: (fields.find((f) => /^d_b/.test(f.name)) ?? fields[0])?.name ?? "",
+    field: (fields.find((f) => f.name === "d_b_max") ?? fields.find((f) => f.name === "d_b") ?? fields[0])?.name ?? "",
     times: [0, last],
     beside: false,
     cuts: [cut(0), cut(1), cut(2)],
