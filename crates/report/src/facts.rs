@@ -64,7 +64,7 @@ pub fn outcome(source: &Source) -> Outcome {
         Status::Stopped => ("warn", say!(language, "Run: stopped before its end")),
         Status::Done if judged == 0 => ("warn", say!(language, "Run: done, but nothing was checked")),
         Status::Done if warnings == 0 => {
-            ("good", say!(language, "Run: sound ({judged} of {judged} checks pass)", judged = judged))
+            ("good", say!(language, "Run: all {judged} checks pass", judged = judged))
         }
         Status::Done if warnings == 1 => {
             ("warn", say!(language, "Run: done, 1 of {judged} checks warns", judged = judged))
@@ -177,13 +177,11 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
             "incident motion = {factor} × the motion given",
             factor = trimmed(&figures(motion.factor, 3))
         );
-        let kind = match motion.kind.as_str() {
-            "outcrop" => say!(language, "outcrop"),
-            "incident" => say!(language, "incident"),
-            "within" => say!(language, "within"),
-            other => other.to_owned(),
-        };
-        facts.push(card(say!(language, "Kind of motion given"), kind, note));
+        facts.push(card(
+            say!(language, "Kind of motion given"),
+            kind_of_motion(language, &motion.kind),
+            note,
+        ));
     }
     let sources: Vec<&String> = motion.source.values().collect();
     let shared = sources.windows(2).all(|pair| pair[0] == pair[1]);
@@ -200,6 +198,16 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
         facts.push(card(say!(language, "Peak incident acceleration, {axis}", axis = axis), value, record));
     }
     facts
+}
+
+/// The kind of motion that a case gives.
+pub(crate) fn kind_of_motion(language: Language, kind: &str) -> String {
+    match kind {
+        "outcrop" => say!(language, "outcrop"),
+        "incident" => say!(language, "incident"),
+        "within" => say!(language, "within"),
+        other => other.to_owned(),
+    }
 }
 
 /// Where the monitors are.

@@ -2,6 +2,7 @@
 
 use tremolite_results::{FreeField, Station};
 
+use crate::facts::kind_of_motion;
 use crate::free_field_beside::{Drawn, farthest_from_theory, same};
 use crate::free_field_numbers::{AXES, SAME, Wave, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
@@ -55,7 +56,7 @@ fn asked(source: &Source, wave: &Wave, (axis, scale): (usize, &Scale)) -> Option
             say!(
                 source.language,
                 "the motion given ({kind}) peaks at {given} and the incident wave at {incident}",
-                kind = kind,
+                kind = kind_of_motion(source.language, &kind),
                 given = given,
                 incident = peak
             )

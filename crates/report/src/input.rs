@@ -2,6 +2,7 @@
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
+use crate::facts::kind_of_motion;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
 use crate::scale::figures;
@@ -116,7 +117,7 @@ fn caption(source: &Source, accelerations: &[(usize, &[f64])]) -> String {
         text.push_str(&say!(
             language,
             "It is taken as {kind}: the wave that comes up through the base is {factor} times this.",
-            kind = facts.motion.kind,
+            kind = kind_of_motion(language, &facts.motion.kind),
             factor = figures(factor, 3)
         ));
     }

@@ -89,10 +89,16 @@ pub fn section(source: &Source) -> Option<Section> {
     let mut caption = say!(
         language,
         "Spectral acceleration with 5 % damping, all on one scale. Each monitor is drawn full; dashed is the free field at its own \
-         level, which is how the ground would move there without caverns. Where the monitor rises above it at periods of \
-         ten rows and more, the cavern or the lining rings at that period or amplifies the wave; where it stays below, the cavern \
-         shields it."
+         level, which is how the ground would move there without caverns."
     );
+    if let Some(interval) = interval(source) {
+        caption.push_str(&say!(
+            language,
+            " Where the monitor rises above it at periods from {short} on, the cavern or the lining rings at that period or \
+             amplifies the wave; where it stays below, the cavern shields it.",
+            short = trimmed(&quantity("s", ROWS_A_PERIOD * interval))
+        ));
+    }
     if !beside {
         caption = say!(
             language,

@@ -6,9 +6,15 @@ use tremolite_engine::model::Model;
 use tremolite_mesh::Mesh;
 use tremolite_results::{Said, said};
 
-/// A point \[m\], the same in all languages.
-pub fn point([x, y, z]: [f64; 3]) -> String {
-    format!("({x:.1}, {y:.1}, {z:.1}) m")
+/// A point \[m\] to the decimetre, the same in all languages.
+pub fn point(at: [f64; 3]) -> String {
+    coordinates(at, 1)
+}
+
+/// With a minus rather than a hyphen, as tables of the page have it.
+fn coordinates(at: [f64; 3], digits: usize) -> String {
+    let [x, y, z] = at.map(|c| format!("{c:.digits$}").replace('-', "−"));
+    format!("({x}, {y}, {z}) m")
 }
 
 /// An element by its number in the user's file, and the smallest group that holds it; one of a slab or column by that of which
@@ -36,8 +42,7 @@ pub fn element(model: &Model, element: usize) -> Said {
 
 /// An element with its centre, to the centimetre.
 pub fn element_at(model: &Model, element: u32) -> Said {
-    let [x, y, z] = centroid(&model.mesh, element);
-    let place = format!("({x:.2}, {y:.2}, {z:.2}) m");
+    let place = coordinates(centroid(&model.mesh, element), 2);
     said!("{what} at {place}", what = self::element(model, element as usize), place = place)
 }
 
@@ -58,5 +63,16 @@ pub fn part(name: &str) -> Said {
         "base of the free field" => said!("base of the free field"),
         // A group of bolts, a body, a part of another program's.
         name => said!("{name}", name = name),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_have_a_minus() {
+        assert_eq!(point([-30.04, 0.0, -237.16]), "(−30.0, 0.0, −237.2) m");
+        assert_eq!(coordinates([1.0, -2.5, 3.126], 2), "(1.00, −2.50, 3.13) m");
     }
 }

@@ -6,7 +6,7 @@ pub const TEXTS: Texts = &[
     ("; ", "；"),
     ("stage {k}", "第 {k} 阶段"),
     ("stage {k}, {name}", "第 {k} 阶段“{name}”"),
-    ("Before the earthquake", "地震之前"),
+    ("Before the earthquake", "施工阶段"),
     ("Stages", "施工阶段"),
     (
         "The table of stages is left out: summary.json lists none yet.",
@@ -15,7 +15,7 @@ pub const TEXTS: Texts = &[
     ("stage", "阶段"),
     ("what changed", "变化"),
     ("let go", "释放"),
-    ("cycles", "迭代次数"),
+    ("cycles", "计算步数"),
     ("out of balance", "不平衡比"),
     ("motion left", "剩余位移"),
     ("largest motion", "最大位移"),
@@ -27,12 +27,12 @@ pub const TEXTS: Texts = &[
          node within the stage. ∫Γ dV: plastic shear strain summed over the volume that stands. Still held: what \
          a release below 100\u{a0}% has not let go, over the same contributions; it should be 0 at the end.",
         "第 0 阶段使初始模型达到平衡，位移自其结束时起算。不平衡比：各节点不平衡力之和与各项贡献之和的比值。剩余\
-         位移：继续迭代还会产生的位移的估计值，与最大位移相比应很小；最大位移取该阶段内所有节点的最大者。∫Γ dV：\
+         位移：继续计算还会产生的位移的估计值，与最大位移相比应很小；最大位移取该阶段内所有节点的最大者。∫Γ dV：\
          塑性剪应变对现存体积的积分。未释放：释放率低于 100\u{a0}% 时尚未释放的力与同一各项贡献之和的比值，最终应\
          为 0。",
     ),
     ("excavated {groups}", "开挖 {groups}"),
-    ("installed {groups}", "支护 {groups}"),
+    ("installed {groups}", "施作 {groups}"),
     ("initial equilibrium", "初始平衡"),
     ("nothing but release", "仅释放荷载"),
     ("monitor", "监测点"),
@@ -65,10 +65,10 @@ pub const TEXTS: Texts = &[
     ),
     (" The summary states no tolerance.", "摘要未给出容许值。"),
     (" The motion left should end far below the stage's own motion.", "剩余位移最终应远小于本阶段位移。"),
-    ("cycles of all stages", "各阶段累计迭代次数"),
+    ("cycles of all stages", "各阶段累计计算步数"),
     (
         "out of balance over the cycles of all stages, with the tolerance",
-        "各阶段不平衡比随迭代次数的变化及容许值",
+        "各阶段不平衡比随计算步数的变化及容许值",
     ),
     ("Convergence", "洞周收敛"),
     ("crown", "拱顶"),

@@ -41,7 +41,7 @@ pub const TEXTS: Texts = &[
     ("Smallest principal stress s3 of monitors, at points", "监测点最小主应力 s3（积分点）"),
     (
         "Extreme principal stress of groups, at the fibre where it is known",
-        "各组主应力极值（可得时取边缘纤维处）",
+        "各组主应力极值（可得时取截面边缘处）",
     ),
     ("Share of a group's volume beyond a threshold", "超过阈值的体积占该组体积的比例"),
     ("Widest crack", "最大裂缝宽度"),

@@ -20,8 +20,8 @@ pub const TEXTS: Texts = &[
         "{which}: its area that slides and is open in each row of interfaces.csv, and that did in any step so \
          far; below, the largest slip and gap so far of pairs whose bond is broken, slip while they are closed. \
          Look whether slip goes on growing to the end: then the interface has not come to rest.",
-        "{which}：interfaces.csv 每行中正在滑移和张开的面积，以及迄今任一时步中曾滑移和张开的面积；下图为粘结已破\
-         坏的节点对迄今的最大滑移和最大张开量，滑移取闭合时的值。应注意滑移是否直到最后仍在增长：若是，则接触面尚\
+        "{which}：interfaces.csv 每行中正在滑移和张开的面积，以及此前任一时步中曾滑移和张开的面积；下图为粘结已破\
+         坏的节点对的历史最大滑移和最大张开量，滑移取闭合时的值。应注意滑移是否直到最后仍在增长：若是，则接触面尚\
          未稳定。",
     ),
     ("Monitors on interfaces", "接触面上的监测点"),

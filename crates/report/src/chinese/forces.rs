@@ -8,7 +8,7 @@ pub const TEXTS: Texts = &[
     ("Q, shear (kN/m)", "剪力 Q (kN/m)"),
     ("after {stage}", "{stage}之后"),
     ("after stage {name}", "阶段“{name}”之后"),
-    ("before the shaking", "地震之前"),
+    ("before the shaking", "地震前"),
     ("Section forces of the linings", "衬砌内力"),
     (
         "Integrated through the thickness, a metre of the cavern's length. Tension is positive; a positive \
@@ -16,8 +16,8 @@ pub const TEXTS: Texts = &[
          greater x over the crown, pushes towards the intrados. The table has the extremes of all stations of a \
          lining, with time and place (x, y, z in m). Look where the moment is large while the thrust is small or \
          pulls: there the lining cracks first.",
-        "沿厚度积分，按洞室轴向每米计。拉为正；正弯矩使内侧受拉；由下经 x 较大一侧的边墙向拱顶绕行，剪力为正时，\
-         前方部分推向内侧。表中为每个衬砌所有测站的极值及其时刻和位置（x、y、z，m）。应注意弯矩大而轴压力小或受拉\
+        "沿厚度积分，按洞室轴向每米计。拉为正；正弯矩使内侧受拉；自 x 较大一侧墙脚起，沿衬砌绕拱顶行进；前方截面受指向洞内的\
+         剪力时 Q 为正。表中为每个衬砌所有计算截面的极值及其时刻和位置（x、y、z，m）。应注意弯矩大而轴压力小或受拉\
          之处：衬砌首先在此开裂。",
     ),
     (
@@ -26,7 +26,7 @@ pub const TEXTS: Texts = &[
         "N、M、Q 的最大值和最小值各有其发生时刻：包络线并非衬砌在某一时刻的真实状态。",
     ),
     (" The file holds no extremes of the shaking.", "文件中没有地震过程的极值。"),
-    ("No figure: fewer than two stations have numbers.", "无图：有数值的测站少于两个。"),
+    ("No figure: fewer than two stations have numbers.", "无图：有数值的计算截面少于两个。"),
     ("when the stages are done", "施工阶段结束时"),
     ("while the ground shakes", "地震过程中"),
     ("lining", "衬砌"),
@@ -39,7 +39,7 @@ pub const TEXTS: Texts = &[
     (
         "Section y = {y}\u{a0}m, {number} stations going round from below by the wall of greater x over the \
          crown. Lines break where stations are missing, as where walls meet.",
-        "断面 y = {y}\u{a0}m，共 {number} 个测站，自下方经 x 较大一侧的边墙绕过拱顶。在没有测站处（如墙体相交处）\
+        "断面 y = {y}\u{a0}m，共 {number} 个计算截面，自下方经 x 较大一侧的边墙绕过拱顶。在没有计算截面处（如墙体相交处）\
          曲线断开。",
     ),
     (
@@ -57,22 +57,22 @@ pub const TEXTS: Texts = &[
          者各按其最大值取比例尺。应注意弯矩 M 的峰值处轴力 N 是否仍为压力。",
     ),
     ("thrust, moment and shear on the section of the lining", "衬砌断面上的轴力、弯矩和剪力"),
-    ("between which values each station went while the ground shook", "各测站在地震过程中的变化范围"),
+    ("between which values each station went while the ground shook", "各计算截面在地震过程中的变化范围"),
     ("{lining}: M, moment (kN\u{a0}m/m), over N, thrust", "{lining}：弯矩 M (kN\u{a0}m/m) 与轴力 N 的关系"),
     ("N (kN/m), tension positive", "N (kN/m)，拉为正"),
     (
         " Every pair of N and M that a station had lies in its box; the corners need not have occurred together.",
-        "测站出现过的每一对 N、M 都在其方框内；方框的角点不一定同时出现。",
+        "计算截面出现过的每一对 N、M 都在其方框内；方框的角点不一定同时出现。",
     ),
     (
         " Boxes are those of the section drawn above: every pair of N and M that a station had lies in its box; \
          the corners need not have occurred together. The extremes of all sections are in the table.",
-        "方框为上图断面的测站：测站出现过的每一对 N、M 都在其方框内；方框的角点不一定同时出现。所有断面的极值见表。",
+        "方框为上图断面的计算截面：计算截面出现过的每一对 N、M 都在其方框内；方框的角点不一定同时出现。所有断面的极值见表。",
     ),
     (
         "All {number} stations of the lining, all sections.{shaken} Right of N = 0 a section is pulled. N and M \
          are those of the concrete and of bars in it together.",
-        "衬砌所有断面的全部 {number} 个测站。{shaken}N = 0 以右截面受拉。N、M 为混凝土及其中钢筋的合力。",
+        "衬砌所有断面的全部 {number} 个计算截面。{shaken}N = 0 以右截面受拉。N、M 为混凝土及其中钢筋的合力。",
     ),
-    ("moment over thrust at each station", "各测站的弯矩与轴力"),
+    ("moment over thrust at each station", "各计算截面的弯矩与轴力"),
 ];

@@ -21,16 +21,16 @@ pub const TEXTS: Texts = &[
     ("{place}, velocity along {axis}", "{place}，{axis} 向速度"),
     (
         "Drawn is the corner of the model that is farthest from its column, {corner}, and that column, {column}.",
-        "图中为与对应自由场柱相差最大的模型角点 {corner} 及该柱 {column}。",
+        "图中为与对应自由场柱相差最大的模型角点 {corner} 及该自由场柱 {column}。",
     ),
-    ("Of the columns the first is drawn, {column}.", "图中为第一个自由场柱 {column}。"),
+    ("Of the columns the first is drawn, {column}.", "图中为第一根自由场柱 {column}。"),
     (
         "Of the {number} columns the one farthest from the model is drawn, {column}.",
-        "图中为 {number} 个自由场柱中与模型相差最大的 {column}。",
+        "图中为 {number} 根自由场柱中与模型相差最大的 {column}。",
     ),
     (
         "Of the {number} columns the one farthest from theory is drawn, {column}.",
-        "图中为 {number} 个自由场柱中与理论解相差最大的 {column}。",
+        "图中为 {number} 根自由场柱中与理论解相差最大的 {column}。",
     ),
     ("corner {name}", "角点 {name}"),
     ("mean of the four corners", "四个角点的平均"),
@@ -44,7 +44,7 @@ pub const TEXTS: Texts = &[
     ("model at", "模型位置"),
     ("peak", "峰值"),
     ("theory", "理论"),
-    ("{number} columns of the same values", "{number} 个数值相同的柱"),
+    ("{number} columns of the same values", "{number} 根数值相同的自由场柱"),
     (
         " A column is named by the side outside which it stands, then by the end of that side.",
         "自由场柱的名称先为其所在侧边，后为该侧边的端部。",
@@ -61,7 +61,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         " A reference column is named by the corners of the model that it stands for.",
-        "参考柱以其所代表的模型角点命名。",
+        "参考自由场柱以其所代表的模型角点命名。",
     ),
     (" No corner of the model differs from its column.", "模型各角点与对应自由场柱无差别。"),
     (
@@ -71,7 +71,7 @@ pub const TEXTS: Texts = &[
     (
         " The corner of the model farthest from its column is {corner}: by {share} of the peak of column {column}\
          , along {axis} at the {place}.",
-        "与对应自由场柱相差最大的模型角点为 {corner}：{place} {axis} 向，相差柱 {column} 峰值的 {share}。",
+        "与对应自由场柱相差最大的模型角点为 {corner}：{place} {axis} 向，相差自由场柱 {column} 峰值的 {share}。",
     ),
     (" The file holds no theory for {list}.", "文件中没有 {list} 的理论解。"),
     (
@@ -101,13 +101,16 @@ pub const TEXTS: Texts = &[
     ),
     (
         "the motion given ({kind}) peaks at {given} and the incident wave at {incident}",
-        "给定运动（{kind}）峰值为 {given}，入射波峰值为 {incident}",
+        "给定运动为{kind}，峰值为 {given}，入射波峰值为 {incident}",
     ),
     (
         "the motion given peaks at {given} and the incident wave at {incident}",
         "给定运动峰值为 {given}，入射波峰值为 {incident}",
     ),
-    ("the {place} of column {column} at {speed} ({beside})", "柱 {column} {place}峰值为 {speed}（{beside}）"),
+    (
+        "the {place} of column {column} at {speed} ({beside})",
+        "自由场柱 {column} {place}峰值为 {speed}（{beside}）",
+    ),
     (
         "theory {theory}; they differ by at most {share} of its peak",
         "理论值 {theory}，最多相差其峰值的 {share}",

@@ -12,7 +12,7 @@ pub const TEXTS: Texts = &[
     ("Velocity and displacement that come in", "输入的速度与位移"),
     (
         "The same motion, integrated. Velocity and displacement should end near zero; the model follows any drift.",
-        "同一地震动积分所得。速度与位移在结束时应接近零；模型会随任何漂移而移动。",
+        "同一地震动积分所得。速度与位移在结束时应接近零；若有漂移，模型将随之整体移动。",
     ),
     ("{peak} along {axis}", "{axis} 向 {peak}"),
     (", ", "、"),
@@ -22,6 +22,6 @@ pub const TEXTS: Texts = &[
     ),
     (
         "It is taken as {kind}: the wave that comes up through the base is {factor} times this.",
-        "按 {kind} 处理：自底部入射的上行波为其 {factor} 倍。",
+        "按{kind}处理：自底部入射的上行波为其 {factor} 倍。",
     ),
 ];

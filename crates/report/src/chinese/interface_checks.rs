@@ -5,12 +5,12 @@ use super::Texts;
 pub const TEXTS: Texts = &[
     ("no interface", "没有接触面"),
     ("interfaces without initial stress", "无初始应力的接触面"),
-    ("energy created by interface laws over that of friction", "接触面模型产生的能量与摩擦耗能之比"),
+    ("energy created by interface laws over that of friction", "接触面本构产生的能量与摩擦耗能之比"),
     ("largest closure of the interface over its limit", "接触面最大闭合量与其极限之比"),
     ("largest closure over its limit", "最大闭合量与其极限之比"),
     ("largest slip over element size", "最大滑移量与单元尺寸之比"),
     ("largest gap over element size", "最大张开量与单元尺寸之比"),
-    ("pairs beyond the pressure from which the law is straight", "压力超过模型转为线性之值的节点对数"),
+    ("pairs beyond the pressure from which the law is straight", "压力超过本构转为线性之值的节点对数"),
     ("energy found at impacts over energy supplied", "碰撞产生的能量与输入能量之比"),
     ("time step times frequency of the stiffest pair", "时间步长与最刚节点对频率之积"),
     ("closure of the interface over that of the elements beside it", "接触面闭合量与相邻单元压缩量之比"),
@@ -28,23 +28,23 @@ pub const TEXTS: Texts = &[
         "largest rise of what pairs gave out whose shear stiffness goes by the closure; tangential = \"constant\" cannot",
         "剪切刚度随闭合量变化的节点对所释放能量的最大增量；tangential = \"constant\" 不会出现",
     ),
-    ("the law '{law}' has no largest closure", "模型“{law}”没有最大闭合量"),
+    ("the law '{law}' has no largest closure", "本构“{law}”没有最大闭合量"),
     (
         "of all pairs and steps, as the law closes at the largest pressure, over `max_closure`: the joint is nearly shut and as stiff as it can be; give a larger one, or a stiffer joint",
-        "所有节点对和时间步中，按模型在最大压力下的闭合量与 `max_closure` 之比：接缝接近完全闭合，刚度已达极限；请给出更大的值，或更刚的接缝",
+        "所有节点对和时间步中，按本构在最大压力下的闭合量与 `max_closure` 之比：接触面接近完全闭合，刚度已达极限；请给出更大的值，或采用更大的接触刚度",
     ),
     (
         "shortest edge of the faces at {pair}; normals and partners of pairs do not change, so slip must stay small",
-        "{pair}处各面的最短边；节点对的法向和配对不变，因此滑移必须保持很小",
+        "{pair} 处各面的最短边；节点对的法向和配对不变，故滑移量须远小于单元尺寸",
     ),
     (
         "shortest edge of the faces at {pair}; what is so far apart has come loose, and closes on faces that are not its own",
-        "{pair}处各面的最短边；张开如此之大说明已经松脱，重新闭合时会落在并非原配的面上",
+        "{pair} 处各面的最短边；张开如此之大说明已经松脱，重新闭合时会落在并非原配的面上",
     ),
-    ("the law is straight throughout", "模型始终为线性"),
+    ("the law is straight throughout", "本构始终为线性"),
     (
         "of {pairs} pairs; the largest pressure was {pressure} MPa, and from {limit} MPa on the joint is held at a constant stiffness, so that it does not shorten the step; give a larger `pressure_for_step`, at the price of a shorter one",
-        "共 {pairs} 对；最大压力为 {pressure} MPa，自 {limit} MPa 起接缝保持常刚度，以免缩短步长；可给出更大的 `pressure_for_step`，代价是步长更短",
+        "共 {pairs} 对；最大压力为 {pressure} MPa，自 {limit} MPa 起接触面保持常刚度，以免缩短步长；可给出更大的 `pressure_for_step`，代价是步长更短",
     ),
     (
         "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller `contact_limit` or a larger `contact_damping` lessens it",
@@ -53,7 +53,7 @@ pub const TEXTS: Texts = &[
     ("there is no earthquake", "没有地震"),
     (
         "ω_c of {pair} with its stiffest state; beyond 0.8 impacts may gain energy though the step is stable",
-        "{pair}在最刚状态下的 ω_c；超过 0.8 时，即使步长稳定，碰撞也可能增加能量",
+        "{pair} 在最刚状态下的 ω_c；超过 0.8 时，即使步长稳定，碰撞也可能增加能量",
     ),
     (
         "at equal pressure, unloaded; the program chose the stiffness so that the interface does not set the time step, and it is so soft that results hang on it: give `normal_stiffness` of a test, or a shorter `time_step`",
@@ -70,7 +70,7 @@ pub const TEXTS: Texts = &[
     ("bolt {bolt} of {group}", "{group} 的 {bolt} 号锚杆"),
     (
         "of any step, over the smallest element that the bolt lies in: a bolt stays in the elements it was cut by and keeps its direction, so slip must stay small",
-        "所有时间步中的值，除以锚杆所在的最小单元的尺寸：锚杆始终位于当初穿过的单元内且方向不变，因此滑移必须保持很小",
+        "所有时间步中的值，除以锚杆所在的最小单元的尺寸：锚杆始终位于当初穿过的单元内且方向不变，故滑移量须远小于单元尺寸",
     ),
     (
         "what bonds carried beyond their strength, in any step since the bolt was placed, over the largest force of its group in any: beyond round-off there was no balance, as where a bolt is drawn out",

@@ -14,7 +14,7 @@ pub const TEXTS: Texts = &[
         "光滑化：节点取同一材料体内相邻单元的平均值，其间线性插值，绝不跨越材料体边界；峰值因此被削平，读数请以单元图为准。",
     ),
     ("Blue line: zero.", "蓝线为零值线。"),
-    ("The section after the last stage", "最后一个施工阶段后的断面"),
+    ("The section after the last stage", "最后施工阶段后的断面"),
     ("The run wrote no fields of the stages (stages.pvd).", "计算未输出施工阶段的场文件（stages.pvd）。"),
     ("stages.pvd lists no file yet.", "stages.pvd 尚未列出任何文件。"),
     ("largest principal stress s1, tension positive", "第一主应力 s1，拉为正"),
@@ -29,12 +29,12 @@ pub const TEXTS: Texts = &[
     ),
     (
         "Stresses are not drawn: the last file of the stages lacks s1 or s3.",
-        "未绘应力图：最后一个施工阶段文件缺少 s1 或 s3。",
+        "未绘应力图：最后施工阶段文件缺少 s1 或 s3。",
     ),
     ("Interfaces, developed flat", "接触面展开图"),
     ("interfaces.pvd lists no file yet.", "interfaces.pvd 尚未列出任何文件。"),
     ("From the file of t = {time}\u{a0}s.", "取自 t = {time}\u{a0}s 的文件。"),
-    ("After the last stage.", "最后一个施工阶段之后。"),
+    ("After the last stage.", "最后施工阶段之后。"),
     ("Not drawn, since nothing slid or opened: {names}.", "未绘（既无滑移也无张开）：{names}。"),
     ("largest slip over the run", "全程最大滑移"),
     ("never slid", "从未滑移"),
@@ -67,25 +67,25 @@ pub const TEXTS: Texts = &[
     ("foot", "墙脚"),
     ("left wall", "左边墙"),
     ("right wall", "右边墙"),
-    ("ground", "岩土体"),
+    ("ground", "围岩"),
     ("largest force over yield force", "最大轴力与屈服力之比"),
     ("bolts on a section, coloured by what they carried", "断面上的锚杆，按受力着色"),
     ("{share} of yield", "屈服力的 {share} 倍"),
     (
         "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the earthquake began over the force at which it yields, from the file {when}. Black violet is yield.",
-        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为地震开始以来任一时步最大轴力与其屈服力之比，取自{when}的文件。深紫色即屈服。",
+        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为地震开始以来任一时步最大轴力与其屈服力之比（{when}的文件）。深紫色即屈服。",
     ),
     (
         "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the earthquake began; no bolt of these yields. From the file {when}. Dark is the largest.",
-        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为地震开始以来任一时步的最大轴力；这些锚杆不会屈服。取自{when}的文件。颜色越深越大。",
+        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为地震开始以来任一时步的最大轴力（{when}的文件）；这些锚杆不会屈服。颜色越深越大。",
     ),
     (
         "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the stage began over the force at which it yields, from the file {when}. Black violet is yield.",
-        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为该阶段开始以来任一步最大轴力与其屈服力之比，取自{when}的文件。深紫色即屈服。",
+        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为该阶段开始以来任一步最大轴力与其屈服力之比（{when}的文件）。深紫色即屈服。",
     ),
     (
         "All bolts, seen along y, the worst on top; each segment by its largest force in any step since the stage began; no bolt of these yields. From the file {when}. Dark is the largest.",
-        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为该阶段开始以来任一步的最大轴力；这些锚杆不会屈服。取自{when}的文件。颜色越深越大。",
+        "全部锚杆，沿 y 向观察，受力最大者在上；各段颜色为该阶段开始以来任一步的最大轴力（{when}的文件）；这些锚杆不会屈服。颜色越深越大。",
     ),
     (
         "Look for bolts that are dark along a row or on one flank, where the ground pushes in, and for dark stretches in the middle of bolts, where they cross what opens or slides.",
@@ -121,7 +121,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "D_b, the mean of the damage in the three principal directions, at each point the largest so far (field d_b_max): 0 sound, 1 broken.",
-        "D_b 为三个主方向损伤的平均值，各点取迄今最大值（变量 d_b_max）：0 为完好，1 为完全破坏。",
+        "D_b 为三个主方向损伤的平均值，各点取历史最大值（变量 d_b_max）：0 为完好，1 为完全破坏。",
     ),
     (
         "Of each element the mean over its points, so a single point may be damaged more: the table of damage has the worst.",
@@ -146,10 +146,7 @@ pub const TEXTS: Texts = &[
     ),
     ("damage of the linings by kind", "衬砌损伤（按类型）"),
     ("The same numbers over the whole lining.", "同一数值在整个衬砌上的分布。"),
-    (
-        "The section meets no lining, and none lies on other ground.",
-        "断面不经过衬砌，也没有衬砌与岩土体相邻。",
-    ),
+    ("The section meets no lining, and none lies on other ground.", "断面不经过衬砌，也没有衬砌与围岩相邻。"),
     ("rock", "围岩"),
     ("{title}: up to {most}", "{title}：最大 {most}"),
     (
@@ -192,7 +189,7 @@ pub const TEXTS: Texts = &[
     ("The last field file has no field s1_max or s1.", "最后一个场文件没有变量 s1_max 或 s1。"),
     (
         "of each element the largest over the run, of intact 2×2×2 elements at the fibre",
-        "各单元取全程最大值，完好的 2×2×2 单元取边缘纤维处",
+        "各单元取全程最大值，完好的 2×2×2 单元取截面边缘处",
     ),
     (
         "Tension is positive. Look for where a lining came near its tensile strength, and whether the rock behind it is drawn apart as well.",
@@ -218,7 +215,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "A zone of one element's depth is no more than the mesh can say; zones that join between caverns, or reach deep into a pillar, are what to look for.",
-        "仅一个单元深的屈服区不超出网格的分辨能力；应注意洞室之间连通或深入岩柱的塑性区。",
+        "屈服区仅一个单元厚时，其范围已低于网格分辨率，不宜作定量判断；应注意洞室之间连通或深入岩柱的塑性区。",
     ),
     ("plastic zones", "塑性区"),
     ("none", "无"),

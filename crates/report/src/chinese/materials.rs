@@ -10,7 +10,7 @@ pub const TEXTS: Texts = &[
     ("{least} to {most}", "{least} 至 {most}"),
     (
         "Rayleigh, {mass} 1/s of the mass and {stiffness} s of the stiffness: {at_1} % at 1 Hz, {at_10} % at 10 Hz",
-        "Rayleigh 阻尼，质量系数 {mass} 1/s，刚度系数 {stiffness} s：1 Hz 时 {at_1} %，10 Hz 时 {at_10} %",
+        "瑞利阻尼：质量系数 {mass} s⁻¹，刚度系数 {stiffness} s；阻尼比 1 Hz 时 {at_1} %，10 Hz 时 {at_10} %",
     ),
     (
         "{ratio} % over {low} to {high} Hz by three Maxwell bodies",
@@ -25,28 +25,28 @@ pub const LAWS: Texts = &[
     ("linear isotropic elasticity", "线性各向同性弹性"),
     (
         "rock, Mohr–Coulomb with tension cut-off, dilation and softening",
-        "岩体，Mohr–Coulomb 准则，含拉伸截断、剪胀与软化",
+        "岩体，Mohr–Coulomb 准则，含抗拉截断、剪胀与软化",
     ),
     (
         "rock mass, generalised Hoek–Brown (2002) with tension cut-off",
-        "岩体，广义 Hoek–Brown 准则（2002），含拉伸截断",
+        "岩体，广义 Hoek–Brown 准则（2002），含抗拉截断",
     ),
     ("rock, Drucker–Prager cone with a limit on mean tension", "岩体，Drucker–Prager 锥面，限制平均拉应力"),
     ("concrete, rate-dependent damage separate in tension and shear", "混凝土，率相关损伤，拉伸与剪切分别计"),
-    ("joint of constant stiffness with bond and Coulomb friction", "常刚度接缝，含粘结与 Coulomb 摩擦"),
-    ("joint with a hyperbolic closure, bond and Coulomb friction", "双曲线闭合接缝，含粘结与 Coulomb 摩擦"),
+    ("joint of constant stiffness with bond and Coulomb friction", "常刚度接触面，含粘结与 Coulomb 摩擦"),
+    ("joint with a hyperbolic closure, bond and Coulomb friction", "双曲线闭合接触面，含粘结与 Coulomb 摩擦"),
     ("Young's modulus E", "弹性模量 E"),
     ("Poisson's ratio ν, from 0 up to below 0.5", "泊松比 ν，自 0 至 0.5 以下"),
     (
         "E of the law beside the Maxwell bodies, for slow loading: thresholds f_t/E and limits of size go by it",
-        "与 Maxwell 体并联的本构模型的 E，用于缓慢加载：阈值 f_t/E 与尺寸限值以此计算",
+        "与 Maxwell 体并联的本构的 E，用于缓慢加载：阈值 f_t/E 与尺寸限值以此计算",
     ),
     // Rock.
     ("cohesion c, zero or more", "黏聚力 c，不小于零"),
     ("friction angle φ, from 0 up to 89.9°", "内摩擦角 φ，自 0 至 89.9°"),
     ("dilation angle ψ, from 0 up to φ", "剪胀角 ψ，自 0 至 φ"),
     ("dilation angle ψ, from 0 up to 89.9°", "剪胀角 ψ，自 0 至 89.9°"),
-    ("tension cut-off f_t, zero or more", "拉伸截断 f_t，不小于零"),
+    ("tension cut-off f_t, zero or more", "抗拉截断 f_t，不小于零"),
     (
         "strength against plastic strain: columns with a number a row, straight lines between rows",
         "强度随塑性应变的变化：各列每行一个数，行间线性插值",
@@ -144,7 +144,10 @@ pub const LAWS: Texts = &[
     // Interfaces.
     ("normal stiffness per area k_n", "单位面积法向刚度 k_n"),
     ("shear stiffness per area k_t", "单位面积切向刚度 k_t"),
-    ("normal stiffness per area k_n0 of the closed, unloaded joint", "闭合未加载接缝的单位面积法向刚度 k_n0"),
+    (
+        "normal stiffness per area k_n0 of the closed, unloaded joint",
+        "闭合未加载接触面的单位面积法向刚度 k_n0",
+    ),
     ("largest closure T, at which the hyperbola ends", "最大闭合量 T，双曲线在此终止"),
     ("ν of k_t = k_n/(2(1 + ν))", "k_t = k_n/(2(1 + ν)) 中的 ν"),
     (

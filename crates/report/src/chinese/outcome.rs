@@ -25,11 +25,11 @@ pub const TEXTS: Texts = &[
     ("Use a smaller time_step or safety.", "请减小 time_step 或 safety。"),
     (
         "The stage '{stage}' did not come to rest: after {cycles} cycles elements there had strained by a tenth or moved by more than their own length: nothing holds them.",
-        "阶段“{stage}”未达到静止：{cycles} 个循环后，该处单元的应变已达十分之一或位移超过自身长度：没有任何约束。",
+        "阶段“{stage}”未达到静止：{cycles} 个计算步后，该处单元的应变已达十分之一或位移超过自身长度：没有任何约束。",
     ),
     (
         "The stage '{stage}' did not come to rest: after {cycles} cycles {ratio} of all forces were out of balance and {left} m of motion were left.",
-        "阶段“{stage}”未达到静止：{cycles} 个循环后，不平衡力占全部力的 {ratio}，剩余位移 {left} m。",
+        "阶段“{stage}”未达到静止：{cycles} 个计算步后，不平衡力占全部力的 {ratio}，剩余位移 {left} m。",
     ),
     (
         "Most moves {place}, as `motion_of_last_cycle` in stages/{number}.vtu shows.",
@@ -51,26 +51,26 @@ pub const TEXTS: Texts = &[
     ("{stress} MPa in {group} at {time} s", "{group} {stress} MPa（{time} s）"),
     (
         "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (change by the earthquake alone).",
-        "最大主应力（完好的 2×2×2 单元取边缘纤维处，其余取积分点）：{peaks}（仅地震引起的变化）。",
+        "最大主应力（完好的 2×2×2 单元取截面边缘处，其余取积分点）：{peaks}（仅地震引起的变化）。",
     ),
     (
         "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (in all, initial stress included).",
-        "最大主应力（完好的 2×2×2 单元取边缘纤维处，其余取积分点）：{peaks}（总应力，含初始应力）。",
+        "最大主应力（完好的 2×2×2 单元取截面边缘处，其余取积分点）：{peaks}（总应力，含初始应力）。",
     ),
     // Places.
     ("no element", "无单元"),
     ("element {number}", "单元 {number}"),
     ("element {number} of '{group}'", "“{group}”的单元 {number}"),
     ("{element}, as it goes on outside the side", "{element}（侧边界外的延伸部分）"),
-    ("{element}, as it goes on in a column", "{element}（土柱中的延伸部分）"),
+    ("{element}, as it goes on in a column", "{element}（自由场柱中的延伸部分）"),
     ("{what} at {place}", "{what}，位于 {place}"),
     ("interface '{name}' at node {node} at {place}", "接触面“{name}”的节点 {node}，位于 {place}"),
     ("interface '{name}'", "接触面“{name}”"),
     ("springs of the base", "底部弹簧"),
     ("base of the free field", "自由场底部"),
     ("{name}", "{name}"),
-    ("{part} at node {node} at {place}", "{part}的节点 {node}，位于 {place}"),
-    ("Rayleigh damping, mostly its stiffness-proportional part", "Rayleigh 阻尼，主要是刚度比例部分"),
+    ("{part} at node {node} at {place}", "节点 {node}（{part}），位于 {place}"),
+    ("Rayleigh damping, mostly its stiffness-proportional part", "瑞利阻尼，主要是刚度比例部分"),
     ("impacts allow {step} s, ω_c Δt = {limit} at {pair}", "碰撞允许步长 {step} s，ω_c Δt = {limit}，{pair}"),
     // What stages change.
     ("{groups} becomes {material}", "{groups} 变为 {material}"),

@@ -12,6 +12,7 @@ pub const TEXTS: Texts = &[
         "{first} Taken from the rows of monitors.csv, {interval} apart: what rings faster may peak higher between them (a shorter output.histories shows it).",
         "{first}取自 monitors.csv 的各行，间隔 {interval}：更快的振荡在两行之间可能有更高的峰值（减小 output.histories 即可看到）。",
     ),
+    (": ", "："),
     ("Numbers in full", "完整数据"),
     ("Fields for ParaView", "ParaView 场文件"),
     ("The case as it was read", "读入的算例"),
@@ -104,7 +105,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "Principal stress of groups, tension positive; of 2×2×2 elements at the fibre while intact, else at points",
-        "各组主应力（拉为正）；2×2×2 单元未损伤时取外缘纤维处，否则取积分点",
+        "各组主应力（拉为正）；2×2×2 单元未损伤时取截面边缘处，否则取积分点",
     ),
     ("The section and its monitors", "断面与监测点"),
     (

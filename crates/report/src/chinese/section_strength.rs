@@ -11,7 +11,7 @@ pub const TEXTS: Texts = &[
         "sections.csv holds no thickness and no thrust at the time of the largest moment.",
         "sections.csv 中没有厚度，也没有最大弯矩时刻的轴力。",
     ),
-    ("elastic section: a fibre reaches f_t or f_c", "弹性截面：边缘纤维达到 f_t 或 f_c"),
+    ("elastic section: a fibre reaches f_t or f_c", "弹性截面：截面边缘达到 f_t 或 f_c"),
     (
         "what is left once cracked: no tension, f_c over the compressed part",
         "开裂后的截面：不计拉应力，受压区应力为 f_c",

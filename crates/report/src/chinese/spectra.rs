@@ -26,16 +26,18 @@ pub const TEXTS: Texts = &[
     ("spectra.csv holds no monitor that moves.", "spectra.csv 中没有运动的监测点。"),
     (
         "Spectral acceleration with 5 % damping, all on one scale. Each monitor is drawn full; dashed is the free field at its own \
-         level, which is how the ground would move there without caverns. Where the monitor rises above it at periods of \
-         ten rows and more, the cavern or the lining rings at that period or amplifies the wave; where it stays below, the cavern \
-         shields it.",
-        "谱加速度，阻尼比 5 %，各图比例相同。实线为监测点；虚线为同一高程的自由场，即无洞室时该处的运动。监测点高于自由场的周期处，\
-         洞室或衬砌在该周期共振或放大；低于自由场处，洞室起屏蔽作用。",
+         level, which is how the ground would move there without caverns.",
+        "谱加速度，阻尼比 5 %，各图比例相同。实线为监测点；虚线为同一高程的自由场，即无洞室时该处的运动。",
+    ),
+    (
+        " Where the monitor rises above it at periods from {short} on, the cavern or the lining rings at that period or \
+         amplifies the wave; where it stays below, the cavern shields it.",
+        "周期不小于 {short} 时，监测点高于自由场处，洞室或衬砌在该周期共振或放大；低于自由场处，洞室起屏蔽作用。",
     ),
     (
         "Spectral acceleration with 5 % damping, all on one scale. No column of ground stood beside the model, so there is no \
          free field to compare with.",
-        "谱加速度，阻尼比 5 %，各图比例相同。模型旁没有自由场土柱，故无自由场可比。",
+        "谱加速度，阻尼比 5 %，各图比例相同。模型旁没有自由场柱，故无自由场可比。",
     ),
     ("free field at the monitor's level", "监测点高程处的自由场"),
     (

@@ -6,14 +6,14 @@ pub const TEXTS: Texts = &[
     // Before the earthquake.
     (
         "held besides weight, loads and reactions after the last stage, over all contributions",
-        "末阶段结束时除自重、荷载与支座反力外仍被约束的力与全部贡献之比",
+        "最后施工阶段结束时除自重、荷载与支座反力外仍被约束的力与全部贡献之比",
     ),
     (
         "change of the initial stress on the way to equilibrium over that stress",
         "达到平衡过程中初始应力的变化与初始应力之比",
     ),
     ("motion to the initial equilibrium over the stages'", "达到初始平衡的位移与各施工阶段位移之比"),
-    ("nothing comes before the earthquake", "地震之前没有任何阶段"),
+    ("nothing comes before the earthquake", "地震前没有施工阶段"),
     ("no stage came to rest", "没有阶段达到静止"),
     (
         "what stages have not let go stays held in the shaking: end with a stage whose `release` is 1",
@@ -66,16 +66,16 @@ pub const TEXTS: Texts = &[
     ("no wave comes in", "没有波输入"),
     (
         "shear waves of {frequency} Hz (99.9 % of the input's energy lies below) along the longest edge of {element}",
-        "频率 {frequency} Hz（输入能量的 99.9 % 在此频率以下）的剪切波，沿{element}的最长边",
+        "频率 {frequency} Hz（输入能量的 99.9 % 在此频率以下）的剪切波，沿{element} 的最长边",
     ),
     ("input displacement at its end over its peak", "输入位移的终值与峰值之比"),
     (
         "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.process, behind filter and taper",
-        "数值大说明记录存在漂移，模型会随之移动：请在 motion.process 中将 \"baseline\" 放在滤波与加窗之后，作为最后一步",
+        "数值大说明记录存在漂移，模型将随之整体移动：请在 motion.process 中将 \"baseline\" 放在滤波与端部渐变（taper）之后，作为最后一步",
     ),
     ("free field against theory", "自由场与自由场理论解之差"),
     ("model's corners against free field", "模型角部与自由场之差"),
-    ("there is no reference column: {reason}", "没有参考土柱：{reason}"),
+    ("there is no reference column: {reason}", "没有参考自由场柱：{reason}"),
     (
         "cannot be checked, since {why}; and sides that are not periodic may spoil the free field",
         "无法检查，原因：{why}；并且非周期性侧边界可能破坏自由场",
@@ -83,49 +83,49 @@ pub const TEXTS: Texts = &[
     ("no row was written", "没有写出任何数据行"),
     (
         "theory is of ground that hangs together, and an interface runs through every column",
-        "理论解针对连续的地层，而每个土柱都有接触面穿过",
+        "理论解针对连续的地层，而每根自由场柱都有接触面穿过",
     ),
     (
         "the rock of every column yields or cracks, and theory is elastic",
-        "每个土柱的岩体都屈服或开裂，而理论解是弹性的",
+        "每根自由场柱的岩体都屈服或开裂，而理论解是弹性的",
     ),
     ("the rows of the histories are too few to show the wave", "时程的数据行太少，不足以反映该波"),
     (
         "velocity at the base of column '{column}' against one-dimensional theory of its layers, damping included",
-        "土柱“{column}”底部的速度与其各层一维理论解（计入阻尼）之差",
+        "自由场柱“{column}”底部的速度与其各层一维理论解（计入阻尼）之差",
     ),
     (
         "velocity at the top of column '{column}' against one-dimensional theory of its layers, damping included",
-        "土柱“{column}”顶部的速度与其各层一维理论解（计入阻尼）之差",
+        "自由场柱“{column}”顶部的速度与其各层一维理论解（计入阻尼）之差",
     ),
-    ("{end}; the worst of {shown} columns of {all}", "{end}；取 {all} 个土柱中 {shown} 个的最差者"),
+    ("{end}; the worst of all {all} columns", "{end}；{all} 根自由场柱中的最大差值"),
     (
         "{end}; the worst of {shown} columns of {all}, since the others yield, crack, are cut by an interface, or show no wave in the rows",
-        "{end}；取 {all} 个土柱中 {shown} 个的最差者，其余土柱屈服、开裂、被接触面切断，或数据行中未反映出波",
+        "{end}；{all} 根自由场柱中 {shown} 根的最大差值，其余各柱屈服、开裂、被接触面切断，或数据行中未反映出波",
     ),
-    ("nothing has reached a column of the ground", "尚无波到达地层土柱"),
+    ("nothing has reached a column of the ground", "尚无波到达自由场柱"),
     (
         "velocity of the model's own surface and base at its vertical edges against that of column '{column}', over that one's peak: sides that hold or drain the free field, caverns too near to them (make `sides` wider), or ground that dips, slopes or changes from side to side, which goes on level outside",
-        "模型竖向棱边处地表和底面的速度与土柱“{column}”速度之差，除以后者的峰值：可能原因是侧边界约束或消耗自由场、洞室离侧边界太近（请加大 `sides`），或地层倾斜、地表有坡、两侧地层不同，而模型外按水平延伸",
+        "模型竖向棱边处地表和底面的速度与自由场柱“{column}”速度之差，除以后者的峰值：可能原因是侧边界约束或消耗自由场、洞室离侧边界太近（请加大 `sides`），或地层倾斜、地表有坡、两侧地层不同，而模型外按水平延伸",
     ),
     // Energy.
     ("energy error over the largest energy held", "能量误差与最大持有能量之比"),
-    ("a law books nothing of what it dissipates: {bodies}", "有本构模型不记录其耗散的能量：{bodies}"),
+    ("a law books nothing of what it dissipates: {bodies}", "有本构不记录其耗散的能量：{bodies}"),
     ("{law} of {body}", "{body} 的 {law}"),
     ("nothing moves beyond the round-off of what was stored before", "运动未超出此前储存能量的舍入误差"),
     (
         "largest difference of all rows between the energy found and the energy put in, every line booked by itself, but for ⅛Δt²aᵀMa, which belongs to the scheme",
         "各数据行中求得的能量与输入能量之差的最大值，各项独立记录；不含属于积分格式本身的 ⅛Δt²aᵀMa",
     ),
-    ("work in no line over energy dissipated", "未归入任何项的功与耗散能之比"),
-    ("work in no line over energy dissipated, {body}", "未归入任何项的功与耗散能之比，{body}"),
+    ("work in no line over energy dissipated", "未计入各能量项的功与耗散能之比"),
+    ("work in no line over energy dissipated, {body}", "未计入各能量项的功与耗散能之比，{body}"),
     ("nothing was damaged and nothing flowed", "既无损伤也无塑性流动"),
     (
         "work on the body's elements less what they hold, have dissipated and created, at the end; damage that jumps within a step leaves some, which shrinks with the step",
         "终了时对该体单元所做的功减去其持有、耗散和产生的能量；一步内突增的损伤会留下少量差值，随步长减小而减小",
     ),
-    ("no law dissipates", "没有耗散能量的本构模型"),
-    ("energy created by laws over energy dissipated", "本构模型产生的能量与耗散能之比"),
+    ("no law dissipates", "没有耗散能量的本构"),
+    ("energy created by laws over energy dissipated", "本构产生的能量与耗散能之比"),
     (
         "largest rise of what closed strain loops of cracked concrete gave out; split = \"compliance\" cannot",
         "开裂混凝土在闭合应变循环中释放能量的最大增量；split = \"compliance\" 不会出现",
@@ -159,11 +159,11 @@ pub const TEXTS: Texts = &[
     ("implied fracture energy, {body}", "隐含断裂能，{body}"),
     (
         "{least} to {most} N/m for cracks across the elements' shortest to longest extents: a law that softens by strain alone dissipates more the larger the element; give fracture_energy",
-        "裂缝横穿单元最短至最长尺寸时为 {least} 至 {most} N/m：仅按应变软化的本构模型，单元越大耗散越多；请给出 fracture_energy",
+        "裂缝横穿单元最短至最长尺寸时为 {least} 至 {most} N/m：仅按应变软化的本构，单元越大耗散越多；请给出 fracture_energy",
     ),
-    ("no law softens by strain alone", "没有仅按应变软化的本构模型"),
+    ("no law softens by strain alone", "没有仅按应变软化的本构"),
     ("fracture energy, {body}", "断裂能，{body}"),
     ("given; cracks dissipate it whatever the size of the element", "已给定；无论单元大小，裂缝都耗散该能量"),
-    ("warnings of material laws", "材料本构模型的警告"),
+    ("warnings of material laws", "材料本构的警告"),
     ("{body}: {warning}", "{body}：{warning}"),
 ];

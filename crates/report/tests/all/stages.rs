@@ -338,7 +338,7 @@ fn a_static_study_has_a_whole_page_that_misses_nothing() {
         "tolerance 1\u{202f}×\u{202f}10⁻⁵",
         "Largest motion of a wall in the stages",
         "stages.csv",
-        "Run: sound (2 of 2 checks pass)",
+        "Run: all 2 checks pass",
     ] {
         assert!(page.contains(text), "{text}");
     }

@@ -120,7 +120,7 @@ fn against_theory(columns: &[ColumnSeen]) -> TrustLine {
     let note = match (all > 1, shown < all) {
         (false, _) => end,
         (true, false) => {
-            said!("{end}; the worst of {shown} columns of {all}", end = end, shown = worst_of, all = of)
+            said!("{end}; the worst of all {all} columns", end = end, all = of)
         }
         (true, true) => said!(
             "{end}; the worst of {shown} columns of {all}, since the others yield, crack, are cut by an interface, or show no wave \
