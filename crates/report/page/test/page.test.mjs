@@ -90,8 +90,8 @@ function english(page, names) {
       if (parent.closest("script, style, code, title, desc, data, #case pre, #defaulted [lang=en], [translate=no]") || !parent.checkVisibility()) continue;
       let text = node.textContent;
       for (const name of names) text = text.replaceAll(name, "·");
-      // Components of stress are symbols.
-      text = text.replace(/\bs[xyz]{2}\b/g, "·");
+      // Components of stress and keys of laws are symbols.
+      text = text.replace(/\bs[xyz]{2}\b|\b[a-z]+(?:_[a-z]+)+\b/g, "·");
       const words = /[A-Za-z][a-z'’]+(?:[\s,;:–-]+(?:a|[A-Za-z][a-z'’]+)){2,}/.exec(text);
       if (words) found.push(text.trim().slice(0, 160));
     }

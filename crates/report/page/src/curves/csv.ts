@@ -8,8 +8,8 @@ function header(name: string, unit: string): string {
 }
 
 /** Curves hold five digits, their abscissa seven. */
-function number(value: Value, digits: number): string {
-  return value == null ? "" : String(Number(value.toPrecision(digits)));
+function number(value: Value): string {
+  return value == null ? "" : String(Number(value.toPrecision(7)));
 }
 
 /** All rows of a figure, in its units. */
@@ -19,6 +19,6 @@ export function csv(entry: Entry, { across, panels }: Numbers): string {
     panel.lines.map((line) => header(several && line.name ? `${panel.title}: ${line.name}` : line.name || panel.title, panel.unit)),
   );
   const columns = panels.flat();
-  const rows = across.map((x, row) => [number(x, 7), ...columns.map((column) => number(column[row], 6))].join(","));
+  const rows = across.map((x, row) => [number(x), ...columns.map((column) => number(column[row]))].join(","));
   return [[header(acrossName(entry), entry.across.unit), ...heads].join(","), ...rows, ""].join("\n");
 }
