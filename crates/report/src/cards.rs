@@ -61,11 +61,16 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));
     let of_table = || source.energy.as_ref().ok().and_then(worst_error);
     if let Some((error, ratio)) = checked.or_else(of_table) {
-        let note = say!(
-            language,
-            "{energy}, of the largest energy held",
-            energy = source.quantity(Kind::Energy, error)
-        );
+        let energy = source.quantity(Kind::Energy, error);
+        let note = match checked {
+            Some(_) => say!(language, "{energy}, of the largest energy held", energy = energy),
+            None => say!(
+                language,
+                "{energy}, of the largest energy held; from energy.csv, with ⅛Δt²aᵀMa, which belongs to the scheme and \
+                 which the check leaves out",
+                energy = energy
+            ),
+        };
         cards.push(card(
             say!(language, "Largest error of the energy balance"),
             format!("{}\u{a0}%", figures(100.0 * ratio, 2)),

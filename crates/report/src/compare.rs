@@ -4,6 +4,7 @@
 //! is shown for those, with a dash for the rest.
 
 mod case_text;
+mod ended;
 mod histories;
 mod numbers;
 mod page;

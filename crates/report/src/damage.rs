@@ -61,7 +61,7 @@ pub fn heading(language: Language, measure: &str) -> String {
     match measure {
         "d_tension" => say!(language, "Cracked, D⁺"),
         "d_shear" => say!(language, "Crushed or sheared, D⁻"),
-        "d_b_max" => say!(language, "Mean of both, D_b"),
+        "d_b_max" => say!(language, "Mean of the principal directions, D_b"),
         "plastic_shear_strain" => say!(language, "Yielded in shear"),
         "plastic_tension_strain" => say!(language, "Yielded in tension"),
         other => other.into(),
@@ -131,7 +131,10 @@ fn table(
     }
     let mut notes = Vec::new();
     if repeated > 0 {
-        notes.push(say!(language, "D_b, the mean of both, is not listed where it equals D⁺."));
+        notes.push(say!(
+            language,
+            "D_b, the mean of the damage in the three principal directions, is not listed where it equals D⁺."
+        ));
     }
     if idled > 0 {
         notes.push(say!(language, "Measures that stayed zero are not listed."));

@@ -48,6 +48,7 @@ mod free_field_beside;
 mod free_field_numbers;
 mod free_field_tables;
 mod free_field_words;
+mod gaps;
 mod growth;
 mod histories;
 mod input;

@@ -10,6 +10,7 @@ use crate::contents::{Content, Placed};
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::{self, Check, Fact, Outcome};
 use crate::figure::{Block, Figure, Section};
+use crate::gaps;
 use crate::interfaces::{self, InterfaceTable};
 use crate::language::say;
 use crate::materials::{self, MaterialTable};
@@ -54,6 +55,8 @@ struct Page {
     unjudged: bool,
     run: Vec<Fact>,
     cut: bool,
+    /// That a table has values that are no number.
+    gaps: Option<String>,
     /// Of the result files those that are there: what they are, and their names.
     files: Vec<(String, Vec<&'static str>)>,
     /// The case as it was read.
@@ -137,6 +140,7 @@ pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String
             .flatten()
             .any(|table| table.as_ref().is_ok_and(|t| t.cut))
             || matches!(&source.free_field, Some(Ok(found)) if found.cut),
+        gaps: gaps::told(source),
         files: files(source),
         case: source.case.clone(),
     };

@@ -145,9 +145,9 @@ fn explained(source: &Source) -> String {
     say!(
         source.language,
         "Of the accelerations between rows of the histories, {interval} apart, of the monitors and of the free field alike. \
-         Oscillators are looked at in the rows: one that rings alone at a period below {short} may peak more than 5 % above what is \
-         drawn, so the table has the largest from there on. Short periods that the motion given does not have come from cracks \
-         and joints that open and close.",
+         Rows so far apart show short periods too low, by 20 % at the shortest that is drawn, five rows, and by 5 to 9 % at {short}, \
+         ten rows: the table has the largest from there on. Short periods that the motion given does not have come from cracks \
+         and joints that open and close, sampled by the rows.",
         interval = shown(interval),
         short = shown(ROWS_A_PERIOD * interval)
     )
@@ -158,7 +158,7 @@ fn peaks(source: &Source, points: &[(Point, Point)], axes_of: &[usize], periods:
     let language = source.language;
     let shortest = ROWS_A_PERIOD * interval(source).unwrap_or(0.0);
     let scale = source.scale(Kind::Acceleration);
-    let largest = scale.labelled(&say!(language, "largest"));
+    let largest = scale.labelled(&say!(language, "largest from ten rows a period on"));
     let at = say!(language, "at period (s)");
     let pair = || [Head::number(&largest), Head::number(&at)];
     let over = vec![

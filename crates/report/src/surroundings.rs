@@ -78,37 +78,42 @@ pub fn around(language: Language, facts: &Summary) -> Vec<(Severity, String)> {
         found.push((bolts.severity, text));
     }
     if let Some(rock) = facts.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8) {
-        let shear = number(rock, "share_yielded_in_shear").unwrap_or(0.0);
-        let tension = number(rock, "share_yielded_in_tension").unwrap_or(0.0);
-        let name = short(&rock.group, NAME);
-        let (in_shear, in_tension) = (percent(shear), percent(tension));
-        let text = match (shear > 0.0, tension > 0.0) {
-            (false, false) => say!(language, "{group}: undamaged.", group = name),
-            (true, false) => {
-                say!(
-                    language,
-                    "{name}: yielded in shear in {shear} of its volume.",
-                    name = name,
-                    shear = in_shear
-                )
-            }
-            (false, true) => say!(
-                language,
-                "{name}: yielded in tension in {tension} of its volume.",
-                name = name,
-                tension = in_tension
-            ),
-            (true, true) => say!(
-                language,
-                "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
-                name = name,
-                shear = in_shear,
-                tension = in_tension
-            ),
-        };
-        found.push((rock.severity, text));
+        found.push((rock.severity, yielded(language, rock)));
     }
     found
+}
+
+/// In how much of its volume a group has yielded.
+pub fn yielded(language: Language, finding: &Finding) -> String {
+    let share = |name: &str| finding.numbers.get(name).copied().unwrap_or(0.0);
+    let shear = share("share_yielded_in_shear");
+    let tension = share("share_yielded_in_tension");
+    let name = short(&finding.group, NAME);
+    let (in_shear, in_tension) = (percent(shear), percent(tension));
+    match (shear > 0.0, tension > 0.0) {
+        (false, false) => say!(language, "{group}: undamaged.", group = name),
+        (true, false) => {
+            say!(
+                language,
+                "{name}: yielded in shear in {shear} of its volume.",
+                name = name,
+                shear = in_shear
+            )
+        }
+        (false, true) => say!(
+            language,
+            "{name}: yielded in tension in {tension} of its volume.",
+            name = name,
+            tension = in_tension
+        ),
+        (true, true) => say!(
+            language,
+            "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
+            name = name,
+            shear = in_shear,
+            tension = in_tension
+        ),
+    }
 }
 
 /// Whether a finding is of rock, which yields but does not crack.

@@ -7,7 +7,7 @@ use crate::brief::{CHECK, NAME, percent, short};
 use crate::language::{Language, say};
 use crate::scale::{figures, moment};
 use crate::source::Source;
-use crate::surroundings::{around, of_rock};
+use crate::surroundings::{around, of_rock, yielded};
 use crate::units::Kind;
 
 /// Lines that the verdict may have.
@@ -54,7 +54,7 @@ pub fn verdict(source: &Source) -> Verdict {
     lines.extend(within(room, around(language, &facts), language));
     lines.extend(relative(source, &facts));
     lines.truncate(LINES);
-    let (class, answer) = answer(source, &linings);
+    let (class, answer) = answer(source, &linings, yielding(source, &facts));
     Verdict { question: say!(language, "Does the lining stand?"), answer, class, lines }
 }
 
@@ -80,31 +80,54 @@ fn linings(facts: &Summary) -> Vec<&Finding> {
     all
 }
 
-fn answer(source: &Source, linings: &[&Finding]) -> (&'static str, String) {
+/// Of the linings whose law cannot crack that which has yielded most: a lining is what section forces were taken of.
+fn yielding<'a>(source: &Source, facts: &'a Summary) -> Option<&'a Finding> {
+    let rows = source.sections.as_ref()?.as_ref().ok()?;
+    let lining = |finding: &&Finding| rows.iter().any(|row| row.lining == finding.group);
+    let share = |finding: &Finding| {
+        let shares = finding.numbers.iter().filter(|(name, _)| name.starts_with("share_yielded"));
+        shares.map(|(_, share)| *share).fold(0.0, f64::max)
+    };
+    let all = facts.findings.iter().filter(|finding| of_rock(finding)).filter(lining);
+    let all = all.map(|finding| (finding, share(finding))).filter(|(_, share)| *share > 0.0);
+    all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(finding, _)| finding)
+}
+
+/// `yielding` is a lining that cannot crack but has yielded.
+fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> (&'static str, String) {
     let language = source.language;
     let Ok(summary) = &source.summary else {
         return ("warn", say!(language, "Cannot be said: there is no summary of the run."));
     };
-    match (summary.status, linings.first().map(|finding| finding.severity)) {
-        (Status::Failed, _) => ("bad", say!(language, "Cannot be said: the run failed.")),
-        (Status::Stopped, Some(Severity::Through)) => {
+    let yielded = yielding.map(|finding| yielded(language, finding));
+    match (summary.status, linings.first().map(|finding| finding.severity), yielded) {
+        (Status::Failed, ..) => ("bad", say!(language, "Cannot be said: the run failed.")),
+        (Status::Stopped, Some(Severity::Through), _) => {
             ("bad", say!(language, "The run has not ended, and cracks already run through its thickness."))
         }
-        (Status::Stopped, _) => ("warn", say!(language, "Cannot be said yet: the run has not ended.")),
-        (Status::Done, None) => ("warn", say!(language, "Not judged: no structure of this run can crack.")),
-        (Status::Done, Some(Severity::Through)) => {
+        (Status::Stopped, ..) => ("warn", say!(language, "Cannot be said yet: the run has not ended.")),
+        (Status::Done, None, Some(yielded)) => {
+            ("warn", say!(language, "Not judged by cracks. {yielded}", yielded = yielded))
+        }
+        (Status::Done, None, None) => {
+            ("warn", say!(language, "Not judged: no structure of this run can crack."))
+        }
+        (Status::Done, Some(Severity::Through), _) => {
             ("bad", say!(language, "It is damaged: cracks run through its thickness."))
         }
-        (Status::Done, Some(Severity::Damaged)) => {
+        (Status::Done, Some(Severity::Damaged), _) => {
             ("warn", say!(language, "It is cracked, but nowhere through its thickness."))
         }
-        (Status::Done, Some(Severity::Undamaged)) if summary.warnings() > 0 || summary.judged() == 0 => {
+        (Status::Done, Some(Severity::Undamaged), Some(yielded)) => {
+            ("warn", say!(language, "It is nowhere cracked, but has yielded. {yielded}", yielded = yielded))
+        }
+        (Status::Done, Some(Severity::Undamaged), _) if summary.warnings() > 0 || summary.judged() == 0 => {
             ("warn", say!(language, "It is undamaged as computed, but the checks do not vouch for that."))
         }
-        (Status::Done, Some(Severity::Undamaged)) if source.still().is_some() => {
+        (Status::Done, Some(Severity::Undamaged), _) if source.still().is_some() => {
             ("good", say!(language, "It is undamaged; no earthquake has come."))
         }
-        (Status::Done, Some(Severity::Undamaged)) => ("good", say!(language, "It is undamaged.")),
+        (Status::Done, Some(Severity::Undamaged), _) => ("good", say!(language, "It is undamaged.")),
     }
 }
 

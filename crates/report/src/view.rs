@@ -171,12 +171,17 @@ fn moments(source: &Source, clock: &str, pvd: &Pvd) -> Vec<Moment> {
     let stages = source.summary.as_ref().map_or(&[][..], |summary| &summary.stages);
     let label = |t: f64| {
         if clock == "earthquake" {
-            return format!("{t} s");
+            return format!("{} s", microseconds(t));
         }
         let name = stages.get(t as usize).map_or("", |stage| &stage.name);
         if name.is_empty() { say!(source.language, "stage {number}", number = t) } else { name.to_owned() }
     };
     pvd.snapshots().iter().map(|snapshot| Moment { t: snapshot.time, label: label(snapshot.time) }).collect()
+}
+
+/// A time (s) as it was asked for: what steps add up to differs from that by round-off.
+fn microseconds(t: f64) -> f64 {
+    (t * 1e6).round() / 1e6
 }
 
 /// Over all points of a file.

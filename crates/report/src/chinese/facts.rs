@@ -20,6 +20,10 @@ pub const TEXTS: Texts = &[
     ("{pair}, {axis}, at {time}", "{pair}，{axis}，{time}"),
     ("Largest relative displacement, one component", "最大相对位移（单分量）"),
     ("Force of the bolt nearest to yield", "最接近屈服的锚杆轴力"),
+    (
+        "{energy}, of the largest energy held; from energy.csv, with ⅛Δt²aᵀMa, which belongs to the scheme and which the check leaves out",
+        "{energy}，与持有能量的最大值之比；取自 energy.csv，含属于积分格式的 ⅛Δt²aᵀMa（检查项不计入）",
+    ),
     ("{energy}, of the largest energy held", "{energy}，相对于最大持有能量"),
     ("Largest error of the energy balance", "能量平衡最大误差"),
     (

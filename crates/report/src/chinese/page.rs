@@ -30,6 +30,10 @@ pub const TEXTS: Texts = &[
     ("How it was run", "计算过程"),
     ("Can these results be trusted?", "结果是否可信？"),
     (
+        "{file} has values that are no number, first at {time}\u{a0}s ({column}): the run went wrong there, or the file is damaged. Figures and peaks leave them out.",
+        "{file} 中有非数值，最早出现于 {time}\u{a0}s（{column}）：计算在该处出错，或文件已损坏。图与峰值不计入这些值。",
+    ),
+    (
         "A table ends in the middle of a line: this page shows a run that is still going on, or one that was killed.",
         "有一个数据表在行中间中断：本页所示的计算仍在进行，或已被终止。",
     ),

@@ -42,12 +42,13 @@ pub const TEXTS: Texts = &[
     ("free field at the monitor's level", "监测点高程处的自由场"),
     (
         "Of the accelerations between rows of the histories, {interval} apart, of the monitors and of the free field alike. \
-         Oscillators are looked at in the rows: one that rings alone at a period below {short} may peak more than 5 % above what is \
-         drawn, so the table has the largest from there on. Short periods that the motion given does not have come from cracks \
-         and joints that open and close.",
-        "由时程输出行（间隔 {interval}）之间的加速度求得，监测点与自由场相同。振子只在输出行处取值：周期小于 {short} 的振子若单独振动，\
-         其峰值可能比所绘高出 5 % 以上，故表中最大值自该周期起取。给定地震动所没有的短周期成分来自裂缝与接触面的开合。",
+         Rows so far apart show short periods too low, by 20 % at the shortest that is drawn, five rows, and by 5 to 9 % at {short}, \
+         ten rows: the table has the largest from there on. Short periods that the motion given does not have come from cracks \
+         and joints that open and close, sampled by the rows.",
+        "由时程输出行（间隔 {interval}）之间的加速度求得，监测点与自由场相同。输出间隔使短周期谱值偏低：最短周期（5 行）约低 20 %，{short}（10 行）低 5～9 %，\
+         故表中最大值自该周期起取。给定地震动所没有的短周期成分来自裂缝与接触面的开合及其按行取样。",
     ),
+    ("largest from ten rows a period on", "最大（每周期不少于 10 行）"),
     ("at period (s)", "对应周期 (s)"),
     ("free field at its level", "同高程自由场"),
 ];

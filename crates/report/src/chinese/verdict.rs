@@ -16,6 +16,8 @@ pub const TEXTS: Texts = &[
     ),
     ("Cannot be said yet: the run has not ended.", "尚无法判断：计算没有结束。"),
     ("Not judged: no structure of this run can crack.", "未作判断：本次计算中没有会开裂的结构。"),
+    ("Not judged by cracks. {yielded}", "未按裂缝判断。{yielded}"),
+    ("It is nowhere cracked, but has yielded. {yielded}", "未开裂，但已屈服。{yielded}"),
     ("It is damaged: cracks run through its thickness.", "已受损：裂缝贯穿衬砌厚度。"),
     ("It is cracked, but nowhere through its thickness.", "已开裂，但没有一处贯穿厚度。"),
     (

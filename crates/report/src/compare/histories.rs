@@ -11,7 +11,7 @@ use crate::language::{Language, say};
 use crate::pairs::names;
 use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
-use crate::scale::{Scale, figures, trimmed};
+use crate::scale::{Scale, figures, moment, trimmed};
 use crate::svg::{Anchor, Style, Svg};
 use crate::text_table::{Cell, TextTable};
 use crate::thin::thin;
@@ -150,8 +150,14 @@ fn figure(runs: &[Run], monitor: &str, histories: &[History], language: Language
     Figure { heading: monitor.into(), file: String::new(), svg, caption: String::new(), curves }
 }
 
-/// By monitor and quantity the largest difference from the first run at one time, over the first run's largest value. Of runs
-/// whose rows are at other times than the first's nothing is said.
+/// How many rows of two histories are at the same times, where one is as the other begins; nothing where they are not.
+fn common(first: &[f64], other: &[f64]) -> Option<usize> {
+    let rows = first.len().min(other.len());
+    (rows > 0 && first[..rows] == other[..rows]).then_some(rows)
+}
+
+/// By monitor and quantity the largest difference from the first run at one time, over the first run's largest value; up to
+/// which time where one run is shorter. Of runs whose rows are at other times than the first's nothing is said.
 pub fn parting(runs: &[Run], language: Language) -> Option<TextTable> {
     let (tables, all) = monitors(runs);
     let mut rows = Vec::new();
@@ -161,13 +167,20 @@ pub fn parting(runs: &[Run], language: Language) -> Option<TextTable> {
             let most = first.iter().filter(|x| x.is_finite()).fold(0.0_f64, |most, x| most.max(x.abs()));
             let cell = |run: usize| {
                 let other = history.of.iter().find(|(r, ..)| *r == run);
-                let Some((_, _, values)) = other.filter(|(_, times, _)| times == time) else {
-                    return Cell::number("–");
-                };
+                let other = other.and_then(|(_, times, values)| Some((times, values, common(time, times)?)));
+                let Some((times, values, rows)) = other else { return Cell::number("–") };
                 let apart = first.iter().zip(values.iter()).map(|(a, b)| (a - b).abs());
                 let apart = apart.filter(|x| x.is_finite()).fold(0.0, f64::max);
                 let percent = figures(100.0 * apart / most, 2);
-                Cell::number(if apart == 0.0 { "=".into() } else { format!("{}\u{a0}%", trimmed(&percent)) })
+                let text = if apart == 0.0 { "=".into() } else { format!("{}\u{a0}%", trimmed(&percent)) };
+                let cell = Cell::number(text);
+                match rows == time.len() && rows == times.len() {
+                    true => cell,
+                    false => {
+                        let end = trimmed(&moment(time[rows - 1], time[rows - 1]));
+                        cell.with(say!(language, "up to {time}\u{a0}s", time = end))
+                    }
+                }
             };
             let label = Cell::words(format!("{name} {}", history.quantity));
             rows.push(std::iter::once(label).chain((1..runs.len()).map(cell)).collect());

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::Run;
 use super::case_text::{Changes, changes};
+use super::ended::{status, warning};
 use super::histories::{figures_of, parting};
 use super::numbers::{checks, head, tables};
 use crate::blocks::Blocks;
@@ -24,6 +25,8 @@ struct Page {
     /// What the script reads.
     data: minijinja::Value,
     title: String,
+    /// That runs are not done.
+    warning: Option<String>,
     /// What each run is.
     runs: TextTable,
     changes: Vec<Changes>,
@@ -56,6 +59,7 @@ pub fn html(runs: &[Run], language: Language) -> Result<String, minijinja::Error
         script: markup(SCRIPT),
         data: markup(&(curves + &blocks.elements())),
         title: say!(language, "Comparison: {runs}", runs = names.join(", ")),
+        warning: warning(runs, language),
         runs: what_they_are(runs, language),
         changes: changes(runs),
         tables: tables(runs, language)
@@ -87,8 +91,10 @@ fn what_they_are(runs: &[Run], language: Language) -> TextTable {
     let row = |label: String, of: &dyn Fn(&tremolite_results::Summary) -> Cell| -> Vec<Cell> {
         std::iter::once(Cell::words(label)).chain(facts.iter().map(of)).collect()
     };
+    let ended = std::iter::once(Cell::words(say!(language, "how it ended")));
     let rows = vec![
         row(say!(language, "title"), &|s| Cell::words(&s.title)),
+        ended.chain(runs.iter().map(|run| status(run, language))).collect(),
         row(say!(language, "checks that pass"), &|s| {
             let (judged, warnings) = (s.judged(), s.warnings());
             let text = say!(

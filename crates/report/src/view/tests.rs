@@ -120,3 +120,17 @@ fn over_the_budget_times_of_the_ground_go_then_fields_then_displacement() {
         steps.into_iter().map(|(t, f)| (t, f.iter().map(|&f| f.to_owned()).collect())).collect();
     assert_eq!(seen, steps);
 }
+
+#[test]
+fn times_are_told_without_the_round_off_of_their_steps() {
+    let temp = tempfile::tempdir().unwrap();
+    let source = source(temp.path());
+    let mut pvd = Pvd::create(&source.folder.pvd()).unwrap();
+    for time in [0.0, 1.5000000000000002, 0.1 + 0.2, 12.345678] {
+        pvd.add(time, "fields/0.vtu").unwrap();
+    }
+    let (manifest, _) = view(&source, usize::MAX);
+    let labels: Vec<&str> =
+        manifest["times"].as_array().unwrap().iter().map(|time| time["label"].as_str().unwrap()).collect();
+    assert_eq!(labels, ["0 s", "1.5 s", "0.3 s", "12.345678 s"]);
+}

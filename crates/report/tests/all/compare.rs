@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use tremolite_report::compare;
-use tremolite_results::{Column, ResultFolder, Summary, Table, TableWriter, peaks_by_monitor};
+use tremolite_report::{Language, compare};
+use tremolite_results::{Column, ResultFolder, Status, Summary, Table, TableWriter, peaks_by_monitor};
 
 /// A run whose monitor A swings with this size \[m\], with rows at this interval \[s\].
 fn run(root: &Path, size: f64, interval: f64, case: &str) -> PathBuf {
@@ -16,7 +16,8 @@ fn run(root: &Path, size: f64, interval: f64, case: &str) -> PathBuf {
         table.write(&[t, size * (1.5 * t).sin(), 1e6]).unwrap();
     }
     let monitors = peaks_by_monitor(&Table::read(&folder.monitors()).unwrap());
-    Summary { title: "A run".into(), monitors, ..Summary::default() }.write(&folder.summary()).unwrap();
+    let summary = Summary { title: "A run".into(), status: Status::Done, monitors, ..Summary::default() };
+    summary.write(&folder.summary()).unwrap();
     fs::write(folder.root().join("case.toml"), case).unwrap();
     folder.root().to_owned()
 }
@@ -74,4 +75,40 @@ fn what_only_one_run_has_is_a_dash_and_no_fault() {
     assert!(page.contains("bare: There is no monitors.csv"));
     assert!(!page.contains("<figure>"), "one run alone has nothing to lie over");
     assert!(compare(&[temp.path().join("none")], &temp.path().join("x.html"), None).is_err());
+}
+
+#[test]
+fn a_run_that_is_not_done_says_so_and_is_compared_as_far_as_it_came() {
+    let temp = tempfile::tempdir().unwrap();
+    let [done, stopped, failed, gone] =
+        ["done", "stopped", "failed", "gone"].map(|name| run(&temp.path().join(name), 0.04, 0.01, "a"));
+    let both = [done.clone(), done.clone()];
+    assert!(!page(&both, temp.path()).contains("Not run to the end"));
+    for (folder, status) in [(&stopped, Status::Stopped), (&failed, Status::Failed)] {
+        let mut summary = Summary::read(&folder.join("summary.json")).unwrap();
+        summary.status = status;
+        summary.write(&folder.join("summary.json")).unwrap();
+    }
+    fs::remove_file(gone.join("summary.json")).unwrap();
+    // Of 201 rows 51 are left, and the motion was to last 2 s.
+    let rows = fs::read_to_string(stopped.join("monitors.csv")).unwrap();
+    let rows: Vec<&str> = rows.lines().take(52).collect();
+    fs::write(stopped.join("monitors.csv"), rows.join("\n") + "\n").unwrap();
+    fs::write(stopped.join("motion.csv"), "time [s],given.ax [m/s2]\n0,0\n2,0\n").unwrap();
+    let folders = [done, stopped, failed, gone];
+    let page = page(&folders, temp.path());
+    assert!(page.contains("Not run to the end: stopped, failed, gone."));
+    let ended = page.split("<td>how it ended</td>").nth(1).unwrap().split("</tr>").next().unwrap();
+    for text in [">done<", ">stopped<span class=\"note\">at 0.5 of 2\u{a0}s<", ">failed<", ">no summary<"] {
+        assert!(ended.contains(text), "{text} in {ended}");
+    }
+    assert_eq!(row(&page, "Histories: largest difference", "A ux"), ["= | up to 0.5 s", "=", "="]);
+    let chinese = temp.path().join("zh.html");
+    compare(&folders, &chinese, Some(Language::Chinese)).unwrap();
+    let chinese = fs::read_to_string(chinese).unwrap();
+    for text in
+        ["未计算到终点：stopped, failed, gone。", "已停止", "共 2\u{a0}s", "失败", "无摘要", "至 0.5\u{a0}s<"]
+    {
+        assert!(chinese.contains(text), "{text}");
+    }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
-use tremolite_report::write;
+use tremolite_report::{Language, write, write_in};
 use tremolite_results::{
     Column, Cracks, Damaged, Defaulted, Finding, GroupDamage, MaterialFacts, MaterialGroup, MaterialValue,
     Onset, Origin, Place, Pvd, ResultFolder, Severity, Status, Summary, Table, TableWriter, TrustLine,
@@ -329,7 +329,13 @@ fn damage_is_tabled_by_group_and_measure_with_volumes_shares_beginnings_and_crac
     ] {
         assert!(page.contains(text), "{text}");
     }
-    assert!(!page.contains("Mean of both, D_b"), "it repeats D⁺");
+    assert!(!page.contains("Mean of the principal directions, D_b"), "it repeats D⁺");
+    assert!(page.contains("D_b, the mean of the damage in the three principal directions, is not listed"));
+    summary.damage[0].measures["d_b_max"].largest = 0.3;
+    summary.write(&folder.summary()).unwrap();
+    assert!(self::page(&folder).contains("Mean of the principal directions, D_b"));
+    let chinese = write_in(folder.root(), Language::Chinese).unwrap();
+    assert!(fs::read_to_string(chinese).unwrap().contains("三个主方向平均，D_b"));
 }
 
 #[test]

@@ -215,6 +215,8 @@ impl Observer for Depth {
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let (time, last) = (view.snapshot.time, self.kept(memory)[0]);
+        // A last row that comes early says less of an acceleration than the others.
+        let whole = view.snapshot.step.is_multiple_of(self.schedule.every);
         let nodes: Vec<usize> = self.nodes().collect();
         for (node, kept) in nodes.into_iter().zip(self.kept(memory)[1..].chunks_exact_mut(EACH)) {
             let v = view.snapshot.velocity[node].xyz();
@@ -222,7 +224,11 @@ impl Observer for Depth {
                 // Before the first row there is none.
                 let a = (v[i] - kept[i]) / (time - last);
                 let peak = &mut kept[3 + ACCELERATION + i];
-                *peak = if last.is_nan() { 0.0 } else { peak.max(a.abs()) };
+                *peak = match (last.is_nan(), whole) {
+                    (true, _) => 0.0,
+                    (false, true) => peak.max(a.abs()),
+                    (false, false) => *peak,
+                };
                 kept[i] = v[i];
             }
         }

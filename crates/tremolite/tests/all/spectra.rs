@@ -57,12 +57,18 @@ fn every_spectrum_is_that_of_the_history_it_is_named_after() {
             values.truncate(161);
             values
         };
+        // The motion as far as the histories go.
+        let end = monitors.column("time").unwrap()[161];
+        let came = |mut values: Vec<f64>| {
+            values.truncate(motion.column("time").unwrap().iter().filter(|t| **t <= end + 1e-9).count());
+            values
+        };
         let slope = |velocity: Vec<f64>| -> Vec<f64> {
             std::iter::once(0.0).chain(velocity.windows(2).map(|v| (v[1] - v[0]) / 0.005)).collect()
         };
         for (point, dt, history) in [
-            ("given", 1e-3, column(&motion, "given.a")),
-            ("incident", 1e-3, column(&motion, "incident.a")),
+            ("given", 1e-3, came(column(&motion, "given.a"))),
+            ("incident", 1e-3, came(column(&motion, "incident.a"))),
             ("free_field.surface", 5e-3, slope(rows(column(&free_field, "reference.top.v")))),
             ("free_field.base", 5e-3, slope(rows(column(&free_field, "reference.base.v")))),
             ("at59", 5e-3, rows(column(&monitors, "at59.a"))),
@@ -72,6 +78,12 @@ fn every_spectrum_is_that_of_the_history_it_is_named_after() {
         ] {
             let exact = pseudo_acceleration(&history, dt, &default_periods(), 0.05).unwrap();
             let found = column(&spectra, &format!("{point}.a"));
+            // Five rows a period at least, of histories.
+            let shown = |period: f64| dt < 2e-3 || period >= 5.0 * dt;
+            assert!(found.iter().zip(default_periods()).all(|(s, period)| s.is_finite() == shown(period)));
+            let exact: Vec<f64> =
+                exact.iter().zip(&found).filter(|(_, s)| s.is_finite()).map(|(e, _)| *e).collect();
+            let found: Vec<f64> = found.into_iter().filter(|s| s.is_finite()).collect();
             let most = exact.iter().copied().fold(0.0, f64::max);
             let off = found.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             // Steps differ from the rows' interval by round-off alone.
@@ -104,7 +116,8 @@ fn the_free_field_beside_a_monitor_is_the_ground_at_its_level() {
             let of = |name: &str| spectra.column(&format!("at{z}{name}.a{axis}")).unwrap();
             let (own, free) = (of(""), of(".free_field"));
             let most = own.iter().copied().fold(0.0, f64::max);
-            assert!(own.iter().zip(free).all(|(a, b)| (a - b).abs() < 1e-9 * most), "{z} {axis}");
+            let same = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9 * most || (a.is_nan() && b.is_nan());
+            assert!(most > 0.0 && own.iter().zip(free).all(same), "{z} {axis}");
             let surface = spectra.column(&format!("free_field.surface.a{axis}")).unwrap();
             assert!(
                 own.iter().zip(surface).any(|(a, b)| (a - b).abs() > 1e-3 * most),
