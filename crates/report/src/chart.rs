@@ -149,8 +149,12 @@ impl Chart<'_> {
             svg.text((x, top + 17.0), Anchor::Middle, 12.0, Style::Muted, label);
         }
         svg.text((WIDTH - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, &say!(language, "time (s)"));
-        let description =
-            self.panels.iter().map(|panel| self.remark(panel, language)).collect::<Vec<_>>().join("; ");
+        let description = self
+            .panels
+            .iter()
+            .map(|panel| self.remark(panel, language))
+            .collect::<Vec<_>>()
+            .join(&say!(language, "; "));
         svg.finish(top + 42.0, &self.title, &description)
     }
 

@@ -132,7 +132,7 @@ fn draw(
     }
     let rows = if plan.beside { 1.0 } else { layers.len() as f64 };
     let title = say!(language, "Interface {name}, developed flat", name = name);
-    let svg = svg.finish(rows * height, &title, &remarks.join("; "));
+    let svg = svg.finish(rows * height, &title, &remarks.join(&say!(language, "; ")));
     (svg, said(language, &sheets, surface, layers, name))
 }
 

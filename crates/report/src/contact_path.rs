@@ -71,6 +71,6 @@ impl Path<'_> {
             x += 8.0 + text_width(name, 12.0) + 18.0;
             words.push(say!(self.language, "{name} in {rows} rows", name = name, rows = points.len()));
         }
-        svg.finish(axes.bottom + 42.0, &self.title, &words.join("; "))
+        svg.finish(axes.bottom + 42.0, &self.title, &words.join(&say!(self.language, "; ")))
     }
 }

@@ -226,7 +226,7 @@ pub fn section(source: &Source) -> Section {
     said.extend(of_bolts(source, table));
     if !idle.is_empty() {
         let names: Vec<String> = idle.iter().map(|(name, _)| words(name, table, language)).collect();
-        said.push(say!(language, "Zero throughout: {names}.", names = names.join(", ")));
+        said.push(say!(language, "Zero throughout: {names}.", names = names.join(&say!(language, ", "))));
     }
     let caption = said.into_iter().reduce(|a, b| join(language, &a, &b)).unwrap_or_default();
     let titles = Titles { heading: &heading, file: "energy", caption: &caption };

@@ -75,7 +75,7 @@ pub fn draw(
         ));
     }
     let names: Vec<&str> = maps.iter().map(|(name, _)| name.as_str()).collect();
-    Some((svg.finish(bottom, title, &names.join("; ")), said))
+    Some((svg.finish(bottom, title, &names.join(&say!(language, "; "))), said))
 }
 
 /// One map without what stands around it.

@@ -98,7 +98,7 @@ impl Multiples<'_> {
         let alone = say!(language, "Each line stands alone; grey is the range of all of them.");
         svg.text((indent, top + 33.0), Anchor::Start, 12.0, Style::Muted, &alone);
         svg.text((WIDTH - RIGHT, top + 33.0), Anchor::End, 12.0, Style::Muted, &say!(language, "time (s)"));
-        svg.finish(top + 41.0, self.title, &said.join("; "))
+        svg.finish(top + 41.0, self.title, &said.join(&say!(language, "; ")))
     }
 
     /// One cell; returns what its marked point is, in words, if it has one.
@@ -123,7 +123,7 @@ impl Multiples<'_> {
         let y = if room > 8.0 { axes.top - 6.0 } else { axes.top + 12.0 };
         svg.text((axes.right, y), Anchor::End, 12.0, Style::Muted, &remark);
         svg.ring(axes.point(time, value * panel.scale.factor), INK);
-        Some(format!("{}: {remark}", line.name))
+        Some(format!("{}{}{remark}", line.name, say!(language, ": ")))
     }
 }
 

@@ -61,6 +61,8 @@ fn a_monitor_stands_beside_the_free_field_at_its_own_level() {
     }
     assert!(!text.contains(">4.21<"));
     assert!(!text.contains("no free field to compare with"));
+    // Ten rows, 0.01 s apart.
+    assert!(text.contains("Where the monitor rises above it at periods from 0.1\u{a0}s on"));
     let svg = drawing(&folder, "spectra.svg");
     assert!(svg.contains("A, along x") && !svg.contains("A, along y") && svg.contains("free field at the"));
     assert!(drawing(&folder, "input-spectra.svg").contains("free field, surface"));
