@@ -165,7 +165,12 @@ fn row(
 
 /// A time, and an element with its place.
 fn when(language: Language, onset: &Onset, duration: f64) -> (String, String) {
-    (format!("{}\u{a0}s", moment(onset.time, duration)), place(language, onset.element, onset.at))
+    // At rest nothing begins at t = 0 but in the stages.
+    let time = match onset.time > 0.0 {
+        true => format!("{}\u{a0}s", moment(onset.time, duration)),
+        false => say!(language, "before the earthquake"),
+    };
+    (time, place(language, onset.element, onset.at))
 }
 
 fn place(language: Language, element: u64, at: [f64; 3]) -> String {

@@ -20,7 +20,7 @@ const ALONE: usize = 2;
 pub struct Verdict {
     pub question: String,
     pub answer: String,
-    /// `good`, `warn` or `bad`: the colour of the answer.
+    /// `good`, `warn`, `bad`, or `plain` where no earthquake has asked: the colour of the answer.
     pub class: &'static str,
     pub lines: Vec<Line>,
 }
@@ -55,7 +55,11 @@ pub fn verdict(source: &Source) -> Verdict {
     lines.extend(relative(source, &facts));
     lines.truncate(LINES);
     let (class, answer) = answer(source, &linings, yielding(source, &facts));
-    Verdict { question: say!(language, "Does the lining stand?"), answer, class, lines }
+    let question = match source.still() {
+        Some(_) => say!(language, "Is the lining whole when the stages are done?"),
+        None => say!(language, "Does the lining stand?"),
+    };
+    Verdict { question, answer, class, lines }
 }
 
 fn class(severity: Severity) -> &'static str {
@@ -125,7 +129,7 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
             ("warn", say!(language, "It is undamaged as computed, but the checks do not vouch for that."))
         }
         (Status::Done, Some(Severity::Undamaged), _) if source.still().is_some() => {
-            ("good", say!(language, "It is undamaged; no earthquake has come."))
+            ("plain", say!(language, "It is undamaged; no earthquake has come."))
         }
         (Status::Done, Some(Severity::Undamaged), _) => ("good", say!(language, "It is undamaged.")),
     }

@@ -3,6 +3,7 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    ("before the earthquake", "地震前"),
     (" ", ""),
     ("Cracked, D⁺", "开裂，D⁺"),
     ("Crushed or sheared, D⁻", "压碎或剪坏，D⁻"),

@@ -8,6 +8,7 @@ pub const TEXTS: Texts = &[
         "另有 {count} 个结构，情况不比以上更差；其中 {worst}",
     ),
     ("Does the lining stand?", "衬砌能否经受住地震？"),
+    ("Is the lining whole when the stages are done?", "施工完成时衬砌是否完好？"),
     ("Cannot be said: there is no summary of the run.", "无法判断：没有本次计算的摘要。"),
     ("Cannot be said: the run failed.", "无法判断：计算失败。"),
     (

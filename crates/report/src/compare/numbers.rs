@@ -150,7 +150,8 @@ fn table(runs: &[Run], rows: &[Row], unit: &str) -> TextTable {
 /// By how much the size differs from the first value's, in percent; a dash where that is nothing to compare with, and arrows
 /// where the sign is another.
 fn difference(first: f64, value: f64, negligible: f64) -> String {
-    if value == first {
+    // The same to what sums in another order leave.
+    if (value - first).abs() <= 1e-12 * first.abs() {
         return "=".into();
     }
     if first.abs() <= negligible || first == 0.0 {
