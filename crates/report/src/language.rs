@@ -77,7 +77,7 @@ impl Language {
         if said.is_empty() || !self.knows(said) { english.to_owned() } else { self.tell(said) }
     }
 
-    /// A pattern with its slots filled. Use [`say!`](crate::language::say).
+    /// A pattern with its slots filled. By the macro `say!`.
     pub fn fill(self, english: &str, slots: &[(&str, &dyn Display)]) -> String {
         let slot =
             |name: &str| slots.iter().find(|(known, _)| *known == name).map(|(_, value)| value.to_string());
