@@ -17,7 +17,7 @@
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |
 //! | `bolts.csv` | [`bolts`] | forces, slip and state of bolts, a row a bolt and time |
 //! | `fields.pvd`, `interfaces.pvd`, `stages.pvd`, `bolts.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/`, `stages/` and `bolts/` |
-//! | `fields/*.vtu` | [`fields`], [`cut`], [`slice`], [`skin`], [`field_file`] | cuts through them, the outside of linings, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
+//! | `fields/*.vtu` | [`fields`], [`cut`], [`mod@slice`], [`skin`], [`field_file`] | cuts through them, the outside of linings, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
 //! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
 //! | `bolts/*.vtu` | [`bolt_lines`] | the segments of bolts with what they did |
 //!
