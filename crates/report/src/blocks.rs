@@ -22,6 +22,11 @@ impl Blocks {
         self.hold(packed(bytes).into())
     }
 
+    /// How much of the page a block of these bytes would take.
+    pub fn weight(bytes: &[u8]) -> usize {
+        packed(bytes).len()
+    }
+
     /// Takes over a block of others; its number here.
     pub fn take(&mut self, others: &Blocks, number: usize) -> usize {
         self.hold(others.texts[number].clone())

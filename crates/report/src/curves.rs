@@ -216,10 +216,23 @@ fn peaks(rows: &[usize], lines: &[&[f64]], limit: usize) -> Vec<usize> {
 }
 
 /// The page's manifest of the curves of figures, by their files, their numbers in `blocks`; empty where there are none.
-pub fn embedded<'a>(figures: impl Iterator<Item = (&'a str, &'a Curves)>, blocks: &mut Blocks) -> String {
+/// They take at most `room` bytes: a figure that does not find its room stays a drawing, later ones first.
+pub fn embedded<'a>(
+    figures: impl Iterator<Item = (&'a str, &'a Curves)>,
+    blocks: &mut Blocks,
+    room: usize,
+) -> String {
+    let mut taken = 0;
     let mut known: Vec<(Vec<u8>, usize)> = Vec::new();
     let mut entries: IndexMap<&str, Entry<'_>> = IndexMap::new();
     for (file, curves) in figures {
+        let lines = curves.panels.iter().flat_map(|panel| &panel.lines);
+        let numbers = packed(lines.flat_map(|line| &line.values), SHOWN);
+        let weight = Blocks::weight(&numbers);
+        if taken + weight > room {
+            continue;
+        }
+        taken += weight;
         let across = packed(curves.across.values.iter(), u32::MAX);
         let across_block = match known.iter().find(|(bytes, _)| *bytes == across) {
             Some((_, block)) => *block,
@@ -229,8 +242,7 @@ pub fn embedded<'a>(figures: impl Iterator<Item = (&'a str, &'a Curves)>, blocks
                 block
             }
         };
-        let lines = curves.panels.iter().flat_map(|panel| &panel.lines);
-        let block = blocks.add(&packed(lines.flat_map(|line| &line.values), SHOWN));
+        let block = blocks.add(&numbers);
         let rows = curves.across.values.len();
         entries.insert(file, Entry { curves, rows, block, across_block });
     }
@@ -308,6 +320,23 @@ mod tests {
     #[test]
     fn rows_that_repeat_the_time_are_passed_over() {
         assert_eq!(ascending(&[0.0, 0.1, 0.1, f64::NAN, 0.05, 0.2]), [0, 1, 5]);
+    }
+
+    #[test]
+    fn figures_beyond_the_room_stay_drawings() {
+        let (first, second) = (long(300), long(3000));
+        let weight = |room: usize| {
+            let mut blocks = Blocks::default();
+            let figures = [("first.svg", &first), ("second.svg", &second), ("third.svg", &first)];
+            let json = embedded(figures.into_iter(), &mut blocks, room);
+            figures.map(|(file, _)| json.contains(file))
+        };
+        assert_eq!(weight(usize::MAX), [true; 3]);
+        let lines = second.panels.iter().flat_map(|panel| &panel.lines);
+        let larger = Blocks::weight(&packed(lines.flat_map(|line| &line.values), SHOWN));
+        // The large one alone is too much, and the small one behind it still finds its place.
+        assert_eq!(weight(larger), [true, false, true]);
+        assert_eq!(weight(0), [false; 3]);
     }
 
     #[test]

@@ -28,15 +28,9 @@ use self::manifest::{Kind, Manifest, Moment, PartData};
 use self::part::Part;
 use crate::blocks::{Blocks, json_element};
 use crate::language::say;
+use crate::page_size::{VIEW, limit};
 use crate::source::Source;
 
-/// Bytes that the page of a small model may have, and of any other: 4 and 12 MB less what the view's list of its blocks may
-/// take. The blocks take what the rest of the page leaves.
-const PAGE: [usize; 2] = [3_850_000, 11_800_000];
-/// Bytes that the view has in any case, so that a page full of curves shows its linings.
-const LEAST: usize = 500_000;
-/// Elements that a small model has at most.
-const SMALL: usize = 20_000;
 /// Steps of displacement to each side of the mean where all that i16 holds would take too much.
 const COARSE: f64 = 2047.0;
 
@@ -44,7 +38,7 @@ const COARSE: f64 = 2047.0;
 /// Where a file cannot be read the manifest has no parts, and a note that says why. `rest` is how many bytes all else of the
 /// page takes.
 pub fn embedded(source: &Source, blocks: &mut Blocks, rest: usize) -> String {
-    within(source, blocks, &|elements| PAGE[usize::from(elements > SMALL)].saturating_sub(rest).max(LEAST))
+    within(source, blocks, &|elements| limit(elements).saturating_sub(rest).max(VIEW))
 }
 
 /// Whether [`embedded`] gives anything.
