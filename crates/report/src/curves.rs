@@ -216,13 +216,13 @@ fn peaks(rows: &[usize], lines: &[&[f64]], limit: usize) -> Vec<usize> {
 }
 
 /// The page's manifest of the curves of figures, by their files, their numbers in `blocks`; empty where there are none.
-/// They take at most `room` bytes: a figure that does not find its room stays a drawing, later ones first.
+/// They take at most `room` bytes: a figure that does not find its room stays a drawing, later ones first. Also how many do.
 pub fn embedded<'a>(
     figures: impl Iterator<Item = (&'a str, &'a Curves)>,
     blocks: &mut Blocks,
     room: usize,
-) -> String {
-    let mut taken = 0;
+) -> (String, usize) {
+    let (mut taken, mut left) = (0, 0);
     let mut known: Vec<(Vec<u8>, usize)> = Vec::new();
     let mut entries: IndexMap<&str, Entry<'_>> = IndexMap::new();
     for (file, curves) in figures {
@@ -230,6 +230,7 @@ pub fn embedded<'a>(
         let numbers = packed(lines.flat_map(|line| &line.values), SHOWN);
         let weight = Blocks::weight(&numbers);
         if taken + weight > room {
+            left += 1;
             continue;
         }
         taken += weight;
@@ -246,10 +247,11 @@ pub fn embedded<'a>(
         let rows = curves.across.values.len();
         entries.insert(file, Entry { curves, rows, block, across_block });
     }
-    match serde_json::to_string(&entries) {
+    let manifest = match serde_json::to_string(&entries) {
         Ok(json) if !entries.is_empty() => json_element("curves-data", &json),
         _ => String::new(),
-    }
+    };
+    (manifest, left)
 }
 
 /// Numbers in single precision, of which `bits` are kept, little-endian, their bytes in four planes.
@@ -328,8 +330,10 @@ mod tests {
         let weight = |room: usize| {
             let mut blocks = Blocks::default();
             let figures = [("first.svg", &first), ("second.svg", &second), ("third.svg", &first)];
-            let json = embedded(figures.into_iter(), &mut blocks, room);
-            figures.map(|(file, _)| json.contains(file))
+            let (json, left) = embedded(figures.into_iter(), &mut blocks, room);
+            let there = figures.map(|(file, _)| json.contains(file));
+            assert_eq!(left, there.iter().filter(|there| !**there).count());
+            there
         };
         assert_eq!(weight(usize::MAX), [true; 3]);
         let lines = second.panels.iter().flat_map(|panel| &panel.lines);

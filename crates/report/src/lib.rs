@@ -168,14 +168,14 @@ fn set(source: &Source) -> Result<PathBuf, Error> {
         _ => Vec::new(),
     });
     let of_figures = figures.filter_map(|figure| Some((figure.file.as_str(), figure.curves.as_ref()?)));
-    let words = page::html(source, &sections, String::new())?.len();
+    let words = page::html(source, &sections, 0, String::new())?.len();
     let room =
         page_size::limit(source.facts().model.elements as usize).saturating_sub(words + page_size::VIEW);
-    let curves = curves::embedded(of_figures, &mut blocks, room);
+    let (curves, left) = curves::embedded(of_figures, &mut blocks, room);
     // The view is the part that can be made smaller, so it comes last.
     let rest = words + curves.len() + blocks.elements().len();
     let view = view::embedded(source, &mut blocks, rest);
     let data = curves + &view + &blocks.elements();
-    replace_file(&path, page::html(source, &sections, data)?.as_bytes())?;
+    replace_file(&path, page::html(source, &sections, left, data)?.as_bytes())?;
     Ok(path)
 }

@@ -61,6 +61,8 @@ struct Page {
     files: Vec<(String, Vec<&'static str>)>,
     /// The case as it was read.
     case: Option<String>,
+    /// That some figures are drawings alone, for the sake of the page's size; empty where none is.
+    drawings: String,
 }
 
 /// A block as it is set.
@@ -96,9 +98,14 @@ struct Drawing {
     caption: String,
 }
 
-/// The page as text; `data` is what its script reads. All text from files is escaped by the template; only the drawings, which
+/// The page as text; `data` is what its script reads, and so many figures were `left` without. All text from files is escaped by the template; only the drawings, which
 /// escape their own texts, go in as they are.
-pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String, minijinja::Error> {
+pub fn html(
+    source: &Source,
+    sections: &[Placed],
+    left: usize,
+    data: String,
+) -> Result<String, minijinja::Error> {
     let language = source.language;
     let summary = source.facts();
     let title = if summary.title.is_empty() {
@@ -143,6 +150,14 @@ pub fn html(source: &Source, sections: &[Placed], data: String) -> Result<String
         gaps: gaps::told(source),
         files: files(source),
         case: source.case.clone(),
+        drawings: match left {
+            0 => String::new(),
+            _ => say!(
+                language,
+                "To keep the page small {figures} figures with curves, far down, are drawings alone.",
+                figures = left
+            ),
+        },
     };
     let mut environment = environment(language)?;
     environment.add_template("report.html", TEMPLATE)?;

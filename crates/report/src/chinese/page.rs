@@ -95,6 +95,10 @@ pub const TEXTS: Texts = &[
     ),
     ("Nothing: every parameter was given.", "无：所有参数均已给定。"),
     ("Without a summary this is not known.", "没有摘要，无从得知。"),
+    (
+        "To keep the page small {figures} figures with curves, far down, are drawings alone.",
+        "为控制页面大小，靠后的 {figures} 幅曲线图仅为静态图。",
+    ),
     ("Each figure is also a file in figures/.", "每幅图在 figures/ 中另有单独的文件。"),
     ("Left out.", "从略。"),
     ("Principal stress of monitors, tension positive", "监测点主应力（拉为正）"),

@@ -52,7 +52,7 @@ pub fn html(runs: &[Run], language: Language) -> Result<String, minijinja::Error
     let mut blocks = Blocks::default();
     let of_figures =
         figures.iter().filter_map(|figure| Some((figure.file.as_str(), figure.curves.as_ref()?)));
-    let curves = embedded(of_figures, &mut blocks, usize::MAX);
+    let (curves, _) = embedded(of_figures, &mut blocks, usize::MAX);
     let page = Page {
         language: language.code(),
         style: markup(STYLE),
