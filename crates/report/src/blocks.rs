@@ -22,9 +22,10 @@ impl Blocks {
         self.hold(packed(bytes).into())
     }
 
-    /// How much of the page a block of these bytes would take.
-    pub fn weight(bytes: &[u8]) -> usize {
-        packed(bytes).len()
+    /// As [`Blocks::add`], where the block takes at most `room` bytes of the page.
+    pub fn add_within(&mut self, bytes: &[u8], room: usize) -> Option<usize> {
+        let text = packed(bytes);
+        (text.len() <= room).then(|| self.hold(text.into()))
     }
 
     /// Takes over a block of others; its number here.

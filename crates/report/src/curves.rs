@@ -228,12 +228,11 @@ pub fn embedded<'a>(
     for (file, curves) in figures {
         let lines = curves.panels.iter().flat_map(|panel| &panel.lines);
         let numbers = packed(lines.flat_map(|line| &line.values), SHOWN);
-        let weight = Blocks::weight(&numbers);
-        if taken + weight > room {
+        let Some(block) = blocks.add_within(&numbers, room - taken) else {
             left += 1;
             continue;
-        }
-        taken += weight;
+        };
+        taken += blocks.size(block);
         let across = packed(curves.across.values.iter(), u32::MAX);
         let across_block = match known.iter().find(|(bytes, _)| *bytes == across) {
             Some((_, block)) => *block,
@@ -243,7 +242,6 @@ pub fn embedded<'a>(
                 block
             }
         };
-        let block = blocks.add(&numbers);
         let rows = curves.across.values.len();
         entries.insert(file, Entry { curves, rows, block, across_block });
     }
@@ -337,7 +335,9 @@ mod tests {
         };
         assert_eq!(weight(usize::MAX), [true; 3]);
         let lines = second.panels.iter().flat_map(|panel| &panel.lines);
-        let larger = Blocks::weight(&packed(lines.flat_map(|line| &line.values), SHOWN));
+        let mut alone = Blocks::default();
+        let block = alone.add(&packed(lines.flat_map(|line| &line.values), SHOWN));
+        let larger = alone.size(block);
         // The large one alone is too much, and the small one behind it still finds its place.
         assert_eq!(weight(larger), [true, false, true]);
         assert_eq!(weight(0), [false; 3]);

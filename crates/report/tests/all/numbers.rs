@@ -201,11 +201,3 @@ fn numbers_of_the_free_field_stand_in_the_files_or_are_told_to_be_of_their_rows(
     ];
     assert_sound(temp.path(), Language::English, &derived);
 }
-
-/// Lists what a real run's page holds that no file does; for people to read.
-#[test]
-#[ignore = "of a result folder named by TREMOLITE_RESULTS"]
-fn numbers_of_a_run() {
-    let root = std::env::var("TREMOLITE_RESULTS").expect("a folder in TREMOLITE_RESULTS");
-    println!("{}", wrong(Path::new(&root), Language::English, &[]).join("\n"));
-}
