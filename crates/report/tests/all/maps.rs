@@ -8,7 +8,9 @@ use indexmap::IndexMap;
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
 use tremolite_report::write;
-use tremolite_results::{Column, Damaged, GroupDamage, Peaks, Pvd, ResultFolder, Summary, TableWriter};
+use tremolite_results::{
+    Column, Damaged, GroupDamage, Peaks, Pvd, ResultFolder, Status, Summary, TableWriter,
+};
 
 const LINES: [f64; 6] = [0.0, 10.0, 11.0, 19.0, 20.0, 30.0];
 const GAMMA: f64 = 1e-3;
@@ -113,6 +115,22 @@ fn colours(figure: &str) -> Vec<Vec<String>> {
         paths.filter_map(|path| path.attribute("fill")).filter(|f| *f != "none").map(str::to_owned).collect()
     };
     maps.map(fills).collect()
+}
+
+#[test]
+fn only_of_a_run_that_is_done_the_last_file_is_after_the_earthquake() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = folder(temp.path(), &[complete(0.0, 0.2, 0), complete(1.0, 0.9, 0)]);
+    for (status, is, other) in [
+        (Status::Done, "After the earthquake", "So far"),
+        (Status::Stopped, "So far", "After the earthquake"),
+    ] {
+        let summary = Summary { status, ..Summary::read(&folder.summary()).unwrap() };
+        summary.write(&folder.summary()).unwrap();
+        page(&folder);
+        let drawn = figure(&folder, "lining-damage.svg");
+        assert!(drawn.contains(is) && !drawn.contains(other), "{status:?}");
+    }
 }
 
 #[test]

@@ -282,6 +282,7 @@ pub fn cracked() -> GroupDamage {
         first,
     };
     let first = Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.5, -3.0] });
+    let in_stages = Some(Onset { time: 0.0, element: 7, at: [0.0; 3] });
     let widest = Some(Onset { time: 7.5, element: 4712, at: [1.0, 2.5, -4.0] });
     GroupDamage {
         volume: 80.0,
@@ -289,7 +290,7 @@ pub fn cracked() -> GroupDamage {
             ("d_tension".to_owned(), measure(&[("0.5", 20.0), ("0.9", 4.0)], first)),
             ("d_b_max".to_owned(), measure(&[("0.5", 20.0), ("0.9", 4.0)], first)),
             ("d_new".to_owned(), measure(&[("0.5", f64::NAN)], None)),
-            ("plastic_shear_strain".to_owned(), measure(&[("1e-6", 1.0)], None)),
+            ("plastic_shear_strain".to_owned(), measure(&[("1e-6", 1.0)], in_stages)),
         ]
         .into(),
         cracks: Some(Cracks {
@@ -319,6 +320,7 @@ fn damage_is_tabled_by_group_and_measure_with_volumes_shares_beginnings_and_crac
         ">20<span class=\"note\">25\u{a0}%",
         ">4<span class=\"note\">5\u{a0}%",
         "4.25\u{a0}s",
+        ">before the earthquake<",
         "element\u{a0}4711 (1,\u{a0}2.5,\u{a0}−3)",
         "hall.<wbr>&lt;lining&gt;",
         "d_new",

@@ -330,6 +330,7 @@ fn a_static_study_has_a_whole_page_that_misses_nothing() {
     for text in [
         "<h2>Stages</h2>",
         "This is a static study",
+        "Is the lining whole when the stages are done?",
         "excavated tunnel.<wbr>bench2, tunnel.<wbr>bench3",
         "installed tunnel.<wbr>lining",
         "initial equilibrium",
