@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::{Error, Orientation};
+use crate::{Error, Orientation, Units};
 
 /// One component of a recorded acceleration, equally spaced in time.
 ///
@@ -17,15 +17,38 @@ pub struct Channel {
     pub dt: f64,
     /// Time of the first sample (s): of the file's time column, else 0.
     pub start: f64,
-    /// Samples (m/s²).
+    /// Samples (m/s²), or counts where [`raw`](Channel::raw).
     pub acceleration: Vec<f64>,
-    /// The unit found in the file, as spelled there, or the one declared for it.
-    pub units: String,
+    /// The unit found in the file, or the one declared for it.
+    pub units: Units,
+    /// Whether the samples are counts still, since nothing says what a count is. Such a channel can be looked at, filtered and
+    /// written; [`Geographic`](crate::Geographic), the way into a model, refuses it.
+    pub raw: bool,
+    /// Time of the first sample (s, of a clock that the record's files share), where the file states it: see [`align`].
+    pub clock: Option<f64>,
+    /// What reading did beside reading, in sentences for the user: times that were made equal, a scale of the header.
+    pub remarks: Vec<String>,
     /// The positive direction, where the file states it.
     pub orientation: Option<Orientation>,
 }
 
 impl Channel {
+    /// A channel of samples in m/s², from 0, of no file.
+    pub fn new(name: impl Into<String>, dt: f64, acceleration: Vec<f64>) -> Channel {
+        Channel {
+            name: name.into(),
+            file: PathBuf::new(),
+            dt,
+            start: 0.0,
+            acceleration,
+            units: Units::MetrePerSecond2,
+            raw: false,
+            clock: None,
+            remarks: Vec::new(),
+            orientation: None,
+        }
+    }
+
     /// Time of the last sample (s).
     pub fn end(&self) -> f64 {
         self.start + self.duration()
@@ -69,9 +92,21 @@ impl Channel {
         let (first, last) = (first as usize, last as usize);
         Ok(Channel {
             start: self.start + first as f64 * self.dt,
+            clock: self.clock.map(|clock| clock + first as f64 * self.dt),
             acceleration: self.acceleration[first..=last].to_vec(),
             ..self.clone()
         })
+    }
+}
+
+/// Sets the channels' own times by their clocks, if all of them have one: components of one earthquake need not begin together.
+/// The first channel keeps its times.
+pub fn align(channels: &mut [&mut Channel]) {
+    let clocks: Option<Vec<f64>> = channels.iter().map(|c| c.clock).collect();
+    let Some(clocks) = clocks else { return };
+    let Some(first) = channels.first().map(|c| c.start) else { return };
+    for (channel, clock) in channels.iter_mut().zip(&clocks) {
+        channel.start = first + (clock - clocks[0]);
     }
 }
 
@@ -129,15 +164,8 @@ mod tests {
     use super::*;
 
     fn ramp(start: f64, dt: f64, count: usize) -> Channel {
-        Channel {
-            name: "ramp".into(),
-            file: PathBuf::new(),
-            dt,
-            start,
-            acceleration: (0..count).map(|i| start + i as f64 * dt).collect(),
-            units: "m/s2".into(),
-            orientation: None,
-        }
+        let acceleration = (0..count).map(|i| start + i as f64 * dt).collect();
+        Channel { start, ..Channel::new("ramp", dt, acceleration) }
     }
 
     #[test]
@@ -157,6 +185,19 @@ mod tests {
         {
             assert!(record.window(a, b).is_err(), "{a} {b}");
         }
+    }
+
+    #[test]
+    fn clocks_set_the_times_of_components_that_do_not_begin_together() {
+        let (mut a, mut b) = (ramp(0.0, 0.01, 101), ramp(0.0, 0.01, 101));
+        (a.clock, b.clock) = (Some(1e9), None);
+        align(&mut [&mut a, &mut b]);
+        assert_eq!((a.start, b.start), (0.0, 0.0));
+        b.clock = Some(1e9 + 0.5);
+        align(&mut [&mut a, &mut b]);
+        assert_eq!((a.start, b.start), (0.0, 0.5));
+        let cut = b.window(0.75, 2.0).unwrap();
+        assert_eq!((cut.start, cut.clock), (0.75, Some(1e9 + 0.75)));
     }
 
     #[test]

@@ -24,7 +24,7 @@ impl Geographic {
     /// From components that are already called east, north and up; what is missing stays zero.
     ///
     /// # Errors
-    /// As [`common_time_base`].
+    /// As [`common_time_base`], and for channels that are in counts still.
     pub fn from_parts(
         east: Option<&Channel>,
         north: Option<&Channel>,
@@ -32,6 +32,13 @@ impl Geographic {
     ) -> Result<Geographic, Error> {
         let parts = [east, north, up];
         let given: Vec<&Channel> = parts.iter().flatten().copied().collect();
+        if let Some(raw) = given.iter().find(|c| c.raw) {
+            return Err(Error::unsuitable(
+                format!("'{}' is in counts, and nothing says what a count is", raw.name),
+                "give its sensitivity, which the network's station metadata state, for example sensitivity = \
+                 \"427336 counts/(m/s2)\"",
+            ));
+        }
         let cut = common_time_base(&given)?;
         // common_time_base refuses an empty list, so there is a first one.
         let (dt, start, count) = (cut[0].dt, cut[0].start, cut[0].acceleration.len());
@@ -110,15 +117,7 @@ mod tests {
     use super::*;
 
     fn channel(orientation: Option<Orientation>, acceleration: Vec<f64>) -> Channel {
-        Channel {
-            name: format!("{orientation:?}"),
-            file: Default::default(),
-            dt: 0.01,
-            start: 0.0,
-            acceleration,
-            units: "m/s2".into(),
-            orientation,
-        }
+        Channel { orientation, ..Channel::new(format!("{orientation:?}"), 0.01, acceleration) }
     }
 
     fn wave(k: f64) -> Vec<f64> {

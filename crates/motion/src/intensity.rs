@@ -90,15 +90,7 @@ mod tests {
 
     #[test]
     fn a_channel_is_detrended_first() {
-        let record = Channel {
-            name: String::new(),
-            file: Default::default(),
-            dt: 0.01,
-            start: 0.0,
-            acceleration: (0..50).map(|i| 3.0 - 0.1 * f64::from(i)).collect(),
-            units: String::new(),
-            orientation: None,
-        };
+        let record = Channel::new("", 0.01, (0..50).map(|i| 3.0 - 0.1 * f64::from(i)).collect());
         let i = Intensity::of(&record);
         assert!(i.pga < 1e-13 && i.arias < 1e-25 && i.cav < 1e-13);
     }

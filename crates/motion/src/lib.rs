@@ -16,10 +16,10 @@
 //! Units are SI inside: s, Hz, m, m/s, m/s², rad. Azimuths are clockwise from north. The model's z axis is up.
 //!
 //! ```
-//! use tremolite_motion::{Geographic, Motion, Process, TextOptions, process, read_bytes};
+//! use tremolite_motion::{Geographic, Motion, Process, ReadOptions, process, read_bytes};
 //!
 //! let text = b"# units = \"cm/s2\"\n0.00 0\n0.01 10\n0.02 -10\n0.03 0\n";
-//! let mut east = read_bytes("pulse.txt".as_ref(), text, &TextOptions::default())?.remove(0);
+//! let mut east = read_bytes("pulse.txt".as_ref(), text, &ReadOptions::default())?.remove(0);
 //! process(&mut east, &[Process::parse("scale 0.5").unwrap()])?;
 //! let ground = Geographic::from_parts(Some(&east), None, None)?;
 //! let motion = Motion::from_acceleration(ground.dt, ground.model_axes(90f64.to_radians()))?;
@@ -43,6 +43,7 @@ mod orientation;
 mod process;
 mod pulse;
 mod read;
+mod sensitivity;
 mod shown;
 mod spectrum;
 mod strongest;
@@ -52,7 +53,7 @@ mod write;
 
 pub use baseline::{Line, linear_trend};
 pub use butterworth::{Band, Filter, Section};
-pub use channel::{Channel, common_time_base};
+pub use channel::{Channel, align, common_time_base};
 pub use error::Error;
 pub use frequency::highest_frequency;
 pub use geographic::Geographic;
@@ -63,8 +64,9 @@ pub use motion::{Motion, Sample};
 pub use orientation::Orientation;
 pub use process::{Process, lowest_lowpass, process};
 pub use pulse::{Scalar, ricker_velocity};
-pub use read::{Column, FORMATS, Format, TextOptions, read, read_bytes};
+pub use read::{Column, FORMATS, Format, ReadOptions, read, read_bytes};
 pub use realfft::num_complex::Complex64;
+pub use sensitivity::Sensitivity;
 pub use spectrum::{default_periods, pseudo_acceleration};
 pub use strongest::{Strongest, strongest_window};
 pub use transfer::transferred;

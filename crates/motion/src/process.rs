@@ -195,15 +195,7 @@ mod tests {
     use super::*;
 
     fn channel(acceleration: Vec<f64>) -> Channel {
-        Channel {
-            name: "test".into(),
-            file: Default::default(),
-            dt: 0.01,
-            start: 0.0,
-            acceleration,
-            units: "m/s2".into(),
-            orientation: None,
-        }
+        Channel::new("test", 0.01, acceleration)
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Reading of records, one file a format.
 
 mod geonet_v2a;
+mod packing;
 mod peer_at2;
 mod source;
 mod text;
@@ -11,18 +12,20 @@ use std::path::Path;
 use std::str::FromStr;
 
 use crate::shown::shown;
-use crate::{Channel, Error, Orientation, Units};
+use crate::{Channel, Error, Orientation, Sensitivity, Units};
 use source::Source;
 
-/// What a file of plain numbers does not say itself. For files that do say it, a statement here must agree.
+/// What a file does not say itself. For files that do say it, a statement here must agree.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct TextOptions {
+pub struct ReadOptions {
     /// Units of the numbers.
     pub units: Option<Units>,
     /// What each column holds, for text. By default one column is acceleration, two are time and acceleration.
     pub columns: Option<Vec<Column>>,
     /// Sampling interval (s).
     pub dt: Option<f64>,
+    /// What turns counts into acceleration, for formats that hold counts.
+    pub sensitivity: Option<Sensitivity>,
 }
 
 /// What a column of text holds.
@@ -64,24 +67,27 @@ pub struct Format {
     /// Whether the content looks like this format.
     recognises: fn(&Source) -> bool,
     /// Reads all channels of the file.
-    read: fn(&Source, &TextOptions) -> Result<Vec<Channel>, Error>,
+    read: fn(&Source, &ReadOptions) -> Result<Vec<Channel>, Error>,
 }
 
 /// All formats, tried in this order. The last takes whatever is left.
 pub const FORMATS: &[Format] = &[
     Format { name: "GeoNet V2A", recognises: geonet_v2a::recognises, read: geonet_v2a::read },
     Format { name: "PEER AT2", recognises: peer_at2::recognises, read: peer_at2::read },
-    Format { name: "text columns", recognises: |_| true, read: text::read },
+    Format { name: COLUMNS, recognises: |_| true, read: text::read },
 ];
 
-/// Larger files than this (bytes) are not records.
-const LARGEST: u64 = 1 << 30;
+/// The last of [`FORMATS`], which alone has columns that can be declared.
+const COLUMNS: &str = "text columns";
+
+/// Larger files than this (bytes), packed or unpacked, are not records: an hour of nine columns at 200 Hz is an eighth of it.
+const LARGEST: u64 = 1 << 28;
 
 /// Reads all channels of a file; the format is recognised by its content, never by its name.
 ///
 /// # Errors
 /// [`Error::Io`], or [`Error::Record`] with the line, the problem and the way out.
-pub fn read(path: &Path, options: &TextOptions) -> Result<Vec<Channel>, Error> {
+pub fn read(path: &Path, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let mut bytes = Vec::new();
     File::open(path)
         .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
@@ -93,17 +99,20 @@ pub fn read(path: &Path, options: &TextOptions) -> Result<Vec<Channel>, Error> {
 ///
 /// # Errors
 /// [`Error::Record`].
-pub fn read_bytes(path: &Path, bytes: &[u8], options: &TextOptions) -> Result<Vec<Channel>, Error> {
-    if bytes.len() as u64 > LARGEST {
-        return Err(Error::record(path, 1, "the file is larger than 1 GiB", "give a single record"));
-    }
-    if bytes.starts_with(&[0x1f, 0x8b]) || bytes.starts_with(b"PK\x03\x04") {
-        return Err(Error::record(path, 1, "the file is compressed", "unpack it first (gunzip, unzip)"));
-    }
+pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Channel>, Error> {
+    let unpacked = packing::unpacked(path, bytes, LARGEST)?;
+    let bytes = &unpacked[..];
     let text = String::from_utf8_lossy(bytes);
-    let source = Source::new(path, &text);
+    let source = Source::new(path, bytes, &text);
     let Some(format) = FORMATS.iter().find(|f| (f.recognises)(&source)) else {
         return Err(source.error(0, "the format is not known", "convert the record to two columns of text"));
     };
+    if options.columns.is_some() && format.name != COLUMNS {
+        return Err(source.error(
+            0,
+            format!("'columns' was declared, but this is a file in the format {}", format.name),
+            "remove the declaration; all its components are read",
+        ));
+    }
     (format.read)(&source, options)
 }

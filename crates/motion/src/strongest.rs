@@ -60,15 +60,8 @@ mod tests {
 
     fn burst(centre: f64, size: f64) -> Channel {
         let wave = |t: f64| size * (40.0 * t).sin() * (-(t - centre).powi(2)).exp();
-        Channel {
-            name: "burst".into(),
-            file: Default::default(),
-            dt: 0.01,
-            start: 100.0,
-            acceleration: (0..3001).map(|i| wave(0.01 * f64::from(i))).collect(),
-            units: String::new(),
-            orientation: None,
-        }
+        let acceleration = (0..3001).map(|i| wave(0.01 * f64::from(i))).collect();
+        Channel { start: 100.0, ..Channel::new("burst", 0.01, acceleration) }
     }
 
     #[test]

@@ -19,16 +19,19 @@ pub enum Units {
     CentimetrePerSecond2,
     /// mm/s².
     MillimetrePerSecond2,
+    /// What a digitiser counts; an acceleration only by a [`Sensitivity`](crate::Sensitivity).
+    Counts,
 }
 
 impl Units {
-    /// The factor from this unit to m/s².
-    pub fn factor(self) -> f64 {
+    /// The factor from this unit to m/s²; none for counts.
+    pub fn factor(self) -> Option<f64> {
         match self {
-            Units::G => STANDARD_GRAVITY,
-            Units::MetrePerSecond2 => 1.0,
-            Units::CentimetrePerSecond2 => 1e-2,
-            Units::MillimetrePerSecond2 => 1e-3,
+            Units::G => Some(STANDARD_GRAVITY),
+            Units::MetrePerSecond2 => Some(1.0),
+            Units::CentimetrePerSecond2 => Some(1e-2),
+            Units::MillimetrePerSecond2 => Some(1e-3),
+            Units::Counts => None,
         }
     }
 }
@@ -40,6 +43,7 @@ impl fmt::Display for Units {
             Units::MetrePerSecond2 => "m/s2",
             Units::CentimetrePerSecond2 => "cm/s2",
             Units::MillimetrePerSecond2 => "mm/s2",
+            Units::Counts => "counts",
         })
     }
 }
@@ -47,7 +51,7 @@ impl fmt::Display for Units {
 impl FromStr for Units {
     type Err = String;
 
-    /// Reads the spellings met in records: `g`, `gal`, and `m`, `cm` or `mm` over `s2`, `s^2`, `s**2`, `s²`,
+    /// Reads the spellings met in records: `g`, `gal`, `counts`, and `m`, `cm` or `mm` over `s2`, `s^2`, `s**2`, `s²`,
     /// `s/s`, `sec2`, `sec/sec`, in any case.
     ///
     /// # Errors
@@ -63,8 +67,9 @@ impl FromStr for Units {
             "m/s2" => Ok(Units::MetrePerSecond2),
             "cm/s2" | "gal" | "gals" => Ok(Units::CentimetrePerSecond2),
             "mm/s2" => Ok(Units::MillimetrePerSecond2),
+            "count" | "counts" => Ok(Units::Counts),
             _ => Err(format!(
-                "'{}' is not a unit of acceleration known here; use g, m/s2, cm/s2 (or gal) or mm/s2",
+                "'{}' is not a unit of acceleration known here; use g, m/s2, cm/s2 (or gal), mm/s2 or counts",
                 shown(text)
             )),
         }
@@ -82,6 +87,7 @@ mod tests {
             (Units::MetrePerSecond2, &["m/s2", "m/s/s", "M/S^2", "m/s²", "m/sec/sec", "m/s**2"]),
             (Units::CentimetrePerSecond2, &["cm/s2", "gal", "Gal", "GAL", "cm/s/s", "CM/SEC/SEC", "cm/sec2"]),
             (Units::MillimetrePerSecond2, &["mm/s2", "mm/s/s", "mm/s^2"]),
+            (Units::Counts, &["counts", "Counts", "count"]),
         ] {
             for word in spellings {
                 assert_eq!(word.parse(), Ok(unit), "{word}");
@@ -92,7 +98,7 @@ mod tests {
 
     #[test]
     fn units_that_are_not_accelerations_are_refused() {
-        for word in ["", "cm/s", "mg", "counts", "CM/SEC", "s2"] {
+        for word in ["", "cm/s", "mg", "CM/SEC", "s2"] {
             assert!(word.parse::<Units>().is_err(), "{word}");
         }
     }

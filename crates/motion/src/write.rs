@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::{Channel, Error, Units};
 
-/// Writes a channel as two columns, time (s) and acceleration (m/s²), replacing the file.
+/// Writes a channel as two columns, time (s) and acceleration (m/s², or counts of a raw one), replacing the file.
 ///
 /// The file says its own units and interval in comments that [`crate::read`] understands, and reading it gives
 /// the same samples bit for bit. `notes`, the steps of processing for instance, become comments, one a line.
@@ -21,7 +21,8 @@ pub fn write_text(channel: &Channel, notes: &[String], path: &Path) -> Result<()
             // A line break in a name would end the comment.
             writeln!(out, "# {}", note.replace(|c: char| c.is_control(), " "))?;
         }
-        writeln!(out, "# units = \"{}\"", Units::MetrePerSecond2)?;
+        let units = if channel.raw { Units::Counts } else { Units::MetrePerSecond2 };
+        writeln!(out, "# units = \"{units}\"")?;
         writeln!(out, "# dt = \"{} s\"", channel.dt)?;
         for (i, a) in channel.acceleration.iter().enumerate() {
             writeln!(out, "{:.6} {a:e}", channel.start + i as f64 * channel.dt)?;

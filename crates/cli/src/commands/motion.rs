@@ -4,7 +4,7 @@ use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::print;
 use std::path::{Path, PathBuf};
 use tremolite_motion::{
-    Channel, Intensity, Process, TextOptions, Units, default_periods, process, pseudo_acceleration, read,
+    Channel, Intensity, Process, ReadOptions, Units, default_periods, process, pseudo_acceleration, read,
     write_text,
 };
 
@@ -54,7 +54,7 @@ struct Files {
 impl Files {
     fn channels(&self) -> Result<Vec<Channel>, Failure> {
         let units = self.units.as_deref().map(str::parse::<Units>).transpose().map_err(Failure::input)?;
-        let options = TextOptions { units, dt: self.dt, ..TextOptions::default() };
+        let options = ReadOptions { units, dt: self.dt, ..ReadOptions::default() };
         let mut all = Vec::new();
         for file in &self.files {
             all.extend(read(file, &options).map_err(Failure::input)?);
@@ -78,7 +78,7 @@ fn info(files: &Files) -> Outcome {
         let m = Intensity::of(c);
         if files.json {
             list.push(serde_json::json!({
-                "name": c.name, "file": c.file, "dt": m.dt, "npts": m.npts, "units": c.units, "pga": m.pga,
+                "name": c.name, "file": c.file, "dt": m.dt, "npts": m.npts, "units": c.units.to_string(), "pga": m.pga,
                 "pgv": m.pgv, "pgd": m.pgd, "arias": m.arias, "d5_95": m.d5_95, "cav": m.cav,
             }));
         } else {

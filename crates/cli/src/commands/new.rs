@@ -26,13 +26,8 @@ pub fn run(args: &Args) -> Outcome {
     let dt = 0.005;
     let pulse = ricker_velocity(4.0, 0.5, 0.2);
     let channel = Channel {
-        name: "Ricker pulse, 4 Hz".into(),
         file: "pulse.txt".into(),
-        dt,
-        start: 0.0,
-        acceleration: (0..=300).map(|i| pulse(f64::from(i) * dt).a).collect(),
-        units: "m/s2".into(),
-        orientation: None,
+        ..Channel::new("Ricker pulse, 4 Hz", dt, (0..=300).map(|i| pulse(f64::from(i) * dt).a).collect())
     };
     let notes = ["A made pulse; replace it by a record of your site.".to_owned()];
     write_text(&channel, &notes, &folder.join("pulse.txt")).map_err(Failure::failed)?;

@@ -6,16 +6,15 @@
 //! number of points, the interval and the component's bearing. The header's times count from another zero
 //! than the first sample; here the first sample is at 0.
 
-use super::TextOptions;
-use super::source::{Source, leading_number, number};
+use super::ReadOptions;
+use super::source::{Columns, Source, leading_number, number};
 use crate::{Channel, Error, Orientation};
 
 const TEXT_LINES: usize = 16;
 const HEADER_LINES: usize = TEXT_LINES + 4 + 6;
 /// The line of the header, and the place on it, where the three numbers of points begin.
 const COUNTS: (usize, usize) = (TEXT_LINES + 3, 3);
-const PER_LINE: usize = 10;
-const WIDTH: usize = 8;
+const COLUMNS: Columns = Columns { per_line: 10, width: 8 };
 const CORRUPT: &str = "fetch the file from GeoNet again";
 
 pub(super) fn recognises(source: &Source) -> bool {
@@ -23,14 +22,7 @@ pub(super) fn recognises(source: &Source) -> bool {
     begins && source.lines.iter().take(TEXT_LINES).any(|l| l.starts_with("Component "))
 }
 
-pub(super) fn read(source: &Source, options: &TextOptions) -> Result<Vec<Channel>, Error> {
-    if options.columns.is_some() {
-        return Err(source.error(
-            0,
-            "'columns' was declared, but this is a GeoNet V2A file",
-            "remove the declaration; all its components are read",
-        ));
-    }
+pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let mut channels = Vec::new();
     let mut at = 0;
     while source.lines[at.min(source.lines.len())..].iter().any(|l| !l.is_empty()) {
@@ -42,7 +34,7 @@ pub(super) fn read(source: &Source, options: &TextOptions) -> Result<Vec<Channel
 }
 
 /// Reads the component whose header begins at line index `at`, and tells where the next one begins.
-fn component(source: &Source, at: usize, options: &TextOptions) -> Result<(Channel, usize), Error> {
+fn component(source: &Source, at: usize, options: &ReadOptions) -> Result<(Channel, usize), Error> {
     if source.lines.len() < at + HEADER_LINES {
         return Err(source.error(at, "the header of a component is cut short", CORRUPT));
     }
@@ -65,13 +57,13 @@ fn component(source: &Source, at: usize, options: &TextOptions) -> Result<(Chann
     let (line, rest) = after("Acceleration:")?;
     // 'peak -9733.1 mm/s/s at 44.88 sec'
     let word = rest.split_whitespace().nth(2).unwrap_or("");
-    let (unit_word, units) = (word, source.stated_units(line, word, options.units)?);
+    let units = source.stated_units(line, word, options.units)?;
     let (_, rest) = after("Component ")?;
     let label = rest.split_whitespace().next().unwrap_or("").to_string();
     let orientation = Orientation::parse(&label);
 
     let counts = (COUNTS.1..COUNTS.1 + 3).map(|i| {
-        field(source.lines[at + COUNTS.0], i).and_then(|w| w.parse::<usize>().ok()).ok_or_else(|| {
+        COLUMNS.word(source.lines[at + COUNTS.0], i).and_then(|w| w.parse::<usize>().ok()).ok_or_else(|| {
             source.error(at + COUNTS.0, "the numbers of points are not in their columns", CORRUPT)
         })
     });
@@ -85,7 +77,7 @@ fn component(source: &Source, at: usize, options: &TextOptions) -> Result<(Chann
     }
     let begin = at + HEADER_LINES;
     // Counts are the file's word, so they must not overflow before they are compared with its length.
-    let rows: Vec<usize> = counts.iter().map(|n| n.div_ceil(PER_LINE)).collect();
+    let rows: Vec<usize> = counts.iter().map(|n| n.div_ceil(COLUMNS.per_line)).collect();
     let total = rows.iter().fold(0usize, |sum, n| sum.saturating_add(*n));
     if total > source.lines.len() - begin {
         return Err(source.error(
@@ -94,31 +86,8 @@ fn component(source: &Source, at: usize, options: &TextOptions) -> Result<(Chann
             CORRUPT,
         ));
     }
-    let mut values = Vec::with_capacity(rows[0] * PER_LINE);
-    for i in 0..count {
-        let line = begin + i / PER_LINE;
-        let word = field(source.lines[line], i % PER_LINE).ok_or_else(|| {
-            source.error(line, format!("fewer than {PER_LINE} numbers in columns of {WIDTH}"), CORRUPT)
-        })?;
-        values.push(source.number(line, word)?);
-    }
-    let channel = Channel {
-        name: format!("{} {label}", source.stem()),
-        file: source.file.to_path_buf(),
-        dt,
-        start: 0.0,
-        acceleration: values,
-        units: unit_word.to_string(),
-        orientation,
-    };
-    let channel = source.converted(at, units, channel)?;
+    let (values, _) = source.block(begin, COLUMNS, count, CORRUPT)?;
+    let channel = Channel { orientation, ..source.channel(Some(&label), dt, values) };
+    let channel = source.converted(at, units, options, channel)?;
     Ok((channel, begin + total))
-}
-
-/// The `i`-th column of a line, trimmed; `None` if it is blank, missing, or not plain text.
-fn field(line: &str, i: usize) -> Option<&str> {
-    let bytes = line.as_bytes();
-    let column = bytes.get(i * WIDTH..bytes.len().min((i + 1) * WIDTH))?;
-    let word = std::str::from_utf8(column).ok()?.trim();
-    (!word.is_empty()).then_some(word)
 }

@@ -5,7 +5,7 @@
 //! stand in the text (`IN UNITS OF G`, `The units are (g)`). The second line of PEER's own files ends in the
 //! component's azimuth or `UP`.
 
-use super::TextOptions;
+use super::ReadOptions;
 use super::source::{Source, leading_number, number};
 use crate::shown::shown;
 use crate::{Channel, Error, Orientation};
@@ -25,21 +25,14 @@ pub(super) fn recognises(source: &Source) -> bool {
     counts_line(source).is_some()
 }
 
-pub(super) fn read(source: &Source, options: &TextOptions) -> Result<Vec<Channel>, Error> {
+pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let at = counts_line(source).unwrap_or(0);
-    if options.columns.is_some() {
-        return Err(source.error(
-            at,
-            "'columns' was declared, but this is a PEER AT2 file",
-            "remove the declaration; its samples follow one another",
-        ));
-    }
     let (count, dt) = counts(source, at)?;
     let dt = source.stated_interval(at, dt, options.dt)?;
-    let (word, units) = match stated_units(source, at) {
-        Some((line, word)) => (word.to_string(), source.stated_units(line, word, options.units)?),
+    let units = match stated_units(source, at) {
+        Some((line, word)) => source.stated_units(line, word, options.units)?,
         None => match options.units {
-            Some(units) => (units.to_string(), units),
+            Some(units) => units,
             None => {
                 return Err(source.error(
                     at,
@@ -76,16 +69,8 @@ pub(super) fn read(source: &Source, options: &TextOptions) -> Result<Vec<Channel
     }
     let label = source.lines.get(1).and_then(|l| l.rsplit_once(',')).map(|(_, label)| label.trim());
     let orientation = if at >= 2 { label.and_then(Orientation::parse) } else { None };
-    let channel = Channel {
-        name: source.stem(),
-        file: source.file.to_path_buf(),
-        dt,
-        start: 0.0,
-        acceleration: values,
-        units: word,
-        orientation,
-    };
-    Ok(vec![source.converted(at, units, channel)?])
+    let channel = Channel { orientation, ..source.channel(None, dt, values) };
+    Ok(vec![source.converted(at, units, options, channel)?])
 }
 
 /// Number of points and interval (s) of the line `at`.

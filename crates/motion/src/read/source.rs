@@ -3,20 +3,22 @@
 use std::path::Path;
 
 use crate::shown::shown;
-use crate::{Channel, Error, Units};
+use crate::{Channel, Error, ReadOptions, Sensitivity, Units};
 
-/// A text file in lines. Line indices count from 0 here, from 1 in messages.
+/// A file, unpacked, as bytes and as lines of text. Line indices count from 0 here, from 1 in messages.
 pub(crate) struct Source<'a> {
     pub file: &'a Path,
+    #[allow(dead_code)]
+    pub bytes: &'a [u8],
     pub lines: Vec<&'a str>,
 }
 
 impl<'a> Source<'a> {
     /// Splits at LF, CR LF or CR CR LF, or at CR in a file without any LF.
-    pub fn new(file: &'a Path, text: &'a str) -> Source<'a> {
+    pub fn new(file: &'a Path, bytes: &'a [u8], text: &'a str) -> Source<'a> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let separator = if text.contains('\n') { '\n' } else { '\r' };
-        Source { file, lines: text.split(separator).map(str::trim_end).collect() }
+        Source { file, bytes, lines: text.split(separator).map(str::trim_end).collect() }
     }
 
     /// An error at a line given by index; beyond the end it points at the last line.
@@ -24,9 +26,50 @@ impl<'a> Source<'a> {
         Error::record(self.file, line.min(self.lines.len().saturating_sub(1)) + 1, problem, remedy)
     }
 
-    /// The file's name without its last extension.
+    /// The file's name without its last extension, and without `.gz` behind that.
     pub fn stem(&self) -> String {
-        self.file.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_else(|| "record".into())
+        let packed = self.file.extension().is_some_and(|e| e.eq_ignore_ascii_case("gz"));
+        let plain = if packed { self.file.with_extension("") } else { self.file.to_path_buf() };
+        plain.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_else(|| "record".into())
+    }
+
+    /// A channel of this file from 0, still in the file's units; `label` tells it from the others of the file.
+    pub fn channel(&self, label: Option<&str>, dt: f64, values: Vec<f64>) -> Channel {
+        let name = match label {
+            Some(label) => format!("{} {label}", self.stem()),
+            None => self.stem(),
+        };
+        Channel { file: self.file.to_path_buf(), ..Channel::new(name, dt, values) }
+    }
+
+    /// `count` numbers in columns of fixed width from line index `begin` on, and the index of the line behind them. Numbers may
+    /// touch. `remedy` is for a file that ends too early or lacks a number.
+    pub fn block(
+        &self,
+        begin: usize,
+        columns: Columns,
+        count: usize,
+        remedy: &str,
+    ) -> Result<(Vec<f64>, usize), Error> {
+        let Columns { per_line, width } = columns;
+        // The count is the file's word: compared with what is there before anything is reserved for it.
+        let end = begin.saturating_add(count.div_ceil(per_line));
+        if end > self.lines.len() {
+            return Err(self.error(
+                self.lines.len(),
+                format!("the file ends before the {count} numbers that were promised"),
+                remedy,
+            ));
+        }
+        let mut values = Vec::with_capacity(count);
+        for i in 0..count {
+            let line = begin + i / per_line;
+            let word = columns.word(self.lines[line], i % per_line).ok_or_else(|| {
+                self.error(line, format!("fewer than {per_line} numbers in columns of {width}"), remedy)
+            })?;
+            values.push(self.number(line, word)?);
+        }
+        Ok((values, end))
     }
 
     /// A number, or an error at its line.
@@ -71,11 +114,30 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Turns a channel whose samples are still in file units into m/s².
+    /// Turns a channel whose samples are still in file units into m/s²; counts only by a declared sensitivity.
     ///
     /// # Errors
-    /// At `line`, if there are fewer than two samples or the numbers are too large.
-    pub fn converted(&self, line: usize, units: Units, mut channel: Channel) -> Result<Channel, Error> {
+    /// At `line`, if there are fewer than two samples, the numbers are too large, or a sensitivity was declared for what is an
+    /// acceleration already.
+    pub fn converted(
+        &self,
+        line: usize,
+        units: Units,
+        options: &ReadOptions,
+        mut channel: Channel,
+    ) -> Result<Channel, Error> {
+        let factor = match (units.factor(), options.sensitivity) {
+            (Some(_), Some(_)) => {
+                return Err(self.error(
+                    line,
+                    format!("a sensitivity was declared, but the file is in {units}, not in counts"),
+                    "remove the declaration",
+                ));
+            }
+            (Some(factor), None) => Some(factor),
+            (None, sensitivity) => sensitivity.map(Sensitivity::per_count),
+        };
+        (channel.units, channel.raw) = (units, factor.is_none());
         let values = &mut channel.acceleration;
         if values.len() < 2 {
             return Err(self.error(
@@ -84,7 +146,7 @@ impl<'a> Source<'a> {
                 "a record needs at least two",
             ));
         }
-        values.iter_mut().for_each(|v| *v *= units.factor());
+        values.iter_mut().for_each(|v| *v *= factor.unwrap_or(1.0));
         if values.iter().any(|v| !v.is_finite()) || !channel.end().is_finite() {
             return Err(self.error(
                 line,
@@ -93,6 +155,25 @@ impl<'a> Source<'a> {
             ));
         }
         Ok(channel)
+    }
+}
+
+/// Numbers of a fixed width, as Fortran writes them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Columns {
+    /// On a full line, above 0.
+    pub per_line: usize,
+    /// In characters, above 0.
+    pub width: usize,
+}
+
+impl Columns {
+    /// The `i`-th word of a line, trimmed; `None` if it is blank, missing, or not plain text.
+    pub fn word(self, line: &str, i: usize) -> Option<&str> {
+        let bytes = line.as_bytes();
+        let column = bytes.get(i * self.width..bytes.len().min((i + 1) * self.width))?;
+        let word = std::str::from_utf8(column).ok()?.trim();
+        (!word.is_empty()).then_some(word)
     }
 }
 

@@ -5,7 +5,7 @@
 //! `# units = "cm/s2"` and `# dt = "0.005 s"` count as declarations, written as in a case file.
 
 use super::source::{Source, number};
-use super::{Column, TextOptions};
+use super::{Column, ReadOptions};
 use crate::shown::shown;
 use crate::{Channel, Error, Orientation, Units};
 
@@ -85,7 +85,7 @@ fn columns_of(found: usize, declared: Option<&[Column]>) -> Result<Vec<Column>, 
     }
 }
 
-pub(super) fn read(source: &Source, options: &TextOptions) -> Result<Vec<Channel>, Error> {
+pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let (units, dt) = declarations(source, options)?;
     let Table { columns, data, rows } = table(source, options.columns.as_deref())?;
     let first = rows[0];
@@ -118,20 +118,9 @@ pub(super) fn read(source: &Source, options: &TextOptions) -> Result<Vec<Channel
     let mut channels = Vec::new();
     for (i, (column, values)) in columns.iter().zip(data).enumerate() {
         if let Column::Acceleration(orientation) = *column {
-            let name = match wanted {
-                1 => source.stem(),
-                _ => format!("{} {}", source.stem(), label(orientation, i)),
-            };
-            let channel = Channel {
-                name,
-                file: source.file.to_path_buf(),
-                dt,
-                start,
-                acceleration: values,
-                units: units.to_string(),
-                orientation,
-            };
-            channels.push(source.converted(first, units, channel)?);
+            let label = (wanted > 1).then(|| label(orientation, i));
+            let channel = Channel { start, orientation, ..source.channel(label.as_deref(), dt, values) };
+            channels.push(source.converted(first, units, options, channel)?);
         }
     }
     Ok(channels)
@@ -150,7 +139,7 @@ fn not_a_number(source: &Source, line: usize, word: &str) -> Error {
     source.error(
         line,
         format!("'{}' is not a finite number, and the file is of no other format known here", shown(word)),
-        "put # before lines of text; GeoNet V2A, PEER AT2 and plain columns of numbers are read",
+        "put # before lines of text; `tremolite list formats` says which formats are read",
     )
 }
 
@@ -164,7 +153,7 @@ fn text_or_header(source: &Source, line: usize, word: &str) -> Error {
         line,
         format!("'{}' is text above the numbers, and a file of plain columns has no header", shown(word)),
         "put # before each such line, and declare what the columns hold, for example columns = [\"time\", \
-         \"acceleration\"]; GeoNet V2A and PEER AT2 are read with the headers of their formats",
+         \"acceleration\"]; `tremolite list formats` says which formats are read with their headers",
     )
 }
 
@@ -206,7 +195,7 @@ fn fault(source: &Source, line: usize, problem: String, remedy: &str) -> Error {
 }
 
 /// Units and interval from the file's own comments and from the options, which must not contradict them.
-fn declarations(source: &Source, options: &TextOptions) -> Result<(Option<Units>, Option<f64>), Error> {
+fn declarations(source: &Source, options: &ReadOptions) -> Result<(Option<Units>, Option<f64>), Error> {
     let (mut units, mut dt) = (options.units, options.dt);
     for (line, text) in source.lines.iter().enumerate() {
         let Some((key, value)) = text.trim_start().strip_prefix('#').and_then(|t| t.split_once('=')) else {

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use crate::formats;
 use tremolite_motion::{
-    FORMATS, Geographic, Intensity, Motion, Process, TextOptions, Units, process, read_bytes,
+    FORMATS, Geographic, Intensity, Motion, Process, ReadOptions, Units, process, read_bytes,
     strongest_window,
 };
 
@@ -26,17 +27,22 @@ impl Random {
 
 /// Good files of every format that is read.
 fn seeds() -> Vec<Vec<u8>> {
-    FORMATS.iter().flat_map(|format| files(format.name)).map(String::into_bytes).collect()
+    FORMATS.iter().flat_map(|format| files(format.name)).collect()
 }
 
 /// Good files of one format.
-fn files(format: &str) -> Vec<String> {
-    match format {
+fn files(format: &str) -> Vec<Vec<u8>> {
+    let files = match format {
         "GeoNet V2A" => vec![geonet()],
         "PEER AT2" => vec![peer()],
         "text columns" => vec![two_columns(), one_column()],
-        other => panic!("{other}: there is no good file of this format to damage"),
-    }
+        other => {
+            let files = formats::good(other);
+            assert!(!files.is_empty(), "{other}: there is no good file of this format to damage");
+            return files;
+        }
+    };
+    files.into_iter().map(String::into_bytes).collect()
 }
 
 /// Two components, whose numbers touch in their columns of eight.
@@ -126,7 +132,7 @@ fn damaged(seed: &[u8], random: &mut Random) -> Vec<u8> {
 }
 
 /// Everything a command would do with the channels of one file.
-fn use_all(bytes: &[u8], options: &TextOptions) -> bool {
+fn use_all(bytes: &[u8], options: &ReadOptions) -> bool {
     let Ok(channels) = read_bytes(Path::new("hostile"), bytes, options) else { return false };
     assert!(!channels.is_empty());
     for channel in &channels {
@@ -152,15 +158,15 @@ fn use_all(bytes: &[u8], options: &TextOptions) -> bool {
 
 #[test]
 fn damaged_files_give_errors_or_sound_channels() {
-    let declared = TextOptions { units: Some(Units::G), dt: Some(0.01), columns: None };
+    let declared = ReadOptions { units: Some(Units::G), dt: Some(0.01), ..ReadOptions::default() };
     let mut random = Random(2018);
     let (mut read, mut refused) = (0, 0);
     for seed in seeds() {
         for end in 0..seed.len() {
-            use_all(&seed[..end], &TextOptions::default());
+            use_all(&seed[..end], &ReadOptions::default());
         }
         for round in 0..2500 {
-            let options = if round % 3 == 0 { declared.clone() } else { TextOptions::default() };
+            let options = if round % 3 == 0 { declared.clone() } else { ReadOptions::default() };
             if use_all(&damaged(&seed, &mut random), &options) {
                 read += 1;
             } else {
@@ -174,9 +180,9 @@ fn damaged_files_give_errors_or_sound_channels() {
 
 #[test]
 fn undamaged_files_of_every_format_are_read() {
-    let units = TextOptions { units: Some(Units::G), ..TextOptions::default() };
+    let units = ReadOptions { units: Some(Units::G), ..ReadOptions::default() };
     for seed in seeds() {
-        let plain = use_all(&seed, &TextOptions::default());
+        let plain = use_all(&seed, &ReadOptions::default());
         // Two columns of numbers alone do not say their units.
         assert!(plain || use_all(&seed, &units), "{}", String::from_utf8_lossy(&seed));
     }

@@ -1,5 +1,8 @@
 //! The tests of this crate, one binary.
 
+mod formats;
 mod hostile;
+mod packing;
 mod readers;
+mod records;
 mod reference;

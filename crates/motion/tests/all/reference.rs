@@ -2,13 +2,11 @@
 //! independent exact Nigam–Jennings integration, for three recorded motions. Intensities and spectra are of
 //! the detrended and band-passed record; the band is 0.1 Hz to the smaller of 25 Hz and 0.9 of Nyquist.
 //!
-//! Two of the records come with the repository. The third may not be copied; its test is skipped, with a
-//! message, where the file is absent.
+//! Two of the records come with the repository. The third may not be copied: see [`crate::records`].
 
-use std::path::{Path, PathBuf};
-
+use crate::records::{local, shipped};
 use tremolite_motion::{
-    Channel, Intensity, Orientation, Process, TextOptions, Units, cumulative_trapezoid, linear_trend,
+    Channel, Intensity, Orientation, Process, ReadOptions, Units, cumulative_trapezoid, linear_trend,
     process, pseudo_acceleration, read,
 };
 
@@ -36,20 +34,6 @@ struct Expected {
     arias: f64,
     d5_95: f64,
     cav: f64,
-}
-
-fn shipped(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/records").join(name)
-}
-
-/// A record that may not be shipped, or `None` with a message.
-fn local(name: &str) -> Option<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/records").join(name);
-    if !path.exists() {
-        eprintln!("skipped: {} is not here", path.display());
-        return None;
-    }
-    Some(path)
 }
 
 /// Equal to 1e-9 of a scale.
@@ -267,7 +251,7 @@ const RSN753: Expected = Expected {
 
 #[test]
 fn geonet_wtmc_kaikoura_2016() {
-    let channels = read(&shipped("20161113_110259_WTMC_20.V2A"), &TextOptions::default()).unwrap();
+    let channels = read(&shipped("20161113_110259_WTMC_20.V2A"), &ReadOptions::default()).unwrap();
     assert_eq!(channels.len(), 3);
     check(&channels[0], &WTMC);
     // Bearings, units and peaks [mm/s²] as the file's own headers state them.
@@ -277,7 +261,10 @@ fn geonet_wtmc_kaikoura_2016() {
         ("Up", Orientation::Up, 18021.9, 44.14),
     ]) {
         assert!(channel.name.ends_with(name) && channel.orientation == Some(orientation));
-        assert_eq!((channel.units.as_str(), channel.dt, channel.acceleration.len()), ("mm/s/s", 0.02, 8192));
+        assert_eq!(
+            (channel.units, channel.dt, channel.acceleration.len()),
+            (Units::MillimetrePerSecond2, 0.02, 8192)
+        );
         // The header counts time from 5 s after the first sample.
         let sample = channel.acceleration[((at + 5.0) / 0.02_f64).round() as usize];
         assert!((sample - 1e-3 * peak).abs() < 1e-12);
@@ -287,7 +274,7 @@ fn geonet_wtmc_kaikoura_2016() {
 
 #[test]
 fn wolong_table_wenchuan_2008() {
-    let options = TextOptions { units: Some(Units::CentimetrePerSecond2), ..TextOptions::default() };
+    let options = ReadOptions { units: Some(Units::CentimetrePerSecond2), ..ReadOptions::default() };
     let channels = read(&shipped("51WCW_EW_20s_40s_gal_int.txt"), &options).unwrap();
     assert_eq!((channels.len(), channels[0].start, channels[0].dt), (1, 20.52, 0.005));
     check(&channels[0], &WOLONG);
@@ -297,8 +284,8 @@ fn wolong_table_wenchuan_2008() {
 fn peer_corralitos_loma_prieta_1989() {
     for (name, npts, degrees) in [("000", 7995, 0.0), ("090", 7999, 90.0)] {
         let Some(path) = local(&format!("peer_at2/RSN753_LOMAP_CLS{name}.AT2")) else { return };
-        let channel = read(&path, &TextOptions::default()).unwrap().remove(0);
-        assert_eq!((channel.acceleration.len(), channel.dt, channel.units.as_str()), (npts, 0.005, "G"));
+        let channel = read(&path, &ReadOptions::default()).unwrap().remove(0);
+        assert_eq!((channel.acceleration.len(), channel.dt, channel.units), (npts, 0.005, Units::G));
         assert_eq!(channel.orientation, Some(Orientation::from_degrees(degrees)));
         if npts == 7995 {
             check(&channel, &RSN753);
@@ -316,7 +303,7 @@ fn other_headers_and_plain_files_in_circulation() {
     ] {
         let Some(path) = local(name) else { return };
         let dt_given = name.contains("tabas").then_some(0.02);
-        let options = TextOptions { units, dt: dt_given, columns: None };
+        let options = ReadOptions { units, dt: dt_given, ..ReadOptions::default() };
         let channel = read(&path, &options).unwrap().remove(0);
         assert_eq!((channel.acceleration.len(), channel.dt), (npts, dt), "{name}");
         assert!((channel.acceleration[0] / 9.80665 - first).abs() < 1e-15, "{name}");

@@ -2,7 +2,7 @@
 
 use tremolite_case::{self as case, Case, Component, Direction, Problem, Records, Window};
 use tremolite_motion::{
-    Channel, Column, Geographic, Intensity, Kind, Motion, Orientation, Process, TextOptions, Units,
+    Channel, Column, Geographic, Intensity, Kind, Motion, Orientation, Process, ReadOptions, Units,
     highest_frequency, process, read, strongest_window,
 };
 
@@ -203,7 +203,7 @@ fn all_channels(
     span: &std::ops::Range<usize>,
     problems: &mut Vec<Problem>,
 ) -> Option<Vec<Channel>> {
-    match read(path, &TextOptions::default()) {
+    match read(path, &ReadOptions::default()) {
         Ok(channels) => Some(channels),
         Err(e) => {
             problems.push(Problem::new(
@@ -255,7 +255,7 @@ fn record_channel(
     let units = record.units.as_ref().and_then(|u| {
         let known =
             [Units::G, Units::MetrePerSecond2, Units::CentimetrePerSecond2, Units::MillimetrePerSecond2];
-        known.into_iter().find(|k| (k.factor() / u.value - 1.0).abs() < 1e-9)
+        known.into_iter().find(|k| k.factor().is_some_and(|factor| (factor / u.value - 1.0).abs() < 1e-9))
     });
     let columns: Vec<Column> = record
         .columns
@@ -266,10 +266,11 @@ fn record_channel(
             case::Column::Skip => Column::Skip,
         })
         .collect();
-    let options = TextOptions {
+    let options = ReadOptions {
         units,
         columns: (!columns.is_empty()).then_some(columns),
         dt: record.dt.as_ref().map(|d| d.value),
+        sensitivity: None,
     };
     let channels = match read(&case.resolve(&record.file.value), &options) {
         Ok(channels) => channels,
