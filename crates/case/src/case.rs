@@ -191,7 +191,7 @@ impl Case {
             case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
         let reinforcement = case.tables("reinforcement").map(Reinforcement::read).collect::<Option<_>>()?;
         let motion = match case.table("motion") {
-            Some(motion) => Some(Motion::read(motion)?),
+            Some(motion) => Some(Motion::read(motion, initial.gravity.value)?),
             None => None,
         };
         let interfaces: Vec<Interface> =

@@ -8,7 +8,7 @@ use crate::initial::Initial;
 use crate::interface::{self, TIED};
 use crate::material::VOID;
 use crate::mesh::Mesh;
-use crate::motion::Motion;
+use crate::motion::{self, Motion};
 use crate::stage::{Stage, Written};
 use crate::{Problem, Spanned, suggest, units};
 use tremolite_laws::parameter::Dimension;
@@ -131,6 +131,8 @@ fn stages(case: &Fields, problems: &mut Vec<Problem>) {
 fn weights(case: &Fields, problems: &mut Vec<Problem>) {
     let Some(gravity) = case.table("initial").and_then(|f| f.number("gravity")) else { return };
     let weights = materials(case).iter().filter_map(|m| m.fields.number("unit_weight"));
+    let of_site = case.table("motion").map_or_else(Vec::new, motion::unit_weights);
+    let weights = weights.chain(of_site);
     for weight in weights.filter(|w| !(w.value / gravity.value).is_normal()) {
         let gravity = units::format(gravity.value, Dimension::ACCELERATION);
         problems.push(Problem::at(

@@ -60,7 +60,9 @@ pub use mesh::{
 };
 pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
-pub use motion::{Column, Component, Direction, Motion, MotionKind, Record, Records, Window};
+pub use motion::{
+    Column, Component, Corner, Direction, Motion, MotionKind, Record, Records, Site, SiteLayer, Window,
+};
 pub use output::Output;
 pub use page::{Language, Page};
 pub use region::{Element, Fill, Region};

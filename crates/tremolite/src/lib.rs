@@ -12,6 +12,7 @@ mod fingerprint;
 mod groups;
 pub mod history;
 pub mod interfaces;
+mod layered_column;
 mod motion_table;
 pub mod observers;
 mod outcome;

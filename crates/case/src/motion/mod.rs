@@ -1,6 +1,7 @@
 //! `[motion]`: the earthquake and what is made of it before it enters the model.
 
 mod component;
+mod site;
 
 use std::ops::Range;
 use std::path::PathBuf;
@@ -8,9 +9,11 @@ use std::path::PathBuf;
 use tremolite_laws::parameter::Dimension;
 
 pub use component::{Column, Component, Direction, Record};
+pub(crate) use site::unit_weights;
+pub use site::{Corner, Site, SiteLayer};
 
 use crate::fields::{Fields, Item, Node};
-use crate::keys::{Key, Kind, Limit, Table, words};
+use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::{Problem, Spanned};
 
 const TIME: Kind = Kind::Number(Dimension::TIME, Limit::NotNegative);
@@ -23,7 +26,20 @@ pub(crate) static MOTION: Table = Table {
         Key::required(
             "kind",
             Kind::Word(MotionKind::WORDS),
-            "what the record is: of a rock outcrop (halved), the incident wave itself, or measured within the rock",
+            "what the record is: of a rock outcrop (halved), the incident wave itself, measured at a depth within the ground, or \
+             on the surface of layered ground",
+        ),
+        Key::required(
+            "depth",
+            Kind::Number(Dimension::LENGTH, Limit::NotNegative),
+            "depth below the surface of the ground",
+        )
+        .when(When::Is("kind", "within")),
+        Key::optional(
+            "site",
+            Kind::Table(&site::SITE),
+            "",
+            "The ground on or in which it was recorded; without it, the model's own at its corners",
         ),
         Key::optional("file", Kind::Text, "", "File with all components, taken by their orientation"),
         Key::optional("east", Kind::Table(&component::COMPONENT), "", "Component towards east"),
@@ -62,8 +78,10 @@ words! {
         Outcrop = "outcrop",
         /// The incident wave itself.
         Incident = "incident",
-        /// Measured within the rock: incident and reflected wave together.
+        /// Measured at a depth within the ground, waves that go up and down together: deconvolved.
         Within = "within",
+        /// Measured on the surface of layered ground: deconvolved.
+        Surface = "surface",
     }
 }
 
@@ -72,6 +90,10 @@ words! {
 pub struct Motion {
     /// What the record is.
     pub kind: Spanned<MotionKind>,
+    /// Below the surface of the ground, m; of `within` alone.
+    pub depth: Option<Spanned<f64>>,
+    /// The ground on or in which it was recorded; nothing: the model's own. Of `within` and `surface` alone.
+    pub site: Option<Site>,
     /// Where the components come from.
     pub records: Records,
     /// The part that is used; nothing: all.
@@ -103,7 +125,8 @@ pub enum Window {
 }
 
 impl Motion {
-    pub(crate) fn read(f: &Fields) -> Option<Self> {
+    /// Unit weights become densities by gravity, m/s².
+    pub(crate) fn read(f: &Fields, gravity: f64) -> Option<Self> {
         let kind = f.word("kind", MotionKind::from_word);
         let records = Records::read(f);
         let window = f.get("window").and_then(|node| {
@@ -121,6 +144,8 @@ impl Motion {
             process: f.texts("process"),
             model_x_azimuth: f.number("model_x_azimuth")?,
             span: f.span.clone(),
+            depth: f.number("depth"),
+            site: Site::read(f, gravity),
             kind: kind?,
             records: records?,
         })
@@ -138,6 +163,7 @@ impl Motion {
 
     /// What lies between keys; looks at each value that is good, whatever the others are.
     pub(crate) fn check(f: &Fields, problems: &mut Vec<Problem>) {
+        site::check(f, problems);
         if let Some(window) = f.get("window").and_then(Node::numbers::<2>)
             && window.value[1] <= window.value[0]
         {

@@ -174,16 +174,19 @@ fn each_mistake_in_what_is_there_initially_is_reported_once_at_its_place_with_a_
 
 #[test]
 fn there_is_no_weight_without_gravity_where_densities_are_given() {
+    let rock = ("unit_weight = \"27 kN/m3\"", "density = \"2700 kg/m3\"");
+    let soil = ("unit_weight = \"19 kN/m3\"", "density = \"1900 kg/m3\"");
+    let weightless = |gravity: &str| GOOD.replace("gravity = \"10 m/s2\"", &format!("gravity = {gravity}"));
     // The least of these would make an infinite density.
     for gravity in ["0", "1e-320"] {
-        let source = GOOD.replace("gravity = \"10 m/s2\"", &format!("gravity = {gravity}"));
-        let (says, remedy, marks) = refused(&source);
-        assert!(says.contains("turns no unit weight into a density"), "{says}");
-        assert!(remedy.contains("give density"), "{remedy}");
-        assert_eq!(marks, "\"27 kN/m3\"");
+        for (known, mark) in [(soil, "\"27 kN/m3\""), (rock, "\"19 kN/m3\"")] {
+            let (says, remedy, marks) = refused(&weightless(gravity).replace(known.0, known.1));
+            assert!(says.contains("turns no unit weight into a density"), "{says}");
+            assert!(remedy.contains("give density"), "{remedy}");
+            assert_eq!(marks, mark);
+        }
     }
-    let source = GOOD.replace("gravity = \"10 m/s2\"", "gravity = 0");
-    let case = read(&source.replace("unit_weight = \"27 kN/m3\"", "density = \"2700 kg/m3\""));
+    let case = read(&weightless("0").replace(rock.0, rock.1).replace(soil.0, soil.1));
     assert_eq!((case.initial.gravity.value, case.materials[0].density.value), (0.0, 2700.0));
 }
 

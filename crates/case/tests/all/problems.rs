@@ -41,7 +41,13 @@ const BAD: &[Bad] = &[
     bad("safety = 0.8", "safety = 0.8\ndt = 3", "dt", "no key of `dynamic`", "`dt` belongs to [motion.east]"),
     bad("safety = 0.8", "safety = 0.8\ntitle = 3", "title", "no key of `dynamic`", "`title` belongs above all tables"),
     bad("poisson = 0.25", "poisson = 0.25\ncohesion = 3", "cohesion", "no key of `material.rock`", "keys here: law, density, unit_weight, young, poisson"),
-    bad("kind = \"within\"\n", "", "[motion]", "`kind` is missing", "\"outcrop\" | \"incident\" | \"within\""),
+    bad("kind = \"within\"\ndepth = \"50 m\"\n", "", "[motion]", "`kind` is missing", "\"outcrop\" | \"incident\" | \"within\" | \"surface\""),
+    bad("depth = \"50 m\"\n", "", "[motion]", "`depth` is missing", "depth = \"… m\""),
+    bad("kind = \"within\"\ndepth", "kind = \"surface\"\ndepth", "depth", "only with `kind = \"within\"`", "leave it out"),
+    bad("kind = \"within\"\ndepth = \"50 m\"\nsite = { layers", "kind = \"outcrop\"\nsite = { layers", "{ layers", "`site` has a meaning only for a record on or within layered ground", "kind = \"surface\""),
+    bad("poisson = 0.3, density", "poisson = 0.5, density", "0.5", "from 0 to 0.499", "give a value from 0 to 0.499"),
+    bad("{ thickness = \"30 m\", shear", "{ shear", "{ shear", "`thickness` is missing", "thickness = \"… m\""),
+    bad("{ thickness = \"30 m\", shear_wave_velocity = \"600 m/s\", poisson = 0.3, density = \"2100 kg/m3\", ", "{ thickness = \"30 m\", shear_wave_velocity = \"600 m/s\", poisson = 0.3, ", "{ thickness", "needs one of `density`, `unit_weight`", "give one of"),
     bad("title = \"every key\"\n", "", "", "`title` is missing in the case", "add title = \"…\""),
     bad("young = \"10 GPa\"\n", "", "[material.rock]", "`young` is missing", "young = \"… GPa\" (Young's modulus E)"),
     bad("element = \"one-point\"\n", "", "[[region]]", "`element` is missing in `region[1]`", "full: 2×2×2 points"),
@@ -91,7 +97,7 @@ const BAD: &[Bad] = &[
     bad("shape = \"ellipse\"", "shape = \"circle\"", "\"2.2 m\"", "no meaning", "leave it out"),
     bad("arch_rise = \"4.5 m\"", "arch_rise = \"9 m\"", "\"9 m\"", "more than half the width", "a semicircle"),
     // Words and names
-    bad("kind = \"within\"", "kind = \"outcrp\"", "\"outcrp\"", "`kind` cannot be \"outcrp\"", "did you mean \"outcrop\"?"),
+    bad("kind = \"within\"\ndepth = \"50 m\"", "kind = \"outcrp\"", "\"outcrp\"", "`kind` cannot be \"outcrp\"", "did you mean \"outcrop\"?"),
     bad("sides = { x = \"viscous\"", "sides = { x = \"freefield\"", "\"freefield\"", "`x` cannot be \"freefield\"", "did you mean \"free-field\"?"),
     bad("top = \"viscous\"", "top = \"roller\"", "\"roller\"", "`top` cannot be \"roller\"", "one of \"free\", \"viscous\""),
     bad("element = \"full\"", "element = \"quadratic\"", "\"quadratic\"", "cannot be", "one of \"one-point\", \"full\""),
@@ -172,7 +178,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
         .replace("near = \"120 cm\"", "near = \"120 MPa\"")
         .replace("poisson = 0.25", "poisson = 0.7")
         .replace("element = \"full\"", "elemnt = \"full\"")
-        .replace("kind = \"within\"\n", "")
+        .replace("kind = \"within\"\ndepth = \"50 m\"\n", "")
         .replace("safety = 0.8", "safety = 7")
         .replace("between = [\"free\", \"A\"]", "between = [\"free\", \"Q\"]")
         .replace("[output]", "[water]\n[output]");

@@ -142,6 +142,7 @@ fn what_the_reader_refuses_for_its_form_does_not_fit() {
         ("near = \"120 cm\"", "nears = \"120 cm\""),
         ("kind = \"within\"", "kind = \"outcrp\""),
         ("kind = \"within\"\n", ""),
+        ("poisson = 0.48, ", ""),
         ("benches = 6", "benches = 0"),
         ("safety = 0.8", "safety = 1.5"),
         ("model_x_azimuth = \"30 deg\"", "model_x_azimuth = 30"),

@@ -6,9 +6,10 @@
 //! rock cracks. Beside them stands one-dimensional theory, as
 //! free_field.csv has it at top and base: none where an interface parts the column or its rock has yielded.
 
-use super::free_field::{FreeFieldSeen, LayeredColumn, REFINEMENT, chosen, layered, levels};
+use super::free_field::{FreeFieldSeen, REFINEMENT, chosen, layered, levels};
 use super::{Observer, Schedule, Setting, Stepped, View};
 use crate::error::RunError;
+use crate::layered_column::LayeredColumn;
 use crate::plan::Plan;
 use levels::Level;
 use tremolite_engine::model::Model;

@@ -2,7 +2,7 @@
 //! out the one that was put in?
 //!
 //! For each column the velocity at its top and base is written as it was computed, and as theory has it for its layers
-//! ([`theory`]): exact in frequency with all damping but artificial viscosity. There is none where an interface runs through the
+//! ([`LayeredColumn`]): exact in frequency with all damping but artificial viscosity. There is none where an interface runs through the
 //! column, and none any more from the row on in which its rock has yielded or cracked. `model.xmin-ymin` …
 //! are the model itself at the upper and lower ends of its four vertical edges, the places farthest from what it holds;
 //! `model.surface` and `model.base` are the means over the four, which no single column need have: errors of opposite sign
@@ -12,20 +12,18 @@
 mod columns;
 pub mod levels;
 mod seen;
-mod theory;
 
 pub use seen::{ColumnSeen, FreeFieldSeen, Theory};
 
 use super::{Observer, Schedule, Setting, Stepped, View};
 use crate::error::RunError;
+use crate::layered_column::{Layer, LayeredColumn};
 use crate::plan::{Monitor, Plan};
 use crate::quantities::MEASURES;
 use columns::{ENDS, Watched, edges, watched};
 use levels::Height;
 use seen::most;
 use std::ops::Range;
-use theory::Layer;
-pub use theory::LayeredColumn;
 use tremolite_engine::column::{Column as Ground, corner_name};
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
@@ -147,15 +145,7 @@ fn header(columns: &[Watched], theory: &[Option<usize>], beside: &[(String, Heig
 pub fn layered(model: &Model, column: &Ground) -> Option<[LayeredColumn; 3]> {
     let along = |axis: usize| {
         let layers = column.layers.iter().map(|layer| {
-            let (thickness, body) = (layer.top - layer.bottom, &model.bodies[layer.body]);
-            let (p, s) = body.material.moduli().wave_speeds(body.density);
-            Layer {
-                thickness,
-                density: body.density,
-                speed: if axis == 2 { p } else { s },
-                band: body.material.band(),
-                rayleigh: model.rayleigh,
-            }
+            Layer::of(&model.bodies[layer.body], layer.top - layer.bottom, axis, model.rayleigh)
         });
         LayeredColumn::new(layers, model.top)
     };

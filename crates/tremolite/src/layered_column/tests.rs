@@ -6,7 +6,8 @@ use std::f64::consts::TAU;
 const NONE: Rayleigh = Rayleigh { mass: 0.0, stiffness: 0.0 };
 
 /// Soil, which a case may put on rock.
-const SOIL: Layer = Layer { thickness: 200.0, density: 2752.3, speed: 1000.0, band: None, rayleigh: NONE };
+const SOIL: Layer =
+    Layer { thickness: 200.0, density: 2752.3, speed: 1000.0, band: None, rayleigh: NONE, damping: 0.0 };
 const ROCK: Layer = Layer { thickness: 100.0, speed: 2300.0, ..SOIL };
 const HOMOGENEOUS: Layer = Layer { thickness: 240.0, speed: 1200.0, ..SOIL };
 
@@ -220,4 +221,27 @@ fn a_band_takes_about_its_ratio_times_the_phase() {
     let band = Band::fit(0.02, [0.5, 20.0], 5.0).unwrap();
     let exact = (-band.ratio(5.0) * omega * HOMOGENEOUS.thickness / HOMOGENEOUS.speed).exp();
     assert!((found(Some(band)) / found(None) / exact - 1.0).abs() < 3e-3);
+}
+
+/// A layer with 5 % damping at all frequencies on elastic rock, surface over outcrop: 1/(cos k*H + i α* sin k*H) with
+/// k* = ω/(c √(1 + 2iD)) and α* = ρc √(1 + 2iD)/(ρ_r c_r) (`kramer1996`, (7.28) and (7.25)).
+#[test]
+fn damping_that_is_the_same_at_all_frequencies_has_its_closed_form() {
+    let soil = Layer { thickness: 20.0, density: 1900.0, speed: 300.0, damping: 0.05, ..SOIL };
+    let rock = Layer { thickness: 0.0, ..ROCK };
+    let column = column(&[rock, soil], Top::Free);
+    assert!((column.height() - 20.0).abs() < 1e-12 && (column.travel(10.0) - 10.0 / 300.0).abs() < 1e-12);
+    for hertz in [0.5, 3.75, 11.0] {
+        let slow = Complex64::new(1.0, 0.1).sqrt();
+        let angle = TAU * hertz * soil.thickness / (soil.speed * slow);
+        let impedance = soil.density * soil.speed * slow / (ROCK.density * ROCK.speed);
+        let exact = 2.0 / (angle.cos() + Complex64::i() * impedance * angle.sin());
+        let s = at_frequency(hertz);
+        for found in [column.factors(s)[2], column.factor_at(s, 20.0)] {
+            assert!((found - exact).norm() < 1e-12 * exact.norm(), "{hertz} Hz: {found} {exact}");
+        }
+        let within = exact * (0.5 * angle).cos();
+        assert!((column.factor_at(s, 10.0) - within).norm() < 1e-12, "{hertz} Hz, in the middle");
+        assert!((column.factor_at(s, 0.0) - exact * angle.cos()).norm() < 1e-12, "{hertz} Hz, at the base");
+    }
 }

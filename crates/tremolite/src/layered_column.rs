@@ -4,7 +4,8 @@
 //! up has the stress −Z v with the impedance Z = ρc √(I M). M is the modulus over the material's own, M_band(s) + sξ M_∞ (ξ acts
 //! on the unrelaxed stiffness), and I = 1 + ω_R/s the inertia with Rayleigh's ω_R. Below lies the dashpot ρc of the bottom
 //! layer's own moduli, through which the wave enters, τ = ρc v − 2ρc v_i: a half-space of that impedance. Above lies another, of
-//! no impedance where the top is free.
+//! no impedance where the top is free. Ground outside a model may have a damping ratio D that is the same at all frequencies; its
+//! modulus is 1 + 2iD (`kramer1996`, section 5.5.1).
 //!
 //! Velocities follow by reflection coefficients, from the top down the share that comes back at the bottom of each layer and
 //! from the base up the wave that goes up (`kramer1996`, section 7.2.1, states the same by amplitudes from the top, which grow
@@ -17,8 +18,8 @@
 
 use rayon::prelude::*;
 use std::f64::consts::PI;
-use tremolite_engine::Top;
 use tremolite_engine::problem::Rayleigh;
+use tremolite_engine::{Body, Top};
 use tremolite_laws::band::Band;
 use tremolite_motion::{Complex64, transferred};
 
@@ -33,9 +34,18 @@ pub struct Layer {
     pub speed: f64,
     pub band: Option<Band>,
     pub rayleigh: Rayleigh,
+    /// D, the same at all frequencies.
+    pub damping: f64,
 }
 
 impl Layer {
+    /// Of a body's material as a wave sees it that moves along an axis: of compression along z, else of shear.
+    pub fn of(body: &Body, thickness: f64, axis: usize, rayleigh: Rayleigh) -> Layer {
+        let (p, s) = body.material.moduli().wave_speeds(body.density);
+        let speed = if axis == 2 { p } else { s };
+        Layer { thickness, density: body.density, speed, band: body.material.band(), rayleigh, damping: 0.0 }
+    }
+
     /// ρc \[Pa s/m\], of a dashpot.
     fn dashpot(&self) -> f64 {
         self.density * self.speed
@@ -50,7 +60,8 @@ impl Layer {
             }
             None => (Complex64::new(1.0, 0.0), 1.0),
         };
-        let modulus = elastic + s * self.rayleigh.stiffness * unrelaxed;
+        let modulus =
+            (elastic + s * self.rayleigh.stiffness * unrelaxed) * Complex64::new(1.0, 2.0 * self.damping);
         let inertia = 1.0 + self.rayleigh.mass / s;
         let way = s * (inertia / modulus).sqrt() * (self.thickness / self.speed);
         (self.dashpot() * (inertia * modulus).sqrt(), way)
@@ -126,7 +137,7 @@ impl LayeredColumn {
     }
 
     /// The same at a height \[m\] above the base, between that and the top.
-    fn factor_at(&self, s: Complex64, height: f64) -> Complex64 {
+    pub fn factor_at(&self, s: Complex64, height: f64) -> Complex64 {
         let (mut bottom, last) = (0.0, self.layers.len() - 1);
         let inside = |(k, layer): &(usize, &Layer)| {
             let here = height <= bottom + layer.thickness || *k == last;
@@ -139,8 +150,24 @@ impl LayeredColumn {
             return Complex64::default();
         };
         let Waves { up, mirror, way, .. } = self.waves(s)[k];
-        let share = (height - bottom) / layer.thickness;
+        let share = if layer.thickness > 0.0 { (height - bottom) / layer.thickness } else { 0.0 };
         up * ((-way * share).exp() + mirror * (-way * (2.0 - share)).exp())
+    }
+
+    /// From the base to the top \[m\].
+    pub fn height(&self) -> f64 {
+        self.layers.iter().map(|layer| layer.thickness).sum()
+    }
+
+    /// The time that a wave takes from the base to a height \[m\] by the materials' own moduli \[s\].
+    pub fn travel(&self, height: f64) -> f64 {
+        let mut bottom = 0.0;
+        let across = |layer: &Layer| {
+            let way = (height - bottom).clamp(0.0, layer.thickness);
+            bottom += layer.thickness;
+            way / layer.speed
+        };
+        self.layers.iter().map(across).sum()
     }
 
     /// Velocity \[m/s\] of the column's top and of its base every `dt` \[s\] from 0 to `duration` \[s\], at rest before, under a
