@@ -94,6 +94,13 @@ pub struct Ground {
     layers: Vec<Stratum>,
 }
 
+impl Ground {
+    /// Its layers, upwards, an element each; bodies are those that [`grounds`] was given.
+    pub fn layers(&self) -> impl DoubleEndedIterator<Item = Layer> {
+        self.layers.iter().map(|&Stratum { bottom, top, body, .. }| Layer { bottom, top, body })
+    }
+}
+
 /// The ground along the four vertical edges of the model, by corner.
 ///
 /// # Errors

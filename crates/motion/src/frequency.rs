@@ -18,16 +18,22 @@ use crate::Motion;
 /// 1/duration; a velocity that does not end near zero adds a false tail at high frequencies, so measure after
 /// detrending and tapering.
 pub fn highest_frequency(motion: &Motion, share: f64) -> Option<f64> {
-    let count = motion.velocity[0].len();
+    frequency_below(&motion.velocity, motion.dt, share)
+}
+
+/// The frequency (Hz) below which `share` of the energy Σ ∫ x² dt of signals lies that are sampled every `dt` (s) and equally
+/// long. `None` where there is none.
+pub fn frequency_below(signals: &[Vec<f64>], dt: f64, share: f64) -> Option<f64> {
+    let count = signals.first()?.len();
     if count < 2 {
         return None;
     }
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(count);
     let mut energy = vec![0.0; count / 2 + 1];
-    for velocity in &motion.velocity {
-        let mut input = velocity.clone();
+    for signal in signals {
+        let mut input = signal.clone();
         let mut output = transform.make_output_vec();
-        // Refused only for wrong lengths, and a motion's columns are equally long.
+        // Refused only for wrong lengths.
         transform.process(&mut input, &mut output).ok()?;
         energy.iter_mut().zip(&output).for_each(|(e, z)| *e += z.norm_sqr());
     }
@@ -44,7 +50,7 @@ pub fn highest_frequency(motion: &Motion, share: f64) -> Option<f64> {
         below += e;
         below >= share * total
     });
-    Some(line.unwrap_or(energy.len() - 1) as f64 / (count as f64 * motion.dt))
+    Some(line.unwrap_or(energy.len() - 1) as f64 / (count as f64 * dt))
 }
 
 #[cfg(test)]

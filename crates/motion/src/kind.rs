@@ -13,9 +13,11 @@ pub enum Kind {
     Outcrop,
     /// The up-going incident wave itself.
     Incident,
-    /// Inside the ground, up-going and down-going waves together. The incident part depends on the layers
-    /// above and must come from deconvolution, or the motion drives a rigid base.
+    /// At a depth within the ground, up-going and down-going waves together. The incident part depends on the layers
+    /// and comes by deconvolution.
     Within,
+    /// On the surface of layered ground; as for `Within`, at depth 0.
+    Surface,
 }
 
 impl Kind {
@@ -26,7 +28,7 @@ impl Kind {
         match self {
             Kind::Outcrop => Some(0.5),
             Kind::Incident => Some(1.0),
-            Kind::Within => None,
+            Kind::Within | Kind::Surface => None,
         }
     }
 }
@@ -37,6 +39,7 @@ impl fmt::Display for Kind {
             Kind::Outcrop => "outcrop",
             Kind::Incident => "incident",
             Kind::Within => "within",
+            Kind::Surface => "surface",
         })
     }
 }
@@ -49,7 +52,11 @@ impl FromStr for Kind {
             "outcrop" => Ok(Kind::Outcrop),
             "incident" => Ok(Kind::Incident),
             "within" => Ok(Kind::Within),
-            _ => Err(format!("'{}' is not a kind of motion; use outcrop, incident or within", shown(word))),
+            "surface" => Ok(Kind::Surface),
+            _ => Err(format!(
+                "'{}' is not a kind of motion; use outcrop, incident, within or surface",
+                shown(word)
+            )),
         }
     }
 }
@@ -59,10 +66,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_outcrop_is_halved_and_within_has_no_factor() {
+    fn only_outcrop_is_halved_and_motion_of_layered_ground_has_no_factor() {
         assert_eq!("outcrop".parse::<Kind>().map(Kind::incident_factor), Ok(Some(0.5)));
         assert_eq!("incident".parse::<Kind>().map(Kind::incident_factor), Ok(Some(1.0)));
         assert_eq!("within".parse::<Kind>().map(Kind::incident_factor), Ok(None));
-        assert!("surface".parse::<Kind>().is_err());
+        assert_eq!("surface".parse::<Kind>().map(Kind::incident_factor), Ok(None));
+        assert!("bedrock".parse::<Kind>().is_err());
     }
 }

@@ -55,7 +55,7 @@ pub use baseline::{Line, linear_trend};
 pub use butterworth::{Band, Filter, Section};
 pub use channel::{Channel, align, common_time_base};
 pub use error::Error;
-pub use frequency::highest_frequency;
+pub use frequency::{frequency_below, highest_frequency};
 pub use geographic::Geographic;
 pub use integrate::cumulative_trapezoid;
 pub use intensity::Intensity;

@@ -159,6 +159,7 @@ impl ResultFolder {
             self.interfaces(),
             self.interfaces_pvd(),
             self.motion(),
+            self.transfer(),
             self.free_field(),
             self.spectra(),
             self.depth(),
@@ -246,6 +247,11 @@ impl ResultFolder {
     /// `motion.csv`: the given motion and the incident wave.
     pub fn motion(&self) -> PathBuf {
         self.root.join("motion.csv")
+    }
+
+    /// `transfer.csv`: the motion at the place of a record over that of the incident wave, by frequency; of deconvolved records.
+    pub fn transfer(&self) -> PathBuf {
+        self.root.join("transfer.csv")
     }
 
     /// `free_field.csv`: velocities of the free field and the model, see [`crate::FreeField`].

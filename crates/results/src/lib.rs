@@ -73,7 +73,9 @@ pub use skin::Skin;
 pub use slice::{Corner, Piece, Slice};
 pub use stages::{StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
-pub use summary::{Defaulted, Input, ModelFacts, MotionFacts, PageWish, RunFacts, Status, Summary};
+pub use summary::{
+    Deconvolved, Defaulted, Input, ModelFacts, MotionFacts, PageWish, RunFacts, Status, Summary,
+};
 pub use surface::{ElementGroups, PairSurface};
 pub use table::{Column, Table};
 pub use table_writer::TableWriter;

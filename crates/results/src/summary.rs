@@ -127,9 +127,9 @@ pub struct ModelFacts {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct MotionFacts {
-    /// `outcrop`, `incident` or `within`.
+    /// `outcrop`, `incident`, `within` or `surface`.
     pub kind: String,
-    /// Factor from the given to the incident motion (an outcrop motion is halved).
+    /// Factor from the given to the incident motion (an outcrop motion is halved); no number where it was deconvolved.
     #[serde(with = "number", default = "number::absent")]
     pub factor: f64,
     /// Axis of the model (`x`, `y`, `z`) → largest acceleration of the incident motion, by size (m/s²).
@@ -137,6 +137,33 @@ pub struct MotionFacts {
     pub peak_acceleration: IndexMap<String, f64>,
     /// Axis of the model → where its record came from, in words.
     pub source: IndexMap<String, String>,
+    /// How it was deconvolved, where it was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deconvolved: Option<Deconvolved>,
+}
+
+/// How the wave that comes in was deconvolved from a record on or within layered ground.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Deconvolved {
+    /// Of the record, below the surface of the ground (m).
+    pub depth: f64,
+    /// Corner of the model, `xmin-ymin`, whose own ground it is; empty for the layers of motion.site.
+    pub corner: String,
+    /// By how much the record comes later to its place than in its file (s).
+    pub lead: f64,
+    /// Up to which frequency the record was wanted (Hz).
+    pub band: f64,
+    /// Up to which frequency the incident wave is the record's (Hz); no number where nothing was left out.
+    #[serde(with = "number", default = "number::absent")]
+    pub reach: f64,
+    /// The largest share of ∫a² dt of a component that was left out above.
+    pub left_out: f64,
+    /// Motion at the place of the record over that of the incident wave, at rest.
+    pub at_rest: f64,
+    /// The least of the same within the band, along the axes that move, and its frequency (Hz).
+    pub least: f64,
+    pub least_at: f64,
 }
 
 /// How the case wants its page set.

@@ -5,6 +5,7 @@ use crate::observers::{BoltGrid, Depth, bolt_rows};
 use crate::plan::{Plan, Steps};
 use crate::quantities::{BOLT, Field, INTERFACE, MEASURES, MONITOR, PAIR, RELATIVE};
 use crate::spectra;
+use crate::transfer_table;
 use std::collections::BTreeSet;
 use tremolite_engine::Stage;
 use tremolite_engine::assembly::Assembly;
@@ -34,7 +35,7 @@ pub struct Disk {
     pub field_file: u64,
     /// Number of those at the ends of stages.
     pub stage_files: u64,
-    /// Of monitors.csv, energy.csv, damage.csv, interfaces.csv and free_field.csv, of depth.csv and spectra.csv.
+    /// Of monitors.csv, energy.csv, damage.csv, interfaces.csv and free_field.csv, of depth.csv, transfer.csv and spectra.csv.
     pub histories: u64,
     /// Of bolts.csv and the files of bolts, of stages and of the shaking.
     pub bolts: u64,
@@ -132,19 +133,24 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
         .sum();
     // Time; by column of ground top and base along three axes, measured and by theory; the model's corners and their mean; the
     // free field beside each monitor.
-    let beside = if model.columns.is_empty() { 0 } else { 3 * plan.monitors.len() };
+    let beside = if model.columns.is_empty() {
+        0
+    } else {
+        3 * plan.monitors.len() + 3 * usize::from(plan.recorded.is_some())
+    };
     let free_field = if model.incident.is_some() { 1 + 12 * model.columns.len() + 30 + beside } else { 0 };
     (monitors + interfaces + 1 + Line::ALL.len() + 1 + damage + free_field) as u64
 }
 
-/// Numbers of depth.csv and spectra.csv.
+/// Numbers of depth.csv, transfer.csv and spectra.csv.
 fn along_depth_and_period(model: &Model, plan: &Plan) -> u64 {
     if model.incident.is_none() {
         return 0;
     }
     let depth = Depth::of(model, plan).map_or(0, |depth| depth.numbers());
     let points = spectra::points(plan, !model.columns.is_empty()).len();
-    (depth + default_periods().len() * (1 + 3 * points)) as u64
+    let transfer = plan.recorded.as_ref().map_or(0, transfer_table::numbers);
+    (depth + transfer + default_periods().len() * (1 + 3 * points)) as u64
 }
 
 /// Bytes of a field file before compression: of the mesh with its groups, and of values.

@@ -154,6 +154,15 @@ impl LayeredColumn {
         up * ((-way * share).exp() + mirror * (-way * (2.0 - share)).exp())
     }
 
+    /// Whether the layers are of the same stuff and as thick to a millionth of the column.
+    pub fn close_to(&self, other: &LayeredColumn) -> bool {
+        let near = 1e-6 * self.height();
+        let same = |(a, b): (&Layer, &Layer)| a.same(b) && (a.thickness - b.thickness).abs() <= near;
+        self.top == other.top
+            && self.layers.len() == other.layers.len()
+            && self.layers.iter().zip(&other.layers).all(same)
+    }
+
     /// From the base to the top \[m\].
     pub fn height(&self) -> f64 {
         self.layers.iter().map(|layer| layer.thickness).sum()

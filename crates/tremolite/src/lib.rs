@@ -5,6 +5,7 @@
 
 pub mod checkpoint;
 pub mod damage;
+pub mod deconvolution;
 pub mod disk;
 pub mod error;
 pub mod evidence;
@@ -12,7 +13,7 @@ mod fingerprint;
 mod groups;
 pub mod history;
 pub mod interfaces;
-mod layered_column;
+pub mod layered_column;
 mod motion_table;
 pub mod observers;
 mod outcome;
@@ -31,6 +32,7 @@ pub mod stress;
 pub mod summary;
 pub mod support;
 pub mod survey;
+mod transfer_table;
 mod trust;
 mod units;
 

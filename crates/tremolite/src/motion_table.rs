@@ -2,14 +2,21 @@
 
 use crate::error::RunError;
 use tremolite_engine::Incident;
+use tremolite_motion::Motion;
 use tremolite_results::{Column, ResultFolder, TableWriter};
 
 /// Writes a row for each sample of the record within the duration \[s\]: acceleration, velocity and displacement of the given
-/// motion and of the incident wave, along the model's axes.
+/// motion and of the incident wave, along the model's axes. The wave is a motion times a factor, which is the given one unless
+/// another is.
 ///
 /// # Errors
 /// If the file cannot be written.
-pub fn write(folder: &ResultFolder, incident: &Incident, duration: f64) -> Result<(), RunError> {
+pub fn write(
+    folder: &ResultFolder,
+    incident: &Incident,
+    given: Option<&Motion>,
+    duration: f64,
+) -> Result<(), RunError> {
     const KINDS: [(&str, &str); 3] = [("a", "m/s2"), ("v", "m/s"), ("u", "m")];
     let mut columns = vec![Column::new("time", "s")];
     for of in ["given", "incident"] {
@@ -22,11 +29,13 @@ pub fn write(folder: &ResultFolder, incident: &Incident, duration: f64) -> Resul
     let rows = (duration / motion.dt * (1.0 + 1e-12)).floor() as u64;
     for k in 0..=rows {
         let time = k as f64 * motion.dt;
-        let at = motion.at(time);
-        let given = [at.a, at.v, at.u].concat();
+        let at = |motion: &Motion| {
+            let at = motion.at(time);
+            [at.a, at.v, at.u].concat()
+        };
         let mut row = vec![time];
-        row.extend(&given);
-        row.extend(given.iter().map(|x| factor * x));
+        row.extend(at(given.unwrap_or(motion)));
+        row.extend(at(motion).iter().map(|x| factor * x));
         table.write(&row)?;
     }
     Ok(table.sync()?)
@@ -35,7 +44,7 @@ pub fn write(folder: &ResultFolder, incident: &Incident, duration: f64) -> Resul
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tremolite_motion::{Motion, Sample};
+    use tremolite_motion::Sample;
     use tremolite_results::Table;
 
     #[test]
@@ -48,7 +57,7 @@ mod tests {
             u: [t * t, 0.0, -t.powi(3)],
         })
         .unwrap();
-        write(&folder, &Incident { motion, factor: 0.5 }, 0.5).unwrap();
+        write(&folder, &Incident { motion, factor: 0.5 }, None, 0.5).unwrap();
         let table = Table::read(&folder.motion()).unwrap();
         assert_eq!((table.rows(), table.columns.len()), (51, 19));
         let last = |name: &str| table.column(name).unwrap()[50];

@@ -1,8 +1,10 @@
 //! What a run does in time and what it writes; the counterpart of [`crate::Problem`], which is what it runs on.
 
+use crate::deconvolution::Place;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
 use tremolite_mesh::locate::Location;
+use tremolite_motion::Motion;
 use tremolite_results::PageWish;
 
 /// A point whose histories are kept.
@@ -35,6 +37,19 @@ pub struct BoltMonitor {
     pub set: usize,
 }
 
+/// A motion that was recorded on or within layered ground, from which the wave that comes in was deconvolved.
+#[derive(Clone, Debug)]
+pub struct Recorded {
+    /// As it is given, on the time of the run.
+    pub motion: Motion,
+    /// The ground, and where in it.
+    pub place: Place,
+    /// The corner of the model whose own ground that is ([`tremolite_engine::column::corner_at`]); none where it is another.
+    pub corner: Option<usize>,
+    /// Up to which frequency the record was wanted \[Hz\].
+    pub band: f64,
+}
+
 /// Times and outputs of a run.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -46,6 +61,9 @@ pub struct Plan {
     pub stages: Vec<PlannedStage>,
     /// Simulated time \[s\]; 0 for no earthquake.
     pub duration: f64,
+    /// The motion that was recorded on or within layered ground; none where the wave that comes in is the one given times a
+    /// factor.
+    pub recorded: Option<Recorded>,
     /// Time between rows of the histories \[s\]; a whole number of steps.
     pub histories: f64,
     /// Time between field files \[s\]; rounded to whole intervals of the histories.

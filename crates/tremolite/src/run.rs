@@ -14,6 +14,7 @@ use crate::observers::{Depth, OBSERVERS, Observer, OwnObservers, SectionForces, 
 use crate::places;
 use crate::plan::{Plan, Steps};
 use crate::spectra;
+use crate::transfer_table;
 use before::{Before, Stages};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -232,7 +233,11 @@ pub fn run(
     if let Some(incident) = &model.incident
         && first == 0
     {
-        motion_table::write(folder, incident, plan.duration)?;
+        let given = plan.recorded.as_ref().map(|recorded| &recorded.motion);
+        motion_table::write(folder, incident, given, plan.duration)?;
+        if let Some(recorded) = &plan.recorded {
+            transfer_table::write(folder, recorded)?;
+        }
     }
 
     let setting = Setting {

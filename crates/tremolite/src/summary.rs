@@ -11,8 +11,10 @@ use crate::support;
 use crate::survey::step_in_words;
 use crate::trust::{facts, trust};
 use indexmap::IndexMap;
+use tremolite_engine::column::corner_name;
 use tremolite_results::{
-    BoltSummary, Finding, ModelFacts, MotionFacts as MotionSummary, Status, Summary, peaks_by_monitor,
+    BoltSummary, Deconvolved, Finding, ModelFacts, MotionFacts as MotionSummary, Status, Summary,
+    peaks_by_monitor,
 };
 
 /// The summary of a run that ended.
@@ -86,11 +88,20 @@ pub fn summary(evidence: Evidence) -> Summary {
         materials: evidence.materials,
         motion: motion.map_or_else(MotionSummary::default, |motion| MotionSummary {
             kind: motion.kind.to_string(),
-            factor: motion.factor,
-            peak_acceleration: (0..3)
-                .map(|i| (axes[i].to_owned(), motion.factor * motion.intensity[i].pga))
-                .collect(),
+            factor: motion.factor.unwrap_or(f64::NAN),
+            peak_acceleration: (0..3).map(|i| (axes[i].to_owned(), motion.incident_peak[i])).collect(),
             source: (0..3).map(|i| (axes[i].to_owned(), motion.source.clone())).collect(),
+            deconvolved: motion.site.as_ref().map(|site| Deconvolved {
+                depth: site.depth,
+                corner: site.corner.map_or_else(String::new, corner_name),
+                lead: site.lead,
+                band: site.band,
+                reach: if site.reach.is_finite() { site.reach } else { f64::NAN },
+                left_out: site.left_out,
+                at_rest: site.at_rest,
+                least: site.least.0,
+                least_at: site.least.1,
+            }),
         }),
         stages: outcome.stages.clone(),
         positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),

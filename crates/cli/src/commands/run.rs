@@ -176,10 +176,7 @@ pub fn run(args: &Args) -> Outcome {
             }
         }
         if let Some(motion) = &motion {
-            log.say(&format!(
-                "  motion: kind = {}, so the incident wave is {} times the given motion",
-                motion.kind, motion.factor
-            ));
+            log.say(&format!("  motion: kind = {}, so {}", motion.kind, motion.entering().join("; ")));
         }
 
         let stop = Arc::new(AtomicBool::new(false));

@@ -22,7 +22,7 @@ use crate::plan::{Monitor, Plan};
 use crate::quantities::MEASURES;
 use columns::{ENDS, Watched, edges, watched};
 use levels::Height;
-use seen::most;
+pub use seen::most;
 use std::ops::Range;
 use tremolite_engine::column::{Column as Ground, corner_name};
 use tremolite_engine::model::Model;
@@ -56,6 +56,8 @@ struct Predicted {
     peak: f64,
 }
 
+/// What stands for the place of a record that was deconvolved, as if it were a monitor.
+const RECORD: &str = "record";
 /// Samples of the prediction between two of the motion: between them it is linear.
 pub const REFINEMENT: f64 = 8.0;
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -85,7 +87,11 @@ impl FreeField {
             })
             .collect();
         let named = |monitor: &Monitor| Some((monitor.name.clone(), height(model, monitor)?));
-        let beside: Vec<(String, Height)> = setting.plan.monitors.iter().filter_map(named).collect();
+        let mut beside: Vec<(String, Height)> = setting.plan.monitors.iter().filter_map(named).collect();
+        // A file has no two columns of one name.
+        let record = super::recorded::place(model, setting.plan)
+            .filter(|_| beside.iter().all(|(monitor, _)| monitor != RECORD));
+        beside.extend(record.map(|height| (RECORD.to_owned(), height)));
         let (path, header) = (setting.folder.free_field(), header(&columns, &theory, &beside));
         let names = columns.iter().map(|column| column.name.clone());
         let table = match FreeFieldSeen::named(setting.memory, names) {

@@ -12,6 +12,7 @@ mod growth;
 mod histories;
 mod interfaces;
 mod onsets;
+pub mod recorded;
 mod section_forces;
 mod steps;
 
@@ -144,6 +145,7 @@ pub const OBSERVERS: &[Make] = &[
     |s| Ok(Some(Box::new(Energy::new(s)?))),
     |s| Ok(Some(Box::new(Envelopes { schedule: s.rows() }))),
     |s| Ok(FreeField::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(recorded::AtRecord::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Depth::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Onsets::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Cracks::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),

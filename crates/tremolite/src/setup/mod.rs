@@ -13,11 +13,13 @@ mod motion;
 mod regions;
 mod reinforcement;
 mod sides;
+mod site;
 mod stages;
 mod warnings;
 
 pub use inputs::{changed, original_folder};
 pub use motion::MotionFacts;
+pub use site::SiteFacts;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
@@ -25,7 +27,7 @@ use indexmap::IndexMap;
 use stages::Staged;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
-use tremolite_engine::{Base, Body, Incident, Interface, Life, Problem, Rayleigh, TimeStep, column};
+use tremolite_engine::{Base, Body, Interface, Life, Problem, Rayleigh, TimeStep, column};
 use tremolite_kernels::{InterfaceLaw, Law, interface_laws, laws};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
@@ -131,7 +133,25 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     if !problems.is_empty() {
         return Err(case.report(problems));
     }
-    let (motion, facts) = motion.unzip();
+    let (motion, mut facts) = motion.unzip();
+    let rayleigh =
+        Rayleigh { mass: case.dynamic.rayleigh.mass.value, stiffness: case.dynamic.rayleigh.stiffness.value };
+    let around = || site::Around {
+        bodies: &lasting,
+        rayleigh,
+        top: sides::top(case.dynamic.top.value),
+        grounds: grounds(&mesh, &lasting, &interfaces, staged.lives()),
+    };
+    let entering = match (&case.motion, motion, &mut facts) {
+        (Some(written), Some(motion), Some(facts)) => {
+            site::enter(written, motion, facts, around, &mut problems)
+        }
+        _ => None,
+    };
+    if !problems.is_empty() {
+        return Err(case.report(problems));
+    }
+    let motion = entering.as_ref().map(|entering| &entering.incident.motion);
 
     // Where an interface lies, nodes are doubled on purpose.
     warnings.extend(doubled.filter(|_| !interfaces::explain_doubled(&mesh, &interfaces)));
@@ -149,7 +169,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         Some(given) => given.value,
         None => motion.duration(),
     };
-    let duration = motion.as_ref().map_or(0.0, shaking);
+    let duration = motion.map_or(0.0, shaking);
     let histories = &case.output.histories;
     if motion.is_some() && histories.value > duration {
         return Err(case.report(vec![case::Problem::at(
@@ -166,10 +186,9 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     problem.base = base;
     problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
     problem.top = sides::top(dynamic.top.value);
-    problem.incident =
-        motion.zip(facts.as_ref()).map(|(motion, facts)| Incident { motion, factor: facts.factor });
-    problem.rayleigh =
-        Rayleigh { mass: dynamic.rayleigh.mass.value, stiffness: dynamic.rayleigh.stiffness.value };
+    let (incident, recorded) = entering.map(|entering| (entering.incident, entering.recorded)).unzip();
+    problem.incident = incident;
+    problem.rayleigh = rayleigh;
     problem.time_step =
         TimeStep { safety: dynamic.safety.value, given: dynamic.time_step.as_ref().map(|t| t.value) };
     problem.isa = isa;
@@ -180,6 +199,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         page: PageWish { language: case.page.language.word().into(), view: case.page.view },
         stages: Staged::plan(case),
         duration,
+        recorded: recorded.flatten(),
         histories: output.histories.value,
         snapshots: output.snapshots.as_ref().map(|s| s.value),
         fields,
@@ -258,6 +278,23 @@ fn base(case: &Case, problems: &mut Vec<case::Problem>) -> Base {
     }
 }
 
+/// The ground at the model's corners.
+///
+/// # Errors
+/// Why there is none, in words that may stand behind 'but'.
+fn grounds(
+    mesh: &tremolite_mesh::Mesh,
+    bodies: &[Body],
+    interfaces: &[Interface],
+    lives: &[Life],
+) -> Result<[column::Ground; 4], String> {
+    let mut body_of = vec![None; mesh.elements.len()];
+    for (b, body) in bodies.iter().enumerate() {
+        body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
+    }
+    column::grounds(mesh, bodies, &body_of, interfaces, lives)
+}
+
 /// The base, and why it has no springs though they are usual: where there is no column of ground along the model's vertical edges
 /// there is no free field that they could count from. A base that asks for them is refused; without an earthquake nothing asks.
 fn springs_or_none(
@@ -277,11 +314,7 @@ fn springs_or_none(
     if case.dynamic.sides.iter().all(|side| side.value == case::Side::FreeField) {
         return (base, None);
     }
-    let mut body_of = vec![None; mesh.elements.len()];
-    for (b, body) in bodies.iter().enumerate() {
-        body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
-    }
-    let Err(reason) = column::grounds(mesh, bodies, &body_of, interfaces, lives) else { return (base, None) };
+    let Err(reason) = grounds(mesh, bodies, interfaces, lives) else { return (base, None) };
     if case.motion.is_none() || case.defaulted.iter().any(|d| d.key == "dynamic.base") {
         return (Base::Viscous, Some(reason));
     }

@@ -1,5 +1,6 @@
 //! The motion of a case: records read, cut, processed and turned into the model's axes.
 
+use super::site::SiteFacts;
 use tremolite_case::{self as case, Case, Component, Direction, Problem, Records, Window};
 use tremolite_motion::{
     Channel, Column, Geographic, Intensity, Kind, Motion, Orientation, Process, ReadOptions, Units,
@@ -13,18 +14,33 @@ pub const ENERGY_SHARE: f64 = 0.999;
 #[derive(Clone, Debug)]
 pub struct MotionFacts {
     pub kind: Kind,
-    /// Factor from the given motion to the incident wave.
-    pub factor: f64,
+    /// Factor from the given motion to the incident wave; none where it was deconvolved.
+    pub factor: Option<f64>,
+    /// How it was deconvolved.
+    pub site: Option<SiteFacts>,
     /// Along x, y, z of the model: measures of the processed given motion (before the factor).
     pub intensity: [Intensity; 3],
     /// Where the components came from, in words.
     pub source: String,
     /// The part of the record that is used \[s\].
     pub window: [f64; 2],
-    /// Frequency below which 99.9 % of the velocity's energy lies \[Hz\].
+    /// Largest acceleration of the incident wave along x, y, z, by size \[m/s²\].
+    pub incident_peak: [f64; 3],
+    /// Frequency below which 99.9 % of the energy of the incident wave's velocity lies \[Hz\].
     pub highest_frequency: f64,
     /// Lowest low-pass corner that was applied \[Hz\].
     pub lowpass: Option<f64>,
+}
+
+impl MotionFacts {
+    /// How the wave that comes in follows from the given motion, in lines to be read behind the kind.
+    pub fn entering(&self) -> Vec<String> {
+        match (&self.site, self.factor) {
+            (Some(site), _) => site.words(),
+            (None, Some(factor)) => vec![format!("the incident wave is {factor} times the given motion")],
+            (None, None) => vec!["the incident wave is not known".into()],
+        }
+    }
 }
 
 /// The given motion in the model's axes, and what to report of it; nothing if there is none or it was refused.
@@ -36,15 +52,9 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         case::MotionKind::Outcrop => Kind::Outcrop,
         case::MotionKind::Incident => Kind::Incident,
         case::MotionKind::Within => Kind::Within,
+        case::MotionKind::Surface => Kind::Surface,
     };
     let factor = kind.incident_factor();
-    if factor.is_none() {
-        problems.push(Problem::at(
-            &motion.kind,
-            "a motion within the ground holds up-going and down-going waves; this version cannot part them",
-            "deconvolve it to the up-going wave and give kind = \"incident\", or use an outcrop record",
-        ));
-    }
     let mut channels = match &motion.records {
         Records::File(file) => {
             all_channels(case, &case.resolve(&file.value), &file.span, problems).map(Channels::Oriented)
@@ -94,7 +104,9 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
     }
     let facts = MotionFacts {
         kind,
-        factor: factor?,
+        factor,
+        site: None,
+        incident_peak: made.acceleration.each_ref().map(|a| factor.unwrap_or(1.0) * largest(a)),
         intensity: made.acceleration.each_ref().map(|a| Intensity::of_samples(a, made.dt)),
         source,
         window,
@@ -104,18 +116,26 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
     Some((made, facts))
 }
 
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
+}
+
 /// More than any ground has moved in an earthquake: peaks of the incident wave \[m/s²\], \[m/s\], \[m\].
 const LIMITS: [(f64, &str); 3] = [(5.0 * 9.80665, "m/s2"), (5.0, "m/s"), (5.0, "m")];
 
 /// The refusal of an incident wave that is a mistake of units or a drifting record.
-fn beyond_any_earthquake(place: &std::ops::Range<usize>, motion: &Motion, factor: f64) -> Option<Problem> {
+pub(super) fn beyond_any_earthquake(
+    place: &std::ops::Range<usize>,
+    motion: &Motion,
+    factor: f64,
+) -> Option<Problem> {
     let series = [
         ("acceleration", &motion.acceleration),
         ("velocity", &motion.velocity),
         ("displacement", &motion.displacement),
     ];
     for ((what, components), (limit, unit)) in series.into_iter().zip(LIMITS) {
-        let peak = factor * components.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let peak = factor * components.iter().map(|x| largest(x)).fold(0.0, f64::max);
         if peak > limit {
             return Some(Problem::new(
                 place.clone(),

@@ -56,6 +56,7 @@ pub(crate) fn plan(stages: &[&str]) -> Plan {
         title: String::new(),
         stages: stages.iter().map(|name| PlannedStage::new(*name)).collect(),
         duration: 1.0,
+        recorded: None,
         histories: 0.1,
         snapshots: None,
         fields: Vec::new(),

@@ -21,6 +21,7 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
     if evidence.outcome.shaken {
         lines.extend([waves::per_wavelength(evidence), waves::drift(evidence)]);
         lines.extend(waves::free_field(evidence));
+        lines.extend(waves::record(evidence));
         lines.extend(energy::lines(evidence));
     }
     lines.extend(interface::lines(evidence));

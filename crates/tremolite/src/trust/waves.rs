@@ -1,7 +1,7 @@
 //! Checks of what comes in and how the ground carries it.
 
 use crate::evidence::Evidence;
-use crate::observers::{ColumnSeen, FreeFieldSeen};
+use crate::observers::{ColumnSeen, FreeFieldSeen, recorded};
 use crate::places;
 use tremolite_engine::Side;
 use tremolite_results::{Said, TrustLine, said};
@@ -13,6 +13,8 @@ const THEORY: f64 = 0.05;
 /// Difference of the model's velocity at its corners from the column's, over its peak: what sides and caverns make of the
 /// free field there.
 const CORNERS: f64 = 0.1;
+/// Difference of a deconvolved record from the motion that comes out at its place, over its peak.
+const RECORD: f64 = 0.05;
 /// Displacement of the input at its end over its peak.
 pub(crate) const DRIFT: f64 = 0.1;
 
@@ -82,6 +84,28 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
         return both(said!("no row was written"));
     };
     vec![against_theory(&seen.columns), against_columns(&seen.columns)]
+}
+
+/// Whether a record that was deconvolved comes out where it was taken.
+pub(super) fn record(evidence: &Evidence) -> Option<TrustLine> {
+    let (id, name) = ("record_at_its_place", said!("the record at the place where it was taken"));
+    let none = |why: Said| Some(TrustLine::not_applicable(id, name.clone(), why));
+    if evidence.plan.recorded.as_ref()?.corner.is_none() {
+        return none(said!("it was taken on other ground than the model's, the layers of motion.site"));
+    }
+    if recorded::place(&evidence.model, &evidence.plan).is_none() {
+        return none(said!(
+            "there is no reference column: {reason}",
+            reason = Said::plain(&evidence.model.no_column)
+        ));
+    }
+    let Some(error) = recorded::error(&evidence.outcome.state.observers) else {
+        return none(said!("the rows of the histories are too few to show the wave"));
+    };
+    Some(TrustLine::at_most(id, name, error, RECORD, "").with_note(said!(
+        "velocity of the free field where the record was taken against the motion given, over its peak in the rows: what differs is \
+         the mesh's, or of rock that yields, or of what was left out above the record's band"
+    )))
 }
 
 /// The columns against theory, the worst of those that have some.

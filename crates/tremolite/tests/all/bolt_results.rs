@@ -43,6 +43,7 @@ fn plan() -> Plan {
         title: "bolts".into(),
         stages: ["start", "bench 1"].map(PlannedStage::new).into(),
         duration: 0.12,
+        recorded: None,
         histories: 0.002,
         snapshots: Some(0.02),
         fields: Vec::new(),

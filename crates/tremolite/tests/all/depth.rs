@@ -70,6 +70,7 @@ pub fn plan(problem: &Problem, heights: &[f64], seconds: f64) -> Plan {
         title: "ground".into(),
         stages: Vec::new(),
         duration: seconds,
+        recorded: None,
         histories: 0.005,
         snapshots: None,
         fields: Vec::new(),

@@ -50,6 +50,7 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
         title: "ground".into(),
         stages: Vec::new(),
         duration: 0.7,
+        recorded: None,
         histories: 0.005,
         snapshots: None,
         fields: Vec::new(),

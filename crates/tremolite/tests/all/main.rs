@@ -19,6 +19,7 @@ mod history;
 mod outside_law;
 mod outside_part;
 mod ready;
+mod recorded;
 mod reinforcement;
 mod relax;
 mod runs;

@@ -229,6 +229,7 @@ fn told(problem: Problem) -> Summary {
         title: "metal".into(),
         stages: Vec::new(),
         duration: 0.3,
+        recorded: None,
         histories: 0.002,
         snapshots: None,
         fields: Vec::new(),
@@ -245,7 +246,9 @@ fn told(problem: Problem) -> Summary {
     let outcome = run(&model, &assembly, &phase, &plan, &results, Start::Rest, &mut control).unwrap();
     let facts = MotionFacts {
         kind: MotionKind::Outcrop,
-        factor: 0.5,
+        factor: Some(0.5),
+        site: None,
+        incident_peak: [0.0; 3],
         intensity: [0, 1, 2].map(|i| Intensity::of_samples(&motion.acceleration[i], motion.dt)),
         source: "a pulse".into(),
         window: [0.0, 0.3],

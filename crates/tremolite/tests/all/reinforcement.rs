@@ -117,6 +117,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
         title: String::new(),
         stages,
         duration: 0.0,
+        recorded: None,
         histories: 1.0,
         snapshots: None,
         fields: Vec::new(),

@@ -28,6 +28,7 @@ fn plan(problem: &Problem) -> Plan {
         title: "block".into(),
         stages: Vec::new(),
         duration: 0.12,
+        recorded: None,
         histories: 0.002,
         snapshots: Some(0.02),
         fields: Field::ALL.to_vec(),

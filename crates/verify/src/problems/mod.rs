@@ -45,6 +45,7 @@ problems! {
     incident_pulse Test,
     layered_column Test,
     layer_transfer Test,
+    recorded_motion Test,
     free_field_tunnel Test,
     mirror_image Test,
     box_size Verify,

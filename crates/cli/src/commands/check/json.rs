@@ -2,6 +2,8 @@
 
 use super::Checked;
 use serde_json::{Map, Value, json};
+use tremolite::column::corner_name;
+use tremolite::setup::SiteFacts;
 use tremolite_case::Mesh;
 
 impl Checked<'_> {
@@ -26,6 +28,7 @@ impl Checked<'_> {
                 "window": motion.window,
                 "kind": motion.kind.to_string(),
                 "incident_factor": motion.factor,
+                "deconvolved": motion.site.as_ref().map(deconvolved),
                 "peaks": peaks,
                 "highest_frequency": motion.highest_frequency,
                 "elements_per_wavelength": survey.coarsest().map(|body| body.per_wavelength),
@@ -101,4 +104,19 @@ impl Checked<'_> {
         };
         report.problems.iter().map(finding).collect()
     }
+}
+
+/// How a record on or within layered ground was deconvolved; what is infinite is null.
+fn deconvolved(site: &SiteFacts) -> Value {
+    json!({
+        "depth": site.depth,
+        "corner": site.corner.map(corner_name),
+        "lead": site.lead,
+        "band": site.band,
+        "reach": site.reach,
+        "left_out": site.left_out,
+        "at_rest": site.at_rest,
+        "least": site.least.0,
+        "least_at": site.least.1,
+    })
 }

@@ -79,10 +79,10 @@ impl Checked<'_> {
         print(&format!("           {}", motion.source));
         let [from, to] = motion.window;
         print(&format!("           {from:.2} to {to:.2} s of the record are used"));
-        print(&format!(
-            "           kind = {}: the incident wave is {} times the given motion",
-            motion.kind, motion.factor
-        ));
+        for (k, line) in motion.entering().iter().enumerate() {
+            let kind = if k == 0 { format!("kind = {}: ", motion.kind) } else { String::new() };
+            print(&format!("           {kind}{line}"));
+        }
         for (m, name) in motion.intensity.iter().zip(["x", "y", "z"]) {
             let peaks = format!("{:.3} m/s2, {:.3} m/s, {:.3} m", m.pga, m.pgv, m.pgd);
             print(&format!("           given peaks along {name}: {peaks}"));

@@ -1,0 +1,299 @@
+//! From the motion of a case to the wave that comes in: times a factor, or deconvolved through the ground it was recorded on.
+
+use super::motion::{ENERGY_SHARE, MotionFacts, beyond_any_earthquake, largest};
+use crate::deconvolution::{Deconvolved, LEAST, Notch, Place};
+use crate::layered_column::{Layer, LayeredColumn};
+use crate::plan::Recorded;
+use tremolite_case::{self as case, Problem, Site, SiteLayer};
+use tremolite_engine::column::{Ground, corner_name};
+use tremolite_engine::problem::Rayleigh;
+use tremolite_engine::{Body, Incident, Top};
+use tremolite_motion::{Motion, frequency_below, highest_frequency};
+
+/// How a motion was deconvolved.
+#[derive(Clone, Debug)]
+pub struct SiteFacts {
+    /// The ground that it was recorded on, and where.
+    pub place: Place,
+    /// Below the surface of that ground \[m\].
+    pub depth: f64,
+    /// The corner of the model whose own ground it is; none for layers of the case.
+    pub corner: Option<usize>,
+    /// By how much it is put off \[s\].
+    pub lead: f64,
+    /// Up to which frequency the record was wanted \[Hz\].
+    pub band: f64,
+    /// Up to which frequency the incident wave is the record's \[Hz\]; infinite where nothing was left out.
+    pub reach: f64,
+    /// The largest share of ∫a² dt of a component that was left out above.
+    pub left_out: f64,
+    /// What moves there at rest, over the incident wave.
+    pub at_rest: f64,
+    /// The least of the same within the band along the axes that move, and its frequency \[Hz\].
+    pub least: (f64, f64),
+}
+
+impl SiteFacts {
+    /// What was done, in lines to be read behind the kind.
+    pub fn words(&self) -> Vec<String> {
+        let ground = match self.corner {
+            Some(corner) => format!("the model's own ground at {}", corner_name(corner)),
+            None => "the layers of motion.site".to_owned(),
+        };
+        let (least, hertz) = self.least;
+        let mut words = vec![
+            format!("deconvolved from a depth of {:.1} m below the surface of {ground}", self.depth),
+            format!(
+                "where it was taken moves {:.2} times the incident wave at rest and at least {:.2} times, at {hertz:.2} Hz, up to the \
+                 {:.1} Hz to which the record is wanted",
+                self.at_rest, least, self.band
+            ),
+            format!("the record comes to its place {:.3} s later than in its file", self.lead),
+        ];
+        if self.reach.is_finite() {
+            words.push(format!(
+                "left out above {:.2} Hz, where too little of the wave moves that place: {:.2} % of the record's energy",
+                self.reach,
+                100.0 * self.left_out
+            ));
+        }
+        words
+    }
+}
+
+/// What of a model the way of a wave depends on.
+pub struct Around<'a> {
+    pub bodies: &'a [Body],
+    pub rayleigh: Rayleigh,
+    pub top: Top,
+    /// The ground at the corners, or why there is none, in words that may stand behind 'but'.
+    pub grounds: Result<[Ground; 4], String>,
+}
+
+/// The wave that comes in.
+pub struct Entering {
+    pub incident: Incident,
+    /// What it was deconvolved from.
+    pub recorded: Option<Recorded>,
+}
+
+/// The wave that comes in by a motion, and what is to be reported of it; nothing where it is refused.
+pub fn enter<'a>(
+    motion: &case::Motion,
+    given: Motion,
+    facts: &mut MotionFacts,
+    around: impl FnOnce() -> Around<'a>,
+    problems: &mut Vec<Problem>,
+) -> Option<Entering> {
+    if let Some(factor) = facts.factor {
+        return Some(Entering { incident: Incident { motion: given, factor }, recorded: None });
+    }
+    match deconvolved(motion, &given, facts, &around()) {
+        Ok((wave, site)) => {
+            if let Some(problem) = beyond_any_earthquake(&motion.span, &wave, 1.0) {
+                problems.push(problem);
+                return None;
+            }
+            facts.incident_peak = wave.acceleration.each_ref().map(|a| largest(a));
+            facts.highest_frequency =
+                highest_frequency(&wave, ENERGY_SHARE).unwrap_or(facts.highest_frequency);
+            let recorded = Recorded {
+                motion: late(&given, site.place.lead(given.dt)),
+                place: site.place.clone(),
+                corner: site.corner,
+                band: site.band,
+            };
+            facts.site = Some(site);
+            Some(Entering { incident: Incident { motion: wave, factor: 1.0 }, recorded: Some(recorded) })
+        }
+        Err(problem) => {
+            problems.push(problem);
+            None
+        }
+    }
+}
+
+fn deconvolved(
+    motion: &case::Motion,
+    given: &Motion,
+    facts: &MotionFacts,
+    around: &Around,
+) -> Result<(Motion, SiteFacts), Problem> {
+    let (place, corner) = place(motion, around)?;
+    let band = match facts.lowpass {
+        Some(corner) => corner,
+        None => frequency_below(&given.acceleration, given.dt, ENERGY_SHARE).unwrap_or(0.0),
+    };
+    let band = band.min(0.5 / given.dt);
+    let mut waves: [Deconvolved; 3] = Default::default();
+    for (axis, wave) in waves.iter_mut().enumerate() {
+        *wave = place
+            .deconvolved(axis, &given.acceleration[axis], given.dt, band)
+            .map_err(|notch| refused(motion, facts, axis, &notch, band))?;
+    }
+    let moving = (0..3).filter(|&axis| largest(&given.acceleration[axis]) > 0.0);
+    let least = moving
+        .flat_map(|axis| {
+            let place = &place;
+            let frequencies = place.frequencies(axis, band).into_iter();
+            frequencies.map(move |hertz| (place.transfer(axis, hertz).norm(), hertz))
+        })
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .unwrap_or((place.at_rest(0), 0.0));
+    let site = SiteFacts {
+        depth: motion.depth.as_ref().map_or(0.0, |depth| depth.value),
+        corner,
+        lead: place.lead(given.dt) as f64 * given.dt,
+        band,
+        reach: waves.iter().map(|wave| wave.reach).fold(f64::INFINITY, f64::min),
+        left_out: waves.iter().map(|wave| wave.left_out).fold(0.0, f64::max),
+        at_rest: place.at_rest(0),
+        least,
+        place,
+    };
+    let wave = Motion::from_acceleration(given.dt, waves.map(|wave| wave.incident)).map_err(|e| {
+        Problem::new(motion.span.clone(), e.to_string(), "check the record and the layers of its site")
+    })?;
+    Ok((wave, site))
+}
+
+fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notch, band: f64) -> Problem {
+    let above = match facts.lowpass {
+        Some(_) => "the low-pass of motion.process",
+        None => "below which 99.9 % of the record's energy lies",
+    };
+    Problem::new(
+        motion.span.clone(),
+        format!(
+            "the record cannot be turned into the wave that comes in: at {at:.2} Hz hardly anything moves where it was taken, \
+             {share:.1} % of what does at rest (along {axis}; below {least:.0} % from {from:.2} Hz on), and the record is wanted up \
+             to {band:.2} Hz, {above}",
+            at = notch.at,
+            share = 100.0 * notch.share,
+            axis = ["x", "y", "z"][axis],
+            least = 100.0 * LEAST,
+            from = notch.from,
+        ),
+        format!(
+            "put a low-pass below {:.2} Hz into motion.process, or give a record of the surface or of an outcrop",
+            notch.from
+        ),
+    )
+}
+
+/// Where the record was taken, and the corner of the model whose ground that is.
+fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>), Problem> {
+    let refuse = |message: String, remedy: &str| Problem::at(&motion.kind, message, remedy);
+    let kind = motion.kind.value.word();
+    let grounds = around.grounds.as_ref().map_err(|reason| {
+        refuse(
+            format!("a motion of kind \"{kind}\" goes through the ground at the model's corners, but {reason}"),
+            "let the ground along the model's vertical edges be whole and stay in all stages, or give the wave itself with kind = \
+             \"incident\"",
+        )
+    })?;
+    let columns = |layers: &dyn Fn(usize) -> Vec<Layer>, top: Top| {
+        let column = |axis: usize| LayeredColumn::new(layers(axis), top);
+        Some([column(0)?, column(1)?, column(2)?])
+    };
+    let own = |corner: usize| {
+        let layers = |axis: usize| -> Vec<Layer> {
+            let layer = |l: tremolite_engine::column::Layer| {
+                Layer::of(&around.bodies[l.body], l.top - l.bottom, axis, around.rayleigh)
+            };
+            grounds[corner].layers().map(layer).collect()
+        };
+        columns(&layers, Top::Free)
+    };
+    let depth = motion.depth.as_ref().map_or(0.0, |depth| depth.value);
+    let none = || refuse("the model has no ground at its corners".into(), "give kind = \"incident\"");
+    if let Some(Site::Layers(given)) = &motion.site {
+        let base = |corner: usize, axis: usize| {
+            let lowest = grounds[corner].layers().next()?;
+            Some(Layer::of(&around.bodies[lowest.body], 0.0, axis, around.rayleigh))
+        };
+        if (1..4).any(|corner| (0..3).any(|axis| base(corner, axis) != base(0, axis))) {
+            return Err(refuse(
+                "the layers of motion.site lie on the rock of the model's base, which is not the same at its four corners".into(),
+                "give the wave itself with kind = \"incident\"",
+            ));
+        }
+        let thickness: f64 = given.iter().map(|layer| layer.thickness.value).sum();
+        // A place below the layers lies in rock of the base.
+        let below = (depth - thickness).max(0.0);
+        let layers = |axis: usize| -> Vec<Layer> {
+            let base = base(0, axis).map(|layer| Layer { thickness: below, ..layer });
+            base.into_iter().chain(given.iter().rev().map(|layer| of_site(layer, axis))).collect()
+        };
+        let columns = columns(&layers, Top::Free).ok_or_else(none)?;
+        return Ok((Place { columns, height: thickness + below - depth }, None));
+    }
+    if around.top != Top::Free {
+        return Err(refuse(
+            format!(
+                "a motion of kind \"{kind}\" was taken below a free surface, but ground goes on above this model"
+            ),
+            "describe the ground where it was recorded, down to the rock of the model's base, in motion.site.layers",
+        ));
+    }
+    let corner = match &motion.site {
+        Some(Site::Corner(corner)) => corner.value.index(),
+        _ => {
+            let first = own(0).ok_or_else(none)?;
+            for corner in 1..4 {
+                let other = own(corner).ok_or_else(none)?;
+                if !first.iter().zip(&other).all(|(a, b)| a.close_to(b)) {
+                    return Err(refuse(
+                        format!(
+                            "the ground is not the same at {} and {}, so it is not clear on which the record was taken",
+                            corner_name(0),
+                            corner_name(corner)
+                        ),
+                        "say where, as in site = { corner = \"xmin-ymin\" }, or describe the ground in motion.site.layers",
+                    ));
+                }
+            }
+            0
+        }
+    };
+    let columns = own(corner).ok_or_else(none)?;
+    let height = columns[0].height() - depth;
+    if let Some(depth) = motion.depth.as_ref().filter(|_| height < -1e-6 * columns[0].height()) {
+        return Err(Problem::at(
+            depth,
+            format!(
+                "the model's base lies {:.1} m below its surface, above the place of the record",
+                columns[0].height()
+            ),
+            "make the model deeper, or describe the ground in motion.site.layers",
+        ));
+    }
+    Ok((Place { columns, height: height.max(0.0) }, Some(corner)))
+}
+
+/// A layer of a case as waves along an axis see it.
+fn of_site(layer: &SiteLayer, axis: usize) -> Layer {
+    Layer {
+        thickness: layer.thickness.value,
+        density: layer.density.value,
+        speed: if axis == 2 { layer.compression_wave_velocity() } else { layer.shear_wave_velocity.value },
+        band: None,
+        rayleigh: Rayleigh::default(),
+        damping: layer.damping.value,
+    }
+}
+
+/// A motion put off by so many of its steps.
+fn late(motion: &Motion, steps: usize) -> Motion {
+    let put_off = |columns: &[Vec<f64>; 3]| {
+        columns
+            .each_ref()
+            .map(|column| std::iter::repeat_n(0.0, steps).chain(column.iter().copied()).collect())
+    };
+    Motion {
+        dt: motion.dt,
+        acceleration: put_off(&motion.acceleration),
+        velocity: put_off(&motion.velocity),
+        displacement: put_off(&motion.displacement),
+    }
+}

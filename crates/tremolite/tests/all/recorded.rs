@@ -1,0 +1,256 @@
+//! Cases whose motion was recorded on or within layered ground: what is refused, and what comes out of whole runs.
+
+use crate::ready::Ready;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use tremolite::laws;
+use tremolite::run::{Control, Start, run};
+use tremolite::setup::{Laws, Setup, setup};
+use tremolite_case::Case;
+use tremolite_laws::{Isa, LawInfo};
+use tremolite_mesh::boxes::BoxSpec;
+use tremolite_results::{ResultFolder, Table};
+
+/// 40 m of soil (500 m/s) on 60 m of rock (2000 m/s).
+struct Ground<'a> {
+    /// Keys of `[motion]`.
+    motion: &'a str,
+    process: &'a str,
+    /// Keys of `[dynamic]`.
+    sides: &'a str,
+    damped: bool,
+    /// Whether the soil is 20 m thicker at the high end of x.
+    step: bool,
+    /// Elements over the height, a multiple of 5.
+    layers: u32,
+}
+
+impl Default for Ground<'_> {
+    fn default() -> Self {
+        Ground {
+            motion: "kind = \"surface\"",
+            process: "\"lowpass 9 Hz\"",
+            sides: "sides = \"periodic\"",
+            damped: true,
+            step: false,
+            layers: 25,
+        }
+    }
+}
+
+impl Ground<'_> {
+    fn text(&self) -> String {
+        let Ground { motion, process, sides, .. } = self;
+        let damping = match self.damped {
+            true => r#"damping = { ratio = 0.03, band = ["0.5 Hz", "20 Hz"], reference = "3 Hz" }"#,
+            false => "",
+        };
+        format!(
+            r#"
+title = "ground"
+[mesh.file]
+path = "ground.inp"
+[material.rock]
+law = "elastic"
+young = "27 GPa"
+poisson = 0.25
+density = "2700 kg/m3"
+[material.soil]
+law = "elastic"
+young = "1.25 GPa"
+poisson = 0.25
+density = "2000 kg/m3"
+[[region]]
+groups = ["rock"]
+material = "rock"
+element = "one-point"
+[[region]]
+groups = ["soil"]
+material = "soil"
+element = "one-point"
+[motion]
+{motion}
+east = {{ file = "record.txt" }}
+up = {{ from = "east", factor = 0.5 }}
+process = ["taper 0.2 s", {process}]
+[dynamic]
+base = "viscous"
+{sides}
+{damping}
+[output]
+histories = "5 ms"
+"#
+        )
+    }
+
+    /// The case of a text, with its record and its mesh.
+    fn case(&self, text: &str, folder: &Path) -> Case {
+        // Bursts from 1 Hz to 7 Hz, and a little of 11 Hz.
+        let sample = |k: u32| {
+            let t = f64::from(k) * 0.005;
+            let burst = |hertz: f64, at: f64| (6.283 * hertz * t).sin() * (-((t - at) / 0.3).powi(2)).exp();
+            0.3 * (burst(1.0, 0.9) + burst(4.0, 1.1) + burst(7.0, 1.4)) + 0.02 * burst(11.0, 1.2)
+        };
+        let samples: Vec<String> = (0..500).map(|k| format!("{:.6}", sample(k))).collect();
+        let record = format!("# units = \"m/s2\"\n# dt = \"0.005 s\"\n{}\n", samples.join("\n"));
+        std::fs::write(folder.join("record.txt"), record).unwrap();
+        let mut mesh =
+            BoxSpec::uniform([0.0, 0.0, -100.0], [4.0, 4.0, 0.0], [2, 1, self.layers]).mesh().unwrap();
+        let (soil, rock) = (0..mesh.elements.len() as u32).partition(|&e| {
+            let [x, _, z] = tremolite::hexahedra::centroid(&mesh, e);
+            z > if self.step && x > 2.0 { -60.0 } else { -40.0 }
+        });
+        mesh.groups = [("rock".to_owned(), rock), ("soil".to_owned(), soil)].into();
+        tremolite_mesh::write(folder.join("ground.inp"), &mesh).unwrap();
+        let infos: Vec<LawInfo> = laws().iter().map(|l| l.info).collect();
+        Case::parse(&folder.join("case.toml"), text, &infos).unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    fn setup(&self) -> Result<Setup, String> {
+        let folder = tempfile::tempdir().unwrap();
+        setup(&self.case(&self.text(), folder.path()), &Laws::default(), Isa::best())
+            .map_err(|report| report.to_string())
+    }
+
+    fn refusal(&self) -> String {
+        self.setup().err().unwrap_or_else(|| panic!("must be refused:\n{}", self.text()))
+    }
+
+    /// motion.csv and free_field.csv of its run.
+    fn run(&self) -> [Table; 2] {
+        let Setup { problem, plan, .. } = self.setup().unwrap();
+        let Ready { model, assembly, phase } = Ready::new(problem);
+        let parent = tempfile::tempdir().unwrap();
+        let results = ResultFolder::create(Some(&parent.path().join("out")), "ground", false).unwrap();
+        let mut control =
+            Control { stop: &AtomicBool::new(false), progress: &mut |_| {}, observers: Vec::new() };
+        run(&model, &assembly, &phase, &plan, &results, Start::Rest, &mut control).unwrap();
+        [results.motion(), results.free_field()].map(|path| Table::read(&path).unwrap())
+    }
+}
+
+/// Largest difference of two columns over the largest of the first, row by row.
+fn difference(of: [(&Table, &str); 2]) -> f64 {
+    let [a, b] = of.map(|(table, name)| table.column(name).unwrap_or_else(|| panic!("{name}")));
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |most, x| most.max(x.abs()));
+    largest(&mut a.iter().zip(b).map(|(a, b)| a - b)) / largest(&mut a.iter().copied())
+}
+
+#[test]
+fn a_record_of_the_surface_or_of_a_depth_comes_out_there_with_order_two() {
+    for motion in ["kind = \"surface\"", "kind = \"within\"\ndepth = \"4 m\""] {
+        let errors = |layers: u32| {
+            let [given, seen] = Ground { motion, layers, ..Ground::default() }.run();
+            let time = [&given, &seen].map(|table| table.column("time").unwrap().to_vec());
+            assert!(
+                time[1].iter().zip(&time[0]).all(|(a, b)| (a - b).abs() < 1e-9),
+                "rows at the record's samples"
+            );
+            ["x", "z"].map(|axis| {
+                let [given_name, seen_name] =
+                    [format!("given.v{axis}"), format!("record.free_field.v{axis}")];
+                difference([(&given, &given_name), (&seen, &seen_name)])
+            })
+        };
+        let (coarse, fine) = (errors(25), errors(50));
+        for k in 0..2 {
+            let order = (coarse[k] / fine[k]).log2();
+            println!("{motion}, {}: {:.5} {:.5}, order {order:.2}", ["x", "z"][k], coarse[k], fine[k]);
+            // (kh)²/24 of the phase kH = 2π·7·40/500 = 3.5 in elements of 2 m is 0.4 %, and the burst of 7 Hz a third of the record.
+            assert!(
+                fine[k] < 0.002 && (order - 2.0).abs() < 0.15,
+                "{motion}: {coarse:?} {fine:?}, order {order}"
+            );
+        }
+    }
+}
+
+/// One deep wave, two records of it: what the surface of a model shows is a record of the surface that makes that wave again.
+#[test]
+fn the_surface_of_one_run_is_a_record_for_the_next() {
+    let ground = Ground::default();
+    let Setup { problem, motion, .. } = ground.setup().unwrap();
+    let site = motion.unwrap().site.unwrap();
+    assert_eq!((site.corner, site.depth, site.band), (Some(0), 0.0, 9.0));
+    assert!((site.at_rest - 2.0).abs() < 1e-3 && site.reach == f64::INFINITY && site.left_out == 0.0);
+    // Twice the input is twice the wave.
+    let twice = Ground { process: "\"lowpass 9 Hz\", \"scale 2\"", ..Ground::default() }.setup().unwrap();
+    let (one, two) = (problem.incident.unwrap().motion, twice.problem.incident.unwrap().motion);
+    for (a, b) in one.acceleration.iter().flatten().zip(two.acceleration.iter().flatten()) {
+        assert!((2.0 * a - b).abs() < 1e-9, "{a} {b}");
+    }
+    // Nothing comes before the wave can have left the base: 40 m at 500 m/s and 60 m at 2000 m/s.
+    assert!((site.lead - 0.110).abs() < 1e-9, "{}", site.lead);
+    assert_eq!(one.acceleration[0].len(), 500 + 22);
+}
+
+/// Layers of the case that are those of the model make the same wave, and rock of the base below them changes only its time.
+#[test]
+fn layers_of_the_case_make_the_wave_that_the_same_layers_of_the_model_make() {
+    let undamped = |motion: &str| {
+        Ground { motion, damped: false, ..Ground::default() }.setup().unwrap_or_else(|e| panic!("{e}"))
+    };
+    let layers = r#"
+site.layers = [{ thickness = "40 m", shear_wave_velocity = "500 m/s", poisson = 0.25, density = "2000 kg/m3", damping = 0.0 }]"#;
+    for motion in ["kind = \"surface\"", "kind = \"within\"\ndepth = \"4 m\""] {
+        let (own, given) = (undamped(motion), undamped(&format!("{motion}{layers}")));
+        assert_eq!(given.motion.as_ref().unwrap().site.as_ref().unwrap().corner, None);
+        let [own, given] = [own, given].map(|setup| setup.problem.incident.unwrap().motion);
+        // The wave passes 60 m of rock before it comes to the layers.
+        assert!((own.duration() - given.duration() - 0.030).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn what_cannot_be_deconvolved_is_refused_with_the_way_out() {
+    let within = "kind = \"within\"\ndepth = \"25 m\"";
+    // Undamped, the notch of 25 m lies at 500/(4·25) = 5 Hz.
+    let notch = Ground { motion: within, damped: false, ..Ground::default() }.refusal();
+    for words in
+        ["at 5.00 Hz hardly anything moves", "up to 9.00 Hz, the low-pass", "put a low-pass below 4.88 Hz"]
+    {
+        assert!(notch.contains(words), "{words}: {notch}");
+    }
+    let low =
+        Ground { motion: within, damped: false, process: "\"lowpass 4 Hz\"", ..Ground::default() }.setup();
+    let site = low.unwrap_or_else(|e| panic!("{e}")).motion.unwrap().site.unwrap();
+    assert!(site.reach < 5.0 && site.left_out > 0.0 && site.left_out < 0.05, "{site:?}");
+
+    let deep = Ground { motion: "kind = \"within\"\ndepth = \"120 m\"", ..Ground::default() }.refusal();
+    assert!(
+        deep.contains("the model's base lies 100.0 m below its surface")
+            && deep.contains("motion.site.layers"),
+        "{deep}"
+    );
+    let buried = Ground { sides: "sides = \"periodic\"\ntop = \"viscous\"", ..Ground::default() }.refusal();
+    assert!(buried.contains("ground goes on above this model"), "{buried}");
+}
+
+/// The same ground, inside sides that leave it alone and beside slabs and columns of its own.
+#[test]
+fn the_wave_is_the_same_with_periodic_sides_and_with_a_free_field() {
+    let wave =
+        |sides: &str| Ground { sides, ..Ground::default() }.setup().unwrap().problem.incident.unwrap().motion;
+    assert_eq!(wave("sides = \"periodic\""), wave("sides = \"free-field\""));
+}
+
+/// Where the ground differs from corner to corner the case says on which the record was taken.
+#[test]
+fn unlike_corners_are_told_apart_by_the_case() {
+    let refused = Ground { step: true, ..Ground::default() }.refusal();
+    assert!(
+        refused.contains("not the same at xmin-ymin and xmax-ymin") && refused.contains("site = { corner"),
+        "{refused}"
+    );
+    let at = |corner: &str, motion: &str| {
+        let motion = format!("{motion}\nsite = {{ corner = \"{corner}\" }}");
+        Ground { motion: &motion, step: true, ..Ground::default() }.setup().unwrap_or_else(|e| panic!("{e}"))
+    };
+    let [low, high] = ["xmin-ymin", "xmax-ymin"].map(|corner| at(corner, "kind = \"surface\""));
+    // The corner that has the ground of the level model makes its wave, and the other another.
+    let wave = |setup: &Setup| setup.problem.incident.clone().unwrap().motion;
+    assert_eq!(wave(&low), wave(&Ground::default().setup().unwrap()));
+    assert_ne!(wave(&low), wave(&high));
+    let site = high.motion.unwrap().site.unwrap();
+    assert_eq!(site.corner, Some(1));
+}
