@@ -1,8 +1,14 @@
 //! Reading of records, one file a format.
 
-mod geonet_v2a;
+mod cosmos;
+mod csmip;
+mod fortran;
+mod geonet;
+mod header;
 mod packing;
+mod pairs;
 mod peer_at2;
+mod smc;
 mod source;
 mod text;
 
@@ -72,7 +78,10 @@ pub struct Format {
 
 /// All formats, tried in this order. The last takes whatever is left.
 pub const FORMATS: &[Format] = &[
-    Format { name: "GeoNet V2A", recognises: geonet_v2a::recognises, read: geonet_v2a::read },
+    Format { name: "GeoNet V1A, V2A", recognises: geonet::recognises, read: geonet::read },
+    Format { name: "COSMOS", recognises: cosmos::recognises, read: cosmos::read },
+    Format { name: "SMC", recognises: smc::recognises, read: smc::read },
+    Format { name: "CSMIP, CDMG, USC", recognises: csmip::recognises, read: csmip::read },
     Format { name: "PEER AT2", recognises: peer_at2::recognises, read: peer_at2::read },
     Format { name: COLUMNS, recognises: |_| true, read: text::read },
 ];

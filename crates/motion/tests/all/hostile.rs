@@ -33,7 +33,7 @@ fn seeds() -> Vec<Vec<u8>> {
 /// Good files of one format.
 fn files(format: &str) -> Vec<Vec<u8>> {
     let files = match format {
-        "GeoNet V2A" => vec![geonet()],
+        "GeoNet V1A, V2A" => vec![geonet()],
         "PEER AT2" => vec![peer()],
         "text columns" => vec![two_columns(), one_column()],
         other => {

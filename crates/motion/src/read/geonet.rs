@@ -1,9 +1,10 @@
-//! GeoNet (New Zealand) volume 2 accelerograms, `.V2A`.
+//! GeoNet (New Zealand) accelerograms: volume 1, uncorrected, `.V1A`, and volume 2, corrected, `.V2A`.
 //!
 //! A file holds up to three components. Each has 16 lines of text, 4 lines of ten integers and 6 of ten reals,
-//! then acceleration, velocity and displacement, ten numbers a line. Numbers stand in columns of eight
-//! characters and may touch. Acceleration alone is taken, in the unit of the header's peak; the text has the
-//! number of points, the interval and the component's bearing. The header's times count from another zero
+//! then acceleration, velocity and displacement, ten numbers a line; volume 1 has no points of the last two. Numbers stand
+//! in columns of eight characters and may touch. Acceleration alone is taken. The text has the number of points, the interval
+//! and the component's bearing. Units: volume 2 uses the unit of the header's peak, volume 1 states it with a factor,
+//! `Raw readings in units of 1.00 mm/s/s  at intervals of 0.005 s`. The header's times count from another zero
 //! than the first sample; here the first sample is at 0.
 
 use super::ReadOptions;
@@ -15,10 +16,12 @@ const HEADER_LINES: usize = TEXT_LINES + 4 + 6;
 /// The line of the header, and the place on it, where the three numbers of points begin.
 const COUNTS: (usize, usize) = (TEXT_LINES + 3, 3);
 const COLUMNS: Columns = Columns { per_line: 10, width: 8 };
+const BEGINNINGS: [&str; 2] = ["Corrected accelerogram", "Uncorrected accelerogram"];
 const CORRUPT: &str = "fetch the file from GeoNet again";
 
 pub(super) fn recognises(source: &Source) -> bool {
-    let begins = source.lines.first().is_some_and(|l| l.trim_start().starts_with("Corrected accelerogram"));
+    let begins =
+        source.lines.first().is_some_and(|l| BEGINNINGS.iter().any(|b| l.trim_start().starts_with(b)));
     begins && source.lines.iter().take(TEXT_LINES).any(|l| l.starts_with("Component "))
 }
 
@@ -49,15 +52,19 @@ fn component(source: &Source, at: usize, options: &ReadOptions) -> Result<(Chann
     let count: usize = leading_number(rest)
         .and_then(|w| w.parse().ok())
         .ok_or_else(|| source.error(line, "the number of points is missing", CORRUPT))?;
-    let (line, rest) = after("data at")?;
+    let raw = source.lines[at].trim_start().starts_with(BEGINNINGS[1]);
+    let (line, rest) = after(if raw { "at intervals of" } else { "data at" })?;
     let dt = leading_number(rest)
         .and_then(number)
         .ok_or_else(|| source.error(line, "the sampling interval is missing", CORRUPT))?;
     let dt = source.stated_interval(line, dt, options.dt)?;
-    let (line, rest) = after("Acceleration:")?;
-    // 'peak -9733.1 mm/s/s at 44.88 sec'
-    let word = rest.split_whitespace().nth(2).unwrap_or("");
-    let units = source.stated_units(line, word, options.units)?;
+    // 'peak -9733.1 mm/s/s at 44.88 sec', or '1.00 mm/s/s'
+    let (line, rest) = after(if raw { "in units of" } else { "Acceleration:" })?;
+    let mut words = rest.split_whitespace().skip(if raw { 0 } else { 1 });
+    let factor = words.next().filter(|_| raw).map_or(Some(1.0), number).filter(|f| *f > 0.0);
+    let factor = factor
+        .ok_or_else(|| source.error(line, "the factor before the units is no number above 0", CORRUPT))?;
+    let units = source.stated_units(line, words.next().unwrap_or(""), options.units)?;
     let (_, rest) = after("Component ")?;
     let label = rest.split_whitespace().next().unwrap_or("").to_string();
     let orientation = Orientation::parse(&label);
@@ -86,8 +93,13 @@ fn component(source: &Source, at: usize, options: &ReadOptions) -> Result<(Chann
             CORRUPT,
         ));
     }
-    let (values, _) = source.block(begin, COLUMNS, count, CORRUPT)?;
-    let channel = Channel { orientation, ..source.channel(Some(&label), dt, values) };
+    let (mut values, _) = source.block(begin, COLUMNS, count, CORRUPT)?;
+    let mut remarks = Vec::new();
+    if factor != 1.0 {
+        values.iter_mut().for_each(|v| *v *= factor);
+        remarks.push(format!("The header says that the numbers are in units of {factor} {units}."));
+    }
+    let channel = Channel { orientation, remarks, ..source.channel(Some(&label), dt, values) };
     let channel = source.converted(at, units, options, channel)?;
     Ok((channel, begin + total))
 }
