@@ -1,6 +1,10 @@
 //! Reading of records, one file a format.
 
+mod date;
+mod esm;
 mod geonet_v2a;
+mod itaca;
+mod knet;
 mod packing;
 mod peer_at2;
 mod source;
@@ -72,6 +76,9 @@ pub struct Format {
 
 /// All formats, tried in this order. The last takes whatever is left.
 pub const FORMATS: &[Format] = &[
+    Format { name: "K-NET, KiK-net", recognises: knet::recognises, read: knet::read },
+    Format { name: "ESM (DYNA)", recognises: esm::recognises, read: esm::read },
+    Format { name: "ITACA", recognises: itaca::recognises, read: itaca::read },
     Format { name: "GeoNet V2A", recognises: geonet_v2a::recognises, read: geonet_v2a::read },
     Format { name: "PEER AT2", recognises: peer_at2::recognises, read: peer_at2::read },
     Format { name: COLUMNS, recognises: |_| true, read: text::read },
