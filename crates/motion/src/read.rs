@@ -5,6 +5,7 @@ mod esm;
 mod geonet_v2a;
 mod itaca;
 mod knet;
+mod mseed;
 mod packing;
 mod peer_at2;
 mod source;
@@ -76,6 +77,7 @@ pub struct Format {
 
 /// All formats, tried in this order. The last takes whatever is left.
 pub const FORMATS: &[Format] = &[
+    Format { name: "miniSEED", recognises: mseed::recognises, read: mseed::read },
     Format { name: "K-NET, KiK-net", recognises: knet::recognises, read: knet::read },
     Format { name: "ESM (DYNA)", recognises: esm::recognises, read: esm::read },
     Format { name: "ITACA", recognises: itaca::recognises, read: itaca::read },
@@ -93,7 +95,7 @@ const LARGEST: u64 = 1 << 28;
 /// Reads all channels of a file; the format is recognised by its content, never by its name.
 ///
 /// # Errors
-/// [`Error::Io`], or [`Error::Record`] with the line, the problem and the way out.
+/// [`Error::Io`], or [`Error::Record`] with the line, or [`Error::Binary`] with the byte, the problem and the way out.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let mut bytes = Vec::new();
     File::open(path)
@@ -105,7 +107,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
 /// As [`read`], from content already in memory; `path` serves for names and messages alone.
 ///
 /// # Errors
-/// [`Error::Record`].
+/// [`Error::Record`], [`Error::Binary`].
 pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let unpacked = packing::unpacked(path, bytes, LARGEST)?;
     let bytes = &unpacked[..];

@@ -3,6 +3,8 @@
 mod esm;
 mod itaca;
 mod knet;
+mod mseed;
+mod mseed_records;
 
 use std::path::Path;
 
@@ -14,6 +16,7 @@ pub fn good(format: &str) -> Vec<Vec<u8>> {
         "K-NET, KiK-net" => vec![knet::small().into_bytes()],
         "ESM (DYNA)" => vec![esm::small().into_bytes()],
         "ITACA" => vec![itaca::small().into_bytes()],
+        "miniSEED" => mseed::small(),
         _ => Vec::new(),
     }
 }
