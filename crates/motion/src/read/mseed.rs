@@ -39,19 +39,11 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
         ));
     }
     let mut channels: BTreeMap<String, Vec<Record>> = BTreeMap::new();
-    let (mut at, mut total) = (0, 0);
+    let (mut at, mut room) = (0, MOST);
     while at < source.bytes.len() {
-        let record = record::read(source, at)?;
+        let record = record::read(source, at, room)?;
         at += record.length;
-        total += record.samples.len();
-        if total > MOST {
-            return Err(Error::binary(
-                source.file,
-                record.at,
-                format!("the file has more than {MOST} samples"),
-                "cut out the earthquake",
-            ));
-        }
+        room = room.saturating_sub(record.samples.len());
         if !record.samples.is_empty() {
             channels.entry(record.name.clone()).or_default().push(record);
         }

@@ -66,8 +66,8 @@ fn is_2(bytes: &[u8]) -> bool {
     }
 }
 
-/// The record that begins at byte `at`.
-pub(super) fn read(source: &Source, at: usize) -> Result<Record, Error> {
+/// The record that begins at byte `at`, of `room` samples at most.
+pub(super) fn read(source: &Source, at: usize, room: usize) -> Result<Record, Error> {
     let fault = |problem: String, remedy: &str| Error::binary(source.file, at, problem, remedy);
     let bytes = source.bytes.get(at..).unwrap_or_default();
     if !begins(bytes) {
@@ -106,6 +106,12 @@ pub(super) fn read(source: &Source, at: usize) -> Result<Record, Error> {
     }
     if !(header.rate > 0.0 && found.dt > 0.0 && found.dt.is_finite()) {
         return Err(fault("the record that begins here has samples, but no rate of them".into(), CORRUPT));
+    }
+    if count > room {
+        return Err(fault(
+            format!("the record that begins here promises {count} samples, which makes the file too long"),
+            "cut out the earthquake",
+        ));
     }
     let (from, to) = header.data;
     let data = record.get(from..to).unwrap_or_default();

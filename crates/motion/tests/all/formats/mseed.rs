@@ -1,4 +1,5 @@
-//! Channels of miniSEED, versions 2 and 3. The small files are written by the crate miniseed-rs, which shares no code with the reader.
+//! Channels of miniSEED, versions 2 and 3. The small files are written by the crate miniseed-rs, which shares no code with
+//! the reader.
 
 use miniseed_rs::{EncodingFormat, MseedRecord, NanoTime, Samples, encode};
 use tremolite_motion::{Orientation, ReadOptions, Units};

@@ -69,6 +69,16 @@ fn little_endian_differences_are_those_of_libmseed() {
     }
 }
 
+/// Encoders that go on from the record before leave a first difference other than 0, which the first sample has in it
+/// (SEED manual, appendix B).
+#[test]
+fn the_first_difference_of_a_record_leads_there_from_the_one_before() {
+    let mut file = record(2, "HNE", 0, EncodingFormat::Steim1, Samples::Int(vec![40, 41, 43, 46]));
+    assert_eq!(file[76..80], [0, 1, 2, 3]);
+    file[76] = 7;
+    assert_eq!(one(&file, &none()).acceleration, [40.0, 41.0, 43.0, 46.0]);
+}
+
 #[test]
 fn what_the_headers_say_of_time_is_heeded() {
     let mut file = ints(2, "HNE", 0, &[1, 2, 3]);
@@ -162,9 +172,18 @@ fn headers_made_to_break_readers_are_refused() {
     assert!(refusal(ring, &none()).contains("no blockette 1000"));
     for encoding in [EncodingFormat::Steim1, EncodingFormat::Steim2, INTS] {
         let mut huge = record(3, "HNE", 0, encoding, Samples::Int(vec![1, 2]));
-        huge[24..28].copy_from_slice(&u32::MAX.to_le_bytes());
+        for (count, part) in
+            [(1u32 << 26, "broken: it promises 67108864"), ((1 << 26) + 1, "the file too long")]
+        {
+            huge[24..28].copy_from_slice(&count.to_le_bytes());
+            crc::compute_v3_crc(&mut huge);
+            let message = refusal(&huge, &none());
+            assert!(message.contains(part) && !message.contains("has 2"), "{message}");
+        }
+        huge[24..28].copy_from_slice(&(1u32 << 26).to_le_bytes());
         crc::compute_v3_crc(&mut huge);
-        assert!(refusal(&huge, &none()).contains("promises 4294967295 samples"));
+        let second = [ints(3, "HNE", 0, &[1, 2]), huge.clone()].concat();
+        assert!(refusal(second, &none()).contains("the file too long"));
         huge[36..40].copy_from_slice(&u32::MAX.to_le_bytes());
         assert!(refusal(&huge, &none()).contains("bytes, but"));
     }
