@@ -14,6 +14,11 @@ pub enum Error {
     #[error("{}, line {line}: {problem}; {remedy}", file.display())]
     Record { file: PathBuf, line: usize, problem: String, remedy: String },
 
+    /// As [`Error::Record`], for content that has no lines. `byte` counts from 0, as programs that show bytes do; for packed
+    /// files it is that of the unpacked content.
+    #[error("{}, byte {byte}: {problem}; {remedy}", file.display())]
+    Binary { file: PathBuf, byte: usize, problem: String, remedy: String },
+
     /// A step of processing cannot be applied to this channel.
     #[error("record '{channel}', '{step}': {problem}; {remedy}")]
     Process { channel: String, step: String, problem: String, remedy: String },
@@ -32,6 +37,24 @@ impl Error {
         remedy: impl Into<String>,
     ) -> Error {
         Error::Record { file: file.to_path_buf(), line, problem: problem.into(), remedy: remedy.into() }
+    }
+
+    /// A [`Error::Binary`]; `byte` counts from 0.
+    pub(crate) fn binary(
+        file: &Path,
+        byte: usize,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Error {
+        Error::Binary { file: file.to_path_buf(), byte, problem: problem.into(), remedy: remedy.into() }
+    }
+
+    /// The same error, at a byte in place of a line.
+    pub(crate) fn at_byte(self, byte: usize) -> Error {
+        match self {
+            Error::Record { file, problem, remedy, .. } => Error::Binary { file, byte, problem, remedy },
+            other => other,
+        }
     }
 
     /// A [`Error::Unsuitable`].

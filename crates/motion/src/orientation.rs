@@ -17,25 +17,43 @@ impl Orientation {
     /// North, azimuth 0.
     pub const NORTH: Orientation = Orientation::Azimuth(0.0);
 
+    /// The direction of a channel by its code, such as `HNE`: `E`, `N` and `Z` at the end of three letters are positive to the
+    /// east, north and up (SEED manual, appendix A). `None` for other codes, `HN1` and `HN2` among them, whose direction
+    /// only the station's metadata know.
+    pub fn of_channel_code(code: &str) -> Option<Orientation> {
+        match code.as_bytes() {
+            [_, _, b'E'] => Some(Orientation::EAST),
+            [_, _, b'N'] => Some(Orientation::NORTH),
+            [_, _, b'Z'] => Some(Orientation::Up),
+            _ => None,
+        }
+    }
+
     /// A horizontal direction from degrees clockwise from north; 360 becomes 0.
     pub fn from_degrees(degrees: f64) -> Orientation {
         Orientation::Azimuth(degrees.rem_euclid(360.0).to_radians())
     }
 
-    /// Reads a component's label as records print it: `Up`, `UD`, `Vert`, `N`, `EW`, `090`, `332 deg`, or a
-    /// quadrant bearing such as `N28W` (28° from north towards west, azimuth 332°).
+    /// Reads a component's label as records print it: `Up`, `UD`, `Vert`, `N`, `EW`, `090`, `332 deg`, an accelerometer's channel
+    /// such as `HNE`, or a quadrant bearing such as `N28W` (28° from north towards west, azimuth 332°). `ENE` and
+    /// `NNE` are points of the compass as well, so they are none.
     ///
     /// `EW` and `NS` mean positive to the east and to the north, as is the custom. `None` for anything else,
     /// `Down` among it: the sign would have to be turned and the caller must decide that.
     pub fn parse(label: &str) -> Option<Orientation> {
         let word = label.trim().trim_end_matches('.').to_ascii_uppercase();
         match word.as_str() {
-            "UP" | "UD" | "V" | "Z" | "VERT" | "VERTICAL" => return Some(Orientation::Up),
+            "UP" | "UD" | "U-D" | "V" | "Z" | "VERT" | "VERTICAL" => return Some(Orientation::Up),
             "N" | "NS" | "N-S" | "NORTH" => return Some(Orientation::NORTH),
             "E" | "EW" | "E-W" | "EAST" => return Some(Orientation::EAST),
             "S" | "SOUTH" => return Some(Orientation::from_degrees(180.0)),
             "W" | "WEST" => return Some(Orientation::from_degrees(270.0)),
             _ => {}
+        }
+        if let [b'B' | b'C' | b'E' | b'H' | b'S', b'N', _] = word.as_bytes()
+            && word != "ENE"
+        {
+            return Orientation::of_channel_code(&word);
         }
         if let Some(degrees) = degrees(word.trim_end_matches("DEG").trim(), 360.0) {
             return Some(Orientation::from_degrees(degrees));
@@ -100,13 +118,19 @@ mod tests {
                 other => panic!("{label}: {other:?}"),
             }
         }
-        assert_eq!(Orientation::parse("Up"), Some(Orientation::Up));
+        for label in ["Up", "U-D", "HNZ", "enz"] {
+            assert_eq!(Orientation::parse(label), Some(Orientation::Up), "{label}");
+        }
+        assert_eq!(Orientation::parse("HNE"), Some(Orientation::EAST));
+        assert_eq!(Orientation::parse("BNN"), Some(Orientation::NORTH));
     }
 
     #[test]
     fn labels_without_a_clear_direction_give_none() {
-        for label in ["", "Down", "DWN", "N100W", "361", "-90", "NaN", "N28", "NW", "inf", "H1", "é", "Né8W"]
-        {
+        for label in [
+            "", "Down", "DWN", "N100W", "361", "-90", "NaN", "N28", "NW", "inf", "H1", "é", "Né8W", "ENE",
+            "NNE", "WNE", "HN1", "HN2", "HHE", "D-U", "WE",
+        ] {
             assert_eq!(Orientation::parse(label), None, "{label}");
         }
     }

@@ -2,9 +2,14 @@
 
 mod cosmos;
 mod csmip;
+mod date;
+mod esm;
 mod fortran;
 mod geonet;
 mod header;
+mod itaca;
+mod knet;
+mod mseed;
 mod packing;
 mod pairs;
 mod peer_at2;
@@ -82,6 +87,10 @@ pub const FORMATS: &[Format] = &[
     Format { name: "COSMOS", recognises: cosmos::recognises, read: cosmos::read },
     Format { name: "SMC", recognises: smc::recognises, read: smc::read },
     Format { name: "CSMIP, CDMG, USC", recognises: csmip::recognises, read: csmip::read },
+    Format { name: "miniSEED", recognises: mseed::recognises, read: mseed::read },
+    Format { name: "K-NET, KiK-net", recognises: knet::recognises, read: knet::read },
+    Format { name: "ESM (DYNA)", recognises: esm::recognises, read: esm::read },
+    Format { name: "ITACA", recognises: itaca::recognises, read: itaca::read },
     Format { name: "PEER AT2", recognises: peer_at2::recognises, read: peer_at2::read },
     Format { name: COLUMNS, recognises: |_| true, read: text::read },
 ];
@@ -95,7 +104,7 @@ const LARGEST: u64 = 1 << 28;
 /// Reads all channels of a file; the format is recognised by its content, never by its name.
 ///
 /// # Errors
-/// [`Error::Io`], or [`Error::Record`] with the line, the problem and the way out.
+/// [`Error::Io`], or [`Error::Record`] with the line, or [`Error::Binary`] with the byte, the problem and the way out.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let mut bytes = Vec::new();
     File::open(path)
@@ -107,7 +116,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
 /// As [`read`], from content already in memory; `path` serves for names and messages alone.
 ///
 /// # Errors
-/// [`Error::Record`].
+/// [`Error::Record`], [`Error::Binary`].
 pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let unpacked = packing::unpacked(path, bytes, LARGEST)?;
     let bytes = &unpacked[..];

@@ -45,7 +45,6 @@ impl Engine<'_> {
                 Booked::Motion | Booked::Work | Booked::Damping | Booked::Start | Booked::Rest => {}
             }
         }
-        ledger.supplied += self.noise();
         ledger.rest = bodies;
         state.ledger = ledger;
         state.held = (0..state.u.len()).map(|n| force(self.phase, &self.contributions, n)).collect();

@@ -33,7 +33,6 @@ pub use power::{ContactLimit, Limit, StableStep, stable_step, viscous_share};
 pub use relax::{Relaxed, Release, Rest, Watch};
 
 use crate::assembly::{Assembly, Slices};
-use crate::boundary::Incident;
 use crate::member::Member;
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Motion, Own, ProbeOut, Scratch};
@@ -99,8 +98,9 @@ pub enum Halt {
 /// bounds it: at most 2 where all energy sits at the mesh's highest frequency, near 1 for waves the mesh carries. Whoever
 /// looks also compares all energy held.
 const GUARD: f64 = 3.0;
-/// The share of [`Engine::noise`] that counts as supplied. A record may begin with noise that changes its sign within a few steps:
-/// it moves the base before its work is booked, and that work may be negative.
+/// What counts as supplied before the wave comes, as a share of the kinetic energy of a model that moves as fast as the wave does at
+/// its peak. A record may begin with noise that changes its sign within a few steps: it moves the base before its work is booked,
+/// and that work may be negative.
 const NOISE: f64 = 1e-6;
 
 /// The engine for one machine.
@@ -116,6 +116,8 @@ pub struct Engine<'a> {
     evaluated: Option<Works>,
     /// Whether loads and waves stay as they are just before t = 0.
     quiet: bool,
+    /// Energy that the guard leaves to noise \[J\].
+    noise: f64,
 }
 
 /// Work that parts book themselves \[J\].
@@ -170,6 +172,7 @@ impl<'a> Engine<'a> {
             leads: nodes::leads(phase),
             evaluated: None,
             quiet: false,
+            noise: noise(model, phase),
         }
     }
 
@@ -217,24 +220,11 @@ impl<'a> Engine<'a> {
             }
         }
         ledger.lines[Line::Initial] = now[Line::Kinetic] + stored;
-        ledger.supplied = minus + stored + self.noise();
+        ledger.supplied = minus + stored;
         for (own, books) in ledger.bodies.iter_mut().zip(&snapshot.bodies) {
             *own = -books.error();
         }
         state.ledger = ledger;
-    }
-
-    /// What counts as supplied before the wave comes \[J\]: a share of the kinetic energy of a model that moves as fast as the wave
-    /// does at its peak.
-    fn noise(&self) -> f64 {
-        let Phase { counted_nodes, mass, .. } = self.phase;
-        let fastest = |incident: &Incident| {
-            let along =
-                incident.motion.velocity.iter().map(|v| v.iter().fold(0.0_f64, |most, v| most.max(v.abs())));
-            incident.factor * incident.factor * along.map(|v| v * v).sum::<f64>()
-        };
-        let square = self.model.incident.as_ref().map_or(0.0, fastest);
-        NOISE * 0.5 * mass[counted_nodes.clone()].iter().sum::<f64>() * square
     }
 
     /// ½v⁻ᵀMv⁻ \[J\]. That of v̂ has in it what the forces are about to do, which is not supplied yet.
@@ -393,7 +383,7 @@ impl<'a> Engine<'a> {
         let stored = Line::ALL.iter().filter(|line| line.booked() == Booked::Stored);
         let held = self.kinetic(state) + stored.map(|&line| snapshot.balance[line]).sum::<f64>();
         let supplied = state.ledger.supplied + self.evaluated.as_ref().map_or(0.0, Works::supplied);
-        if held <= GUARD * supplied {
+        if held <= GUARD * (supplied + self.noise) {
             return Ok(());
         }
         Err(Halt::Held { held, supplied, step: snapshot.step, time: snapshot.time })
@@ -409,12 +399,12 @@ impl<'a> Engine<'a> {
             None => self.evaluate(state, None),
         };
         let time = state.time();
-        let Engine { model, phase, contributions, rates, leads, .. } = self;
+        let Engine { model, phase, contributions, rates, leads, noise, .. } = self;
         let sums = nodes::advance(model, phase, contributions, &rates.products, leads, state);
         state.ledger.book(&work, &sums);
         state.step += 1;
         // Written so that a kinetic energy that is not a number halts as well.
-        if sums.kinetic <= GUARD * state.ledger.supplied {
+        if sums.kinetic <= GUARD * (state.ledger.supplied + *noise) {
             Ok(())
         } else {
             Err(Halt::Energy {
@@ -425,6 +415,14 @@ impl<'a> Engine<'a> {
             })
         }
     }
+}
+
+/// [`NOISE`] \[J\]; nothing where no wave comes in.
+fn noise(model: &Model, phase: &Phase) -> f64 {
+    let Some(incident) = &model.incident else { return 0.0 };
+    let largest = |v: &Vec<f64>| v.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let square: f64 = incident.motion.velocity.iter().map(|v| (incident.factor * largest(v)).powi(2)).sum();
+    NOISE * 0.5 * phase.mass[phase.counted_nodes.clone()].iter().sum::<f64>() * square
 }
 
 impl Ledger {

@@ -8,7 +8,6 @@ use crate::{Channel, Error, ReadOptions, Sensitivity, Units};
 /// A file, unpacked, as bytes and as lines of text. Line indices count from 0 here, from 1 in messages.
 pub(crate) struct Source<'a> {
     pub file: &'a Path,
-    #[allow(dead_code)]
     pub bytes: &'a [u8],
     pub lines: Vec<&'a str>,
 }
