@@ -87,7 +87,10 @@ impl Place {
         let rest = self.at_rest(axis);
         let share = |hertz: f64| self.transfer(axis, hertz).norm() / rest;
         let frequencies = self.frequencies(axis, most);
-        let low = |hertz: &f64| !(share(*hertz) >= LEAST);
+        let low = |hertz: &f64| {
+            let share = share(*hertz);
+            share < LEAST || share.is_nan()
+        };
         let first = frequencies.iter().position(low)?;
         // The edge and the least value, finer than the looks.
         let (mut above, mut below) =

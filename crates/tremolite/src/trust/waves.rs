@@ -93,7 +93,7 @@ pub(super) fn record(evidence: &Evidence) -> Option<TrustLine> {
     if evidence.plan.recorded.as_ref()?.corner.is_none() {
         return none(said!("it was taken on other ground than the model's, the layers of motion.site"));
     }
-    if recorded::place(&evidence.model, &evidence.plan).is_none() {
+    if recorded::place(evidence.model, evidence.plan).is_none() {
         return none(said!(
             "there is no reference column: {reason}",
             reason = Said::plain(&evidence.model.no_column)

@@ -1,6 +1,7 @@
 //! Cases whose motion was recorded on or within layered ground: what is refused, and what comes out of whole runs.
 
 use crate::ready::Ready;
+use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use tremolite::laws;
@@ -88,7 +89,7 @@ histories = "5 ms"
         // Bursts from 1 Hz to 7 Hz, and a little of 11 Hz.
         let sample = |k: u32| {
             let t = f64::from(k) * 0.005;
-            let burst = |hertz: f64, at: f64| (6.283 * hertz * t).sin() * (-((t - at) / 0.3).powi(2)).exp();
+            let burst = |hertz: f64, at: f64| (TAU * hertz * t).sin() * (-((t - at) / 0.3).powi(2)).exp();
             0.3 * (burst(1.0, 0.9) + burst(4.0, 1.1) + burst(7.0, 1.4)) + 0.02 * burst(11.0, 1.2)
         };
         let samples: Vec<String> = (0..500).map(|k| format!("{:.6}", sample(k))).collect();
