@@ -20,7 +20,7 @@
 //!
 //! let text = b"# units = \"cm/s2\"\n0.00 0\n0.01 10\n0.02 -10\n0.03 0\n";
 //! let mut east = read_bytes("pulse.txt".as_ref(), text, &ReadOptions::default())?.remove(0);
-//! process(&mut east, &[Process::parse("scale 0.5").unwrap()])?;
+//! process(&mut [&mut east], &[Process::parse("scale 0.5").unwrap()])?;
 //! let ground = Geographic::from_parts(Some(&east), None, None)?;
 //! let motion = Motion::from_acceleration(ground.dt, ground.model_axes(90f64.to_radians()))?;
 //! assert!((motion.at(0.01).a[0] - 0.05).abs() < 1e-15);
@@ -40,6 +40,7 @@ mod intensity;
 mod kind;
 mod motion;
 mod orientation;
+mod polynomial;
 mod process;
 mod pulse;
 mod read;

@@ -34,7 +34,9 @@ pub(crate) static MOTION: Table = Table {
             "process",
             Kind::List(&Kind::Text, 0, 100),
             "no processing",
-            "Steps of processing, in this order",
+            "Steps of processing, in this order: \"detrend linear\", \"baseline\", \"baseline polynomial N\", \"pre-event S s\", \
+             \"taper S s\", \"highpass F Hz\", \"lowpass F Hz\", \"bandpass F Hz F Hz\", \"scale X\", \"pga X g\" (the largest \
+             component; the others by the same factor)",
         ),
         Key::default(
             "model_x_azimuth",

@@ -20,11 +20,12 @@ enum Action {
     Info(Files),
     /// Response spectrum for 5 % damping
     Spectrum(Files),
-    /// Process records and write them as two columns of text
+    /// Process records and write them as two columns of text; files given together are components of one record
     Process {
         #[command(flatten)]
         files: Files,
-        /// A step, in order: "detrend linear", "taper 1 s", "bandpass 0.1 Hz 20 Hz", "scale 0.5" …
+        /// A step, in order: "detrend linear", "pre-event 5 s", "taper 1 s", "bandpass 0.1 Hz 20 Hz", "pga 0.3 g" (the
+        /// largest component, the others by the same factor), "baseline" …
         #[arg(long = "step", required = true)]
         steps: Vec<String>,
         /// Keep this part of the record only: from and to in s
@@ -98,7 +99,7 @@ fn spectrum(files: &Files) -> Outcome {
     let periods = default_periods();
     let mut list = Vec::new();
     for mut c in files.channels()? {
-        process(&mut c, &[Process::DetrendLinear]).map_err(Failure::input)?;
+        process(&mut [&mut c], &[Process::DetrendLinear]).map_err(Failure::input)?;
         let psa = pseudo_acceleration(&c.acceleration, c.dt, &periods, 0.05).map_err(Failure::input)?;
         if files.json {
             list.push(serde_json::json!({ "name": c.name, "file": c.file, "periods": periods, "psa": psa }));
@@ -119,18 +120,20 @@ fn process_all(files: &Files, steps: &[String], window: Option<&[f64]>, out: &Pa
     let parsed: Vec<Process> =
         steps.iter().map(|s| Process::parse(s)).collect::<Result<_, _>>().map_err(Failure::input)?;
     std::fs::create_dir_all(out).map_err(|e| Failure::input(format!("{}: {e}", out.display())))?;
-    let channels = files.channels()?;
-    let mut written = Vec::new();
-    for (i, mut c) in channels.into_iter().enumerate() {
-        if let Some([from, to]) = window {
-            c = c.window(*from, *to).map_err(Failure::input)?;
+    let mut channels = files.channels()?;
+    if let Some([from, to]) = window {
+        for c in &mut channels {
+            *c = c.window(*from, *to).map_err(Failure::input)?;
         }
-        process(&mut c, &parsed).map_err(Failure::input)?;
+    }
+    process(&mut channels.iter_mut().collect::<Vec<_>>(), &parsed).map_err(Failure::input)?;
+    let mut written = Vec::new();
+    for (i, c) in channels.iter().enumerate() {
         let stem = Path::new(&c.file).file_stem().map(|s| s.to_string_lossy().into_owned());
         let path = out.join(format!("{}_{}.txt", stem.unwrap_or_else(|| "record".into()), i + 1));
         let notes: Vec<String> =
             std::iter::once(format!("from {}", c.name)).chain(steps.iter().cloned()).collect();
-        write_text(&c, &notes, &path).map_err(Failure::failed)?;
+        write_text(c, &notes, &path).map_err(Failure::failed)?;
         let name = path.display().to_string();
         if !files.json {
             print(&name);

@@ -83,10 +83,10 @@ fn check(channel: &Channel, e: &Expected) {
     );
     near("intercept of the trend", trend.intercept, e.trend[1], e.raw[0].0);
     let mut record = channel.clone();
-    process(&mut record, &[Process::DetrendLinear]).unwrap();
+    process(&mut [&mut record], &[Process::DetrendLinear]).unwrap();
     check_series("detrended", &record.acceleration, e.dt, &e.detrended, Some(e.detrended_end));
 
-    process(&mut record, &[Process::Bandpass { low: 0.1, high: e.upper_corner }]).unwrap();
+    process(&mut [&mut record], &[Process::Bandpass { low: 0.1, high: e.upper_corner }]).unwrap();
     check_series("filtered", &record.acceleration, e.dt, &e.filtered, Some(e.filtered_end));
     for (i, sample) in e.samples.iter().enumerate() {
         near("filtered sample", record.acceleration[i * e.stride], *sample, e.filtered[0].0);

@@ -3,7 +3,7 @@
 use tremolite_case::{self as case, Case, Component, Direction, Problem, Records, Window};
 use tremolite_motion::{
     Channel, Column, Geographic, Intensity, Kind, Motion, Orientation, Process, ReadOptions, Units,
-    highest_frequency, process, read, strongest_window,
+    highest_frequency, read, strongest_window,
 };
 
 /// The share of the velocity's energy below what counts as the highest frequency.
@@ -57,11 +57,8 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         problems.push(Problem::at(window, e.to_string(), "choose a window inside the record"));
     }
     for (step, word) in steps.iter().zip(&motion.process) {
-        for channel in channels.each() {
-            if let Err(e) = process(channel, std::slice::from_ref(step)) {
-                problems.push(Problem::at(word, e.to_string(), "change this step of the processing"));
-                break;
-            }
+        if let Err(e) = step.apply(&mut channels.each()) {
+            problems.push(Problem::at(word, e.to_string(), "change this step of the processing"));
         }
     }
     if problems.len() > before {
@@ -139,7 +136,7 @@ fn steps(motion: &case::Motion, problems: &mut Vec<Problem>) -> Vec<Process> {
         .filter_map(|word| match Process::parse(word) {
             Ok(step) => Some(step),
             Err(message) => {
-                let remedy = "write, say, \"detrend linear\", \"baseline\", \"taper 1 s\", \"bandpass 0.1 Hz 20 Hz\" or \"scale 0.5\"";
+                let remedy = "write, say, \"pre-event 5 s\", \"taper 1 s\", \"bandpass 0.1 Hz 20 Hz\", \"pga 0.3 g\" and \"baseline\", each a step of its own";
                 problems.push(Problem::at(word, message, remedy));
                 None
             }
