@@ -4,10 +4,10 @@
 //! The way of a record, each step a plain function on plain data:
 //!
 //! 1. [`read`] turns a file of any supported format into [`Channel`]s in m/s².
-//! 2. [`Channel::window`] and [`process`](crate::process()) cut, correct, filter and scale them.
-//! 3. [`Geographic`] puts the components on one time base and turns them into east, north and up,
-//!    then into the model's axes.
-//! 4. [`Motion`] integrates them and answers for any instant; [`Kind`] says what the motion is, and so
+//! 2. [`align`] and [`common_time_base`] put the components of a record on one time base.
+//! 3. [`Channel::window`] and [`process`](crate::process()) cut, correct, filter and scale them.
+//! 4. [`Geographic`] turns them into east, north and up, then into the model's axes.
+//! 5. [`Motion`] integrates them and answers for any instant; [`Kind`] says what the motion is, and so
 //!    how much of it is the incident wave.
 //!
 //! Beside this way lie [`Intensity`], [`pseudo_acceleration`], [`highest_frequency`],
@@ -37,6 +37,7 @@ mod frequency;
 mod geographic;
 mod integrate;
 mod intensity;
+mod interpolate;
 mod kind;
 mod motion;
 mod orientation;
@@ -48,13 +49,14 @@ mod sensitivity;
 mod shown;
 mod spectrum;
 mod strongest;
+mod time_base;
 mod transfer;
 mod units;
 mod write;
 
 pub use baseline::{Line, linear_trend};
 pub use butterworth::{Band, Filter, Section};
-pub use channel::{Channel, align, common_time_base};
+pub use channel::{Channel, align};
 pub use error::Error;
 pub use frequency::highest_frequency;
 pub use geographic::Geographic;
@@ -70,6 +72,7 @@ pub use realfft::num_complex::Complex64;
 pub use sensitivity::Sensitivity;
 pub use spectrum::{default_periods, pseudo_acceleration};
 pub use strongest::{Strongest, strongest_window};
+pub use time_base::common_time_base;
 pub use transfer::transferred;
 pub use units::{STANDARD_GRAVITY, Units};
 pub use write::write_text;

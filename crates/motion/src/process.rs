@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn the_largest_component_comes_to_the_peak_and_the_others_keep_their_ratio() {
         let (mut a, mut b) = (channel(vec![0.0, 1.0, -4.0]), channel(vec![2.0, 0.5, 1.0]));
-        Process::PeakAcceleration { value: 0.3, units: Units::G }.apply(&mut [&mut b, &mut a]).unwrap();
+        Process::PeakAcceleration { value: 0.3, units: Units::G }.apply(&mut [&mut a, &mut b]).unwrap();
         assert!((a.acceleration[2] + 0.3 * STANDARD_GRAVITY).abs() < 1e-15);
         assert!((b.acceleration[0] - 0.15 * STANDARD_GRAVITY).abs() < 1e-15);
         let mut silent = channel(vec![0.0; 3]);
