@@ -13,6 +13,8 @@ pub struct Channel {
     pub name: String,
     /// The file it came from.
     pub file: PathBuf,
+    /// The format it was read in, as [`FORMATS`](crate::FORMATS) names it; empty without a file.
+    pub format: &'static str,
     /// Sampling interval (s).
     pub dt: f64,
     /// Time of the first sample (s): of the file's time column, else 0.
@@ -38,6 +40,7 @@ impl Channel {
         Channel {
             name: name.into(),
             file: PathBuf::new(),
+            format: "",
             dt,
             start: 0.0,
             acceleration,
