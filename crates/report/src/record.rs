@@ -19,7 +19,7 @@ const SPECTRUM: f64 = 210.0;
 const AFTER: usize = 0;
 /// What was before is shown up to this many times the extent of what came after, beyond both its ends. A drift is so seen to leave
 /// the axes and does not flatten what is left without it.
-const BEYOND: f64 = 1.0;
+const BEYOND: f64 = 2.0;
 
 /// One quantity before and after, in SI and of equal length.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,9 +64,11 @@ impl BeforeAfter<'_> {
 
         let (from, to) = range(self.time.iter().copied());
         let duration = self.time.last().copied().unwrap_or(f64::NAN);
-        for pair in &self.histories {
+        let last = self.histories.len().saturating_sub(1);
+        for (k, pair) in self.histories.iter().enumerate() {
             let panel = Panel {
                 pair,
+                numbered: k == last,
                 across: Ticks::within(from, to, 10),
                 places: self.time.to_vec(),
                 at: &|time| format!("{}\u{a0}s", moment(time, duration)),
@@ -85,6 +87,7 @@ impl BeforeAfter<'_> {
             let (_, most) = range(pair.before.iter().chain(pair.after).copied());
             let panel = Panel {
                 pair,
+                numbered: true,
                 across: axis(low, high),
                 places: periods.iter().map(|period| place(*period)).collect(),
                 at: &|place| format!("{}\u{a0}s", crate::scale::figures(1e-3 * 10_f64.powf(place), 2)),
@@ -138,6 +141,8 @@ fn largest(values: &[f64]) -> (usize, f64) {
 struct Panel<'a> {
     pair: &'a Pair<'a>,
     across: Ticks,
+    /// Whether the axis below has its numbers.
+    numbered: bool,
     /// Where the values stand along the axis.
     places: Vec<f64>,
     /// A place in words.
@@ -160,7 +165,9 @@ impl Panel<'_> {
             up: self.up.clone(),
         };
         axes.draw(svg);
-        axes.number_across(svg);
+        if self.numbered {
+            axes.number_across(svg);
+        }
         let placed = |values: &[f64]| {
             let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
             let points = self.places.iter().zip(values);

@@ -10,7 +10,7 @@ use tremolite_laws::parameter::Dimension;
 pub use component::{Column, Component, Direction, Record};
 
 use crate::fields::{Fields, Item, Node};
-use crate::keys::{Key, Kind, Limit, Table, words};
+use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::{Problem, Spanned};
 
 const TIME: Kind = Kind::Number(Dimension::TIME, Limit::NotNegative);
@@ -26,6 +26,7 @@ pub(crate) static MOTION: Table = Table {
             "what the record is: of a rock outcrop (halved), the incident wave itself, or measured within the rock",
         ),
         Key::optional("file", Kind::Text, "", "File with all components, taken by their orientation"),
+        Key::optional("sensitivity", Kind::Text, "", SENSITIVITY).when(When::Beside("file")),
         Key::optional("east", Kind::Table(&component::COMPONENT), "", "Component towards east"),
         Key::optional("north", Kind::Table(&component::COMPONENT), "", "Component towards north"),
         Key::optional("up", Kind::Table(&component::COMPONENT), "", "Component upwards"),
@@ -47,6 +48,9 @@ pub(crate) static MOTION: Table = Table {
     ],
     choice: &[&["file"], &["east", "north", "up"]],
 };
+
+/// What the keys of that name say.
+const SENSITIVITY: &str = "What a count is, where the file holds counts: \"427336 counts/(m/s2)\", of the network's station metadata";
 
 const WINDOW_KIND: Kind = Kind::Either(&[Kind::List(&TIME, 2, 2), Kind::Table(&WINDOW)]);
 
@@ -76,6 +80,8 @@ pub struct Motion {
     pub kind: Spanned<MotionKind>,
     /// Where the components come from.
     pub records: Records,
+    /// What a count of the one file is, as written; read by the motion crate. Files of components have their own.
+    pub sensitivity: Option<Spanned<String>>,
     /// The part that is used; nothing: all.
     pub window: Option<Spanned<Window>>,
     /// Steps of processing as they are written, in this order; read by the motion crate.
@@ -120,6 +126,7 @@ impl Motion {
         });
         Some(Motion {
             window,
+            sensitivity: f.text("sensitivity"),
             process: f.texts("process"),
             model_x_azimuth: f.number("model_x_azimuth")?,
             span: f.span.clone(),
