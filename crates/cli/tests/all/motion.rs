@@ -134,7 +134,9 @@ fn a_case_in_counts_is_refused_until_it_has_a_sensitivity() {
     let words = errors(&refused);
     assert_eq!(code(&refused), 2);
     assert!(
-        words.contains("'raw' is in counts") && words.contains("sensitivity = \"427336 counts/(m/s2)\""),
+        words.contains("'raw' is in counts")
+            && words.contains("write, beside file")
+            && words.contains("sensitivity = \"427336 counts/(m/s2)\""),
         "{words}"
     );
     let wrong = with("east = { file = \"raw.txt\", sensitivity = \"427336\" }");
