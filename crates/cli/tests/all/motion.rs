@@ -55,6 +55,12 @@ fn counts_are_told_as_counts_until_a_sensitivity_is_given() {
     for key in ["pgv", "pgd", "arias", "cav", "orientation"] {
         assert!(channel.get(key).is_some_and(serde_json::Value::is_null), "{key}: {}", channel[key]);
     }
+    burst(&at.join("weak.txt"), "m/s2", 0.01, 0.0, 1.2345e-4);
+    let weak = told(at, &["motion", "info", "weak.txt"]);
+    assert!(
+        weak.contains("PGA 0.000") && !weak.contains("0.0000 m/s") && !weak.contains("PGD 0.0000 "),
+        "{weak}"
+    );
     let text = told(at, &["motion", "info", "raw.txt"]);
     for word in [
         "[counts]",
@@ -179,5 +185,47 @@ fn what_reading_changed_and_directions_that_do_not_fit_are_warned_of() {
         let words = errors(&with(&record));
         assert!(!words.contains("is not clear"), "{words}");
         assert_eq!(!words.contains("states its direction as"), fits, "{axis} {channel}: {words}");
+    }
+}
+
+/// Pictures and steps of docs/records.md are what the program makes of the shipped record.
+#[test]
+fn the_page_of_records_shows_what_its_command_draws() {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
+    let page = std::fs::read_to_string(docs.join("records.md")).unwrap().replace("\\\n", " ");
+    let command = page.lines().find(|l| l.contains("motion process cases/records")).unwrap();
+    // Words in quotes are one.
+    let parts = command.split('"').enumerate().flat_map(|(i, part)| match i % 2 {
+        0 => part.split_whitespace().collect::<Vec<_>>(),
+        _ => vec![part],
+    });
+    let mut words: Vec<&str> = parts.skip(1).collect();
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().display().to_string();
+    let last = words.len() - 1;
+    assert_eq!((words[last - 1], words[last]), ("--out", "processed"));
+    words[last] = &out;
+    told(&docs.join(".."), &words);
+    let drawn = std::fs::read_to_string(folder.path().join("51WCW_EW_20s_40s_gal_int_1.svg")).unwrap();
+    let shown = std::fs::read_to_string(docs.join("records/wolong.svg")).unwrap();
+    assert!(drawn == shown, "docs/records/wolong.svg is not what its command on the page draws");
+    assert!(page.contains("(records/wolong.svg)") && drawn.len() < 100_000);
+    // The numbers of the page are those that the figure names.
+    for word in ["before 9.58\u{a0}m/s²", "after 9.40\u{a0}m/s²", "after −59.4\u{a0}mm"] {
+        assert!(drawn.contains(word), "{word}");
+    }
+    // Steps of the table are steps that are read.
+    for line in page.lines().filter(|l| l.starts_with("| `")) {
+        let steps = line.split('|').nth(1).unwrap().split('`').skip(1).step_by(2);
+        for step in steps {
+            let mut values = ["3", "20"].iter();
+            let text = step.split(' ').map(|w| match w {
+                "N" | "S" | "X" => "3",
+                "F" => values.next().unwrap(),
+                other => other,
+            });
+            let text = text.collect::<Vec<_>>().join(" ");
+            tremolite_motion::Process::parse(&text).unwrap_or_else(|e| panic!("{e}"));
+        }
     }
 }

@@ -30,6 +30,7 @@ fn json(c: &Channel) -> serde_json::Value {
 
 fn text(c: &Channel) -> String {
     let m = Intensity::of(c);
+    let direction = c.orientation.map_or("direction not stated".to_owned(), |o| o.to_string());
     let mut lines = vec![
         format!(
             "{} [{}]: {} points of {} s, {} s to {} s",
@@ -40,21 +41,18 @@ fn text(c: &Channel) -> String {
             seconds(c.start),
             seconds(c.end())
         ),
-        format!(
-            "    format {}, {}",
-            c.format,
-            c.orientation.map_or("direction not stated".to_owned(), |o| o.to_string())
-        ),
+        format!("    format {}, {direction}", c.format),
     ];
+    let [pga, pgv, pgd, arias, cav] = [m.pga, m.pgv, m.pgd, m.arias, m.cav].map(figures);
     lines.push(if c.raw {
         format!(
-            "    peak {:.1} counts, D5-95 {:.2} s; what a count is is not known: --sensitivity \"427336 counts/(m/s2)\", say",
-            m.pga, m.d5_95
+            "    peak {pga} counts, D5-95 {:.2} s; what a count is is not known: --sensitivity \"427336 counts/(m/s2)\", say",
+            m.d5_95
         )
     } else {
         format!(
-            "    PGA {:.4} m/s2, PGV {:.4} m/s, PGD {:.4} m, Arias {:.4} m/s, D5-95 {:.2} s, CAV {:.3} m/s",
-            m.pga, m.pgv, m.pgd, m.arias, m.d5_95, m.cav
+            "    PGA {pga} m/s2, PGV {pgv} m/s, PGD {pgd} m, Arias {arias} m/s, D5-95 {:.2} s, CAV {cav} m/s",
+            m.d5_95
         )
     });
     lines.extend(c.remarks.iter().map(|remark| format!("    {remark}")));
@@ -64,4 +62,13 @@ fn text(c: &Channel) -> String {
 /// A time to a microsecond, without needless zeros.
 fn seconds(time: f64) -> String {
     format!("{}", (time * 1e6).round() / 1e6)
+}
+
+/// A measure to four figures, of a weak record as of a strong one.
+fn figures(value: f64) -> String {
+    let power = if value > 0.0 { value.log10().floor() } else { 0.0 };
+    if !(-6.0..9.0).contains(&power) {
+        return format!("{value:.3e}");
+    }
+    format!("{value:.*}", (3.0 - power).max(0.0) as usize)
 }
