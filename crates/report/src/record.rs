@@ -208,13 +208,13 @@ fn clipped(lines: &[Vec<(f64, f64)>], (top, bottom): (f64, f64)) -> Vec<Vec<(f64
             let inside = |y: f64| (top..=bottom).contains(&y);
             let crosses = a.1.min(b.1) < bottom && a.1.max(b.1) > top;
             if !(crosses || inside(a.1) && inside(b.1)) {
+                parts.push(std::mem::take(&mut part));
                 continue;
             }
             let (s, t) =
                 if a.1 == b.1 { (0.0, 1.0) } else { (cut(top).min(cut(bottom)), cut(top).max(cut(bottom))) };
             let at = |s: f64| (a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1));
-            if s > 0.0 || part.is_empty() {
-                parts.push(std::mem::take(&mut part));
+            if part.is_empty() {
                 part.push(at(s));
             }
             part.push(at(t));
@@ -277,6 +277,12 @@ mod tests {
         assert_eq!(
             clipped(&lines, (0.0, 10.0)),
             [vec![(0.0, 5.0), (5.0, 10.0)], vec![(27.5, 10.0), (30.0, 5.0), (40.0, 5.0)]]
+        );
+        // Out and in again where points are on the edge itself.
+        let edge = [vec![(0.0, 5.0), (10.0, 10.0), (20.0, 15.0), (30.0, 10.0), (40.0, 5.0)]];
+        assert_eq!(
+            clipped(&edge, (0.0, 10.0)),
+            [vec![(0.0, 5.0), (10.0, 10.0)], vec![(30.0, 10.0), (40.0, 5.0)]]
         );
         // From beyond one end to beyond the other.
         assert_eq!(clipped(&[vec![(0.0, -10.0), (3.0, 20.0)]], (0.0, 10.0)), [vec![(1.0, 0.0), (2.0, 10.0)]]);
