@@ -13,6 +13,8 @@ pub struct Channel {
     pub name: String,
     /// The file it came from.
     pub file: PathBuf,
+    /// The format it was read in, as [`FORMATS`](crate::FORMATS) names it; empty without a file.
+    pub format: &'static str,
     /// Sampling interval (s).
     pub dt: f64,
     /// Time of the first sample (s): of the file's time column, else 0.
@@ -38,6 +40,7 @@ impl Channel {
         Channel {
             name: name.into(),
             file: PathBuf::new(),
+            format: "",
             dt,
             start: 0.0,
             acceleration,
@@ -90,12 +93,20 @@ impl Channel {
         }
         // Both lie in 0..len by the lines above.
         let (first, last) = (first as usize, last as usize);
-        Ok(Channel {
-            start: self.start + first as f64 * self.dt,
-            clock: self.clock.map(|clock| clock + first as f64 * self.dt),
-            acceleration: self.acceleration[first..=last].to_vec(),
-            ..self.clone()
-        })
+        Ok(self.at(first as f64 * self.dt, self.acceleration[first..=last].to_vec()))
+    }
+
+    /// This channel with other samples, of which the first is `later` (s) than its own was.
+    pub(crate) fn at(&self, later: f64, acceleration: Vec<f64>) -> Channel {
+        Channel {
+            name: self.name.clone(),
+            file: self.file.clone(),
+            start: self.start + later,
+            clock: self.clock.map(|clock| clock + later),
+            acceleration,
+            remarks: self.remarks.clone(),
+            ..*self
+        }
     }
 }
 
@@ -108,55 +119,6 @@ pub fn align(channels: &mut [&mut Channel]) {
     for (channel, clock) in channels.iter_mut().zip(&clocks) {
         channel.start = first + (clock - clocks[0]);
     }
-}
-
-/// Cuts channels to the span of time they share, so that equal indices are equal times.
-///
-/// Nothing is resampled.
-///
-/// # Errors
-/// [`Error::Unsuitable`] if there is no channel, if sampling intervals differ, if first samples are not a whole
-/// number of intervals apart (to 1 %), or if there is no common span.
-pub fn common_time_base(channels: &[&Channel]) -> Result<Vec<Channel>, Error> {
-    let Some(first) = channels.first() else {
-        return Err(Error::unsuitable("no component was given", "name at least one record"));
-    };
-    for other in &channels[1..] {
-        if (other.dt - first.dt).abs() > 1e-6 * first.dt {
-            return Err(Error::unsuitable(
-                format!(
-                    "the components have different sampling intervals: '{}' {} s, '{}' {} s",
-                    first.name, first.dt, other.name, other.dt
-                ),
-                "resample them to one interval with a program of your choice and read the result as text",
-            ));
-        }
-        let shift = (other.start - first.start) / first.dt;
-        if !((shift - shift.round()).abs() < 0.01) {
-            return Err(Error::unsuitable(
-                format!(
-                    "the samples of '{}' and '{}' lie between each other: they start at {} s and {} s, \
-                     interval {} s",
-                    first.name, other.name, first.start, other.start, first.dt
-                ),
-                "resample one of them to the times of the other and read the result as text",
-            ));
-        }
-    }
-    let start = channels.iter().map(|c| c.start).fold(f64::NEG_INFINITY, f64::max);
-    let end = channels.iter().map(|c| c.end()).fold(f64::INFINITY, f64::min);
-    channels
-        .iter()
-        .map(|c| {
-            // A margin of 2 % of an interval, since first samples may be that far from a whole number of them.
-            c.window(start - 0.02 * c.dt, end + 0.02 * c.dt).map_err(|_| {
-                Error::unsuitable(
-                    format!("the components have no span of time in common ('{}' and others)", c.name),
-                    "check that they belong to one event and have the same zero of time",
-                )
-            })
-        })
-        .collect()
 }
 
 #[cfg(test)]
@@ -198,25 +160,5 @@ mod tests {
         assert_eq!((a.start, b.start), (0.0, 0.5));
         let cut = b.window(0.75, 2.0).unwrap();
         assert_eq!((cut.start, cut.clock), (0.75, Some(1e9 + 0.75)));
-    }
-
-    #[test]
-    fn components_are_cut_to_their_common_span() {
-        let (a, b) = (ramp(0.0, 0.01, 101), ramp(0.20, 0.01, 101));
-        let cut = common_time_base(&[&a, &b]).unwrap();
-        assert_eq!((cut[0].acceleration.len(), cut[1].acceleration.len()), (81, 81));
-        for (x, y) in cut[0].acceleration.iter().zip(&cut[1].acceleration) {
-            assert!((x - y).abs() < 1e-12);
-        }
-    }
-
-    #[test]
-    fn unlike_intervals_and_interleaved_samples_are_refused_with_the_way_out() {
-        let a = ramp(0.0, 0.01, 101);
-        for b in [ramp(0.0, 0.02, 50), ramp(0.005, 0.01, 101), ramp(f64::MAX, 0.01, 3), ramp(5.0, 0.01, 3)] {
-            assert!(common_time_base(&[&a, &b]).is_err());
-        }
-        let message = common_time_base(&[&a, &ramp(0.0, 0.02, 50)]).unwrap_err().to_string();
-        assert!(message.contains("0.02 s") && message.contains("resample"), "{message}");
     }
 }

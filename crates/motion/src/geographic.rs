@@ -1,5 +1,6 @@
 //! From recorded components to east, north and up, and on to the model's axes.
 
+use crate::sensitivity::REMEDY;
 use crate::{Channel, Error, Orientation, common_time_base};
 
 /// Ground acceleration in east, north and up on one time base.
@@ -35,8 +36,7 @@ impl Geographic {
         if let Some(raw) = given.iter().find(|c| c.raw) {
             return Err(Error::unsuitable(
                 format!("'{}' is in counts, and nothing says what a count is", raw.name),
-                "give its sensitivity, which the network's station metadata state, for example sensitivity = \
-                 \"427336 counts/(m/s2)\"",
+                REMEDY,
             ));
         }
         let cut = common_time_base(&given)?;

@@ -24,7 +24,11 @@ pub struct Intensity {
     pub pgd: f64,
     /// Arias intensity π/(2 g) ∫ a² dt (m/s), g = 9.81 m/s².
     pub arias: f64,
-    /// Significant duration (s), from 5 % to 95 % of the Arias intensity, linear between samples.
+    /// Time (s) from the first sample at which 5 % of the Arias intensity is reached, linear between samples.
+    pub t5: f64,
+    /// The same for 95 %.
+    pub t95: f64,
+    /// Significant duration (s), from 5 % to 95 % of the Arias intensity.
     pub d5_95: f64,
     /// Cumulative absolute velocity ∫ |a| dt (m/s), without a threshold.
     pub cav: f64,
@@ -46,6 +50,7 @@ impl Intensity {
         let energy = cumulative_trapezoid(&square, dt);
         let modulus: Vec<f64> = acceleration.iter().map(|a| a.abs()).collect();
         let total = energy.last().copied().unwrap_or(0.0);
+        let [t5, t95] = [0.05, 0.95].map(|share| reaches(&energy, share * total) * dt);
         Intensity {
             dt,
             npts: acceleration.len(),
@@ -53,7 +58,9 @@ impl Intensity {
             pgv: peak(&velocity),
             pgd: peak(&displacement),
             arias: PI / (2.0 * ARIAS_GRAVITY) * total,
-            d5_95: (reaches(&energy, 0.95 * total) - reaches(&energy, 0.05 * total)) * dt,
+            t5,
+            t95,
+            d5_95: t95 - t5,
             cav: cumulative_trapezoid(&modulus, dt).last().copied().unwrap_or(0.0),
         }
     }

@@ -4,10 +4,10 @@
 //! The way of a record, each step a plain function on plain data:
 //!
 //! 1. [`read`] turns a file of any supported format into [`Channel`]s in m/s².
-//! 2. [`Channel::window`] and [`process`](crate::process()) cut, correct, filter and scale them.
-//! 3. [`Geographic`] puts the components on one time base and turns them into east, north and up,
-//!    then into the model's axes.
-//! 4. [`Motion`] integrates them and answers for any instant; [`Kind`] says what the motion is, and so
+//! 2. [`align`] and [`common_time_base`] put the components of a record on one time base.
+//! 3. [`Channel::window`] and [`process`](crate::process()) cut, correct, filter and scale them.
+//! 4. [`Geographic`] turns them into east, north and up, then into the model's axes.
+//! 5. [`Motion`] integrates them and answers for any instant; [`Kind`] says what the motion is, and so
 //!    how much of it is the incident wave.
 //!
 //! Beside this way lie [`Intensity`], [`pseudo_acceleration`], [`highest_frequency`],
@@ -20,7 +20,7 @@
 //!
 //! let text = b"# units = \"cm/s2\"\n0.00 0\n0.01 10\n0.02 -10\n0.03 0\n";
 //! let mut east = read_bytes("pulse.txt".as_ref(), text, &ReadOptions::default())?.remove(0);
-//! process(&mut east, &[Process::parse("scale 0.5").unwrap()])?;
+//! process(&mut [&mut east], &[Process::parse("scale 0.5").unwrap()])?;
 //! let ground = Geographic::from_parts(Some(&east), None, None)?;
 //! let motion = Motion::from_acceleration(ground.dt, ground.model_axes(90f64.to_radians()))?;
 //! assert!((motion.at(0.01).a[0] - 0.05).abs() < 1e-15);
@@ -37,9 +37,11 @@ mod frequency;
 mod geographic;
 mod integrate;
 mod intensity;
+mod interpolate;
 mod kind;
 mod motion;
 mod orientation;
+mod polynomial;
 mod process;
 mod pulse;
 mod read;
@@ -47,13 +49,14 @@ mod sensitivity;
 mod shown;
 mod spectrum;
 mod strongest;
+mod time_base;
 mod transfer;
 mod units;
 mod write;
 
 pub use baseline::{Line, linear_trend};
 pub use butterworth::{Band, Filter, Section};
-pub use channel::{Channel, align, common_time_base};
+pub use channel::{Channel, align};
 pub use error::Error;
 pub use frequency::{frequency_below, highest_frequency};
 pub use geographic::Geographic;
@@ -69,6 +72,7 @@ pub use realfft::num_complex::Complex64;
 pub use sensitivity::Sensitivity;
 pub use spectrum::{default_periods, pseudo_acceleration};
 pub use strongest::{Strongest, strongest_window};
+pub use time_base::common_time_base;
 pub use transfer::transferred;
 pub use units::{STANDARD_GRAVITY, Units};
 pub use write::write_text;

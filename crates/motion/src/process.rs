@@ -1,10 +1,12 @@
 //! Processing of a record, written as data so that a case file can hold it and a report can print it.
 
-use std::fmt;
+mod notation;
 
 use crate::baseline::{bring_to_rest, detrend_linear, taper};
-use crate::shown::shown;
-use crate::{Band, Channel, Error, Filter};
+use crate::intensity::peak;
+use crate::polynomial::detrend_polynomial;
+use crate::sensitivity::REMEDY;
+use crate::{Band, Channel, Error, Filter, Units};
 
 /// One step of processing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +17,15 @@ pub enum Process {
     /// that a window cut from a record does not drift. Its period is the record's length, so it does not touch the
     /// shaking; whatever permanent displacement the record had is lost.
     Baseline,
+    /// Takes off the polynomial of this degree (1 to 10) that fits the *acceleration* best (least squares), as the baseline
+    /// correction of SeismoSignal does (its help; degrees to 3 there) and ObsPy's `detrend("polynomial", order=…)`. Degree 1 is
+    /// [`DetrendLinear`](Process::DetrendLinear). It does not bring the motion to rest, as [`Baseline`](Process::Baseline)
+    /// does. It is not PEER's correction (Ancheta and others, 2013; `baseline_sixth_order` of gmprocess), which
+    /// fits the displacement.
+    BaselinePolynomial { degree: usize },
+    /// Takes the mean of the first seconds off the whole record: the sensor's offset, as seen before the
+    /// first wave. Both ends of the time are included, and at least two samples are in it.
+    PreEvent { seconds: f64 },
     /// Fades in and out with half a cosine wave of this length (s) at both ends.
     Taper { seconds: f64 },
     /// Fourth-order Butterworth high-pass, forwards and backwards; corner (Hz).
@@ -25,157 +36,150 @@ pub enum Process {
     Bandpass { low: f64, high: f64 },
     /// Multiplies by a number.
     Scale(f64),
+    /// Multiplies all channels by the one factor that brings the largest |a| among them to this value, in these units: the
+    /// component that shakes most comes to it and the others keep their ratio to it. Not for channels in counts.
+    PeakAcceleration { value: f64, units: Units },
 }
 
-/// What [`Process::parse`] reads, for messages.
-const FORMS: &str = "use 'detrend linear', 'baseline', 'taper 1 s', 'highpass 0.1 Hz', 'lowpass 20 Hz', \
-                     'bandpass 0.1 Hz 20 Hz' or 'scale 0.35'";
-
 impl Process {
-    /// Reads a step as the case file writes it: `detrend linear`, `baseline`, `taper 1 s`, `highpass 0.1 Hz`,
-    /// `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `scale 0.35`. Numbers without a unit are in s and Hz.
-    ///
-    /// # Errors
-    /// A sentence that names the fault and the forms that are read.
-    pub fn parse(text: &str) -> Result<Process, String> {
-        let wrong = |problem: String| format!("'{}': {problem}; {FORMS}", shown(text));
-        // A unit may stand right behind its number.
-        let spaced = split_units(text);
-        let mut words = spaced.split_whitespace();
-        let name = words.next().ok_or_else(|| wrong("the step is empty".into()))?;
-        let rest: Vec<&str> = words.collect();
-        let numbers = |unit: &str, count: usize| -> Result<Vec<f64>, String> {
-            let mut values = Vec::new();
-            for word in &rest {
-                match word.parse::<f64>() {
-                    Ok(value) if value.is_finite() => values.push(value),
-                    Err(_) if word.eq_ignore_ascii_case(unit) => {}
-                    _ => return Err(wrong(format!("'{}' is out of place", shown(word)))),
-                }
-            }
-            if values.len() != count {
-                return Err(wrong(format!("{count} number(s) expected, {} found", values.len())));
-            }
-            Ok(values)
-        };
-        let positive = |values: Vec<f64>| match values.iter().find(|v| **v <= 0.0) {
-            Some(v) => Err(wrong(format!("{v} is not above 0"))),
-            None => Ok(values),
-        };
-        match name {
-            "detrend" if rest == ["linear"] => Ok(Process::DetrendLinear),
-            "baseline" if rest.is_empty() => Ok(Process::Baseline),
-            "taper" => Ok(Process::Taper { seconds: positive(numbers("s", 1)?)?[0] }),
-            "highpass" => Ok(Process::Highpass { hz: positive(numbers("Hz", 1)?)?[0] }),
-            "lowpass" => Ok(Process::Lowpass { hz: positive(numbers("Hz", 1)?)?[0] }),
-            "bandpass" => {
-                let corners = positive(numbers("Hz", 2)?)?;
-                if corners[0] >= corners[1] {
-                    return Err(wrong("the lower corner must come first and be below the upper one".into()));
-                }
-                Ok(Process::Bandpass { low: corners[0], high: corners[1] })
-            }
-            "scale" => Ok(Process::Scale(numbers("", 1)?[0])),
-            _ => Err(wrong("not a known step".into())),
-        }
-    }
-
-    /// Applies the step to a channel in place.
+    /// Applies the step to the channels of one record in place: to each by itself, but for
+    /// [`PeakAcceleration`](Process::PeakAcceleration).
     ///
     /// # Errors
     /// [`Error::Process`] if a corner is not below the Nyquist frequency, the corners are not in order, the
-    /// record is not longer than the filter's padding ([`Filter::padding`]) or than two tapers, or values
-    /// leave the range of numbers. The channel is then as before.
-    pub fn apply(&self, channel: &mut Channel) -> Result<(), Error> {
-        let refuse = |problem: String, remedy: String| Error::Process {
+    /// record is not longer than the filter's padding ([`Filter::padding`]), than two tapers or than the time before the event,
+    /// has too few samples for the polynomial, if nothing shakes that could be scaled, or values
+    /// leave the range of numbers. All channels are then as before.
+    pub fn apply(&self, channels: &mut [&mut Channel]) -> Result<(), Error> {
+        let factor = match *self {
+            Process::PeakAcceleration { value, units } => self.factor(channels, value, units)?,
+            _ => 1.0,
+        };
+        let mut all = Vec::with_capacity(channels.len());
+        for channel in &*channels {
+            let values = self.of_one(channel, factor)?;
+            if values.iter().any(|v| !v.is_finite()) {
+                return Err(self.refusal(
+                    channel,
+                    "the result is not finite",
+                    "check the record's values and the numbers of this step",
+                ));
+            }
+            all.push(values);
+        }
+        for (channel, values) in channels.iter_mut().zip(all) {
+            channel.acceleration = values;
+        }
+        Ok(())
+    }
+
+    fn refusal(&self, channel: &Channel, problem: impl Into<String>, remedy: impl Into<String>) -> Error {
+        Error::Process {
             channel: channel.name.clone(),
             step: self.to_string(),
-            problem,
-            remedy,
-        };
+            problem: problem.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// What brings the largest |a| of the channels to `value`.
+    fn factor(&self, channels: &[&mut Channel], value: f64, units: Units) -> Result<f64, Error> {
+        if let Some(raw) = channels.iter().find(|c| c.raw) {
+            return Err(self.refusal(
+                raw,
+                "the record is in counts, and nothing says what a count is",
+                REMEDY,
+            ));
+        }
+        let largest = channels.iter().map(|c| peak(&c.acceleration)).fold(0.0, f64::max);
+        match (channels.first(), units.factor()) {
+            (Some(first), _) if largest == 0.0 => Err(self.refusal(
+                first,
+                "the record is zero everywhere, so no factor brings it to a peak",
+                "check the record, its window and the steps before",
+            )),
+            (Some(first), None) => Err(self.refusal(first, "a peak in counts", "give it in m/s2 or g")),
+            (_, unit) => Ok(value * unit.unwrap_or(1.0) / largest),
+        }
+    }
+
+    /// The channel's samples after the step; `factor` is that of a peak that was asked for.
+    fn of_one(&self, channel: &Channel, factor: f64) -> Result<Vec<f64>, Error> {
+        let count = channel.acceleration.len();
         let filtered = |band: Band| -> Result<Vec<f64>, Error> {
-            let filter =
-                Filter::design(band, channel.dt).map_err(|[problem, remedy]| refuse(problem, remedy))?;
+            let filter = Filter::design(band, channel.dt)
+                .map_err(|[problem, remedy]| self.refusal(channel, problem, remedy))?;
             filter.zero_phase(&channel.acceleration).ok_or_else(|| {
-                refuse(
-                    format!(
-                        "the record has {} samples and the filter needs more than {}",
-                        channel.acceleration.len(),
-                        filter.padding()
-                    ),
-                    "take a longer window".into(),
-                )
+                let problem = format!(
+                    "the record has {count} samples and the filter needs more than {}",
+                    filter.padding()
+                );
+                self.refusal(channel, problem, "take a longer window")
             })
         };
-        let mut values = match *self {
-            Process::Highpass { hz } => filtered(Band::High(hz))?,
-            Process::Lowpass { hz } => filtered(Band::Low(hz))?,
-            Process::Bandpass { low, high } => filtered(Band::Pass(low, high))?,
-            Process::DetrendLinear | Process::Baseline | Process::Taper { .. } | Process::Scale(_) => {
-                channel.acceleration.clone()
-            }
-        };
+        let mut values = channel.acceleration.clone();
         match *self {
+            Process::Highpass { hz } => values = filtered(Band::High(hz))?,
+            Process::Lowpass { hz } => values = filtered(Band::Low(hz))?,
+            Process::Bandpass { low, high } => values = filtered(Band::Pass(low, high))?,
             Process::DetrendLinear => detrend_linear(&mut values),
             Process::Baseline => bring_to_rest(&mut values, channel.dt),
+            Process::BaselinePolynomial { degree } => {
+                if count <= degree + 1 {
+                    return Err(self.refusal(
+                        channel,
+                        format!(
+                            "the record has {count} samples, and the polynomial {} coefficients",
+                            degree + 1
+                        ),
+                        "take a lower degree or a longer window",
+                    ));
+                }
+                detrend_polynomial(&mut values, degree);
+            }
+            Process::PreEvent { seconds } => {
+                // The cast saturates; a thousandth of an interval is allowed for round-off, as in a window.
+                let before = ((seconds / channel.dt + 1e-3).floor() as usize).saturating_add(1);
+                if !(before >= 2 && before <= count) {
+                    let problem = format!(
+                        "the record lasts {} s in samples {} s apart, and the time before the event needs two of \
+                         them and ends within the record",
+                        channel.duration(),
+                        channel.dt
+                    );
+                    return Err(self.refusal(
+                        channel,
+                        problem,
+                        "give the seconds before the first wave arrives",
+                    ));
+                }
+                let mean = values[..before].iter().sum::<f64>() / before as f64;
+                values.iter_mut().for_each(|v| *v -= mean);
+            }
             Process::Taper { seconds } => {
                 if !(seconds > 0.0 && 2.0 * seconds <= channel.duration()) {
-                    return Err(refuse(
+                    return Err(self.refusal(
+                        channel,
                         format!("the record lasts {} s, less than two tapers", channel.duration()),
-                        "shorten the taper or take a longer window".into(),
+                        "shorten the taper or take a longer window",
                     ));
                 }
                 taper(&mut values, channel.dt, seconds);
             }
-            Process::Scale(factor) => values.iter_mut().for_each(|v| *v *= factor),
-            Process::Highpass { .. } | Process::Lowpass { .. } | Process::Bandpass { .. } => {}
+            Process::Scale(number) => values.iter_mut().for_each(|v| *v *= number),
+            Process::PeakAcceleration { .. } => values.iter_mut().for_each(|v| *v *= factor),
         }
-        if values.iter().any(|v| !v.is_finite()) {
-            return Err(refuse(
-                "the result is not finite".into(),
-                "check the record's values and the numbers of this step".into(),
-            ));
-        }
-        channel.acceleration = values;
-        Ok(())
+        Ok(values)
     }
 }
 
-/// Puts a space between a number and a unit written right behind it (`20Hz`, `1s`).
-fn split_units(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + 4);
-    let mut previous = ' ';
-    for c in text.chars() {
-        if matches!(c, 'H' | 'h' | 's') && (previous.is_ascii_digit() || previous == '.') {
-            out.push(' ');
-        }
-        out.push(c);
-        previous = c;
-    }
-    out
-}
-
-impl fmt::Display for Process {
-    /// The form that [`Process::parse`] reads.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Process::DetrendLinear => f.write_str("detrend linear"),
-            Process::Baseline => f.write_str("baseline"),
-            Process::Taper { seconds } => write!(f, "taper {seconds} s"),
-            Process::Highpass { hz } => write!(f, "highpass {hz} Hz"),
-            Process::Lowpass { hz } => write!(f, "lowpass {hz} Hz"),
-            Process::Bandpass { low, high } => write!(f, "bandpass {low} Hz {high} Hz"),
-            Process::Scale(factor) => write!(f, "scale {factor}"),
-        }
-    }
-}
-
-/// Applies the steps in order.
+/// Applies the steps in order to the channels of one record. They belong together for
+/// [`Process::PeakAcceleration`] alone, which keeps the ratio of the components.
 ///
 /// # Errors
 /// That of the first step that cannot be applied (see [`Process::apply`]); earlier steps stay applied.
-pub fn process(channel: &mut Channel, steps: &[Process]) -> Result<(), Error> {
-    steps.iter().try_for_each(|step| step.apply(channel))
+pub fn process(channels: &mut [&mut Channel], steps: &[Process]) -> Result<(), Error> {
+    steps.iter().try_for_each(|step| step.apply(channels))
 }
 
 /// The lowest upper corner (Hz) among the steps: what the user cut off on purpose. `None` without a low-pass.
@@ -193,61 +197,18 @@ pub fn lowest_lowpass(steps: &[Process]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::STANDARD_GRAVITY;
 
     fn channel(acceleration: Vec<f64>) -> Channel {
         Channel::new("test", 0.01, acceleration)
     }
 
     #[test]
-    fn steps_are_read_as_the_case_file_writes_them_and_printed_alike() {
-        for (text, step) in [
-            ("baseline", Process::Baseline),
-            ("detrend linear", Process::DetrendLinear),
-            ("taper 1 s", Process::Taper { seconds: 1.0 }),
-            ("highpass 0.1 Hz", Process::Highpass { hz: 0.1 }),
-            ("lowpass 20 Hz", Process::Lowpass { hz: 20.0 }),
-            ("bandpass 0.1 Hz 20 Hz", Process::Bandpass { low: 0.1, high: 20.0 }),
-            ("scale 0.35", Process::Scale(0.35)),
-            ("scale -1", Process::Scale(-1.0)),
-        ] {
-            assert_eq!(Process::parse(text), Ok(step));
-            assert_eq!(step.to_string(), text);
-        }
-        assert_eq!(Process::parse(" bandpass  0.1 20hz"), Ok(Process::Bandpass { low: 0.1, high: 20.0 }));
-        assert_eq!(Process::parse("taper 1.s"), Ok(Process::Taper { seconds: 1.0 }));
-    }
-
-    #[test]
-    fn steps_that_mean_nothing_are_refused_with_the_forms() {
-        for text in [
-            "",
-            "detrend",
-            "detrend quadratic",
-            "taper",
-            "taper 1 Hz",
-            "taper -1 s",
-            "taper 1 s 2 s",
-            "bandpass 20 Hz 0.1 Hz",
-            "bandpass 1 Hz",
-            "highpass 0 Hz",
-            "lowpass NaN Hz",
-            "scale inf",
-            "scale",
-            "scale 2 s",
-            "notch 50 Hz",
-            "lowpass Hz",
-        ] {
-            let message = Process::parse(text).unwrap_err();
-            assert!(message.contains("'bandpass 0.1 Hz 20 Hz'"), "{text}: {message}");
-        }
-    }
-
-    #[test]
     fn steps_apply_in_order() {
         let mut record = channel((0..101).map(|i| 1.0 + 0.1 * f64::from(i)).collect());
         let mut other = record.clone();
-        process(&mut record, &[Process::DetrendLinear, Process::Taper { seconds: 0.2 }]).unwrap();
-        process(&mut other, &[Process::Taper { seconds: 0.2 }, Process::DetrendLinear]).unwrap();
+        process(&mut [&mut record], &[Process::DetrendLinear, Process::Taper { seconds: 0.2 }]).unwrap();
+        process(&mut [&mut other], &[Process::Taper { seconds: 0.2 }, Process::DetrendLinear]).unwrap();
         assert!(record.acceleration.iter().all(|a| a.abs() < 1e-12));
         assert!(other.acceleration.iter().any(|a| a.abs() > 0.1));
     }
@@ -261,12 +222,48 @@ mod tests {
             (Process::Bandpass { low: 1.0, high: 5.0 }, "27 samples"),
             (Process::Taper { seconds: 0.14 }, "two tapers"),
             (Process::Scale(1e308), "finite"),
+            (Process::PeakAcceleration { value: 1e308, units: Units::G }, "finite"),
+            (Process::PeakAcceleration { value: 1.0, units: Units::Counts }, "in counts"),
+            (Process::PreEvent { seconds: 0.27 }, "lasts 0.26 s"),
+            (Process::PreEvent { seconds: 0.009 }, "needs two"),
+            (Process::PreEvent { seconds: f64::NAN }, "needs two"),
+            (Process::BaselinePolynomial { degree: 26 }, "27 coefficients"),
         ] {
-            let mut touched = record.clone();
-            let message = step.apply(&mut touched).unwrap_err().to_string();
+            // The second channel alone is at fault in some, and the first must not be touched either.
+            let long = channel(vec![1.0; 200]);
+            let (mut first, mut touched) = (long.clone(), record.clone());
+            let message = step.apply(&mut [&mut first, &mut touched]).unwrap_err().to_string();
             assert!(message.contains(word) && message.contains("test"), "{message}");
-            assert_eq!(touched, record);
+            assert_eq!((first, touched), (long, record.clone()));
         }
+    }
+
+    #[test]
+    fn the_mean_before_the_event_comes_off_the_whole_record() {
+        // 0.5 for 21 samples, both ends included, and something else behind.
+        let mut record = channel((0..101).map(|i| if i <= 20 { 0.5 } else { 3.0 }).collect());
+        Process::PreEvent { seconds: 0.2 }.apply(&mut [&mut record]).unwrap();
+        assert!(record.acceleration[..=20].iter().all(|a| *a == 0.0));
+        assert!(record.acceleration[21..].iter().all(|a| *a == 2.5));
+        let mut whole = channel((0..101).map(f64::from).collect());
+        Process::PreEvent { seconds: 1.0 }.apply(&mut [&mut whole]).unwrap();
+        assert_eq!((whole.acceleration[0], whole.acceleration[100]), (-50.0, 50.0));
+    }
+
+    #[test]
+    fn the_largest_component_comes_to_the_peak_and_the_others_keep_their_ratio() {
+        let (mut a, mut b) = (channel(vec![0.0, 1.0, -4.0]), channel(vec![2.0, 0.5, 1.0]));
+        Process::PeakAcceleration { value: 0.3, units: Units::G }.apply(&mut [&mut a, &mut b]).unwrap();
+        assert!((a.acceleration[2] + 0.3 * STANDARD_GRAVITY).abs() < 1e-15);
+        assert!((b.acceleration[0] - 0.15 * STANDARD_GRAVITY).abs() < 1e-15);
+        let mut silent = channel(vec![0.0; 3]);
+        let step = Process::PeakAcceleration { value: 1.0, units: Units::MetrePerSecond2 };
+        let message = step.apply(&mut [&mut silent]).unwrap_err().to_string();
+        assert!(message.contains("zero everywhere"), "{message}");
+        let mut counts = Channel { raw: true, ..channel(vec![1.0, 5.0]) };
+        let message = step.apply(&mut [&mut a, &mut counts]).unwrap_err().to_string();
+        assert!(message.contains("counts") && message.contains("sensitivity"), "{message}");
+        step.apply(&mut []).unwrap();
     }
 
     #[test]

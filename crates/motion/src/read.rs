@@ -132,5 +132,7 @@ pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Ve
             "remove the declaration; all its components are read",
         ));
     }
-    (format.read)(&source, options)
+    let mut channels = (format.read)(&source, options)?;
+    channels.iter_mut().for_each(|channel| channel.format = format.name);
+    Ok(channels)
 }

@@ -6,6 +6,10 @@ use std::str::FromStr;
 use crate::Units;
 use crate::shown::shown;
 
+/// What a user can do about a record in counts.
+pub(crate) const REMEDY: &str = "give its sensitivity, which the network's station metadata state, for example sensitivity = \
+                                 \"427336 counts/(m/s2)\"";
+
 /// Counts per m/s²: the whole chain from the ground to the file, above 0 and finite. StationXML calls it `InstrumentSensitivity`
 /// and states it in counts per M/S**2.
 #[derive(Debug, Clone, Copy, PartialEq)]

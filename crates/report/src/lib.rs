@@ -4,7 +4,8 @@
 //! network and no scripts, prints on A4, and follows the reader's choice of a light or dark screen. What a file or
 //! column does not give is left out with a sentence that says why.
 //!
-//! [`loops`] draws what comes of a law driven along a path, from plain columns.
+//! [`loops`] draws what comes of a law driven along a path, [`record`] a record before and after its processing; both from plain
+//! columns.
 
 mod apart;
 mod axes;
@@ -71,6 +72,7 @@ mod plastic_zones;
 mod plot;
 mod plotted;
 mod reaction;
+pub mod record;
 mod relative_motion;
 mod relaxation;
 mod scale;

@@ -11,6 +11,8 @@ pub const MUTED: &str = "#5b6773";
 const GRID: &str = "#e2e6ea";
 const VEIL: &str = "#d3dae1";
 const AXIS: &str = "#8b95a1";
+/// A middle grey: lighter than any line, darker than the grid.
+const BEFORE: &str = "#9aa0a6";
 const FONTS: &str =
     "system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,'Noto Sans CJK SC',sans-serif";
 
@@ -145,46 +147,42 @@ impl Svg {
 
     /// Thin dark lines on a map. Maps keep their own light colours in the dark, so these do not follow the page.
     pub fn borders(&mut self, lines: &[Vec<(f64, f64)>]) {
-        self.put("<path fill=\"none\" stroke=\"#1f2933\" stroke-width=\"0.9\" stroke-linecap=\"round\" d=\"");
-        for line in lines {
-            self.trace(line, false);
-        }
-        self.put("\"/>");
+        self.strokes("stroke=\"#1f2933\" stroke-width=\"0.9\" stroke-linecap=\"round\"", lines);
     }
 
     /// Blue lines with a light edge on a map.
     pub fn marked(&mut self, lines: &[Vec<(f64, f64)>]) {
         for (colour, width) in [("#fff", "2.6"), (LINES[0], "1.3")] {
-            self.put(format_args!("<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" d=\""));
-            for line in lines {
-                self.trace(line, false);
-            }
-            self.put("\"/>");
+            self.strokes(&format!("stroke=\"{colour}\" stroke-width=\"{width}\""), lines);
         }
     }
 
     /// Strong dark lines with a light edge on a map.
     pub fn shapes(&mut self, lines: &[Vec<(f64, f64)>]) {
         for (colour, width) in [("#fff", "4"), ("#1f2933", "2")] {
-            self.put(format_args!(
-                "<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\" d=\""
-            ));
-            for line in lines {
-                self.trace(line, false);
-            }
-            self.put("\"/>");
+            let pen = format!("stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"");
+            self.strokes(&pen, lines);
         }
     }
 
     /// Hatching on a map, dark with a light edge so that it is seen on any colour.
     pub fn hatching(&mut self, lines: &[Vec<(f64, f64)>]) {
         for (colour, width) in [("#fff", "2.2"), ("#1f2933", "0.9")] {
-            self.put(format_args!("<path fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" d=\""));
-            for line in lines {
-                self.trace(line, false);
-            }
-            self.put("\"/>");
+            self.strokes(&format!("stroke=\"{colour}\" stroke-width=\"{width}\""), lines);
         }
+    }
+
+    /// Grey lines for what was before.
+    pub fn before(&mut self, lines: &[Vec<(f64, f64)>]) {
+        self.strokes(&format!("stroke=\"{BEFORE}\" stroke-width=\"1.5\" stroke-linejoin=\"round\""), lines);
+    }
+
+    fn strokes(&mut self, pen: &str, lines: &[Vec<(f64, f64)>]) {
+        self.put(format_args!("<path fill=\"none\" {pen} d=\""));
+        for line in lines {
+            self.trace(line, false);
+        }
+        self.put("\"/>");
     }
 
     /// A named dot on a map, legible on any colour.

@@ -32,6 +32,7 @@ pub(super) static COMPONENT: Table = Table {
         .when(When::Beside("file")),
         Key::optional("dt", DURATION, "", "Time between figures, where the file does not say")
             .when(When::Beside("file")),
+        Key::optional("sensitivity", Kind::Text, "", super::SENSITIVITY).when(When::Beside("file")),
         Key::optional("from", Kind::Word(Direction::WORDS), "", "The component this one is made of"),
         Key::required("factor", Kind::Number(Dimension::NONE, Limit::Any), "this component over the other")
             .when(When::Beside("from")),
@@ -90,6 +91,8 @@ pub struct Record {
     pub columns: Vec<Spanned<Column>>,
     /// Time between figures, s.
     pub dt: Option<Spanned<f64>>,
+    /// What a count of the file is, as written; read by the motion crate.
+    pub sensitivity: Option<Spanned<String>>,
 }
 
 impl Component {
@@ -104,6 +107,7 @@ impl Component {
     pub(super) fn read(f: &Fields) -> Option<Self> {
         let (file, channel, units, dt) =
             (f.text("file"), f.text("channel"), f.number("units"), f.number("dt"));
+        let sensitivity = f.text("sensitivity");
         let columns = f.list("columns").iter().filter_map(|n| {
             let word = n.text()?;
             Some(Spanned::new(Column::from_word(&word)?, word.span))
@@ -113,7 +117,7 @@ impl Component {
         match file {
             Some(file) => {
                 let file = Spanned::new(file.value.into(), file.span);
-                Some(Component::Record(Record { file, channel, units, columns, dt }))
+                Some(Component::Record(Record { file, channel, units, columns, dt, sensitivity }))
             }
             None => Some(Component::Scaled { from: from?, factor: factor? }),
         }

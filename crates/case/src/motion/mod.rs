@@ -42,6 +42,7 @@ pub(crate) static MOTION: Table = Table {
             "The ground on or in which it was recorded; without it, the model's own at its corners",
         ),
         Key::optional("file", Kind::Text, "", "File with all components, taken by their orientation"),
+        Key::optional("sensitivity", Kind::Text, "", SENSITIVITY).when(When::Beside("file")),
         Key::optional("east", Kind::Table(&component::COMPONENT), "", "Component towards east"),
         Key::optional("north", Kind::Table(&component::COMPONENT), "", "Component towards north"),
         Key::optional("up", Kind::Table(&component::COMPONENT), "", "Component upwards"),
@@ -50,7 +51,9 @@ pub(crate) static MOTION: Table = Table {
             "process",
             Kind::List(&Kind::Text, 0, 100),
             "no processing",
-            "Steps of processing, in this order",
+            "Steps of processing, in this order: \"detrend linear\", \"baseline\", \"baseline polynomial N\", \"pre-event S s\", \
+             \"taper S s\", \"highpass F Hz\", \"lowpass F Hz\", \"bandpass F Hz F Hz\", \"scale X\", \"pga X g\" (the largest \
+             component; the others by the same factor)",
         ),
         Key::default(
             "model_x_azimuth",
@@ -61,6 +64,9 @@ pub(crate) static MOTION: Table = Table {
     ],
     choice: &[&["file"], &["east", "north", "up"]],
 };
+
+/// What the keys of that name say.
+const SENSITIVITY: &str = "What a count is, where the file holds counts: \"427336 counts/(m/s2)\", of the network's station metadata";
 
 const WINDOW_KIND: Kind = Kind::Either(&[Kind::List(&TIME, 2, 2), Kind::Table(&WINDOW)]);
 
@@ -96,6 +102,8 @@ pub struct Motion {
     pub site: Option<Site>,
     /// Where the components come from.
     pub records: Records,
+    /// What a count of the one file is, as written; read by the motion crate. Files of components have their own.
+    pub sensitivity: Option<Spanned<String>>,
     /// The part that is used; nothing: all.
     pub window: Option<Spanned<Window>>,
     /// Steps of processing as they are written, in this order; read by the motion crate.
@@ -141,6 +149,7 @@ impl Motion {
         });
         Some(Motion {
             window,
+            sensitivity: f.text("sensitivity"),
             process: f.texts("process"),
             model_x_azimuth: f.number("model_x_azimuth")?,
             span: f.span.clone(),

@@ -16,6 +16,7 @@ mod law_interface;
 mod layout;
 mod list;
 mod mesh;
+mod motion;
 mod references;
 mod shotcrete;
 mod sides;

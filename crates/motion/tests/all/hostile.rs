@@ -140,8 +140,16 @@ fn use_all(bytes: &[u8], options: &ReadOptions) -> bool {
         assert!(channel.acceleration.len() >= 2 && channel.acceleration.iter().all(|a| a.is_finite()));
         let _ = Intensity::of(channel);
         let _ = strongest_window(&[channel], 0.05);
-        for step in ["detrend linear", "taper 0.01 s", "bandpass 1 Hz 20 Hz", "scale 1e300"] {
-            let _ = process(&mut channel.clone(), &[Process::parse(step).unwrap()]);
+        for step in [
+            "detrend linear",
+            "baseline polynomial 10",
+            "pre-event 0.02 s",
+            "taper 0.01 s",
+            "bandpass 1 Hz 20 Hz",
+            "scale 1e300",
+            "pga 1e300 g",
+        ] {
+            let _ = process(&mut [&mut channel.clone()], &[Process::parse(step).unwrap()]);
         }
         let _ = channel.window(channel.start + 0.01, channel.start + 0.1);
     }

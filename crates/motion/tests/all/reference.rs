@@ -21,6 +21,8 @@ struct Expected {
     /// Slope per second and intercept of the linear trend.
     trend: [f64; 2],
     raw: [Peak; 3],
+    /// Velocity and displacement at the end, as recorded.
+    raw_end: [f64; 2],
     detrended: [Peak; 3],
     /// Velocity and displacement at the end, detrended.
     detrended_end: [f64; 2],
@@ -32,6 +34,9 @@ struct Expected {
     samples: [f64; 13],
     psa: [f64; 10],
     arias: f64,
+    /// Times (s) from the first sample at which 5 % and 95 % of the Arias intensity are reached.
+    t5: f64,
+    t95: f64,
     d5_95: f64,
     cav: f64,
 }
@@ -50,7 +55,7 @@ fn within(what: &str, value: f64, expected: f64, tolerance: f64) {
 const ROUND_OFF: f64 = 1.1e-13;
 
 /// Peaks of acceleration, velocity and displacement, and the last velocity and displacement.
-fn check_series(what: &str, acceleration: &[f64], dt: f64, peaks: &[Peak; 3], end: Option<[f64; 2]>) {
+fn check_series(what: &str, acceleration: &[f64], dt: f64, peaks: &[Peak; 3], end: [f64; 2]) {
     let velocity = cumulative_trapezoid(acceleration, dt);
     let displacement = cumulative_trapezoid(&velocity, dt);
     let time = dt * acceleration.len() as f64;
@@ -62,17 +67,15 @@ fn check_series(what: &str, acceleration: &[f64], dt: f64, peaks: &[Peak; 3], en
         assert_eq!(largest, Some(*index), "{what}: place of the peak {value}");
         within(what, series[*index], *value, 1e-9 * value.abs() + drift);
     }
-    if let Some(end) = end {
-        for k in [1, 2] {
-            within(what, all[k][all[k].len() - 1], end[k - 1], 1e-9 * peaks[k].0.abs() + drift[k]);
-        }
+    for k in [1, 2] {
+        within(what, all[k][all[k].len() - 1], end[k - 1], 1e-9 * peaks[k].0.abs() + drift[k]);
     }
 }
 
 fn check(channel: &Channel, e: &Expected) {
     assert_eq!(channel.acceleration.len(), e.npts);
     near("dt", channel.dt, e.dt, 1e-3 * e.dt);
-    check_series("raw", &channel.acceleration, e.dt, &e.raw, None);
+    check_series("raw", &channel.acceleration, e.dt, &e.raw, e.raw_end);
 
     let trend = linear_trend(&channel.acceleration);
     near(
@@ -83,11 +86,11 @@ fn check(channel: &Channel, e: &Expected) {
     );
     near("intercept of the trend", trend.intercept, e.trend[1], e.raw[0].0);
     let mut record = channel.clone();
-    process(&mut record, &[Process::DetrendLinear]).unwrap();
-    check_series("detrended", &record.acceleration, e.dt, &e.detrended, Some(e.detrended_end));
+    process(&mut [&mut record], &[Process::DetrendLinear]).unwrap();
+    check_series("detrended", &record.acceleration, e.dt, &e.detrended, e.detrended_end);
 
-    process(&mut record, &[Process::Bandpass { low: 0.1, high: e.upper_corner }]).unwrap();
-    check_series("filtered", &record.acceleration, e.dt, &e.filtered, Some(e.filtered_end));
+    process(&mut [&mut record], &[Process::Bandpass { low: 0.1, high: e.upper_corner }]).unwrap();
+    check_series("filtered", &record.acceleration, e.dt, &e.filtered, e.filtered_end);
     for (i, sample) in e.samples.iter().enumerate() {
         near("filtered sample", record.acceleration[i * e.stride], *sample, e.filtered[0].0);
     }
@@ -97,6 +100,8 @@ fn check(channel: &Channel, e: &Expected) {
     near("pgv", intensity.pgv, e.filtered[1].0.abs(), e.filtered[1].0);
     near("pgd", intensity.pgd, e.filtered[2].0.abs(), e.filtered[2].0);
     near("arias", intensity.arias, e.arias, e.arias);
+    near("t5", intensity.t5, e.t5, e.t5);
+    near("t95", intensity.t95, e.t95, e.t95);
     near("d5_95", intensity.d5_95, e.d5_95, e.d5_95);
     near("cav", intensity.cav, e.cav, e.cav);
     let psa = pseudo_acceleration(&record.acceleration, e.dt, &PERIODS, 0.05).unwrap();
@@ -111,6 +116,7 @@ const WTMC: Expected = Expected {
     dt: 0.02,
     trend: [1.3492899798766987e-09, -1.5021219047519362e-06],
     raw: [Peak(-9.7331, 2494), Peak(-1.0081460000000002, 2579), Peak(0.2291612799999992, 2568)],
+    raw_end: [-0.00023800000000016373, -0.019497580000022694],
     detrended: [
         Peak(-9.73309856518068, 2494),
         Peak(-1.0080703154427209, 2579),
@@ -153,6 +159,8 @@ const WTMC: Expected = Expected {
         1.7487941273051322,
     ],
     arias: 13.53004198254685,
+    t5: 48.95630887717899,
+    t95: 67.5893791634982,
     d5_95: 18.633070286319203,
     cav: 41.585180465412236,
 };
@@ -163,6 +171,7 @@ const WOLONG: Expected = Expected {
     dt: 0.005,
     trend: [-0.001345062861006379, 0.011467289877951384],
     raw: [Peak(9.58, 2498), Peak(0.5276499999999997, 2086), Peak(0.523671374999998, 3785)],
+    raw_end: [-0.030525000000000257, 0.5183673124999985],
     detrended: [
         Peak(9.58533254525602, 2498),
         Peak(-0.5236290117661836, 2486),
@@ -201,6 +210,8 @@ const WOLONG: Expected = Expected {
         0.7506311633816256,
     ],
     arias: 9.31649901465965,
+    t5: 6.214429953169587,
+    t95: 14.05804571952515,
     d5_95: 7.843615766355564,
     cav: 21.016648279848468,
 };
@@ -211,6 +222,7 @@ const RSN753: Expected = Expected {
     dt: 0.005,
     trend: [-1.3521405658215712e-07, 3.5102446657086057e-06],
     raw: [Peak(6.3226061505599995, 525), Peak(-0.5594930481225456, 505), Peak(0.09439379770934213, 475)],
+    raw_end: [-2.34055194711358e-06, -1.7006566718181374e-06],
     detrended: [Peak(6.3226029952522325, 525), Peak(-0.559501480453267, 505), Peak(0.09438419962193513, 475)],
     detrended_end: [-3.463598199124301e-05, -0.0013666450978902828],
     upper_corner: 25.0,
@@ -245,6 +257,8 @@ const RSN753: Expected = Expected {
         0.6914749514294982,
     ],
     arias: 3.2436156043664304,
+    t5: 2.3627685943346446,
+    t95: 9.219294566771136,
     d5_95: 6.856525972436492,
     cav: 12.49787205483731,
 };

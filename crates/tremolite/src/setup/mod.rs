@@ -10,6 +10,7 @@ mod materials;
 mod mesh;
 mod monitors;
 mod motion;
+mod records;
 mod regions;
 mod reinforcement;
 mod sides;
@@ -162,6 +163,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(stages::warnings(case));
     warnings.extend(of_bolts);
     warnings.extend(bare);
+    warnings.extend(facts.iter().flat_map(|facts| facts.warnings.clone()));
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;

@@ -1,11 +1,9 @@
 //! The motion of a case: records read, cut, processed and turned into the model's axes.
 
+use super::records;
 use super::site::SiteFacts;
-use tremolite_case::{self as case, Case, Component, Direction, Problem, Records, Window};
-use tremolite_motion::{
-    Channel, Column, Geographic, Intensity, Kind, Motion, Orientation, Process, ReadOptions, Units,
-    highest_frequency, process, read, strongest_window,
-};
+use tremolite_case::{self as case, Case, Problem};
+use tremolite_motion::{Intensity, Kind, Motion, Process, highest_frequency};
 
 /// The share of the velocity's energy below what counts as the highest frequency.
 pub const ENERGY_SHARE: f64 = 0.999;
@@ -30,6 +28,8 @@ pub struct MotionFacts {
     pub highest_frequency: f64,
     /// Lowest low-pass corner that was applied \[Hz\].
     pub lowpass: Option<f64>,
+    /// What reading did beside reading, and directions that do not fit, at the files' places in the case.
+    pub warnings: Vec<Problem>,
 }
 
 impl MotionFacts {
@@ -55,23 +55,15 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         case::MotionKind::Surface => Kind::Surface,
     };
     let factor = kind.incident_factor();
-    let mut channels = match &motion.records {
-        Records::File(file) => {
-            all_channels(case, &case.resolve(&file.value), &file.span, problems).map(Channels::Oriented)
-        }
-        Records::Components(components) => components_of(case, components, problems),
-    }?;
+    let (mut channels, warnings) = records::of(case, motion, problems)?;
     if let Some(window) = &motion.window
         && let Err(e) = channels.cut(window.value)
     {
         problems.push(Problem::at(window, e.to_string(), "choose a window inside the record"));
     }
     for (step, word) in steps.iter().zip(&motion.process) {
-        for channel in channels.each() {
-            if let Err(e) = process(channel, std::slice::from_ref(step)) {
-                problems.push(Problem::at(word, e.to_string(), "change this step of the processing"));
-                break;
-            }
+        if let Err(e) = step.apply(&mut channels.each()) {
+            problems.push(Problem::at(word, e.to_string(), "change this step of the processing"));
         }
     }
     if problems.len() > before {
@@ -112,6 +104,7 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         window,
         highest_frequency,
         lowpass: tremolite_motion::lowest_lowpass(&steps),
+        warnings,
     };
     Some((made, facts))
 }
@@ -159,166 +152,10 @@ fn steps(motion: &case::Motion, problems: &mut Vec<Problem>) -> Vec<Process> {
         .filter_map(|word| match Process::parse(word) {
             Ok(step) => Some(step),
             Err(message) => {
-                let remedy = "write, say, \"detrend linear\", \"baseline\", \"taper 1 s\", \"bandpass 0.1 Hz 20 Hz\" or \"scale 0.5\"";
+                let remedy = "write, say, \"pre-event 5 s\", \"taper 1 s\", \"bandpass 0.1 Hz 20 Hz\", \"pga 0.3 g\" and \"baseline\", each a step of its own";
                 problems.push(Problem::at(word, message, remedy));
                 None
             }
         })
         .collect()
-}
-
-/// Channels as they were found.
-enum Channels {
-    /// Two horizontal ones and perhaps a vertical one, by the orientations in their file.
-    Oriented(Vec<Channel>),
-    /// East, north, up.
-    Named(Box<[Option<Channel>; 3]>),
-}
-
-impl Channels {
-    fn each(&mut self) -> Vec<&mut Channel> {
-        match self {
-            Channels::Oriented(all) => all.iter_mut().collect(),
-            Channels::Named(all) => all.iter_mut().flatten().collect(),
-        }
-    }
-
-    fn cut(&mut self, window: Window) -> Result<(), tremolite_motion::Error> {
-        let mut channels = self.each();
-        let (from, to) = match window {
-            Window::Between(from, to) => (from, to),
-            Window::Strongest(length) => {
-                let shared: Vec<&Channel> = channels.iter().map(|c| &**c).collect();
-                let strongest = strongest_window(&shared, length)?;
-                (strongest.start, strongest.end)
-            }
-        };
-        for channel in &mut channels {
-            **channel = channel.window(from, to)?;
-        }
-        Ok(())
-    }
-
-    fn facts(&mut self) -> (String, [f64; 2]) {
-        let channels = self.each();
-        let words: Vec<String> = channels.iter().map(|c| format!("{} ({})", c.name, c.units)).collect();
-        let window = channels.first().map_or([0.0; 2], |c| [c.start, c.end()]);
-        (words.join("; "), window)
-    }
-
-    fn geographic(&self) -> Result<Geographic, tremolite_motion::Error> {
-        match self {
-            Channels::Oriented(all) => Geographic::from_channels(all),
-            Channels::Named(named) => {
-                let [east, north, up] = named.as_ref();
-                Geographic::from_parts(east.as_ref(), north.as_ref(), up.as_ref())
-            }
-        }
-    }
-}
-
-fn all_channels(
-    _: &Case,
-    path: &std::path::Path,
-    span: &std::ops::Range<usize>,
-    problems: &mut Vec<Problem>,
-) -> Option<Vec<Channel>> {
-    match read(path, &ReadOptions::default()) {
-        Ok(channels) => Some(channels),
-        Err(e) => {
-            problems.push(Problem::new(
-                span.clone(),
-                e.to_string(),
-                "give a record in a format that is known",
-            ));
-            None
-        }
-    }
-}
-
-/// East, north and up, each from its own record or another's times a factor.
-fn components_of(
-    case: &Case,
-    components: &[Option<Component>; 3],
-    problems: &mut Vec<Problem>,
-) -> Option<Channels> {
-    let before = problems.len();
-    let mut found: [Option<Channel>; 3] = [None, None, None];
-    for (axis, component) in components.iter().enumerate() {
-        if let Some(Component::Record(record)) = component {
-            found[axis] = record_channel(case, record, axis, problems);
-        }
-    }
-    for (axis, component) in components.iter().enumerate() {
-        if let Some(Component::Scaled { from, factor }) = component {
-            let source = match from.value {
-                Direction::East => 0,
-                Direction::North => 1,
-                Direction::Up => 2,
-            };
-            if let Some(mut channel) = found[source].clone() {
-                channel.acceleration.iter_mut().for_each(|a| *a *= factor.value);
-                channel.name = format!("{} times {}", channel.name, factor.value);
-                found[axis] = Some(channel);
-            }
-        }
-    }
-    (problems.len() == before).then_some(Channels::Named(Box::new(found)))
-}
-
-fn record_channel(
-    case: &Case,
-    record: &case::Record,
-    axis: usize,
-    problems: &mut Vec<Problem>,
-) -> Option<Channel> {
-    let units = record.units.as_ref().and_then(|u| {
-        let known =
-            [Units::G, Units::MetrePerSecond2, Units::CentimetrePerSecond2, Units::MillimetrePerSecond2];
-        known.into_iter().find(|k| k.factor().is_some_and(|factor| (factor / u.value - 1.0).abs() < 1e-9))
-    });
-    let columns: Vec<Column> = record
-        .columns
-        .iter()
-        .map(|c| match c.value {
-            case::Column::Time => Column::Time,
-            case::Column::Acceleration => Column::Acceleration(None),
-            case::Column::Skip => Column::Skip,
-        })
-        .collect();
-    let options = ReadOptions {
-        units,
-        columns: (!columns.is_empty()).then_some(columns),
-        dt: record.dt.as_ref().map(|d| d.value),
-        sensitivity: None,
-    };
-    let channels = match read(&case.resolve(&record.file.value), &options) {
-        Ok(channels) => channels,
-        Err(e) => {
-            problems.push(Problem::at(
-                &record.file,
-                e.to_string(),
-                "mend the file, or say what it holds with units, columns and dt",
-            ));
-            return None;
-        }
-    };
-    let names: Vec<String> = channels.iter().map(|c| c.name.clone()).collect();
-    let chosen = match &record.channel {
-        Some(wanted) => channels.into_iter().find(|c| c.name == wanted.value),
-        None if channels.len() == 1 => channels.into_iter().next(),
-        None => {
-            let wanted = [Orientation::EAST, Orientation::NORTH, Orientation::Up][axis];
-            channels.into_iter().find(|c| c.orientation == Some(wanted))
-        }
-    };
-    if chosen.is_none() {
-        let message = format!("the channel is not clear: the file has {}", names.join(", "));
-        let remedy = "name one with channel = \"…\", or give motion.file to use all by their orientation";
-        match &record.channel {
-            Some(wanted) => problems.push(Problem::at(wanted, message, remedy)),
-            None => problems.push(Problem::at(&record.file, message, remedy)),
-        }
-    }
-    chosen
 }

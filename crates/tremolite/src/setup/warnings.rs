@@ -90,13 +90,16 @@ const ABOUT_HALF: std::ops::RangeInclusive<f64> = 0.4..=0.6;
 
 /// A record that is scaled by about ½ and called an outcrop's, of which half comes in.
 fn halved_twice(motion: &case::Motion) -> Option<case::Problem> {
-    let scales = motion.process.iter().filter_map(|word| match Process::parse(&word.value) {
-        Ok(Process::Scale(factor)) => Some((word, factor.abs())),
-        _ => None,
-    });
-    let (words, factors): (Vec<_>, Vec<f64>) = scales.unzip();
-    let whole: f64 = factors.iter().product();
-    let word = words.last().filter(|_| ABOUT_HALF.contains(&whole))?;
+    // What comes before a peak that is asked for has no say in how strong the motion is.
+    let (mut whole, mut word) = (1.0, None);
+    for step in &motion.process {
+        match Process::parse(&step.value) {
+            Ok(Process::Scale(factor)) => (whole, word) = (whole * factor.abs(), Some(step)),
+            Ok(Process::PeakAcceleration { .. }) => (whole, word) = (1.0, None),
+            _ => {}
+        }
+    }
+    let word = word.filter(|_| ABOUT_HALF.contains(&whole))?;
     (motion.kind.value == case::MotionKind::Outcrop).then(|| {
         case::Problem::at(
             word,

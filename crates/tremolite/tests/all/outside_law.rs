@@ -254,6 +254,7 @@ fn told(problem: Problem) -> Summary {
         window: [0.0, 0.3],
         highest_frequency: 25.0,
         lowpass: None,
+        warnings: Vec::new(),
     };
     summary(Evidence {
         model: &model,

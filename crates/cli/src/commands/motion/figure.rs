@@ -1,0 +1,45 @@
+//! A channel before and after its processing, as a figure.
+
+use tremolite_motion::{Channel, Error, Process, cumulative_trapezoid, default_periods, pseudo_acceleration};
+use tremolite_report::record::{BeforeAfter, Pair};
+
+/// The figure as SVG: histories of acceleration, velocity and displacement, integrated from rest, and response spectra. Of
+/// counts the history alone, since nothing more is known of them.
+///
+/// # Errors
+/// None for channels that were read.
+pub fn draw(before: &Channel, after: &Channel, steps: &[Process]) -> Result<String, Error> {
+    let time: Vec<f64> = (0..after.acceleration.len()).map(|i| after.start + i as f64 * after.dt).collect();
+    let integrated = |values: &[f64]| cumulative_trapezoid(values, after.dt);
+    let (a, b) = (&before.acceleration, &after.acceleration);
+    let velocity = [integrated(a), integrated(b)];
+    let displacement = velocity.each_ref().map(|v| integrated(v));
+    let periods = default_periods();
+    let psa = |values: &[f64]| pseudo_acceleration(values, after.dt, &periods, 0.05);
+    let spectra = if after.raw { None } else { Some([psa(a)?, psa(b)?]) };
+    let mut histories = vec![Pair {
+        name: "acceleration",
+        unit: if after.raw { "counts" } else { "m/s2" },
+        before: a,
+        after: b,
+    }];
+    if !after.raw {
+        for (name, unit, [before, after]) in
+            [("velocity", "m/s", &velocity), ("displacement", "m", &displacement)]
+        {
+            histories.push(Pair { name, unit, before, after });
+        }
+    }
+    let words: Vec<String> = steps.iter().map(Process::to_string).collect();
+    let spectrum = spectra.as_ref().map(|[before, after]| {
+        (&periods[..], Pair { name: "spectral acceleration, 5 % damping", unit: "m/s2", before, after })
+    });
+    let figure = BeforeAfter {
+        title: format!("{}: before and after processing", after.name),
+        steps: words.join(", "),
+        time: &time,
+        histories,
+        spectrum,
+    };
+    Ok(figure.draw())
+}

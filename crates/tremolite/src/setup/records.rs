@@ -1,0 +1,281 @@
+//! The records of a case: read, put on one time base, and looked at for what they say of themselves.
+
+use std::ops::Range;
+use tremolite_case::{self as case, Case, Component, Direction, Problem, Records, Spanned, Window};
+use tremolite_motion::{
+    Channel, Column, Geographic, Orientation, ReadOptions, Sensitivity, Units, align, common_time_base, read,
+    strongest_window,
+};
+
+/// A component whose file states another direction, by more than this \[deg\], is warned of: no network turns its sensors
+/// further from the direction that it names them by, and two components are 90° apart.
+const LARGEST_TURN: f64 = 30.0;
+
+/// The channels of a case on one time base, and what is to be warned of; nothing if one was refused.
+pub fn of(
+    case: &Case,
+    motion: &case::Motion,
+    problems: &mut Vec<Problem>,
+) -> Option<(Channels, Vec<Problem>)> {
+    let mut warnings = Vec::new();
+    // Each with the place of its file in the case.
+    let (mut channels, places) = match &motion.records {
+        Records::File(file) => {
+            let sensitivity = sensitivity(motion.sensitivity.as_ref(), problems)?;
+            let options = ReadOptions { sensitivity, ..ReadOptions::default() };
+            let all = read(&case.resolve(&file.value), &options)
+                .map_err(|e| {
+                    let remedy = "give a record in a format that is known";
+                    problems.push(Problem::at(file, e.to_string(), remedy));
+                })
+                .ok()?;
+            let places = vec![file.span.clone(); all.len()];
+            (Channels::Oriented(all), places)
+        }
+        Records::Components(components) => {
+            let found = components_of(case, components, problems)?;
+            let place = |component: &Option<Component>| match component {
+                Some(Component::Record(record)) => Some(record.file.span.clone()),
+                Some(Component::Scaled { from, .. }) => Some(from.span.clone()),
+                None => None,
+            };
+            for (axis, channel) in found.iter().enumerate() {
+                if let (Some(channel), Some(place)) = (channel, place(&components[axis])) {
+                    warnings.extend(turned(channel, axis, place));
+                }
+            }
+            (Channels::Named(Box::new(found)), components.iter().filter_map(place).collect())
+        }
+    };
+    refuse_counts(&mut channels, &places, problems)?;
+    if let Err(e) = channels.share_time() {
+        let remedy = "give components of one earthquake, as one station recorded them";
+        problems.push(Problem::new(motion.span.clone(), e.to_string(), remedy));
+        return None;
+    }
+    for (channel, place) in channels.each().iter().zip(&places) {
+        let remark = |remark: &String| {
+            Problem::new(
+                place.clone(),
+                remark.clone(),
+                "nothing, if that is meant; else look at the record's file",
+            )
+        };
+        warnings.extend(channel.remarks.iter().map(remark));
+    }
+    Some((channels, warnings))
+}
+
+/// Nothing, if one channel is in counts still.
+fn refuse_counts(
+    channels: &mut Channels,
+    places: &[Range<usize>],
+    problems: &mut Vec<Problem>,
+) -> Option<()> {
+    let before = problems.len();
+    for (channel, place) in channels.each().iter().zip(places) {
+        if channel.raw && !problems[before..].iter().any(|p| p.span == *place) {
+            problems.push(Problem::new(
+                place.clone(),
+                format!("'{}' is in counts, and nothing says what a count is", channel.name),
+                "write, beside file, sensitivity = \"427336 counts/(m/s2)\" with the figure that the network's station metadata \
+                 state",
+            ));
+        }
+    }
+    (problems.len() == before).then_some(())
+}
+
+/// The sensitivity that is written; none if it cannot be read, which is then among the problems.
+fn sensitivity(
+    written: Option<&Spanned<String>>,
+    problems: &mut Vec<Problem>,
+) -> Option<Option<Sensitivity>> {
+    let Some(written) = written else { return Some(None) };
+    match written.value.parse() {
+        Ok(sensitivity) => Some(Some(sensitivity)),
+        Err(message) => {
+            let remedy = "take the figure from the network's station metadata, where it is often called InstrumentSensitivity";
+            problems.push(Problem::at(written, message, remedy));
+            None
+        }
+    }
+}
+
+/// Warns of a component whose file states a direction that is not the one it is given for.
+fn turned(channel: &Channel, axis: usize, place: Range<usize>) -> Option<Problem> {
+    let stated = channel.orientation?;
+    let fits = match (stated, axis) {
+        (Orientation::Up, 2) => true,
+        (Orientation::Azimuth(azimuth), 0 | 1) => {
+            let wanted = if axis == 0 { 90.0 } else { 0.0 };
+            let apart = (azimuth.to_degrees() - wanted).rem_euclid(360.0);
+            apart.min(360.0 - apart) <= LARGEST_TURN
+        }
+        _ => false,
+    };
+    let word = ["east", "north", "up"][axis];
+    (!fits).then(|| {
+        Problem::new(
+            place,
+            format!("'{}' is given as `{word}`, but its file states its direction as {stated}", channel.name),
+            "look whether files or channels are mixed up; a file with all components is turned by its own directions as \
+             motion.file",
+        )
+    })
+}
+
+/// Channels as they were found.
+pub enum Channels {
+    /// Two horizontal ones and perhaps a vertical one, by the orientations in their file.
+    Oriented(Vec<Channel>),
+    /// East, north, up.
+    Named(Box<[Option<Channel>; 3]>),
+}
+
+impl Channels {
+    /// Those that are there, in their order.
+    pub fn each(&mut self) -> Vec<&mut Channel> {
+        match self {
+            Channels::Oriented(all) => all.iter_mut().collect(),
+            Channels::Named(all) => all.iter_mut().flatten().collect(),
+        }
+    }
+
+    /// Sets them on one time base: by their clocks where all have one, and by interpolation where their samples differ.
+    fn share_time(&mut self) -> Result<(), tremolite_motion::Error> {
+        let mut channels = self.each();
+        align(&mut channels);
+        let shared = common_time_base(&channels.iter().map(|c| &**c).collect::<Vec<_>>())?;
+        for (channel, on_base) in channels.into_iter().zip(shared) {
+            *channel = on_base;
+        }
+        Ok(())
+    }
+
+    /// Cuts them to the window.
+    pub fn cut(&mut self, window: Window) -> Result<(), tremolite_motion::Error> {
+        let mut channels = self.each();
+        let (from, to) = match window {
+            Window::Between(from, to) => (from, to),
+            Window::Strongest(length) => {
+                let shared: Vec<&Channel> = channels.iter().map(|c| &**c).collect();
+                let strongest = strongest_window(&shared, length)?;
+                (strongest.start, strongest.end)
+            }
+        };
+        for channel in &mut channels {
+            **channel = channel.window(from, to)?;
+        }
+        Ok(())
+    }
+
+    /// Where they came from, in words, and from when to when they last \[s\].
+    pub fn facts(&mut self) -> (String, [f64; 2]) {
+        let channels = self.each();
+        let words: Vec<String> = channels.iter().map(|c| format!("{} ({})", c.name, c.units)).collect();
+        let window = channels.first().map_or([0.0; 2], |c| [c.start, c.end()]);
+        (words.join("; "), window)
+    }
+
+    /// East, north and up of them.
+    pub fn geographic(&self) -> Result<Geographic, tremolite_motion::Error> {
+        match self {
+            Channels::Oriented(all) => Geographic::from_channels(all),
+            Channels::Named(named) => {
+                let [east, north, up] = named.as_ref();
+                Geographic::from_parts(east.as_ref(), north.as_ref(), up.as_ref())
+            }
+        }
+    }
+}
+
+/// East, north and up, each from its own record or another's times a factor.
+fn components_of(
+    case: &Case,
+    components: &[Option<Component>; 3],
+    problems: &mut Vec<Problem>,
+) -> Option<[Option<Channel>; 3]> {
+    let before = problems.len();
+    let mut found: [Option<Channel>; 3] = [None, None, None];
+    for (axis, component) in components.iter().enumerate() {
+        if let Some(Component::Record(record)) = component {
+            found[axis] = record_channel(case, record, axis, problems);
+        }
+    }
+    for (axis, component) in components.iter().enumerate() {
+        if let Some(Component::Scaled { from, factor }) = component {
+            let source = match from.value {
+                Direction::East => 0,
+                Direction::North => 1,
+                Direction::Up => 2,
+            };
+            if let Some(mut channel) = found[source].clone() {
+                channel.acceleration.iter_mut().for_each(|a| *a *= factor.value);
+                channel.name = format!("{} times {}", channel.name, factor.value);
+                // What was remarked on it is said at its own file, and it looks another way now.
+                channel.remarks.clear();
+                channel.orientation = None;
+                found[axis] = Some(channel);
+            }
+        }
+    }
+    (problems.len() == before).then_some(found)
+}
+
+fn record_channel(
+    case: &Case,
+    record: &case::Record,
+    axis: usize,
+    problems: &mut Vec<Problem>,
+) -> Option<Channel> {
+    let units = record.units.as_ref().and_then(|u| {
+        let known =
+            [Units::G, Units::MetrePerSecond2, Units::CentimetrePerSecond2, Units::MillimetrePerSecond2];
+        known.into_iter().find(|k| k.factor().is_some_and(|factor| (factor / u.value - 1.0).abs() < 1e-9))
+    });
+    let columns: Vec<Column> = record
+        .columns
+        .iter()
+        .map(|c| match c.value {
+            case::Column::Time => Column::Time,
+            case::Column::Acceleration => Column::Acceleration(None),
+            case::Column::Skip => Column::Skip,
+        })
+        .collect();
+    let options = ReadOptions {
+        units,
+        columns: (!columns.is_empty()).then_some(columns),
+        dt: record.dt.as_ref().map(|d| d.value),
+        sensitivity: sensitivity(record.sensitivity.as_ref(), problems)?,
+    };
+    let channels = match read(&case.resolve(&record.file.value), &options) {
+        Ok(channels) => channels,
+        Err(e) => {
+            problems.push(Problem::at(
+                &record.file,
+                e.to_string(),
+                "mend the file, or say what it holds with units, columns and dt",
+            ));
+            return None;
+        }
+    };
+    let names: Vec<String> = channels.iter().map(|c| c.name.clone()).collect();
+    let chosen = match &record.channel {
+        Some(wanted) => channels.into_iter().find(|c| c.name == wanted.value),
+        None if channels.len() == 1 => channels.into_iter().next(),
+        None => {
+            let wanted = [Orientation::EAST, Orientation::NORTH, Orientation::Up][axis];
+            channels.into_iter().find(|c| c.orientation == Some(wanted))
+        }
+    };
+    if chosen.is_none() {
+        let message = format!("the channel is not clear: the file has {}", names.join(", "));
+        let remedy = "name one with channel = \"…\", or give motion.file to use all by their orientation";
+        match &record.channel {
+            Some(wanted) => problems.push(Problem::at(wanted, message, remedy)),
+            None => problems.push(Problem::at(&record.file, message, remedy)),
+        }
+    }
+    chosen
+}
