@@ -86,6 +86,18 @@ fn counts_are_told_as_counts_until_a_sensitivity_is_given() {
 }
 
 #[test]
+fn faults_are_told_of_all_files_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    burst(&at.join("good.txt"), "g", 0.01, 0.0, 1.0);
+    std::fs::write(at.join("words.txt"), "no numbers\n").unwrap();
+    let refused = tremolite(at, &["motion", "info", "words.txt", "good.txt", "nowhere.txt", "--json"]);
+    let words = errors(&refused);
+    assert_eq!((code(&refused), refused.stdout.len()), (2, 0));
+    assert!(words.contains("error: words.txt, line 1") && words.contains("error: nowhere.txt"), "{words}");
+}
+
+#[test]
 fn processing_writes_text_and_figures_and_keeps_the_ratio_of_components() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();

@@ -60,7 +60,7 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
     let time = date::seconds(text)
         .ok_or_else(|| source.error(line, format!("'{}' is no date and time", shown(text)), CORRUPT))?;
     let (line, text) = value("Dir.")?;
-    let (orientation, borehole) = direction(text).ok_or_else(|| {
+    let (orientation, label) = direction(text).ok_or_else(|| {
         let problem = format!("'{}' is none of N-S, E-W, U-D and 1 to 6", shown(text));
         source.error(line, problem, CORRUPT)
     })?;
@@ -85,9 +85,9 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
     let mut channel = Channel {
         orientation: Some(orientation),
         clock: Some(time - AHEAD),
-        ..source.channel(None, dt, counts)
+        ..source.channel(Some(label), dt, counts)
     };
-    if borehole {
+    if label.ends_with('1') {
         channel.remarks.push(format!(
             "a sensor in the borehole (Dir. {text}): its motion is that within the ground, not of an outcrop"
         ));
@@ -103,13 +103,18 @@ fn scale(text: &str) -> Option<(f64, &str)> {
     (scale > 0.0 && scale.is_finite()).then_some((scale, unit))
 }
 
-/// Positive direction, and whether the sensor is in a borehole.
-fn direction(text: &str) -> Option<(Orientation, bool)> {
+/// Positive direction, and how NIED ends the name of such a component's file: with 1 if the sensor is in a borehole.
+fn direction(text: &str) -> Option<(Orientation, &'static str)> {
     match text {
-        "N-S" | "E-W" | "U-D" => Some((Orientation::parse(text)?, false)),
-        "1" | "4" => Some((Orientation::NORTH, text == "1")),
-        "2" | "5" => Some((Orientation::EAST, text == "2")),
-        "3" | "6" => Some((Orientation::Up, text == "3")),
+        "N-S" => Some((Orientation::NORTH, "NS")),
+        "E-W" => Some((Orientation::EAST, "EW")),
+        "U-D" => Some((Orientation::Up, "UD")),
+        "1" => Some((Orientation::NORTH, "NS1")),
+        "2" => Some((Orientation::EAST, "EW1")),
+        "3" => Some((Orientation::Up, "UD1")),
+        "4" => Some((Orientation::NORTH, "NS2")),
+        "5" => Some((Orientation::EAST, "EW2")),
+        "6" => Some((Orientation::Up, "UD2")),
         _ => None,
     }
 }

@@ -23,17 +23,20 @@ pub struct Files {
 }
 
 impl Files {
-    /// The channels of all files, in their order; some may be in counts still.
+    /// The channels of all files, in their order; some may be in counts still. Faults are told of all files at once.
     pub fn channels(&self) -> Result<Vec<Channel>, Failure> {
         let units = self.units.as_deref().map(str::parse::<Units>).transpose().map_err(Failure::input)?;
         let sensitivity =
             self.sensitivity.as_deref().map(str::parse::<Sensitivity>).transpose().map_err(Failure::input)?;
         let options = ReadOptions { units, dt: self.dt, sensitivity, ..ReadOptions::default() };
-        let mut all = Vec::new();
+        let (mut all, mut faults) = (Vec::new(), Vec::new());
         for file in &self.files {
-            all.extend(read(file, &options).map_err(Failure::input)?);
+            match read(file, &options) {
+                Ok(channels) => all.extend(channels),
+                Err(fault) => faults.push(fault.to_string()),
+            }
         }
-        Ok(all)
+        if faults.is_empty() { Ok(all) } else { Err(Failure::input(faults.join("\nerror: "))) }
     }
 
     /// The same, in m/s² throughout.

@@ -30,21 +30,23 @@ fn counts_times_the_scale_are_gal_with_their_offset() {
 
 #[test]
 fn directions_are_words_or_numbers_of_kik_net() {
-    for (word, orientation, borehole) in [
-        ("N-S", Orientation::NORTH, false),
-        ("E-W", Orientation::EAST, false),
-        ("U-D", Orientation::Up, false),
-        ("1", Orientation::NORTH, true),
-        ("2", Orientation::EAST, true),
-        ("3", Orientation::Up, true),
-        ("4", Orientation::NORTH, false),
-        ("5", Orientation::EAST, false),
-        ("6", Orientation::Up, false),
+    for (word, orientation, label) in [
+        ("N-S", Orientation::NORTH, "NS"),
+        ("E-W", Orientation::EAST, "EW"),
+        ("U-D", Orientation::Up, "UD"),
+        ("1", Orientation::NORTH, "NS1"),
+        ("2", Orientation::EAST, "EW1"),
+        ("3", Orientation::Up, "UD1"),
+        ("4", Orientation::NORTH, "NS2"),
+        ("5", Orientation::EAST, "EW2"),
+        ("6", Orientation::Up, "UD2"),
     ] {
         let text = small().replace("E-W", word);
         let channel = one(text, &ReadOptions::default());
         assert_eq!(channel.orientation, Some(orientation), "{word}");
-        assert_eq!(channel.remarks.iter().any(|r| r.contains("borehole")), borehole, "{word}");
+        assert_eq!(channel.name, format!("small {label}"));
+        let borehole = channel.remarks.iter().any(|r| r.contains("borehole"));
+        assert_eq!(borehole, label.ends_with('1'), "{word}");
     }
 }
 
