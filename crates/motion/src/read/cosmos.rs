@@ -18,7 +18,7 @@ use super::fortran;
 use super::header::{Direction, named_apart};
 use super::source::{Columns, Source, leading_number, number};
 use crate::shown::shown;
-use crate::{Channel, Error, STANDARD_GRAVITY, Sensitivity, Units};
+use crate::{Channel, Error, Orientation, STANDARD_GRAVITY, Sensitivity, Units};
 
 /// Files have 13 lines of text, and may have some more.
 const MOST_TEXT: usize = 60;
@@ -198,7 +198,9 @@ impl Series {
         source.converted(self.head, units, options, direction.given_to(channel))
     }
 
-    /// Where the sensor looks: by integer 54; or by integer 55, which counts from the azimuth in integer 20 or 21; or in words.
+    /// Where the sensor looks: by integer 54; or by integer 55, which counts from the azimuth in integer 20 or 21; or in words; or by
+    /// the channel's code, `BNZ` of the comment `|<SCNL>BMR.BNZ.AK.--`. An azimuth of 0 is what many leave in the header of a
+    /// vertical component.
     fn direction(&self, source: &Source) -> Direction {
         let from_north = |code: i64| match code {
             1..=360 => Direction::parse(&code.to_string()),
@@ -218,10 +220,20 @@ impl Series {
             .map(from_north)
             .filter(known)
             .or_else(|| from_reference().filter(known))
-            .unwrap_or_else(|| {
-                let words = self.words(source);
-                words.and_then(|w| w.split_once(':')).map_or(Direction::Unknown, |(_, w)| Direction::parse(w))
+            .or_else(|| {
+                let (_, words) = self.words(source)?.split_once(':')?;
+                Some(Direction::parse(words)).filter(known)
             })
+            .or_else(|| Orientation::of_channel_code(self.code(source)?).map(Direction::Along))
+            .unwrap_or(Direction::Unknown)
+    }
+
+    /// The channel's code among the comments.
+    fn code<'a>(&self, source: &Source<'a>) -> Option<&'a str> {
+        let comments = &source.lines[self.begin..self.head];
+        let name =
+            comments.iter().find_map(|line| line.trim_start_matches('|').trim().strip_prefix("<SCNL>"))?;
+        name.split_whitespace().next()?.split('.').nth(1)
     }
 
     /// `1: 90 Deg` of the line of text `Sta Chan   1: 90 Deg (Rcrdr Chan  ?) Location:…`.

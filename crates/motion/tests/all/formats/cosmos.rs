@@ -88,6 +88,18 @@ fn directions_follow_the_table() {
     assert_eq!(turned(&[(55, 400)]), Some(Orientation::Up));
     assert_eq!(turned(&[(55, 90)]), None);
     assert_eq!(turned(&[(54, 0)]), None);
+    // The channel's code comes last.
+    for (code, words, orientation) in [
+        ("BMR.BNZ.AK.--", "?:Other", Some(Orientation::Up)),
+        ("8040.HNN.NP.01", "?:Other", Some(Orientation::NORTH)),
+        ("8040.HN1.NP.01", "?:Other", None),
+        ("BMR", "?:Other", None),
+        ("BMR.BNZ.AK.--", "1: 340 deg", azimuth(340.0)),
+    ] {
+        let text = acceleration(0).replace("1: 340 deg", words);
+        let text = text.replace("| comment", &format!("|<SCNL>{code}    <AUTH> 2019/02/01 21:38:15.000"));
+        assert_eq!(parse(&text, &ReadOptions::default()).unwrap()[0].orientation, orientation, "{code}");
+    }
 }
 
 #[test]
