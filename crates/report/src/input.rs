@@ -2,12 +2,15 @@
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
+use crate::deconvolved;
 use crate::facts::kind_of_motion;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
+use crate::record_figure;
 use crate::scale::figures;
 use crate::source::Source;
 use crate::spectra;
+use crate::transfer_figure;
 use crate::units::Kind;
 use tremolite_results::Table;
 
@@ -88,8 +91,12 @@ pub fn section(source: &Source) -> Option<Section> {
         );
         figures.push(drawn(drift, &title, "input-drift.svg", words));
     }
+    let axes_of: Vec<usize> = accelerations.iter().map(|(axis, _)| *axis).collect();
+    let (transfer, notes) = transfer_figure::figure(source, &axes_of);
+    figures.extend(transfer);
+    figures.extend(record_figure::figure(source, &moving(table, "v")));
     figures.extend(spectra::of_input(source));
-    let blocks = vec![Block { figures, ..Block::default() }];
+    let blocks = vec![Block { figures, notes, ..Block::default() }];
     Some(Section::Told(Chapter { id: "input", heading, blocks }))
 }
 
@@ -112,7 +119,10 @@ fn caption(source: &Source, accelerations: &[(usize, &[f64])]) -> String {
     );
     let facts = source.facts();
     let factor = facts.motion.factor;
-    if factor.is_finite() && !facts.motion.kind.is_empty() {
+    if let Some(site) = &facts.motion.deconvolved {
+        text.push(' ');
+        text.push_str(&deconvolved::words(language, site));
+    } else if factor.is_finite() && !facts.motion.kind.is_empty() {
         text.push(' ');
         text.push_str(&say!(
             language,
