@@ -15,16 +15,19 @@ use crate::units::Kind;
 use tremolite_results::Table;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
+/// Of the largest component: what a record that is turned into the model's axes leaves along one that it does not have.
+const ROUND_OFF: f64 = 1e-9;
 
 fn largest(values: &[f64]) -> f64 {
     values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
-/// The components of a kind of the given motion that are not zero, by axis.
+/// The components of a kind of the given motion that are more than round-off, by axis.
 fn moving<'t>(table: &'t Table, kind: &str) -> Vec<(usize, &'t [f64])> {
     let column = |axis: usize| table.column(&format!("given.{kind}{}", AXES[axis]));
-    let known = (0..3).filter_map(|axis| Some((axis, column(axis)?)));
-    known.filter(|(_, values)| largest(values) > 0.0).collect()
+    let known: Vec<_> = (0..3).filter_map(|axis| Some((axis, column(axis)?))).collect();
+    let most = known.iter().map(|(_, values)| largest(values)).fold(0.0, f64::max);
+    known.into_iter().filter(|(_, values)| largest(values) > ROUND_OFF * most).collect()
 }
 
 fn line((axis, values): (usize, &[f64])) -> Line<'_> {

@@ -12,7 +12,7 @@ use crate::units::Kind;
 const RECORD: &str = "record";
 
 /// The figure; nothing where no record was deconvolved through the model's own ground. `given` are the velocities of the record
-/// that are not zero, by axis, at the times of motion.csv.
+/// that are more than round-off, by axis, at the times of motion.csv.
 pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
     let language = source.language;
     let (Some(Ok(motion)), Some(Ok(found))) = (&source.motion, &source.free_field) else { return None };

@@ -40,9 +40,8 @@ fn table(
     }
 }
 
-/// A folder of a run whose motion is a record of the surface, along x and half of it along y.
-pub fn recorded(root: &Path) -> ResultFolder {
-    let folder = free_field::results(root);
+/// The record along x, and so many times as much along y.
+fn given(folder: &ResultFolder, y: f64) {
     let slope = |t: f64| (surface(t + 1e-4) - surface(t - 1e-4)) / 2e-4;
     let columns = [
         ("given.ax", "m/s2"),
@@ -57,8 +56,14 @@ pub fn recorded(root: &Path) -> ResultFolder {
     ];
     table(&folder.motion(), ("time", "s"), &columns, 400, 0.005, &|t| {
         let (a, v, wave) = (slope(t), surface(t), 0.5 * surface(t + 0.2));
-        vec![a, 0.5 * a, 0.0, v, 0.5 * v, 0.0, wave, 0.5 * wave, 0.0]
+        vec![a, y * a, 0.0, v, y * v, 0.0, wave, y * wave, 0.0]
     });
+}
+
+/// A folder of a run whose motion is a record of the surface, along x and half of it along y.
+pub fn recorded(root: &Path) -> ResultFolder {
+    let folder = free_field::results(root);
+    given(&folder, 0.5);
     let both = |t| 0.5 * too_much(t);
     free_field::free_field(
         &folder,
@@ -203,6 +208,21 @@ fn the_transfer_is_drawn_for_what_moves_with_its_band_and_its_level() {
     page(&folder);
     let svg = drawing(&folder, "transfer.svg").unwrap();
     assert!(svg.contains(">x</text>") && svg.contains(">y</text>") && !svg.contains("fades out"), "{svg}");
+}
+
+#[test]
+fn round_off_of_a_record_that_was_turned_is_no_component() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = recorded(temp.path());
+    given(&folder, 1e-16);
+    assert!(page(&folder).contains("axes; largest 1.72 m/s² along x. Recorded"));
+    for file in ["input.svg", "input-drift.svg", "transfer.svg", "record.svg"] {
+        let svg = drawing(&folder, file).unwrap();
+        assert!(
+            !svg.contains(">y</text>") && !svg.contains("and y") && !svg.contains("along y"),
+            "{file}\n{svg}"
+        );
+    }
 }
 
 #[test]
