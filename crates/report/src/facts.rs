@@ -5,6 +5,7 @@ use minijinja::Value;
 use serde::Serialize;
 use tremolite_results::{Bound, Finding, PairPlace, Peaks, Said, Severity, Status, Summary, TrustLine, said};
 
+use crate::deconvolved;
 use crate::language::{Language, say};
 use crate::scale::{count, figures, quantity, span, trimmed};
 use crate::source::Source;
@@ -172,11 +173,16 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
     let motion = &summary.motion;
     let mut facts = Vec::new();
     if !motion.kind.is_empty() {
-        let note = say!(
-            language,
-            "incident motion = {factor} × the motion given",
-            factor = trimmed(&figures(motion.factor, 3))
-        );
+        // A motion of layered ground has no factor; older versions did not say what was done.
+        let note = match &motion.deconvolved {
+            Some(site) => deconvolved::words(language, site),
+            None if motion.factor.is_finite() => say!(
+                language,
+                "incident motion = {factor} × the motion given",
+                factor = trimmed(&figures(motion.factor, 3))
+            ),
+            None => String::new(),
+        };
         facts.push(card(
             say!(language, "Kind of motion given"),
             kind_of_motion(language, &motion.kind),
@@ -206,6 +212,7 @@ pub(crate) fn kind_of_motion(language: Language, kind: &str) -> String {
         "outcrop" => say!(language, "outcrop"),
         "incident" => say!(language, "incident"),
         "within" => say!(language, "within"),
+        "surface" => say!(language, "surface record"),
         other => other.to_owned(),
     }
 }

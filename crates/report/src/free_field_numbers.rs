@@ -41,7 +41,7 @@ impl Wave {
 }
 
 /// A history at other times, linear between its own; not a number beyond them. Empty for an empty history.
-fn interpolated(time: &[f64], values: &[f64], rows: &[f64]) -> Vec<f64> {
+pub fn interpolated(time: &[f64], values: &[f64], rows: &[f64]) -> Vec<f64> {
     let at = |&t: &f64| {
         let after = time.partition_point(|x| *x <= t);
         let (before, after) = (after.checked_sub(1)?, after.min(time.len() - 1));

@@ -2,26 +2,32 @@
 
 use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
+use crate::deconvolved;
 use crate::facts::kind_of_motion;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
+use crate::record_figure;
 use crate::scale::figures;
 use crate::source::Source;
 use crate::spectra;
+use crate::transfer_figure;
 use crate::units::Kind;
 use tremolite_results::Table;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
+/// Of the largest component: what a record that is turned into the model's axes leaves along one that it does not have.
+const ROUND_OFF: f64 = 1e-9;
 
 fn largest(values: &[f64]) -> f64 {
     values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
 }
 
-/// The components of a kind of the given motion that are not zero, by axis.
+/// The components of a kind of the given motion that are more than round-off, by axis.
 fn moving<'t>(table: &'t Table, kind: &str) -> Vec<(usize, &'t [f64])> {
     let column = |axis: usize| table.column(&format!("given.{kind}{}", AXES[axis]));
-    let known = (0..3).filter_map(|axis| Some((axis, column(axis)?)));
-    known.filter(|(_, values)| largest(values) > 0.0).collect()
+    let known: Vec<_> = (0..3).filter_map(|axis| Some((axis, column(axis)?))).collect();
+    let most = known.iter().map(|(_, values)| largest(values)).fold(0.0, f64::max);
+    known.into_iter().filter(|(_, values)| largest(values) > ROUND_OFF * most).collect()
 }
 
 fn line((axis, values): (usize, &[f64])) -> Line<'_> {
@@ -88,8 +94,12 @@ pub fn section(source: &Source) -> Option<Section> {
         );
         figures.push(drawn(drift, &title, "input-drift.svg", words));
     }
+    let axes_of: Vec<usize> = accelerations.iter().map(|(axis, _)| *axis).collect();
+    let (transfer, notes) = transfer_figure::figure(source, &axes_of);
+    figures.extend(transfer);
+    figures.extend(record_figure::figure(source, &moving(table, "v")));
     figures.extend(spectra::of_input(source));
-    let blocks = vec![Block { figures, ..Block::default() }];
+    let blocks = vec![Block { figures, notes, ..Block::default() }];
     Some(Section::Told(Chapter { id: "input", heading, blocks }))
 }
 
@@ -112,7 +122,10 @@ fn caption(source: &Source, accelerations: &[(usize, &[f64])]) -> String {
     );
     let facts = source.facts();
     let factor = facts.motion.factor;
-    if factor.is_finite() && !facts.motion.kind.is_empty() {
+    if let Some(site) = &facts.motion.deconvolved {
+        text.push(' ');
+        text.push_str(&deconvolved::words(language, site));
+    } else if factor.is_finite() && !facts.motion.kind.is_empty() {
         text.push(' ');
         text.push_str(&say!(
             language,

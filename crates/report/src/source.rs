@@ -30,6 +30,8 @@ pub struct Source {
     /// Nothing where the folder has no such file: no earthquake came, no column stood beside the model, or an older
     /// version ran.
     pub free_field: Option<Result<FreeField, String>>,
+    /// Nothing where the folder has no such file: no motion was deconvolved, or an older version ran.
+    pub transfer: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: no earthquake came, the run goes on, or an older version ran.
     pub spectra: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: no earthquake came, no column stood beside the model, the run goes on, or an
@@ -74,6 +76,7 @@ impl Source {
         let motion = folder.motion().exists().then(|| table(&folder.motion(), "time"));
         let free_field = folder.free_field();
         let free_field = free_field.exists().then(|| table(&free_field, "time"));
+        let transfer = folder.transfer().exists().then(|| table(&folder.transfer(), "frequency"));
         let spectra = folder.spectra().exists().then(|| table(&folder.spectra(), "period"));
         let depth = folder.depth().exists().then(|| table(&folder.depth(), "depth"));
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
@@ -101,6 +104,7 @@ impl Source {
             interfaces,
             motion,
             free_field: free_field.map(|table| table.map(FreeField::of)),
+            transfer,
             spectra,
             depth,
             relaxation,

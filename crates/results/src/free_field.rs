@@ -13,6 +13,8 @@ const THEORY: &str = "_theory";
 
 /// What stands before the name of a corner of the model.
 const CORNER: &str = "model.";
+/// What stands before the component of a velocity at the place of a record.
+const RECORD: &str = "record.free_field.v";
 
 /// What was recorded of the free field. What the file does not hold is empty, and columns of other names are passed over.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -25,6 +27,9 @@ pub struct FreeField {
     pub model: Option<Station>,
     /// The model itself at its vertical edges, named `xmin-ymin` …; no theory. Empty in files of older versions.
     pub corners: Vec<Station>,
+    /// Velocity of the free field at the place of a record that was deconvolved (m/s), or at the level of a monitor that is
+    /// called `record`, along x, y and z; empty where the file has no such column.
+    pub record: [Vec<f64>; 3],
     /// The file ended in the middle of a line: see [`Table::cut`].
     pub cut: bool,
 }
@@ -79,13 +84,17 @@ impl FreeField {
     }
 
     /// What a table holds of the free field: columns `COLUMN.top.vx`, `COLUMN.top.vx_theory`, `COLUMN.base.vx` …,
-    /// `model.surface.vx`, `model.base.vx` …, and `model.xmin-ymin.surface.vx` ….
+    /// `model.surface.vx`, `model.base.vx` …, `model.xmin-ymin.surface.vx` …, and `record.free_field.vx` ….
     pub fn of(table: Table) -> Self {
         let mut found = FreeField { cut: table.cut, ..FreeField::default() };
         let mut stations: Vec<Station> = Vec::new();
         for (column, values) in table.columns.iter().zip(table.values) {
             if column.name == "time" {
                 found.time = values;
+                continue;
+            }
+            if let Some(axis) = AXES.iter().position(|axis| column.name == format!("{RECORD}{axis}")) {
+                found.record[axis] = values;
                 continue;
             }
             let Some((name, at_top, axis, of_theory)) = place(&column.name) else { continue };
@@ -166,6 +175,19 @@ mod tests {
                 && second.top.measured.iter().all(Vec::is_empty)
         );
         assert_eq!(found.model.unwrap().top.measured[0], [7.0, 8.0]);
+    }
+
+    #[test]
+    fn the_place_of_a_record_is_no_column() {
+        let found = of(&[
+            ("record.free_field.vx", &[1.0]),
+            ("record.free_field.vz", &[2.0]),
+            ("A.free_field.vx", &[3.0]),
+            ("record.top.vx", &[4.0]),
+        ]);
+        assert_eq!(found.record, [vec![1.0], vec![], vec![2.0]]);
+        let names: Vec<&str> = found.columns.iter().map(|station| station.name.as_str()).collect();
+        assert_eq!(names, ["record"], "a column of that name is one");
     }
 
     #[test]

@@ -50,6 +50,7 @@ pub const TEXTS: Texts = &[
     ("outcrop", "基岩露头地震动（outcrop）"),
     ("incident", "入射波"),
     ("within", "地层内运动"),
+    ("surface record", "地表记录"),
     ("incident motion = {factor} × the motion given", "入射运动 = {factor} × 给定运动"),
     ("Record", "地震记录"),
     ("Peak incident acceleration, {axis}", "入射加速度峰值，{axis}"),

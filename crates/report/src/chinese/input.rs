@@ -24,4 +24,61 @@ pub const TEXTS: Texts = &[
         "It is taken as {kind}: the wave that comes up through the base is {factor} times this.",
         "按{kind}处理：自底部入射的上行波为其 {factor} 倍。",
     ),
+    // Of a record that was deconvolved.
+    ("the layers of motion.site", "motion.site 给定的地层"),
+    ("the model's own ground at its corner {corner}", "模型自身在角点 {corner} 处的地层"),
+    ("{depth}\u{a0}m below the surface of {ground}", "{ground}地表以下 {depth}\u{a0}m 处"),
+    ("on the surface of {ground}", "{ground}的地表"),
+    (
+        "Recorded {place}; the wave that comes up through the base is deconvolved from it: at each frequency the record over what \
+         linear layers make of a vertical wave at that place.",
+        "记录取自{place}；自底部入射的上行波由其反演（反卷积）得到：逐频率将记录除以线性层状地层中竖向入射波在该处的传递函数。",
+    ),
+    (
+        " That place moves {at_rest} times the incident wave at rest, and at least {least} times, at {least_at}\u{a0}Hz, up to \
+         the {band}\u{a0}Hz to which the record is wanted.",
+        "该处运动在零频时为入射波的 {at_rest} 倍；在所需频带（{band}\u{a0}Hz 以下）内最小为 {least} 倍，位于 {least_at}\u{a0}Hz。",
+    ),
+    (
+        " The record comes {lead} later than in its file, as long as the slowest wave takes from the base to its place.",
+        "记录比其文件中的时刻推迟 {lead}，即最慢的波自底部传至该处所需的时间。",
+    ),
+    (
+        " Above {reach}\u{a0}Hz, where too little of the wave moves that place, the record fades out: at most {left_out} of a \
+         component's ∫a²\u{a0}dt is left out.",
+        "{reach}\u{a0}Hz 以上入射波在该处引起的运动过小，记录逐渐滤去：各分量舍去的部分至多占其 ∫a²\u{a0}dt 的 {left_out}。",
+    ),
+    (" Nothing of the record is left out.", "记录未舍去任何成分。"),
+    ("{a} and {b}", "{a} 与 {b}"),
+    ("frequency", "频率"),
+    ("transfer.csv holds no motion.", "transfer.csv 中没有运动。"),
+    ("From the incident wave to the place of the record", "入射波至记录位置的传递函数"),
+    ("motion where the record was taken over incident wave, amplitude", "记录位置的运动与入射波之比（幅值）"),
+    ("5 % of the value at rest: nothing is inverted below", "零频值的 5 %：低于此值不作反演"),
+    ("wanted up to {frequency}\u{a0}Hz", "所需频带至 {frequency}\u{a0}Hz"),
+    ("fades out from {frequency}\u{a0}Hz", "自 {frequency}\u{a0}Hz 起逐渐滤去"),
+    (
+        "Amplitude by frequency, of theory: vertical waves through linear layers, damping included (Kramer 1996, section 7.2.1). The \
+         record over it is the wave that comes in. Where it is small, hardly anything of the wave moves that place, and the wave is \
+         so many times the record, errors of the record included. Numbers: transfer.csv.",
+        "理论幅值随频率的变化：竖向传播的波通过线性层状地层，计入阻尼（Kramer 1996，第 7.2.1 节）。记录除以它即为入射波。\
+         其值小处，入射波几乎不引起该处运动，由记录反演时记录及其误差均被相应放大。数值见 transfer.csv。",
+    ),
+    ("The record, and what came out where it was taken", "记录与其位置处的计算结果"),
+    ("velocity along {axis}", "{axis} 向速度"),
+    ("record", "记录"),
+    ("free field where it was taken", "记录位置处的自由场"),
+    (
+        "Broad is the record on the time of the run, thin how the free field moved at its place: the layered ground beside the model, \
+         into which the wave went. The thin line should lie on the broad one.",
+        "粗线为换算到计算时间的记录，细线为该处自由场的运动，即入射波传入模型旁的层状地层后的结果。细线应与粗线重合。",
+    ),
+    (
+        " They differ by at most {share} of the record's peak (check 'the record at the place where it was taken').",
+        "两者最多相差记录峰值的 {share}（见检查项“记录在其观测位置的再现”）。",
+    ),
+    (
+        " What differs is the mesh's, of rock that yields, or of what was left out above the record's band.",
+        "差别来自网格、围岩屈服，或记录频带以上被舍去的成分。",
+    ),
 ];

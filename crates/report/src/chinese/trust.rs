@@ -75,6 +75,16 @@ pub const TEXTS: Texts = &[
     ),
     ("free field against theory", "自由场与自由场理论解之差"),
     ("model's corners against free field", "模型角部与自由场之差"),
+    ("the record at the place where it was taken", "记录在其观测位置的再现"),
+    (
+        "it was taken on other ground than the model's, the layers of motion.site",
+        "记录取自模型以外的地层，即 motion.site 给定的地层",
+    ),
+    (
+        "velocity of the free field where the record was taken against the motion given, over its peak in the rows: what differs is \
+         the mesh's, or of rock that yields, or of what was left out above the record's band",
+        "记录位置处自由场的速度与给定运动之差，除以其在各行中的峰值：差别来自网格、围岩屈服，或记录频带以上被舍去的成分",
+    ),
     ("there is no reference column: {reason}", "没有参考自由场柱：{reason}"),
     (
         "cannot be checked, since {why}; and sides that are not periodic may spoil the free field",

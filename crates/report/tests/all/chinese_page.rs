@@ -6,7 +6,7 @@ use tremolite_report::{Language, write_in};
 use tremolite_results::{EARTHQUAKE, Pvd, ResultFolder, Summary};
 
 use super::interface_results::{self, fault, pairs, tunnel};
-use super::{bolts, free_field, report, stages};
+use super::{bolts, deconvolved, free_field, report, stages};
 
 /// Parts of the page, by the headings above them.
 const STAGES: &[&str] = &[
@@ -21,6 +21,7 @@ const STAGES: &[&str] = &[
 ];
 const BOLTS: &[&str] = &["锚杆", "各阶段轴力与屈服力之比", "受力最大锚杆的轴力分布"];
 const FREE_FIELD: &[&str] = &["输入波与自由场响应", "自由场柱的速度峰值", "模型角点的速度峰值"];
+const DECONVOLVED: &[&str] = &["输入地震动", "模型与地震动"];
 const INTERFACES: &[&str] = &["接触面时程", "接触面上的监测点"];
 const DAMAGE: &[&str] = &["混凝土损伤", "围岩屈服：塑性应变"];
 
@@ -152,6 +153,22 @@ fn the_free_field_is_told_in_chinese() {
     assert_chinese(&page(&folder), FREE_FIELD, &[]);
     free_field::free_field(&folder, &[("model.surface.vx", &|_| 0.0)]);
     assert!(below(&page(&folder), FREE_FIELD[0]).contains("free_field.csv 中没有运动。"));
+}
+
+#[test]
+fn a_record_that_was_deconvolved_is_told_in_chinese() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = deconvolved::recorded(temp.path());
+    // The theory's author.
+    assert_chinese(&page(&folder), DECONVOLVED, &["Kramer"]);
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    if let Some(site) = &mut summary.motion.deconvolved {
+        (site.depth, site.reach) = (30.0, f64::NAN);
+        site.corner.clear();
+    }
+    summary.write(&folder.summary()).unwrap();
+    fs::remove_file(folder.transfer()).unwrap();
+    assert_chinese(&page(&folder), DECONVOLVED, &[]);
 }
 
 #[test]

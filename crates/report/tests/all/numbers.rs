@@ -18,7 +18,7 @@ use tremolite_report::Language;
 use tremolite_results::Summary;
 
 use self::sources::Pages;
-use super::{bolts, free_field, interface_results, page, report, stages};
+use super::{bolts, deconvolved, free_field, interface_results, page, report, stages};
 
 /// By how much numbers are scaled at most, up and down: enough to be seen in three figures, too little to make another
 /// monitor the one that moves most wherever that can be helped.
@@ -198,6 +198,20 @@ fn numbers_of_the_free_field_stand_in_the_files_or_are_told_to_be_of_their_rows(
         ("relative difference of free_field.csv: ", "they differ by at most"),
         ("relative difference of free_field.csv: ", "Peaks of velocity of the columns"),
         ("relative difference of free_field.csv: ", "Peaks of velocity of the model at its corners"),
+    ];
+    assert_sound(temp.path(), Language::English, &derived);
+}
+
+#[test]
+fn numbers_of_a_record_that_was_deconvolved_stand_in_the_files() {
+    let temp = tempfile::tempdir().unwrap();
+    deconvolved::recorded(temp.path());
+    let derived = [
+        ("ratio of free_field.csv: ", "times the incident wave"),
+        ("relative difference of free_field.csv: ", "they differ by at most"),
+        ("relative difference of free_field.csv: ", "Peaks of velocity of the columns"),
+        // Where the theory stands.
+        ("constant", "Kramer"),
     ];
     assert_sound(temp.path(), Language::English, &derived);
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use tremolite_report::write;
 use tremolite_results::{ResultFolder, Summary};
 
-use crate::{bolts, free_field, interface_results, page, spectra, stages};
+use crate::{bolts, deconvolved, free_field, interface_results, page, spectra, stages};
 
 /// Where moduli, speeds of waves and stiffnesses are, and what others wrote.
 const NOT_OF_THE_RUN: [&str; 6] = ["findings", "trust", "model", "materials", "defaulted", "case"];
@@ -62,7 +62,7 @@ fn a_quantity_has_one_unit_in_every_section() {
         summary.write(&folder.summary()).unwrap();
         folder
     };
-    let folders: [(&str, Made, &[&str]); 7] = [
+    let folders: [(&str, Made, &[&str]); 8] = [
         ("page", page::results, &["m", "Pa", "J", "m/s"]),
         ("bolts", bolted, &["N"]),
         ("interfaces", interface_results::results, &["m", "Pa", "J"]),
@@ -70,6 +70,7 @@ fn a_quantity_has_one_unit_in_every_section() {
         ("stages and an earthquake", |root| stages::example(root, true), &["m", "Pa"]),
         ("free field", shaken_column, &["m/s"]),
         ("spectra", spectra::shaken, &["m/s²"]),
+        ("a record of the surface", deconvolved::recorded, &["m/s", "m/s²"]),
     ];
     for (name, make, wanted) in folders {
         let temp = tempfile::tempdir().unwrap();

@@ -12,7 +12,7 @@ use serde_json::Value;
 use tremolite_report::write;
 use tremolite_results::Table;
 
-use super::super::{bolts, free_field, interface_results, report, stages};
+use super::super::{bolts, deconvolved, free_field, interface_results, report, stages};
 use super::tokens::factor_of;
 
 /// A line of a figure: `figure / panel / name`, its unit, and what it was drawn from.
@@ -70,7 +70,17 @@ fn lines(page: &str) -> Vec<Line> {
 
 /// All columns of the folder's tables of histories, as `file:column`.
 fn columns(root: &Path) -> Vec<(String, Vec<f64>)> {
-    let tables = ["monitors", "energy", "damage", "interfaces", "motion", "free_field", "spectra", "depth"];
+    let tables = [
+        "monitors",
+        "energy",
+        "damage",
+        "interfaces",
+        "motion",
+        "free_field",
+        "spectra",
+        "depth",
+        "transfer",
+    ];
     let paths = tables.map(|name| root.join(format!("{name}.csv")));
     let tables = paths.iter().filter(|path| path.exists()).map(|path| (path, Table::read(path).unwrap()));
     let own = |(path, table): (&std::path::PathBuf, Table)| {
@@ -160,4 +170,21 @@ fn curves_of_the_ground_interfaces_and_stages_are_columns() {
             "free_field.svg / base, velocity along y / incident wave",
         ],
     );
+}
+
+#[test]
+fn curves_of_a_record_and_of_its_transfer_are_columns() {
+    let temp = tempfile::tempdir().unwrap();
+    deconvolved::recorded(temp.path());
+    // Numbers of motion.csv at the rows of free_field.csv; and a share of a number of the summary.
+    let of_rows = [
+        "free_field.svg / surface, velocity along x / incident wave",
+        "free_field.svg / surface, velocity along y / incident wave",
+        "free_field.svg / base, velocity along x / incident wave",
+        "free_field.svg / base, velocity along y / incident wave",
+        "record.svg / velocity along x / record",
+        "record.svg / velocity along y / record",
+        "transfer.svg / motion where the record was taken over incident wave, amplitude / 5 % of",
+    ];
+    check(temp.path(), &of_rows);
 }

@@ -1,0 +1,57 @@
+//! How the wave that comes in was made of a record on or within layered ground, in words.
+
+use tremolite_results::Deconvolved;
+
+use crate::free_field_numbers::percent;
+use crate::language::{Language, say};
+use crate::scale::{figures, quantity, trimmed};
+
+/// Where the record was taken, how much of the wave moves that place, and what became of the record: whole sentences.
+pub fn words(language: Language, site: &Deconvolved) -> String {
+    let ground = match site.corner.as_str() {
+        "" => say!(language, "the layers of motion.site"),
+        corner => say!(language, "the model's own ground at its corner {corner}", corner = corner),
+    };
+    let place = match site.depth > 0.0 {
+        true => say!(
+            language,
+            "{depth}\u{a0}m below the surface of {ground}",
+            depth = trimmed(&figures(site.depth, 4)),
+            ground = ground
+        ),
+        false => say!(language, "on the surface of {ground}", ground = ground),
+    };
+    let mut text = say!(
+        language,
+        "Recorded {place}; the wave that comes up through the base is deconvolved from it: at each frequency the record over what \
+         linear layers make of a vertical wave at that place.",
+        place = place
+    );
+    text.push_str(&say!(
+        language,
+        " That place moves {at_rest} times the incident wave at rest, and at least {least} times, at {least_at}\u{a0}Hz, up to \
+         the {band}\u{a0}Hz to which the record is wanted.",
+        at_rest = figures(site.at_rest, 3),
+        least = figures(site.least, 3),
+        least_at = figures(site.least_at, 3),
+        band = trimmed(&figures(site.band, 3))
+    ));
+    if site.lead > 0.0 {
+        text.push_str(&say!(
+            language,
+            " The record comes {lead} later than in its file, as long as the slowest wave takes from the base to its place.",
+            lead = quantity("s", site.lead)
+        ));
+    }
+    text.push_str(&match site.reach.is_finite() {
+        true => say!(
+            language,
+            " Above {reach}\u{a0}Hz, where too little of the wave moves that place, the record fades out: at most {left_out} of a \
+             component's ∫a²\u{a0}dt is left out.",
+            reach = figures(site.reach, 3),
+            left_out = percent(site.left_out)
+        ),
+        false => say!(language, " Nothing of the record is left out."),
+    });
+    text
+}
