@@ -10,6 +10,9 @@
 //! well. Where H falls below [`LEAST`] of its static value nothing is deconvolved: a record with such frequencies in its band is
 //! refused, and what it has above its band fades out before the first of them.
 //!
+//! What fades in frequency rings in time, before its cause as after it; so where something fades out the lead has room for that as
+//! well, or the wave would begin with a velocity and drift.
+//!
 //! As in [`LayeredColumn`], frequencies lie beside the imaginary axis, so that an undamped column that rings on does not come
 //! round again.
 
@@ -22,9 +25,15 @@ pub const LEAST: f64 = 0.05;
 /// Parts of the frequency where the transfer falls below [`LEAST`] between which what is above the band fades out, at the lowest
 /// and at the highest.
 const FADE: [f64; 2] = [0.8, 0.9];
+/// Room for what rings before its cause, over one by the width of the fade, and at most \[s\]. The fade's ringing falls with the
+/// third power of time.
+const ROOM: f64 = 2.0;
+const MOST_ROOM: f64 = 5.0;
 /// Times the record's length that is transformed, and what is left at their end of what rings.
-const SPANS: usize = 4;
-const LEFT: f64 = 1e-6;
+const SPANS: usize = 8;
+const LEFT: f64 = 1e-4;
+/// A dip of the transfer is a notch if it is not wider than this part of the frequency where it begins.
+const NARROW: f64 = 0.3;
 /// Steps in which a transfer is looked at over the lowest frequency of the column, c/4h.
 const LOOKS: f64 = 40.0;
 
@@ -46,15 +55,41 @@ pub struct Notch {
     pub share: f64,
 }
 
-/// The motion that a record makes at the base, and how.
-#[derive(Clone, Debug, Default)]
+/// The wave that a record makes at the base, and how.
+#[derive(Clone, Debug)]
 pub struct Deconvolved {
-    /// Acceleration of the incident wave \[m/s²\].
-    pub incident: Vec<f64>,
-    /// Up to which frequency it is the record's \[Hz\]; infinite where nothing was left out.
+    /// Acceleration of the incident wave along x, y, z \[m/s²\]: as long as the record and the lead.
+    pub incident: [Vec<f64>; 3],
+    /// By how many samples the record is put off.
+    pub lead: usize,
+    /// Up to which frequency the wave is the record's \[Hz\]; infinite where nothing was left out.
     pub reach: f64,
-    /// The share of ∫a² dt of the record that was left out above.
+    /// The largest share of ∫a² dt of a component that was left out above.
     pub left_out: f64,
+}
+
+/// What is let through of a record in frequency \[Hz\]: all up to `reach`, nothing from `end` on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cut {
+    reach: f64,
+    end: f64,
+}
+
+impl Cut {
+    const NONE: Cut = Cut { reach: f64::INFINITY, end: f64::INFINITY };
+
+    fn kept(self, hertz: f64) -> f64 {
+        match hertz {
+            _ if hertz <= self.reach => 1.0,
+            _ if hertz >= self.end => 0.0,
+            _ => (0.5 * PI * (hertz - self.reach) / (self.end - self.reach)).cos().powi(2),
+        }
+    }
+
+    /// Time that its ringing takes \[s\].
+    fn room(self) -> f64 {
+        if self.end.is_finite() { (ROOM / (self.end - self.reach)).min(MOST_ROOM) } else { 0.0 }
+    }
 }
 
 impl Place {
@@ -68,10 +103,9 @@ impl Place {
         self.transfer(axis, 1e-6).norm()
     }
 
-    /// By how much a record is put off \[s\]: the longest way of a wave to it, in whole steps.
-    pub fn lead(&self, dt: f64) -> usize {
-        let longest = self.columns.iter().map(|column| column.travel(self.height)).fold(0.0, f64::max);
-        (longest / dt - 1e-6).ceil().max(0.0) as usize
+    /// The longest way of a wave to the record \[s\].
+    pub fn travel(&self) -> f64 {
+        self.columns.iter().map(|column| column.travel(self.height)).fold(0.0, f64::max)
     }
 
     /// Frequencies \[Hz\] that show all of a transfer up to one of them.
@@ -99,54 +133,83 @@ impl Place {
             let middle = 0.5 * (above + below);
             if low(&middle) { below = middle } else { above = middle }
         }
-        let dip: Vec<f64> = frequencies[first..].iter().copied().take_while(low).collect();
-        let coarse = dip.iter().copied().min_by(|a, b| share(*a).total_cmp(&share(*b))).unwrap_or(below);
+        // A notch is a dip; what is damped away does not come back.
+        let near = |hertz: &f64| low(hertz) && *hertz <= (1.0 + NARROW) * below;
+        let dip: Vec<f64> = frequencies[first..].iter().copied().take_while(near).collect();
+        let least = |all: &mut dyn Iterator<Item = f64>| {
+            all.min_by(|a, b| share(*a).total_cmp(&share(*b))).unwrap_or(below)
+        };
+        let coarse = least(&mut dip.iter().copied());
+        let rises = dip.last().is_some_and(|last| *last > coarse) || dip.len() == 1;
+        if !rises {
+            return Some(Notch { from: below, at: below, share: share(below) });
+        }
         let step = frequencies[0];
-        let near =
-            (-50..=50).map(|k| coarse + f64::from(k) / 50.0 * step).filter(|f| *f >= below && *f <= most);
-        let at = near.min_by(|a, b| share(*a).total_cmp(&share(*b))).unwrap_or(below);
+        let around = (-50..=50).map(|k| coarse + f64::from(k) / 50.0 * step);
+        let at = least(&mut around.filter(|hertz| (below..=most).contains(hertz)));
         Some(Notch { from: below, at, share: share(at) })
     }
 
-    /// The incident wave along an axis of a record that is sampled every `dt` \[s\], put off by [`Place::lead`]: as long as that
-    /// and the record. `band` is the frequency up to which the record is wanted \[Hz\].
-    ///
-    /// Exact for the samples to about 10⁻⁶ of the peak where nothing is left out.
+    /// What is let through along an axis of a record that is wanted up to `band` \[Hz\] and sampled every `dt` \[s\].
     ///
     /// # Errors
     /// The notch, where the transfer cannot be inverted within the band.
+    fn cut(&self, axis: usize, dt: f64, band: f64) -> Result<Cut, Notch> {
+        match self.notch(axis, 0.5 / dt) {
+            None => Ok(Cut::NONE),
+            Some(notch) if notch.from <= band => Err(notch),
+            Some(Notch { from, .. }) => {
+                Ok(Cut { reach: band.clamp(FADE[0] * from, FADE[1] * from), end: from })
+            }
+        }
+    }
+
+    /// The incident wave of a record along x, y, z that is sampled every `dt` \[s\] and put off by a lead. `band` is the frequency
+    /// up to which the record is wanted \[Hz\].
+    ///
+    /// Exact for the samples to about 10⁻⁴ of what an undamped column has left of its ringing after eight times the record, and to
+    /// round-off besides, where nothing is left out.
+    ///
+    /// # Errors
+    /// The axis and the notch, where the transfer cannot be inverted within the band along an axis that moves.
     pub fn deconvolved(
         &self,
-        axis: usize,
-        acceleration: &[f64],
+        acceleration: &[Vec<f64>; 3],
         dt: f64,
         band: f64,
-    ) -> Result<Deconvolved, Notch> {
-        let lead = self.lead(dt);
+    ) -> Result<Deconvolved, (usize, Notch)> {
+        let mut cuts = [Cut::NONE; 3];
+        for (axis, cut) in cuts.iter_mut().enumerate() {
+            if acceleration[axis].iter().any(|a| *a != 0.0) {
+                *cut = self.cut(axis, dt, band).map_err(|notch| (axis, notch))?;
+            }
+        }
+        let room = cuts.iter().map(|cut| cut.room()).fold(0.0, f64::max);
+        let lead = ((self.travel() + room) / dt - 1e-6).ceil().max(0.0) as usize;
+        let mut left_out = 0.0_f64;
+        let mut incident: [Vec<f64>; 3] = Default::default();
+        for (axis, wave) in incident.iter_mut().enumerate() {
+            let lost;
+            (*wave, lost) = self.along(axis, &acceleration[axis], dt, lead, cuts[axis]);
+            left_out = left_out.max(lost);
+        }
+        let reach = cuts.iter().map(|cut| cut.reach).fold(f64::INFINITY, f64::min);
+        Ok(Deconvolved { incident, lead, reach, left_out })
+    }
+
+    /// The wave along one axis, and the share of the record that is left out.
+    fn along(&self, axis: usize, acceleration: &[f64], dt: f64, lead: usize, cut: Cut) -> (Vec<f64>, f64) {
         let wanted = lead + acceleration.len();
         if acceleration.iter().all(|a| *a == 0.0) {
-            return Ok(Deconvolved { incident: vec![0.0; wanted], reach: f64::INFINITY, left_out: 0.0 });
+            return (vec![0.0; wanted], 0.0);
         }
-        let notch = self.notch(axis, 0.5 / dt);
-        if let Some(notch) = notch.filter(|notch| notch.from <= band) {
-            return Err(notch);
-        }
-        // What is let through of a frequency.
-        let [reach, end] = notch.map_or([f64::INFINITY; 2], |notch| {
-            [band.clamp(FADE[0] * notch.from, FADE[1] * notch.from), notch.from]
-        });
-        let kept = |hertz: f64| match hertz {
-            _ if hertz <= reach => 1.0,
-            _ if hertz >= end => 0.0,
-            _ => (0.5 * PI * (hertz - reach) / (end - reach)).cos().powi(2),
-        };
         let mut late = vec![0.0; lead];
         late.extend(acceleration);
         late.resize((SPANS * wanted).next_power_of_two(), 0.0);
-        let left_out = if notch.is_none() {
+        let left_out = if cut == Cut::NONE {
             0.0
         } else {
-            let through = transferred(&late, dt, &|omega| kept(omega / TAU).into());
+            let through = transferred(&late, dt, &|omega| cut.kept(omega / TAU).into());
             let lost: f64 = late.iter().zip(&through).map(|(a, b)| (a - b).powi(2)).sum();
             lost / late.iter().map(|a| a * a).sum::<f64>()
         };
@@ -154,13 +217,13 @@ impl Place {
         let growth = |k: usize| (eta * k as f64 * dt).exp();
         late.iter_mut().enumerate().for_each(|(k, a)| *a /= growth(k));
         let column = &self.columns[axis];
-        let mut incident = transferred(&late, dt, &|omega| match kept(omega / TAU) {
+        let mut incident = transferred(&late, dt, &|omega| match cut.kept(omega / TAU) {
             0.0 => Complex64::default(),
             kept => kept / column.factor_at(Complex64::new(eta, omega), self.height),
         });
         incident.truncate(wanted);
         incident.iter_mut().enumerate().for_each(|(k, a)| *a *= growth(k));
-        Ok(Deconvolved { incident, reach, left_out })
+        (incident, left_out)
     }
 }
 

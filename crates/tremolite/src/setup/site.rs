@@ -89,7 +89,7 @@ pub fn enter<'a>(
         return Some(Entering { incident: Incident { motion: given, factor }, recorded: None });
     }
     match deconvolved(motion, &given, facts, &around()) {
-        Ok((wave, site)) => {
+        Ok((wave, recorded, site)) => {
             if let Some(problem) = beyond_any_earthquake(&motion.span, &wave, 1.0) {
                 problems.push(problem);
                 return None;
@@ -98,7 +98,7 @@ pub fn enter<'a>(
             facts.highest_frequency =
                 highest_frequency(&wave, ENERGY_SHARE).unwrap_or(facts.highest_frequency);
             let recorded = Recorded {
-                motion: late(&given, site.place.lead(given.dt)),
+                motion: recorded,
                 place: site.place.clone(),
                 corner: site.corner,
                 band: site.band,
@@ -113,24 +113,23 @@ pub fn enter<'a>(
     }
 }
 
+/// The wave, the record on the time of the run, and what is to be reported.
 fn deconvolved(
     motion: &case::Motion,
     given: &Motion,
     facts: &MotionFacts,
     around: &Around,
-) -> Result<(Motion, SiteFacts), Problem> {
+) -> Result<(Motion, Motion, SiteFacts), Problem> {
     let (place, corner) = place(motion, around)?;
     let band = match facts.lowpass {
         Some(corner) => corner,
         None => frequency_below(&given.acceleration, given.dt, ENERGY_SHARE).unwrap_or(0.0),
     };
     let band = band.min(0.5 / given.dt);
-    let mut waves: [Deconvolved; 3] = Default::default();
-    for (axis, wave) in waves.iter_mut().enumerate() {
-        *wave = place
-            .deconvolved(axis, &given.acceleration[axis], given.dt, band)
-            .map_err(|notch| refused(motion, facts, axis, &notch, band))?;
-    }
+    let found = place
+        .deconvolved(&given.acceleration, given.dt, band)
+        .map_err(|(axis, notch)| refused(motion, facts, axis, &notch, band))?;
+    let Deconvolved { incident, lead, reach, left_out } = found;
     let moving = (0..3).filter(|&axis| largest(&given.acceleration[axis]) > 0.0);
     let least = moving
         .flat_map(|axis| {
@@ -143,18 +142,18 @@ fn deconvolved(
     let site = SiteFacts {
         depth: motion.depth.as_ref().map_or(0.0, |depth| depth.value),
         corner,
-        lead: place.lead(given.dt) as f64 * given.dt,
+        lead: lead as f64 * given.dt,
         band,
-        reach: waves.iter().map(|wave| wave.reach).fold(f64::INFINITY, f64::min),
-        left_out: waves.iter().map(|wave| wave.left_out).fold(0.0, f64::max),
+        reach,
+        left_out,
         at_rest: place.at_rest(0),
         least,
         place,
     };
-    let wave = Motion::from_acceleration(given.dt, waves.map(|wave| wave.incident)).map_err(|e| {
+    let wave = Motion::from_acceleration(given.dt, incident).map_err(|e| {
         Problem::new(motion.span.clone(), e.to_string(), "check the record and the layers of its site")
     })?;
-    Ok((wave, site))
+    Ok((wave, late(given, lead), site))
 }
 
 fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notch, band: f64) -> Problem {

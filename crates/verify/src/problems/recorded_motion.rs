@@ -94,13 +94,10 @@ fn errors(h: f64, depth: f64) -> Result<[f64; 2], VerifyError> {
         DT,
         ALONG.map(|along| (0..SAMPLES).map(|k| along * pulse(f64::from(k) * DT).a).collect()),
     )?;
-    let wave = |axis: usize| {
-        let found = place.deconvolved(axis, &record.acceleration[axis], DT, BAND);
-        let refused = |notch| setup(format!("the record is refused by its notch, {notch:?}"));
-        Ok::<_, VerifyError>(found.map_err(refused)?.incident)
-    };
-    let motion = Motion::from_acceleration(DT, [wave(0)?, wave(1)?, wave(2)?])?;
-    let late = place.lead(DT) as f64 * DT;
+    let found = place.deconvolved(&record.acceleration, DT, BAND);
+    let found = found.map_err(|(_, notch)| setup(format!("the record is refused by its notch, {notch:?}")))?;
+    let late = found.lead as f64 * DT;
+    let motion = Motion::from_acceleration(DT, found.incident)?;
 
     // Rock carries waves five times as long, with elements three times as high.
     let below = (ROCK / (3.0 * h)).round() as u32;
