@@ -22,9 +22,9 @@ use tremolite_motion::{Complex64, transferred};
 
 /// The least share of its static value at which a transfer is inverted.
 pub const LEAST: f64 = 0.05;
-/// Parts of the frequency where the transfer falls below [`LEAST`] between which what is above the band fades out, at the lowest
-/// and at the highest.
-const FADE: [f64; 2] = [0.8, 0.9];
+/// Parts of the frequency where the transfer falls below [`LEAST`] at which what is above the band begins to fade out, at the lowest
+/// and at the highest: a band that reaches higher is refused, since nothing can be faded out in no room.
+const FADE: [f64; 2] = [0.8, 0.95];
 /// Room for what rings before its cause, over one by the width of the fade, and at most \[s\]. The fade's ringing falls with the
 /// third power of time.
 const ROOM: f64 = 2.0;
@@ -32,8 +32,8 @@ const MOST_ROOM: f64 = 5.0;
 /// Times the record's length that is transformed, and what is left at their end of what rings.
 const SPANS: usize = 8;
 const LEFT: f64 = 1e-4;
-/// A dip of the transfer is a notch if it is not wider than this part of the frequency where it begins.
-const NARROW: f64 = 0.3;
+/// Steps by which the place of a dip is narrowed down, each by 0.62.
+const GOLDEN: u32 = 60;
 /// Steps in which a transfer is looked at over the lowest frequency of the column, c/4h.
 const LOOKS: f64 = 40.0;
 
@@ -108,7 +108,7 @@ impl Place {
         self.columns.iter().map(|column| column.travel(self.height)).fold(0.0, f64::max)
     }
 
-    /// Frequencies \[Hz\] that show all of a transfer up to one of them.
+    /// Frequencies \[Hz\] that show a transfer up to one of them, but for the depth of its dips.
     pub fn frequencies(&self, axis: usize, most: f64) -> Vec<f64> {
         let column = &self.columns[axis];
         let step = 0.25 / column.travel(column.height()).max(1e-3) / LOOKS;
@@ -116,38 +116,51 @@ impl Place {
         (1..=count).map(|k| k as f64 / count as f64 * most).collect()
     }
 
+    /// The transfer over its static value where it is looked at up to a frequency, and whether that is the bottom of a dip: at the
+    /// frequencies that show it, and at its dips, which may lie sharp between two of them (a soft layer's foot on hard rock moves
+    /// but for a band as narrow as the ratio of impedances).
+    pub fn shares(&self, axis: usize, most: f64) -> Vec<(f64, f64, bool)> {
+        let rest = self.at_rest(axis);
+        let share = |hertz: f64| self.transfer(axis, hertz).norm() / rest;
+        let coarse: Vec<(f64, f64)> =
+            self.frequencies(axis, most).into_iter().map(|f| (f, share(f))).collect();
+        let mut all = Vec::with_capacity(coarse.len());
+        for (k, &(hertz, own)) in coarse.iter().enumerate() {
+            let before = if k == 0 { (0.0, 1.0) } else { coarse[k - 1] };
+            let Some(&after) = coarse.get(k + 1) else {
+                all.push((hertz, own, false));
+                continue;
+            };
+            // The bottom of what falls from the left and rises to the right.
+            if own <= before.1 && own <= after.1 && (own < before.1 || own < after.1) {
+                let bottom = lowest(&share, before.0, after.0);
+                let dip = (bottom, share(bottom), true);
+                let place = if bottom < hertz { all.len() } else { all.len() + 1 };
+                all.push((hertz, own, false));
+                all.insert(place, dip);
+            } else {
+                all.push((hertz, own, false));
+            }
+        }
+        all
+    }
+
     /// Where the transfer along an axis first falls below [`LEAST`] of its static value, up to a frequency \[Hz\].
     pub fn notch(&self, axis: usize, most: f64) -> Option<Notch> {
         let rest = self.at_rest(axis);
         let share = |hertz: f64| self.transfer(axis, hertz).norm() / rest;
-        let frequencies = self.frequencies(axis, most);
-        let low = |hertz: &f64| {
-            let share = share(*hertz);
-            share < LEAST || share.is_nan()
-        };
-        let first = frequencies.iter().position(low)?;
-        // The edge and the least value, finer than the looks.
-        let (mut above, mut below) =
-            (if first == 0 { 0.0 } else { frequencies[first - 1] }, frequencies[first]);
-        for _ in 0..40 {
-            let middle = 0.5 * (above + below);
-            if low(&middle) { below = middle } else { above = middle }
+        let low = |share: f64| share < LEAST || share.is_nan();
+        let shares = self.shares(axis, most);
+        let first = shares.iter().position(|&(_, share, _)| low(share))?;
+        let (mut above, mut from) = (if first == 0 { 0.0 } else { shares[first - 1].0 }, shares[first].0);
+        for _ in 0..60 {
+            let middle = 0.5 * (above + from);
+            if low(share(middle)) { from = middle } else { above = middle }
         }
-        // A notch is a dip; what is damped away does not come back.
-        let near = |hertz: &f64| low(hertz) && *hertz <= (1.0 + NARROW) * below;
-        let dip: Vec<f64> = frequencies[first..].iter().copied().take_while(near).collect();
-        let least = |all: &mut dyn Iterator<Item = f64>| {
-            all.min_by(|a, b| share(*a).total_cmp(&share(*b))).unwrap_or(below)
-        };
-        let coarse = least(&mut dip.iter().copied());
-        let rises = dip.last().is_some_and(|last| *last > coarse) || dip.len() == 1;
-        if !rises {
-            return Some(Notch { from: below, at: below, share: share(below) });
-        }
-        let step = frequencies[0];
-        let around = (-50..=50).map(|k| coarse + f64::from(k) / 50.0 * step);
-        let at = least(&mut around.filter(|hertz| (below..=most).contains(hertz)));
-        Some(Notch { from: below, at, share: share(at) })
+        // What is damped away does not come back.
+        let dip = shares[first..].iter().take_while(|(_, share, _)| low(*share)).find(|(.., bottom)| *bottom);
+        let at = dip.map_or(from, |(hertz, ..)| *hertz);
+        Some(Notch { from, at, share: share(at) })
     }
 
     /// What is let through along an axis of a record that is wanted up to `band` \[Hz\] and sampled every `dt` \[s\].
@@ -157,10 +170,8 @@ impl Place {
     fn cut(&self, axis: usize, dt: f64, band: f64) -> Result<Cut, Notch> {
         match self.notch(axis, 0.5 / dt) {
             None => Ok(Cut::NONE),
-            Some(notch) if notch.from <= band => Err(notch),
-            Some(Notch { from, .. }) => {
-                Ok(Cut { reach: band.clamp(FADE[0] * from, FADE[1] * from), end: from })
-            }
+            Some(notch) if band > FADE[1] * notch.from => Err(notch),
+            Some(Notch { from, .. }) => Ok(Cut { reach: band.max(FADE[0] * from), end: from }),
         }
     }
 
@@ -225,6 +236,16 @@ impl Place {
         incident.iter_mut().enumerate().for_each(|(k, a)| *a *= growth(k));
         (incident, left_out)
     }
+}
+
+/// Where a function of frequency that falls and rises between two is lowest, by golden sections.
+fn lowest(value: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let part = 0.5 * (5.0_f64.sqrt() - 1.0);
+    for _ in 0..GOLDEN {
+        let (a, b) = (high - part * (high - low), low + part * (high - low));
+        if value(a) < value(b) { high = b } else { low = a }
+    }
+    0.5 * (low + high)
 }
 
 #[cfg(test)]

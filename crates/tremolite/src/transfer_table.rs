@@ -14,7 +14,13 @@ fn frequencies(recorded: &Recorded) -> Vec<f64> {
     let most = (ABOVE * recorded.band).min(0.5 / recorded.motion.dt);
     let all = recorded.place.frequencies(0, most);
     let every = all.len().div_ceil(MOST);
-    all.into_iter().skip(every - 1).step_by(every).collect()
+    // The bottoms of dips may be sharp.
+    let dips = (0..3).flat_map(|axis| recorded.place.shares(axis, most));
+    let dips = dips.filter(|(.., bottom)| *bottom).map(|(hertz, ..)| hertz);
+    let mut rows: Vec<f64> = all.into_iter().skip(every - 1).step_by(every).chain(dips).collect();
+    rows.sort_by(f64::total_cmp);
+    rows.dedup();
+    rows
 }
 
 /// How many numbers the file holds.

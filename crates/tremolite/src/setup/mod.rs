@@ -2,6 +2,7 @@
 
 mod bolts;
 mod changes;
+mod doubts;
 mod groups;
 mod initial;
 mod inputs;
@@ -142,6 +143,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         rayleigh,
         top: sides::top(case.dynamic.top.value),
         grounds: grounds(&mesh, &lasting, &interfaces, staged.lives()),
+        overburden: case.initial.overburden.is_some(),
     };
     let entering = match (&case.motion, motion, &mut facts) {
         (Some(written), Some(motion), Some(facts)) => {
@@ -165,6 +167,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(bare);
     warnings.extend(facts.iter().flat_map(|facts| facts.warnings.clone()));
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
+    warnings.extend(motion.and_then(|motion| doubts::of_duration(case, motion)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
     let shaking = |motion: &tremolite_motion::Motion| match &dynamic.duration {

@@ -1,5 +1,6 @@
 //! The motion of a case: records read, cut, processed and turned into the model's axes.
 
+use super::doubts;
 use super::records;
 use super::site::SiteFacts;
 use tremolite_case::{self as case, Case, Problem};
@@ -55,7 +56,8 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         case::MotionKind::Surface => Kind::Surface,
     };
     let factor = kind.incident_factor();
-    let (mut channels, warnings) = records::of(case, motion, problems)?;
+    let (mut channels, mut warnings) = records::of(case, motion, problems)?;
+    let whole = channels.clone();
     if let Some(window) = &motion.window
         && let Err(e) = channels.cut(window.value)
     {
@@ -69,6 +71,8 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
     if problems.len() > before {
         return None;
     }
+    warnings.extend(doubts::of_window(motion, whole, &mut channels, &steps));
+    warnings.extend(doubts::of_peak(motion, &mut channels, &steps));
     let (source, window) = channels.facts();
     let made = channels.geographic().and_then(|ground| {
         Motion::from_acceleration(ground.dt, ground.model_axes(motion.model_x_azimuth.value))
@@ -94,6 +98,7 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         problems.push(problem);
         return None;
     }
+    warnings.extend(doubts::of_sampling(motion, made.dt, highest_frequency));
     let facts = MotionFacts {
         kind,
         factor,

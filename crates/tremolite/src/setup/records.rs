@@ -126,6 +126,7 @@ fn turned(channel: &Channel, axis: usize, place: Range<usize>) -> Option<Problem
 }
 
 /// Channels as they were found.
+#[derive(Clone)]
 pub enum Channels {
     /// Two horizontal ones and perhaps a vertical one, by the orientations in their file.
     Oriented(Vec<Channel>),

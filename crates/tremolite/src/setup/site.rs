@@ -1,5 +1,6 @@
 //! From the motion of a case to the wave that comes in: times a factor, or deconvolved through the ground it was recorded on.
 
+use super::doubts;
 use super::motion::{ENERGY_SHARE, MotionFacts, beyond_any_earthquake, largest};
 use crate::deconvolution::{Deconvolved, LEAST, Notch, Place};
 use crate::layered_column::{Layer, LayeredColumn};
@@ -29,8 +30,9 @@ pub struct SiteFacts {
     pub left_out: f64,
     /// What moves there at rest, over the incident wave.
     pub at_rest: f64,
-    /// The least of the same within the band along the axes that move, and its frequency \[Hz\].
+    /// The least and the largest of the same that is let through, along the axes that move, and its frequency \[Hz\].
     pub least: (f64, f64),
+    pub most: (f64, f64),
 }
 
 impl SiteFacts {
@@ -41,18 +43,24 @@ impl SiteFacts {
             None => "the layers of motion.site".to_owned(),
         };
         let (least, hertz) = self.least;
+        let place = match self.depth {
+            0.0 => format!("from the surface of {ground}"),
+            depth => format!("from {depth:.1} m below the surface of {ground}"),
+        };
+        let (most, most_at) = self.most;
         let mut words = vec![
-            format!("deconvolved from a depth of {:.1} m below the surface of {ground}", self.depth),
+            format!("deconvolved {place}, as linear layers"),
             format!(
-                "where it was taken moves {:.2} times the incident wave at rest and at least {:.2} times, at {hertz:.2} Hz, up to the \
-                 {:.1} Hz to which the record is wanted",
-                self.at_rest, least, self.band
+                "that place moves {:.2} times the incident wave at low frequency, at most {most:.2} times (at {most_at:.2} Hz), at \
+                 least {least:.2} times (at {hertz:.2} Hz)",
+                self.at_rest
             ),
             format!("the record comes to its place {:.3} s later than in its file", self.lead),
         ];
         if self.reach.is_finite() {
             words.push(format!(
-                "left out above {:.2} Hz, where too little of the wave moves that place: {:.2} % of the record's energy",
+                "what it has above {:.2} Hz fades out, since further up too little of the wave moves that place: {:.2} % of the \
+                 processed record's energy",
                 self.reach,
                 100.0 * self.left_out
             ));
@@ -68,6 +76,8 @@ pub struct Around<'a> {
     pub top: Top,
     /// The ground at the corners, or why there is none, in words that may stand behind 'but'.
     pub grounds: Result<[Ground; 4], String>,
+    /// Whether ground that is not in the model presses on its top.
+    pub overburden: bool,
 }
 
 /// The wave that comes in.
@@ -103,6 +113,7 @@ pub fn enter<'a>(
                 corner: site.corner,
                 band: site.band,
             };
+            facts.warnings.extend(doubts::of_site(motion, &site, &recorded.motion));
             facts.site = Some(site);
             Some(Entering { incident: Incident { motion: wave, factor: 1.0 }, recorded: Some(recorded) })
         }
@@ -131,14 +142,16 @@ fn deconvolved(
         .map_err(|(axis, notch)| refused(motion, facts, axis, &notch, band))?;
     let Deconvolved { incident, lead, reach, left_out } = found;
     let moving = (0..3).filter(|&axis| largest(&given.acceleration[axis]) > 0.0);
-    let least = moving
+    let shares: Vec<(f64, f64)> = moving
         .flat_map(|axis| {
-            let place = &place;
-            let frequencies = place.frequencies(axis, band).into_iter();
-            frequencies.map(move |hertz| (place.transfer(axis, hertz).norm(), hertz))
+            let rest = place.at_rest(axis);
+            let shares = place.shares(axis, reach.min(0.5 / given.dt)).into_iter();
+            shares.map(move |(hertz, share, _)| (rest * share, hertz))
         })
-        .min_by(|a, b| a.0.total_cmp(&b.0))
-        .unwrap_or((place.at_rest(0), 0.0));
+        .collect();
+    let extreme = |found: Option<&(f64, f64)>| found.copied().unwrap_or((place.at_rest(0), 0.0));
+    let least = extreme(shares.iter().min_by(|a, b| a.0.total_cmp(&b.0)));
+    let most = extreme(shares.iter().max_by(|a, b| a.0.total_cmp(&b.0)));
     let site = SiteFacts {
         depth: motion.depth.as_ref().map_or(0.0, |depth| depth.value),
         corner,
@@ -148,6 +161,7 @@ fn deconvolved(
         left_out,
         at_rest: place.at_rest(0),
         least,
+        most,
         place,
     };
     let wave = Motion::from_acceleration(given.dt, incident).map_err(|e| {
@@ -165,8 +179,8 @@ fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notc
         motion.span.clone(),
         format!(
             "the record cannot be turned into the wave that comes in: at {at:.2} Hz hardly anything moves where it was taken, \
-             {share:.1} % of what does at rest (along {axis}; below {least:.0} % from {from:.2} Hz on), and the record is wanted up \
-             to {band:.2} Hz, {above}",
+             {share:.1} % of what does at low frequency (along {axis}; below {least:.0} % from {from:.2} Hz on), and the record is \
+             wanted up to {band:.2} Hz, {above}",
             at = notch.at,
             share = 100.0 * notch.share,
             axis = ["x", "y", "z"][axis],
@@ -174,8 +188,8 @@ fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notc
             from = notch.from,
         ),
         format!(
-            "put a low-pass below {:.2} Hz into motion.process, or give a record of the surface or of an outcrop",
-            notch.from
+            "put a low-pass of {:.2} Hz or less into motion.process if the rest will do, or give a record of the surface or of an outcrop",
+            0.75 * notch.from
         ),
     )
 }
@@ -227,7 +241,7 @@ fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>
         let columns = columns(&layers, Top::Free).ok_or_else(none)?;
         return Ok((Place { columns, height: thickness + below - depth }, None));
     }
-    if around.top != Top::Free {
+    if around.top != Top::Free || around.overburden {
         return Err(refuse(
             format!(
                 "a motion of kind \"{kind}\" was taken below a free surface, but ground goes on above this model"

@@ -84,9 +84,14 @@ impl Checked<'_> {
             print(&format!("           {kind}{line}"));
         }
         for (m, name) in motion.intensity.iter().zip(["x", "y", "z"]) {
-            let peaks = format!("{:.3} m/s2, {:.3} m/s, {:.3} m", m.pga, m.pgv, m.pgd);
+            let peaks = match m.pga > 0.0 {
+                true => format!("{} m/s2, {} m/s, {} m", figures(m.pga), figures(m.pgv), figures(m.pgd)),
+                false => "none".to_owned(),
+            };
             print(&format!("           given peaks along {name}: {peaks}"));
         }
+        let [x, y, z] = motion.incident_peak.map(figures);
+        print(&format!("           incident wave: {x}, {y}, {z} m/s2 along x, y, z"));
         if let Some(coarsest) = survey.coarsest() {
             print(&format!(
                 "           99.9 % of its energy lies below {:.1} Hz: {:.1} elements a shear wave there (8 or more is good); fewest in {}",
@@ -214,4 +219,13 @@ impl Checked<'_> {
             }
         }
     }
+}
+
+/// A number to three figures, however small.
+fn figures(value: f64) -> String {
+    let power = if value > 0.0 { value.log10().floor() } else { 0.0 };
+    if power < -5.0 {
+        return format!("{value:.2e}");
+    }
+    format!("{value:.*}", (2.0 - power).max(0.0) as usize)
 }

@@ -1,0 +1,173 @@
+//! What a motion that can be read and processed is warned of: numbers that are not what they seem.
+
+use super::motion::largest;
+use super::records::Channels;
+use super::site::SiteFacts;
+use std::f64::consts::PI;
+use tremolite_case::{self as case, Problem, Site};
+use tremolite_motion::{Channel, Motion, Process};
+
+/// A window's displacement over that of the whole record from which on it is doubted.
+const MADE_BY_THE_WINDOW: f64 = 1.5;
+/// Part of a peak that was asked for by which later steps may change it.
+const PEAK_KEPT: f64 = 0.05;
+/// Loss of amplitude by straight lines between samples that is worth a word.
+const LOST_BETWEEN: f64 = 0.1;
+/// Share of a record's energy that may be left out above its band.
+const LEFT_OUT: f64 = 0.01;
+/// Shear strain at which soil is no longer linear: stiffness has fallen by a tenth or more in most (`kramer1996`, figure 6.44).
+const LINEAR: f64 = 5e-4;
+/// Share of ∫a² dt that may stay behind where a run ends before its motion.
+const NOT_RUN: f64 = 0.01;
+
+/// The largest displacement of channels \[m\], each from rest.
+fn displacement(channels: &[&mut Channel]) -> f64 {
+    let of = |channel: &Channel| {
+        let still = vec![0.0; channel.acceleration.len()];
+        let along = [channel.acceleration.clone(), still.clone(), still];
+        Motion::from_acceleration(channel.dt, along).map_or(0.0, |motion| largest(&motion.displacement[0]))
+    };
+    channels.iter().map(|channel| of(channel)).fold(0.0, f64::max)
+}
+
+/// A window that is cut in the middle of the motion knows neither the velocity nor the displacement at its beginning, and what brings
+/// it to rest makes up others. `whole` is the record before the window.
+pub fn of_window(
+    motion: &case::Motion,
+    mut whole: Channels,
+    windowed: &mut Channels,
+    steps: &[Process],
+) -> Option<Problem> {
+    let window = motion.window.as_ref()?;
+    tremolite_motion::process(&mut whole.each(), steps).ok()?;
+    let [all, part] = [displacement(&whole.each()), displacement(&windowed.each())];
+    (part > MADE_BY_THE_WINDOW * all).then(|| {
+        Problem::at(
+            window,
+            format!(
+                "the window, processed, moves by up to {part:.3} m, and the whole record, processed alike, by {all:.3} m: cut out of its \
+                 motion it does not know its velocity and displacement, and \"baseline\" makes up others"
+            ),
+            "begin and end the window where the ground hardly moves, use the whole record, or put a high-pass whose period is well \
+             below the window's length behind the taper",
+        )
+    })
+}
+
+/// A peak that steps behind it change.
+pub fn of_peak(motion: &case::Motion, channels: &mut Channels, steps: &[Process]) -> Option<Problem> {
+    let (step, word) = steps.iter().zip(&motion.process).rev().find_map(|(step, word)| match step {
+        Process::PeakAcceleration { value, units } => Some((value * units.factor()?, word)),
+        _ => None,
+    })?;
+    let found = channels.each().iter().map(|channel| largest(&channel.acceleration)).fold(0.0, f64::max);
+    ((found / step - 1.0).abs() > PEAK_KEPT).then(|| {
+        Problem::at(
+            word,
+            format!(
+                "the peak of {step:.3} m/s2 that is asked for becomes {found:.3} m/s2 by the steps behind it"
+            ),
+            "put it behind the filters",
+        )
+    })
+}
+
+/// Samples that lie so far apart that straight lines between them lose of what moves fastest: sinc² of frequency times interval.
+pub fn of_sampling(motion: &case::Motion, dt: f64, highest: f64) -> Option<Problem> {
+    let x = PI * highest * dt;
+    let lost = 1.0 - (x.sin() / x).powi(2);
+    (lost > LOST_BETWEEN).then(|| {
+        Problem::new(
+            motion.span.clone(),
+            format!(
+                "between samples {dt} s apart the acceleration is taken as linear, which leaves {:.0} % of the amplitude at \
+                 {highest:.1} Hz, below which 99.9 % of the motion's energy lies",
+                100.0 * (1.0 - lost)
+            ),
+            format!("put \"resample {} s\" last in motion.process: a band-limited course between the samples", fine(highest)),
+        )
+    })
+}
+
+/// A usual interval \[s\] that carries a frequency to about 1 %.
+fn fine(hertz: f64) -> f64 {
+    let most = (0.03_f64).sqrt() / (PI * hertz);
+    [0.01, 0.005, 0.002, 0.001].into_iter().find(|dt| *dt <= most).unwrap_or(0.001)
+}
+
+/// What a deconvolution leaves out, and soil that is strained beyond what linear layers are for.
+pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<Problem> {
+    let mut doubts = Vec::new();
+    if site.left_out > LEFT_OUT {
+        doubts.push(Problem::new(
+            motion.span.clone(),
+            format!(
+                "{:.1} % of the processed record's energy (∫a² dt) lies above {:.2} Hz and does not come in: further up too little of the \
+                 wave moves the place where it was taken",
+                100.0 * site.left_out,
+                site.reach
+            ),
+            format!(
+                "put a low-pass well below {:.2} Hz into motion.process, or do without: what comes out there lacks it",
+                site.reach
+            ),
+        ));
+    }
+    if let Some(Site::Layers(layers)) = &motion.site {
+        let fastest = given.velocity[..2].iter().map(|v| largest(v)).fold(0.0, f64::max);
+        let strain = |layer: &case::SiteLayer| fastest / layer.shear_wave_velocity.value;
+        let softest = layers.iter().max_by(|a, b| strain(a).total_cmp(&strain(b)));
+        if let Some(layer) = softest.filter(|layer| strain(layer) > LINEAR) {
+            doubts.push(Problem::at(
+                &layer.shear_wave_velocity,
+                format!(
+                    "the record moves by up to {fastest:.3} m/s, which strains this layer by about {:.2} %: the layers are linear, and \
+                     soil is not at that",
+                    100.0 * strain(layer)
+                ),
+                "give velocities and damping ratios that go with the strain, as an equivalent-linear analysis finds them",
+            ));
+        }
+        for layer in layers {
+            if !(1000.0..=3500.0).contains(&layer.density.value) {
+                doubts.push(Problem::at(
+                    &layer.density,
+                    format!("{:.0} kg/m3 is no density of ground", layer.density.value),
+                    "soil has 1400 to 2200 kg/m3, rock up to 3000",
+                ));
+            }
+            if !(40.0..=4500.0).contains(&layer.shear_wave_velocity.value) {
+                doubts.push(Problem::at(
+                    &layer.shear_wave_velocity,
+                    format!(
+                        "{} m/s is no velocity of shear waves in ground",
+                        layer.shear_wave_velocity.value
+                    ),
+                    "soft clay has 80 m/s and more, rock up to 3500 m/s",
+                ));
+            }
+        }
+    }
+    doubts
+}
+
+/// A run that ends before its motion.
+pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Problem> {
+    let duration = case.dynamic.duration.as_ref()?;
+    let rows = (duration.value / wave.dt).floor().max(0.0) as usize;
+    let energy = |from: usize| -> f64 {
+        wave.acceleration.iter().flat_map(|a| a.iter().skip(from)).map(|a| a * a).sum()
+    };
+    let share = energy(rows.saturating_add(1)) / energy(0);
+    (share > NOT_RUN).then(|| {
+        Problem::at(
+            duration,
+            format!(
+                "the motion lasts {:.2} s, and {:.0} % of its energy (∫a² dt) comes after this",
+                wave.duration(),
+                100.0 * share
+            ),
+            "leave `duration` out, or cut the motion by `window`, for peaks of what is not run are told as well",
+        )
+    })
+}
