@@ -22,6 +22,8 @@ struct Ground<'a> {
     damped: bool,
     /// Whether the soil is 20 m thicker at the high end of x.
     step: bool,
+    /// Every so many samples of the record are given.
+    every: usize,
     /// Elements over the height, a multiple of 5.
     layers: u32,
 }
@@ -34,6 +36,7 @@ impl Default for Ground<'_> {
             sides: "sides = \"periodic\"",
             damped: true,
             step: false,
+            every: 1,
             layers: 25,
         }
     }
@@ -92,8 +95,10 @@ histories = "5 ms"
             let burst = |hertz: f64, at: f64| (TAU * hertz * t).sin() * (-((t - at) / 0.3).powi(2)).exp();
             0.3 * (burst(1.0, 0.9) + burst(4.0, 1.1) + burst(7.0, 1.4)) + 0.02 * burst(11.0, 1.2)
         };
-        let samples: Vec<String> = (0..500).map(|k| format!("{:.6}", sample(k))).collect();
-        let record = format!("# units = \"m/s2\"\n# dt = \"0.005 s\"\n{}\n", samples.join("\n"));
+        let samples: Vec<String> =
+            (0..500).step_by(self.every).map(|k| format!("{:.6}", sample(k))).collect();
+        let dt = 0.005 * self.every as f64;
+        let record = format!("# units = \"m/s2\"\n# dt = \"{dt} s\"\n{}\n", samples.join("\n"));
         std::fs::write(folder.join("record.txt"), record).unwrap();
         let mut mesh =
             BoxSpec::uniform([0.0, 0.0, -100.0], [4.0, 4.0, 0.0], [2, 1, self.layers]).mesh().unwrap();
@@ -256,4 +261,84 @@ fn unlike_corners_are_told_apart_by_the_case() {
     assert_ne!(wave(&low), wave(&high));
     let site = high.motion.unwrap().site.unwrap();
     assert_eq!(site.corner, Some(1));
+}
+
+/// What can be run though its numbers are not what they seem is warned of, and what is sound is not.
+#[test]
+fn motions_that_are_not_what_they_seem_are_warned_of() {
+    let warnings = |ground: &Ground| -> Vec<String> {
+        let setup = ground.setup().unwrap_or_else(|e| panic!("{e}"));
+        setup.warnings.into_iter().map(|problem| problem.message).collect()
+    };
+    let sound = Ground { process: "\"lowpass 9 Hz\", \"baseline\"", ..Ground::default() };
+    assert_eq!(warnings(&sound), Vec::<String>::new());
+    let layer = |velocity: &str, density: &str| {
+        format!(
+            "kind = \"surface\"\nsite.layers = [{{ thickness = \"4 m\", shear_wave_velocity = \"{velocity}\", poisson = 0.3, \
+             density = \"{density}\", damping = 0.2 }}]"
+        )
+    };
+    let [fine, soft, light, slow] = [
+        ("300 m/s", "1900 kg/m3"),
+        ("45 m/s", "1900 kg/m3"),
+        ("300 m/s", "190 kg/m3"),
+        ("30 m/s", "1900 kg/m3"),
+    ]
+    .map(|(velocity, density)| layer(velocity, density));
+    let process = "\"lowpass 9 Hz\", \"baseline\"";
+    assert_eq!(warnings(&Ground { motion: &fine, process, ..Ground::default() }), Vec::<String>::new());
+    for (ground, words) in [
+        // The burst of 4 Hz reaches over the notch at 4.2 Hz, and the low-pass leaves half of it.
+        (
+            Ground {
+                motion: "kind = \"within\"\ndepth = \"29.8 m\"",
+                damped: false,
+                process: "\"lowpass 3.85 Hz\", \"baseline\"",
+                ..Ground::default()
+            },
+            "of the processed record's energy (∫a² dt) lies above 3.85 Hz and does not come in",
+        ),
+        (Ground { motion: &soft, process, ..Ground::default() }, "strains this layer by about 0."),
+        (Ground { motion: &light, process, ..Ground::default() }, "190 kg/m3 is no density of ground"),
+        (Ground { motion: &slow, process, ..Ground::default() }, "30 m/s is no velocity of shear waves"),
+        (
+            Ground { process, sides: "sides = \"periodic\"\nduration = \"1 s\"", ..Ground::default() },
+            "% of its energy (∫a² dt) comes after this",
+        ),
+        (
+            Ground { process: "\"pga 0.3 g\", \"lowpass 2 Hz\", \"baseline\"", ..Ground::default() },
+            "the peak of 2.942 m/s2 that is asked for becomes",
+        ),
+        (
+            Ground {
+                motion: "kind = \"outcrop\"",
+                process: "\"detrend linear\", \"baseline\"",
+                every: 7,
+                ..Ground::default()
+            },
+            "between samples 0.035 s apart the acceleration is taken as linear",
+        ),
+    ] {
+        let found = warnings(&ground);
+        assert!(found.iter().any(|message| message.contains(words)), "{words}: {found:?}");
+    }
+    // Fifteen seconds of the Kaikōura record come to six times the displacement of all of it by what brings them to rest.
+    let text = Ground {
+        motion: "kind = \"outcrop\"\nwindow = { strongest = \"15 s\" }",
+        process,
+        ..Ground::default()
+    }
+    .text();
+    let (head, rest) = text.split_once("east = ").unwrap();
+    let (_, rest) = rest.split_once("process").unwrap();
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/records/20161113_110259_WTMC_20.V2A");
+    for (window, doubted) in [("{ strongest = \"15 s\" }", true), ("[\"0 s\", \"163.84 s\"]", false)] {
+        let text = format!("{head}file = \"{}\"\nprocess{rest}", file.display());
+        let text = text.replace("{ strongest = \"15 s\" }", window);
+        let folder = tempfile::tempdir().unwrap();
+        let case = Ground::default().case(&text, folder.path());
+        let setup = setup(&case, &Laws::default(), Isa::best()).unwrap_or_else(|e| panic!("{e}"));
+        let found = setup.warnings.iter().any(|w| w.message.contains("cut out of its motion"));
+        assert_eq!(found, doubted, "{window}: {:?}", setup.warnings.iter().map(|w| &w.message).collect::<Vec<_>>());
+    }
 }
