@@ -29,8 +29,8 @@ pub fn words(language: Language, site: &Deconvolved) -> String {
     );
     text.push_str(&say!(
         language,
-        " That place moves {at_rest} times the incident wave at rest, and at least {least} times, at {least_at}\u{a0}Hz, up to \
-         the {band}\u{a0}Hz to which the record is wanted.",
+        " That place moves {at_rest} times the incident wave at low frequency and, of all that is let through, at least {least} \
+         times, at {least_at}\u{a0}Hz; the record is wanted up to {band}\u{a0}Hz.",
         at_rest = figures(site.at_rest, 3),
         least = figures(site.least, 3),
         least_at = figures(site.least_at, 3),
@@ -39,7 +39,8 @@ pub fn words(language: Language, site: &Deconvolved) -> String {
     if site.lead > 0.0 {
         text.push_str(&say!(
             language,
-            " The record comes {lead} later than in its file, as long as the slowest wave takes from the base to its place.",
+            " The record comes {lead} later than in its file: the wave takes time from the base to its place, and what fades out \
+             rings before it as well.",
             lead = quantity("s", site.lead)
         ));
     }

@@ -161,7 +161,7 @@ pub struct Deconvolved {
     pub left_out: f64,
     /// Motion at the place of the record over that of the incident wave, at rest.
     pub at_rest: f64,
-    /// The least of the same within the band, along the axes that move, and its frequency (Hz).
+    /// The least of the same among what is let through, along the axes that move, and its frequency (Hz).
     pub least: f64,
     pub least_at: f64,
 }

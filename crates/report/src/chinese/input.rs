@@ -35,13 +35,14 @@ pub const TEXTS: Texts = &[
         "记录取自{place}；自底部入射的上行波由其反演（反卷积）得到：逐频率将记录除以线性层状地层中竖向入射波在该处的传递函数。",
     ),
     (
-        " That place moves {at_rest} times the incident wave at rest, and at least {least} times, at {least_at}\u{a0}Hz, up to \
-         the {band}\u{a0}Hz to which the record is wanted.",
-        "该处运动在零频时为入射波的 {at_rest} 倍；在所需频带（{band}\u{a0}Hz 以下）内最小为 {least} 倍，位于 {least_at}\u{a0}Hz。",
+        " That place moves {at_rest} times the incident wave at low frequency and, of all that is let through, at least {least} \
+         times, at {least_at}\u{a0}Hz; the record is wanted up to {band}\u{a0}Hz.",
+        "该处运动在低频时为入射波的 {at_rest} 倍；在通过的频率中最小为 {least} 倍，位于 {least_at}\u{a0}Hz；记录所需频带为 {band}\u{a0}Hz 以下。",
     ),
     (
-        " The record comes {lead} later than in its file, as long as the slowest wave takes from the base to its place.",
-        "记录比其文件中的时刻推迟 {lead}，即最慢的波自底部传至该处所需的时间。",
+        " The record comes {lead} later than in its file: the wave takes time from the base to its place, and what fades out \
+         rings before it as well.",
+        " 记录比文件中晚 {lead}：波从底边传到该处需要时间，而淡出的频率成分在其之前也有振荡。",
     ),
     (
         " Above {reach}\u{a0}Hz, where too little of the wave moves that place, the record fades out: at most {left_out} of a \

@@ -123,9 +123,9 @@ fn caption_and_card_say_what_was_done() {
         &whole,
         "Recorded on the surface of the model's own ground at its corner xmin-ymin; the wave that comes up through the base is \
          deconvolved from it: at each frequency the record over what linear layers make of a vertical wave at that place. That \
-         place moves 1.94 times the incident wave at rest, and at least 0.731 times, at 6.35 Hz, up to the 9 Hz to which the \
-         record is wanted. The record comes 0.215 s later than in its file, as long as the slowest wave takes from the base to its \
-         place. Above 11.3 Hz, where too little of the wave moves that place, the record fades out: at most 0.42 % of a \
+         place moves 1.94 times the incident wave at low frequency and, of all that is let through, at least 0.731 times, at \
+         6.35 Hz; the record is wanted up to 9 Hz. The record comes 0.215 s later than in its file: the wave takes time from the \
+         base to its place, and what fades out rings before it as well. Above 11.3 Hz, where too little of the wave moves that place, the record fades out: at most 0.42 % of a \
          component's ∫a² dt is left out.",
     );
     assert!(whole.contains("surface record") && whole.contains("the motion given (surface record) peaks at"));

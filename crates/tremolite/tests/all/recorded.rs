@@ -339,6 +339,11 @@ fn motions_that_are_not_what_they_seem_are_warned_of() {
         let case = Ground::default().case(&text, folder.path());
         let setup = setup(&case, &Laws::default(), Isa::best()).unwrap_or_else(|e| panic!("{e}"));
         let found = setup.warnings.iter().any(|w| w.message.contains("cut out of its motion"));
-        assert_eq!(found, doubted, "{window}: {:?}", setup.warnings.iter().map(|w| &w.message).collect::<Vec<_>>());
+        assert_eq!(
+            found,
+            doubted,
+            "{window}: {:?}",
+            setup.warnings.iter().map(|w| &w.message).collect::<Vec<_>>()
+        );
     }
 }
