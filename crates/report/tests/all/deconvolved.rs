@@ -136,7 +136,7 @@ fn caption_and_card_say_what_was_done() {
     });
     let whole = page(&folder);
     twice(&whole, "Recorded 31.5 m below the surface of the layers of motion.site; ");
-    twice(&whole, "the record is wanted. Nothing of the record is left out.");
+    twice(&whole, "the record is wanted up to 9 Hz. Nothing of the record is left out.");
 }
 
 #[test]
