@@ -47,10 +47,10 @@ impl Process {
     /// [`PeakAcceleration`](Process::PeakAcceleration).
     ///
     /// # Errors
-    /// [`Error::Process`] if a sensor does not record acceleration, a corner is not below the Nyquist frequency, the corners are not in order, the
-    /// record is not longer than the filter's padding ([`Filter::padding`]), than two tapers or than the time before the event,
-    /// has too few samples for the polynomial, if nothing shakes that could be scaled, or values
-    /// leave the range of numbers. All channels are then as before.
+    /// [`Error::Process`] if a sensor does not record acceleration, a corner is not below the Nyquist frequency, the corners
+    /// are not in order, the record is not longer than the filter's padding ([`Filter::padding`]), than two tapers or than the
+    /// time before the event, has too few samples for the polynomial, if nothing shakes that could be scaled, or values leave
+    /// the range of numbers. All channels are then as before.
     pub fn apply(&self, channels: &mut [&mut Channel]) -> Result<(), Error> {
         for channel in &*channels {
             if let Err(Error::Unsuitable { problem, remedy }) = channel.of_accelerometer() {
