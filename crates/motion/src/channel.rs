@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::shown::rounded;
 use crate::{Error, Orientation, Units};
 
 /// One component of a recorded acceleration, equally spaced in time.
@@ -26,6 +27,9 @@ pub struct Channel {
     /// Whether the samples are counts still, since nothing says what a count is. Such a channel can be looked at, filtered and
     /// written; [`Geographic`](crate::Geographic), the way into a model, refuses it.
     pub raw: bool,
+    /// Whether the samples are those of a sensor that by the file does not record acceleration, such as a seismometer. They
+    /// can be looked at and no more: see [`of_accelerometer`](Channel::of_accelerometer).
+    pub other_sensor: bool,
     /// Time of the first sample (s, of a clock that the record's files share), where the file states it: see [`align`].
     pub clock: Option<f64>,
     /// What reading did beside reading, in sentences for the user: times that were made equal, a scale of the header.
@@ -46,6 +50,7 @@ impl Channel {
             acceleration,
             units: Units::MetrePerSecond2,
             raw: false,
+            other_sensor: false,
             clock: None,
             remarks: Vec::new(),
             orientation: None,
@@ -62,6 +67,21 @@ impl Channel {
         self.acceleration.len().saturating_sub(1) as f64 * self.dt
     }
 
+    /// Refuses samples of a sensor that does not record acceleration: no sensitivity makes acceleration of them.
+    ///
+    /// # Errors
+    /// [`Error::Unsuitable`] if [`other_sensor`](Channel::other_sensor).
+    pub fn of_accelerometer(&self) -> Result<(), Error> {
+        if !self.other_sensor {
+            return Ok(());
+        }
+        Err(Error::unsuitable(
+            format!("'{}' is by its channel's code of a sensor that does not record acceleration", self.name),
+            "give the record of an accelerometer, whose channel codes have N as their second letter, as in HNE; or correct the \
+             record to acceleration with another program, and give that with its units",
+        ))
+    }
+
     /// The samples between `start` and `end` (s), both in the record's own time and both included.
     ///
     /// The window may reach beyond the record; then there is less in it, which `start`, `end()` of the result
@@ -73,7 +93,7 @@ impl Channel {
         // Negated, so that NaN is refused as well.
         if !(start < end) {
             return Err(Error::unsuitable(
-                format!("the window from {start} s to {end} s has no length"),
+                format!("the window from {} s to {} s has no length", rounded(start), rounded(end)),
                 "give the earlier time first, as in window = [\"20.5 s\", \"40 s\"]",
             ));
         }
@@ -82,11 +102,12 @@ impl Channel {
         if !(last - first >= 1.0) {
             return Err(Error::unsuitable(
                 format!(
-                    "the window from {start} s to {end} s holds no two samples of record '{}', which runs \
-                     from {} s to {} s",
+                    "the window from {} s to {} s holds no two samples of record '{}', which runs from {} s to {} s",
+                    rounded(start),
+                    rounded(end),
                     self.name,
-                    self.start,
-                    self.end()
+                    rounded(self.start),
+                    rounded(self.end())
                 ),
                 "choose a window inside the record",
             ));
@@ -147,6 +168,13 @@ mod tests {
         {
             assert!(record.window(a, b).is_err(), "{a} {b}");
         }
+        let late = ramp(0.1 + 0.2, 0.01, 101);
+        assert_ne!(late.start.to_string(), "0.3");
+        let message = late.window(0.1 + 0.7 * 3.0, 50.0).unwrap_err().to_string();
+        assert!(
+            message.contains("from 2.2 s to 50 s") && message.contains("from 0.3 s to 1.3 s"),
+            "{message}"
+        );
     }
 
     #[test]

@@ -29,6 +29,22 @@ pub enum Error {
 }
 
 impl Error {
+    /// What is wrong and where, and what to do about it, apart, for reports that set them apart. Together they are the
+    /// error's text, but for an I/O error, whose text has no remedy.
+    pub fn message_and_remedy(&self) -> (String, String) {
+        let text = self.to_string();
+        match self {
+            Error::Io { .. } => (text, "check the file's name and place, and that it may be read".into()),
+            Error::Record { remedy, .. }
+            | Error::Binary { remedy, .. }
+            | Error::Process { remedy, .. }
+            | Error::Unsuitable { remedy, .. } => {
+                let message = text.strip_suffix(remedy.as_str()).and_then(|m| m.strip_suffix("; "));
+                (message.unwrap_or(&text).to_owned(), remedy.clone())
+            }
+        }
+    }
+
     /// A [`Error::Record`]; `line` counts from 1.
     pub(crate) fn record(
         file: &Path,
@@ -60,5 +76,34 @@ impl Error {
     /// A [`Error::Unsuitable`].
     pub(crate) fn unsuitable(problem: impl Into<String>, remedy: impl Into<String>) -> Error {
         Error::Unsuitable { problem: problem.into(), remedy: remedy.into() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn message_and_remedy_are_the_text_apart() {
+        let at = Path::new("a.txt");
+        let process = Error::Process {
+            channel: "a".into(),
+            step: "taper 1 s".into(),
+            problem: "short; very".into(),
+            remedy: "cut".into(),
+        };
+        for (error, parts) in [
+            (Error::record(at, 3, "no; number", "mend; it"), ("a.txt, line 3: no; number", "mend; it")),
+            (Error::binary(at, 3, "no number", "mend it"), ("a.txt, byte 3: no number", "mend it")),
+            (Error::unsuitable("no", "yes"), ("no", "yes")),
+            (process, ("record 'a', 'taper 1 s': short; very", "cut")),
+        ] {
+            let (message, remedy) = error.message_and_remedy();
+            assert_eq!((message.as_str(), remedy.as_str()), parts);
+            assert_eq!(format!("{message}; {remedy}"), error.to_string());
+        }
+        let io = Error::Io { file: at.into(), source: io::ErrorKind::NotFound.into() };
+        let (message, remedy) = io.message_and_remedy();
+        assert!(message == io.to_string() && remedy.contains("name and place"), "{message}; {remedy}");
     }
 }

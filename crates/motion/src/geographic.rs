@@ -25,7 +25,7 @@ impl Geographic {
     /// From components that are already called east, north and up; what is missing stays zero.
     ///
     /// # Errors
-    /// As [`common_time_base`], and for channels that are in counts still.
+    /// As [`common_time_base`], and for channels of a sensor that does not record acceleration or that are in counts still.
     pub fn from_parts(
         east: Option<&Channel>,
         north: Option<&Channel>,
@@ -33,6 +33,7 @@ impl Geographic {
     ) -> Result<Geographic, Error> {
         let parts = [east, north, up];
         let given: Vec<&Channel> = parts.iter().flatten().copied().collect();
+        given.iter().try_for_each(|c| c.of_accelerometer())?;
         if let Some(raw) = given.iter().find(|c| c.raw) {
             return Err(Error::unsuitable(
                 format!("'{}' is in counts, and nothing says what a count is", raw.name),

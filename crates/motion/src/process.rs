@@ -6,6 +6,7 @@ use crate::baseline::{bring_to_rest, detrend_linear, taper};
 use crate::intensity::peak;
 use crate::polynomial::detrend_polynomial;
 use crate::sensitivity::REMEDY;
+use crate::shown::rounded;
 use crate::{Band, Channel, Error, Filter, Units};
 
 /// One step of processing.
@@ -46,11 +47,16 @@ impl Process {
     /// [`PeakAcceleration`](Process::PeakAcceleration).
     ///
     /// # Errors
-    /// [`Error::Process`] if a corner is not below the Nyquist frequency, the corners are not in order, the
-    /// record is not longer than the filter's padding ([`Filter::padding`]), than two tapers or than the time before the event,
-    /// has too few samples for the polynomial, if nothing shakes that could be scaled, or values
-    /// leave the range of numbers. All channels are then as before.
+    /// [`Error::Process`] if a sensor does not record acceleration, a corner is not below the Nyquist frequency, the corners
+    /// are not in order, the record is not longer than the filter's padding ([`Filter::padding`]), than two tapers or than the
+    /// time before the event, has too few samples for the polynomial, if nothing shakes that could be scaled, or values leave
+    /// the range of numbers. All channels are then as before.
     pub fn apply(&self, channels: &mut [&mut Channel]) -> Result<(), Error> {
+        for channel in &*channels {
+            if let Err(Error::Unsuitable { problem, remedy }) = channel.of_accelerometer() {
+                return Err(self.refusal(channel, problem, remedy));
+            }
+        }
         let factor = match *self {
             Process::PeakAcceleration { value, units } => self.factor(channels, value, units)?,
             _ => 1.0,
@@ -144,7 +150,7 @@ impl Process {
                     let problem = format!(
                         "the record lasts {} s in samples {} s apart, and the time before the event needs two of \
                          them and ends within the record",
-                        channel.duration(),
+                        rounded(channel.duration()),
                         channel.dt
                     );
                     return Err(self.refusal(
@@ -160,7 +166,7 @@ impl Process {
                 if !(seconds > 0.0 && 2.0 * seconds <= channel.duration()) {
                     return Err(self.refusal(
                         channel,
-                        format!("the record lasts {} s, less than two tapers", channel.duration()),
+                        format!("the record lasts {} s, less than two tapers", rounded(channel.duration())),
                         "shorten the taper or take a longer window",
                     ));
                 }
@@ -264,6 +270,25 @@ mod tests {
         let message = step.apply(&mut [&mut a, &mut counts]).unwrap_err().to_string();
         assert!(message.contains("counts") && message.contains("sensitivity"), "{message}");
         step.apply(&mut []).unwrap();
+    }
+
+    #[test]
+    fn no_step_is_applied_to_what_is_no_acceleration() {
+        let mut other = Channel { raw: true, other_sensor: true, ..channel(vec![1.0, 5.0]) };
+        let before = other.clone();
+        let message = Process::Scale(2.0).apply(&mut [&mut other]).unwrap_err().to_string();
+        assert!(message.contains("does not record acceleration") && message.contains("HNE"), "{message}");
+        assert_eq!(other, before);
+    }
+
+    #[test]
+    fn times_in_messages_are_without_round_off() {
+        let mut record = Channel::new("test", 0.1, vec![0.0; 4]);
+        assert_ne!(record.duration().to_string(), "0.3");
+        for step in [Process::Taper { seconds: 5.0 }, Process::PreEvent { seconds: 5.0 }] {
+            let message = step.apply(&mut [&mut record]).unwrap_err().to_string();
+            assert!(message.contains("lasts 0.3 s"), "{message}");
+        }
     }
 
     #[test]

@@ -1,6 +1,12 @@
-//! Words of a file in messages.
+//! Words of a file and times in messages.
 
 use std::borrow::Cow;
+
+/// A time (s) to a microsecond, without the round-off of sums.
+pub(crate) fn rounded(time: f64) -> f64 {
+    let tidy = (time * 1e6).round() / 1e6;
+    if tidy.is_finite() { tidy } else { time }
+}
 
 /// A word of a file as a message may show it: short and printable.
 pub(crate) fn shown(word: &str) -> Cow<'_, str> {

@@ -38,6 +38,8 @@ pub struct BeforeAfter<'a> {
     pub title: String,
     /// What was done, in words.
     pub steps: String,
+    /// What was before, for the legend.
+    pub before: &'a str,
     /// Times of the histories (s), ascending.
     pub time: &'a [f64],
     pub histories: Vec<Pair<'a>>,
@@ -57,9 +59,10 @@ impl BeforeAfter<'_> {
         }
         top += 20.0;
         svg.before(&[vec![(LEFT, top - 4.5), (LEFT + 22.0, top - 4.5)]]);
-        svg.text((LEFT + 28.0, top), Anchor::Start, 13.0, Style::Plain, "before");
-        svg.lines(AFTER, 2.0, &[vec![(LEFT + 90.0, top - 4.5), (LEFT + 112.0, top - 4.5)]]);
-        svg.text((LEFT + 118.0, top), Anchor::Start, 13.0, Style::Plain, "after");
+        svg.text((LEFT + 28.0, top), Anchor::Start, 13.0, Style::Plain, self.before);
+        let next = LEFT + 28.0 + text_width(self.before, 13.0) + 24.0;
+        svg.lines(AFTER, 2.0, &[vec![(next, top - 4.5), (next + 22.0, top - 4.5)]]);
+        svg.text((next + 28.0, top), Anchor::Start, 13.0, Style::Plain, "after");
         let mut remarks = Vec::new();
 
         let (from, to) = range(self.time.iter().copied());
@@ -251,6 +254,7 @@ mod tests {
         BeforeAfter {
             title: "N <S>".into(),
             steps: "taper 1 s".into(),
+            before: "as read <raw>",
             time: &time,
             histories,
             spectrum: None,
@@ -263,6 +267,7 @@ mod tests {
         let after: Vec<f64> = (0..500).map(|i| 0.03 * (0.1 * f64::from(i)).sin()).collect();
         let before: Vec<f64> = after.iter().enumerate().map(|(i, x)| x + 0.01 * i as f64).collect();
         let svg = drawn(&before, &after);
+        assert!(svg.contains("as read &lt;raw&gt;"), "{svg}");
         assert!(svg.contains("N &lt;S&gt;") && svg.contains("displacement (mm)"), "{svg}");
         assert!(svg.contains("before 4\u{202f}") || svg.contains("before 4"), "{svg}");
         assert!(svg.contains("(beyond the axis)") && svg.contains("after 30.0\u{a0}mm"), "{svg}");

@@ -9,6 +9,9 @@ use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::{Problem, Spanned};
 
+/// The word in place of a unit for what a digitiser counts.
+const COUNTS: &str = "counts";
+
 pub(super) static COMPONENT: Table = Table {
     path: "motion.east",
     doc: "One component of the ground motion: a record, or another component times a factor.",
@@ -18,9 +21,9 @@ pub(super) static COMPONENT: Table = Table {
             .when(When::Beside("file")),
         Key::optional(
             "units",
-            Kind::Unit(Dimension::ACCELERATION),
+            Kind::Either(&[Kind::Word(&[COUNTS]), Kind::Unit(Dimension::ACCELERATION)]),
             "",
-            "Unit of the figures, where the file does not say: \"cm/s2\", \"g\"",
+            "Unit of the figures, where the file does not say: \"cm/s2\", \"g\", or \"counts\" beside `sensitivity`",
         )
         .when(When::Beside("file")),
         Key::optional(
@@ -78,6 +81,15 @@ pub enum Component {
     },
 }
 
+/// The unit of a record.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RecordUnit {
+    /// An acceleration of this SI value, m/s².
+    Acceleration(f64),
+    /// What a digitiser counts.
+    Counts,
+}
+
 /// A record of one component.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
@@ -85,8 +97,8 @@ pub struct Record {
     pub file: Spanned<PathBuf>,
     /// Which of the file's channels.
     pub channel: Option<Spanned<String>>,
-    /// SI value of the file's unit, m/s².
-    pub units: Option<Spanned<f64>>,
+    /// The file's unit.
+    pub units: Option<Spanned<RecordUnit>>,
     /// What the columns of a plain text file hold; empty: not said.
     pub columns: Vec<Spanned<Column>>,
     /// Time between figures, s.
@@ -105,8 +117,15 @@ impl Component {
     }
 
     pub(super) fn read(f: &Fields) -> Option<Self> {
-        let (file, channel, units, dt) =
-            (f.text("file"), f.text("channel"), f.number("units"), f.number("dt"));
+        let (file, channel, dt) = (f.text("file"), f.text("channel"), f.number("dt"));
+        let units = f.get("units").and_then(|node| {
+            let unit = match node.number() {
+                Some(unit) => RecordUnit::Acceleration(unit.value),
+                // The only word that is let through.
+                None => node.text().map(|_| RecordUnit::Counts)?,
+            };
+            Some(Spanned::new(unit, node.span.clone()))
+        });
         let sensitivity = f.text("sensitivity");
         let columns = f.list("columns").iter().filter_map(|n| {
             let word = n.text()?;

@@ -131,7 +131,7 @@ fn the_motion_arrives_with_its_records_and_the_places_of_its_steps() {
         panic!("three components")
     };
     assert_eq!(case.resolve(&east.file.value), Path::new("study/a.txt"));
-    assert_eq!(east.units.as_ref().map(|u| u.value), Some(0.01));
+    assert_eq!(east.units.as_ref().map(|u| u.value), Some(RecordUnit::Acceleration(0.01)));
     assert_eq!(east.dt.as_ref().map(|t| t.value), Some(0.005));
     let sensitivity = east.sensitivity.as_ref().map(|s| s.value.as_str());
     assert_eq!((sensitivity, &motion.sensitivity), (Some("4e5 counts/(m/s2)"), &None));

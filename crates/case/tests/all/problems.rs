@@ -76,6 +76,8 @@ const BAD: &[Bad] = &[
     bad("near = \"120 cm\"", "near = \"1.2\"", "\"1.2\"", "has no unit", "\"1.2 m\""),
     bad("model_x_azimuth = \"30 deg\"", "model_x_azimuth = 30", "30", "has no unit", "deg"),
     bad("units = \"cm/s2\"", "units = \"cm/s\"", "\"cm/s\"", "is a velocity", "units = \"m/s2\""),
+    bad("units = \"cm/s2\"", "units = \"cm/s\"", "\"cm/s\"", "is a velocity", "or \"counts\""),
+    bad("units = \"cm/s2\"", "units = \"count\"", "\"count\"", "", "or \"counts\""),
     bad("histories = \"20 ms\"", "histories = true", "true", "should be a time, not true or false", "\"… s\""),
     // Limits
     bad("width = 17", "width = 0", "0", "must be above 0", "above 0"),

@@ -3,6 +3,7 @@
 mod figure;
 mod files;
 mod info;
+mod measures;
 mod process;
 mod spectrum;
 

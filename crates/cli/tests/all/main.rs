@@ -17,6 +17,7 @@ mod layout;
 mod list;
 mod mesh;
 mod motion;
+mod motion_told;
 mod references;
 mod shotcrete;
 mod sides;

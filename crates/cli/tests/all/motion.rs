@@ -3,36 +3,36 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-fn tremolite(folder: &Path, args: &[&str]) -> Output {
+pub(crate) fn tremolite(folder: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
 }
 
-fn code(output: &Output) -> i32 {
+pub(crate) fn code(output: &Output) -> i32 {
     output.status.code().unwrap()
 }
 
-fn errors(output: &Output) -> String {
+pub(crate) fn errors(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
 /// The standard output of a command that must succeed.
-fn told(folder: &Path, args: &[&str]) -> String {
+pub(crate) fn told(folder: &Path, args: &[&str]) -> String {
     let output = tremolite(folder, args);
     assert_eq!(code(&output), 0, "{args:?}: {}", errors(&output));
     String::from_utf8(output.stdout).unwrap()
 }
 
-fn json(folder: &Path, args: &[&str]) -> serde_json::Value {
+pub(crate) fn json(folder: &Path, args: &[&str]) -> serde_json::Value {
     serde_json::from_str(&told(folder, args)).unwrap()
 }
 
-fn shipped(name: &str) -> String {
+pub(crate) fn shipped(name: &str) -> String {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/records").join(name);
     path.display().to_string()
 }
 
 /// A burst of `peak`, sampled every `dt`, as text with its own units.
-fn burst(path: &Path, units: &str, dt: f64, start: f64, peak: f64) {
+pub(crate) fn burst(path: &Path, units: &str, dt: f64, start: f64, peak: f64) {
     let wave = |t: f64| peak * (12.0 * (t - 2.0)).sin() * (-((t - 2.0) / 0.5).powi(2)).exp();
     let lines =
         (0..(4.0 / dt) as usize).map(|i| start + i as f64 * dt).map(|t| format!("{t:.5} {:.9}\n", wave(t)));
@@ -223,7 +223,8 @@ fn the_page_of_records_shows_what_its_command_draws() {
     assert!(drawn == shown, "docs/records/wolong.svg is not what its command on the page draws");
     assert!(page.contains("(records/wolong.svg)") && drawn.len() < 100_000);
     // The numbers of the page are those that the figure names.
-    for word in ["before 9.58\u{a0}m/s²", "after 9.40\u{a0}m/s²", "after −59.4\u{a0}mm"] {
+    for word in ["before 9.58\u{a0}m/s²", "after 9.40\u{a0}m/s²", "after −59.4\u{a0}mm", "before 832\u{a0}mm"]
+    {
         assert!(drawn.contains(word), "{word}");
     }
     // Steps of the table are steps that are read.

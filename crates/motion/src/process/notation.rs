@@ -8,7 +8,7 @@ use crate::shown::shown;
 
 /// What [`Process::parse`] reads, for messages.
 const FORMS: &str = "use 'detrend linear', 'baseline', 'baseline polynomial 3', 'pre-event 5 s', 'taper 1 s', \
-                     'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'scale 0.35' or 'pga 0.3 g'";
+                     'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'scale 0.35', 'pga 0.3 g' or 'pga 3 m/s2'";
 
 /// Degrees of a baseline's polynomial: above, it begins to follow the shaking.
 const DEGREES: std::ops::RangeInclusive<usize> = 1..=10;
@@ -16,7 +16,7 @@ const DEGREES: std::ops::RangeInclusive<usize> = 1..=10;
 impl Process {
     /// Reads a step as the case file writes it: `detrend linear`, `baseline`, `baseline polynomial 3`, `pre-event 5 s`,
     /// `taper 1 s`, `highpass 0.1 Hz`, `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `scale 0.35`, `pga 0.3 g`.
-    /// Numbers without a unit are in s, Hz and m/s².
+    /// Numbers without a unit are in s and Hz; a peak needs its unit, since m/s² and g are both meant by users.
     ///
     /// # Errors
     /// A sentence that names the fault and the forms that are read.
@@ -77,7 +77,7 @@ impl Process {
     }
 }
 
-/// A peak with its unit, such as `0.3 g`, `2.5 m/s2` or a bare `2.5` in m/s².
+/// A peak with its unit, such as `0.3 g` or `2.5 m/s2`. A bare number is refused: 0.3 m/s² in place of 0.3 g is ten times too weak.
 fn peak_acceleration(text: &str) -> Result<Process, String> {
     // An exponent's letter belongs to the number.
     let end = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
@@ -86,7 +86,10 @@ fn peak_acceleration(text: &str) -> Result<Process, String> {
         Ok(value) if value.is_finite() => value,
         _ => return Err(format!("'{}' is no number with a unit of acceleration", shown(text))),
     };
-    let units = if unit.is_empty() { Units::MetrePerSecond2 } else { unit.parse()? };
+    if unit.is_empty() {
+        return Err(format!("a peak without a unit; give its unit: pga {value} g or pga {value} m/s2"));
+    }
+    let units: Units = unit.parse()?;
     if units.factor().is_none() {
         return Err("a peak in counts is no acceleration".into());
     }
@@ -160,7 +163,7 @@ mod tests {
             ("taper 1.s", Process::Taper { seconds: 1.0 }),
             ("pre-event 2", Process::PreEvent { seconds: 2.0 }),
             ("pga 3e-1g", peak(0.3, Units::G)),
-            (" pga  2.5 ", peak(2.5, Units::MetrePerSecond2)),
+            (" pga  2.5m/s2 ", peak(2.5, Units::MetrePerSecond2)),
             ("pga 250 gal", peak(250.0, Units::CentimetrePerSecond2)),
         ] {
             assert_eq!(Process::parse(text), Ok(step), "{text}");
@@ -205,9 +208,13 @@ mod tests {
             "pga 5 counts",
             "pga 1 2 g",
             "pga0.3 g",
+            "pga 0.3",
+            "pga 3e-1 ",
         ] {
             let message = Process::parse(text).unwrap_err();
             assert!(message.contains("'bandpass 0.1 Hz 20 Hz'"), "{text}: {message}");
         }
+        let bare = Process::parse("pga 0.3").unwrap_err();
+        assert!(bare.contains("give its unit: pga 0.3 g or pga 0.3 m/s2"), "{bare}");
     }
 }

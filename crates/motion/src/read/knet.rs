@@ -89,7 +89,8 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
     };
     if label.ends_with('1') {
         channel.remarks.push(format!(
-            "a sensor in the borehole (Dir. {text}): its motion is that within the ground, not of an outcrop"
+            "a sensor in the borehole (Dir. {text}): its motion is that within the ground, not of an outcrop; in a case it is \
+             kind = \"within\", with the sensor's depth below ground as depth"
         ));
     }
     Ok(vec![source.converted(line, units, options, channel)?])

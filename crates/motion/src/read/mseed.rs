@@ -72,6 +72,8 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
             start: (start - earliest) as f64 / 1e9,
             clock: Some(start as f64 / 1e9),
             orientation: Orientation::of_channel_code(code(&name)),
+            // Floats in a declared unit of acceleration are what another program made of them.
+            other_sensor: units == Units::Counts && !instrument(&name).accelerates(),
             remarks,
             ..source.channel(label, dt, values)
         };
@@ -149,6 +151,11 @@ fn instrument(name: &str) -> Instrument {
 }
 
 impl Instrument {
+    /// Whether it records acceleration, perhaps.
+    fn accelerates(self) -> bool {
+        matches!(self, Instrument::Accelerometer | Instrument::Perhaps)
+    }
+
     fn remark(self) -> Option<String> {
         let remark = match self {
             Instrument::Accelerometer => return None,
@@ -167,7 +174,7 @@ impl Instrument {
 /// Units of a channel's samples: counts, or for floats what was declared.
 fn units(source: &Source, at: usize, name: &str, float: bool, options: &ReadOptions) -> Result<Units, Error> {
     let fault = |problem: String, remedy: &str| Err(Error::binary(source.file, at, problem, remedy));
-    let known = matches!(instrument(name), Instrument::Accelerometer | Instrument::Perhaps);
+    let known = instrument(name).accelerates();
     match (options.units.unwrap_or(Units::Counts), options.sensitivity) {
         (Units::Counts, Some(_)) if !known => fault(
             format!(

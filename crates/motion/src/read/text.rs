@@ -2,7 +2,8 @@
 //!
 //! Numbers are separated by blanks, tabs, commas or semicolons, so a decimal comma is refused. `#` begins a comment.
 //! There is no header; what the columns hold is declared. Comments of the form
-//! `# units = "cm/s2"` and `# dt = "0.005 s"` count as declarations, written as in a case file.
+//! `# units = "cm/s2"` and `# dt = "0.005 s"` count as declarations, written as in a case file, and `# direction = "332"`
+//! (azimuth in degrees, or `up`) as the positive direction of the one column of acceleration.
 
 use super::source::{Source, number};
 use super::{Column, ReadOptions};
@@ -48,7 +49,7 @@ fn table(source: &Source, declared: Option<&[Column]>) -> Result<Table, Error> {
                     source,
                     line,
                     problem,
-                    "declare every column, for example columns = [\"time\", \"east\", \"north\", \"up\"]",
+                    "declare every column, for example columns = [\"time\", \"acceleration\", \"skip\", \"skip\"]",
                 )
             })?;
             data = vec![Vec::new(); found];
@@ -104,20 +105,24 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
         }
         _ => return Err(source.error(first, "several columns of time", "declare one column as \"time\"")),
     };
-    let Some(units) = units else {
+    // Where a count is known, counts are meant.
+    let implied = options.sensitivity.map(|_| Units::Counts);
+    let Some(units) = units.or(implied) else {
         return Err(source.error(
             first,
             "the units of the numbers are not known",
-            "declare them, for example units = \"cm/s2\" (or g, m/s2, mm/s2)",
+            "declare them, for example units = \"cm/s2\" (or g, m/s2, mm/s2, counts)",
         ));
     };
     let wanted = columns.iter().filter(|c| matches!(c, Column::Acceleration(_))).count();
     if wanted == 0 {
         return Err(source.error(first, "no column holds acceleration", "declare one as \"acceleration\""));
     }
+    let stated = if wanted == 1 { direction(source) } else { None };
     let mut channels = Vec::new();
     for (i, (column, values)) in columns.iter().zip(data).enumerate() {
-        if let Column::Acceleration(orientation) = *column {
+        if let Column::Acceleration(declared) = *column {
+            let orientation = declared.or(stated);
             let label = (wanted > 1).then(|| label(orientation, i));
             let channel = Channel { start, orientation, ..source.channel(label.as_deref(), dt, values) };
             channels.push(source.converted(first, units, options, channel)?);
@@ -217,6 +222,14 @@ fn declarations(source: &Source, options: &ReadOptions) -> Result<(Option<Units>
         }
     }
     Ok((units, dt))
+}
+
+/// The direction of a comment; the first that can be read.
+fn direction(source: &Source) -> Option<Orientation> {
+    source.lines.iter().find_map(|text| {
+        let (key, value) = text.trim_start().strip_prefix('#')?.split_once('=')?;
+        (key.trim() == "direction").then(|| Orientation::parse(value.trim().trim_matches('"'))).flatten()
+    })
 }
 
 /// Start (s) and interval (s) of a column of times, which must be equally spaced.

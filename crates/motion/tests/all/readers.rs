@@ -140,13 +140,37 @@ fn columns_can_be_declared_and_carry_directions() {
 }
 
 #[test]
+fn a_direction_in_a_comment_is_that_of_the_only_acceleration() {
+    let text = "# direction = unknown\n# direction = \"up\"\n0 1\n0.1 2\n";
+    assert_eq!(one(text, &gal()).orientation, Some(Orientation::Up));
+    let columns = ["east", "north"].map(|c| c.parse::<Column>().unwrap());
+    let options = ReadOptions { columns: Some(columns.to_vec()), dt: Some(0.1), ..gal() };
+    let channels = parse(text, &options).unwrap();
+    assert_eq!(channels[1].orientation, Some(Orientation::NORTH));
+    let only = ReadOptions { columns: Some(vec![columns[0], Column::Skip]), dt: Some(0.1), ..gal() };
+    assert_eq!(one(text, &only).orientation, Some(Orientation::EAST), "what is declared goes before");
+    let none = ReadOptions { columns: Some(vec![Column::Acceleration(None); 2]), dt: Some(0.1), ..gal() };
+    assert!(parse(text, &none).unwrap().iter().all(|c| c.orientation.is_none()));
+}
+
+#[test]
 fn missing_declarations_are_asked_for_by_key() {
     let none = ReadOptions::default();
     assert!(message("0.0 1\n0.1 2\n", &none).contains("units = \"cm/s2\""));
     assert!(message("1\n2\n", &gal()).contains("dt = \"0.005 s\""));
-    assert!(message("1 2 3\n4 5 6\n", &gal()).contains("columns = [\"time\""));
+    // A case has no columns of directions.
+    let several = message("0 1 2 3\n1 4 5 6\n", &gal());
+    assert!(several.contains("columns = [\"time\", \"acceleration\", \"skip\", \"skip\"]"), "{several}");
     let ok = one("1\n2\n", &ReadOptions { dt: Some(0.02), ..gal() });
     assert_eq!((ok.dt, ok.acceleration), (0.02, vec![0.01, 0.02]));
+}
+
+#[test]
+fn a_sensitivity_says_that_text_without_units_holds_counts() {
+    let options = ReadOptions { sensitivity: "200 counts/(m/s2)".parse().ok(), ..Default::default() };
+    let channel = one("0.0 100\n0.1 -50\n", &options);
+    assert_eq!((channel.acceleration, channel.units, channel.raw), (vec![0.5, -0.25], Units::Counts, false));
+    assert!(message("# units = \"cm/s2\"\n0.0 1\n0.1 2\n", &options).contains("not in counts"));
 }
 
 #[test]
@@ -220,5 +244,18 @@ fn what_is_written_as_text_reads_back_bit_for_bit() {
     std::fs::remove_file(&path).unwrap();
     let back = back.unwrap().remove(0);
     assert_eq!((back.dt, back.start, &back.acceleration), (record.dt, record.start, &record.acceleration));
+    assert_eq!(back.orientation, None);
+    for direction in [
+        Orientation::Up,
+        Orientation::EAST,
+        Orientation::NORTH,
+        Orientation::from_degrees(332.0),
+        Orientation::from_degrees(4.25),
+    ] {
+        write_text(&Channel { orientation: Some(direction), ..record.clone() }, &[], &path).unwrap();
+        let back = read(&path, &ReadOptions::default()).unwrap().remove(0);
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!((back.orientation, &back.acceleration), (Some(direction), &record.acceleration));
+    }
     assert!(write_text(&record, &[], Path::new("/no/such/folder/x.txt")).is_err());
 }

@@ -1,7 +1,9 @@
 //! The records of a case: read, put on one time base, and looked at for what they say of themselves.
 
 use std::ops::Range;
-use tremolite_case::{self as case, Case, Component, Direction, Problem, Records, Spanned, Window};
+use tremolite_case::{
+    self as case, Case, Component, Direction, Problem, RecordUnit, Records, Spanned, Window,
+};
 use tremolite_motion::{
     Channel, Column, Geographic, Orientation, ReadOptions, Sensitivity, Units, align, common_time_base, read,
     strongest_window,
@@ -25,8 +27,12 @@ pub fn of(
             let options = ReadOptions { sensitivity, ..ReadOptions::default() };
             let all = read(&case.resolve(&file.value), &options)
                 .map_err(|e| {
-                    let remedy = "give a record in a format that is known";
-                    problems.push(Problem::at(file, e.to_string(), remedy));
+                    let (message, mut remedy) = e.message_and_remedy();
+                    if ["units =", "columns =", "dt ="].iter().any(|key| remedy.contains(key)) {
+                        remedy +=
+                            "; such files go in as components, east = { file = \"…\", units = \"cm/s2\" }";
+                    }
+                    problems.push(Problem::at(file, message, remedy));
                 })
                 .ok()?;
             let places = vec![file.span.clone(); all.len()];
@@ -47,10 +53,10 @@ pub fn of(
             (Channels::Named(Box::new(found)), components.iter().filter_map(place).collect())
         }
     };
-    refuse_counts(&mut channels, &places, problems)?;
+    refuse_what_is_no_acceleration(&mut channels, &places, problems)?;
     if let Err(e) = channels.share_time() {
-        let remedy = "give components of one earthquake, as one station recorded them";
-        problems.push(Problem::new(motion.span.clone(), e.to_string(), remedy));
+        let (message, remedy) = e.message_and_remedy();
+        problems.push(Problem::new(motion.span.clone(), message, remedy));
         return None;
     }
     for (channel, place) in channels.each().iter().zip(&places) {
@@ -66,15 +72,22 @@ pub fn of(
     Some((channels, warnings))
 }
 
-/// Nothing, if one channel is in counts still.
-fn refuse_counts(
+/// Nothing, if one channel is of a sensor that does not record acceleration, or in counts still.
+fn refuse_what_is_no_acceleration(
     channels: &mut Channels,
     places: &[Range<usize>],
     problems: &mut Vec<Problem>,
 ) -> Option<()> {
     let before = problems.len();
     for (channel, place) in channels.each().iter().zip(places) {
-        if channel.raw && !problems[before..].iter().any(|p| p.span == *place) {
+        if problems[before..].iter().any(|p| p.span == *place) {
+            continue;
+        }
+        // First, since for such a sensor there is no sensitivity to ask for.
+        if let Err(e) = channel.of_accelerometer() {
+            let (message, remedy) = e.message_and_remedy();
+            problems.push(Problem::new(place.clone(), message, remedy));
+        } else if channel.raw {
             problems.push(Problem::new(
                 place.clone(),
                 format!("'{}' is in counts, and nothing says what a count is", channel.name),
@@ -230,10 +243,13 @@ fn record_channel(
     axis: usize,
     problems: &mut Vec<Problem>,
 ) -> Option<Channel> {
-    let units = record.units.as_ref().and_then(|u| {
-        let known =
-            [Units::G, Units::MetrePerSecond2, Units::CentimetrePerSecond2, Units::MillimetrePerSecond2];
-        known.into_iter().find(|k| k.factor().is_some_and(|factor| (factor / u.value - 1.0).abs() < 1e-9))
+    let units = record.units.as_ref().and_then(|u| match u.value {
+        RecordUnit::Counts => Some(Units::Counts),
+        RecordUnit::Acceleration(value) => {
+            let known =
+                [Units::G, Units::MetrePerSecond2, Units::CentimetrePerSecond2, Units::MillimetrePerSecond2];
+            known.into_iter().find(|k| k.factor().is_some_and(|factor| (factor / value - 1.0).abs() < 1e-9))
+        }
     });
     let columns: Vec<Column> = record
         .columns
@@ -253,11 +269,8 @@ fn record_channel(
     let channels = match read(&case.resolve(&record.file.value), &options) {
         Ok(channels) => channels,
         Err(e) => {
-            problems.push(Problem::at(
-                &record.file,
-                e.to_string(),
-                "mend the file, or say what it holds with units, columns and dt",
-            ));
+            let (message, remedy) = e.message_and_remedy();
+            problems.push(Problem::at(&record.file, message, remedy));
             return None;
         }
     };

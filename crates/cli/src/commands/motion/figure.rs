@@ -4,7 +4,7 @@ use tremolite_motion::{Channel, Error, Process, cumulative_trapezoid, default_pe
 use tremolite_report::record::{BeforeAfter, Pair};
 
 /// The figure as SVG: histories of acceleration, velocity and displacement, integrated from rest, and response spectra. Of
-/// counts the history alone, since nothing more is known of them.
+/// counts the history alone, since nothing more is known of them. `before` is the record less its mean, which the legend says.
 ///
 /// # Errors
 /// None for channels that were read.
@@ -36,7 +36,8 @@ pub fn draw(before: &Channel, after: &Channel, steps: &[Process]) -> Result<Stri
     });
     let figure = BeforeAfter {
         title: format!("{}: before and after processing", after.name),
-        steps: words.join(", "),
+        steps: if words.is_empty() { "no steps".into() } else { words.join(", ") },
+        before: "before, less its mean",
         time: &time,
         histories,
         spectrum,

@@ -12,8 +12,8 @@ pub struct Files {
     /// Units of text files: g, m/s2, cm/s2, mm/s2 or counts
     #[arg(long)]
     units: Option<String>,
-    /// Sampling interval of one-column text files, in s
-    #[arg(long)]
+    /// Sampling interval of one-column text files: "0.005 s", "5 ms", or a bare number in s
+    #[arg(long, value_parser = interval)]
     dt: Option<f64>,
     /// What a count is, for files in counts: "427336 counts/(m/s2)"
     #[arg(long)]
@@ -39,9 +39,18 @@ impl Files {
         if faults.is_empty() { Ok(all) } else { Err(Failure::input(faults.join("\nerror: "))) }
     }
 
+    /// The same, none of a sensor that does not record acceleration.
+    pub fn of_accelerometers(&self) -> Result<Vec<Channel>, Failure> {
+        let channels = self.channels()?;
+        for c in &channels {
+            c.of_accelerometer().map_err(|e| Failure::input(format!("{}: {e}", c.file.display())))?;
+        }
+        Ok(channels)
+    }
+
     /// The same, in m/s² throughout.
     pub fn accelerations(&self) -> Result<Vec<Channel>, Failure> {
-        let channels = self.channels()?;
+        let channels = self.of_accelerometers()?;
         match channels.iter().find(|c| c.raw) {
             Some(raw) => Err(Failure::input(format!(
                 "{}: '{}' is in counts, and nothing says what a count is; give its sensitivity, which the network's station \
@@ -50,6 +59,35 @@ impl Files {
                 raw.name
             ))),
             None => Ok(channels),
+        }
+    }
+}
+
+/// A time (s) with or without its unit.
+fn interval(text: &str) -> Result<f64, String> {
+    let word = text.trim();
+    let (number, unit) = match (word.strip_suffix("ms"), word.strip_suffix('s')) {
+        (Some(number), _) => (number, 1e-3),
+        (None, Some(number)) => (number, 1.0),
+        (None, None) => (word, 1.0),
+    };
+    match number.trim().parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value * unit),
+        _ => Err("write a time above 0, such as \"0.005 s\" or \"5 ms\"".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::interval;
+
+    #[test]
+    fn intervals_are_read_with_or_without_their_unit() {
+        for text in ["0.005", "0.005 s", "0.005s", " 5 ms", "5e-3 s"] {
+            assert_eq!(interval(text), Ok(0.005), "{text}");
+        }
+        for text in ["", "s", "0 s", "-1", "nan", "inf s", "5 Hz", "1 s s"] {
+            assert!(interval(text).is_err_and(|e| e.contains("0.005 s")), "{text}");
         }
     }
 }

@@ -1,6 +1,7 @@
 //! `tremolite motion info`: what records hold.
 
 use super::files::Files;
+use super::measures::{figures, seconds};
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
 use tremolite_motion::{Channel, Intensity};
@@ -24,7 +25,7 @@ fn json(c: &Channel) -> serde_json::Value {
         "name": c.name, "file": c.file, "dt": m.dt, "npts": m.npts, "units": c.units.to_string(), "pga": m.pga,
         "pgv": known(m.pgv), "pgd": known(m.pgd), "arias": known(m.arias), "d5_95": m.d5_95, "cav": known(m.cav),
         "format": c.format, "start": c.start, "end": c.end(), "orientation": c.orientation.map(|o| o.to_string()),
-        "remarks": c.remarks,
+        "remarks": c.remarks, "other_sensor": c.other_sensor,
     })
 }
 
@@ -44,7 +45,13 @@ fn text(c: &Channel) -> String {
         format!("    format {}, {direction}", c.format),
     ];
     let [pga, pgv, pgd, arias, cav] = [m.pga, m.pgv, m.pgd, m.arias, m.cav].map(figures);
-    lines.push(if c.raw {
+    lines.push(if c.other_sensor {
+        format!(
+            "    peak {pga} counts, D5-95 {:.2} s; by the channel's code no record of acceleration, which no sensitivity \
+             makes of it",
+            m.d5_95
+        )
+    } else if c.raw {
         format!(
             "    peak {pga} counts, D5-95 {:.2} s; what a count is is not known: --sensitivity \"427336 counts/(m/s2)\", say",
             m.d5_95
@@ -57,18 +64,4 @@ fn text(c: &Channel) -> String {
     });
     lines.extend(c.remarks.iter().map(|remark| format!("    {remark}")));
     lines.join("\n")
-}
-
-/// A time to a microsecond, without needless zeros.
-fn seconds(time: f64) -> String {
-    format!("{}", (time * 1e6).round() / 1e6)
-}
-
-/// A measure to four figures, of a weak record as of a strong one.
-fn figures(value: f64) -> String {
-    let power = if value > 0.0 { value.log10().floor() } else { 0.0 };
-    if !(-6.0..9.0).contains(&power) {
-        return format!("{value:.3e}");
-    }
-    format!("{value:.*}", (3.0 - power).max(0.0) as usize)
 }

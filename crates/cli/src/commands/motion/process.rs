@@ -2,18 +2,19 @@
 
 use super::figure;
 use super::files::Files;
+use super::measures::{Measures, figures as number, less_mean, seconds};
 use crate::exit::{Code, Failure, Outcome};
-use crate::terminal::print;
+use crate::terminal::{print, say};
 use std::path::PathBuf;
-use tremolite_motion::{Channel, Process, align, process, write_text};
+use tremolite_motion::{Channel, Process, align, write_text};
 
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
     files: Files,
     /// A step, in order: "detrend linear", "pre-event 5 s", "taper 1 s", "bandpass 0.1 Hz 20 Hz", "pga 0.3 g" (the
-    /// largest component, the others by the same factor), "baseline" …
-    #[arg(long = "step", required = true)]
+    /// largest component, the others by the same factor), "baseline" …; without a step it is only looked at
+    #[arg(long = "step")]
     steps: Vec<String>,
     /// Keep this part of the record only: from and to in s
     #[arg(long, num_args = 2, value_names = ["FROM", "TO"])]
@@ -29,20 +30,39 @@ pub struct Args {
 pub fn run(args: &Args) -> Outcome {
     let steps: Vec<Process> =
         args.steps.iter().map(|s| Process::parse(s)).collect::<Result<_, _>>().map_err(Failure::input)?;
-    let mut before = args.files.channels()?;
+    let mut before = args.files.of_accelerometers()?;
     align(&mut before.iter_mut().collect::<Vec<_>>());
     belong_together(&before)?;
     if let Some([from, to]) = args.window.as_deref() {
         for c in &mut before {
+            let whole = [c.start, c.end()];
             *c = c.window(*from, *to).map_err(Failure::input)?;
+            // Samples need not lie at the window's limits.
+            if from + c.dt < whole[0] || to - c.dt > whole[1] {
+                say(&format!(
+                    "note: the window reaches beyond '{}', which runs from {} s to {} s; kept {} s to {} s",
+                    c.name,
+                    seconds(whole[0]),
+                    seconds(whole[1]),
+                    seconds(c.start),
+                    seconds(c.end())
+                ));
+            }
         }
     }
     let mut after = before.clone();
-    process(&mut after.iter_mut().collect::<Vec<_>>(), &steps).map_err(Failure::input)?;
+    let mut factors = Vec::new();
+    for step in &steps {
+        let old = largest(&after);
+        step.apply(&mut after.iter_mut().collect::<Vec<_>>()).map_err(Failure::input)?;
+        if matches!(step, Process::PeakAcceleration { .. }) {
+            factors.push((step.to_string(), largest(&after) / old));
+        }
+    }
 
     let folder = &args.out;
     std::fs::create_dir_all(folder).map_err(|e| Failure::input(format!("{}: {e}", folder.display())))?;
-    let (mut written, mut figures) = (Vec::new(), Vec::new());
+    let (mut written, mut figures, mut records) = (Vec::new(), Vec::new(), Vec::new());
     for (i, (old, new)) in before.iter().zip(&after).enumerate() {
         let stem = new.file.file_stem().map_or("record".into(), |s| s.to_string_lossy());
         let path = folder.join(format!("{stem}_{}.txt", i + 1));
@@ -50,19 +70,45 @@ pub fn run(args: &Args) -> Outcome {
             std::iter::once(format!("from {}", new.name)).chain(args.steps.iter().cloned()).collect();
         write_text(new, &notes, &path).map_err(Failure::failed)?;
         written.push(path.display().to_string());
+        let old = less_mean(old);
+        let [measured, made] = [&old, new].map(Measures::of);
+        if args.files.json {
+            records.push(serde_json::json!({
+                "name": new.name, "file": new.file, "written": path, "before": measured.json(), "after": made.json(),
+            }));
+        } else {
+            print(&format!("{}\n    before, less its mean: {}", path.display(), measured.text()));
+            if !steps.is_empty() {
+                print(&format!("    after: {}", made.text()));
+            }
+            for (step, factor) in &factors {
+                print(&format!("    {step}: multiplied by {}", number(*factor)));
+            }
+        }
         if !args.no_plot {
-            let drawn = figure::draw(old, new, &steps).map_err(Failure::failed)?;
+            // Without a step there is nothing after.
+            let new = if steps.is_empty() { &old } else { new };
+            let drawn = figure::draw(&old, new, &steps).map_err(Failure::failed)?;
             let path = path.with_extension("svg");
             std::fs::write(&path, drawn).map_err(|e| Failure::failed(format!("{}: {e}", path.display())))?;
             figures.push(path.display().to_string());
         }
     }
     if args.files.json {
-        print(&serde_json::json!({ "written": written, "figures": figures }).to_string());
+        let factors: Vec<f64> = factors.iter().map(|(_, factor)| *factor).collect();
+        let all = serde_json::json!({
+            "written": written, "figures": figures, "records": records, "pga_factors": factors,
+        });
+        print(&all.to_string());
     } else {
-        written.iter().chain(&figures).for_each(|name| print(name));
+        figures.iter().for_each(|name| print(name));
     }
     Ok(Code::Done)
+}
+
+/// The largest size of any sample.
+fn largest(channels: &[Channel]) -> f64 {
+    channels.iter().flat_map(|c| &c.acceleration).fold(0.0, |most, a| a.abs().max(most))
 }
 
 /// Refuses channels that share no time: they are no components of one record.
@@ -74,7 +120,7 @@ fn belong_together(channels: &[Channel]) -> Result<(), Failure> {
             "'{}' begins {} s after '{}' has ended, so they are not components of one record; process records of different \
              earthquakes one by one",
             late.name,
-            late.start - early.end(),
+            seconds(late.start - early.end()),
             early.name
         ))),
         _ => Ok(()),

@@ -45,7 +45,8 @@ fn directions_are_words_or_numbers_of_kik_net() {
         let channel = one(text, &ReadOptions::default());
         assert_eq!(channel.orientation, Some(orientation), "{word}");
         assert_eq!(channel.name, format!("small {label}"));
-        let borehole = channel.remarks.iter().any(|r| r.contains("borehole"));
+        let borehole =
+            channel.remarks.iter().any(|r| r.contains("borehole") && r.contains("kind = \"within\""));
         assert_eq!(borehole, label.ends_with('1'), "{word}");
     }
 }

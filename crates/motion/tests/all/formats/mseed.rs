@@ -2,7 +2,7 @@
 //! the reader.
 
 use miniseed_rs::{EncodingFormat, MseedRecord, NanoTime, Samples, encode};
-use tremolite_motion::{Orientation, ReadOptions, Units};
+use tremolite_motion::{Geographic, Orientation, ReadOptions, Units};
 
 use super::{Figures, compared, one, parse, refusal};
 
@@ -107,12 +107,21 @@ fn channels_of_no_accelerometer_stay_counts_whatever_is_declared() {
             "{code}: {:?}",
             channel.remarks
         );
+        assert!(channel.other_sensor && channel.window(0.0, 1.0).unwrap().other_sensor);
+        // It is no use to ask for a sensitivity.
+        let refused = Geographic::from_parts(Some(&channel), None, None).unwrap_err().to_string();
+        assert!(refused.contains("does not record acceleration") && !refused.contains("counts"), "{refused}");
+        let floats = record(3, code, 0, EncodingFormat::Float32, Samples::Float(vec![0.5, -1.0]));
+        assert!(one(&floats, &none()).other_sensor);
+        let declared = ReadOptions { units: Some(Units::G), ..none() };
+        assert!(!one(&floats, &declared).other_sensor, "another program made acceleration of it");
         let message = refusal(&file, &sensitive());
         assert!(message.contains(&format!("channel CI.CLC..{code} is not of an accelerometer")), "{message}");
         assert!(message.contains("second letter is N"), "{message}");
     }
     let old = one(ints(2, "HGE", 0, &[1, 2]), &sensitive());
-    assert!(!old.raw && old.remarks[0].contains("gravimeter"));
+    assert!(!old.raw && !old.other_sensor && !one(ints(2, "HNE", 0, &[1, 2]), &none()).other_sensor);
+    assert!(old.remarks[0].contains("gravimeter"));
     // Beside an accelerometer's channel as well.
     let mixed = [ints(2, "HNE", 0, &[1, 2]), ints(2, "HHE", 0, &[1, 2])].concat();
     assert!(refusal(mixed, &sensitive()).contains("byte 128: channel CI.CLC..HHE"));
