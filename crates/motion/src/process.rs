@@ -4,6 +4,7 @@ mod notation;
 
 use crate::baseline::{bring_to_rest, detrend_linear, taper};
 use crate::intensity::peak;
+use crate::interpolate::between;
 use crate::polynomial::detrend_polynomial;
 use crate::sensitivity::REMEDY;
 use crate::shown::rounded;
@@ -35,12 +36,19 @@ pub enum Process {
     Lowpass { hz: f64 },
     /// Fourth-order Butterworth band-pass (eight poles), forwards and backwards; corners (Hz).
     Bandpass { low: f64, high: f64 },
+    /// Samples this many seconds apart, closer than they were: the band-limited course between the samples
+    /// ([`common_time_base`](crate::common_time_base)), where a model else takes the acceleration as linear. Straight lines between
+    /// samples Δt apart leave sinc²(fΔt) of the amplitude at a frequency f.
+    Resample { seconds: f64 },
     /// Multiplies by a number.
     Scale(f64),
     /// Multiplies all channels by the one factor that brings the largest |a| among them to this value, in these units: the
     /// component that shakes most comes to it and the others keep their ratio to it. Not for channels in counts.
     PeakAcceleration { value: f64, units: Units },
 }
+
+/// How much closer samples may be made.
+const MOST_FINER: f64 = 1000.0;
 
 impl Process {
     /// Applies the step to the channels of one record in place: to each by itself, but for
@@ -75,6 +83,9 @@ impl Process {
         }
         for (channel, values) in channels.iter_mut().zip(all) {
             channel.acceleration = values;
+            if let Process::Resample { seconds } = *self {
+                channel.dt = seconds;
+            }
         }
         Ok(())
     }
@@ -172,6 +183,19 @@ impl Process {
                 }
                 taper(&mut values, channel.dt, seconds);
             }
+            Process::Resample { seconds } => {
+                let finer = channel.dt / seconds;
+                if !((1.0..=MOST_FINER).contains(&finer)) {
+                    return Err(self.refusal(
+                        channel,
+                        format!("the samples lie {} s apart", rounded(channel.dt)),
+                        "give an interval that is shorter, to a thousandth of that",
+                    ));
+                }
+                // A thousandth of an interval is allowed for round-off in the length.
+                let last = ((count - 1) as f64 * finer + 1e-3).floor() as usize;
+                values = (0..=last).map(|i| between(&channel.acceleration, i as f64 / finer)).collect();
+            }
             Process::Scale(number) => values.iter_mut().for_each(|v| *v *= number),
             Process::PeakAcceleration { .. } => values.iter_mut().for_each(|v| *v *= factor),
         }
@@ -207,6 +231,29 @@ mod tests {
 
     fn channel(acceleration: Vec<f64>) -> Channel {
         Channel::new("test", 0.01, acceleration)
+    }
+
+    /// Twenty points a period, and the sine itself between them; a straight line would leave sinc² 0.2, 87 %, of it.
+    #[test]
+    fn samples_between_samples_are_those_of_the_band_limited_course() {
+        let sine = |t: f64| (2.0 * std::f64::consts::PI * 10.0 * t).sin();
+        let coarse: Vec<f64> = (0..401).map(|k| sine(0.02 * f64::from(k))).collect();
+        let mut record = Channel::new("sine", 0.02, coarse.clone());
+        Process::Resample { seconds: 0.0025 }.apply(&mut [&mut record]).unwrap();
+        assert_eq!((record.dt, record.acceleration.len()), (0.0025, 3201));
+        for (k, a) in record.acceleration.iter().enumerate() {
+            if k % 8 == 0 {
+                assert_eq!(*a, coarse[k / 8]);
+            }
+            if (300..2900).contains(&k) {
+                assert!((a - sine(0.0025 * k as f64)).abs() < 1e-4, "{k}: {a}");
+            }
+        }
+        for seconds in [0.021, 1e-9] {
+            let message =
+                Process::Resample { seconds }.apply(&mut [&mut record.clone()]).unwrap_err().to_string();
+            assert!(message.contains("samples lie 0.0025 s apart"), "{message}");
+        }
     }
 
     #[test]

@@ -98,8 +98,10 @@ pub const FORMATS: &[Format] = &[
 /// The last of [`FORMATS`], which alone has columns that can be declared.
 const COLUMNS: &str = "text columns";
 
-/// Larger files than this (bytes), packed or unpacked, are not records: an hour of nine columns at 200 Hz is an eighth of it.
-const LARGEST: u64 = 1 << 28;
+/// Larger files than this (bytes), packed or unpacked, are not records: an hour of nine columns at 200 Hz is half of it.
+const LARGEST: u64 = 1 << 26;
+/// Nor are files of more lines, each of which costs memory: at one sample a line it is five hours at 200 Hz.
+const MOST_LINES: usize = 4_000_000;
 
 /// Reads all channels of a file; the format is recognised by its content, never by its name.
 ///
@@ -120,6 +122,10 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
 pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Channel>, Error> {
     let unpacked = packing::unpacked(path, bytes, LARGEST)?;
     let bytes = &unpacked[..];
+    if bytes.iter().filter(|b| matches!(b, b'\n' | b'\r')).count() > MOST_LINES {
+        let problem = format!("the file has more than {MOST_LINES} lines");
+        return Err(Error::record(path, MOST_LINES, problem, "give a single record"));
+    }
     let text = String::from_utf8_lossy(bytes);
     let source = Source::new(path, bytes, &text);
     let Some(format) = FORMATS.iter().find(|f| (f.recognises)(&source)) else {

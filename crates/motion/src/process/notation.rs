@@ -8,14 +8,14 @@ use crate::shown::shown;
 
 /// What [`Process::parse`] reads, for messages.
 const FORMS: &str = "use 'detrend linear', 'baseline', 'baseline polynomial 3', 'pre-event 5 s', 'taper 1 s', \
-                     'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'scale 0.35', 'pga 0.3 g' or 'pga 3 m/s2'";
+                     'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'resample 0.005 s', 'scale 0.35', 'pga 0.3 g' or 'pga 3 m/s2'";
 
 /// Degrees of a baseline's polynomial: above, it begins to follow the shaking.
 const DEGREES: std::ops::RangeInclusive<usize> = 1..=10;
 
 impl Process {
     /// Reads a step as the case file writes it: `detrend linear`, `baseline`, `baseline polynomial 3`, `pre-event 5 s`,
-    /// `taper 1 s`, `highpass 0.1 Hz`, `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `scale 0.35`, `pga 0.3 g`.
+    /// `taper 1 s`, `highpass 0.1 Hz`, `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `resample 0.005 s`, `scale 0.35`, `pga 0.3 g`.
     /// Numbers without a unit are in s and Hz; a peak needs its unit, since m/s² and g are both meant by users.
     ///
     /// # Errors
@@ -71,6 +71,7 @@ impl Process {
                 }
                 Ok(Process::Bandpass { low: corners[0], high: corners[1] })
             }
+            "resample" => Ok(Process::Resample { seconds: positive(numbers("s", 1)?)?[0] }),
             "scale" => Ok(Process::Scale(numbers("", 1)?[0])),
             _ => Err(wrong("not a known step".into())),
         }
@@ -125,6 +126,7 @@ impl fmt::Display for Process {
             Process::Highpass { hz } => write!(f, "highpass {hz} Hz"),
             Process::Lowpass { hz } => write!(f, "lowpass {hz} Hz"),
             Process::Bandpass { low, high } => write!(f, "bandpass {low} Hz {high} Hz"),
+            Process::Resample { seconds } => write!(f, "resample {seconds} s"),
             Process::Scale(factor) => write!(f, "scale {factor}"),
             Process::PeakAcceleration { value, units } => write!(f, "pga {value} {units}"),
         }
@@ -148,6 +150,7 @@ mod tests {
             ("pga 0.3 g", peak(0.3, Units::G)),
             ("pga 2.5 m/s2", peak(2.5, Units::MetrePerSecond2)),
             ("detrend linear", Process::DetrendLinear),
+            ("resample 0.005 s", Process::Resample { seconds: 0.005 }),
             ("taper 1 s", Process::Taper { seconds: 1.0 }),
             ("highpass 0.1 Hz", Process::Highpass { hz: 0.1 }),
             ("lowpass 20 Hz", Process::Lowpass { hz: 20.0 }),

@@ -39,7 +39,9 @@ fn a_packed_record_is_the_record() {
 fn what_unpacks_to_a_gigabyte_is_refused_early() {
     let part = packed(&vec![0; 1 << 24]);
     let message = refusal(&part.repeat(64));
-    assert!(message.contains("more than 256 MiB") && message.contains("a.txt.gz"), "{message}");
+    assert!(message.contains("more than 64 MiB") && message.contains("a.txt.gz"), "{message}");
+    let message = refusal(&packed(&b"1\n".repeat(5_000_000)));
+    assert!(message.contains("more than 4000000 lines"), "{message}");
     let message = refusal(&packed(&part));
     assert!(message.contains("packed twice"), "{message}");
 }

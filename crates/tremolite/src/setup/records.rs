@@ -280,7 +280,9 @@ fn record_channel(
         None if channels.len() == 1 => channels.into_iter().next(),
         None => {
             let wanted = [Orientation::EAST, Orientation::NORTH, Orientation::Up][axis];
-            channels.into_iter().find(|c| c.orientation == Some(wanted))
+            let mut fitting = channels.into_iter().filter(|c| c.orientation == Some(wanted));
+            // Two sensors of one direction, one of them deeper perhaps, are not one the other.
+            fitting.next().filter(|_| fitting.next().is_none())
         }
     };
     if chosen.is_none() {
