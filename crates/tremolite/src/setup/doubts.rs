@@ -1,8 +1,7 @@
 //! What a motion that can be read and processed is warned of: numbers that are not what they seem.
 
-use super::motion::largest;
+use super::facts::{SiteFacts, largest};
 use super::records::Channels;
-use super::site::SiteFacts;
 use std::f64::consts::PI;
 use tremolite_case::{self as case, Problem, Site};
 use tremolite_motion::{Channel, Motion, Process};

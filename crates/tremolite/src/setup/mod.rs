@@ -3,6 +3,7 @@
 mod bolts;
 mod changes;
 mod doubts;
+mod facts;
 mod groups;
 mod initial;
 mod inputs;
@@ -19,9 +20,8 @@ mod site;
 mod stages;
 mod warnings;
 
+pub use facts::{MotionFacts, SiteFacts};
 pub use inputs::{changed, original_folder};
-pub use motion::MotionFacts;
-pub use site::SiteFacts;
 
 use crate::plan::Plan;
 use crate::quantities::Field;

@@ -1,48 +1,10 @@
 //! The motion of a case: records read, cut, processed and turned into the model's axes.
 
 use super::doubts;
+use super::facts::{ENERGY_SHARE, MotionFacts, largest};
 use super::records;
-use super::site::SiteFacts;
 use tremolite_case::{self as case, Case, Problem};
 use tremolite_motion::{Intensity, Kind, Motion, Process, highest_frequency};
-
-/// The share of the velocity's energy below what counts as the highest frequency.
-pub const ENERGY_SHARE: f64 = 0.999;
-
-/// What of the motion is worth reporting.
-#[derive(Clone, Debug)]
-pub struct MotionFacts {
-    pub kind: Kind,
-    /// Factor from the given motion to the incident wave; none where it was deconvolved.
-    pub factor: Option<f64>,
-    /// How it was deconvolved.
-    pub site: Option<SiteFacts>,
-    /// Along x, y, z of the model: measures of the processed given motion (before the factor).
-    pub intensity: [Intensity; 3],
-    /// Where the components came from, in words.
-    pub source: String,
-    /// The part of the record that is used \[s\].
-    pub window: [f64; 2],
-    /// Largest acceleration of the incident wave along x, y, z, by size \[m/s²\].
-    pub incident_peak: [f64; 3],
-    /// Frequency below which 99.9 % of the energy of the incident wave's velocity lies \[Hz\].
-    pub highest_frequency: f64,
-    /// Lowest low-pass corner that was applied \[Hz\].
-    pub lowpass: Option<f64>,
-    /// What reading did beside reading, and directions that do not fit, at the files' places in the case.
-    pub warnings: Vec<Problem>,
-}
-
-impl MotionFacts {
-    /// How the wave that comes in follows from the given motion, in lines to be read behind the kind.
-    pub fn entering(&self) -> Vec<String> {
-        match (&self.site, self.factor) {
-            (Some(site), _) => site.words(),
-            (None, Some(factor)) => vec![format!("the incident wave is {factor} times the given motion")],
-            (None, None) => vec!["the incident wave is not known".into()],
-        }
-    }
-}
 
 /// The given motion in the model's axes, and what to report of it; nothing if there is none or it was refused.
 pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, MotionFacts)> {
@@ -112,10 +74,6 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         warnings,
     };
     Some((made, facts))
-}
-
-pub(super) fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
 }
 
 /// More than any ground has moved in an earthquake: peaks of the incident wave \[m/s²\], \[m/s\], \[m\].

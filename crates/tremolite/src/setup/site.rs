@@ -1,7 +1,8 @@
 //! From the motion of a case to the wave that comes in: times a factor, or deconvolved through the ground it was recorded on.
 
 use super::doubts;
-use super::motion::{ENERGY_SHARE, MotionFacts, beyond_any_earthquake, largest};
+use super::facts::{ENERGY_SHARE, MotionFacts, SiteFacts, largest};
+use super::motion::beyond_any_earthquake;
 use crate::deconvolution::{Deconvolved, LEAST, Notch, Place};
 use crate::layered_column::{Layer, LayeredColumn};
 use crate::plan::Recorded;
@@ -10,64 +11,6 @@ use tremolite_engine::column::{Ground, corner_name};
 use tremolite_engine::problem::Rayleigh;
 use tremolite_engine::{Body, Incident, Top};
 use tremolite_motion::{Motion, frequency_below, highest_frequency};
-
-/// How a motion was deconvolved.
-#[derive(Clone, Debug)]
-pub struct SiteFacts {
-    /// The ground that it was recorded on, and where.
-    pub place: Place,
-    /// Below the surface of that ground \[m\].
-    pub depth: f64,
-    /// The corner of the model whose own ground it is; none for layers of the case.
-    pub corner: Option<usize>,
-    /// By how much it is put off \[s\].
-    pub lead: f64,
-    /// Up to which frequency the record was wanted \[Hz\].
-    pub band: f64,
-    /// Up to which frequency the incident wave is the record's \[Hz\]; infinite where nothing was left out.
-    pub reach: f64,
-    /// The largest share of ∫a² dt of a component that was left out above.
-    pub left_out: f64,
-    /// What moves there at rest, over the incident wave.
-    pub at_rest: f64,
-    /// The least and the largest of the same that is let through, along the axes that move, and its frequency \[Hz\].
-    pub least: (f64, f64),
-    pub most: (f64, f64),
-}
-
-impl SiteFacts {
-    /// What was done, in lines to be read behind the kind.
-    pub fn words(&self) -> Vec<String> {
-        let ground = match self.corner {
-            Some(corner) => format!("the model's own ground at {}", corner_name(corner)),
-            None => "the layers of motion.site".to_owned(),
-        };
-        let (least, hertz) = self.least;
-        let place = match self.depth {
-            0.0 => format!("from the surface of {ground}"),
-            depth => format!("from {depth:.1} m below the surface of {ground}"),
-        };
-        let (most, most_at) = self.most;
-        let mut words = vec![
-            format!("deconvolved {place}, as linear layers"),
-            format!(
-                "that place moves {:.2} times the incident wave at low frequency, at most {most:.2} times (at {most_at:.2} Hz), at \
-                 least {least:.2} times (at {hertz:.2} Hz)",
-                self.at_rest
-            ),
-            format!("the record comes to its place {:.3} s later than in its file", self.lead),
-        ];
-        if self.reach.is_finite() {
-            words.push(format!(
-                "what it has above {:.2} Hz fades out, since further up too little of the wave moves that place: {:.2} % of the \
-                 processed record's energy",
-                self.reach,
-                100.0 * self.left_out
-            ));
-        }
-        words
-    }
-}
 
 /// What of a model the way of a wave depends on.
 pub struct Around<'a> {

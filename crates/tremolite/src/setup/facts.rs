@@ -1,0 +1,107 @@
+//! What of the motion of a case is worth reporting.
+
+use crate::deconvolution::Place;
+use tremolite_case::Problem;
+use tremolite_engine::column::corner_name;
+use tremolite_motion::{Intensity, Kind};
+
+/// The share of the velocity's energy below what counts as the highest frequency.
+pub const ENERGY_SHARE: f64 = 0.999;
+
+/// What of the motion is worth reporting.
+#[derive(Clone, Debug)]
+pub struct MotionFacts {
+    pub kind: Kind,
+    /// Factor from the given motion to the incident wave; none where it was deconvolved.
+    pub factor: Option<f64>,
+    /// How it was deconvolved.
+    pub site: Option<SiteFacts>,
+    /// Along x, y, z of the model: measures of the processed given motion (before the factor).
+    pub intensity: [Intensity; 3],
+    /// Where the components came from, in words.
+    pub source: String,
+    /// The part of the record that is used \[s\].
+    pub window: [f64; 2],
+    /// Largest acceleration of the incident wave along x, y, z, by size \[m/s²\].
+    pub incident_peak: [f64; 3],
+    /// Frequency below which 99.9 % of the energy of the incident wave's velocity lies \[Hz\].
+    pub highest_frequency: f64,
+    /// Lowest low-pass corner that was applied \[Hz\].
+    pub lowpass: Option<f64>,
+    /// What reading did beside reading, and directions that do not fit, at the files' places in the case.
+    pub warnings: Vec<Problem>,
+}
+
+impl MotionFacts {
+    /// How the wave that comes in follows from the given motion, in lines to be read behind the kind.
+    pub fn entering(&self) -> Vec<String> {
+        match (&self.site, self.factor) {
+            (Some(site), _) => site.words(),
+            (None, Some(factor)) => vec![format!("the incident wave is {factor} times the given motion")],
+            (None, None) => vec!["the incident wave is not known".into()],
+        }
+    }
+}
+
+/// How a motion was deconvolved.
+#[derive(Clone, Debug)]
+pub struct SiteFacts {
+    /// The ground that it was recorded on, and where.
+    pub place: Place,
+    /// Below the surface of that ground \[m\].
+    pub depth: f64,
+    /// The corner of the model whose own ground it is; none for layers of the case.
+    pub corner: Option<usize>,
+    /// By how much it is put off \[s\].
+    pub lead: f64,
+    /// Up to which frequency the record was wanted \[Hz\].
+    pub band: f64,
+    /// Up to which frequency the incident wave is the record's \[Hz\]; infinite where nothing was left out.
+    pub reach: f64,
+    /// The largest share of ∫a² dt of a component that was left out above.
+    pub left_out: f64,
+    /// What moves there at rest, over the incident wave.
+    pub at_rest: f64,
+    /// The least and the largest of the same that is let through, along the axes that move, and its frequency \[Hz\].
+    pub least: (f64, f64),
+    pub most: (f64, f64),
+}
+
+impl SiteFacts {
+    /// What was done, in lines to be read behind the kind.
+    pub fn words(&self) -> Vec<String> {
+        let ground = match self.corner {
+            Some(corner) => format!("the model's own ground at {}", corner_name(corner)),
+            None => "the layers of motion.site".to_owned(),
+        };
+        let (least, hertz) = self.least;
+        let place = match self.depth {
+            0.0 => format!("from the surface of {ground}"),
+            depth => format!("from {depth:.1} m below the surface of {ground}"),
+        };
+        let (most, most_at) = self.most;
+        let mut words = vec![
+            format!("deconvolved {place}, as linear layers"),
+            format!(
+                "that place moves {:.2} times the incident wave at low frequency, at most {most:.2} times (at {most_at:.2} Hz), at \
+                 least {least:.2} times (at {hertz:.2} Hz)",
+                self.at_rest
+            ),
+            format!("the record comes to its place {:.3} s later than in its file", self.lead),
+        ];
+        if self.reach.is_finite() {
+            words.push(format!(
+                "what it has above {:.2} Hz fades out, since further up too little of the wave moves that place: {:.2} % of the \
+                 processed record's energy",
+                self.reach,
+                100.0 * self.left_out
+            ));
+        }
+        words
+    }
+}
+
+/// The largest size.
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
+}
