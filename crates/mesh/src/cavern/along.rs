@@ -13,7 +13,7 @@ pub(super) const SAME: f64 = 1e-6;
 const MOST_TRIES: usize = 20;
 
 impl CavernSpec {
-    /// Size wanted along the caverns.
+    /// Size along the caverns.
     pub(super) fn step(&self) -> f64 {
         self.along.unwrap_or(self.near)
     }
@@ -131,8 +131,8 @@ fn sliver(spec: &CavernSpec, a: &[f64], b: &[f64]) -> Option<f64> {
 /// Planes across y, from face to face.
 ///
 /// Where no cavern ends in rock they are even, or meet the galleries' walls. Else every end is one of them, and so is every
-/// cavern's middle, unless another that must be is too near. From the first end to the last they are as far apart as the size along
-/// the caverns says, from there to the faces they grow by 1.25 up to `far`. A description that is its own mirror image in
+/// cavern's middle, unless another that must be is too near. From the first end to the last they are at most the size along
+/// the caverns apart, from there to the faces they grow by 1.25 up to `far`. A description that is its own mirror image in
 /// y = 0 has planes that are so to the last bit.
 pub(super) fn planes(spec: &CavernSpec) -> Result<Vec<f64>, CavernError> {
     let faces = spec.faces();
@@ -173,7 +173,7 @@ fn line(spec: &CavernSpec, stops: &[f64], faces: [f64; 2]) -> Result<Vec<f64>, C
     let spread = Spread::new(stops, spec.step());
     let intervals = 0..stops.len() - 1;
     let mut counts: Vec<usize> =
-        intervals.map(|i| (spread.wanted(i) - 0.25).ceil().max(1.0) as usize).collect();
+        intervals.map(|i| (spread.wanted(i) - 1e-6).ceil().max(1.0) as usize).collect();
     let mut best: Option<(f64, Vec<f64>)> = None;
     for _ in 0..MOST_TRIES {
         let line = divided(spec, &spread, stops, &counts, faces)?;
