@@ -104,8 +104,8 @@ fn elements_are_even_along_the_caverns_and_grow_beyond_their_ends() {
     assert!(along.iter().all(|s| (3.0..=4.4).contains(s)), "{along:?}");
     let largest = sizes.iter().copied().fold(0.0, f64::max);
     assert!(largest > 0.8 * spec.far && largest <= spec.far * (1.0 + 1e-9), "{sizes:?}");
-    // Fewer than half as many as at the size along the caverns throughout.
-    assert!(sizes.len() < 30, "{sizes:?}");
+    // At the size along the caverns throughout there would be 36 or more.
+    assert!(sizes.len() <= 30, "{sizes:?}");
     assert!(sizes.windows(2).all(|p| p[0].max(p[1]) <= 1.3 * p[0].min(p[1])), "{sizes:?}");
 }
 
@@ -217,7 +217,7 @@ fn lengths_that_cannot_be_made_are_refused_with_the_key() {
     for (expected, change) in cases {
         let mut spec = finite();
         change(&mut spec);
-        let message = spec.mesh().expect_err(expected).to_string();
+        let message = spec.mesh().map(|_| ()).expect_err(expected).to_string();
         assert!(message.contains(expected), "{expected:?} not in {message:?}");
     }
     // A gallery flush with an end, and one near the face of a block that the caverns go through.
