@@ -55,7 +55,7 @@ pub use laws::Laws;
 pub use listing::{Listed, ListedValue, bolt_keys, interface_keys};
 pub use material::Material;
 pub use mesh::{
-    Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Lining, Mesh, MeshBox, MeshFile, RockLayer,
+    Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Length, Lining, Mesh, MeshBox, MeshFile, RockLayer,
     Shotcrete,
 };
 pub use mesh_alone::MeshAlone;

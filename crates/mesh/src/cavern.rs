@@ -6,9 +6,13 @@
 //! of rock that lead over to the rectangle's edge nodes. Where the outline is a closed curve the lining goes all
 //! round, and so does a ring of the opening inside it. So opposite sides of the block match node by node.
 //!
+//! A cavern goes through the whole block, or has a length of its own and ends in rock: the section is the same there, and what
+//! is opening, lining or shotcrete along the cavern is rock beyond its ends. So its end walls are plane and bare.
+//!
 //! x points across the caverns, y along them with y = 0 in the middle of the block, z up with z = 0 at the
 //! ground. The first cavern's axis is x = 0.
 
+mod along;
 mod build;
 mod check;
 mod claims;
@@ -66,7 +70,8 @@ pub struct CavernSpec {
     /// Largest element size in the rock of the section.
     pub far: f64,
     /// Element size along the caverns; `near` if none. The number of elements is even, so that y = 0 is a
-    /// plane of nodes.
+    /// plane of nodes. Where all caverns end in rock elements grow from the outermost ends on, up to `far` (or this, if
+    /// larger); all ends are planes of nodes, and so are the caverns' middles.
     pub along: Option<f64>,
     pub caverns: Vec<Cavern>,
     /// Layers of rock from the ground down; none: all rock is alike. Level planes become lines of the grid between
@@ -110,6 +115,12 @@ pub struct Cavern {
     pub shape: CavernShape,
     /// Centre line in x and clear floor (the lowest clear point) in z, both measured from the first cavern's.
     pub at: [f64; 2],
+    /// From end wall to end wall, at most that of the block; none: it goes through the block. The end walls are without
+    /// lining and shotcrete, whose own ends butt against the rock. At least an element (`along`) of rock lies beyond an end, and ends
+    /// of different caverns that are not in one plane are at least a tenth of an element apart.
+    pub length: Option<f64>,
+    /// y of the middle between the ends; used with `length` alone.
+    pub middle: f64,
     pub width: f64,
     /// From floor to crown. Of a circle the same as the width; of a horseshoe from 0.75 to 1.1 of it.
     pub height: f64,
@@ -194,10 +205,11 @@ impl CavernSpec {
     ///
     /// Face sets: `xmin`, `xmax`, `ymin`, `ymax`, `base`, `top`; `NAME.intrados`, faces of the lining towards
     /// the opening; `NAME.extrados`, faces of the lining towards the rock or the shotcrete (the feet of walls without a
-    /// floor slab included). Of a cavern with shotcrete alone both are those of the shotcrete; of one with neither,
-    /// `NAME.intrados` has the faces of the rock towards the opening.
+    /// floor slab and the ends of a lining that butt against rock included). Of a cavern with shotcrete alone both are those
+    /// of the shotcrete; of one with neither, `NAME.intrados` has the faces of the rock towards the opening, without its ends.
+    /// `NAME.ends`, of a cavern that ends in rock: the faces of its end walls.
     ///
-    /// Points at y = 0, on the intrados: `NAME.crown`, `NAME.floor` (in the middle), `NAME.wall.left` (lower
+    /// Points at y = 0, or in the middle of a cavern with a length, on the intrados: `NAME.crown`, `NAME.floor` (in the middle), `NAME.wall.left` (lower
     /// x) and `NAME.wall.right`, both at half the height.
     ///
     /// # Errors

@@ -14,7 +14,7 @@ use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::{Problem, Spanned};
 
-pub use cavern::{Cavern, CavernShape, Lining, Shotcrete};
+pub use cavern::{Cavern, CavernShape, Length, Lining, Shotcrete};
 pub use gallery::Gallery;
 pub use site::{Ground, RockLayer};
 
@@ -22,7 +22,7 @@ const NOT_NEGATIVE: Kind = Kind::Number(Dimension::LENGTH, Limit::NotNegative);
 
 pub(super) static CAVERNS: Table = Table {
     path: "mesh.caverns",
-    doc: "A block of rock with caverns along y, generated. x runs across the caverns, from the first one's axis; y from \
+    doc: "A block of rock with caverns along y, generated; they go through it or end in its rock. x runs across the caverns, from the first one's axis; y from \
           the middle of the block; z upwards from the ground.",
     keys: &[
         Key::required("overburden", LENGTH, "rock from the ground down to the first cavern's crown"),
@@ -35,7 +35,12 @@ pub(super) static CAVERNS: Table = Table {
         Key::required("length", LENGTH, "length of the block along the caverns"),
         Key::required("near", LENGTH, "element size at the caverns"),
         Key::required("far", LENGTH, "element size far from the caverns"),
-        Key::optional("along", LENGTH, "the size `near`", "Element size along the caverns"),
+        Key::optional(
+            "along",
+            LENGTH,
+            "the size `near`",
+            "Element size along the caverns; beyond the ends of all of them elements grow, up to `far`",
+        ),
         Key::required("cavern", Kind::Tables(&cavern::CAVERN), "the caverns"),
         Key::optional(
             "gallery",
@@ -119,9 +124,9 @@ impl Caverns {
                 "elements grow from `near` at the caverns to `far`: give `near` the smaller size",
             ));
         }
-        let mut caverns = BTreeSet::new();
+        let (mut caverns, block) = (BTreeSet::new(), f.number("length"));
         for cavern in f.tables("cavern") {
-            Cavern::check(cavern, problems);
+            Cavern::check(cavern, block.as_ref(), problems);
             once(cavern, "cavern", &mut caverns, problems);
         }
         let (mut names, mut layers) = (caverns.clone(), BTreeSet::new());

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use tremolite_laws::parameter::Dimension;
 
 pub use bricks::{Axis, MeshBox};
-pub use caverns::{Cavern, CavernShape, Caverns, Gallery, Ground, Lining, RockLayer, Shotcrete};
+pub use caverns::{Cavern, CavernShape, Caverns, Gallery, Ground, Length, Lining, RockLayer, Shotcrete};
 
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};

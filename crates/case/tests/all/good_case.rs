@@ -22,6 +22,7 @@ fn every_value_arrives_in_si() {
         case.defaulted.iter().map(|d| d.key.as_str()).collect::<Vec<_>>(),
         [
             "mesh.caverns.cavern[transformer].at",
+            "mesh.caverns.cavern[transformer].length",
             "mesh.caverns.cavern[transformer].benches",
             "mesh.caverns.cavern[transformer].lining",
             "mesh.caverns.cavern[transformer].shotcrete",
@@ -40,6 +41,8 @@ fn every_value_arrives_in_si() {
     let [powerhouse, transformer] = &mesh.caverns[..] else { panic!("two caverns") };
     assert_eq!((powerhouse.width.value, powerhouse.height.value), (17.0, 37.2));
     assert_eq!((powerhouse.at.value, powerhouse.benches.value), ([1.0, -2.0], 6));
+    let length = powerhouse.length.as_ref().expect("a length");
+    assert_eq!((length.length.value, length.middle.value, &transformer.length), (40.0, -1.5, &None));
     let lining = powerhouse.lining.as_ref().expect("a lining");
     assert_eq!((lining.walls.value, lining.crown.value, lining.floor.value), (0.5, 0.9, 0.3));
     assert_eq!(lining.layers.value, 2);

@@ -97,6 +97,9 @@ const BAD: &[Bad] = &[
     bad("height = 37.2", "height = 4.4", "\"4.5 m\"", "must be below `height`", "the arch included"),
     bad("arch_rise = \"2.2 m\"\n", "", "[[mesh.caverns.cavern]]", "must be above 0", "rectangle"),
     bad("shape = \"ellipse\"", "shape = \"circle\"", "\"2.2 m\"", "no meaning", "leave it out"),
+    bad("length = \"4000 cm\"", "length = \"52.9 m\"", "\"52.9 m\"", "longer than the block", "goes through the block"),
+    bad("length = \"4000 cm\"", "length = \"0 m\"", "\"0 m\"", "must be above 0", "above 0"),
+    bad("length = \"4000 cm\"\n", "", "middle", "only beside `length`", "leave it out"),
     bad("arch_rise = \"4.5 m\"", "arch_rise = \"9 m\"", "\"9 m\"", "more than half the width", "a semicircle"),
     // Words and names
     bad("kind = \"within\"\ndepth = \"50 m\"", "kind = \"outcrp\"", "\"outcrp\"", "`kind` cannot be \"outcrp\"", "did you mean \"outcrop\"?"),

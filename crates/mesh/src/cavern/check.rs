@@ -3,7 +3,7 @@
 use super::error::{MOST_CAVERNS, value};
 use super::profile::Profile;
 use super::tube::{HORSESHOE, Tube};
-use super::{Cavern, CavernError, CavernShape, CavernSpec, Shotcrete, gallery, ground, name, strata};
+use super::{Cavern, CavernError, CavernShape, CavernSpec, Shotcrete, along, gallery, ground, name, strata};
 
 const MOST_LAYERS: u32 = 20;
 
@@ -37,7 +37,8 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
     }
     strata::check(&spec.layers)?;
     ground::check(&spec.ground)?;
-    gallery::check(spec)
+    gallery::check(spec)?;
+    along::check(spec)
 }
 
 fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {

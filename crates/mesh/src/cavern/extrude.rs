@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::along::SAME;
 use super::profile::Outline;
 use super::section::{Part, Section};
 use super::{CavernError, CavernSpec, ground, strata};
@@ -42,14 +43,24 @@ pub(super) fn extrude(spec: &CavernSpec, section: &Section) -> Result<Mesh, Cave
     Ok(mesh)
 }
 
-/// What each element belongs to, layer by layer along y: the section's parts, but for the galleries.
+/// What each element belongs to, layer by layer along y: the section's parts, but for the galleries, and rock beyond the
+/// ends of caverns.
 fn parts(spec: &CavernSpec, section: &Section) -> Vec<Part> {
     let layers = section.y.len() - 1;
     let mut parts = section.parts.repeat(layers);
+    let within = |layer: usize, [from, to]: [f64; 2]| {
+        section.y[layer] > from - SAME && section.y[layer + 1] < to + SAME
+    };
+    let ends: Vec<[f64; 2]> = spec.caverns.iter().map(|c| spec.ends(c)).collect();
+    for (layer, parts) in parts.chunks_mut(section.quads.len()).enumerate() {
+        for part in parts {
+            if part.cavern().is_some_and(|k| !within(layer, ends[k as usize])) {
+                *part = Part::Rock;
+            }
+        }
+    }
     for (g, (gallery, passage)) in (0..).zip(spec.galleries.iter().zip(&section.passages)) {
-        let [from, to] = gallery.walls();
-        let along = (0..layers).filter(|&l| section.y[l] > from - 1e-6 && section.y[l + 1] < to + 1e-6);
-        let along: Vec<usize> = along.collect();
+        let along: Vec<usize> = (0..layers).filter(|&l| within(l, gallery.walls())).collect();
         for (q, quad) in section.quads.iter().enumerate() {
             let middle =
                 [0, 1].map(|c| quad.iter().map(|&n| section.points[n as usize][c]).sum::<f64>() / 4.0);
@@ -158,12 +169,14 @@ fn faces(spec: &CavernSpec, section: &Section, parts: &[Part], mesh: &mut Mesh) 
             }
         }
     }
-    // Galleries end between two layers.
+    // Galleries and caverns end between two layers.
     for (e, pair) in parts.iter().zip(parts.iter().skip(section.quads.len())).enumerate() {
         for (mine, theirs, element, side) in
             [(*pair.0, *pair.1, e, YMAX), (*pair.1, *pair.0, e + section.quads.len(), YMIN)]
         {
-            if let Some(name) = surface(spec, mine, theirs) {
+            let end = theirs.opening().filter(|_| mine == Part::Rock);
+            let end = end.map(|k| format!("{}.ends", spec.caverns[k as usize].name));
+            if let Some(name) = end.or_else(|| surface(spec, mine, theirs)) {
                 let face = Face { element: element as u32, side };
                 mesh.faces.entry(name).or_default().push(face);
             }
@@ -197,6 +210,7 @@ fn points(spec: &CavernSpec, mesh: &mut Mesh) {
     let first = &spec.caverns[0];
     for cavern in &spec.caverns {
         let x = cavern.at[0] - first.at[0];
+        let y = if cavern.length.is_some() { cavern.middle } else { 0.0 };
         let z = cavern.at[1] - first.at[1] - spec.overburden - first.height;
         // Half the height lies on the wall, unless the arch takes more than half: then its springing.
         let (half, wall) = match Outline::new(cavern) {
@@ -206,7 +220,7 @@ fn points(spec: &CavernSpec, mesh: &mut Mesh) {
             Outline::Closed(tube) => (tube.half_width(cavern.height / 2.0), cavern.height / 2.0),
         };
         let mut add = |name: &str, at: [f64; 2]| {
-            mesh.points.insert(format!("{}.{name}", cavern.name), [x + at[0], 0.0, z + at[1]]);
+            mesh.points.insert(format!("{}.{name}", cavern.name), [x + at[0], y, z + at[1]]);
         };
         add("crown", [0.0, cavern.height]);
         add("floor", [0.0, 0.0]);

@@ -18,7 +18,7 @@ pub(super) const LEAST: f64 = 0.1;
 /// Floor and roof are lines of the grid from wall to wall, so a cavern that a gallery meets has rows of elements that are
 /// as high as the levels of galleries and of cuts between benches allow. A cut within a quarter of `near` of a floor or
 /// roof moves there, and a [`Note`](crate::note::Note) says so. Floor and roof must lie on the straight walls of both
-/// caverns: the floor on the foot or at least a tenth of `near` above it, the roof as much below the springing.
+/// caverns, and its width between the ends of both: the floor on the foot or at least a tenth of `near` above it, the roof as much below the springing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Gallery {
     /// Prefix of the names of its groups, as a cavern's.

@@ -10,7 +10,7 @@ use super::profile::Outline;
 use super::rows::Counts;
 use super::stretch::GROWTH;
 use super::wall::Rows;
-use super::{CavernError, CavernSpec};
+use super::{CavernError, CavernSpec, along};
 use crate::boxes::MOST_ELEMENTS;
 use crate::grading::graded;
 
@@ -84,9 +84,9 @@ impl Layout {
 
         let x = lines(spec, 0, block[0], &[], &claims, &mut plots)?;
         let z = lines(spec, 1, block[1], &levels, &claims, &mut plots)?;
-        let along = 2.0 * (spec.length / spec.along.unwrap_or(spec.near) / 2.0).round().max(1.0);
-        let elements = along * (x.len() - 1) as f64 * (z.len() - 1) as f64;
-        let inside: f64 = plots.iter().map(|p| (p.counts.vault() * p.counts.vault()) as f64 * along).sum();
+        let rows = spec.rows();
+        let elements = rows * (x.len() - 1) as f64 * (z.len() - 1) as f64;
+        let inside: f64 = plots.iter().map(|p| (p.counts.vault() * p.counts.vault()) as f64 * rows).sum();
         if elements + inside > MOST_ELEMENTS as f64 {
             return Err(CavernError::TooMany { elements: elements + inside });
         }
@@ -96,13 +96,7 @@ impl Layout {
             }
         }
         passage::pin(spec, &passages, &z, &mut plots)?;
-        let y = if spec.galleries.is_empty() {
-            let along = along as usize;
-            (0..=along).map(|j| spec.length * (j as f64 / along as f64 - 0.5)).collect()
-        } else {
-            passage::planes(spec, spec.length / along)
-        };
-        Ok(Layout { x, y, z, plots, passages })
+        Ok(Layout { x, y: along::planes(spec)?, z, plots, passages })
     }
 
     /// A cavern's rectangle: lowest and highest x and z.

@@ -50,6 +50,11 @@ impl Part {
         }
     }
 
+    /// The cavern that this is part of.
+    pub fn cavern(self) -> Option<u32> {
+        self.lining().or(self.shotcrete()).or(self.opening())
+    }
+
     /// The gallery that this is part of.
     pub fn gallery(self) -> Option<u32> {
         match self {

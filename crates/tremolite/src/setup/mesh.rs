@@ -67,8 +67,11 @@ fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
     let (name, key) = subject.split_once('.').unwrap_or((subject, ""));
     if let Some(cavern) = c.caverns.iter().find(|cavern| cavern.name.value == name) {
         let (lining, sprayed) = (cavern.lining.as_ref(), cavern.shotcrete.as_ref());
+        let length = cavern.length.as_ref();
         return match key {
             "at" => cavern.at.span.clone(),
+            "length" => length.map_or(cavern.span.clone(), |l| l.length.span.clone()),
+            "middle" => length.map_or(cavern.span.clone(), |l| l.middle.span.clone()),
             "width" => cavern.width.span.clone(),
             "height" => cavern.height.span.clone(),
             "arch_rise" => cavern.arch_rise.span.clone(),
@@ -122,6 +125,8 @@ fn spec(c: &case::Caverns) -> CavernSpec {
             case::CavernShape::Circle => CavernShape::Circle,
         },
         at: c.at.value,
+        length: c.length.as_ref().map(|l| l.length.value),
+        middle: c.length.as_ref().map_or(0.0, |l| l.middle.value),
         width: c.width.value,
         height: c.height.value,
         arch_rise: c.arch_rise.value,
@@ -215,6 +220,9 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
             ("crown = \"0.9 m\"", "crown = \"9 m\"", "\"9 m\"", "half the width"),
             ("crown = \"0.9 m\" }", "crown = \"0.9 m\" }\nshotcrete = \"7 m\"", "\"7 m\"", "half the width"),
             ("overburden = \"60 m\"", "overburden = \"0.1 m\"", "\"hall\"", "`overburden`"),
+            ("arch_rise = ", "length = \"2 m\"\narch_rise = ", "\"2 m\"", "`along`"),
+            ("arch_rise = ", "length = \"28 m\"\narch_rise = ", "\"28 m\"", "rock"),
+            ("arch_rise = ", "length = \"9 m\"\nmiddle = \"11 m\"\narch_rise = ", "\"11 m\"", "rock"),
             ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "[mesh.caverns]", "raise `near`"),
         ] {
             let source = CAVERNS.replace(from, to);

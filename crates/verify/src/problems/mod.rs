@@ -77,6 +77,7 @@ problems! {
     gravity_column Test,
     kirsch_hole Test,
     excavated_opening Verify,
+    finite_cavern Verify,
     lined_tunnel Verify,
     shotcrete_ring Verify,
     free_field_hand_over Test,

@@ -37,6 +37,14 @@ pub(super) static CAVERN: Table = Table {
             r#"["0 m", "0 m"]"#,
             "Centre line in x and lowest clear point in z, both from the first cavern's",
         ),
+        Key::optional(
+            "length",
+            LENGTH,
+            "that of the block",
+            "Length along y, from end wall to end wall: beyond it is rock. End walls are plane, without lining and shotcrete",
+        ),
+        Key::default("middle", COORDINATE, r#""0 m""#, "Its middle along y, where its points then lie")
+            .when(When::Beside("length")),
         Key::default(
             "benches",
             Kind::Count(50),
@@ -116,6 +124,8 @@ pub struct Cavern {
     pub arch_rise: Spanned<f64>,
     /// Centre line in x and floor in z, both from the first cavern's.
     pub at: Spanned<[f64; 2]>,
+    /// Nothing: it goes through the block.
+    pub length: Option<Length>,
     /// Benches of the excavation, each a group, and so are lining and shotcrete beside each.
     pub benches: Spanned<u32>,
     /// Nothing: no lining.
@@ -124,6 +134,15 @@ pub struct Cavern {
     pub shotcrete: Option<Shotcrete>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
+}
+
+/// Where a cavern that is shorter than the block lies along y, m.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Length {
+    /// From end wall to end wall.
+    pub length: Spanned<f64>,
+    /// y of the middle between them.
+    pub middle: Spanned<f64>,
 }
 
 /// Thickness of a lining, m.
@@ -158,6 +177,10 @@ impl Cavern {
             height: f.number("height")?,
             arch_rise: f.number("arch_rise")?,
             at: f.numbers("at")?,
+            length: match f.number("length") {
+                Some(length) => Some(Length { length, middle: f.number("middle")? }),
+                None => None,
+            },
             benches: f.count("benches")?,
             lining: match lining {
                 Some(lining) => Some(lining?),
@@ -171,8 +194,17 @@ impl Cavern {
         })
     }
 
-    /// What lies between its keys.
-    pub(super) fn check(cavern: &Fields, problems: &mut Vec<Problem>) {
+    /// What lies between its keys, and between them and the length of the block.
+    pub(super) fn check(cavern: &Fields, block: Option<&Spanned<f64>>, problems: &mut Vec<Problem>) {
+        if let (Some(length), Some(block)) = (cavern.number("length"), block)
+            && length.value > block.value
+        {
+            problems.push(Problem::at(
+                &length,
+                "the cavern is longer than the block",
+                "raise `length` of `mesh.caverns`, or leave this one out: the cavern then goes through the block",
+            ));
+        }
         let shape = cavern.word("shape", CavernShape::from_word);
         if let Some(shape) = &shape {
             let word = shape.value.word();

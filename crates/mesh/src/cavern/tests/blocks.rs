@@ -31,6 +31,18 @@ fn sprayed(mut spec: CavernSpec, thickness: f64, layers: u32) -> CavernSpec {
     spec
 }
 
+/// With a length for each cavern, in a block so long; `None`: it goes through.
+pub fn ending(mut spec: CavernSpec, block: f64, lengths: &[Option<f64>]) -> CavernSpec {
+    spec.length = block;
+    spec.caverns.iter_mut().zip(lengths).for_each(|(c, length)| c.length = *length);
+    spec
+}
+
+/// The paper's caverns with their own lengths, in a block of 160 m.
+pub fn finite() -> CavernSpec {
+    ending(CavernSpec { along: Some(4.4), ..CavernSpec::yingxiuwan() }, 160.0, &[Some(52.8), Some(59.4)])
+}
+
 pub fn block(near: f64, caverns: Vec<Cavern>) -> CavernSpec {
     let along = Some(3.0);
     CavernSpec {
@@ -47,7 +59,7 @@ pub fn block(near: f64, caverns: Vec<Cavern>) -> CavernSpec {
 }
 
 /// Blocks that between them take every path: flat and steep arches, with and without slab, unlined, shotcreted, several
-/// layers, caverns beside and above one another, rectangles that share a line.
+/// layers, caverns beside and above one another, rectangles that share a line, ends in rock.
 pub fn blocks() -> Vec<(&'static str, CavernSpec)> {
     let horseshoe = cavern("t", [10.0, 8.0, 5.0], 2, [0.0, 0.0], lining(0.4, 0.5, 0.6, 2));
     let three = vec![
@@ -74,8 +86,12 @@ pub fn blocks() -> Vec<(&'static str, CavernSpec)> {
     let mut floors = with_galleries(vec![gallery("adit", [-8.0, 0.0]), gallery("bus", [8.0, 19.1])]);
     floors.caverns[0].lining.floor = 0.6;
     let alone = |shape: CavernShape, size: [f64; 3]| block(1.2, vec![shaped(shape, size, 2, Lining::NONE)]);
+    let mut aside = ending(block(1.3, three.clone()), 60.0, &[Some(20.0), None, Some(12.0)]);
+    aside.caverns[0].middle = -6.0;
+    aside.caverns[2].middle = 7.0;
+    let ended = |spec: &CavernSpec| ending(spec.clone(), 110.0, &[Some(52.8), Some(59.4)]);
     vec![
-        ("galleries", galleries),
+        ("galleries", galleries.clone()),
         ("galleries on the floor", floors.clone()),
         ("yingxiuwan", CavernSpec::yingxiuwan()),
         ("horseshoe", block(1.0, vec![horseshoe.clone()])),
@@ -117,7 +133,7 @@ pub fn blocks() -> Vec<(&'static str, CavernSpec)> {
         ("sprayed yingxiuwan", sprayed(CavernSpec::yingxiuwan(), 0.15, 1)),
         ("sprayed horseshoe", sprayed(block(1.0, vec![horseshoe]), 0.15, 2)),
         ("sprayed three", sprayed(block(1.3, three), 0.1, 1)),
-        ("sprayed galleries", sprayed(floors, 0.2, 1)),
+        ("sprayed galleries", sprayed(floors.clone(), 0.2, 1)),
         ("sprayed arch alone", sprayed(alone(CavernShape::Arch, [12.0, 15.0, 3.0]), 0.12, 1)),
         ("sprayed ellipse alone", sprayed(alone(CavernShape::Ellipse, [14.0, 20.0, 4.0]), 0.15, 1)),
         ("sprayed rectangle alone", sprayed(alone(CavernShape::Rectangle, [8.0, 6.0, 0.0]), 0.15, 1)),
@@ -133,6 +149,23 @@ pub fn blocks() -> Vec<(&'static str, CavernSpec)> {
                 1,
             ),
         ),
-        ("sprayed shapes", sprayed(block(1.2, shapes), 0.15, 1)),
+        ("sprayed shapes", sprayed(block(1.2, shapes.clone()), 0.15, 1)),
+        ("ends", finite()),
+        ("ends and galleries", ended(&galleries)),
+        ("ends and sprayed galleries", sprayed(ended(&floors), 0.2, 1)),
+        ("ends here and there", aside),
+        ("ends of shapes", ending(block(1.2, shapes), 40.0, &[Some(6.0), Some(12.0), Some(7.0)])),
+        (
+            "ends, unlined",
+            ending(
+                block(1.5, vec![cavern("t", [10.0, 12.0, 5.0], 1, [0.0, 0.0], Lining::NONE)]),
+                50.0,
+                &[Some(9.0)],
+            ),
+        ),
+        (
+            "ends, shotcrete alone",
+            ending(sprayed(alone(CavernShape::Arch, [12.0, 15.0, 3.0]), 0.12, 1), 50.0, &[Some(9.0)]),
+        ),
     ]
 }

@@ -36,30 +36,36 @@ fn length(mesh: &Mesh, face: Face) -> f64 {
     (0..3).map(|c| (b[c] - a[c]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Elements that touch a lining or shotcrete, or lie in an opening, and those that lie in a cavern's surroundings.
+/// Elements that touch a lining or shotcrete, or lie in an opening, and those that lie in a cavern's surroundings. Rock
+/// beyond a cavern's end is divided as the cavern is, and counts as what it goes on from.
 fn marks(mesh: &Mesh, spec: &CavernSpec) -> (Vec<bool>, Vec<bool>) {
-    let mut touched = vec![false; mesh.nodes.len()];
-    let mut lining = vec![false; mesh.elements.len()];
+    let section = build::build(spec).unwrap();
+    let (points, quads) = (section.points.len(), section.quads.len());
+    let mut touched = vec![false; points];
+    let mut lining = vec![false; quads];
     for (group, list) in &mesh.groups {
         let hollow = group.ends_with(".excavation");
         if hollow || [".lining", ".shotcrete", ".opening"].iter().any(|end| group.ends_with(end)) {
             for &e in list {
-                lining[e as usize] = true;
+                lining[e as usize % quads] = true;
                 if !hollow {
-                    mesh.elements[e as usize].nodes().iter().for_each(|&n| touched[n as usize] = true);
+                    mesh.elements[e as usize]
+                        .nodes()
+                        .iter()
+                        .for_each(|&n| touched[n as usize % points] = true);
                 }
             }
         }
     }
-    let touches = |e: usize| mesh.elements[e].nodes().iter().any(|&n| touched[n as usize]);
-    let rectangles = build::build(spec).unwrap().surroundings;
+    let touches = |e: usize| mesh.elements[e].nodes().iter().any(|&n| touched[n as usize % points]);
+    let rectangles = section.surroundings;
     let within = |e: usize| {
         let nodes = mesh.elements[e].nodes();
         let middle = [0, 2].map(|c| nodes.iter().map(|&n| mesh.nodes[n as usize][c]).sum::<f64>() / 8.0);
         rectangles.iter().any(|r| (0..2).all(|c| middle[c] > r[c][0] && middle[c] < r[c][1]))
     };
     let elements = 0..mesh.elements.len();
-    (elements.clone().map(|e| lining[e] || touches(e)).collect(), elements.map(within).collect())
+    (elements.clone().map(|e| lining[e % quads] || touches(e)).collect(), elements.map(within).collect())
 }
 
 /// Largest growth by zone. `level` has the same elements under level ground, as `spec` says.

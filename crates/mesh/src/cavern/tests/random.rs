@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::lengths::{extent, planes};
 use super::{corners, is_union};
 use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer, Shotcrete};
 use crate::coincident::coincident_nodes;
@@ -75,7 +76,9 @@ fn cavern(dice: &mut Dice, k: usize, near: f64, x: f64) -> (Cavern, f64) {
     let at = [x + half, if k == 0 { 0.0 } else { dice.real(-0.5, 0.5) * height }];
     let name = format!("c{k}");
     let benches = 1 + dice.below(5) as u32;
-    (Cavern { name, shape, at, width, height, arch_rise, benches, lining, shotcrete }, x + 2.0 * half)
+    let made =
+        Cavern { name, shape, at, width, height, arch_rise, benches, lining, shotcrete, ..Cavern::default() };
+    (made, x + 2.0 * half)
 }
 
 fn random(seed: u64) -> CavernSpec {
@@ -121,7 +124,7 @@ fn random(seed: u64) -> CavernSpec {
         },
         _ => Ground::Level,
     };
-    CavernSpec {
+    let mut spec = CavernSpec {
         overburden: depth,
         below: near * dice.real(3.0, 20.0),
         sides: near * dice.real(3.0, 20.0),
@@ -133,7 +136,18 @@ fn random(seed: u64) -> CavernSpec {
         layers,
         ground,
         galleries,
+    };
+    if dice.often(0.4) {
+        spec.length = near * 30.0;
+        for cavern in &mut spec.caverns {
+            if dice.often(0.2) {
+                continue;
+            }
+            cavern.length = Some(spec.length * dice.real(0.2, 0.6));
+            cavern.middle = if dice.often(0.5) { 0.0 } else { spec.length * dice.real(-0.1, 0.1) };
+        }
     }
+    spec
 }
 
 /// Everything that [`CavernSpec::mesh`] promises of a mesh.
@@ -189,6 +203,19 @@ fn check(seed: u64, spec: &CavernSpec, mesh: &Mesh) {
             }
         }
     }
+    for (c, length) in spec.caverns.iter().filter_map(|c| Some((c, c.length?))) {
+        let [from, to] = extent(mesh, &format!("{}.excavation", c.name));
+        let exact = [c.middle - 0.5 * length, c.middle + 0.5 * length];
+        assert!(
+            (from - exact[0]).abs() < 1e-9 && (to - exact[1]).abs() < 1e-9,
+            "{seed}: {from} {to} {exact:?}"
+        );
+        assert!(!mesh.faces[&format!("{}.ends", c.name)].is_empty(), "{seed}");
+        let planes = planes(mesh);
+        let sizes: Vec<f64> = planes.windows(2).map(|p| p[1] - p[0]).collect();
+        let worst = sizes.windows(2).map(|p| (p[0] / p[1]).max(p[1] / p[0])).fold(1.0, f64::max);
+        assert!(worst <= 1.3, "{seed}: {worst} {sizes:?}");
+    }
     wanted.extend(spec.galleries.iter().map(|g| format!("{}.gallery", g.name)));
     for group in wanted {
         assert!(mesh.groups.get(&group).is_some_and(|list| !list.is_empty()), "{seed}: no {group}");
@@ -221,6 +248,8 @@ fn a_legal_description_gives_a_sound_mesh_or_a_refusal_that_names_a_key() {
         "arch_rise",
         "lining.",
         "ground",
+        ".length",
+        ".middle",
         "table of heights",
     ];
     let (mut made, mut refused) = (0, Vec::new());

@@ -101,7 +101,17 @@ fn an_interface_that_reaches_one_side_only_is_refused() {
 /// Walls without a floor end at the opening, whose elements are not there.
 #[test]
 fn generated_linings_are_parted_at_their_extrados_and_tied() {
-    let before = CavernSpec::yingxiuwan().mesh().expect("a preset");
+    let through = CavernSpec::yingxiuwan();
+    // Shorter than the block, their own ends butt against rock, and are of the extrados.
+    let mut ending = CavernSpec { length: 110.0, ..through.clone() };
+    ending.caverns.iter_mut().zip([52.8, 59.4]).for_each(|(cavern, length)| cavern.length = Some(length));
+    for spec in [through, ending] {
+        parted_at_the_extrados(&spec);
+    }
+}
+
+fn parted_at_the_extrados(spec: &CavernSpec) {
+    let before = spec.mesh().expect("a description that can be meshed");
     let excavated = ["powerhouse.excavation", "transformer.excavation"].map(|name| &before.groups[name]);
     let linings =
         ["powerhouse.lining", "transformer.lining"].map(|name| before.groups[name].clone()).concat();
