@@ -5,6 +5,11 @@ use std::path::Path;
 use crate::shown::shown;
 use crate::{Channel, Error, ReadOptions, Sensitivity, Units};
 
+/// Sampling intervals of records \[s\], those of slow channels of seismometers among them.
+const INTERVALS: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
+/// No sample is larger, in m/s² or counts: the squares of a long record stay numbers.
+const LARGEST: f64 = 1e12;
+
 /// A file, unpacked, as bytes and as lines of text. Line indices count from 0 here, from 1 in messages.
 pub(crate) struct Source<'a> {
     pub file: &'a Path,
@@ -87,6 +92,13 @@ impl<'a> Source<'a> {
                 "correct the interval",
             ));
         }
+        if !INTERVALS.contains(&dt) {
+            return Err(self.error(
+                line,
+                format!("a sampling interval of {dt} s is none of a record"),
+                "correct the interval: 0.001 s to 0.05 s are usual",
+            ));
+        }
         match declared {
             // A thousandth allows for intervals that a header rounds.
             Some(other) if !((other - dt).abs() <= 1e-3 * dt) => Err(self.error(
@@ -146,7 +158,7 @@ impl<'a> Source<'a> {
             ));
         }
         values.iter_mut().for_each(|v| *v *= factor.unwrap_or(1.0));
-        if values.iter().any(|v| !v.is_finite()) || !channel.end().is_finite() {
+        if values.iter().any(|v| !(v.abs() <= LARGEST)) || !channel.end().is_finite() {
             return Err(self.error(
                 line,
                 "values or times are too large for a record",

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use tremolite_motion::{
-    Channel, Column, Error, Orientation, ReadOptions, Units, read, read_bytes, write_text,
+    Channel, Column, Error, Orientation, ReadOptions, Sensitivity, Units, read, read_bytes, write_text,
 };
 
 fn parse(text: &str, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
@@ -258,4 +258,18 @@ fn what_is_written_as_text_reads_back_bit_for_bit() {
         assert_eq!((back.orientation, &back.acceleration), (Some(direction), &record.acceleration));
     }
     assert!(write_text(&record, &[], Path::new("/no/such/folder/x.txt")).is_err());
+}
+
+#[test]
+fn intervals_and_samples_beyond_all_records_are_refused() {
+    let counts = "# units = \"counts\"\n1\n2\n3\n";
+    for (dt, sensitivity, part) in [
+        (1e300, None, "interval of 1000000"),
+        (1e-300, None, "none of a record"),
+        (0.01, Some(1e-300), "too large for a record"),
+    ] {
+        let sensitivity = sensitivity.and_then(Sensitivity::new);
+        let message = message(counts, &ReadOptions { dt: Some(dt), sensitivity, ..ReadOptions::default() });
+        assert!(message.contains(part) && message.contains("line"), "{message}");
+    }
 }
