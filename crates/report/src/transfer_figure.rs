@@ -45,7 +45,7 @@ pub fn figure(source: &Source, moving: &[usize]) -> (Option<Figure>, Vec<String>
     }
     if let Some(site) = site.as_ref().filter(|site| site.at_rest > 0.0) {
         let level = LEAST * site.at_rest;
-        let name = say!(language, "5 % of the value at rest: nothing is inverted below");
+        let name = say!(language, "5 % of the value at low frequency: nothing is inverted below");
         curves.push(Curve::new(name, 1, Pen::Dashed, hertz.iter().map(|f| (*f, level)).collect()));
     }
     let heading = say!(language, "From the incident wave to the place of the record");

@@ -34,6 +34,8 @@ const SPANS: usize = 8;
 const LEFT: f64 = 1e-4;
 /// Steps by which the place of a dip is narrowed down, each by 0.62.
 const GOLDEN: u32 = 60;
+/// What is less than this part of its neighbours is lower.
+const FLAT: f64 = 1.0 - 1e-9;
 /// Steps in which a transfer is looked at over the lowest frequency of the column, c/4h.
 const LOOKS: f64 = 40.0;
 
@@ -98,7 +100,7 @@ impl Place {
         self.columns[axis].factor_at(Complex64::new(0.0, TAU * hertz), self.height)
     }
 
-    /// At rest, where undamped ground moves with its base.
+    /// The same at low frequency: 2 below a free surface, but for damping of the mass.
     pub fn at_rest(&self, axis: usize) -> f64 {
         self.transfer(axis, 1e-6).norm()
     }
@@ -127,19 +129,18 @@ impl Place {
         let mut all = Vec::with_capacity(coarse.len());
         for (k, &(hertz, own)) in coarse.iter().enumerate() {
             let before = if k == 0 { (0.0, 1.0) } else { coarse[k - 1] };
-            let Some(&after) = coarse.get(k + 1) else {
-                all.push((hertz, own, false));
-                continue;
-            };
-            // The bottom of what falls from the left and rises to the right.
-            if own <= before.1 && own <= after.1 && (own < before.1 || own < after.1) {
+            // What falls towards the last of them may have its bottom before that.
+            let last = k + 1 == coarse.len();
+            let after = if last { (hertz, own) } else { coarse[k + 1] };
+            all.push((hertz, own, false));
+            // The bottom of what falls from the left and rises to the right, and is more than round-off.
+            if own <= before.1 && own <= after.1 && own < FLAT * before.1.max(after.1) {
                 let bottom = lowest(&share, before.0, after.0);
-                let dip = (bottom, share(bottom), true);
-                let place = if bottom < hertz { all.len() } else { all.len() + 1 };
-                all.push((hertz, own, false));
-                all.insert(place, dip);
-            } else {
-                all.push((hertz, own, false));
+                let depth = share(bottom);
+                if !last || depth < FLAT * own {
+                    let place = all.len() - usize::from(bottom < hertz);
+                    all.insert(place, (bottom, depth, true));
+                }
             }
         }
         all

@@ -55,7 +55,7 @@ pub const TEXTS: Texts = &[
     ("transfer.csv holds no motion.", "transfer.csv 中没有运动。"),
     ("From the incident wave to the place of the record", "入射波至记录位置的传递函数"),
     ("motion where the record was taken over incident wave, amplitude", "记录位置的运动与入射波之比（幅值）"),
-    ("5 % of the value at rest: nothing is inverted below", "零频值的 5 %：低于此值不作反演"),
+    ("5 % of the value at low frequency: nothing is inverted below", "低频值的 5 %：低于此值不作反演"),
     ("wanted up to {frequency}\u{a0}Hz", "所需频带至 {frequency}\u{a0}Hz"),
     ("fades out from {frequency}\u{a0}Hz", "自 {frequency}\u{a0}Hz 起逐渐滤去"),
     (

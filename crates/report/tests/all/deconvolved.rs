@@ -171,7 +171,7 @@ fn the_transfer_is_drawn_for_what_moves_with_its_band_and_its_level() {
     // Equal components are one line, and nothing moves along z, whose 7.7 would be far above.
     for name in [
         "x and y",
-        "5 % of the value at rest: nothing is inverted below",
+        "5 % of the value at low frequency: nothing is inverted below",
         "wanted up to 9 Hz",
         "fades out from 11.3 Hz",
     ] {

@@ -167,5 +167,18 @@ fn no_notch_is_too_narrow_to_be_found() {
         let found =
             place.shares(0, 10.0 * exact).into_iter().filter(|(_, share, dip)| *dip && *share < 1e-3).count();
         assert_eq!(found, 5, "{exact} Hz");
+        // Also in the last step before the end.
+        for end in [1.0005, 1.002, 1.01] {
+            let notch =
+                place.notch(0, end * exact).unwrap_or_else(|| panic!("{exact} Hz is missed before {end}"));
+            assert!((notch.at - exact).abs() < 1e-6 * exact, "{notch:?} {exact}");
+        }
     }
+}
+
+/// The surface of undamped rock moves twice as much at all frequencies: round-off makes no dips.
+#[test]
+fn what_is_flat_has_no_dips() {
+    let shares = place(&[ROCK], 100.0).shares(0, 50.0);
+    assert!(shares.iter().all(|(_, share, dip)| !dip && (share - 1.0).abs() < 1e-9));
 }

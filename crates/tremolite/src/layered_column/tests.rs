@@ -224,7 +224,7 @@ fn a_band_takes_about_its_ratio_times_the_phase() {
 }
 
 /// A layer with 5 % damping at all frequencies on elastic rock, surface over outcrop: 1/(cos k*H + i α* sin k*H) with
-/// k* = ω/(c √(1 + 2iD)) and α* = ρc √(1 + 2iD)/(ρ_r c_r) (`kramer1996`, (7.28) and (7.25)).
+/// k* = ω/(c √(1 + 2iD)) and α* = ρc √(1 + 2iD)/(ρ_r c_r) (`kramer1996`, section 7.2.1).
 #[test]
 fn damping_that_is_the_same_at_all_frequencies_has_its_closed_form() {
     let soil = Layer { thickness: 20.0, density: 1900.0, speed: 300.0, damping: 0.05, ..SOIL };

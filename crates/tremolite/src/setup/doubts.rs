@@ -14,7 +14,7 @@ const PEAK_KEPT: f64 = 0.05;
 const LOST_BETWEEN: f64 = 0.1;
 /// Share of a record's energy that may be left out above its band.
 const LEFT_OUT: f64 = 0.01;
-/// Shear strain at which soil is no longer linear: stiffness has fallen by a tenth or more in most (`kramer1996`, figure 6.44).
+/// Shear strain at which soil is no longer linear: stiffness has fallen by a tenth or more in most (`kramer1996`, chapter 6).
 const LINEAR: f64 = 5e-4;
 /// Share of ∫a² dt that may stay behind where a run ends before its motion.
 const NOT_RUN: f64 = 0.01;

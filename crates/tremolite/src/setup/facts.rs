@@ -28,7 +28,8 @@ pub struct MotionFacts {
     pub highest_frequency: f64,
     /// Lowest low-pass corner that was applied \[Hz\].
     pub lowpass: Option<f64>,
-    /// What reading did beside reading, and directions that do not fit, at the files' places in the case.
+    /// What reading did beside reading, directions that do not fit, and numbers that are not what they seem, at their places in the
+    /// case.
     pub warnings: Vec<Problem>,
 }
 
@@ -60,7 +61,7 @@ pub struct SiteFacts {
     pub reach: f64,
     /// The largest share of ∫a² dt of a component that was left out above.
     pub left_out: f64,
-    /// What moves there at rest, over the incident wave.
+    /// Motion there over that of the incident wave, at low frequency.
     pub at_rest: f64,
     /// The least and the largest of the same that is let through, along the axes that move, and its frequency \[Hz\].
     pub least: (f64, f64),

@@ -23,11 +23,13 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
     if let Some(window) = &motion.window
         && let Err(e) = channels.cut(window.value)
     {
-        problems.push(Problem::at(window, e.to_string(), "choose a window inside the record"));
+        let (message, remedy) = e.message_and_remedy();
+        problems.push(Problem::at(window, message, remedy));
     }
     for (step, word) in steps.iter().zip(&motion.process) {
         if let Err(e) = step.apply(&mut channels.each()) {
-            problems.push(Problem::at(word, e.to_string(), "change this step of the processing"));
+            let (message, remedy) = e.message_and_remedy();
+            problems.push(Problem::at(word, message, remedy));
         }
     }
     if problems.len() > before {
@@ -42,8 +44,8 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
     let made = match made {
         Ok(made) => made,
         Err(e) => {
-            let remedy = "give east, north and up one by one, each with its file and channel";
-            problems.push(Problem::new(motion.span.clone(), e.to_string(), remedy));
+            let (message, remedy) = e.message_and_remedy();
+            problems.push(Problem::new(motion.span.clone(), message, remedy));
             return None;
         }
     };

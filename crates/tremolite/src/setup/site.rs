@@ -108,7 +108,8 @@ fn deconvolved(
         place,
     };
     let wave = Motion::from_acceleration(given.dt, incident).map_err(|e| {
-        Problem::new(motion.span.clone(), e.to_string(), "check the record and the layers of its site")
+        let (message, remedy) = e.message_and_remedy();
+        Problem::new(motion.span.clone(), message, remedy)
     })?;
     Ok((wave, late(given, lead), site))
 }
@@ -148,8 +149,8 @@ fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>
              \"incident\"",
         )
     })?;
-    let columns = |layers: &dyn Fn(usize) -> Vec<Layer>, top: Top| {
-        let column = |axis: usize| LayeredColumn::new(layers(axis), top);
+    let columns = |layers: &dyn Fn(usize) -> Vec<Layer>| {
+        let column = |axis: usize| LayeredColumn::new(layers(axis), Top::Free);
         Some([column(0)?, column(1)?, column(2)?])
     };
     let own = |corner: usize| {
@@ -159,7 +160,7 @@ fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>
             };
             grounds[corner].layers().map(layer).collect()
         };
-        columns(&layers, Top::Free)
+        columns(&layers)
     };
     let depth = motion.depth.as_ref().map_or(0.0, |depth| depth.value);
     let none = || refuse("the model has no ground at its corners".into(), "give kind = \"incident\"");
@@ -181,7 +182,7 @@ fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>
             let base = base(0, axis).map(|layer| Layer { thickness: below, ..layer });
             base.into_iter().chain(given.iter().rev().map(|layer| of_site(layer, axis))).collect()
         };
-        let columns = columns(&layers, Top::Free).ok_or_else(none)?;
+        let columns = columns(&layers).ok_or_else(none)?;
         return Ok((Place { columns, height: thickness + below - depth }, None));
     }
     if around.top != Top::Free || around.overburden {

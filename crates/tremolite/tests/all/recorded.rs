@@ -232,6 +232,14 @@ fn what_cannot_be_deconvolved_is_refused_with_the_way_out() {
     );
     let buried = Ground { sides: "sides = \"periodic\"\ntop = \"viscous\"", ..Ground::default() }.refusal();
     assert!(buried.contains("ground goes on above this model"), "{buried}");
+    // Ground above may be there as a pressure alone.
+    let ground = Ground::default();
+    let text =
+        ground.text().replace("[output]", "[initial]\nlateral = 0.8\noverburden = \"2 MPa\"\n[output]");
+    let folder = tempfile::tempdir().unwrap();
+    let pressed =
+        setup(&ground.case(&text, folder.path()), &Laws::default(), Isa::best()).err().unwrap().to_string();
+    assert!(pressed.contains("ground goes on above this model"), "{pressed}");
 }
 
 /// The same ground, inside sides that leave it alone and beside slabs and columns of its own.
@@ -346,4 +354,40 @@ fn motions_that_are_not_what_they_seem_are_warned_of() {
             setup.warnings.iter().map(|w| &w.message).collect::<Vec<_>>()
         );
     }
+}
+
+/// A trace of an SMC file that looks towards an azimuth \[deg\].
+fn trace(azimuth: u32) -> String {
+    let mut text = "2 CORRECTED ACCELEROGRAM\n".to_owned() + &"*\n".repeat(10);
+    let integers = (1..=48).map(|i| match i {
+        13 => 90,
+        14 => i64::from(azimuth),
+        16 => 0,
+        17 => 400,
+        _ => -32768,
+    });
+    let integers: Vec<String> = integers.map(|i| format!("{i:10}")).collect();
+    integers.chunks(8).for_each(|line| text += &(line.concat() + "\n"));
+    let reals: Vec<&str> =
+        (1..=50).map(|i| if i == 2 { "  0.2000000E+03" } else { "  0.1700000E+39" }).collect();
+    reals.chunks(5).for_each(|line| text += &(line.concat() + "\n"));
+    text + &" 1.0000E+0-1.0000E+0 2.0000E+0-2.0000E+0 1.0000E+0-1.0000E+0 2.0000E+0-2.0000E+0\n".repeat(50)
+}
+
+/// Two sensors of one direction, one of them deeper perhaps, are not one the other: which is meant must be said.
+#[test]
+fn a_file_with_two_channels_of_one_direction_asks_which() {
+    let of = |second: u32| -> Result<(), String> {
+        let folder = tempfile::tempdir().unwrap();
+        let ground = Ground { motion: "kind = \"outcrop\"", ..Ground::default() };
+        let case = ground.case(&ground.text().replace("record.txt", "two.smc"), folder.path());
+        std::fs::write(folder.path().join("two.smc"), trace(90) + &trace(second)).unwrap();
+        setup(&case, &Laws::default(), Isa::best()).map(|_| ()).map_err(|report| report.to_string())
+    };
+    assert_eq!(of(360), Ok(()));
+    let refused = of(90).unwrap_err();
+    assert!(
+        refused.contains("the channel is not clear: the file has two 90 deg, two 90 deg (2)"),
+        "{refused}"
+    );
 }
