@@ -223,7 +223,7 @@ pub fn frame(
     for (k, sheet) in sheets.iter().enumerate() {
         for middle in end_walls(sheet) {
             let (x, y) = plan.place(k, middle);
-            svg.note((at.0 + x, at.1 + y), &say!(language, "end wall"));
+            svg.note((at.0 + x, at.1 + y), &say!(language, "end face"));
         }
     }
     let (along, around) = axis_words(language, sheets);

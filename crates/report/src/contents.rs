@@ -82,6 +82,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.put("displacement-less-mean", recorded.as_ref().and_then(Recorded::beside_mean));
     page.put("relative", recorded.as_ref().map(Recorded::relative));
     page.put("stress", recorded.as_ref().map(Recorded::stress));
+    page.put("stress-elastic", recorded.as_ref().and_then(Recorded::elastic_stress));
     page.put("damage-map", if shakes { maps::damage(source) } else { Vec::new() });
     page.put("damage-history", when(shakes, growth::section));
     page.put("interface-map", contact_map::section(source));

@@ -11,6 +11,7 @@ use crate::contact_monitors::is_on_interface;
 use crate::figure::Section;
 use crate::language::{Language, say};
 use crate::pairs::{difference, from_mean, is_pair, names};
+use crate::scale::{figures, quantity};
 use crate::source::Source;
 use crate::strength;
 
@@ -24,13 +25,17 @@ struct Family {
 }
 
 /// Names in the header of the quantities that have families.
-const FAMILIES: [&[&str]; 4] = [&["ux", "uy", "uz"], &["s1", "s3"], &["vx", "vy", "vz"], &["ax", "ay", "az"]];
+const FAMILIES: [&[&str]; 4] =
+    [&["ux", "uy", "uz"], &["s1", "s3", "s1_elastic"], &["vx", "vy", "vz"], &["ax", "ay", "az"]];
 
 /// Quantities beyond the families that are known, by figures: components of one tensor share one.
 const TOGETHER: [&[&str]; 3] = [&["sxx", "syy", "szz"], &["sxy", "syz", "szx"], &["s2"]];
 
 /// A component this much smaller than the largest one of its figure is round-off or nearly so, and not drawn.
 const NEGLIGIBLE: f64 = 1e-6;
+
+/// s1_elastic this many times the largest s1 is that of a piece that came loose, and would flatten all others.
+const BEYOND_STRESS: f64 = 10.0;
 
 /// What one line of a figure shows: a monitor or a pair, and its history of one quantity.
 type Histories<'a> = Vec<(String, Cow<'a, [f64]>)>;
@@ -87,15 +92,34 @@ impl<'a> Recorded<'a> {
             Family {
                 heading: say!(language, "Displacement"),
                 file: "displacement",
-                caption: say!(
+                caption: self.in_step(say!(
                     language,
                     "Relative to the state before the earthquake. Do all monitors move in step, so that the caverns ride \
                      with the rock? And do they come back: what is left at the end has not."
-                ),
+                )),
                 panels: components(language, &["ux", "uy", "uz"], Mark::Largest),
             },
             |quantity| self.of_monitors(quantity),
         )
+    }
+
+    /// A caption, and behind it how far the monitors move in step, where the summary says so.
+    fn in_step(&self, caption: String) -> String {
+        let language = self.source.language;
+        let facts = self.source.facts();
+        facts.synchrony.iter().fold(caption, |first, (component, of)| {
+            say!(
+                language,
+                "{first} {component}: of any two monitors that are not on broken elements the correlation is at least \
+                 {correlation} ({least}), and the shift in time at which they fit best at most {lag} ({latest}).",
+                first = first,
+                component = component,
+                correlation = figures(of.correlation, 4),
+                least = of.least_of,
+                lag = quantity("s", of.lag.abs()),
+                latest = of.latest_of
+            )
+        })
     }
 
     /// What of the displacement strains the linings: without the motion that all monitors share.
@@ -161,6 +185,39 @@ impl<'a> Recorded<'a> {
         self.family(Family { heading, file: "stress", caption, panels }, |quantity| {
             self.of_monitors(quantity)
         })
+    }
+
+    /// What the strain would ask of concrete that does not crack; nothing in files without it.
+    pub fn elastic_stress(&self) -> Option<Section> {
+        let language = self.source.language;
+        let largest_of = |history: &(String, Cow<'_, [f64]>)| largest(std::slice::from_ref(history));
+        let stress = largest(&self.of_monitors("s1"));
+        let (drawn, loose): (Histories<'_>, Histories<'_>) = self
+            .of_monitors("s1_elastic")
+            .into_iter()
+            .partition(|history| largest_of(history) <= BEYOND_STRESS * stress);
+        if drawn.is_empty() {
+            return None;
+        }
+        let mut caption = say!(
+            language,
+            "The largest principal value of σ₀ + C:Δε (s1_elastic in monitors.csv): the stress when the shaking begins, and what the \
+             strain since then would add if nothing cracked or yielded. Set it beside s1 above, which also holds what damping over a \
+             band adds to a fast change: where it goes on and s1 falls, a crack has taken the stress."
+        );
+        for history in &loose {
+            let most = self.source.units.suiting("Pa", largest_of(history)).quantity(largest_of(history));
+            caption = say!(
+                language,
+                "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
+                first = caption,
+                monitor = history.0,
+                size = most
+            );
+        }
+        let panels = vec![("s1_elastic", "s1_elastic".to_owned(), Mark::Highest)];
+        let heading = say!(language, "Principal stress as if nothing cracked");
+        Some(self.family(Family { heading, file: "stress-elastic", caption, panels }, |_| drawn.clone()))
     }
 
     pub fn velocity(&self) -> Section {
@@ -277,7 +334,7 @@ impl<'a> Recorded<'a> {
     }
 }
 
-fn largest(histories: &Histories<'_>) -> f64 {
+fn largest(histories: &[(String, Cow<'_, [f64]>)]) -> f64 {
     let finite = histories.iter().flat_map(|(_, values)| values.iter()).filter(|x| x.is_finite());
     finite.fold(0.0, |most, x| f64::max(most, x.abs()))
 }

@@ -30,6 +30,13 @@ fn moving<'t>(table: &'t Table, kind: &str) -> Vec<(usize, &'t [f64])> {
     known.into_iter().filter(|(_, values)| largest(values) > ROUND_OFF * most).collect()
 }
 
+/// The axes along which the file holds a motion that is round-off or nothing.
+fn still(table: &Table, moving: &[(usize, &[f64])]) -> Vec<&'static str> {
+    let known = |axis: &usize| table.column(&format!("given.a{}", AXES[*axis])).is_some();
+    let still = (0..3).filter(|axis| moving.iter().all(|(moving, _)| moving != axis));
+    still.filter(known).map(|axis| AXES[axis]).collect()
+}
+
 fn line((axis, values): (usize, &[f64])) -> Line<'_> {
     Line { name: AXES[axis].to_owned(), values: values.into(), colour: axis, stroke: Stroke::Thin }
 }
@@ -84,7 +91,12 @@ pub fn section(source: &Source) -> Option<Section> {
     };
     let mut figures = Vec::new();
     if !panels.is_empty() {
-        figures.push(drawn(panels, &heading, "input.svg", caption(source, &accelerations)));
+        figures.push(drawn(
+            panels,
+            &heading,
+            "input.svg",
+            caption(source, &accelerations, &still(table, &accelerations)),
+        ));
     }
     if !drift.is_empty() {
         let title = say!(language, "Velocity and displacement that come in");
@@ -104,7 +116,7 @@ pub fn section(source: &Source) -> Option<Section> {
 }
 
 /// What the accelerations are, with their peaks.
-fn caption(source: &Source, accelerations: &[(usize, &[f64])]) -> String {
+fn caption(source: &Source, accelerations: &[(usize, &[f64])], still: &[&str]) -> String {
     let language = source.language;
     let peaks = accelerations.iter().map(|(axis, values)| {
         say!(
@@ -120,6 +132,14 @@ fn caption(source: &Source, accelerations: &[(usize, &[f64])]) -> String {
         "As the case gives it, windowed, filtered and turned into the model's axes; largest {peaks}.",
         peaks = peaks
     );
+    if !still.is_empty() {
+        text.push(' ');
+        text.push_str(&say!(
+            language,
+            "Nothing comes in along {axes}.",
+            axes = still.join(&say!(language, ", "))
+        ));
+    }
     let facts = source.facts();
     let factor = facts.motion.factor;
     if let Some(site) = &facts.motion.deconvolved {

@@ -51,8 +51,8 @@ impl Kind {
             "gap" | "slip1" | "slip2" => Some(Kind::Opening),
             "vx" | "vy" | "vz" => Some(Kind::Velocity),
             "ax" | "ay" | "az" => Some(Kind::Acceleration),
-            "s1" | "s2" | "s3" | "sxx" | "syy" | "szz" | "sxy" | "syz" | "szx" | "pressure" | "shear1"
-            | "shear2" => Some(Kind::Stress),
+            "s1" | "s1_elastic" | "s2" | "s3" | "sxx" | "syy" | "szz" | "sxy" | "syz" | "szx"
+            | "pressure" | "shear1" | "shear2" => Some(Kind::Stress),
             _ => None,
         }
     }

@@ -74,7 +74,7 @@ pub use slice::{Corner, Piece, Slice};
 pub use stages::{StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{
-    Deconvolved, Defaulted, Input, ModelFacts, MotionFacts, PageWish, RunFacts, Status, Summary,
+    Deconvolved, Defaulted, Input, ModelFacts, MotionFacts, PageWish, RunFacts, Status, Summary, Synchrony,
 };
 pub use surface::{ElementGroups, PairSurface};
 pub use table::{Column, Table};

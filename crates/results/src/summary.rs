@@ -66,6 +66,10 @@ pub struct Summary {
     pub monitors: IndexMap<String, IndexMap<String, Peaks>>,
     /// Pair of monitors as `A-B` → quantity → peaks of the difference A − B.
     pub relative: IndexMap<String, IndexMap<String, Peaks>>,
+    /// Component of displacement (`ux`) → how far the monitors move in step along it, but for those on broken elements and those
+    /// that move less than a hundredth of the most; empty without two.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub synchrony: IndexMap<String, Synchrony>,
     /// Group of elements → its largest stresses; groups may overlap.
     pub stress: IndexMap<String, GroupStress>,
     /// Group of elements → how far it is damaged or yielded; groups whose laws know neither are left out, and groups
@@ -140,6 +144,21 @@ pub struct MotionFacts {
     /// How it was deconvolved, where it was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deconvolved: Option<Deconvolved>,
+}
+
+/// How far any two monitors move in step along a component, of the displacements in monitors.csv.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Synchrony {
+    /// The least correlation coefficient of two monitors (Pearson, 1: the same course), and of which, as `A-B`.
+    #[serde(with = "number", default = "number::absent")]
+    pub correlation: f64,
+    pub least_of: String,
+    /// The longest time (s) by which the second of two monitors comes later than the first (earlier, if negative) where their
+    /// courses fit best, within half a second, and of which two.
+    #[serde(with = "number", default = "number::absent")]
+    pub lag: f64,
+    pub latest_of: String,
 }
 
 /// How the wave that comes in was deconvolved from a record on or within layered ground.

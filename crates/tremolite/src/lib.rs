@@ -32,6 +32,7 @@ pub mod stress;
 pub mod summary;
 pub mod support;
 pub mod survey;
+mod synchrony;
 mod transfer_table;
 mod trust;
 mod units;

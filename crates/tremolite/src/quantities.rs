@@ -16,7 +16,7 @@ const fn q(name: &'static str, unit: &'static str, doc: &'static str) -> Quantit
 }
 
 /// Columns of a monitor in monitors.csv, in this order.
-pub const MONITOR: [Quantity; 18] = [
+pub const MONITOR: [Quantity; 19] = [
     q("ux", "m", "displacement along x since the start of shaking, interpolated in the element"),
     q("uy", "m", "displacement along y"),
     q("uz", "m", "displacement along z"),
@@ -46,6 +46,13 @@ pub const MONITOR: [Quantity; 18] = [
     q("s1", "Pa", "largest principal stress, tension positive"),
     q("s2", "Pa", "middle principal stress"),
     q("s3", "Pa", "smallest principal stress"),
+    q(
+        "s1_elastic",
+        "Pa",
+        "largest principal value of σ₀ + C:Δε at the same place: the stress when the shaking begins and what the strain since then \
+         would add if nothing cracked or yielded. Without what the Maxwell bodies of damping over a band add to a fast change, by \
+         which s1 may lie above it. At the end of a stage s1 itself",
+    ),
 ];
 
 /// Columns of a monitor on an interface, in this order.

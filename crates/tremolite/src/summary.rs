@@ -9,7 +9,8 @@ use crate::run::Ending;
 use crate::stress::stresses;
 use crate::support;
 use crate::survey::step_in_words;
-use crate::trust::{facts, trust};
+use crate::synchrony::synchrony;
+use crate::trust::{facts, on_broken_elements, trust};
 use indexmap::IndexMap;
 use tremolite_engine::column::corner_name;
 use tremolite_results::{
@@ -34,6 +35,9 @@ pub fn summary(evidence: Evidence) -> Summary {
     };
     let (relative, monitors): (IndexMap<_, _>, IndexMap<_, _>) =
         all.into_iter().partition(|(n, _)| is_pair(n));
+    let (_, loose) = on_broken_elements(&evidence);
+    let held = plan.monitors.iter().map(|monitor| monitor.name.as_str()).filter(|name| !loose.contains(name));
+    let synchrony = synchrony(histories, held);
     let (trust, facts) = (trust(&evidence), facts(&evidence));
     let damage = damage::damage(model, phase, outcome.history(assembly), &outcome.state.observers);
     let stress = stresses(model, phase, &outcome.state.observers);
@@ -107,6 +111,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
         monitors,
         relative,
+        synchrony,
         stress,
         damage,
         interfaces,

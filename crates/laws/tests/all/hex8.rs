@@ -2,7 +2,8 @@
 
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::shapes::hex8::{
-    CORNERS, FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point,
+    CORNERS, FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, elastic_stress, full,
+    one_point,
 };
 use tremolite_laws::{Isa, Moduli, Octet, Point, Row};
 
@@ -99,6 +100,26 @@ fn linear_field(x: [f64; 3]) -> [f64; 3] {
         1e-3 * (-0.1 + 0.9 * x[0] + 1.5 * x[1] - 0.2 * x[2]),
         1e-3 * (0.2 - 0.5 * x[0] + 0.8 * x[1] - 1.1 * x[2]),
     ]
+}
+
+#[test]
+fn elastic_stress_is_that_of_the_elements_own_pass() {
+    let moduli = Moduli::from_young_poisson(25e9, 0.17);
+    for seed in 0..20 {
+        let corners = distorted([1.0, 1.3, 0.6], 0.3, seed);
+        let u = distorted([1e-3, 2e-3, 1e-3], 0.7, seed + 100);
+        let hex = Hex8::new(corners).unwrap();
+        for kind in KINDS {
+            let (_, _, mean) = element(kind, moduli, corners, u);
+            let points = elastic_stress(&hex, moduli, kind == Kind::Full, &u);
+            assert_eq!(points.len(), if kind == Kind::Full { 8 } else { 1 });
+            for c in 0..6 {
+                let weight = |p: usize| if points.len() == 1 { 1.0 } else { hex.weights[p] / hex.volume };
+                let own: f64 = points.iter().enumerate().map(|(p, stress)| weight(p) * stress[c]).sum();
+                assert!((own - mean[c]).abs() < 1e-9 * mean[0].abs().max(1e6), "{kind:?} {c}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -32,6 +32,19 @@ pub const TEXTS: Texts = &[
         "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Where it reaches that and falls to nearly zero, a crack has opened.",
         "{first}请将 s1 与监测点所在材料的抗拉强度对照：{strengths}。达到强度后降至接近零处，裂缝已张开。",
     ),
+    ("Principal stress as if nothing cracked", "假定不开裂时的主应力"),
+    (
+        "The largest principal value of σ₀ + C:Δε (s1_elastic in monitors.csv): the stress when the shaking begins, and what the strain since then would add if nothing cracked or yielded. Set it beside s1 above, which also holds what damping over a band adds to a fast change: where it goes on and s1 falls, a crack has taken the stress.",
+        "σ₀ + C:Δε 的第一主值（monitors.csv 中的 s1_elastic）：震动开始时的应力，加上此后应变在不开裂、不屈服时所增加的应力。与上图 s1 对照：s1 还含频带阻尼在快速变化时附加的应力；s1_elastic 继续变化而 s1 下降之处，应力已由裂缝释放。",
+    ),
+    (
+        "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
+        "{first}未绘出：{monitor}，最大 {size}，所在混凝土块已松动。",
+    ),
+    (
+        "{first} {component}: of any two monitors that are not on broken elements the correlation is at least {correlation} ({least}), and the shift in time at which they fit best at most {lag} ({latest}).",
+        "{first}{component}：未破坏单元上任意两监测点的相关系数不小于 {correlation}（{least}），吻合最好时的时间差不大于 {lag}（{latest}）。",
+    ),
     ("s1, the largest principal stress", "s1，第一主应力"),
     ("s3, the smallest principal stress", "s3，第三主应力"),
     ("Principal stress", "主应力"),

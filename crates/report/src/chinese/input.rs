@@ -20,6 +20,7 @@ pub const TEXTS: Texts = &[
         "As the case gives it, windowed, filtered and turned into the model's axes; largest {peaks}.",
         "算例给定的地震动，经截取、滤波并转至模型坐标轴；最大值：{peaks}。",
     ),
+    ("Nothing comes in along {axes}.", "沿 {axes} 无输入。"),
     (
         "It is taken as {kind}: the wave that comes up through the base is {factor} times this.",
         "按{kind}处理：自底部入射的上行波为其 {factor} 倍。",

@@ -58,7 +58,7 @@ pub const TEXTS: Texts = &[
         "应注意沿洞轴延伸或在拱顶与边墙间连通的区域：该处衬砌已与围岩脱开。若结束时仍张开，围岩不再压紧衬砌，应与该处衬砌的损伤对照。",
     ),
     ("up to {most}", "最大 {most}"),
-    ("end wall", "端墙"),
+    ("end face", "端面"),
     ("along the strike", "沿走向"),
     ("up the dip", "沿倾向向上"),
     ("along {axis}", "沿 {axis}"),

@@ -125,7 +125,7 @@ fn the_map_unrolls_each_lining_and_says_what_is_where() {
             && svg.contains(">open at the end<")
     );
     assert!(
-        svg.contains(">part 1</text>") && svg.contains(">part 2</text>") && svg.contains(">end wall</text>"),
+        svg.contains(">part 1</text>") && svg.contains(">part 2</text>") && svg.contains(">end face</text>"),
         "without fields sheets have numbers"
     );
     for text in ["Left and right are those of who looks along +y", "since nothing slid or opened: fault"] {

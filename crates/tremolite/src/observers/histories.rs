@@ -8,16 +8,19 @@ use crate::error::RunError;
 use crate::plan::{BoltMonitor, Monitor, PairMonitor, Plan};
 use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE, nearest_stress, stress_at};
 use crate::support::{look, over_yield};
+use tremolite_engine::hexahedra::{hex, hex_nodes};
 use tremolite_engine::model::Model;
 use tremolite_engine::state::{Memory, State};
+use tremolite_kernels::Quadrature;
 use tremolite_kernels::contact::PairSeen;
 use tremolite_laws::Row;
+use tremolite_laws::shapes::hex8::elastic_stress;
 use tremolite_laws::sym3::principal_values;
 use tremolite_mesh::Shape;
 use tremolite_results::{Column, TableWriter};
 
-/// Key of what this observer remembers: the bytes written, the time of the last row \[s\] and the monitors' velocities
-/// there \[m/s\].
+/// Key of what this observer remembers: the bytes written, the time of the last row \[s\], the monitors' velocities there \[m/s\]
+/// and their stresses in the first row \[Pa\].
 const MEMORY: &str = "histories";
 
 /// Writes a row for all monitors.
@@ -118,6 +121,7 @@ pub fn at_rest(view: &View, state: &State) -> Vec<f64> {
         let stress = stress(view, monitor, element);
         row.extend(stress);
         row.extend(principal_values(&stress));
+        row.push(principal_values(&stress)[0]);
     }
     row.extend(differences(plan, &displacements));
     for pair in &plan.pairs {
@@ -166,14 +170,32 @@ fn of_pair(seen: PairSeen) -> [f64; 7] {
     [seen.gap, slip1, slip2, seen.pressure, shear1, shear2, f64::from(seen.state)]
 }
 
+/// A monitor's natural coordinates in an element as a hexahedron: those of other shapes are not the collapsed one's.
+fn natural(model: &Model, monitor: &Monitor, element: usize) -> [f64; 3] {
+    match model.mesh.elements[element].shape {
+        Shape::Hex8 => monitor.location.natural,
+        _ => [0.0; 3],
+    }
+}
+
+/// C:Δε at a monitor \[Pa\], with the strain since the start of shaking.
+fn elastic_change(view: &View, monitor: &Monitor) -> [f64; 6] {
+    let View { model, snapshot, .. } = *view;
+    let element = monitor.location.element as usize;
+    let Some(body) = model.body_of.get(element).copied().flatten().map(|b| &model.bodies[b]) else {
+        return [f64::NAN; 6];
+    };
+    let nodes = hex_nodes(&model.mesh, element).map(|n| model.engine_node[n as usize] as usize);
+    let Ok(hex) = hex(&model.mesh, element) else { return [f64::NAN; 6] };
+    let u = nodes.map(|n| snapshot.displacement[n].xyz());
+    let full = body.quadrature == Quadrature::Full;
+    stress_at(&elastic_stress(&hex, body.material.relaxed(), full, &u), natural(model, monitor, element))
+}
+
 /// Stress at a monitor \[Pa\], in what stands there.
 fn stress(view: &View, monitor: &Monitor, element: usize) -> [f64; 6] {
     let View { model, phase, snapshot, history, .. } = *view;
-    // The natural coordinates of other shapes are not those of the collapsed hexahedron.
-    let natural = match model.mesh.elements[element].shape {
-        Shape::Hex8 => monitor.location.natural,
-        _ => [0.0; 3],
-    };
+    let natural = natural(model, monitor, element);
     phase.element_slot[element].map_or([f64::NAN; 6], |slot| {
         let first = slot.point as usize;
         let points = &snapshot.stress[first..first + slot.points as usize];
@@ -192,6 +214,7 @@ impl Observer for Histories {
         let mut kept = vec![0.0, snapshot.time];
         let mut row = vec![snapshot.time];
         let mut displacements = Vec::with_capacity(plan.monitors.len());
+        let mut first = Vec::with_capacity(6 * plan.monitors.len());
         for (k, monitor) in plan.monitors.iter().enumerate() {
             let u = interpolate(model, monitor, &snapshot.displacement);
             let v = interpolate(model, monitor, &snapshot.velocity);
@@ -206,7 +229,15 @@ impl Observer for Histories {
             let stress = stress(view, monitor, monitor.location.element as usize);
             row.extend(stress);
             row.extend(principal_values(&stress));
+            let start = match &last {
+                Some(last) => [0, 1, 2, 3, 4, 5].map(|c| last[2 + 3 * plan.monitors.len() + 6 * k + c]),
+                None => stress,
+            };
+            first.extend(start);
+            let change = elastic_change(view, monitor);
+            row.push(principal_values(&[0, 1, 2, 3, 4, 5].map(|c| start[c] + change[c]))[0]);
         }
+        kept.extend(first);
         row.extend(differences(plan, &displacements));
         for (pair, &(seam, nearest)) in plan.pairs.iter().zip(&self.pairs) {
             debug_assert_eq!(pair.interface, seam);

@@ -24,10 +24,9 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     lines
 }
 
-/// Monitors in elements that tension has broken through: nothing holds such pieces, so their displacements mean little.
-fn broken_monitors(evidence: &Evidence) -> TrustLine {
-    const ID: &str = "monitors_on_broken_elements";
-    let name = said!("monitors on broken elements");
+/// How many monitors are in a material that cracks, and which of them in elements that tension has broken through: nothing holds
+/// such pieces.
+pub(crate) fn on_broken_elements<'a>(evidence: &Evidence<'a>) -> (u32, Vec<&'a str>) {
     let Evidence { assembly, phase, plan, outcome, .. } = evidence;
     let history = outcome.history(assembly);
     let mut judged = 0;
@@ -40,6 +39,14 @@ fn broken_monitors(evidence: &Evidence) -> TrustLine {
             broken.push(&monitor.name);
         }
     }
+    (judged, broken)
+}
+
+/// Monitors on pieces that came loose: their displacements mean little.
+fn broken_monitors(evidence: &Evidence) -> TrustLine {
+    const ID: &str = "monitors_on_broken_elements";
+    let name = said!("monitors on broken elements");
+    let (judged, broken) = on_broken_elements(evidence);
     if judged == 0 {
         return TrustLine::not_applicable(ID, name, said!("no monitor is in a material that cracks"));
     }

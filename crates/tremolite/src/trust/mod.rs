@@ -9,6 +9,7 @@ mod material;
 mod seam;
 mod waves;
 
+pub(crate) use material::on_broken_elements;
 pub(crate) use waves::DRIFT;
 
 use crate::evidence::Evidence;

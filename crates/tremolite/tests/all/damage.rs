@@ -17,7 +17,7 @@ use tremolite_laws::{Isa, Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::locate::Locator;
 use tremolite_mesh::vtu::Grid;
-use tremolite_results::{GroupDamage, ResultFolder, Severity};
+use tremolite_results::{GroupDamage, ResultFolder, Severity, Table};
 
 /// A hall of 4 × 4 m in a block of 16 × 3 × 14 m, its lining of 1 m of a concrete of 0.6 MPa tensile strength.
 fn hall() -> Problem {
@@ -318,4 +318,30 @@ fn what_cracks_take_and_give_are_lines_of_the_balance_and_no_error() {
             assert!((pair[0] / pair[1]).log2() > 0.8, "{split}: {errors:?}");
         }
     }
+}
+
+/// C:ε says what a crack has taken: in a lining too strong to crack it is the stress, in a weak one the stress until the crack
+/// comes, and then what the strain would ask for.
+#[test]
+fn elastic_stress_is_the_stress_until_a_crack_takes_it() {
+    let histories = |strength: f64| {
+        let folder = tempfile::tempdir().unwrap();
+        go(hall_of(strength, "compliance"), folder.path(), 2, false, f64::INFINITY);
+        Table::read(&folder.path().join("monitors.csv")).unwrap()
+    };
+    let (strong, weak) = (histories(60e6), histories(0.6e6));
+    let column = |table: &Table, name: &str| table.column(name).unwrap().to_vec();
+    let most = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    for monitor in ["crown", "foot", "wall"] {
+        let [s1, elastic] = ["s1", "s1_elastic"].map(|q| column(&strong, &format!("{monitor}.{q}")));
+        for (a, b) in s1.iter().zip(&elastic) {
+            assert!((a - b).abs() < 1e-9 * most(&s1), "{monitor}: {a} and {b}");
+        }
+    }
+    let [s1, elastic] = ["s1", "s1_elastic"].map(|q| column(&weak, &format!("foot.{q}")));
+    let differ = |k: usize| (s1[k] - elastic[k]).abs() > 1e-6 * most(&s1);
+    let cracked = (0..s1.len()).find(|k| differ(*k)).unwrap();
+    assert!(s1[..cracked].iter().any(|s| *s > 0.4e6), "there is stress before the crack");
+    let strain = most(&elastic[cracked..]);
+    assert!(strain > 2.0 * 0.6e6 && most(&s1) < 1.2e6, "{strain} {}", most(&s1));
 }

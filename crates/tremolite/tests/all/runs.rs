@@ -196,7 +196,7 @@ fn histories_have_the_columns_and_times_of_the_plan() {
     for (i, t) in table.column("time").unwrap().iter().enumerate() {
         assert!((t - 0.002 * i as f64).abs() < 1e-12);
     }
-    assert_eq!(table.columns.len(), 1 + 2 * 18 + 4);
+    assert_eq!(table.columns.len(), 1 + 2 * 19 + 4);
     let (top, slab) = (table.column("top.ux").unwrap(), table.column("slab.ux").unwrap());
     let pair = table.column("top-slab.ux").unwrap();
     assert!((0..61).all(|i| pair[i] == top[i] - slab[i]));

@@ -27,6 +27,7 @@
 //! the stress modes of `pian1984`). Limits: small displacements; trapezoids bend too stiffly, as they
 //! must in an element that passes the patch test (`macneal1987`).
 
+mod elastic;
 mod frequency;
 mod full;
 mod geometry;
@@ -34,6 +35,7 @@ mod modal;
 mod one_point;
 mod size;
 
+pub use elastic::elastic_stress;
 pub use frequency::element_frequencies;
 pub use full::{FullGeometry, full};
 pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};

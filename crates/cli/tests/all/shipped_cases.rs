@@ -1,0 +1,33 @@
+//! The cases that come with the program are accepted as they stand.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Every case under `cases/`, by its path; a folder of laws holds none.
+fn cases() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let folders = fs::read_dir(root).unwrap().map(|entry| entry.unwrap().path());
+    let files = folders
+        .filter(|folder| folder.is_dir() && !folder.ends_with("laws"))
+        .flat_map(|folder| fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()));
+    let mut cases: Vec<PathBuf> =
+        files.filter(|file| file.extension().is_some_and(|e| e == "toml")).collect();
+    cases.sort();
+    cases
+}
+
+#[test]
+fn every_case_is_accepted() {
+    let cases = cases();
+    for name in ["first-shake/case.toml", "yingxiuwan/case.toml", "yingxiuwan/quick.toml"] {
+        assert!(cases.iter().any(|case| case.ends_with(name)), "{name}");
+    }
+    for case in cases {
+        let done =
+            Command::new(env!("CARGO_BIN_EXE_tremolite")).args(["check".as_ref(), case.as_os_str()]).output();
+        let done = done.unwrap();
+        let told = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.success(), "{}: {told}", case.display());
+    }
+}
