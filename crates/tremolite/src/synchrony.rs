@@ -110,7 +110,7 @@ fn lag(u: &[f64], v: &[f64], most: i64) -> Option<f64> {
     }
     let bend = behind - 2.0 * best + next;
     let within = if bend < 0.0 { 0.5 * (behind - next) / bend } else { 0.0 };
-    best.is_finite().then(|| rows as f64 + way as f64 * within)
+    best.is_finite().then_some(rows as f64 + way as f64 * within)
 }
 
 #[cfg(test)]
