@@ -167,9 +167,11 @@ pub fn frame(
     labels: &[String],
 ) {
     let bottom = at.1 + plan.size.1;
+    // Where names stand above the sheets, from and to.
+    let mut named: Vec<(f64, f64)> = Vec::new();
     for (k, (sheet, spot)) in sheets.iter().zip(&plan.spots).enumerate() {
         let (from, to) = (plan.place(k, [spot.u[0], -spot.s[0]]), plan.place(k, [spot.u[0], -spot.s[1]]));
-        let parts = marks(language, sheet);
+        let mut parts = marks(language, sheet);
         // A plane is measured from its edge, a lining from its crown.
         let zero = if sheet.wraps { 0.0 } else { spot.s[1] };
         let around = if sheet.wraps { (spot.s[0], spot.s[1]) } else { (0.0, spot.s[1] - spot.s[0]) };
@@ -188,9 +190,15 @@ pub fn frame(
                 svg.text((x, bottom + 22.0), Anchor::Middle, 12.0, Style::Muted, text);
             }
             svg.text((at.0 + from.0, at.1 - 8.0 - ROW), Anchor::Start, 12.5, Style::Plain, label);
+            // From the crown outwards, as far as there is room.
+            parts.sort_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
             for (name, s) in parts {
                 let x = at.0 + plan.place(k, [spot.u[0], -s]).0;
-                svg.text((x, at.1 - 7.0), Anchor::Middle, 12.0, Style::Muted, &name);
+                let half = 0.5 * text_width(&name, 12.0) + 3.0;
+                if named.iter().all(|(from, to)| x + half < *from || x - half > *to) {
+                    named.push((x - half, x + half));
+                    svg.text((x, at.1 - 7.0), Anchor::Middle, 12.0, Style::Muted, &name);
+                }
             }
             if k == 0 {
                 for (value, text) in &ticks_u.marks {
