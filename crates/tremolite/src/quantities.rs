@@ -49,7 +49,7 @@ pub const MONITOR: [Quantity; 19] = [
     q(
         "s1_elastic",
         "Pa",
-        "largest principal value of σ₀ + C:Δε at the same place: the stress when the shaking begins and what the strain since then \
+        "largest principal value of σ₀ + C:Δε at the monitor: the stress when the shaking begins and what the strain since then \
          would add if nothing cracked or yielded. Without what the Maxwell bodies of damping over a band add to a fast change, by \
          which s1 may lie above it. At the end of a stage s1 itself",
     ),
