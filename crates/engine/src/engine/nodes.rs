@@ -68,7 +68,7 @@ impl NodeSums {
 }
 
 /// Leaders that one thread advances: so few that another barrier would cost more.
-const FEW: usize = 2 * CHUNK;
+const FEW: usize = CHUNK;
 
 /// Room for the velocities of all nodes that may lead.
 pub fn leads(phase: &Phase) -> Vec<Lead> {

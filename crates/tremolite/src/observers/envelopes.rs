@@ -3,6 +3,8 @@
 use super::{Observer, Schedule, View};
 use crate::error::RunError;
 use crate::quantities::{fibre_extremes, length};
+use rayon::prelude::*;
+use tremolite_engine::phase::ElementSlot;
 use tremolite_engine::state::Memory;
 
 /// Keeps the largest displacement by engine node, and the largest s1 and smallest s3 with their times by element (in the order
@@ -35,11 +37,16 @@ impl Observer for Envelopes {
         most.iter_mut().zip(lengths).for_each(|(most, now)| *most = most.max(now));
 
         let elements = view.snapshot.energy.len();
-        let mut now = vec![[f64::NEG_INFINITY, f64::INFINITY]; elements];
-        for slot in view.phase.element_slot.iter().flatten() {
+        let slots: Vec<&ElementSlot> = view.phase.element_slot.iter().flatten().collect();
+        let of_element = |slot: &&ElementSlot| {
             let first = slot.point as usize;
             let points = &view.snapshot.stress[first..first + slot.points as usize];
-            now[slot.element as usize] = fibre_extremes(points, view.history.is_damaged(slot));
+            fibre_extremes(points, view.history.is_damaged(slot))
+        };
+        let extremes: Vec<[f64; 2]> = slots.par_iter().map(of_element).collect();
+        let mut now = vec![[f64::NEG_INFINITY, f64::INFINITY]; elements];
+        for (slot, extremes) in slots.iter().zip(extremes) {
+            now[slot.element as usize] = extremes;
         }
         // Tension positive: s3 is the largest of −s3.
         let kinds = [(Self::S1, Self::S1_TIME, 0, 1.0), (Self::S3, Self::S3_TIME, 1, -1.0)];
