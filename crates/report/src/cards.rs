@@ -5,9 +5,10 @@ use tremolite_results::{Peaks, Summary, Table};
 use crate::bolt_card;
 use crate::damage::opening;
 use crate::energy::worst_error;
-use crate::facts::{ByName, Fact, card, duration};
+use crate::facts::{Fact, card, duration};
 use crate::interfaces;
 use crate::language::say;
+use crate::pairs::{PairPeaks, held};
 use crate::scale::{figures, moment};
 use crate::source::Source;
 use crate::units::Kind;
@@ -33,11 +34,16 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         ));
     }
     let component = |name: &str| ["ux", "uy", "uz"].contains(&name);
-    let most = extreme(&facts.relative, component, |p| p.largest().1.abs());
+    let (held, loose) = held(&facts);
+    let most = extreme(held, component, |p| p.largest().1.abs());
     if let Some((pair, name, peaks)) = most {
         let (time, value) = peaks.largest();
         let axis = name.trim_start_matches('u');
-        let note = say!(language, "{pair}, {axis}, at {time}", pair = pair, axis = axis, time = at(time));
+        let mut note = say!(language, "{pair}, {axis}, at {time}", pair = pair, axis = axis, time = at(time));
+        if !loose.is_empty() {
+            let pairs = loose.join(", ");
+            note = say!(language, "{first}; without {pairs}, loose pieces", first = note, pairs = pairs);
+        }
         let label = say!(language, "Largest relative displacement, one component");
         cards.push(card(label, source.quantity(Kind::Displacement, value.abs()), note));
     }
@@ -126,14 +132,15 @@ fn stress_cards(source: &Source, facts: &Summary, at: impl Fn(f64) -> String) ->
     if !cards.is_empty() {
         return cards;
     }
+    let monitors = || facts.monitors.iter().map(|(name, peaks)| (name.as_str(), peaks));
     let of_monitor = |monitor: &str, time: f64| {
         say!(language, "monitor {monitor} at {time}", monitor = monitor, time = at(time))
     };
-    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s1", |p| p.max) {
+    if let Some((monitor, _, peaks)) = extreme(monitors(), |name| name == "s1", |p| p.max) {
         let note = of_monitor(monitor, peaks.t_max);
         cards.push(card(largest(), source.quantity(Kind::Stress, peaks.max), note));
     }
-    if let Some((monitor, _, peaks)) = extreme(&facts.monitors, |name| name == "s3", |p| -p.min) {
+    if let Some((monitor, _, peaks)) = extreme(monitors(), |name| name == "s3", |p| -p.min) {
         let note = of_monitor(monitor, peaks.t_min);
         cards.push(card(smallest(), source.quantity(Kind::Stress, peaks.min), note));
     }
@@ -160,14 +167,15 @@ fn longest<'a>(table: &Table, monitors: impl Iterator<Item = &'a String>) -> Opt
     best
 }
 
-fn extreme(
-    all: &ByName,
+fn extreme<'a>(
+    all: impl IntoIterator<Item = PairPeaks<'a>>,
     wanted: impl Fn(&str) -> bool,
     rank: impl Fn(&Peaks) -> f64,
-) -> Option<(&str, &str, Peaks)> {
-    let each =
-        all.iter().flat_map(|(name, by_quantity)| by_quantity.iter().map(move |(q, peaks)| (name, q, peaks)));
+) -> Option<(&'a str, &'a str, Peaks)> {
+    let each = all
+        .into_iter()
+        .flat_map(|(name, by_quantity)| by_quantity.iter().map(move |(q, peaks)| (name, q, peaks)));
     each.filter(|(_, q, peaks)| wanted(q) && rank(peaks).is_finite())
         .max_by(|a, b| rank(a.2).total_cmp(&rank(b.2)))
-        .map(|(name, q, peaks)| (name.as_str(), q.as_str(), *peaks))
+        .map(|(name, q, peaks)| (name, q.as_str(), *peaks))
 }

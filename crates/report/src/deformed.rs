@@ -5,6 +5,7 @@ use tremolite_results::{Peaks, Slice, Snapshot};
 use crate::figure::{Figure, Section};
 use crate::frame_row::Row;
 use crate::language::say;
+use crate::pairs::held;
 use crate::relative_motion::{Moved, Rigid, exaggeration};
 use crate::scale::{figures, moment, trimmed};
 use crate::section_view::{Edge, Positions, area, border_sides, on_plane, plane, points, window};
@@ -70,7 +71,7 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
     Section::Drawn(vec![figure(source, &heading, &slice, &cut, &motion, why, &facts.positions)])
 }
 
-/// The pair of monitors that moved most against each other, when, and how far.
+/// The pair of monitors that moved most against each other, when, and how far; of those that did not come loose.
 fn strained_most(source: &Source) -> Option<(String, f64, f64)> {
     let facts = source.facts();
     let largest = |peaks: &indexmap::IndexMap<String, Peaks>| {
@@ -80,9 +81,9 @@ fn strained_most(source: &Source) -> Option<(String, f64, f64)> {
         let parts = ["ux", "uy", "uz"].iter().filter_map(of).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         whole.or(parts)
     };
-    let all = facts.relative.iter().filter_map(|(pair, peaks)| {
+    let all = held(&facts).0.into_iter().filter_map(|(pair, peaks)| {
         let (time, size) = largest(peaks)?;
-        (time.is_finite() && size.is_finite()).then(|| (pair.clone(), time, size.abs()))
+        (time.is_finite() && size.is_finite()).then(|| (pair.to_owned(), time, size.abs()))
     });
     all.max_by(|a, b| a.2.total_cmp(&b.2))
 }
@@ -95,7 +96,7 @@ fn widest_seen<'a>(source: &Source, snapshots: &'a Snapshots) -> Option<(&'a Sna
     let step = times.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
     let facts = source.facts();
     let mut widest: Option<(&Snapshot, String, f64)> = None;
-    for pair in facts.relative.keys() {
+    for (pair, _) in held(&facts).0 {
         let parts = ["ux", "uy", "uz"].map(|name| table.column(&format!("{pair}.{name}")));
         let parts: Vec<&[f64]> = parts.into_iter().flatten().collect();
         for snapshot in snapshots.all().iter().filter(|_| !parts.is_empty()) {
@@ -104,7 +105,7 @@ fn widest_seen<'a>(source: &Source, snapshots: &'a Snapshots) -> Option<(&'a Sna
             let size = parts.iter().map(|part| part[row] * part[row]).sum::<f64>().sqrt();
             if far(&row) <= step && size.is_finite() && widest.as_ref().is_none_or(|(.., most)| size > *most)
             {
-                widest = Some((snapshot, pair.clone(), size));
+                widest = Some((snapshot, pair.to_owned(), size));
             }
         }
     }

@@ -10,10 +10,11 @@ use crate::chart::{Line, Mark, Panel, Stroke};
 use crate::contact_monitors::is_on_interface;
 use crate::figure::Section;
 use crate::language::{Language, say};
-use crate::pairs::{difference, from_mean, is_pair, names};
+use crate::pairs::{difference, from_mean, held, is_pair, names};
 use crate::scale::{figures, quantity};
 use crate::source::Source;
 use crate::strength;
+use crate::units::Kind;
 
 /// Quantities that belong in one figure.
 struct Family {
@@ -36,6 +37,9 @@ const NEGLIGIBLE: f64 = 1e-6;
 
 /// s1_elastic this many times the largest s1 is that of a piece that came loose, and would flatten all others.
 const BEYOND_STRESS: f64 = 10.0;
+
+/// A pair with a loose piece that moves by this many times the others' largest would flatten them.
+const BEYOND_PAIRS: f64 = 3.0;
 
 /// What one line of a figure shows: a monitor or a pair, and its history of one quantity.
 type Histories<'a> = Vec<(String, Cow<'a, [f64]>)>;
@@ -128,18 +132,31 @@ impl<'a> Recorded<'a> {
         if self.monitors.len() < 3 {
             return None;
         }
+        // A loose piece would move the mean of all.
+        let loose = self.source.facts().monitors_on_broken_elements;
+        let held = |name: &str| !loose.iter().any(|other| other == name);
+        let all = !self.monitors.iter().any(|name| held(name));
+        let mut caption = say!(
+            language,
+            "Of each monitor its displacement less the mean of all in every row: what all share strains nothing and is \
+             taken away. Look for monitors that leave the others for good."
+        );
+        if !all && !loose.is_empty() {
+            caption = say!(
+                language,
+                "{first} Not in the mean, since they are on pieces that came loose: {monitors}.",
+                first = caption,
+                monitors = loose.join(", ")
+            );
+        }
         Some(self.family(
             Family {
                 heading: say!(language, "Displacement less the mean of the monitors"),
                 file: "displacement-less-mean",
-                caption: say!(
-                    language,
-                    "Of each monitor its displacement less the mean of all in every row: what all share strains nothing and is \
-                     taken away. Look for monitors that leave the others for good."
-                ),
+                caption,
                 panels: components(language, &["ux", "uy", "uz"], Mark::Nothing),
             },
-            |quantity| from_mean(self.of_monitors(quantity)),
+            |quantity| from_mean(self.of_monitors(quantity), |name| all || held(name)),
         ))
     }
 
@@ -151,16 +168,38 @@ impl<'a> Recorded<'a> {
             let why = say!(language, "The case names no pairs of monitors ([[relative]]).");
             return Section::left_out(&heading, why);
         }
-        let caption = say!(
+        let mut caption = say!(
             language,
             "Of each pair, the displacement of the first monitor less that of the second: what the lining between them has to \
              follow."
         );
-        let panels = components(language, &["ux", "uy", "uz"], Mark::Largest);
+        let names = ["ux", "uy", "uz"];
+        let of_pair = |name: &String, quantity: &str| difference(self.table, &self.monitors, name, quantity);
+        let facts = self.source.facts();
+        let (_, loose) = held(&facts);
+        let size = |name: &String| {
+            let each = names.iter().filter_map(|quantity| Some((name.clone(), of_pair(name, quantity)?)));
+            largest(&each.collect::<Vec<_>>())
+        };
+        let (apart, others): (Vec<&String>, Vec<&String>) =
+            self.pairs.iter().partition(|name| loose.contains(&name.as_str()));
+        let most = others.iter().map(|name| size(name)).fold(0.0, f64::max);
+        let flattens = |name: &String| most > 0.0 && size(name) > BEYOND_PAIRS * most;
+        let hidden: Vec<&String> = apart.into_iter().filter(|name| flattens(name)).collect();
+        for pair in &hidden {
+            let size = size(pair);
+            caption = say!(
+                language,
+                "{first} Not drawn: {pair}, up to {size} along an axis, of which one monitor is on a piece that came loose.",
+                first = caption,
+                pair = *pair,
+                size = self.source.quantity(Kind::Displacement, size)
+            );
+        }
+        let panels = components(language, &names, Mark::Largest);
         self.family(Family { heading, file: "relative", caption, panels }, |quantity| {
-            let pair =
-                |name: &String| Some((name.clone(), difference(self.table, &self.monitors, name, quantity)?));
-            self.pairs.iter().filter_map(pair).collect()
+            let drawn = self.pairs.iter().filter(|name| !hidden.contains(name));
+            drawn.filter_map(|name| Some((name.clone(), of_pair(name, quantity)?))).collect()
         })
     }
 

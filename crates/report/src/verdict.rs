@@ -5,6 +5,7 @@ use tremolite_results::{Cracks, Finding, Severity, Status, Summary};
 
 use crate::brief::{CHECK, NAME, percent, short};
 use crate::language::{Language, say};
+use crate::pairs::held;
 use crate::scale::{figures, moment};
 use crate::source::Source;
 use crate::surroundings::{around, of_rock, yielded};
@@ -252,13 +253,14 @@ fn opening(source: &Source, value: f64) -> String {
     }
 }
 
-/// The pair of monitors that moved apart most.
+/// The pair of monitors that moved apart most, of those that did not come loose.
 fn relative(source: &Source, facts: &Summary) -> Option<Line> {
-    let lengths = facts.relative.iter().filter_map(|(pair, of)| Some((pair, of.get("u")?)));
+    let (held, loose) = held(facts);
+    let lengths = held.into_iter().filter_map(|(pair, of)| Some((pair, of.get("u")?)));
     let (pair, most) =
         lengths.filter(|(_, p)| p.max.is_finite()).max_by(|a, b| a.1.max.total_cmp(&b.1.max))?;
     let share = |x: f64| source.quantity(Kind::Displacement, x);
-    let text = say!(
+    let mut text = say!(
         source.language,
         "Monitors {pair} moved by up to {most} against each other, at {time}\u{a0}s; {left} at the end.",
         pair = pair,
@@ -266,5 +268,13 @@ fn relative(source: &Source, facts: &Summary) -> Option<Line> {
         time = moment(most.t_max, facts.model.duration),
         left = if most.residual.is_finite() { share(most.residual) } else { figures(most.residual, 3) }
     );
+    if !loose.is_empty() {
+        text = say!(
+            source.language,
+            "{first} Not looked at: {pairs}, with a monitor on a piece that came loose.",
+            first = text,
+            pairs = loose.join(", ")
+        );
+    }
     Some(Line { class: "plain", text })
 }

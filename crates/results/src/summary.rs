@@ -70,6 +70,9 @@ pub struct Summary {
     /// that move less than a hundredth of the most; empty without two.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
     pub synchrony: IndexMap<String, Synchrony>,
+    /// Monitors on elements that tension had broken through when the run ended: they show how loose pieces move.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub monitors_on_broken_elements: Vec<String>,
     /// Group of elements → its largest stresses; groups may overlap.
     pub stress: IndexMap<String, GroupStress>,
     /// Group of elements → how far it is damaged or yielded; groups whose laws know neither are left out, and groups

@@ -112,6 +112,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         monitors,
         relative,
         synchrony,
+        monitors_on_broken_elements: loose.into_iter().map(str::to_owned).collect(),
         stress,
         damage,
         interfaces,

@@ -18,6 +18,7 @@ pub const TEXTS: Texts = &[
         "{monitor}，{time}，monitors.csv 同一行各分量合成",
     ),
     ("{pair}, {axis}, at {time}", "{pair}，{axis}，{time}"),
+    ("{first}; without {pairs}, loose pieces", "{first}；不含 {pairs}（混凝土块已松动）"),
     ("Largest relative displacement, one component", "最大相对位移（单分量）"),
     ("Force of the bolt nearest to yield", "最接近屈服的锚杆轴力"),
     (

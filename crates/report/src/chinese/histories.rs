@@ -21,7 +21,15 @@ pub const TEXTS: Texts = &[
         "Of each monitor its displacement less the mean of all in every row: what all share strains nothing and is taken away. Look for monitors that leave the others for good.",
         "各监测点位移减去每一时刻全部监测点的平均值：共同的运动不产生应变，已扣除。请看是否有监测点最终偏离其余各点。",
     ),
+    (
+        "{first} Not in the mean, since they are on pieces that came loose: {monitors}.",
+        "{first}未计入平均值（所在混凝土块已松动）：{monitors}。",
+    ),
     ("Relative displacement", "相对位移"),
+    (
+        "{first} Not drawn: {pair}, up to {size} along an axis, of which one monitor is on a piece that came loose.",
+        "{first}未绘出：{pair}，沿某一轴最大 {size}，其中一个监测点所在混凝土块已松动。",
+    ),
     ("The case names no pairs of monitors ([[relative]]).", "算例没有指定监测点对（[[relative]]）。"),
     (
         "Of each pair, the displacement of the first monitor less that of the second: what the lining between them has to follow.",

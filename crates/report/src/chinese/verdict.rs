@@ -86,4 +86,8 @@ pub const TEXTS: Texts = &[
         "Monitors {pair} moved by up to {most} against each other, at {time}\u{a0}s; {left} at the end.",
         "监测点 {pair} 的相对位移最大为 {most}（{time}\u{a0}s）；结束时为 {left}。",
     ),
+    (
+        "{first} Not looked at: {pairs}, with a monitor on a piece that came loose.",
+        "{first}未计入：{pairs}，其中有监测点所在混凝土块已松动。",
+    ),
 ];

@@ -3,7 +3,9 @@
 use std::fs;
 
 use tremolite_report::{Language, write_in};
-use tremolite_results::{Damaged, Finding, GroupDamage, ResultFolder, Severity, Summary};
+use tremolite_results::{
+    Damaged, Finding, GroupDamage, Peaks, ResultFolder, Severity, Summary, Table, TableWriter,
+};
 
 use crate::report::results;
 
@@ -100,4 +102,69 @@ fn no_answer_is_green_where_checks_warn() {
             assert!(found == class && text.contains(wanted), "{class} {wanted}: {found} {text}");
         }
     }
+}
+
+/// Three monitors, of which C moves fifty times as far as it did, with the pairs A-B and A-C; `loose` came loose.
+fn with_a_stray(root: &std::path::Path, loose: &[&str]) -> ResultFolder {
+    let folder = results(root, &["A", "B", "C"]);
+    let mut table = Table::read(&folder.monitors()).unwrap();
+    let strays = ["C.ux", "C.uz"].map(|name| table.columns.iter().position(|c| c.name == name).unwrap());
+    for stray in strays {
+        table.values[stray].iter_mut().for_each(|u| *u *= 50.0);
+    }
+    let mut writer = TableWriter::create(&folder.monitors(), &table.columns).unwrap();
+    for row in 0..table.values[0].len() {
+        writer.write(&table.values.iter().map(|column| column[row]).collect::<Vec<_>>()).unwrap();
+    }
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    let moved = |most: f64| Peaks {
+        max: most,
+        t_max: 1.0,
+        min: 0.0,
+        t_min: 0.0,
+        residual: 0.0,
+        step_max: None,
+        step_min: None,
+    };
+    let pair = |name: &str, most: f64| {
+        (name.to_owned(), [("u", most), ("ux", most)].map(|(q, m)| (q.to_owned(), moved(m))).into())
+    };
+    summary.relative = [pair("A-B", 0.005), pair("A-C", 2.5)].into();
+    summary.monitors_on_broken_elements = loose.iter().map(|&name| name.to_owned()).collect();
+    summary.write(&folder.summary()).unwrap();
+    folder
+}
+
+#[test]
+fn a_loose_piece_is_no_strain_of_the_lining() {
+    let read = |folder: &ResultFolder| {
+        let page = fs::read_to_string(write_in(folder.root(), Language::English).unwrap())
+            .unwrap()
+            .replace('\u{a0}', " ");
+        let of = |name: &str| fs::read_to_string(folder.figures().join(name)).unwrap();
+        (page, of("relative.svg"), of("displacement-less-mean.svg"))
+    };
+    // Nothing came loose: the pair that moved most is told and drawn.
+    let temp = tempfile::tempdir().unwrap();
+    let (page, relative, less_mean) = read(&with_a_stray(temp.path(), &[]));
+    assert!(page.contains("Monitors A-C moved by up to 2500 mm"), "the most of all");
+    assert!(relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
+    assert!(!page.contains("came loose") && !page.contains("loose pieces"));
+
+    let temp = tempfile::tempdir().unwrap();
+    let (page, relative, held) = read(&with_a_stray(temp.path(), &["C"]));
+    assert!(page.contains("Monitors A-B moved by up to 5.00 mm"), "of those that are held");
+    assert!(page.contains("Not looked at: A-C, with a monitor on a piece that came loose."));
+    assert!(page.contains("A-B, x, at 1.000 s; without A-C, loose pieces"), "the card");
+    assert!(!relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
+    assert!(page.contains("Not drawn: A-C, up to 2693 mm along an axis"), "with its size");
+    assert!(page.contains("Not in the mean, since they are on pieces that came loose: C."));
+    assert_ne!(less_mean, held, "A and B are less their own mean");
+
+    // Where all are loose they are all there is.
+    let temp = tempfile::tempdir().unwrap();
+    let (page, relative, all) = read(&with_a_stray(temp.path(), &["A", "B", "C"]));
+    assert!(!page.contains("moved by up to"), "nothing is told of the lining");
+    assert!(relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
+    assert_eq!(less_mean, all);
 }
