@@ -42,6 +42,7 @@ use node_step::Lead;
 use nodes::NodeSums;
 use rates::Rates;
 use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
 use tremolite_kernels::{Booked, Line, Lines};
 use tremolite_laws::Row;
 
@@ -118,6 +119,8 @@ pub struct Engine<'a> {
     quiet: bool,
     /// Energy that the guard leaves to noise \[J\].
     noise: f64,
+    /// One for each thread, which alone locks it.
+    scratches: Vec<Mutex<Scratch>>,
 }
 
 /// Work that parts book themselves \[J\].
@@ -173,6 +176,7 @@ impl<'a> Engine<'a> {
             evaluated: None,
             quiet: false,
             noise: noise(model, phase),
+            scratches: (0..rayon::current_num_threads()).map(|_| Mutex::default()).collect(),
         }
     }
 
@@ -237,6 +241,7 @@ impl<'a> Engine<'a> {
     /// Evaluates all active parts at u^n, and the products with K that ξ ≠ 0 needs.
     fn evaluate(&mut self, state: &mut State, probe: Option<ProbeOut>) -> Works {
         let Engine { model, assembly, phase, .. } = *self;
+        let scratches = &self.scratches;
         let mut tick = phase.tick(state);
         if self.quiet {
             tick.time = -f64::MIN_POSITIVE;
@@ -270,11 +275,17 @@ impl<'a> Engine<'a> {
         let mut active = phase.active.iter().copied().peekable();
         let jobs: Vec<Job> =
             (0u32..).zip(all).filter_map(|(m, job)| active.next_if_eq(&m).map(|_| job)).collect();
+        // One by one: members differ in cost, and half of what is left would be too much to hand over at the end.
         let works: Vec<Lines> = jobs
             .into_par_iter()
-            .map_init(Scratch::default, |scratch, Job { member, out, own, probe }| match probe {
-                None => member.part.forces(&tick, &motion, own, out, scratch),
-                Some(to) => member.part.probe(&tick, &motion, own, out, to, scratch),
+            .with_max_len(1)
+            .map(|Job { member, out, own, probe }| {
+                let thread = rayon::current_thread_index().unwrap_or(0) % scratches.len();
+                let scratch = &mut scratches[thread].lock().unwrap_or_else(PoisonError::into_inner);
+                match probe {
+                    None => member.part.forces(&tick, &motion, own, out, scratch),
+                    Some(to) => member.part.probe(&tick, &motion, own, out, to, scratch),
+                }
             })
             .collect();
         self.rates.update(model, assembly, phase, &self.contributions, state);

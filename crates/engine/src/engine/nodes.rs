@@ -113,7 +113,7 @@ fn by_groups(
         let sums: Vec<NodeSums> = if leads_on && group.len() <= FEW {
             chunks.into_iter().map(&one).collect()
         } else {
-            chunks.into_par_iter().map(&one).collect()
+            chunks.into_par_iter().with_max_len(1).map(&one).collect()
         };
         total = sums.into_iter().fold(total, NodeSums::plus);
     }
