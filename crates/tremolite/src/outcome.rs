@@ -6,6 +6,7 @@ use crate::run::Ending;
 use indexmap::IndexMap;
 use tremolite_engine::Halt;
 use tremolite_engine::engine::Relaxed;
+use tremolite_kernels::Line;
 use tremolite_results::{GroupStress, Said, TrustLine, said};
 
 /// How it ended, how many checks pass, and the largest stresses.
@@ -17,7 +18,9 @@ pub(crate) fn run_in_words(
     let Evidence { outcome, plan, .. } = evidence;
     let ended = match &outcome.ending {
         Ending::Restless { stage, relaxed, place } => restless(stage, outcome.stages.len(), relaxed, place),
-        Ending::Failed { halt, place } => failed(halt, place, outcome.taken as f64 * outcome.dt),
+        Ending::Failed { halt, place } => {
+            failed(halt, place, outcome.taken as f64 * outcome.dt, outcome.balance[Line::Created])
+        }
         Ending::Done | Ending::Stopped => vec![in_good_order(evidence)],
     };
     let mut text = ended;
@@ -48,8 +51,8 @@ fn in_good_order(evidence: &Evidence) -> Said {
     }
 }
 
-/// Why a run was ended whose energy grew out of nothing.
-fn failed(halt: &Halt, place: &Said, time: f64) -> Vec<Said> {
+/// Why a run was ended whose energy grew out of nothing, of which laws of materials created so much \[J\].
+fn failed(halt: &Halt, place: &Said, time: f64, created: f64) -> Vec<Said> {
     let (time, joule) = (format!("{time:.4}"), |x: &f64| format!("{x:.3e}"));
     let why = match halt {
         Halt::Energy { kinetic, supplied, .. } => said!(
@@ -67,8 +70,18 @@ fn failed(halt: &Halt, place: &Said, time: f64) -> Vec<Said> {
             supplied = joule(supplied),
         ),
     };
+    let (Halt::Energy { supplied, .. } | Halt::Held { supplied, .. }) = halt;
+    let remedy = if created > *supplied {
+        said!(
+            "Laws of materials gave out {created} J (created_by_law in energy.csv), more than was supplied, which no smaller step \
+             mends: split = \"effective\" does so once concrete has cracked, \"compliance\" does not.",
+            created = joule(&created),
+        )
+    } else {
+        said!("Use a smaller time_step or safety.")
+    };
     let place = said!("Most of it is in {place}.", place = place.clone());
-    vec![why, place, said!("Use a smaller time_step or safety.")]
+    vec![why, place, remedy]
 }
 
 /// Why a stage did not come to rest.
@@ -153,4 +166,22 @@ fn stresses(stress: &IndexMap<String, GroupStress>, alone: bool) -> Option<Said>
             peaks = peaks,
         ),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::failed;
+    use tremolite_engine::Halt;
+    use tremolite_results::said;
+
+    #[test]
+    fn the_remedy_is_for_what_made_the_energy() {
+        let halt = Halt::Held { held: 4e10, supplied: 1e10, step: 9, time: 1.0 };
+        let told = |created| {
+            let told = failed(&halt, &said!("element 7"), 1.0, created);
+            told.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
+        };
+        assert!(told(9e9).contains("smaller time_step") && !told(9e9).contains("compliance"));
+        assert!(told(9e10).contains("gave out 9.000e10 J") && !told(9e10).contains("smaller time_step"));
+    }
 }

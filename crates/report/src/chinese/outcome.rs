@@ -24,6 +24,10 @@ pub const TEXTS: Texts = &[
     ("Most of it is in {place}.", "其大部分位于{place}。"),
     ("Use a smaller time_step or safety.", "请减小 time_step 或 safety。"),
     (
+        "Laws of materials gave out {created} J (created_by_law in energy.csv), more than was supplied, which no smaller step mends: split = \"effective\" does so once concrete has cracked, \"compliance\" does not.",
+        "材料本构释放了 {created} J（energy.csv 中的 created_by_law），多于输入能量，减小时间步无济于事：混凝土开裂后 split = \"effective\" 会如此，\"compliance\" 不会。",
+    ),
+    (
         "The stage '{stage}' did not come to rest: after {cycles} cycles elements there had strained by a tenth or moved by more than their own length: nothing holds them.",
         "阶段“{stage}”未达到静止：{cycles} 个计算步后，该处单元的应变已达十分之一或位移超过自身长度：没有任何约束。",
     ),
