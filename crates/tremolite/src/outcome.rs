@@ -172,13 +172,13 @@ fn stresses(stress: &IndexMap<String, GroupStress>, alone: bool) -> Option<Said>
 mod tests {
     use super::failed;
     use tremolite_engine::Halt;
-    use tremolite_results::said;
+    use tremolite_results::Said;
 
     #[test]
     fn the_remedy_is_for_what_made_the_energy() {
         let halt = Halt::Held { held: 4e10, supplied: 1e10, step: 9, time: 1.0 };
         let told = |created| {
-            let told = failed(&halt, &said!("element 7"), 1.0, created);
+            let told = failed(&halt, &Said::plain("element 7"), 1.0, created);
             told.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
         };
         assert!(told(9e9).contains("smaller time_step") && !told(9e9).contains("compliance"));
