@@ -145,7 +145,7 @@ fn said(
 ) -> Vec<String> {
     let mut said = vec![say!(
         language,
-        "Interface {name}: of each pair the largest value of all steps, on its share of the faces.",
+        "Interface {name}: of each pair the largest value of all steps, on its share of the faces; the median is of the pairs in colour.",
         name = name
     )];
     let has = |state: u8| layers.iter().any(|layer| layer.state == state);

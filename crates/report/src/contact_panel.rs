@@ -34,10 +34,12 @@ pub struct Layer<'a> {
 }
 
 impl Layer<'_> {
-    /// The largest value shown.
-    pub fn most(&self) -> f64 {
+    /// The values shown, from the smallest to the largest.
+    fn sorted(&self) -> Vec<f64> {
         let shown = self.values.iter().zip(self.shown).filter(|(value, shown)| **shown && value.is_finite());
-        shown.map(|(value, _)| *value).fold(0.0, f64::max)
+        let mut values: Vec<f64> = shown.map(|(value, _)| *value).collect();
+        values.sort_by(f64::total_cmp);
+        values
     }
 }
 
@@ -52,7 +54,8 @@ pub fn panel(
     layer: &Layer,
     (language, scale): (Language, &Scale),
 ) -> String {
-    let most = layer.most();
+    let sorted = layer.sorted();
+    let most = sorted.last().copied().unwrap_or(0.0).max(0.0);
     let range = (0.0, if most > 0.0 { most } else { 1.0 });
     let mut grey = Vec::new();
     let mut levels: Vec<Vec<Vec<(f64, f64)>>> = vec![Vec::new(); LEVELS];
@@ -100,7 +103,12 @@ pub fn panel(
     let title = scale.labelled(&layer.title);
     let line = at.1 - above + 16.0;
     svg.text((at.0, line), Anchor::Start, 13.0, Style::Bold, &title);
-    let remark = say!(language, "up to {most}", most = scale.quantity(most));
+    let remark = say!(
+        language,
+        "up to {most} (median {half})",
+        most = scale.quantity(most),
+        half = scale.quantity(sorted.get(sorted.len().saturating_sub(1) / 2).copied().unwrap_or(0.0))
+    );
     svg.text((at.0 + text_width(&title, 13.0) + 30.0, line), Anchor::Start, 12.0, Style::Muted, &remark);
     let left = at.0 + plan.bar_at();
     // The key below it wants two lines.
@@ -231,7 +239,7 @@ pub fn frame(
     for (k, sheet) in sheets.iter().enumerate() {
         for middle in end_walls(sheet) {
             let (x, y) = plan.place(k, middle);
-            svg.note((at.0 + x, at.1 + y), &say!(language, "end face"));
+            svg.note((at.0 + x, at.1 + y), &say!(language, "end of the lining"));
         }
     }
     let (along, around) = axis_words(language, sheets);

@@ -117,6 +117,14 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
         (Status::Done, None, None) => {
             ("warn", say!(language, "Not judged: no structure of this run can crack."))
         }
+        (Status::Done, Some(Severity::Through), _) if linings.iter().any(|lining| is_loose(lining)) => (
+            "bad",
+            say!(
+                language,
+                "It is damaged: cracks run through its thickness, and pieces have come loose. Whether they fall, this model does \
+                 not follow."
+            ),
+        ),
         (Status::Done, Some(Severity::Through), _) => {
             ("bad", say!(language, "It is damaged: cracks run through its thickness."))
         }
@@ -244,6 +252,11 @@ fn lining(source: &Source, finding: &Finding) -> Line {
         }
     };
     Line { class: class(finding.severity), text }
+}
+
+/// Whether a lining's cracks opened so far that pieces have come loose.
+fn is_loose(lining: &Finding) -> bool {
+    lining.numbers.get("crack_opening").is_some_and(|opening| *opening > Cracks::LOOSE)
 }
 
 fn opening(source: &Source, value: f64) -> String {

@@ -20,6 +20,10 @@ pub const TEXTS: Texts = &[
     ("Not judged by cracks. {yielded}", "未按裂缝判断。{yielded}"),
     ("It is nowhere cracked, but has yielded. {yielded}", "未开裂，但已屈服。{yielded}"),
     ("It is damaged: cracks run through its thickness.", "已受损：裂缝贯穿衬砌厚度。"),
+    (
+        "It is damaged: cracks run through its thickness, and pieces have come loose. Whether they fall, this model does not follow.",
+        "已受损：裂缝贯穿衬砌厚度，并有块体脱离。块体是否掉落，本模型不作追踪。",
+    ),
     ("It is cracked, but nowhere through its thickness.", "已开裂，但没有一处贯穿厚度。"),
     (
         "It is undamaged as computed, but the checks do not vouch for that.",

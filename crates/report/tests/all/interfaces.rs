@@ -125,7 +125,9 @@ fn the_map_unrolls_each_lining_and_says_what_is_where() {
             && svg.contains(">open at the end<")
     );
     assert!(
-        svg.contains(">part 1</text>") && svg.contains(">part 2</text>") && svg.contains(">end face</text>"),
+        svg.contains(">part 1</text>")
+            && svg.contains(">part 2</text>")
+            && svg.contains(">end of the lining</text>"),
         "without fields sheets have numbers"
     );
     for text in ["Left and right are those of who looks along +y", "since nothing slid or opened: fault"] {
@@ -162,9 +164,13 @@ fn the_map_unrolls_each_lining_and_says_what_is_where() {
 fn a_fault_is_drawn_by_strike_and_dip_and_broken_files_give_a_reason() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path());
-    pairs(&folder, &fault(1, 0.0), |[x, ..]| (1e-3 * x, 0.0, 2));
+    pairs(&folder, &fault(1, 0.0), |[x, ..]| (if x > 9.0 { 0.1 } else { 1e-3 * x }, 0.0, 2));
     let page = page(&folder);
     let svg = figure(&folder, "interface-map-2.svg");
+    assert!(
+        svg.contains("up to 100\u{a0}mm (median 5.00\u{a0}mm)"),
+        "one stretch far beyond the others is told"
+    );
     assert!(svg.contains("along the strike (m)") && svg.contains("up the dip (m)") && !svg.contains("crown"));
     assert!(page.contains("Interface fault: ") && page.contains("It opened nowhere."));
 

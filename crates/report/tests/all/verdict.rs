@@ -87,13 +87,24 @@ fn no_answer_is_green_where_checks_warn() {
     let folder = results(temp.path(), &["A"]);
     let cracked = || finding("hall.lining", Severity::Damaged, &[("share_cracked", 0.1)]);
     let sound = || finding("hall.lining", Severity::Undamaged, &[]);
-    let through = || finding("hall.lining", Severity::Through, &[("share_cracked", 0.1)]);
+    let through =
+        || finding("hall.lining", Severity::Through, &[("share_cracked", 0.1), ("crack_opening", 0.019)]);
+    // The pieces may be another lining's than the one that is cracked most.
+    let loose =
+        || finding("adit.lining", Severity::Through, &[("share_cracked", 0.05), ("crack_opening", 0.021)]);
     for (findings, pass, class, english, chinese) in [
         (vec![sound()], true, "good", "It is undamaged.", "未损伤。"),
         (vec![sound()], false, "warn", "the checks do not vouch for that", "自检不能为此作保"),
         (vec![cracked()], true, "warn", "nowhere through its thickness", "没有一处贯穿厚度"),
         (vec![cracked()], false, "warn", "nowhere through its thickness", "没有一处贯穿厚度"),
-        (vec![through()], false, "bad", "cracks run through its thickness", "裂缝贯穿衬砌厚度"),
+        (vec![through()], false, "bad", "cracks run through its thickness.", "裂缝贯穿衬砌厚度。"),
+        (
+            vec![through(), loose()],
+            false,
+            "bad",
+            "and pieces have come loose. Whether they fall",
+            "并有块体脱离。",
+        ),
         (vec![], false, "warn", "Not judged", "未作判断"),
     ] {
         set(&folder, findings, pass);
