@@ -23,6 +23,8 @@ struct Family {
     caption: String,
     /// Name in the table's header, title of the panel, what is marked.
     panels: Vec<(&'static str, String, Mark)>,
+    /// Panels of less than this share of the largest are not drawn.
+    negligible: f64,
 }
 
 /// Names in the header of the quantities that have families.
@@ -32,8 +34,12 @@ const FAMILIES: [&[&str]; 4] =
 /// Quantities beyond the families that are known, by figures: components of one tensor share one.
 const TOGETHER: [&[&str]; 3] = [&["sxx", "syy", "szz"], &["sxy", "syz", "szx"], &["s2"]];
 
-/// A component this much smaller than the largest one of its figure is round-off or nearly so, and not drawn.
-const NEGLIGIBLE: f64 = 1e-6;
+/// A component this much smaller than the largest one of its figure, loose pieces aside, tells nothing and is not drawn; its
+/// size is told.
+const SMALL: f64 = 5e-3;
+
+/// What is this much smaller than another is round-off or nearly so.
+const ROUND_OFF: f64 = 1e-6;
 
 /// s1_elastic this many times the largest s1 is that of a piece that came loose, and would flatten all others.
 const BEYOND_STRESS: f64 = 10.0;
@@ -102,6 +108,7 @@ impl<'a> Recorded<'a> {
                      with the rock? And do they come back: what is left at the end has not."
                 )),
                 panels: components(language, &["ux", "uy", "uz"], Mark::Largest),
+                negligible: SMALL,
             },
             |quantity| self.of_monitors(quantity),
         )
@@ -155,6 +162,8 @@ impl<'a> Recorded<'a> {
                 file: "displacement-less-mean",
                 caption,
                 panels: components(language, &["ux", "uy", "uz"], Mark::Nothing),
+                // The files do not hold the size that would have to be told.
+                negligible: ROUND_OFF,
             },
             |quantity| from_mean(self.of_monitors(quantity), |name| all || held(name)),
         ))
@@ -197,7 +206,7 @@ impl<'a> Recorded<'a> {
             );
         }
         let panels = components(language, &names, Mark::Largest);
-        self.family(Family { heading, file: "relative", caption, panels }, |quantity| {
+        self.family(Family { heading, file: "relative", caption, panels, negligible: SMALL }, |quantity| {
             let drawn = self.pairs.iter().filter(|name| !hidden.contains(name));
             drawn.filter_map(|name| Some((name.clone(), of_pair(name, quantity)?))).collect()
         })
@@ -221,7 +230,7 @@ impl<'a> Recorded<'a> {
             ("s3", say!(language, "s3, the smallest principal stress"), Mark::Lowest),
         ];
         let heading = say!(language, "Principal stress");
-        self.family(Family { heading, file: "stress", caption, panels }, |quantity| {
+        self.family(Family { heading, file: "stress", caption, panels, negligible: ROUND_OFF }, |quantity| {
             self.of_monitors(quantity)
         })
     }
@@ -229,12 +238,11 @@ impl<'a> Recorded<'a> {
     /// What the strain would ask of concrete that does not crack; nothing in files without it.
     pub fn elastic_stress(&self) -> Option<Section> {
         let language = self.source.language;
-        let largest_of = |history: &(String, Cow<'_, [f64]>)| largest(std::slice::from_ref(history));
         let stress = largest(&self.of_monitors("s1"));
         let (drawn, loose): (Histories<'_>, Histories<'_>) = self
             .of_monitors("s1_elastic")
             .into_iter()
-            .partition(|history| largest_of(history) <= BEYOND_STRESS * stress);
+            .partition(|history| largest_of(&history.1) <= BEYOND_STRESS * stress);
         if drawn.is_empty() {
             return None;
         }
@@ -245,7 +253,8 @@ impl<'a> Recorded<'a> {
              band adds to a fast change: where it goes on and s1 falls, a crack has taken the stress."
         );
         for history in &loose {
-            let most = self.source.units.suiting("Pa", largest_of(history)).quantity(largest_of(history));
+            let most =
+                self.source.units.suiting("Pa", largest_of(&history.1)).quantity(largest_of(&history.1));
             caption = say!(
                 language,
                 "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
@@ -256,14 +265,17 @@ impl<'a> Recorded<'a> {
         }
         let panels = vec![("s1_elastic", "s1_elastic".to_owned(), Mark::Highest)];
         let heading = say!(language, "Principal stress as if nothing cracked");
-        Some(self.family(Family { heading, file: "stress-elastic", caption, panels }, |_| drawn.clone()))
+        Some(self.family(
+            Family { heading, file: "stress-elastic", caption, panels, negligible: ROUND_OFF },
+            |_| drawn.clone(),
+        ))
     }
 
     pub fn velocity(&self) -> Section {
         let language = self.source.language;
         let (heading, panels) =
             (say!(language, "Velocity"), components(language, &["vx", "vy", "vz"], Mark::Largest));
-        let family = Family { heading, file: "velocity", caption: String::new(), panels };
+        let family = Family { heading, file: "velocity", caption: String::new(), panels, negligible: SMALL };
         self.family(family, |quantity| self.of_monitors(quantity))
     }
 
@@ -275,9 +287,10 @@ impl<'a> Recorded<'a> {
         );
         let (heading, panels) =
             (say!(language, "Acceleration"), components(language, &["ax", "ay", "az"], Mark::Largest));
-        self.family(Family { heading, file: "acceleration", caption, panels }, |quantity| {
-            self.of_monitors(quantity)
-        })
+        self.family(
+            Family { heading, file: "acceleration", caption, panels, negligible: SMALL },
+            |quantity| self.of_monitors(quantity),
+        )
     }
 
     /// Every quantity of the monitors that no family holds: those of [`TOGETHER`] first, then any other by itself, in
@@ -316,6 +329,14 @@ impl<'a> Recorded<'a> {
         sections
     }
 
+    /// The largest value of monitors that did not come loose; of all where none is held.
+    fn largest_held(&self, histories: &[(String, Cow<'_, [f64]>)]) -> f64 {
+        let loose = self.source.facts().monitors_on_broken_elements;
+        let of =
+            |(name, values): &(String, Cow<'_, [f64]>)| (!loose.contains(name)).then(|| largest_of(values));
+        histories.iter().filter_map(of).reduce(f64::max).unwrap_or_else(|| largest(histories))
+    }
+
     fn unit(&self, quantity: &str) -> &'a str {
         let is = |name: &str| name.rsplit_once('.').is_some_and(|(_, q)| q == quantity);
         self.table.columns.iter().find(|column| is(&column.name)).map_or("", |column| &column.unit)
@@ -342,7 +363,7 @@ impl<'a> Recorded<'a> {
             .map(|panel| (of(panel.0), panel))
             .filter(|(histories, _)| !histories.is_empty())
             .collect();
-        let most = found.iter().map(|(histories, _)| largest(histories)).fold(0.0, f64::max);
+        let most = found.iter().map(|(histories, _)| self.largest_held(histories)).fold(0.0, f64::max);
         if found.is_empty() {
             let why = say!(language, "monitors.csv has no columns of {names}.", names = wanted);
             return Section::left_out(&family.heading, why);
@@ -353,11 +374,11 @@ impl<'a> Recorded<'a> {
         let mut caption = family.caption;
         let mut panels = Vec::new();
         for (histories, (name, title, mark)) in found {
-            let size = largest(&histories);
-            if size >= NEGLIGIBLE * most {
+            if self.largest_held(&histories) >= family.negligible * most {
                 panels.push(self.panel(name, title, mark, histories));
                 continue;
             }
+            let size = largest(&histories);
             let missing = if size == 0.0 {
                 say!(language, "Not drawn: {title}, zero.", title = title)
             } else {
@@ -374,6 +395,9 @@ impl<'a> Recorded<'a> {
 }
 
 fn largest(histories: &[(String, Cow<'_, [f64]>)]) -> f64 {
-    let finite = histories.iter().flat_map(|(_, values)| values.iter()).filter(|x| x.is_finite());
-    finite.fold(0.0, |most, x| f64::max(most, x.abs()))
+    histories.iter().map(|(_, values)| largest_of(values)).fold(0.0, f64::max)
+}
+
+fn largest_of(values: &[f64]) -> f64 {
+    values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| f64::max(most, x.abs()))
 }

@@ -173,6 +173,7 @@ fn numbers_of_the_verdict_stand_in_the_files() {
     let derived = [
         ("over: ", " | Largest displacement of a monitor"),
         ("unsettled", " | Largest displacement of a monitor"),
+        ("over: monitors.csv: largest of all uz", "Not drawn: z, up, nowhere more than"),
         BALANCE[0],
     ];
     assert_sound(temp.path(), Language::English, &derived);

@@ -115,13 +115,13 @@ fn no_answer_is_green_where_checks_warn() {
     }
 }
 
-/// Three monitors, of which C moves fifty times as far as it did, with the pairs A-B and A-C; `loose` came loose.
+/// Three monitors, of which C moves fifty times as far as it did, the others hardly along z, with the pairs A-B and A-C; `loose` came loose.
 fn with_a_stray(root: &std::path::Path, loose: &[&str]) -> ResultFolder {
     let folder = results(root, &["A", "B", "C"]);
     let mut table = Table::read(&folder.monitors()).unwrap();
-    let strays = ["C.ux", "C.uz"].map(|name| table.columns.iter().position(|c| c.name == name).unwrap());
-    for stray in strays {
-        table.values[stray].iter_mut().for_each(|u| *u *= 50.0);
+    for (name, factor) in [("C.ux", 50.0), ("C.uz", 50.0), ("A.uz", 0.001), ("B.uz", 0.001)] {
+        let column = table.columns.iter().position(|c| c.name == name).unwrap();
+        table.values[column].iter_mut().for_each(|u| *u *= factor);
     }
     let mut writer = TableWriter::create(&folder.monitors(), &table.columns).unwrap();
     for row in 0..table.values[0].len() {
@@ -153,29 +153,33 @@ fn a_loose_piece_is_no_strain_of_the_lining() {
             .unwrap()
             .replace('\u{a0}', " ");
         let of = |name: &str| fs::read_to_string(folder.figures().join(name)).unwrap();
-        (page, of("relative.svg"), of("displacement-less-mean.svg"))
+        let along_z = of("displacement.svg").contains("z, up");
+        (page, of("relative.svg"), of("displacement-less-mean.svg"), along_z)
     };
     // Nothing came loose: the pair that moved most is told and drawn.
     let temp = tempfile::tempdir().unwrap();
-    let (page, relative, less_mean) = read(&with_a_stray(temp.path(), &[]));
+    let (page, relative, less_mean, along_z) = read(&with_a_stray(temp.path(), &[]));
     assert!(page.contains("Monitors A-C moved by up to 2500 mm"), "the most of all");
     assert!(relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
     assert!(!page.contains("came loose") && !page.contains("loose pieces"));
+    assert!(along_z, "C moves along z as well");
 
     let temp = tempfile::tempdir().unwrap();
-    let (page, relative, held) = read(&with_a_stray(temp.path(), &["C"]));
+    let (page, relative, held, along_z_of_held) = read(&with_a_stray(temp.path(), &["C"]));
     assert!(page.contains("Monitors A-B moved by up to 5.00 mm"), "of those that are held");
     assert!(page.contains("Not looked at: A-C, with a monitor on a piece that came loose."));
     assert!(page.contains("A-B, x, at 1.000 s; without A-C, loose pieces"), "the card");
     assert!(!relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
     assert!(page.contains("Not drawn: A-C, up to 2693 mm along an axis"), "with its size");
+    assert!(!along_z_of_held && page.contains("Not drawn: z, up, nowhere more than"), "the others hardly do");
     assert!(page.contains("Not in the mean, since they are on pieces that came loose: C."));
     assert_ne!(less_mean, held, "A and B are less their own mean");
 
     // Where all are loose they are all there is.
     let temp = tempfile::tempdir().unwrap();
-    let (page, relative, all) = read(&with_a_stray(temp.path(), &["A", "B", "C"]));
+    let (page, relative, all, along_z_of_all) = read(&with_a_stray(temp.path(), &["A", "B", "C"]));
     assert!(!page.contains("moved by up to"), "nothing is told of the lining");
+    assert!(along_z_of_all);
     assert!(relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
     assert_eq!(less_mean, all);
 }
