@@ -33,7 +33,7 @@ enum Command {
     Mesh(commands::mesh::Args),
     /// Time the engine on a box of hexahedra
     Bench(commands::bench::Args),
-    /// List what there is: materials, interfaces, boundaries, quantities, formats
+    /// List what there is: materials, interfaces, bolts, boundaries, quantities, formats
     List(commands::list::Args),
     /// Print the JSON schema of case files, for completion in editors
     Schema,

@@ -19,33 +19,36 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     let duration = duration(source);
     let at = |time: f64| format!("{}\u{a0}s", moment(time, duration));
     let mut cards = stage_cards(source, &facts);
-    if let Ok(table) = &source.monitors
-        && let Some((monitor, time, size)) = longest(table, facts.monitors.keys())
-    {
-        cards.push(card(
-            say!(language, "Largest displacement of a monitor"),
-            source.quantity(Kind::Displacement, size),
-            say!(
+    let without = |note: String, loose: &[&str]| match loose.is_empty() {
+        true => note,
+        false => {
+            say!(language, "{first}; without {names}, loose pieces", first = note, names = loose.join(", "))
+        }
+    };
+    if let Ok(table) = &source.monitors {
+        let (loose, held): (Vec<&String>, Vec<&String>) =
+            facts.monitors.keys().partition(|name| facts.monitors_on_broken_elements.contains(name));
+        let of_held = longest(table, held.into_iter());
+        let loose: Vec<&str> = of_held.iter().flat_map(|_| loose.iter().map(|name| name.as_str())).collect();
+        if let Some((monitor, time, size)) = of_held.or_else(|| longest(table, facts.monitors.keys())) {
+            let note = say!(
                 language,
                 "{monitor} at {time}, its components together in one row of monitors.csv",
                 monitor = monitor,
                 time = at(time)
-            ),
-        ));
-    }
-    let component = |name: &str| ["ux", "uy", "uz"].contains(&name);
-    let (held, loose) = held(&facts);
-    let most = extreme(held, component, |p| p.largest().1.abs());
-    if let Some((pair, name, peaks)) = most {
-        let (time, value) = peaks.largest();
-        let axis = name.trim_start_matches('u');
-        let mut note = say!(language, "{pair}, {axis}, at {time}", pair = pair, axis = axis, time = at(time));
-        if !loose.is_empty() {
-            let pairs = loose.join(", ");
-            note = say!(language, "{first}; without {pairs}, loose pieces", first = note, pairs = pairs);
+            );
+            cards.push(card(
+                say!(language, "Largest displacement of a monitor"),
+                source.quantity(Kind::Displacement, size),
+                without(note, &loose),
+            ));
         }
-        let label = say!(language, "Largest relative displacement, one component");
-        cards.push(card(label, source.quantity(Kind::Displacement, value.abs()), note));
+    }
+    let (held, loose) = held(&facts);
+    if let Some((pair, _, peaks)) = extreme(held, |name| name == "u", |p| p.max) {
+        let note = say!(language, "{pair} at {time}, its length", pair = pair, time = at(peaks.t_max));
+        let label = say!(language, "Largest relative displacement");
+        cards.push(card(label, source.quantity(Kind::Displacement, peaks.max), without(note, &loose)));
     }
     cards.extend(stress_cards(source, &facts, at));
     let cracks = facts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));

@@ -44,8 +44,8 @@ const ROUND_OFF: f64 = 1e-6;
 /// s1_elastic this many times the largest s1 is that of a piece that came loose, and would flatten all others.
 const BEYOND_STRESS: f64 = 10.0;
 
-/// A pair with a loose piece that moves by this many times the others' largest would flatten them.
-const BEYOND_PAIRS: f64 = 3.0;
+/// A loose piece, or a pair with one, that moves by this many times the others' largest would flatten them.
+const BEYOND_OTHERS: f64 = 3.0;
 
 /// What one line of a figure shows: a monitor or a pair, and its history of one quantity.
 type Histories<'a> = Vec<(String, Cow<'a, [f64]>)>;
@@ -98,20 +98,38 @@ impl<'a> Recorded<'a> {
     /// Figure 5 of the paper.
     pub fn displacement(&self) -> Section {
         let language = self.source.language;
-        self.family(
-            Family {
-                heading: say!(language, "Displacement"),
-                file: "displacement",
-                caption: self.in_step(say!(
-                    language,
-                    "Relative to the state before the earthquake. Do all monitors move in step, so that the caverns ride \
-                     with the rock? And do they come back: what is left at the end has not."
-                )),
-                panels: components(language, &["ux", "uy", "uz"], Mark::Largest),
-                negligible: SMALL,
-            },
-            |quantity| self.of_monitors(quantity),
-        )
+        let names = ["ux", "uy", "uz"];
+        let mut caption = self.in_step(say!(
+            language,
+            "Relative to the state before the earthquake. Do all monitors move in step, so that the caverns ride \
+             with the rock? And do they come back: what is left at the end has not."
+        ));
+        let size = |monitor: &str| {
+            let of = |quantity: &&str| self.table.column(&format!("{monitor}.{quantity}"));
+            names.iter().filter_map(of).map(largest_of).fold(0.0, f64::max)
+        };
+        let loose = self.source.facts().monitors_on_broken_elements;
+        let others = self.monitors.iter().filter(|name| !loose.contains(name));
+        let most = others.map(|name| size(name)).fold(0.0, f64::max);
+        let hidden: Vec<&String> =
+            loose.iter().filter(|name| most > 0.0 && size(name) > BEYOND_OTHERS * most).collect();
+        for monitor in &hidden {
+            caption = say!(
+                language,
+                "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
+                first = caption,
+                monitor = *monitor,
+                size = self.source.quantity(Kind::Displacement, size(monitor))
+            );
+        }
+        let heading = say!(language, "Displacement");
+        let panels = components(language, &names, Mark::Largest);
+        let family = Family { heading, file: "displacement", caption, panels, negligible: SMALL };
+        self.family(family, |quantity| {
+            let mut histories = self.of_monitors(quantity);
+            histories.retain(|(name, _)| !hidden.contains(&name));
+            histories
+        })
     }
 
     /// A caption, and behind it how far the monitors move in step, where the summary says so.
@@ -193,7 +211,7 @@ impl<'a> Recorded<'a> {
         let (apart, others): (Vec<&String>, Vec<&String>) =
             self.pairs.iter().partition(|name| loose.contains(&name.as_str()));
         let most = others.iter().map(|name| size(name)).fold(0.0, f64::max);
-        let flattens = |name: &String| most > 0.0 && size(name) > BEYOND_PAIRS * most;
+        let flattens = |name: &String| most > 0.0 && size(name) > BEYOND_OTHERS * most;
         let hidden: Vec<&String> = apart.into_iter().filter(|name| flattens(name)).collect();
         for pair in &hidden {
             let size = size(pair);
@@ -219,8 +237,8 @@ impl<'a> Recorded<'a> {
         if let Some(strengths) = strength::tensile(self.source) {
             caption = say!(
                 language,
-                "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Where it reaches that and \
-                 falls to nearly zero, a crack has opened.",
+                "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Fast loading raises it, and \
+                 damping adds to s1: where s1 passes it for a moment, the damage at that place says whether a crack opened.",
                 first = caption,
                 strengths = strengths
             );

@@ -18,7 +18,7 @@ const CORNER: f64 = 0.26;
 /// The three forces with their symbols and the units in which they are shown: thousands of the SI ones.
 pub fn forces(language: Language) -> [String; 3] {
     [
-        say!(language, "N, thrust (kN/m)"),
+        say!(language, "N, thrust, tension positive (kN/m)"),
         say!(language, "M, moment (kN\u{a0}m/m)"),
         say!(language, "Q, shear (kN/m)"),
     ]

@@ -3,6 +3,7 @@
 use tremolite_results::ElementGroups;
 
 use crate::language::{Language, say};
+use crate::plan::end_walls;
 use crate::scale::trimmed;
 use crate::unfold::Sheet;
 
@@ -45,6 +46,12 @@ pub fn developed(language: Language, sheets: &[Sheet]) -> Vec<String> {
     if let Some(sheet) = sheets.iter().find(|sheet| sheet.wraps && sheet.axis[2].abs() <= 0.5) {
         let axis = direction(sheet.axis);
         said.push(say!(language, "Left and right are those of who looks along +{axis}.", axis = axis));
+    }
+    if sheets.iter().any(|sheet| !end_walls(sheet).is_empty()) {
+        said.push(say!(
+            language,
+            "Strips that lean out beyond the ends are the faces of the lining's ends, folded into the plane."
+        ));
     }
     if sheets.iter().any(|sheet| sheet.pieces > 1) {
         said.push(say!(language, "Parts that would lie on others are moved apart."));

@@ -4,6 +4,10 @@ use tremolite_results::{Finding, Severity, Summary};
 
 use crate::brief::{NAME, percent, short};
 use crate::language::{Language, say};
+use crate::scale::figures;
+
+/// A share that hides how much of a block of rock, most of it far from the caverns, has yielded.
+const SMALL: f64 = 0.01;
 
 /// What lies around the linings: the worst interface, the worst bolts, the rock.
 pub fn around(language: Language, facts: &Summary) -> Vec<(Severity, String)> {
@@ -78,13 +82,27 @@ pub fn around(language: Language, facts: &Summary) -> Vec<(Severity, String)> {
         found.push((bolts.severity, text));
     }
     if let Some(rock) = facts.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8) {
-        found.push((rock.severity, yielded(language, rock)));
+        found.push((rock.severity, yielded(language, facts, rock)));
     }
     found
 }
 
-/// In how much of its volume a group has yielded.
-pub fn yielded(language: Language, finding: &Finding) -> String {
+/// In how much of its volume a group has yielded; of a large one, the ground, also how much that is.
+pub fn yielded(language: Language, facts: &Summary, finding: &Finding) -> String {
+    let text = by_share(language, finding);
+    let measure =
+        facts.damage.get(&finding.group).and_then(|group| group.measures.get("plastic_shear_strain"));
+    let volume = measure.and_then(|measure| measure.beyond.values().next()).copied().unwrap_or(0.0);
+    match finding.numbers.get("share_yielded_in_shear") {
+        Some(share) if *share < SMALL && volume > 0.0 => {
+            let volume = format!("{}\u{a0}m³", figures(volume, 3));
+            say!(language, "{first} In shear that is {volume}.", first = text, volume = volume)
+        }
+        _ => text,
+    }
+}
+
+fn by_share(language: Language, finding: &Finding) -> String {
     let share = |name: &str| finding.numbers.get(name).copied().unwrap_or(0.0);
     let shear = share("share_yielded_in_shear");
     let tension = share("share_yielded_in_tension");

@@ -1,7 +1,7 @@
 //! The verdict: whether the lining stands, in five lines at most, from what the summary found.
 
 use serde::Serialize;
-use tremolite_results::{Cracks, Finding, Severity, Status, Summary};
+use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary};
 
 use crate::brief::{CHECK, NAME, percent, short};
 use crate::language::{Language, say};
@@ -15,6 +15,13 @@ use crate::units::Kind;
 const LINES: usize = 5;
 /// Linings that have a line each; further ones share the last.
 const ALONE: usize = 2;
+/// Checks that warn and are named.
+const WARNINGS: usize = 3;
+/// Parts of a lining, crown and walls, of which each is told.
+const PARTS: usize = 3;
+
+/// What `share_cracked` of a finding counts: the column of the law.
+const CRACKED: &str = "d_tension";
 
 /// What stands at the top of the page.
 #[derive(Serialize)]
@@ -39,7 +46,7 @@ pub fn verdict(source: &Source) -> Verdict {
     let language = source.language;
     let mut lines = vec![run(source, &facts)];
     let linings = linings(&facts);
-    lines.extend(linings.iter().take(ALONE).map(|finding| lining(source, finding)));
+    lines.extend(linings.iter().take(ALONE).map(|finding| in_full(source, &facts, finding)));
     if let [next, ..] = linings.get(ALONE..).unwrap_or_default() {
         let count = linings.len() - ALONE;
         let next = lining(source, next);
@@ -104,7 +111,7 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
     let Ok(summary) = &source.summary else {
         return ("warn", say!(language, "Cannot be said: there is no summary of the run."));
     };
-    let yielded = yielding.map(|finding| yielded(language, finding));
+    let yielded = yielding.map(|finding| yielded(language, summary, finding));
     match (summary.status, linings.first().map(|finding| finding.severity), yielded) {
         (Status::Failed, ..) => ("bad", say!(language, "Cannot be said: the run failed.")),
         (Status::Stopped, Some(Severity::Through), _) => {
@@ -177,23 +184,31 @@ fn run(source: &Source, facts: &Summary) -> Line {
 fn warned(source: &Source, facts: &Summary, passed: usize, judged: usize) -> String {
     let language = source.language;
     let warn = facts.trust.iter().filter(|line| !line.pass && !line.not_applicable);
-    let mut names = warn.map(|line| language.tell_or(&line.name_said, &line.name));
-    let check = short(&names.next().unwrap_or_default(), CHECK);
-    match names.count() {
-        0 => say!(
+    let names: Vec<String> =
+        warn.map(|line| short(&language.tell_or(&line.name_said, &line.name), CHECK)).collect();
+    let told = names[..names.len().min(WARNINGS)].join(&say!(language, "; "));
+    match names.len() {
+        0 | 1 => say!(
             language,
             "The run is done; {passed} of {judged} checks pass. Look at the other first: {check}.",
             passed = passed,
             judged = judged,
-            check = check
+            check = told
         ),
-        more => say!(
+        all if all <= WARNINGS => say!(
             language,
-            "The run is done; {passed} of {judged} checks pass. Look first at: {check}; and {more} more.",
+            "The run is done; {passed} of {judged} checks pass. Look at the others first: {checks}.",
             passed = passed,
             judged = judged,
-            check = check,
-            more = more
+            checks = told
+        ),
+        all => say!(
+            language,
+            "The run is done; {passed} of {judged} checks pass. Look first at: {checks}; and {more} more.",
+            passed = passed,
+            judged = judged,
+            checks = told,
+            more = all - WARNINGS
         ),
     }
 }
@@ -208,6 +223,46 @@ fn within(room: usize, mut lines: Vec<(Severity, String)>, language: Language) -
         }
     }
     lines.into_iter().map(|(severity, text)| Line { class: class(severity), text }).collect()
+}
+
+/// A lining's cracks, those of its parts, and what of them was there before the earthquake.
+fn in_full(source: &Source, facts: &Summary, finding: &Finding) -> Line {
+    let language = source.language;
+    let mut line = lining(source, finding);
+    let cracked = |group: &GroupDamage| Some(group.measures.get(CRACKED)?.beyond.get("0.5")? / group.volume);
+    let of_whole = facts.damage.get(&finding.group).and_then(cracked);
+    let inside = format!("{}.", finding.group);
+    let mut parts: Vec<(&str, f64)> = facts
+        .damage
+        .iter()
+        .filter_map(|(name, group)| Some((name.strip_prefix(&inside)?, cracked(group)?)))
+        .filter(|(_, share)| share.is_finite())
+        .collect();
+    if of_whole.is_some_and(|share| share > 0.0) && (2..=PARTS).contains(&parts.len()) {
+        parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let told: Vec<String> = parts.into_iter().map(|(name, x)| format!("{name} {}", percent(x))).collect();
+        line.text = say!(
+            language,
+            "{first} By parts: {parts}.",
+            first = line.text,
+            parts = told.join(&say!(language, ", "))
+        );
+    }
+    if let Some(share) = before(source, &finding.group).filter(|share| *share > 0.0) {
+        line.text = say!(
+            language,
+            "{first} Before the earthquake: {share}.",
+            first = line.text,
+            share = percent(share)
+        );
+    }
+    line
+}
+
+/// The share of a lining that was cracked when the shaking began.
+fn before(source: &Source, group: &str) -> Option<f64> {
+    let table = source.damage.as_ref()?.as_ref().ok().filter(|_| source.shakes())?;
+    table.column(&format!("{group}.{CRACKED}"))?.first().copied().filter(|share| share.is_finite())
 }
 
 /// A lining's cracks.

@@ -111,7 +111,7 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
         return Err(source.error(
             first,
             "the units of the numbers are not known",
-            "declare them, for example units = \"cm/s2\" (or g, m/s2, mm/s2, counts)",
+            "declare them, for example units = \"cm/s2\" (or g, m/s2, mm/s2, counts); on the command line --units cm/s2",
         ));
     };
     let wanted = columns.iter().filter(|c| matches!(c, Column::Acceleration(_))).count();

@@ -17,9 +17,9 @@ pub const TEXTS: Texts = &[
         "{monitor} at {time}, its components together in one row of monitors.csv",
         "{monitor}，{time}，monitors.csv 同一行各分量合成",
     ),
-    ("{pair}, {axis}, at {time}", "{pair}，{axis}，{time}"),
-    ("{first}; without {pairs}, loose pieces", "{first}；不含 {pairs}（混凝土块已松动）"),
-    ("Largest relative displacement, one component", "最大相对位移（单分量）"),
+    ("{pair} at {time}, its length", "{pair}，{time}，为矢量长度"),
+    ("{first}; without {names}, loose pieces", "{first}；不含 {names}（混凝土块已松动）"),
+    ("Largest relative displacement", "最大相对位移"),
     ("Force of the bolt nearest to yield", "最接近屈服的锚杆轴力"),
     (
         "{energy}, of the largest energy held; from energy.csv, with ⅛Δt²aᵀMa, which belongs to the scheme and which the check leaves out",

@@ -3,7 +3,7 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
-    ("N, thrust (kN/m)", "轴力 N (kN/m)"),
+    ("N, thrust, tension positive (kN/m)", "轴力 N，受拉为正 (kN/m)"),
     ("M, moment (kN\u{a0}m/m)", "弯矩 M (kN\u{a0}m/m)"),
     ("Q, shear (kN/m)", "剪力 Q (kN/m)"),
     ("after {stage}", "{stage}之后"),

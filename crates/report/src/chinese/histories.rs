@@ -37,7 +37,7 @@ pub const TEXTS: Texts = &[
     ),
     ("Tension is positive.", "拉应力为正。"),
     (
-        "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Where it reaches that and falls to nearly zero, a crack has opened.",
+        "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Fast loading raises it, and damping adds to s1: where s1 passes it for a moment, the damage at that place says whether a crack opened.",
         "{first}请将 s1 与监测点所在材料的抗拉强度对照：{strengths}。达到强度后降至接近零处，裂缝已张开。",
     ),
     ("Principal stress as if nothing cracked", "假定不开裂时的主应力"),

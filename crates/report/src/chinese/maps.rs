@@ -59,6 +59,10 @@ pub const TEXTS: Texts = &[
     ),
     ("up to {most} (median {half})", "最大 {most}（中位数 {half}）"),
     ("end of the lining", "衬砌端部"),
+    (
+        "Strips that lean out beyond the ends are the faces of the lining's ends, folded into the plane.",
+        "两端向外伸出的条带为衬砌端面，展开于同一平面。",
+    ),
     ("along the strike", "沿走向"),
     ("up the dip", "沿倾向向上"),
     ("along {axis}", "沿 {axis}"),

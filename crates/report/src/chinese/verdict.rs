@@ -44,9 +44,16 @@ pub const TEXTS: Texts = &[
         "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看未通过的一项：{check}。",
     ),
     (
-        "The run is done; {passed} of {judged} checks pass. Look first at: {check}; and {more} more.",
-        "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看：{check}；以及另外 {more} 项。",
+        "The run is done; {passed} of {judged} checks pass. Look at the others first: {checks}.",
+        "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看其余各项：{checks}。",
     ),
+    (
+        "The run is done; {passed} of {judged} checks pass. Look first at: {checks}; and {more} more.",
+        "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看：{checks}；以及另外 {more} 项。",
+    ),
+    ("{first} By parts: {parts}.", "{first}其中各部分：{parts}。"),
+    ("{first} Before the earthquake: {share}.", "{first}地震前：{share}。"),
+    ("{first} In shear that is {volume}.", "{first}其中剪切屈服体积为 {volume}。"),
     ("{group}: undamaged.", "{group}：未损伤。"),
     (
         "{group}: cracked in {cracked} of its volume, through the thickness at {through} of {places} places; widest crack {opening}.",

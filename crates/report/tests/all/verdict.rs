@@ -4,7 +4,7 @@ use std::fs;
 
 use tremolite_report::{Language, write_in};
 use tremolite_results::{
-    Damaged, Finding, GroupDamage, Peaks, ResultFolder, Severity, Summary, Table, TableWriter,
+    Damaged, Finding, GroupDamage, Peaks, ResultFolder, Severity, Summary, Table, TableWriter, TrustLine,
 };
 
 use crate::report::results;
@@ -153,33 +153,100 @@ fn a_loose_piece_is_no_strain_of_the_lining() {
             .unwrap()
             .replace('\u{a0}', " ");
         let of = |name: &str| fs::read_to_string(folder.figures().join(name)).unwrap();
-        let along_z = of("displacement.svg").contains("z, up");
-        (page, of("relative.svg"), of("displacement-less-mean.svg"), along_z)
+        let displacement = of("displacement.svg");
+        (page, of("relative.svg"), of("displacement-less-mean.svg"), displacement)
     };
     // Nothing came loose: the pair that moved most is told and drawn.
     let temp = tempfile::tempdir().unwrap();
-    let (page, relative, less_mean, along_z) = read(&with_a_stray(temp.path(), &[]));
+    let (page, relative, less_mean, displacement) = read(&with_a_stray(temp.path(), &[]));
     assert!(page.contains("Monitors A-C moved by up to 2500 mm"), "the most of all");
     assert!(relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
     assert!(!page.contains("came loose") && !page.contains("loose pieces"));
-    assert!(along_z, "C moves along z as well");
+    assert!(displacement.contains("z, up") && displacement.contains(">C</text>"), "C moves along z as well");
+    assert!(page.contains("C at 1.000 s, its components together in one row of monitors.csv<"), "the card");
 
     let temp = tempfile::tempdir().unwrap();
-    let (page, relative, held, along_z_of_held) = read(&with_a_stray(temp.path(), &["C"]));
+    let (page, relative, held, displacement) = read(&with_a_stray(temp.path(), &["C"]));
     assert!(page.contains("Monitors A-B moved by up to 5.00 mm"), "of those that are held");
     assert!(page.contains("Not looked at: A-C, with a monitor on a piece that came loose."));
-    assert!(page.contains("A-B, x, at 1.000 s; without A-C, loose pieces"), "the card");
+    assert!(page.contains("A-B at 1.000 s, its length; without A-C, loose pieces"), "the card");
     assert!(!relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
     assert!(page.contains("Not drawn: A-C, up to 2693 mm along an axis"), "with its size");
-    assert!(!along_z_of_held && page.contains("Not drawn: z, up, nowhere more than"), "the others hardly do");
+    assert!(!displacement.contains("z, up"), "the others hardly move so");
+    assert!(page.contains("Not drawn: z, up, nowhere more than"));
+    assert!(!displacement.contains(">C</text>") && displacement.contains(">B</text>"));
+    assert!(page.contains("Not drawn: C, up to 2739 mm, a piece that came loose."));
+    assert!(page.contains("its components together in one row of monitors.csv; without C, loose pieces"));
     assert!(page.contains("Not in the mean, since they are on pieces that came loose: C."));
     assert_ne!(less_mean, held, "A and B are less their own mean");
 
     // Where all are loose they are all there is.
     let temp = tempfile::tempdir().unwrap();
-    let (page, relative, all, along_z_of_all) = read(&with_a_stray(temp.path(), &["A", "B", "C"]));
+    let (page, relative, all, displacement) = read(&with_a_stray(temp.path(), &["A", "B", "C"]));
     assert!(!page.contains("moved by up to"), "nothing is told of the lining");
-    assert!(along_z_of_all);
+    assert!(displacement.contains("z, up") && displacement.contains(">C</text>"));
     assert!(relative.contains(">A-C</text>") && relative.contains(">A-B</text>"));
     assert_eq!(less_mean, all);
+}
+
+/// A group of so much volume (m³), so much of it beyond a threshold of a measure.
+fn group(volume: f64, measure: &str, threshold: &str, beyond: f64) -> GroupDamage {
+    let damaged = Damaged { beyond: [(threshold.to_owned(), beyond)].into(), ..Damaged::default() };
+    GroupDamage { volume, measures: [(measure.to_owned(), damaged)].into(), ..GroupDamage::default() }
+}
+
+#[test]
+fn parts_what_was_there_before_and_the_volume_of_rock_are_told() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    let share = |x| [("share_cracked", x)];
+    let yielded = |x| finding("rock", Severity::Damaged, &[("share_yielded_in_shear", x)]);
+    set(&folder, vec![finding("hall.lining", Severity::Damaged, &share(0.4)), yielded(0.003)], true);
+    fs::write(folder.damage(), "time [s],hall.lining.d_tension [m3/m3]\n0,0.052\n1,0.4\n").unwrap();
+    let of = |parts: &[(&str, f64, f64)], rock: f64| {
+        let mut summary = Summary::read(&folder.summary()).unwrap();
+        summary.damage = [("hall.lining".to_owned(), group(10.0, "d_tension", "0.5", 4.0))].into();
+        for (name, volume, beyond) in parts {
+            summary.damage.insert((*name).to_owned(), group(*volume, "d_tension", "0.5", *beyond));
+        }
+        summary.damage.insert("rock".into(), group(rock, "plastic_shear_strain", "1e-6", 3000.0));
+        summary.write(&folder.summary()).unwrap();
+        fs::read_to_string(write_in(folder.root(), Language::English).unwrap())
+            .unwrap()
+            .replace('\u{a0}', " ")
+    };
+    let (crown, walls) = (("hall.lining.crown", 4.0, 0.4), ("hall.lining.walls", 6.0, 3.6));
+    let page = of(&[crown, walls, ("hall.lining2", 1.0, 1.0)], 1e6);
+    assert!(page.contains(
+        "cracked in 40.0 % of its volume. By parts: walls 60.0 %, crown 10.0 %. Before the earthquake: 5.2 %."
+    ));
+    assert!(page.contains("rock: yielded in shear in 0.3 % of its volume. In shear that is 3000 m³."));
+    // One part says nothing beside the whole, and many are for the table.
+    let many = ["a", "b", "c", "d"].map(|part| format!("hall.lining.{part}"));
+    let many: Vec<_> = many.iter().map(|name| (name.as_str(), 1.0, 0.5)).collect();
+    assert!(!of(&[crown], 1e6).contains("By parts") && !of(&many, 1e6).contains("By parts"));
+
+    // Where much has yielded the share says enough, and nothing was cracked before.
+    set(&folder, vec![finding("hall.lining", Severity::Damaged, &share(0.4)), yielded(0.03)], true);
+    fs::write(folder.damage(), "time [s],hall.lining.d_tension [m3/m3]\n0,0\n1,0.4\n").unwrap();
+    let page = of(&[crown, walls], 1e5);
+    assert!(!page.contains("In shear that is") && !page.contains("Before the earthquake:"));
+}
+
+#[test]
+fn up_to_three_checks_that_warn_are_named() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    for (warn, wanted) in [
+        (1, "0 of 1 checks pass. Look at the other first: check 1."),
+        (3, "0 of 3 checks pass. Look at the others first: check 1; check 2; check 3."),
+        (5, "0 of 5 checks pass. Look first at: check 1; check 2; check 3; and 2 more."),
+    ] {
+        let mut summary = Summary::read(&folder.summary()).unwrap();
+        let line = |k| TrustLine { name: format!("check {k}"), pass: false, ..summary.trust[0].clone() };
+        summary.trust = (1..=warn).map(|k| TrustLine { name_said: Default::default(), ..line(k) }).collect();
+        summary.write(&folder.summary()).unwrap();
+        let page = fs::read_to_string(write_in(folder.root(), Language::English).unwrap()).unwrap();
+        assert!(page.contains(wanted), "{wanted}");
+    }
 }
