@@ -186,7 +186,7 @@ fn figure(
         let names = stages[steps.first + i].installed.join(", ");
         say!(
             language,
-            "{names} installed at {share}\u{a0}%",
+            "{names} installed with {share}\u{a0}% of the forces let go",
             names = names,
             share = trimmed(&figures(share, 3))
         )

@@ -119,7 +119,7 @@ pub const TEXTS: Texts = &[
          弹性状态；曲线变陡处围岩屈服。衬砌施作后由其分担荷载，曲线应变缓。",
     ),
     ("let go so far", "已释放"),
-    ("{names} installed at {share}\u{a0}%", "释放 {share}\u{a0}% 时施作 {names}"),
+    ("{names} installed with {share}\u{a0}% of the forces let go", "释放 {share}\u{a0}% 时施作 {names}"),
     ("{list}.", "{list}。"),
     ("motion over the share of forces let go", "位移随已释放荷载比例的变化"),
 ];

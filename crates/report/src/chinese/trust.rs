@@ -12,7 +12,7 @@ pub const TEXTS: Texts = &[
         "change of the initial stress on the way to equilibrium over that stress",
         "达到平衡过程中初始应力的变化与初始应力之比",
     ),
-    ("motion to the initial equilibrium over the stages'", "达到初始平衡的位移与各施工阶段位移之比"),
+    ("motion to the initial equilibrium over that of the stages", "达到初始平衡的位移与各施工阶段位移之比"),
     ("nothing comes before the earthquake", "地震前没有施工阶段"),
     ("no stage came to rest", "没有阶段达到静止"),
     (

@@ -21,7 +21,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let held_name =
         || said!("held besides weight, loads and reactions after the last stage, over all contributions");
     let change_name = || said!("change of the initial stress on the way to equilibrium over that stress");
-    let initial_name = || said!("motion to the initial equilibrium over the stages'");
+    let initial_name = || said!("motion to the initial equilibrium over that of the stages");
     let stages = &evidence.outcome.stages;
     let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
         let why = || match evidence.plan.stages.is_empty() {
