@@ -96,7 +96,7 @@ pub struct Cracks {
     pub stacks: u64,
     /// How many of them are cracked through.
     pub through: u64,
-    /// One of those, by the element and its centre (m), at the end of the run.
+    /// Of the elements of those the one that opened widest, with its centre (m).
     pub through_at: Option<Place>,
 }
 

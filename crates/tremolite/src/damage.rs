@@ -92,13 +92,16 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
     };
     let stacks = stacks(&model.mesh, &group.elements);
     let through: Vec<&Stack> = stacks.iter().filter(|stack| stack.iter().all(open)).collect();
+    let opening = |e: u32| slot(e).map_or(0.0, |slot| widest[slot.element as usize]);
+    let wider = |best: u32, e: u32| if opening(e) > opening(best) { e } else { best };
+    let worst = through.iter().flat_map(|stack| stack.iter().map(|(e, _)| *e)).reduce(wider);
     let Place { element, at: centre } = place(element);
     Some(Cracks {
         opening: widest[at],
         widest: (widest[at] > 0.0).then_some(Onset { time: when[at], element, at: centre }),
         stacks: stacks.len() as u64,
         through: through.len() as u64,
-        through_at: through.first().map(|stack| place(stack[0].0)),
+        through_at: worst.map(place),
     })
 }
 
@@ -182,7 +185,7 @@ fn of_cracks(cracks: &Cracks) -> Vec<Said> {
     let mut text = Vec::new();
     if let Some(place) = cracks.through_at {
         text.push(said!(
-            "One such place is element {element} at {place}.",
+            "Of these element {element} at {place} opened widest.",
             element = place.element.to_string(),
             place = point(place.at),
         ));
@@ -192,8 +195,12 @@ fn of_cracks(cracks: &Cracks) -> Vec<Said> {
     let Some(widest) = cracks.widest else { return text };
     text.push(match cracks.is_loose() {
         true => said!(
-            "Cracks open beyond {limit} mm: pieces have come loose, which this model does not follow.",
+            "Cracks open beyond {limit} mm, widest at {time} s in element {element} at {place}: pieces have come loose, which this \
+             model does not follow.",
             limit = format!("{:.0}", 1e3 * Cracks::LOOSE),
+            time = format!("{:.2}", widest.time),
+            element = widest.element.to_string(),
+            place = point(widest.at),
         ),
         false => said!(
             "Widest crack {opening} mm, at {time} s in element {element} at {place}.",
@@ -249,6 +256,17 @@ fn percent(share: f64) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn of_loose_pieces_the_place_is_told_and_not_a_width_that_means_little() {
+        let widest = Some(Onset { time: 12.9, element: 7, at: [1.0, 2.0, 3.0] });
+        let told =
+            |opening| sentences(of_cracks(&Cracks { opening, widest, ..Cracks::default() })).to_string();
+        assert!(told(0.019).starts_with("Widest crack 19.00 mm, at 12.90 s in element 7 at"));
+        let loose = told(0.0212);
+        assert!(loose.starts_with("Cracks open beyond 20 mm, widest at 12.90 s in element 7 at"), "{loose}");
+        assert!(!loose.contains("21.2"));
+    }
 
     #[test]
     fn measures_are_called_in_findings_what_they_are_called_in_tables() {

@@ -19,11 +19,14 @@ pub const TEXTS: Texts = &[
     ("{measure} in {percent} % of its volume", "{percent} % 的体积{measure}"),
     ("{measure} in less than 0.1 % of its volume", "不足 0.1 % 的体积{measure}"),
     ("through the thickness at {through} of {places} places", "{places} 处中有 {through} 处贯穿厚度"),
-    ("One such place is element {element} at {place}.", "其中一处为单元 {element}，位于 {place}。"),
+    (
+        "Of these element {element} at {place} opened widest.",
+        "其中张开最大的是单元 {element}，位于 {place}。",
+    ),
     ("No crack runs through the thickness.", "没有裂缝贯穿厚度。"),
     (
-        "Cracks open beyond {limit} mm: pieces have come loose, which this model does not follow.",
-        "裂缝宽度超过 {limit} mm：已有块体松脱，本模型不能模拟其后的运动。",
+        "Cracks open beyond {limit} mm, widest at {time} s in element {element} at {place}: pieces have come loose, which this model does not follow.",
+        "裂缝宽度超过 {limit} mm，最宽处出现在 {time} s，单元 {element}，位于 {place}：已有块体松脱，本模型不能模拟其后的运动。",
     ),
     (
         "Widest crack {opening} mm, at {time} s in element {element} at {place}.",
