@@ -26,11 +26,14 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         }
     };
     if let Ok(table) = &source.monitors {
-        let (loose, held): (Vec<&String>, Vec<&String>) =
+        let (mut loose, mut counted): (Vec<&String>, Vec<&String>) =
             facts.monitors.keys().partition(|name| facts.monitors_on_broken_elements.contains(name));
-        let of_held = longest(table, held.into_iter());
-        let loose: Vec<&str> = of_held.iter().flat_map(|_| loose.iter().map(|name| name.as_str())).collect();
-        if let Some((monitor, time, size)) = of_held.or_else(|| longest(table, facts.monitors.keys())) {
+        // Where all are loose they are all there is.
+        if counted.is_empty() {
+            std::mem::swap(&mut loose, &mut counted);
+        }
+        let loose: Vec<&str> = loose.into_iter().map(String::as_str).collect();
+        if let Some((monitor, time, size)) = longest(table, counted.into_iter()) {
             let note = say!(
                 language,
                 "{monitor} at {time}, its components together in one row of monitors.csv",

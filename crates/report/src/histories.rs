@@ -109,10 +109,7 @@ impl<'a> Recorded<'a> {
             names.iter().filter_map(of).map(largest_of).fold(0.0, f64::max)
         };
         let loose = self.source.facts().monitors_on_broken_elements;
-        let others = self.monitors.iter().filter(|name| !loose.contains(name));
-        let most = others.map(|name| size(name)).fold(0.0, f64::max);
-        let hidden: Vec<&String> =
-            loose.iter().filter(|name| most > 0.0 && size(name) > BEYOND_OTHERS * most).collect();
+        let hidden = flattening(&self.monitors, |name| loose.iter().any(|other| other == name), size);
         for monitor in &hidden {
             caption = say!(
                 language,
@@ -201,18 +198,14 @@ impl<'a> Recorded<'a> {
              follow."
         );
         let names = ["ux", "uy", "uz"];
-        let of_pair = |name: &String, quantity: &str| difference(self.table, &self.monitors, name, quantity);
+        let of_pair = |name: &str, quantity: &str| difference(self.table, &self.monitors, name, quantity);
         let facts = self.source.facts();
         let (_, loose) = held(&facts);
-        let size = |name: &String| {
-            let each = names.iter().filter_map(|quantity| Some((name.clone(), of_pair(name, quantity)?)));
-            largest(&each.collect::<Vec<_>>())
+        let size = |name: &str| {
+            let each = names.iter().filter_map(|quantity| of_pair(name, quantity));
+            each.map(|values| largest_of(&values)).fold(0.0, f64::max)
         };
-        let (apart, others): (Vec<&String>, Vec<&String>) =
-            self.pairs.iter().partition(|name| loose.contains(&name.as_str()));
-        let most = others.iter().map(|name| size(name)).fold(0.0, f64::max);
-        let flattens = |name: &String| most > 0.0 && size(name) > BEYOND_OTHERS * most;
-        let hidden: Vec<&String> = apart.into_iter().filter(|name| flattens(name)).collect();
+        let hidden = flattening(&self.pairs, |name| loose.contains(&name), size);
         for pair in &hidden {
             let size = size(pair);
             caption = say!(
@@ -410,6 +403,13 @@ impl<'a> Recorded<'a> {
         }
         self.drawn(&Titles { heading: &family.heading, file: family.file, caption: &caption }, panels)
     }
+}
+
+/// Of those that came loose the ones beside which the others, by their sizes, would be flat lines.
+fn flattening(names: &[String], is_loose: impl Fn(&str) -> bool, size: impl Fn(&str) -> f64) -> Vec<&String> {
+    let (loose, others): (Vec<&String>, Vec<&String>) = names.iter().partition(|name| is_loose(name));
+    let most = others.iter().map(|name| size(name)).fold(0.0, f64::max);
+    loose.into_iter().filter(|name| most > 0.0 && size(name) > BEYOND_OTHERS * most).collect()
 }
 
 fn largest(histories: &[(String, Cow<'_, [f64]>)]) -> f64 {

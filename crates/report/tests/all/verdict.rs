@@ -115,7 +115,8 @@ fn no_answer_is_green_where_checks_warn() {
     }
 }
 
-/// Three monitors, of which C moves fifty times as far as it did, the others hardly along z, with the pairs A-B and A-C; `loose` came loose.
+/// Three monitors, of which C moves fifty times as far as it did and the others hardly along z, with the pairs A-B and A-C;
+/// `loose` came loose.
 fn with_a_stray(root: &std::path::Path, loose: &[&str]) -> ResultFolder {
     let folder = results(root, &["A", "B", "C"]);
     let mut table = Table::read(&folder.monitors()).unwrap();
