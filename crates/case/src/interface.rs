@@ -51,6 +51,14 @@ pub(crate) static INTERFACE: Table = Table {
             "largest ω_c Δt of contact, ω_c of the stiffest pairs between their masses: the step keeps it, lest impacts make energy",
         )
         .when(OF_A_LAW),
+        Key::default(
+            "viscosity",
+            Kind::Number(Dimension::NONE, Limit::Within(0.5)),
+            "0.06",
+            "artificial viscosity of the elements that touch it, where their region has less: share of critical damping at an \
+             element's own highest frequency, against vibrations that sliding feeds",
+        )
+        .when(OF_A_LAW),
     ],
     choice: &[],
 };
@@ -83,6 +91,8 @@ pub struct Contact {
     pub damping: Spanned<f64>,
     /// Largest ω_c Δt, in (0, 1].
     pub limit: Spanned<f64>,
+    /// Artificial viscosity of the elements beside it, in \[0, 0.5\].
+    pub viscosity: Spanned<f64>,
 }
 
 impl Interface {
@@ -98,7 +108,9 @@ impl Interface {
         let contact = if *law == TIED {
             None
         } else {
-            Some(Contact { law, parameters: f.values()?, corner: corner?, damping: damping?, limit: limit? })
+            let parameters = f.values()?;
+            let viscosity = f.number("viscosity")?;
+            Some(Contact { law, parameters, corner: corner?, damping: damping?, limit: limit?, viscosity })
         };
         Some(Interface { name: f.text("name")?, between: sides(f)?, contact, span: f.span.clone() })
     }

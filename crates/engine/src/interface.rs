@@ -25,6 +25,9 @@ pub struct Interface {
     pub damping: f64,
     /// ω_c Δt at most.
     pub limit: f64,
+    /// Artificial viscosity of the elements that have a node on it, where their body has less: share of critical damping at an
+    /// element's own highest frequency.
+    pub viscosity: f64,
 }
 
 impl Interface {
@@ -36,8 +39,11 @@ impl Interface {
     pub const DAMPING: f64 = 0.01;
     /// Beyond, impacts may gain energy.
     pub const LIMIT: f64 = 0.8;
+    /// What slides feeds vibrations at the mesh's own frequencies, as friction follows the pressure; so much takes them out on a
+    /// slope, whatever mesh and stiffness (`block_on_slope` in `crates/verify`).
+    pub const VISCOSITY: f64 = 0.06;
 
-    /// An interface with the usual corner, damping and limit.
+    /// An interface with the usual corner, damping, limit and viscosity.
     pub fn new(name: impl Into<String>, sides: [Vec<u32>; 2], law: InterfaceLaw, values: Values) -> Self {
         Interface {
             name: name.into(),
@@ -48,6 +54,7 @@ impl Interface {
             corner: Self::CORNER,
             damping: Self::DAMPING,
             limit: Self::LIMIT,
+            viscosity: Self::VISCOSITY,
         }
     }
 }
@@ -64,6 +71,7 @@ pub struct Seam {
     pub pressure: f64,
     pub damping: f64,
     pub limit: f64,
+    pub viscosity: f64,
     pub corner: f64,
     /// Faces of the first side with those of the second.
     pub faces: Vec<[Face; 2]>,

@@ -25,6 +25,8 @@ use tremolite_mesh::order::hilbert_order;
 pub struct Patch {
     pub body: usize,
     pub life: Life,
+    /// Whether its elements have artificial viscosity ([`Model::viscosity`]).
+    pub viscous: bool,
     /// Whether its elements take over from others. Each then has nodes of its own among the part's, since displacements count
     /// from other values in each.
     pub takes_over: bool,
@@ -48,6 +50,9 @@ pub struct Model {
     pub stand_ins: Vec<(u32, u32)>,
     /// Elements that take over from others: later → earlier.
     pub successors: HashMap<u32, u32>,
+    /// Artificial viscosity of each element, a share of critical damping: that of its body, or of an interface that it has a
+    /// node on if that is more.
+    pub viscosity: Vec<f64>,
     /// Stress \[Pa\] of each element before anything moves; empty for none.
     pub initial: Vec<[f64; 6]>,
     /// m/s²
@@ -208,21 +213,24 @@ impl Model {
             Err(reason) => reason,
         };
 
+        let viscosity = viscosities(&mesh, &bodies, &seams, &parents);
         let mut patches = Vec::new();
         let (mut user_patches, mut slab_patches) = (0, 0);
         let size = patch_size(problem.patch_elements, bodies.iter().map(|b| b.elements.len()).sum());
         for (b, body) in bodies.iter().enumerate() {
-            let mut lots: BTreeMap<(Life, bool), Vec<u32>> = BTreeMap::new();
+            let mut lots: BTreeMap<(Life, bool, bool), Vec<u32>> = BTreeMap::new();
             for &e in &body.elements {
-                lots.entry((lives[e as usize], successors.contains_key(&e))).or_default().push(e);
+                let lot = (lives[e as usize], successors.contains_key(&e), viscosity[e as usize] > 0.0);
+                lots.entry(lot).or_default().push(e);
             }
-            for ((life, takes_over), lot) in lots {
+            for ((life, takes_over, viscous), lot) in lots {
                 let centroids: Vec<[f64; 3]> = lot.iter().map(|&e| centroid(&mesh, e)).collect();
                 let order: Vec<u32> =
                     hilbert_order(&centroids).into_iter().map(|i| lot[i as usize]).collect();
                 patches.extend(order.chunks(size).map(|elements| Patch {
                     body: b,
                     life,
+                    viscous,
                     takes_over,
                     elements: elements.to_vec(),
                 }));
@@ -275,6 +283,7 @@ impl Model {
             lives,
             stand_ins: problem.stand_ins,
             successors,
+            viscosity,
             initial,
             gravity: problem.gravity,
             tractions,
@@ -362,6 +371,23 @@ impl Model {
         let count = self.patches[..self.user_patches].last().map_or(0, |p| p.body + 1);
         &self.bodies[..count]
     }
+}
+
+/// The artificial viscosity of every element. What was made of another, outside a side, has that one's.
+fn viscosities(mesh: &Mesh, bodies: &[Body], seams: &[Seam], parents: &[u32]) -> Vec<f64> {
+    let mut own = vec![0.0; mesh.elements.len()];
+    for body in bodies {
+        body.elements.iter().for_each(|&e| own[e as usize] = body.viscosity);
+    }
+    let mut beside = vec![0.0_f64; mesh.nodes.len()];
+    for seam in seams {
+        for node in seam.pairs.iter().flat_map(|pair| pair.nodes) {
+            beside[node as usize] = beside[node as usize].max(seam.viscosity);
+        }
+    }
+    let of_nodes =
+        |e: usize| mesh.elements[e].nodes().iter().map(|&n| beside[n as usize]).fold(0.0, f64::max);
+    parents.iter().map(|&of| own[of as usize].max(of_nodes(of as usize))).collect()
 }
 
 fn ascending(mut elements: Vec<u32>) -> Vec<u32> {

@@ -1,6 +1,5 @@
 //! A patch as a part: its elements numbered among its nodes, what they weigh, and what of them a side is told.
 
-use crate::body::Body;
 use crate::error::ModelError;
 use crate::extent::size_tensor;
 use crate::hexahedra::{hex, hex_nodes};
@@ -61,7 +60,7 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result
     // What is made of another element is as viscous and cracks as that does, whatever its own thickness.
     let own = |&e: &u32| hex(&model.mesh, model.parents[e as usize] as usize);
     let parents: Vec<Hex8> = patch.elements.iter().filter_map(|e| own(e).ok()).collect();
-    let viscosity = viscosity(body, &parents);
+    let viscosity = viscosity(model, patch, &parents);
     let outside = patch.elements.iter().any(|&e| e as usize >= model.user_elements);
     let sizes: Vec<[f64; 6]> = if outside { parents.iter().map(size_tensor).collect() } else { Vec::new() };
     let part =
@@ -78,11 +77,13 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result
 }
 
 /// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without.
-fn viscosity(body: &Body, geometry: &[Hex8]) -> Vec<f64> {
-    if body.viscosity == 0.0 {
+fn viscosity(model: &Model, patch: &Patch, geometry: &[Hex8]) -> Vec<f64> {
+    if !patch.viscous {
         return Vec::new();
     }
+    let body = &model.bodies[patch.body];
     let full = body.quadrature == Quadrature::Full;
     let omegas = element_frequencies(geometry, body.material.stiffest(), body.density, full);
-    omegas.into_iter().map(|omega| 2.0 * body.viscosity / omega).collect()
+    let share = |e: u32| model.viscosity[e as usize];
+    patch.elements.iter().zip(omegas).map(|(&e, omega)| 2.0 * share(e) / omega).collect()
 }

@@ -79,6 +79,7 @@ pub fn of_problem(
                 pressure: interface.pressure,
                 damping: interface.damping,
                 limit: interface.limit,
+                viscosity: interface.viscosity,
                 faces,
                 ends,
             };

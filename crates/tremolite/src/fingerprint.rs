@@ -69,7 +69,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     let mut time = Hasher(crc32fast::Hasher::new());
     time.shown(&(dt, plan.duration, plan.histories, plan.snapshots, model.rayleigh, model.top));
     // While time stands still before the shaking these do nothing.
-    time.shown(&model.bodies.iter().map(|body| body.viscosity).collect::<Vec<_>>());
+    time.numbers(&model.viscosity);
     time.shown(&model.seams.iter().map(|seam| seam.damping).collect::<Vec<_>>());
     if let Some(incident) = &model.incident {
         time.number(incident.factor);

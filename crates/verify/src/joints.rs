@@ -2,11 +2,11 @@
 
 use crate::VerifyError;
 use tremolite::{Interface, interface_laws};
-use tremolite_laws::{Need, Value, Values};
+use tremolite_laws::{Choice, Need, Value, Values};
 use tremolite_mesh::{Element, Mesh};
 
 /// An interface of a law of the list between two sets of elements, normals out of the first into the second; what is not
-/// given has the law's default.
+/// given has the law's default, or is left to be chosen.
 ///
 /// # Errors
 /// If there is no such law, or it refuses the values.
@@ -31,7 +31,9 @@ pub fn joint(
     for (name, word) in words {
         values.0.insert((*name).into(), Value::Word((*word).into()));
     }
-    (law.build)(&values).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))?;
+    let choice = Choice { stiffness: 1e15, pressure: Interface::PRESSURE };
+    let whole = (law.info.chosen)(&values, &choice);
+    (law.build)(&whole).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))?;
     Ok(Interface::new("joint", sides, law, values))
 }
 

@@ -26,6 +26,7 @@ mod dense;
 mod effort;
 mod error;
 mod full_space;
+pub mod hill;
 mod id;
 mod joints;
 mod lined;

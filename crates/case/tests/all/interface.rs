@@ -73,14 +73,15 @@ fn what_an_interface_leaves_out_is_listed_and_what_is_chosen_has_no_value() {
         ("corner", "45 deg"),
         ("contact_damping", "0.01"),
         ("contact_limit", "0.8"),
+        ("viscosity", "0.06"),
     ] {
         assert_eq!(listed(&format!("interface[lining-rock].{key}")), Some(value), "{key}");
     }
     assert_eq!(joint.parameters.optional("normal_stiffness"), None);
     assert_eq!(joint.parameters.number("poisson"), Ok(0.25));
     assert_eq!(
-        (joint.corner.value, joint.damping.value, joint.limit.value),
-        (45_f64.to_radians(), 0.01, 0.8)
+        (joint.corner.value, joint.damping.value, joint.limit.value, joint.viscosity.value),
+        (45_f64.to_radians(), 0.01, 0.8, 0.06)
     );
 
     let tied = read(&format!(
@@ -142,6 +143,7 @@ const BAD: &[Bad] = &[
     bad("contact_damping = 0.02", "contact_damping = -0.1", "-0.1", "must be from 0 to 0.2", "from 0 to 0.2"),
     bad("contact_limit = 0.9", "contact_limit = 1.1", "1.1", "must be above 0 and at most 1", "at most 1"),
     bad("contact_limit = 0.9", "contact_limit = 0", "0", "must be above 0 and at most 1", "above 0"),
+    bad("viscosity = 0.04", "viscosity = 0.6", "0.6", "must be from 0 to 0.5", "from 0 to 0.5"),
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = \"20 GPa\"", "\"20 GPa\"", "a stiffness per area is expected", "GPa/m"),
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = 20", "20", "`normal_stiffness` = 20 has no unit, and a bare number is in Pa/m", "\"20 GPa/m\"?"),
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = 5e3", "5e3", "a bare number is in Pa/m", "\"5000 MPa/m\"?"),

@@ -161,6 +161,7 @@ fn what_the_reader_refuses_for_its_form_does_not_fit() {
         ("between = [\"transformer.bench*\", \"rock\"]", "between = [\"rock\"]"),
         ("contact_damping = 0.02", "contact_damping = 0.3"),
         ("contact_limit = 0.9", "contact_limit = 0"),
+        ("viscosity = 0.04", "viscosity = 0.6"),
         ("release = 0.6", "release = 1.6"),
         ("release = \"100 %\"", "bolts = { pattern = \"crown\" }"),
         ("spacing = [\"1.5 m\", \"1.2 m\"]\n", ""),

@@ -43,6 +43,7 @@ fn list_names_the_keys_of_every_interface_and_the_states() {
         ("corner", "deg, rad", "[default 45 deg; only where `law` is not \"tied\"]"),
         ("contact_damping", "1", "[default 0.01; only where `law` is not \"tied\"]"),
         ("contact_limit", "1", "[default 0.8; only where `law` is not \"tied\"]"),
+        ("viscosity", "1", "[default 0.06; only where `law` is not \"tied\"]"),
     ] {
         let start = format!("    {name:25} {unit:10} ");
         assert!(text.lines().any(|l| l.starts_with(&start) && l.ends_with(end)), "{name}:\n{text}");

@@ -101,7 +101,7 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
     let mut w = start(phase);
     let Power { lambda, change, iterations } = highest(assembly, phase, Product::Stiffness, &mut w);
     let undamped = 2.0 / lambda.sqrt();
-    let share = model.user_bodies().iter().map(|body| body.viscosity).fold(0.0, f64::max);
+    let share = model.viscosity[..model.user_elements].iter().copied().fold(0.0, f64::max);
     let mut dt_stiffness = undamped;
     let dashpots = model.seams.iter().any(|seam| seam.damping > 0.0);
     if share > 0.0 || dashpots {

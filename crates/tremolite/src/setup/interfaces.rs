@@ -69,6 +69,7 @@ pub fn build(
             corner: contact.corner.value,
             damping: contact.damping.value,
             limit: contact.limit.value,
+            viscosity: contact.viscosity.value,
         });
     }
     interfaces

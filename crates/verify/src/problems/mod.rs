@@ -67,6 +67,7 @@ problems! {
     strip_footing Verify,
     interface_waves Test,
     bars_collide Test,
+    block_on_slope Verify,
     sliding_block Test,
     contact_cycles Verify,
     interface_ring Test,
