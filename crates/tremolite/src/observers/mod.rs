@@ -13,6 +13,7 @@ mod histories;
 mod interfaces;
 mod onsets;
 pub mod recorded;
+mod ringing;
 mod section_forces;
 mod steps;
 
@@ -28,6 +29,7 @@ pub use growth::Growth;
 pub use histories::{Histories, at_rest, columns};
 pub use interfaces::{InterfaceFields, InterfaceGrid, Interfaces};
 pub use onsets::{Onsets, memory_key as onset_memory};
+pub use ringing::{Ringing, Rings};
 pub use section_forces::SectionForces;
 pub use steps::{Extremes, StepPeaks};
 
@@ -154,6 +156,7 @@ pub const OBSERVERS: &[Make] = &[
     |s| Ok(Fields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(SectionForces::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Interfaces::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(Rings::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(InterfaceFields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(BoltForces::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(BoltFields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),

@@ -3,7 +3,7 @@
 mod bolts;
 mod changes;
 mod doubts;
-mod facts;
+pub(crate) mod facts;
 mod groups;
 mod initial;
 mod inputs;

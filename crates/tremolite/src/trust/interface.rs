@@ -19,7 +19,8 @@ fn created_name() -> Said {
 }
 
 /// Checks of the shaking alone.
-const OF_SHAKING: [&str; 3] = ["energy_created_by_interfaces", "interface_impacts", "interface_step"];
+const OF_SHAKING: [&str; 4] =
+    ["energy_created_by_interfaces", "interface_impacts", "interface_step", "interface_ringing"];
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let mut lines = all(evidence);
@@ -41,6 +42,7 @@ fn all(evidence: &Evidence) -> Vec<TrustLine> {
             ("interface_straight", said!("pairs beyond the pressure from which the law is straight")),
             ("interface_impacts", said!("energy found at impacts over energy supplied")),
             ("interface_step", said!("time step times frequency of the stiffest pair")),
+            ("interface_ringing", seam::ringing_name()),
             ("interface_chosen", said!("closure of the interface over that of the elements beside it")),
         ]
         .map(line)

@@ -1,7 +1,7 @@
 //! Checks of one interface: whether its pairs stay where their law and the step are good.
 
 use crate::evidence::Evidence;
-use crate::observers::Interfaces;
+use crate::observers::{Interfaces, Ringing};
 use crate::places;
 use tremolite_engine::Seam;
 use tremolite_engine::hexahedra::hex;
@@ -23,6 +23,11 @@ const IMPACTS: f64 = 0.01;
 /// Closure of an interface whose stiffness was chosen over what the elements beside it give at the same pressure: in the first
 /// case cracked volumes settle below this, and are a third smaller at 0.8.
 const CHOSEN: f64 = 0.1;
+/// Acceleration above the input's band over that below, beside an interface: a block on a slope slides by a thousandth too far at
+/// 3, by one part in fifty at 8, and right below 1.
+const RINGING: f64 = 1.0;
+/// Share of the shaking that must count, or nothing is said of ringing.
+const LEAST_COUNTED: f64 = 0.05;
 /// Round-off of a step that is to be a share of another.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -164,7 +169,45 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     } else {
         TrustLine::not_applicable(id("interface_chosen"), chosen_name, said!("its stiffness was given"))
     };
-    vec![closure, slip, gap, straight, impacts, step, chosen]
+    vec![closure, slip, gap, straight, impacts, step, ringing(evidence, number), chosen]
+}
+
+/// Whether the bodies beside an interface ring.
+fn ringing(evidence: &Evidence, number: usize) -> TrustLine {
+    let Evidence { model, outcome, .. } = evidence;
+    let seam = &model.seams[number];
+    let id = format!("interface_ringing_{}", snake(&seam.name));
+    let name = said!("{check}, {interface}", check = ringing_name(), interface = &seam.name);
+    let none = |why: Said| TrustLine::not_applicable(&id, name.clone(), why);
+    let Some(Ringing { above, below, counted, corner }) =
+        Ringing::of(model, &outcome.state.observers, number)
+    else {
+        return none(said!("no wave comes in"));
+    };
+    if counted < LEAST_COUNTED {
+        return none(said!(
+            "more than half of it was open in {share} % of the rows, and what comes off and hits rings",
+            share = format!("{:.0}", 100.0 * (1.0 - counted)),
+        ));
+    }
+    TrustLine::at_most(&id, name.clone(), above / below, RINGING, "")
+        .with("above", above)
+        .with("below", below)
+        .with("corner", corner)
+        .with("counted", counted)
+        .with_note(said!(
+            "acceleration of its nodes above {corner} Hz, twice the highest frequency that comes in, {above} m/s², over that below, \
+             {below} m/s²; root mean squares over {share} % of the shaking, in the rest of which most of it was open. What slides feeds \
+             such vibrations, and slides further by them: give the interface more `viscosity`",
+            corner = format!("{corner:.1}"),
+            above = format!("{above:.3}"),
+            below = format!("{below:.3}"),
+            share = format!("{:.0}", 100.0 * counted),
+        ))
+}
+
+pub(super) fn ringing_name() -> Said {
+    said!("motion above the input's band beside the interface")
 }
 
 /// Σ h/(λ + 2μ) \[m/Pa\] of the elements on both sides, h their extent from the face, mean over the area.
