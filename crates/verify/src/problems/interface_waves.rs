@@ -14,7 +14,8 @@
 //! **Errors.** A row of lumped masses with half a mass at its end has the impedance Z cos(½κh) at the wave number κ, and an
 //! increment over Δt is short of the velocity by (ωΔt)²/24. A path s delays a wave by δu = s h²(1 − C²)/(24c³) |u‴|
 //! ([`super::incident_pulse`]). The joint passes or returns all of a wave at most: so twice the terms of impedance and delay
-//! bound the error of the pulse's velocities.
+//! bound the error of the pulse's velocities. All this is of ground without viscosity; what the interface's own takes of a wave
+//! stands beside.
 
 use crate::convergence::order;
 use crate::joints::joint;
@@ -22,7 +23,7 @@ use crate::models::{Solid, column};
 use crate::simulation::{Simulation, whole_steps};
 use crate::{Check, Effort, Problem, VerifyError};
 use std::f64::consts::PI;
-use tremolite::{Quadrature, Side};
+use tremolite::{Interface, Quadrature, Side};
 use tremolite_motion::ricker_velocity;
 
 const NAME: &str = "interface_waves";
@@ -121,8 +122,16 @@ struct Outcome {
     leading: f64,
 }
 
-/// A pulse through a joint of ωZ/2k = `ratio`; with `bond` it holds in tension.
-fn through(wave: Wave, law: &str, ratio: f64, bond: bool, pulse: Pulse, n: u32) -> Result<Outcome, VerifyError> {
+/// A pulse through a joint of ωZ/2k = `ratio`; with `bond` it holds in tension. Elements beside it have this artificial viscosity.
+fn through(
+    wave: Wave,
+    law: &str,
+    ratio: f64,
+    bond: bool,
+    pulse: Pulse,
+    n: u32,
+    viscosity: f64,
+) -> Result<Outcome, VerifyError> {
     let h = WAVELENGTH / f64::from(n);
     let [low, high] = [LOW, HIGH].map(|lengths| (lengths * f64::from(n)) as u32);
     let omega = 2.0 * PI * wave.frequency();
@@ -140,7 +149,8 @@ fn through(wave: Wave, law: &str, ratio: f64, bond: bool, pulse: Pulse, n: u32) 
     };
     let strengths = [("cohesion", strength), ("friction", 0.5)];
     let numbers: Vec<_> = numbers.into_iter().chain(strengths).collect();
-    problem.interfaces = vec![joint([below, above], law, &numbers, &[])?];
+    let joint = joint([below, above], law, &numbers, &[])?;
+    problem.interfaces = vec![Interface { viscosity, ..joint }];
     problem.sides = [Side::Periodic; 2];
     let simulation = Simulation::new(problem)?;
     let (steps, dt) = whole_steps(RUN * WAVELENGTH / wave.speed, 0.9 * simulation.stable());
@@ -249,8 +259,8 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     for wave in [Wave { letter: "P", speed: p, axis: 2 }, Wave { letter: "S", speed: s, axis: 0 }] {
         let letter = wave.letter;
         for (law, ratio) in [("coulomb", 0.3), ("coulomb", 1.0), ("coulomb", 3.0), ("bandis", 1.0)] {
-            let fine = through(wave, law, ratio, true, Pulse::Ricker, FINE)?;
-            let coarse = through(wave, law, ratio, true, Pulse::Ricker, FINE / 2)?;
+            let run = |n, viscosity| through(wave, law, ratio, true, Pulse::Ricker, n, viscosity);
+            let (fine, coarse) = (run(FINE, 0.0)?, run(FINE / 2, 0.0)?);
             let of = |what: &str| format!("{letter}: {what}, ωZ/2k = {ratio}, {law}");
             let exact = 1.0 / ratio.hypot(1.0);
             for (what, found, exact) in
@@ -264,6 +274,16 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
                 let quantity = of(&format!("order in h of what is {what}"));
                 checks.push(Check::new(NAME, quantity, p, 2.0, 0.1, "1", note).with_order(p));
             }
+            let (viscous, coarser) = (run(FINE, Interface::VISCOSITY)?, run(FINE / 2, Interface::VISCOSITY)?);
+            for (what, of_run) in [("passed", (|o| o.passed) as fn(&Outcome) -> f64), ("returned", |o| o.returned)] {
+                let [change, before] =
+                    [[&viscous, &fine], [&coarser, &coarse]].map(|[a, b]| (of_run(a) - of_run(b)).abs());
+                let note = "b(κh)²: what a wave loses in two layers of elements whose modulus is M(1 + ibκh); of order 2";
+                let most = Interface::VISCOSITY * (2.0 * PI / f64::from(FINE)).powi(2);
+                let quantity = of(&format!("what the interface's viscosity takes of what is {what}"));
+                let check = Check::new(NAME, quantity, change, 0.0, most, "1", note);
+                checks.push(check.with_order(order(before, change, 2.0)));
+            }
             let note = "twice the leading terms of the row and of its end";
             let quantity = of("error of velocities over the peak");
             let check = Check::new(NAME, quantity, fine.error, 0.0, 2.0 * fine.leading, "1", note);
@@ -274,7 +294,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
         }
         // Without a bond.
         let ratio = 0.1;
-        let [pressed, pulled] = [1.0, -1.0].map(|sign| through(wave, "coulomb", ratio, false, Pulse::Bell(sign), FINE));
+        let [pressed, pulled] = [1.0, -1.0].map(|sign| through(wave, "coulomb", ratio, false, Pulse::Bell(sign), FINE, 0.0));
         let (pressed, pulled) = (pressed?, pulled?);
         let of = |what: &str| format!("{letter}: {what}, no bond, ωZ/2k = {ratio}");
         let note = "twice the leading terms of the row and of its end";
