@@ -14,6 +14,9 @@ use nearest::nearest_on_surface;
 /// How far outside the natural range a point still counts as inside: on a shared face, both are.
 const ON_FACE: f64 = 1e-9;
 
+/// Lengths that differ by less than this share of an element's size are the same.
+const SAME: f64 = 1e-6;
+
 /// Where a point lies in a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Location {
@@ -121,9 +124,11 @@ impl<'a> Locator<'a> {
 
     /// The element that contains `at` \[m\], or else the nearest one within `tolerance` \[m\].
     ///
-    /// Of several that contain it (a point on a face) the one of lowest index; of several equally near
-    /// ones likewise. Outside, the location is the nearest point of the element's surface (of a warped
-    /// face, a point close to that, with its true distance).
+    /// Of several that contain it (a point on a face, an edge or a corner), or are equally near, the one whose middle is
+    /// nearest, so the smallest; of equal ones the one that lies first along x, then y, then z. That goes by places alone: a mesh
+    /// whose elements and nodes are numbered otherwise gives the same element. Only of elements in one place the lowest index
+    /// is taken. Outside, the location is the nearest point of the element's surface (of a warped face, a point close to
+    /// that, with its true distance).
     pub fn locate(&self, at: [f64; 3], tolerance: f64) -> Option<Location> {
         let tolerance = tolerance.max(0.0);
         let mut near: Vec<u32> = self
@@ -139,9 +144,45 @@ impl<'a> Locator<'a> {
             .collect();
         near.sort_unstable();
         near.dedup();
-        near.iter()
-            .find_map(|&place| self.inside(place, at))
-            .or_else(|| self.nearest(&near, at).filter(|location| location.distance <= tolerance))
+        let containing = near.iter().filter_map(|&place| self.inside(place, at));
+        self.first_by_place(containing.collect(), at).or_else(|| {
+            let mut found = self.nearest(&near, at);
+            let least = found.iter().map(|location| location.distance).fold(f64::INFINITY, f64::min);
+            found.retain(|location| location.distance <= least + SAME * self.size(location));
+            self.first_by_place(found, at).filter(|location| location.distance <= tolerance)
+        })
+    }
+
+    /// The longest side \[m\] of the box of a location's element.
+    fn size(&self, location: &Location) -> f64 {
+        let [low, high] = bounds(self.mesh, location.element);
+        (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
+    }
+
+    /// The location that comes first by where its element is; of elements in one place the one of lowest index.
+    fn first_by_place(&self, found: Vec<Location>, at: [f64; 3]) -> Option<Location> {
+        let mut found = found.into_iter();
+        let mut first = found.next()?;
+        let mut middle = self.middle(&first);
+        let distance = |x: [f64; 3]| (0..3).map(|i| (x[i] - at[i]).powi(2)).sum::<f64>().sqrt();
+        for other in found {
+            let its = self.middle(&other);
+            // Round-off of the middles does not tell elements apart.
+            let same = SAME * self.size(&first).min(self.size(&other));
+            let [x, y, z] = [0, 1, 2].map(|i| its[i] - middle[i]);
+            let apart = [distance(its) - distance(middle), x, y, z].into_iter().find(|d| d.abs() > same);
+            if apart.is_some_and(|d| d < 0.0) {
+                (first, middle) = (other, its);
+            }
+        }
+        Some(first)
+    }
+
+    /// The mean of the nodes of a location's element.
+    fn middle(&self, location: &Location) -> [f64; 3] {
+        let nodes = self.mesh.elements[location.element as usize].nodes();
+        let sum = |i: usize| nodes.iter().map(|&n| self.mesh.nodes[n as usize][i]).sum::<f64>();
+        [0, 1, 2].map(|i| sum(i) / nodes.len() as f64)
     }
 
     /// The point's location in an element that contains it.
@@ -159,24 +200,20 @@ impl<'a> Locator<'a> {
         })
     }
 
-    /// The nearest place on the surfaces of some elements.
-    fn nearest(&self, places: &[u32], at: [f64; 3]) -> Option<Location> {
-        let mut best: Option<Location> = None;
-        for &place in places {
+    /// The nearest places on the surfaces of some elements, each.
+    fn nearest(&self, places: &[u32], at: [f64; 3]) -> Vec<Location> {
+        let of_element = |&place: &u32| {
             let index = self.elements[place as usize];
             let element = &self.mesh.elements[index as usize];
             let nodes = self.corners(element);
             let foot = nearest_on_surface(element.shape, &nodes, at);
-            let Some(natural) = natural_coordinates(element.shape, &nodes, foot) else { continue };
-            let natural = clamp(element.shape, natural);
+            let natural = clamp(element.shape, natural_coordinates(element.shape, &nodes, foot)?);
             let weights = weights(element.shape, natural);
             let x = point(&nodes[..element.shape.nodes()], &weights);
             let distance = (0..3).map(|i| (x[i] - at[i]).powi(2)).sum::<f64>().sqrt();
-            if best.is_none_or(|b| distance < b.distance) {
-                best = Some(Location { element: index, natural, weights, distance });
-            }
-        }
-        best
+            Some(Location { element: index, natural, weights, distance })
+        };
+        places.iter().filter_map(of_element).collect()
     }
 
     /// Coordinates of an element's nodes; the unused tail repeats the last.

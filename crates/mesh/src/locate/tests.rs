@@ -197,3 +197,52 @@ fn a_line_along_edges_and_one_through_a_hole_have_the_stretches_that_one_sees() 
     assert!(locator.stretches([1.0; 3], [1.0; 3]).is_empty());
     assert!(locator.stretches([1.0; 3], [f64::NAN; 3]).is_empty());
 }
+
+/// The same mesh with elements and nodes in another order, and each brick's nodes begun at another corner.
+fn renumbered(mesh: &Mesh) -> (Mesh, Vec<u32>) {
+    // A stride that shares no divisor with either count leaves none out.
+    let order = |count: usize| -> Vec<u32> { (0..count).map(|k| ((k * 101 + 17) % count) as u32).collect() };
+    let (nodes, elements) = (order(mesh.nodes.len()), order(mesh.elements.len()));
+    let mut other = mesh.clone();
+    for (old, &new) in nodes.iter().enumerate() {
+        other.nodes[new as usize] = mesh.nodes[old];
+    }
+    for (old, &new) in elements.iter().enumerate() {
+        let mut element = mesh.elements[old];
+        element.nodes = element.nodes.map(|n| nodes[n as usize]);
+        element.nodes[..4].rotate_left(old % 4);
+        element.nodes[4..].rotate_left(old % 4);
+        other.elements[new as usize] = element;
+    }
+    (other, elements)
+}
+
+#[test]
+fn what_lies_on_a_border_is_found_by_place_and_not_by_number() {
+    let mut mesh = distorted_box(4);
+    let (low, high) = mesh.bounds();
+    let check = |mesh: &Mesh, at: [f64; 3]| {
+        let (other, elements) = renumbered(mesh);
+        let [found, again] = [mesh, &other].map(|m| Locator::new(m, None).locate(at, 0.1).expect("near"));
+        assert_eq!(again.element, elements[found.element as usize], "{at:?}");
+        found
+    };
+    // Corners, middles of edges, and a point outside beside an edge that two elements share.
+    for e in 0..mesh.elements.len() {
+        let n = mesh.elements[e].nodes;
+        let [a, b] = [n[0], n[1]].map(|n| mesh.nodes[n as usize]);
+        check(&mesh, a);
+        check(&mesh, [0, 1, 2].map(|i| 0.5 * (a[i] + b[i])));
+        check(&mesh, [a[0], a[1], low[2] - 0.05]);
+    }
+    // Bricks of one size, whose middles are all equally far: the first along x, y and z; where they differ, the smallest.
+    mesh = crate::boxes::BoxSpec::uniform([0.0; 3], [4.0; 3], [4; 3]).mesh().unwrap();
+    assert_eq!(check(&mesh, [2.0; 3]).element, 1 + 4 + 16);
+    mesh.nodes.iter_mut().filter(|x| x[0] > 2.5).for_each(|x| x[0] = 2.5 + (x[0] - 2.5) / 3.0);
+    let found = check(&mesh, [2.0; 3]);
+    let x: f64 = mesh.elements[found.element as usize].nodes.iter().map(|&n| mesh.nodes[n as usize][0]).sum();
+    assert!(x / 8.0 > 2.0 && high[0] == 4.0, "the narrow one");
+    // A moved origin has other round-off.
+    mesh.nodes.iter_mut().for_each(|x| *x = [x[0] + 4e6, x[1] + 3.5e7, x[2] - 200.3]);
+    assert_eq!(check(&mesh, [4e6 + 2.0, 3.5e7 + 2.0, -198.3]).element, found.element);
+}
