@@ -2,6 +2,7 @@
 
 mod bare;
 mod pieces;
+mod pulls;
 mod stress;
 
 pub use pieces::{Hold, Piece};

@@ -33,10 +33,19 @@ fn warning(span: std::ops::Range<usize>, stage: &str, piece: &Piece) -> Problem 
             format!("{what} touches neither the base nor a side that holds it: it will come down"),
             "take it out as well, leave rock that holds it, or give a side \"fixed\"",
         ),
-        Hold::Hangs(interfaces) => Problem::new(
+        Hold::Hangs { interfaces, bolts, .. } if bolts.is_empty() => Problem::new(
             span,
             format!("{what} hangs by {} alone: bond and friction there must carry it", interfaces.join(", ")),
             "see that they do; else leave what it rests on, or take it out",
+        ),
+        Hold::Hangs { interfaces, bolts, lifted } => Problem::new(
+            span,
+            format!(
+                "{what} hangs by {}: at their strength the bolts lift {:.0} % of its weight",
+                [&interfaces[..], bolts].concat().join(", "),
+                100.0 * lifted
+            ),
+            "see that bond and friction carry the rest; else give more bolts, leave what it rests on, or take it out",
         ),
     }
 }

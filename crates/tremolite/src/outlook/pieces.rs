@@ -1,17 +1,19 @@
 //! Pieces of what stands that nothing holds up.
 
+use super::pulls::{Pull, pulls_of};
 use super::smallest_groups;
 use std::collections::{BTreeMap, BTreeSet};
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::{Model, Phase};
 
 /// What holds a piece that is not joined to what is held.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Hold {
     /// Nothing: it comes down.
     Nothing,
-    /// Bond and friction of these interfaces, none of which it rests on.
-    Hangs(Vec<String>),
+    /// Bond and friction of these interfaces, none of which it rests on, and these groups of bolts, which at their strength lift this
+    /// share of its weight: less than all.
+    Hangs { interfaces: Vec<String>, bolts: Vec<String>, lifted: f64 },
 }
 
 /// Connected elements that neither the base nor a fixed side holds up.
@@ -43,7 +45,7 @@ struct Contact {
 }
 
 /// Pieces that stand in a phase and are not held up: joined through shared or tied nodes to the base or a side that is fixed.
-/// What rests on a piece that is held up, through an interface, is so too.
+/// What rests on a piece that is held up, through an interface, is so too, and so is what bolts carry at their strength.
 pub(super) fn pieces(model: &Model, phase: &Phase, standing: &[u32]) -> Vec<Piece> {
     let mut parent: Vec<u32> = (0..phase.master.len() as u32).collect();
     let of = |node: u32| phase.master[model.engine_node[node as usize] as usize];
@@ -100,18 +102,49 @@ pub(super) fn pieces(model: &Model, phase: &Phase, standing: &[u32]) -> Vec<Piec
         }
     }
     let smallest = smallest_groups(model);
+    let piece_of = |element: u32, parent: &mut Vec<u32>| {
+        root(parent, of(model.mesh.elements[element as usize].nodes()[0]))
+    };
+    let mut pulls: BTreeMap<u32, BTreeMap<usize, f64>> = BTreeMap::new();
+    for (s, set) in model.bolts.iter().enumerate().filter(|(_, set)| set.kind.born <= phase.stage) {
+        for bolt in &set.bolts {
+            for Pull { hangs, upwards } in
+                pulls_of(set, bolt, phase.stage, &held, |e| piece_of(e, &mut parent))
+            {
+                *pulls.entry(hangs).or_default().entry(s).or_default() += upwards;
+            }
+        }
+    }
     parts
         .into_iter()
         .filter(|(piece, _)| !held.contains(piece))
-        .map(|(piece, elements)| {
+        .filter_map(|(piece, elements)| {
+            let bolts = pulls.remove(&piece).unwrap_or_default();
+            let lifted = bolts.values().sum::<f64>() / weight(model, &elements);
+            if lifted >= 1.0 {
+                return None;
+            }
+            let bolts: Vec<String> = bolts.into_keys().map(|s| model.bolts[s].kind.name.clone()).collect();
             let touching = contacts.iter().filter(|(sides, _)| sides.contains(&piece));
             let interfaces: BTreeSet<usize> =
                 touching.flat_map(|(_, contact)| contact.interfaces.iter().copied()).collect();
             let names = interfaces.into_iter().map(|i| model.seams[i].name.clone()).collect::<Vec<_>>();
-            let held = if names.is_empty() { Hold::Nothing } else { Hold::Hangs(names) };
-            describe(model, &smallest, elements, held)
+            let held = match names.is_empty() && bolts.is_empty() {
+                true => Hold::Nothing,
+                false => Hold::Hangs { interfaces: names, bolts, lifted },
+            };
+            Some(describe(model, &smallest, elements, held))
         })
         .collect()
+}
+
+/// N
+fn weight(model: &Model, elements: &[u32]) -> f64 {
+    let of = |&e: &u32| {
+        let body = model.body_of[e as usize]?;
+        Some(hex(&model.mesh, e as usize).ok()?.volume * model.bodies[body].density * model.gravity)
+    };
+    elements.iter().filter_map(of).sum()
 }
 
 fn describe(model: &Model, smallest: &[&str], elements: Vec<u32>, held: Hold) -> Piece {
@@ -140,4 +173,98 @@ fn root(parent: &mut [u32], mut node: u32) -> u32 {
         node = parent[node as usize];
     }
     node
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tremolite_engine::hexahedra::centroid;
+    use tremolite_engine::{
+        Assembly, Bar, Base, Body, Bolts, Bond, Interface, Problem, Quadrature, Stage, elastic,
+    };
+    use tremolite_laws::{Moduli, Values};
+    use tremolite_mesh::boxes::BoxSpec;
+
+    /// A block of 2 × 4 × 2 m, 424 kN, in the roof of a drift of 2 m, cut off by an interface all round, with bolts of 200 kN that
+    /// go 1.5 m into the rock above.
+    fn hanging(count: usize, bond: Option<f64>) -> Option<Hold> {
+        let mesh = BoxSpec::uniform([0.0; 3], [4.0, 4.0, 6.0], [4, 4, 6]).mesh().unwrap();
+        let part = |e: &u32| {
+            let [x, _, z] = centroid(&mesh, *e);
+            match (1.0..3.0).contains(&x) {
+                true if z < 2.0 => 0,
+                true if z < 4.0 => 1,
+                _ => 2,
+            }
+        };
+        let of =
+            |wanted: i32| (0..mesh.elements.len() as u32).filter(|e| part(e) == wanted).collect::<Vec<u32>>();
+        let body = |name: &str, elements: Vec<u32>| Body {
+            name: name.into(),
+            elements,
+            material: elastic(Moduli::from_young_poisson(1e10, 0.25)),
+            density: 2700.0,
+            quadrature: Quadrature::OnePoint,
+            viscosity: 0.0,
+        };
+        let (block, rock) = (of(1), of(2));
+        let coulomb =
+            tremolite_kernels::interface_laws().into_iter().find(|l| l.info.name == "coulomb").unwrap();
+        let values =
+            Values::default().with("normal_stiffness", 1e10).with("cohesion", 1e5).with("friction", 0.5);
+        let cut = Interface::new("cut", [block.clone(), rock.clone()], coulomb, values);
+        let bar = |k: usize| Bar {
+            points: vec![[2.0, 0.6 + k as f64, 2.0], [2.0, 0.6 + k as f64, 5.5]],
+            areas: vec![5e-4],
+        };
+        let mut problem = Problem::new(mesh, vec![body("block", block), body("rock", rock)]);
+        problem.interfaces = vec![cut];
+        problem.base = Base::Fixed;
+        problem.gravity = 9.81;
+        problem.bolts = vec![Bolts {
+            name: "anchors".into(),
+            bars: (0..count).map(bar).collect(),
+            young: 2e11,
+            yields: 4e8,
+            breaks: f64::INFINITY,
+            bond: bond.map(|strength| Bond {
+                stiffness: 1e9,
+                strength,
+                friction: 0.0,
+                perimeter: 0.1,
+                segment: 0.5,
+            }),
+            pretension: 0.0,
+            free_length: 0.0,
+            plates: [true, false],
+            born: Stage::Before(0),
+        }];
+        let model = Model::new(problem).unwrap();
+        let assembly = Assembly::new(&model).unwrap();
+        let stage = Stage::Before(0);
+        let phase = Phase::of(&model, &assembly, stage).unwrap();
+        let found = pieces(&model, &phase, &model.standing(stage));
+        assert!(found.len() <= 1, "{found:?}");
+        found.into_iter().next().map(|piece| piece.held)
+    }
+
+    #[test]
+    fn a_block_that_anchors_carry_does_not_hang_by_its_joint() {
+        let cut = vec!["cut".to_owned()];
+        let alone = Hold::Hangs { interfaces: cut.clone(), bolts: Vec::new(), lifted: 0.0 };
+        assert_eq!(hanging(0, None), Some(alone));
+        assert_eq!(hanging(3, None), None);
+        let lifted = |held: Option<Hold>| match held {
+            Some(Hold::Hangs { interfaces, bolts, lifted }) => {
+                assert_eq!((interfaces, bolts), (cut.clone(), vec!["anchors".to_owned()]));
+                lifted
+            }
+            other => panic!("{other:?}"),
+        };
+        let weight = 16.0 * 2700.0 * 9.81;
+        assert!((lifted(hanging(1, None)) - 200e3 / weight).abs() < 1e-9);
+        // 1.5 m of bond above, at 60 kN/m.
+        assert!((lifted(hanging(3, Some(60e3))) - 3.0 * 90e3 / weight).abs() < 1e-9);
+        assert_eq!(hanging(3, Some(1e6)), None);
+    }
 }

@@ -59,7 +59,9 @@ impl Checked<'_> {
             for piece in &stage.pieces {
                 let held = match &piece.held {
                     Hold::Nothing => "nothing holds".to_owned(),
-                    Hold::Hangs(interfaces) => format!("only {} holds", interfaces.join(", ")),
+                    Hold::Hangs { interfaces, bolts, .. } => {
+                        format!("only {} holds", [&interfaces[..], bolts].concat().join(", "))
+                    }
                 };
                 print(&format!("                {held} {}", in_words(piece)));
             }
@@ -117,9 +119,9 @@ impl Checked<'_> {
         let stages = outlook.stages.iter().map(|stage| {
             let pieces = stage.pieces.iter().map(|piece| {
                 let (low, high) = piece.bounds;
-                let hangs: &[String] = match &piece.held {
-                    Hold::Nothing => &[],
-                    Hold::Hangs(interfaces) => interfaces,
+                let hangs = match &piece.held {
+                    Hold::Nothing => Vec::new(),
+                    Hold::Hangs { interfaces, bolts, .. } => [&interfaces[..], bolts].concat(),
                 };
                 json!({
                     "group": piece.group, "elements": piece.elements.len(), "volume": piece.volume,
