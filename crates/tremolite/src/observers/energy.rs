@@ -2,13 +2,16 @@
 
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
+use tremolite_engine::Body;
 use tremolite_engine::state::Memory;
 use tremolite_kernels::Line;
+use tremolite_laws::Role;
+use tremolite_laws::parameter::position;
 use tremolite_results::{Column, TableWriter};
 
-/// Key of what this observer remembers: the bytes written, and the largest error of all rows beyond the scheme's own part of
-/// it \[J\].
-pub const MEMORY: &str = "energy";
+/// Key of what this observer remembers: the bytes written; the largest error of all rows beyond the scheme's own part of it and what
+/// is in the books of bodies that dissipate; and by body the largest of all rows that is in theirs \[J\].
+pub const MEMORY: &str = "energy balance";
 
 /// Writes a row of the energy balance.
 pub struct Energy {
@@ -43,10 +46,26 @@ impl Observer for Energy {
         let mut row = vec![view.snapshot.time];
         row.extend(view.assembly.lines().map(|line| balance[line]));
         self.table.write(&row)?;
-        let beyond = (balance[Line::Error] - view.snapshot.scheme).abs();
-        let most = memory.get(MEMORY).map_or(0.0, |kept| kept[1]);
-        let most = if beyond.is_nan() { beyond } else { most.max(beyond) };
-        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64, most]);
+        // The work done on a body that has gone nowhere is energy that the balance misses.
+        let errors = of_bodies(view);
+        let beyond = (balance[Line::Error] - view.snapshot.scheme + errors.iter().sum::<f64>()).abs();
+        let kept = memory.get(MEMORY).map_or(&[][..], |kept| &kept[1..]);
+        let now = std::iter::once(beyond).chain(errors.into_iter().map(f64::abs));
+        let most = now.enumerate().map(|(k, now)| match kept.get(k) {
+            Some(most) if !now.is_nan() => most.max(now),
+            _ => now,
+        });
+        let bytes = self.table.bytes_written() as f64;
+        let remembered = std::iter::once(bytes).chain(most).collect();
+        memory.insert(MEMORY.into(), remembered);
         Ok(())
     }
+}
+
+/// By body of the user, the work on it that is in none of its lines \[J\], of those whose laws book what they dissipate: damage that
+/// jumps within a step leaves some.
+fn of_bodies(view: &View) -> Vec<f64> {
+    let dissipates = |body: &Body| position(body.material.info().history, Role::Dissipated).is_some();
+    let bodies = view.model.user_bodies().iter().zip(&view.snapshot.bodies);
+    bodies.map(|(body, books)| if dissipates(body) { books.error() } else { 0.0 }).collect()
 }
