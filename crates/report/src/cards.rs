@@ -59,7 +59,12 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     // Of equal ones the first: the whole stands before its parts.
     let wider = cracks.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a });
     if let Some((group, cracks, widest)) = wider {
-        let note = say!(language, "{place} at {time}", place = group, time = at(widest.time));
+        let note = say!(
+            language,
+            "{place} at {time}; how wide a single crack is goes by the mesh",
+            place = group,
+            time = at(widest.time)
+        );
         cards.push(card(say!(language, "Widest crack"), opening(source, cracks), note));
     }
     let extremes = interfaces::extremes(source, &facts).into_iter();

@@ -10,6 +10,7 @@ use crate::language::say;
 use crate::scale::Scale;
 use crate::source::Source;
 use crate::units::Kind;
+use crate::widths::width_by_mesh;
 
 /// The section of the page; nothing for a run in which nothing could be damaged.
 pub fn section(source: &Source) -> Option<Section> {
@@ -24,11 +25,12 @@ pub fn section(source: &Source) -> Option<Section> {
     if panels.is_empty() {
         return Some(Section::left_out(&heading, say!(language, "Nothing was damaged.")));
     }
-    let caption = say!(
+    let first = say!(
         language,
         "Share of each group's volume that is cracked or crushed (damage above 0.5) or has yielded, and the widest crack so \
          far. Does it grow in one blow, or with every cycle? What still grows at the end has not come to rest."
     );
+    let caption = say!(language, "{first} {second}", first = first, second = width_by_mesh(language));
     let titles = Titles { heading: &heading, file: "damage", caption: &caption };
     Some(Section::Drawn(apart::figures(language, &titles, time, panels)))
 }

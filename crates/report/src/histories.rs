@@ -10,6 +10,7 @@ use crate::chart::{Line, Mark, Panel, Stroke};
 use crate::contact_monitors::is_on_interface;
 use crate::figure::Section;
 use crate::language::{Language, say};
+use crate::of_steps::with_steps;
 use crate::pairs::{difference, from_mean, held, is_pair, names};
 use crate::scale::{figures, quantity};
 use crate::source::Source;
@@ -119,6 +120,7 @@ impl<'a> Recorded<'a> {
                 size = self.source.quantity(Kind::Displacement, size(monitor))
             );
         }
+        let caption = with_steps(self.source, caption, &names, Kind::Displacement);
         let heading = say!(language, "Displacement");
         let panels = components(language, &names, Mark::Largest);
         let family = Family { heading, file: "displacement", caption, panels, negligible: SMALL };
@@ -274,6 +276,7 @@ impl<'a> Recorded<'a> {
                 size = most
             );
         }
+        let caption = with_steps(self.source, caption, &["s1_elastic"], Kind::Stress);
         let panels = vec![("s1_elastic", "s1_elastic".to_owned(), Mark::Highest)];
         let heading = say!(language, "Principal stress as if nothing cracked");
         Some(self.family(
@@ -284,9 +287,10 @@ impl<'a> Recorded<'a> {
 
     pub fn velocity(&self) -> Section {
         let language = self.source.language;
-        let (heading, panels) =
-            (say!(language, "Velocity"), components(language, &["vx", "vy", "vz"], Mark::Largest));
-        let family = Family { heading, file: "velocity", caption: String::new(), panels, negligible: SMALL };
+        let names = ["vx", "vy", "vz"];
+        let caption = with_steps(self.source, String::new(), &names, Kind::Velocity);
+        let (heading, panels) = (say!(language, "Velocity"), components(language, &names, Mark::Largest));
+        let family = Family { heading, file: "velocity", caption, panels, negligible: SMALL };
         self.family(family, |quantity| self.of_monitors(quantity))
     }
 
@@ -296,6 +300,7 @@ impl<'a> Recorded<'a> {
             language,
             "Far more than the rock's at one monitor alone is a loose piece that rings, or a crack that closes."
         );
+        let caption = with_steps(self.source, caption, &["ax", "ay", "az"], Kind::Acceleration);
         let (heading, panels) =
             (say!(language, "Acceleration"), components(language, &["ax", "ay", "az"], Mark::Largest));
         self.family(

@@ -63,6 +63,7 @@ mod maps;
 mod materials;
 mod mesh_figure;
 mod multiples;
+mod of_steps;
 mod page;
 mod page_size;
 mod pairs;
@@ -104,6 +105,7 @@ mod unfold;
 mod units;
 mod verdict;
 mod view;
+mod widths;
 mod window;
 
 use std::fs;

@@ -20,6 +20,7 @@ use crate::source::Source;
 use crate::svg;
 use crate::text_table::TextTable;
 use crate::verdict::{self, Verdict};
+use crate::widths::width_by_mesh;
 
 const TEMPLATE: &str = include_str!("../template/report.html");
 
@@ -49,6 +50,8 @@ struct Page {
     peaks: Vec<PeakTable>,
     /// What peaks are taken from.
     peaks_of: String,
+    /// What is to be said beside widths of cracks.
+    width_by_mesh: String,
     defaulted: Vec<Defaulted>,
     has_summary: bool,
     /// Whether to say that there was nothing to judge.
@@ -135,6 +138,7 @@ pub fn html(
         sections: sections.iter().map(part).collect(),
         peaks: peaks::peaks(source),
         peaks_of: peaks_of(source),
+        width_by_mesh: width_by_mesh(source.language),
         defaulted: summary.defaulted.clone(),
         has_summary: source.summary.is_ok(),
         unjudged: source.summary.is_ok()
@@ -171,8 +175,9 @@ fn peaks_of(source: &Source) -> String {
     let Some(interval) = peaks::interval(source) else { return first };
     say!(
         language,
-        "{first} Taken from the rows of monitors.csv, {interval} apart: what rings faster may peak higher between them (a \
-         shorter output.histories shows it).",
+        "{first} Taken from the rows of monitors.csv, {interval} apart; beside them the largest and the smallest value of all steps, where \
+         those were followed. Where the two differ the rows are too far apart (a shorter output.histories shows it), or something rings: \
+         an acceleration of one step is that of a crack that closes as well as that of the ground.",
         first = first,
         interval = interval
     )

@@ -26,8 +26,11 @@ pub struct PeakRow {
     pub quantity: String,
     pub max: String,
     pub t_max: String,
+    /// The largest of all steps, where it was followed through every one.
+    pub step_max: String,
     pub min: String,
     pub t_min: String,
+    pub step_min: String,
     pub residual: String,
 }
 
@@ -51,7 +54,7 @@ pub fn peaks(source: &Source) -> Vec<PeakTable> {
             say!(language, "Principal stress of monitors, tension positive"),
             Kind::Stress,
             monitors,
-            &["s1", "s3"][..],
+            &["s1", "s3", "s1_elastic"][..],
         ),
         table(
             say!(language, "Gap and slip of monitors on interfaces"),
@@ -80,8 +83,10 @@ fn group_stress(source: &Source, summary: &Summary) -> PeakTable {
             quantity: quantity.to_owned(),
             max: String::new(),
             t_max: String::new(),
+            step_max: String::new(),
             min: String::new(),
             t_min: String::new(),
+            step_min: String::new(),
             residual: String::new(),
         };
         let s1 = PeakRow {
@@ -122,8 +127,10 @@ fn peak_table(source: &Source, heading: String, kind: Kind, all: &ByName, wanted
                 quantity: quantity.clone(),
                 max: number(p.max),
                 t_max: time(p.t_max, p.max),
+                step_max: p.step_max.map_or(String::new(), number),
                 min: number(p.min),
                 t_min: time(p.t_min, p.min),
+                step_min: p.step_min.map_or(String::new(), number),
                 residual: number(p.residual),
             });
         }

@@ -210,6 +210,7 @@ fn of_cracks(cracks: &Cracks) -> Vec<Said> {
             place = point(widest.at),
         ),
     });
+    text.push(said!("How many cracks share a stretch, and so their width, goes by the mesh."));
     text
 }
 

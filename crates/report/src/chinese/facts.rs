@@ -12,7 +12,6 @@ pub const TEXTS: Texts = &[
     ("Run: done, {warnings} of {judged} checks warn", "计算：完成，{judged} 项检查中 {warnings} 项警告"),
     // Cards.
     ("Largest displacement of a monitor", "监测点最大位移"),
-    ("{place} at {time}", "{place}，{time}"),
     (
         "{monitor} at {time}, its components together in one row of monitors.csv",
         "{monitor}，{time}，monitors.csv 同一行各分量合成",

@@ -3,6 +3,10 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    (
+        "How many cracks share a stretch, and so their width, goes by the mesh.",
+        "多少条裂缝分担一段张开量、每条有多宽，取决于网格。",
+    ),
     // Joints of phrases.
     ("{group}: {headline}", "{group}：{headline}"),
     ("{first} {rest}", "{first}{rest}"),

@@ -3,6 +3,10 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    (
+        "Of all steps the largest is {size}, {quantity} of {monitor}.",
+        "全部时间步中最大为 {size}（{monitor} 的 {quantity}）。",
+    ),
     ("Each line stands alone; grey is the range of all of them.", "每条曲线单独绘出；灰色为全部曲线的范围。"),
     ("{value} at {time}\u{a0}s", "{time}\u{a0}s 时 {value}"),
     ("no values", "无数值"),

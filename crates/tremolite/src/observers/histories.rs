@@ -178,18 +178,27 @@ fn natural(model: &Model, monitor: &Monitor, element: usize) -> [f64; 3] {
     }
 }
 
-/// C:Δε at a monitor \[Pa\], with the strain since the start of shaking.
-fn elastic_change(view: &View, monitor: &Monitor) -> [f64; 6] {
-    let View { model, snapshot, .. } = *view;
+/// C:Δε at a monitor \[Pa\], with the strain since the start of shaking: displacements \[m\] by engine node since then.
+pub(super) fn elastic_change(
+    model: &Model,
+    monitor: &Monitor,
+    displacement: impl Fn(usize) -> [f64; 3],
+) -> [f64; 6] {
     let element = monitor.location.element as usize;
     let Some(body) = model.body_of.get(element).copied().flatten().map(|b| &model.bodies[b]) else {
         return [f64::NAN; 6];
     };
     let nodes = hex_nodes(&model.mesh, element).map(|n| model.engine_node[n as usize] as usize);
     let Ok(hex) = hex(&model.mesh, element) else { return [f64::NAN; 6] };
-    let u = nodes.map(|n| snapshot.displacement[n].xyz());
+    let u = nodes.map(displacement);
     let full = body.quadrature == Quadrature::Full;
     stress_at(&elastic_stress(&hex, body.material.relaxed(), full, &u), natural(model, monitor, element))
+}
+
+/// Stress of the first row at the monitor of this number \[Pa\]; none before that row.
+pub(super) fn first_stress(memory: &Memory, plan: &Plan, monitor: usize) -> Option<[f64; 6]> {
+    let first = 2 + 3 * plan.monitors.len();
+    memory.get(MEMORY)?[first..].as_chunks::<6>().0.get(monitor).copied()
 }
 
 /// Stress at a monitor \[Pa\], in what stands there.
@@ -234,7 +243,7 @@ impl Observer for Histories {
                 None => stress,
             };
             first.extend(start);
-            let change = elastic_change(view, monitor);
+            let change = elastic_change(model, monitor, |n| snapshot.displacement[n].xyz());
             row.push(principal_values(&[0, 1, 2, 3, 4, 5].map(|c| start[c] + change[c]))[0]);
         }
         kept.extend(first);
