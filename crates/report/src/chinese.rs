@@ -4,6 +4,7 @@
 
 mod before;
 mod bolts;
+mod checked;
 mod compare;
 mod contact;
 mod damage;
@@ -34,6 +35,7 @@ pub type Texts = &'static [(&'static str, &'static str)];
 pub const TABLES: &[Texts] = &[
     before::TEXTS,
     bolts::TEXTS,
+    checked::TEXTS,
     compare::TEXTS,
     contact::TEXTS,
     damage::TEXTS,

@@ -1,5 +1,6 @@
 //! What is known of a run that has ended.
 
+use crate::near_sides::NearSide;
 use crate::plan::Plan;
 use crate::run::Outcome;
 use crate::setup::MotionFacts;
@@ -19,6 +20,8 @@ pub struct Evidence<'a> {
     /// None without an earthquake.
     pub motion: Option<&'a MotionFacts>,
     pub survey: &'a Survey,
+    /// Boundaries beside openings.
+    pub near: Vec<NearSide>,
     pub outcome: &'a Outcome,
     /// monitors.csv as it was written.
     pub histories: &'a Table,

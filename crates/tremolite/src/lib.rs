@@ -15,6 +15,7 @@ pub mod history;
 pub mod interfaces;
 pub mod layered_column;
 mod motion_table;
+pub mod near_sides;
 pub mod observers;
 mod outcome;
 pub mod outlook;

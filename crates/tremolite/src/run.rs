@@ -1,8 +1,10 @@
 //! A run: stages before the earthquake, then the loop that steps, lets observers look, and stops in good order.
 
 mod before;
+mod beside;
 mod kept;
 
+pub(crate) use beside::Beside;
 pub(crate) use kept::Beginning;
 
 use crate::checkpoint;

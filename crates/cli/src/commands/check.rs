@@ -6,6 +6,7 @@ mod stages;
 mod text;
 
 use super::defaulted::{Known, defaulted};
+use super::near::{check_near, mirrored};
 use super::pieces::check_pieces;
 use super::{check_bolts, check_length, check_pairs, check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
@@ -15,6 +16,7 @@ use indexmap::IndexMap;
 use std::path::PathBuf;
 use tremolite::disk::{Disk, disk};
 use tremolite::interfaces::{interfaces, monitors};
+use tremolite::near_sides::near_sides;
 use tremolite::outlook::{Outlook, StressAt, outlook, stress_at_start};
 use tremolite::places::element;
 use tremolite::plan::Steps;
@@ -147,6 +149,7 @@ pub fn run(args: &Args) -> Outcome {
         warnings.extend(outlook.iter().flat_map(|outlook| check_pieces(&case, outlook)));
         warnings.extend(check_step(&case, &stable));
         warnings.extend(check_waves(&case, &model, &survey));
+        warnings.extend(check_near(&case, &near_sides(&model, mirrored(&case))));
         warnings.extend(check_pairs(&case, &model, &plan));
         warnings.extend(check_bolts(&case, &model, &plan));
         let failed = args.strict && !warnings.is_empty();

@@ -7,6 +7,7 @@ pub mod law;
 pub mod list;
 pub mod mesh;
 pub mod motion;
+mod near;
 pub mod new;
 mod pieces;
 pub mod report;

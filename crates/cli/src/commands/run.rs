@@ -1,6 +1,7 @@
 //! `tremolite run`: the main job.
 
 use super::defaulted::{Known, defaulted};
+use super::near::{check_near, mirrored};
 use super::pieces::check_pieces;
 use super::{check_bolts, check_length, check_pairs, check_step, check_waves, load, pool, refused};
 use crate::exit::{Code, Failure, Outcome};
@@ -12,6 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use tremolite::evidence::Evidence;
+use tremolite::near_sides::near_sides;
 use tremolite::outlook::outlook;
 use tremolite::run::{Control, Ending, Progress, Start, check_rest, choose_step};
 use tremolite::setup::changed;
@@ -109,6 +111,8 @@ pub fn run(args: &Args) -> Outcome {
         }
         warnings.extend(check_step(&case, &stable));
         warnings.extend(check_waves(&case, &model, &survey));
+        let near = near_sides(&model, mirrored(&case));
+        warnings.extend(check_near(&case, &near));
         warnings.extend(check_pairs(&case, &model, &plan));
         warnings.extend(check_bolts(&case, &model, &plan));
         let sentence = |p: &Problem| format!("{}; {}", p.message, p.remedy);
@@ -237,6 +241,7 @@ pub fn run(args: &Args) -> Outcome {
             plan: &plan,
             motion: motion.as_ref(),
             survey: &survey,
+            near,
             outcome: &outcome,
             histories: &histories,
             energy: &energy,

@@ -59,7 +59,9 @@ fn a_new_case_checks_runs_and_reports() {
     assert!(summary.element_updates_per_second > 0.0);
     assert!(summary.monitors["crown"]["ux"].largest().1.abs() > 1e-6);
     assert!(summary.relative["crown-wall"]["u"].max > 0.0);
-    assert!(summary.trust.iter().all(|t| t.pass), "{:?}", summary.trust);
+    // What was shortened is seen, and no other check fails.
+    let failed: Vec<&str> = summary.trust.iter().filter(|t| !t.pass).map(|t| t.id.as_str()).collect();
+    assert_eq!(failed, ["motion_not_run"], "{:?}", summary.trust);
     assert!(summary.defaulted.iter().any(|d| d.key == "dynamic.base.normal"));
 
     // A second run gets a folder of its own; a taken --out is refused, and replaced when asked.

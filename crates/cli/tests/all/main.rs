@@ -26,4 +26,5 @@ mod sides;
 mod stage_case;
 mod stage_refusals;
 mod stages;
+mod unseen;
 mod verify;

@@ -1,5 +1,6 @@
 //! Stages of a run: each is relaxed, looked at and written, so that what is done stays done.
 
+use super::beside::Beside;
 use super::kept::{self, Rested};
 use super::{Control, Progress, TELL};
 use crate::checkpoint;
@@ -143,12 +144,14 @@ impl Stages<'_> {
         let sections = SectionForces::of(model);
         let forces = sections.at(&view);
         let bolts = BoltForces::at(&view);
+        let beside = Beside::of(&view, &state.observers, stage == 0);
         let beginning = (stage == 0).then(|| kept::Beginning::of(&view));
         self.fields(stage, &view, &state.observers, &[])?;
         kept::remember(model, self.plan, &mut state.observers, &rested);
         if let Some(beginning) = beginning {
             beginning.remember(&mut state.observers);
         }
+        beside.into_iter().for_each(|(key, values)| _ = state.observers.insert(key.into(), values));
         sections.remember(&mut state.observers, forces);
         BoltForces::remember(&mut state.observers, stage, &bolts);
         Ok(())

@@ -2,6 +2,7 @@
 
 use super::facts::{SiteFacts, largest};
 use super::records::Channels;
+use crate::trust::{MOST_MASS_DAMPING, NOT_RUN, left_after, mass_damping};
 use std::f64::consts::PI;
 use tremolite_case::{self as case, Problem, Site};
 use tremolite_motion::{Channel, Motion, Process};
@@ -16,8 +17,6 @@ const LOST_BETWEEN: f64 = 0.1;
 const LEFT_OUT: f64 = 0.01;
 /// Shear strain at which soil is no longer linear: stiffness has fallen by a tenth or more in most (`kramer1996`, chapter 6).
 const LINEAR: f64 = 5e-4;
-/// Share of ∫a² dt that may stay behind where a run ends before its motion.
-const NOT_RUN: f64 = 0.01;
 
 /// The largest displacement of channels \[m\], each from rest.
 fn displacement(channels: &[&mut Channel]) -> f64 {
@@ -153,11 +152,7 @@ pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<P
 /// A run that ends before its motion.
 pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Problem> {
     let duration = case.dynamic.duration.as_ref()?;
-    let rows = (duration.value / wave.dt).floor().max(0.0) as usize;
-    let energy = |from: usize| -> f64 {
-        wave.acceleration.iter().flat_map(|a| a.iter().skip(from)).map(|a| a * a).sum()
-    };
-    let share = energy(rows.saturating_add(1)) / energy(0);
+    let share = left_after(wave, duration.value);
     (share > NOT_RUN).then(|| {
         Problem::at(
             duration,
@@ -167,6 +162,24 @@ pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Problem> {
                 100.0 * share
             ),
             "leave `duration` out, or cut the motion by `window`, for peaks of what is not run are told as well",
+        )
+    })
+}
+
+/// Damping in proportion to the mass that takes more of the motion than rock does.
+pub fn of_mass_damping(case: &case::Case, wave: &Motion) -> Option<Problem> {
+    let mass = &case.dynamic.rayleigh.mass;
+    let frequency = tremolite_motion::highest_frequency(wave, 0.5)?;
+    let ratio = mass_damping(mass.value, frequency);
+    (ratio > MOST_MASS_DAMPING).then(|| {
+        Problem::at(
+            mass,
+            format!(
+                "it damps {:.0} % of critical at {frequency:.2} Hz, below which half of the motion's energy lies, where rock and concrete \
+                 have 1 to 5 %",
+                100.0 * ratio
+            ),
+            "give less, or damping over a band: damping = { ratio = 0.03, band = [\"0.5 Hz\", \"20 Hz\"] }",
         )
     })
 }

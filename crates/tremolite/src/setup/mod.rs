@@ -168,6 +168,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(facts.iter().flat_map(|facts| facts.warnings.clone()));
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     warnings.extend(motion.and_then(|motion| doubts::of_duration(case, motion)));
+    warnings.extend(motion.and_then(|motion| doubts::of_mass_damping(case, motion)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
     let shaking = |motion: &tremolite_motion::Motion| match &dynamic.duration {

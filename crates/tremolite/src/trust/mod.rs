@@ -3,12 +3,19 @@
 
 mod before;
 mod bolts;
+mod cut_short;
 mod energy;
 mod interface;
+mod lining_closure;
+mod mass_damping;
 mod material;
+mod near_sides;
+mod rows;
 mod seam;
 mod waves;
 
+pub(crate) use cut_short::{NOT_RUN, left_after};
+pub(crate) use mass_damping::{MOST as MOST_MASS_DAMPING, ratio as mass_damping};
 pub(crate) use material::on_broken_elements;
 pub(crate) use waves::DRIFT;
 
@@ -19,13 +26,16 @@ use tremolite_results::{Fact, TrustLine, said, tell_apart};
 /// Every check of a run.
 pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
     let mut lines = before::lines(evidence);
+    lines.push(near_sides::line(evidence));
     if evidence.outcome.shaken {
         lines.extend([waves::per_wavelength(evidence), waves::drift(evidence)]);
+        lines.extend([cut_short::line(evidence), mass_damping::line(evidence), rows::line(evidence)]);
         lines.extend(waves::free_field(evidence));
         lines.extend(waves::record(evidence));
         lines.extend(energy::lines(evidence));
     }
     lines.extend(interface::lines(evidence));
+    lines.extend(lining_closure::lines(evidence));
     lines.extend(bolts::lines(evidence));
     lines.extend(material::lines(evidence));
     tell_apart(lines.iter_mut().map(|line| &mut line.id));

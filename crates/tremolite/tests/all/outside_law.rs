@@ -263,6 +263,7 @@ fn told(problem: Problem) -> Summary {
         plan: &plan,
         motion: Some(&facts),
         survey: &survey(&model, &assembly, 25.0).unwrap(),
+        near: Vec::new(),
         outcome: &outcome,
         histories: &Table::read(&results.monitors()).unwrap(),
         energy: &Table::read(&results.energy()).unwrap(),

@@ -1,0 +1,91 @@
+//! What stages change of the stress beside the outer planes, where ground goes on that is not in the model.
+
+use crate::near_sides::openings;
+use crate::observers::View;
+use crate::quantities::mean;
+use tremolite_engine::state::Memory;
+
+/// Keys of what is remembered: the stress beside each face of the outer planes before anything is taken out, and by plane the
+/// largest change of it so far; behind these the mean size of that stress along the openings.
+const BEFORE: &str = "stress beside the outer planes";
+const CHANGE: &str = "change of stress beside the outer planes";
+
+/// Change of stress beside the outer planes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beside {
+    /// √(Δσ:Δσ) \[Pa\], the largest along each plane: low and high end of x, y, z.
+    pub change: [f64; 6],
+    /// √(σ₀:σ₀) \[Pa\], the mean over the elements at the openings' walls.
+    pub initial: f64,
+}
+
+impl Beside {
+    /// What is to be remembered of a stage that came to rest, by its keys. The first of them begins with the initial equilibrium, or
+    /// with the stress that was given where no stage takes anything out and the openings are there from the start.
+    pub(super) fn of(view: &View, memory: &Memory, first: bool) -> Vec<(&'static str, Vec<f64>)> {
+        if view.model.initial.is_empty() {
+            return Vec::new();
+        }
+        if !first {
+            let (Some(before), Some(kept)) = (memory.get(BEFORE), memory.get(CHANGE)) else {
+                return Vec::new();
+            };
+            return vec![(
+                CHANGE,
+                largest(view, before).into_iter().chain(kept[6..].iter().copied()).collect(),
+            )];
+        }
+        let excavates = view.plan.stages.iter().any(|stage| !stage.excavated.is_empty());
+        let before = |element: u32| match excavates {
+            true => stress(view, element),
+            false => view.model.initial.get(element as usize).copied(),
+        };
+        let beside: Vec<f64> =
+            faces(view).flat_map(|(_, element)| before(element).unwrap_or([f64::NAN; 6])).collect();
+        let walls = openings(view.model).into_iter().flat_map(|opening| opening.walls);
+        let sizes: Vec<f64> = walls.filter_map(before).map(size).collect();
+        let initial = sizes.iter().sum::<f64>() / sizes.len() as f64;
+        let change = largest(view, &beside).into_iter().chain([initial]).collect();
+        vec![(BEFORE, beside), (CHANGE, change)]
+    }
+
+    /// What was remembered; none without initial stress or before the initial equilibrium.
+    pub fn recall(memory: &Memory) -> Option<Self> {
+        match memory.get(CHANGE)?[..] {
+            [a, b, c, d, e, f, initial] => Some(Beside { change: [a, b, c, d, e, f], initial }),
+            _ => None,
+        }
+    }
+}
+
+/// The largest change along each plane \[Pa\] since what was before, face by face.
+fn largest(view: &View, before: &[f64]) -> [f64; 6] {
+    let mut most = [0.0_f64; 6];
+    for ((plane, element), before) in faces(view).zip(before.as_chunks::<6>().0) {
+        let Some(now) = stress(view, element) else { continue };
+        let change = size([0, 1, 2, 3, 4, 5].map(|c| now[c] - before[c]));
+        // Of what is installed later nothing was known.
+        if change.is_finite() {
+            most[plane] = most[plane].max(change);
+        }
+    }
+    most
+}
+
+/// The elements behind the faces of the outer planes, plane by plane.
+fn faces<'a>(view: &View<'a>) -> impl Iterator<Item = (usize, u32)> + 'a {
+    let planes = view.model.faces.planes.iter().flatten().enumerate();
+    planes.flat_map(|(plane, faces)| faces.iter().map(move |face| (plane, face.element)))
+}
+
+/// The mean stress of an element \[Pa\], where it stands.
+fn stress(view: &View, element: u32) -> Option<[f64; 6]> {
+    let slot = (*view.phase.element_slot.get(element as usize)?)?;
+    Some(mean(&view.snapshot.stress[slot.point as usize..][..slot.points as usize]))
+}
+
+/// √(σ:σ).
+fn size(s: [f64; 6]) -> f64 {
+    let [xx, yy, zz, xy, yz, zx] = s.map(|x| x * x);
+    (xx + yy + zz + 2.0 * (xy + yz + zx)).sqrt()
+}
