@@ -19,8 +19,8 @@ use crate::member::Member;
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::problem::TimeStep;
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use tremolite_kernels::contact::Pair;
 use tremolite_kernels::{AnyInterface, Line};
@@ -80,17 +80,20 @@ fn bolt(model: &Model, assembly: &mut Assembly) {
 
 /// Builds the parts of all interfaces into an assembly of everything else, behind the member `at`.
 fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelError> {
-    let phase = Phase::of(model, assembly, Stage::Shaking)?;
+    let phases = Phases::of(model, assembly)?;
     for seam in &model.seams {
-        let engine = |n: u32| phase.master[model.engine_node[n as usize] as usize];
-        if let Some(pair) = seam.pairs.iter().find(|pair| engine(pair.nodes[0]) == engine(pair.nodes[1])) {
-            let node = model.mesh.node_id(pair.nodes[1] as usize);
+        let tied = |&k: &usize| {
+            let [a, b] = phases.masters(model, seam, k);
+            a == b
+        };
+        if let Some(pair) = (0..seam.pairs.len()).find(tied) {
+            let node = model.mesh.node_id(seam.pairs[pair].nodes[1] as usize);
             let reason = format!("both sides of node {node} are tied to one another");
             return Err(ModelError::Interface { name: seam.name.clone(), reason });
         }
     }
-    let masses = PairMasses::of(model, &phase);
-    let values = chosen(model, assembly, &phase, &masses);
+    let masses = PairMasses::of(model, &phases);
+    let values = chosen(model, assembly, &phases.0[&Stage::Shaking], &masses);
     let mut laws: Vec<Arc<dyn AnyInterface>> = Vec::new();
     for (seam, values) in model.seams.iter().zip(&values) {
         if let Some(of) = seam.of {
@@ -111,9 +114,10 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
     let mut dampings: Vec<f64> = Vec::new();
     for (s, (seam, law)) in model.seams.iter().zip(laws).enumerate() {
         let squares = masses.squares(s, |other| stiffest[other]);
-        let (stiffest_pair, square) = squares
-            .into_iter()
-            .enumerate()
+        // What is gone before has no part in the impacts of the shaking.
+        let (stiffest_pair, square) = seam
+            .lasting()
+            .map(|k| (k, squares[k]))
             .fold((0, 0.0), |worst, (k, square)| if square > worst.1 { (k, square) } else { worst });
         let frequency = square.sqrt();
         let damping = match seam.of {
@@ -195,30 +199,60 @@ fn part(model: &Model, seam: &Seam, chunk: &[u32]) -> (Vec<u32>, Vec<Pair>) {
     (nodes, pairs)
 }
 
+/// The phases that pairs are judged in: of the shaking, and for those that are gone by then of a stage in which they are there.
+struct Phases(BTreeMap<Stage, Phase>);
+
+impl Phases {
+    fn of(model: &Model, assembly: &Assembly) -> Result<Self, ModelError> {
+        let lives = model.seams.iter().flat_map(|seam| &seam.lives);
+        let stages: BTreeSet<Stage> = lives.map(judged_in).chain([Stage::Shaking]).collect();
+        let phase = |stage| Ok((stage, Phase::of(model, assembly, stage)?));
+        Ok(Phases(stages.into_iter().map(phase).collect::<Result<_, ModelError>>()?))
+    }
+
+    /// The nodes that the two of a pair move with.
+    fn masters(&self, model: &Model, seam: &Seam, pair: usize) -> [u32; 2] {
+        let phase = &self.0[&judged_in(&seam.lives[pair])];
+        seam.pairs[pair].nodes.map(|n| phase.master[model.engine_node[n as usize] as usize])
+    }
+}
+
+/// The shaking, or else the last stage in which something is there: what goes with the shaking has not been told how many there
+/// are, and is judged in its first.
+fn judged_in(life: &Life) -> Stage {
+    match life.gone {
+        // Nothing is gone before it was there, so not from the first on.
+        Some(Stage::Before(k)) => Stage::Before(k.saturating_sub(1)),
+        Some(Stage::Shaking) => life.born,
+        None => Stage::Shaking,
+    }
+}
+
 /// Pairs by the masses that they move.
 struct PairMasses {
     /// By interface and pair: 1/m of both nodes along the normal, with their tied sets \[1/kg\].
     inverse: Vec<Vec<[f64; 2]>>,
-    /// And the masters of both.
-    masters: Vec<Vec<[u32; 2]>>,
+    /// And the masters of both, with the stage that they are judged in.
+    masters: Vec<Vec<[(Stage, u32); 2]>>,
     /// Area of the pairs of each interface at a master \[m²\].
-    areas: Vec<BTreeMap<u32, f64>>,
+    areas: Vec<BTreeMap<(Stage, u32), f64>>,
 }
 
 impl PairMasses {
-    fn of(model: &Model, phase: &Phase) -> Self {
+    fn of(model: &Model, phases: &Phases) -> Self {
         let mut all = PairMasses { inverse: Vec::new(), masters: Vec::new(), areas: Vec::new() };
         for seam in &model.seams {
-            let mut areas: BTreeMap<u32, f64> = BTreeMap::new();
+            let mut areas: BTreeMap<(Stage, u32), f64> = BTreeMap::new();
             let (mut inverse, mut masters) = (Vec::new(), Vec::new());
-            for pair in &seam.pairs {
-                let both = pair.nodes.map(|n| phase.master[model.engine_node[n as usize] as usize]);
-                both.iter().for_each(|&n| *areas.entry(n).or_default() += pair.normal_area);
+            for (k, pair) in seam.pairs.iter().enumerate() {
+                let stage = judged_in(&seam.lives[k]);
+                let both = phases.masters(model, seam, k);
+                both.iter().for_each(|&n| *areas.entry((stage, n)).or_default() += pair.normal_area);
                 inverse.push(both.map(|n| {
-                    let row = &phase.inverse_mass[n as usize];
+                    let row = &phases.0[&stage].inverse_mass[n as usize];
                     (0..3).map(|i| row.0[i] * pair.normal[i] * pair.normal[i]).sum()
                 }));
-                masters.push(both);
+                masters.push(both.map(|n| (stage, n)));
             }
             all.inverse.push(inverse);
             all.masters.push(masters);
@@ -229,8 +263,8 @@ impl PairMasses {
 
     /// ω² of each pair of an interface, with the stiffness of each interface.
     fn squares(&self, of: usize, stiffness: impl Fn(usize) -> f64) -> Vec<f64> {
-        let at = |master: u32| -> f64 {
-            let area = |areas: &BTreeMap<u32, f64>| areas.get(&master).copied().unwrap_or(0.0);
+        let at = |master: (Stage, u32)| -> f64 {
+            let area = |areas: &BTreeMap<(Stage, u32), f64>| areas.get(&master).copied().unwrap_or(0.0);
             self.areas.iter().enumerate().map(|(s, areas)| area(areas) * stiffness(s)).sum()
         };
         self.masters[of]
@@ -270,10 +304,12 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses
     let choose = |s: usize| {
         let fixed = masses.squares(s, |other: usize| given[other].unwrap_or(0.0));
         let own = masses.squares(s, |other: usize| f64::from(u8::from(given[other].is_none())));
-        fixed
-            .iter()
-            .zip(&own)
-            .map(|(fixed, own)| (most - fixed).max(LEAST_SHARE * most) / own)
+        // By what is there in the shaking; where all of it is gone by then, as if that were to shake.
+        let seam = &model.seams[s];
+        let lasts = seam.lasting().next().is_some();
+        (0..seam.pairs.len())
+            .filter(|&k| !lasts || seam.lives[k].holds(Stage::Shaking))
+            .map(|k| (most - fixed[k]).max(LEAST_SHARE * most) / own[k])
             .fold(f64::INFINITY, f64::min)
     };
     // An interface has the same law wherever it runs.

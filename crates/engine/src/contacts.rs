@@ -36,11 +36,15 @@ pub(crate) struct LoadedPair {
 impl Contacts {
     /// Gives pairs that begin under load their first memory.
     pub(crate) fn begin(&self, history: &mut [Octet]) {
-        for &LoadedPair { pair, normal, traction: [pressure, t1, t2] } in &self.loaded {
-            let (chunk, at) = self.places[pair as usize];
-            let own = &mut history[self.histories[chunk as usize].clone()];
-            self.law.load(own, at as usize, normal, pressure, [t1, t2]);
-        }
+        self.loaded.iter().for_each(|loaded| self.load(history, loaded, [0.0; 3]));
+    }
+
+    /// Gives a pair its first memory, of the load that it begins with where its relative displacement is `d` \[m\].
+    pub(crate) fn load(&self, history: &mut [Octet], loaded: &LoadedPair, d: [f64; 3]) {
+        let &LoadedPair { pair, normal, traction: [pressure, t1, t2] } = loaded;
+        let (chunk, at) = self.places[pair as usize];
+        let own = &mut history[self.histories[chunk as usize].clone()];
+        self.law.load(own, at as usize, d, normal, pressure, [t1, t2]);
     }
 
     /// A pair as it was when it was evaluated last, from the histories of all members.
@@ -49,11 +53,11 @@ impl Contacts {
         self.law.seen(&history[self.histories[chunk as usize].clone()], at as usize)
     }
 
-    /// Area-weighted sums over the pairs.
+    /// Area-weighted sums over the pairs that are there in the shaking.
     pub fn totals(&self, seam: &Seam, history: &[Octet]) -> ContactTotals {
         let mut totals = ContactTotals::default();
-        for (k, pair) in seam.pairs.iter().enumerate() {
-            let seen = self.seen(history, k);
+        for k in seam.lasting() {
+            let (pair, seen) = (&seam.pairs[k], self.seen(history, k));
             let add = |to: &mut f64, counts: bool| *to += if counts { pair.area } else { 0.0 };
             add(&mut totals.sliding, seen.slides);
             add(&mut totals.open, seen.is_open);

@@ -224,6 +224,19 @@ impl FreeField {
         std::iter::once(&slab.sheet).chain(columns).flat_map(Sheet::elements).collect()
     }
 
+    /// Which node was one with each before interfaces parted the mesh, of those outside as well; `origin` has those of the user's.
+    pub fn origins(&self, mesh: &Mesh, origin: &mut Vec<u32>) {
+        origin.resize(mesh.nodes.len(), u32::MAX);
+        for sheet in self.sheets() {
+            let mut firsts: BTreeMap<u32, [u32; 2]> = BTreeMap::new();
+            for corner in sheet.twins.iter().flat_map(|&twin| corners(mesh, twin)) {
+                let own = [corner.front, corner.back];
+                let first = *firsts.entry(origin[corner.source as usize]).or_insert(own);
+                own.iter().zip(first).for_each(|(&node, first)| origin[node as usize] = first);
+            }
+        }
+    }
+
     /// Bodies of the slabs, then those of the columns at their ends, with their layers.
     pub fn fill(
         &mut self,

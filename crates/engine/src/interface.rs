@@ -1,6 +1,6 @@
 //! Interfaces: groups of elements that touch without being joined.
 
-use crate::life::Life;
+use crate::life::{Life, Stage};
 use std::collections::HashMap;
 use tremolite_kernels::InterfaceLaw;
 use tremolite_laws::Values;
@@ -77,8 +77,12 @@ pub struct Seam {
     pub faces: Vec<[Face; 2]>,
     /// Pairs, on nodes of the mesh.
     pub pairs: Vec<PairShape>,
-    /// When each pair is there.
+    /// When both sides of each face stand.
+    pub standing: Vec<Life>,
+    /// When each pair is there: while both sides stand and nothing holds its nodes together ([`crate::rims`]).
     pub lives: Vec<Life>,
+    /// Of each pair, whether its sides stood before, held together: it begins with the traction that passes there then.
+    pub freed: Vec<bool>,
     /// Of pairs that are there from the start under initial stress: pressure, and shear t on the second side along the tangents
     /// \[Pa\]; empty without initial stress.
     pub tractions: Vec<[f64; 3]>,
@@ -95,33 +99,44 @@ impl Seam {
         if initial.is_empty() {
             return;
         }
-        let of_pair = |pair: &PairShape| {
-            let mut mean = [0.0; 6];
-            let sides = pair.corners.iter().flat_map(|(f, _)| self.faces[*f as usize]);
-            let share = 0.5 / pair.corners.len() as f64;
-            for face in sides {
-                let stress = &initial[face.element as usize];
-                (0..6).for_each(|c| mean[c] += share * stress[c]);
-            }
-            let [e1, e2] = tangents(pair.normal);
-            let on = traction(&mean, pair.normal);
-            let along = |e: [f64; 3]| on[0] * e[0] + on[1] * e[1] + on[2] * e[2];
-            // The second side lies along m, so what it feels is −σm.
-            [-along(pair.normal), -along(e1), -along(e2)]
-        };
-        self.tractions = self.pairs.iter().map(of_pair).collect();
+        self.tractions = (0..self.pairs.len())
+            .map(|pair| self.traction(pair, |face| Some(initial[face.element as usize])))
+            .collect();
         let largest = self
             .tractions
             .iter()
-            .zip(&self.lives)
-            .filter(|(_, life)| !life.is_later())
+            .zip(self.lives.iter().zip(&self.freed))
+            .filter(|(_, (life, freed))| !life.is_later() || **freed)
             .fold(0.0, |most: f64, ([p, ..], _)| most.max(*p));
         self.pressure = self.pressure.max(AMPLE * largest);
     }
 
-    /// Its area \[m²\].
+    /// Pressure, and shear t on the second side along the tangents \[Pa\], of the mean stress of the elements beside a pair, as
+    /// far as one is known.
+    pub(crate) fn traction(&self, pair: usize, stress: impl Fn(Face) -> Option<[f64; 6]>) -> [f64; 3] {
+        let PairShape { normal, corners, .. } = &self.pairs[pair];
+        let known = corners.iter().flat_map(|(f, _)| self.faces[*f as usize]).filter_map(stress);
+        let known: Vec<[f64; 6]> = known.collect();
+        let share = 1.0 / known.len().max(1) as f64;
+        let mut mean = [0.0; 6];
+        for stress in known {
+            (0..6).for_each(|c| mean[c] += share * stress[c]);
+        }
+        let [e1, e2] = tangents(*normal);
+        let on = traction(&mean, *normal);
+        let along = |e: [f64; 3]| on[0] * e[0] + on[1] * e[1] + on[2] * e[2];
+        // The second side lies along m, so what it feels is −σm.
+        [-along(*normal), -along(e1), -along(e2)]
+    }
+
+    /// Its pairs that are there in the shaking.
+    pub fn lasting(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.pairs.len()).filter(|&k| self.lives[k].holds(Stage::Shaking))
+    }
+
+    /// Its area in the shaking \[m²\].
     pub fn area(&self) -> f64 {
-        self.pairs.iter().map(|pair| pair.area).sum()
+        self.lasting().map(|k| self.pairs[k].area).sum()
     }
 
     /// Where a pair is \[m\].
@@ -129,13 +144,14 @@ impl Seam {
         mesh.nodes[self.pairs[pair].nodes[1] as usize]
     }
 
-    /// The pair nearest to a point.
+    /// The pair nearest to a point, of those that are there in the shaking, if there are any.
     pub fn nearest(&self, mesh: &Mesh, point: [f64; 3]) -> usize {
         let square = |k: usize| {
             let x = self.place(mesh, k);
             (0..3).map(|i| (x[i] - point[i]).powi(2)).sum::<f64>()
         };
-        (0..self.pairs.len()).min_by(|&a, &b| square(a).total_cmp(&square(b))).unwrap_or(0)
+        let nearest = |of: &mut dyn Iterator<Item = usize>| of.min_by(|&a, &b| square(a).total_cmp(&square(b)));
+        nearest(&mut self.lasting()).or_else(|| nearest(&mut (0..self.pairs.len()))).unwrap_or(0)
     }
 }
 

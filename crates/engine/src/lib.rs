@@ -27,6 +27,7 @@ pub mod parts;
 mod patch_part;
 pub mod phase;
 pub mod problem;
+pub mod rims;
 mod seams;
 pub mod sheet;
 pub mod state;

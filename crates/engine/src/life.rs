@@ -1,5 +1,6 @@
 //! When something is there: stages before the earthquake, then the shaking.
 
+use std::ops::Range;
 pub use tremolite_kernels::Stage;
 
 /// From which stage on something is there, and from which on it is gone.
@@ -26,6 +27,15 @@ impl Life {
             (a, b) => a.or(b),
         };
         Life { born: self.born.max(other.born), gone }
+    }
+
+    /// As numbers that ascend with the stages: from the first on, and until before the second.
+    pub fn times(&self) -> Range<u32> {
+        let number = |stage: Stage| match stage {
+            Stage::Before(k) => u32::from(k),
+            Stage::Shaking => u32::from(u16::MAX) + 1,
+        };
+        number(self.born)..self.gone.map_or(u32::MAX, number)
     }
 
     /// Whether it begins after the model does.

@@ -12,7 +12,8 @@ use crate::life::{Life, Stage};
 use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
 use crate::problem::{MakePart, Problem, Rayleigh, TimeStep};
-use crate::seams::{self, Seams, place_lives};
+use crate::rims::{Joint, Rims};
+use crate::seams::{self, Seams, Standing, place_lives};
 use crate::traction::Traction;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
@@ -82,6 +83,8 @@ pub struct Model {
     pub top: Top,
     /// Components held at single nodes of the mesh.
     pub held: Vec<(u32, [bool; 3])>,
+    /// Copies of nodes that move as one while elements on both sides stand, at rims of interfaces.
+    pub joints: Vec<Joint>,
     /// Nodes of the mesh that move as one, beside those of periodic sides, slabs and columns.
     pub ties: Vec<(u32, u32)>,
     /// Ground outside free-field sides.
@@ -134,12 +137,16 @@ impl Model {
         let mut tractions = problem.tractions;
         let mut successors: HashMap<u32, u32> = problem.successors.into_iter().collect();
         let sides_of: Vec<[Vec<u32>; 2]> = problem.interfaces.iter().map(|i| i.sides.clone()).collect();
-        let Seams { mut seams, origin, places } = seams::of_problem(
+        let solid = |e: u32| body_of[e as usize].is_some();
+        let Seams { mut seams, mut origin, places, mut joints } = seams::of_problem(
             &mut mesh,
             problem.interfaces,
-            &shaken,
-            &place_lives(&lives, &successors),
-            &initial,
+            Standing {
+                solid: &solid,
+                lives: &place_lives(&lives, &successors),
+                successors: &successors,
+                initial: &initial,
+            },
         )?;
         seams::keep_sides(&mut mesh, &successors);
         let (user_nodes, user_elements) = (mesh.nodes.len(), mesh.elements.len());
@@ -156,8 +163,13 @@ impl Model {
         let bolts = if problem.bolts.is_empty() {
             Vec::new()
         } else {
-            let ground =
-                bolts::Ground { mesh: &mesh, body_of: &body_of, lives: &lives, successors: &successors };
+            let ground = bolts::Ground {
+                mesh: &mesh,
+                body_of: &body_of,
+                lives: &lives,
+                successors: &successors,
+                rims: &Rims::of(&joints),
+            };
             bolts::cut(&ground, problem.bolts)
         };
 
@@ -169,19 +181,25 @@ impl Model {
         if !seams.is_empty() {
             let pair_lives = place_lives(&lives, &successors);
             let sides: Vec<[Vec<u32>; 2]> = sides_of.into_iter().map(|sides| sides.map(ascending)).collect();
+            outside.origins(&mesh, &mut origin);
+            let parents = &outside.parents;
+            let solid = |e: u32| body_of[parents[e as usize] as usize].is_some();
+            let standing =
+                Standing { solid: &solid, lives: &pair_lives, successors: &successors, initial: &initial };
             let mut more = Vec::new();
             for slab in &outside.slabs {
                 let elements = outside.standing_alone(slab);
-                let parents = &outside.parents;
-                more.extend(seams::outside(
+                let (own, held) = seams::outside(
                     &mut mesh,
+                    &mut origin,
                     &elements,
                     parents,
                     &sides,
                     &seams,
-                    &pair_lives,
-                    &initial,
-                )?);
+                    standing,
+                )?;
+                more.extend(own);
+                joints.extend(held);
             }
             seams::keep_sides(&mut mesh, &successors);
             outside.mark_parted(&more);
@@ -301,6 +319,7 @@ impl Model {
             sides: problem.sides,
             top: problem.top,
             held,
+            joints,
             ties: problem.ties,
             slabs,
             columns,

@@ -10,6 +10,7 @@ use crate::member::Member;
 use crate::model::Model;
 use crate::outer_faces::OuterFaces;
 use crate::parts::Tick;
+use crate::rims::{Joint, Rims};
 use crate::state::State;
 use crate::ties::Ties;
 use std::collections::{BTreeMap, BTreeSet};
@@ -65,8 +66,11 @@ pub const SEVERAL: u16 = u16::MAX - 1;
 pub struct Phase {
     pub stage: Stage,
     pub drive: Drive,
-    /// Nodes of elements that begin with this stage, of which none was there before; ascending.
+    /// Nodes of elements that begin with this stage, of which none was there before, nor anything that moves as one with them;
+    /// ascending.
     pub woken: Vec<u32>,
+    /// Nodes of elements that begin with this stage, with those that were there before and hold them from now on.
+    pub joined: Vec<(u32, Vec<u32>)>,
     /// Members that are there, ascending.
     pub active: Vec<u32>,
     /// Nodes whose energy counts.
@@ -117,6 +121,9 @@ impl Phase {
 
         let mut ties = Ties::new(model.mesh.nodes.len());
         for &(a, b) in &model.ties {
+            ties.join(a, b);
+        }
+        for &Joint { nodes: [a, b], .. } in model.joints.iter().filter(|joint| joint.life.holds(stage)) {
             ties.join(a, b);
         }
         let before;
@@ -199,10 +206,12 @@ impl Phase {
             })
             .unzip();
         let counted = || active.iter().map(there).filter(|member| member.counted);
+        let (joined, woken) = woken(model, assembly, stage);
         Ok(Phase {
             stage,
             drive,
-            woken: woken(assembly, stage),
+            woken,
+            joined,
             counted_nodes: model.counted.clone(),
             counted_elements: counted().map(|member| member.part.elements().0).sum(),
             keeps_books: counted().all(|member| member.part.keeps_books()),
@@ -231,20 +240,32 @@ impl Phase {
     }
 }
 
-/// Nodes of elements that are there in a stage, of which none was in that before.
-fn woken(assembly: &Assembly, stage: Stage) -> Vec<u32> {
+/// Nodes of elements that are there in a stage, of which none was in that before: those that others hold which were, and the rest.
+fn woken(model: &Model, assembly: &Assembly, stage: Stage) -> (Vec<(u32, Vec<u32>)>, Vec<u32>) {
     let nodes = |there: &dyn Fn(&Life) -> bool| -> BTreeSet<u32> {
         let solids =
             assembly.members.iter().filter(|member| member.part.elements().0 > 0 && there(&member.life));
         solids.flat_map(|member| member.part.nodes().iter().copied()).collect()
     };
     let begins = assembly.members.iter().any(|member| member.life.is_later() && member.life.born == stage);
-    let Stage::Before(k) = stage else { return Vec::new() };
+    let Stage::Before(k) = stage else { return Default::default() };
     if !begins || k == 0 {
-        return Vec::new();
+        return Default::default();
     }
     let before = nodes(&|life| life.holds(Stage::Before(k - 1)));
-    nodes(&|life| life.born == stage).into_iter().filter(|n| !before.contains(n)).collect()
+    let new = nodes(&|life| life.born == stage).into_iter().filter(|n| !before.contains(n));
+    let rims = Rims::of(&model.joints);
+    let mut held: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
+    for node in model.joints.iter().flat_map(|joint| joint.nodes) {
+        let engine = model.engine_node[node as usize];
+        if before.contains(&engine) {
+            held.entry(rims.root(stage, node)).or_default().insert(engine);
+        }
+    }
+    let others = |node: u32| held.get(&rims.root(stage, model.mesh_node[node as usize]));
+    let (joined, woken): (Vec<u32>, Vec<u32>) = new.partition(|&n| others(n).is_some());
+    let with_others = |n: u32| (n, others(n).into_iter().flatten().copied().collect());
+    (joined.into_iter().map(with_others).collect(), woken)
 }
 
 /// Which contributions make up each node's force, and whose they are: by master, in the order of members.

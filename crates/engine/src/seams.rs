@@ -3,8 +3,10 @@
 use crate::error::ModelError;
 use crate::interface::{Interface, Seam};
 use crate::life::{Life, Stage};
+use crate::rims::{Joint, Rims};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use tremolite_mesh::pairs::{PairShape, pairs};
+use std::ops::Range;
+use tremolite_mesh::pairs::pairs;
 use tremolite_mesh::split::{Cut, Split, SplitError, split};
 use tremolite_mesh::{Element, Face, Mesh};
 
@@ -14,6 +16,39 @@ pub struct Seams {
     /// The node that each node was before; empty without interfaces.
     pub origin: Vec<u32>,
     pub places: Vec<u32>,
+    /// Copies that move as one for a time.
+    pub joints: Vec<Joint>,
+}
+
+/// What interfaces are made from besides the mesh.
+#[derive(Clone, Copy)]
+pub struct Standing<'a> {
+    /// Whether an element is made of something.
+    pub solid: &'a dyn Fn(u32) -> bool,
+    /// Those that pairs go by ([`place_lives`]).
+    pub lives: &'a [Life],
+    pub successors: &'a HashMap<u32, u32>,
+    /// Stress \[Pa\] of each element before anything moves; empty for none.
+    pub initial: &'a [[f64; 6]],
+}
+
+impl Standing<'_> {
+    /// When each of some elements is there, for the split: of those that take over from one another the last stands for all.
+    fn times(&self, elements: impl Iterator<Item = u32>) -> Vec<Range<u32>> {
+        let earlier: BTreeSet<u32> = self.successors.values().copied().collect();
+        let there = |e: &u32| (self.solid)(*e) && !earlier.contains(e);
+        elements.map(|e| if there(&e) { self.lives[e as usize].times() } else { 0..0 }).collect()
+    }
+
+    /// Copies that move as one for a time, with that time.
+    fn joints(&self, of: &[tremolite_mesh::split::Joint]) -> Vec<Joint> {
+        of.iter()
+            .map(|joint| {
+                let [a, b] = joint.elements.map(|e| self.lives[e as usize]);
+                Joint { nodes: joint.nodes, life: a.and(&b) }
+            })
+            .collect()
+    }
 }
 
 /// Lives of elements and of those that they took over from: a pair of an interface does not begin anew with a material.
@@ -47,31 +82,32 @@ pub fn keep_sides(mesh: &mut Mesh, successors: &HashMap<u32, u32>) {
 pub fn of_problem(
     mesh: &mut Mesh,
     interfaces: Vec<Interface>,
-    body_of: &[Option<usize>],
-    lives: &[Life],
-    initial: &[[f64; 6]],
+    standing: Standing,
 ) -> Result<Seams, ModelError> {
     if interfaces.is_empty() {
         let places = (0..mesh.nodes.len() as u32).collect();
-        return Ok(Seams { seams: Vec::new(), origin: Vec::new(), places });
+        return Ok(Seams { seams: Vec::new(), origin: Vec::new(), places, joints: Vec::new() });
     }
-    let there: Vec<bool> = body_of.iter().map(Option::is_some).collect();
+    let times = standing.times(0..mesh.elements.len() as u32);
     let cuts: Vec<Cut> = interfaces
         .iter()
         .map(|interface| Cut { name: &interface.name, sides: interface.sides.each_ref().map(Vec::as_slice) })
         .collect();
-    let Split { faces, origin, places, ends } = split(mesh, &cuts, &there)?;
+    let Split { faces, origin, places, ends, joints } = split(mesh, &cuts, &times)?;
+    let joints = standing.joints(&joints);
+    let rims = Rims::of(&joints);
     let seams = interfaces
         .into_iter()
         .zip(faces)
         .zip(ends)
         .map(|((interface, faces), ends)| {
-            let (pairs, lives) = pairs_by_life(mesh, &faces, interface.corner, lives);
-            let mut seam = Seam {
+            let bare = Seam {
                 of: None,
                 corner: interface.corner,
-                pairs,
-                lives,
+                pairs: Vec::new(),
+                lives: Vec::new(),
+                freed: Vec::new(),
+                standing: Vec::new(),
                 tractions: Vec::new(),
                 name: interface.name,
                 law: interface.law,
@@ -83,95 +119,116 @@ pub fn of_problem(
                 faces,
                 ends,
             };
-            seam.load(initial);
-            seam
+            with_pairs(bare, mesh, &rims, standing)
         })
         .collect();
-    Ok(Seams { seams, origin, places })
+    Ok(Seams { seams, origin, places, joints })
 }
 
-/// Pairs of faces that are there at the same time, with their lives: the pairs of one life behind those of another.
-fn pairs_by_life(
-    mesh: &Mesh,
-    faces: &[[Face; 2]],
-    corner: f64,
-    lives: &[Life],
-) -> (Vec<PairShape>, Vec<Life>) {
+/// An interface with the pairs of its faces, where nothing holds their nodes together: those of one time behind those of another.
+fn with_pairs(mut seam: Seam, mesh: &Mesh, rims: &Rims, standing: Standing) -> Seam {
+    let lives = standing.lives;
+    seam.standing = seam
+        .faces
+        .iter()
+        .map(|sides| {
+            let [a, b] = sides.map(|face| lives[face.element as usize]);
+            a.and(&b)
+        })
+        .collect();
     let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
-    for (f, sides) in (0u32..).zip(faces) {
-        let [a, b] = sides.map(|face| lives[face.element as usize]);
-        of_life.entry(a.and(&b)).or_default().push(f);
+    for (f, &life) in (0u32..).zip(&seam.standing) {
+        of_life.entry(life).or_default().push(f);
     }
-    let (mut all, mut all_lives) = (Vec::new(), Vec::new());
     for (life, own) in of_life {
-        let faces: Vec<[Face; 2]> = own.iter().map(|&f| faces[f as usize]).collect();
-        let mut found = pairs(mesh, &faces, corner);
-        for (face, _) in found.iter_mut().flat_map(|pair| &mut pair.corners) {
-            *face = own[*face as usize];
+        let faces: Vec<[Face; 2]> = own.iter().map(|&f| seam.faces[f as usize]).collect();
+        for mut pair in pairs(mesh, &faces, seam.corner) {
+            let spell = rims.spell(life, pair.nodes);
+            if life.holds(Stage::Shaking) && !spell.is_some_and(|spell| spell.life.holds(Stage::Shaking)) {
+                seam.ends.push(pair.nodes[1]);
+            }
+            let Some(spell) = spell else { continue };
+            for (face, _) in &mut pair.corners {
+                *face = own[*face as usize];
+            }
+            seam.pairs.push(pair);
+            seam.lives.push(spell.life);
+            seam.freed.push(spell.freed);
         }
-        all_lives.extend(vec![life; found.len()]);
-        all.extend(found);
     }
-    (all, all_lives)
+    seam.ends.sort_unstable();
+    seam.ends.dedup();
+    seam.load(standing.initial);
+    seam
 }
 
 /// Splits elements that stand outside a side where interfaces run through them, as those of the model that they were made of.
-/// Most of their nodes are split already, since the model's were. `sides` are those of the interfaces, ascending, and `lives` those
-/// that pairs go by.
+/// `origin` says of every node of the mesh which was one with it before anything was split, and `sides` are those of the
+/// interfaces, ascending.
 ///
 /// # Errors
 /// If more than two elements have the same face.
 pub fn outside(
     mesh: &mut Mesh,
+    origin: &mut Vec<u32>,
     elements: &[u32],
     parents: &[u32],
     sides: &[[Vec<u32>; 2]],
     seams: &[Seam],
-    lives: &[Life],
-    initial: &[[f64; 6]],
-) -> Result<Vec<Seam>, ModelError> {
-    let mut local = Part::of(mesh, elements);
-    let there: Vec<bool> = elements.iter().map(|&e| lives[e as usize].holds(Stage::Shaking)).collect();
+    standing: Standing,
+) -> Result<(Vec<Seam>, Vec<Joint>), ModelError> {
+    let mut local = Part::of(mesh, origin, elements);
+    let times = standing.times(elements.iter().copied());
     let own = |of: &[u32]| -> Vec<u32> {
-        let is_of = |e: &u32| of.binary_search(&parents[*e as usize]).is_ok();
-        (0u32..).zip(elements).filter(|(_, e)| is_of(e)).map(|(k, _)| k).collect()
+        let is_of = |k: u32, e: &u32| {
+            !times[k as usize].is_empty() && of.binary_search(&parents[*e as usize]).is_ok()
+        };
+        (0u32..).zip(elements).filter(|(k, e)| is_of(*k, e)).map(|(k, _)| k).collect()
     };
     let both: Vec<[Vec<u32>; 2]> = sides.iter().map(|sides| sides.each_ref().map(|side| own(side))).collect();
     let mut wanted: BTreeSet<usize> =
         (0..sides.len()).filter(|&i| both[i].iter().all(|side| !side.is_empty())).collect();
-    let faces = loop {
+    let (faces, joints) = loop {
         let cut = |&i: &usize| Cut { name: &seams[i].name, sides: both[i].each_ref().map(Vec::as_slice) };
         let cuts: Vec<Cut> = wanted.iter().map(cut).collect();
-        match split(&mut local.mesh, &cuts, &there) {
-            Ok(Split { faces, .. }) => break faces,
+        match split(&mut local.mesh, &cuts, &times) {
+            Ok(Split { faces, joints, .. }) => break (faces, joints),
             // The two sides may stand out here without touching.
             Err(SplitError::Apart { name, .. }) => wanted.retain(|&i| seams[i].name != name),
             Err(error) => return Err(error.into()),
         }
     };
-    local.put_back(mesh, elements);
+    local.put_back(mesh, origin, elements);
+    let joints: Vec<_> = joints
+        .iter()
+        .map(|joint| tremolite_mesh::split::Joint {
+            nodes: joint.nodes.map(|n| local.nodes[n as usize]),
+            elements: joint.elements.map(|e| elements[e as usize]),
+        })
+        .collect();
+    let joints = standing.joints(&joints);
+    let rims = Rims::of(&joints);
     let seam = |(i, faces): (usize, Vec<[Face; 2]>)| {
         let whole = |face: Face| Face { element: elements[face.element as usize], ..face };
         let faces: Vec<[Face; 2]> = faces.into_iter().map(|sides| sides.map(whole)).collect();
         let of = &seams[i];
-        let (pairs, lives) = pairs_by_life(mesh, &faces, of.corner, lives);
-        let mut seam = Seam {
+        let bare = Seam {
             of: Some(i),
             name: format!("{} (free field)", of.name),
-            pairs,
-            lives,
+            pairs: Vec::new(),
+            lives: Vec::new(),
+            freed: Vec::new(),
             tractions: Vec::new(),
             faces,
             ends: Vec::new(),
             ..of.clone()
         };
-        seam.load(initial);
-        seam
+        with_pairs(bare, mesh, &rims, standing)
     };
-    Ok(wanted.into_iter().zip(faces).map(seam).collect())
+    Ok((wanted.into_iter().zip(faces).map(seam).collect(), joints))
 }
 
-/// Some elements of a mesh as a mesh.
+/// Some elements of a mesh as a mesh, in which nothing is split.
 struct Part {
     mesh: Mesh,
     /// Node of the part -> node of the mesh.
@@ -179,7 +236,7 @@ struct Part {
 }
 
 impl Part {
-    fn of(mesh: &Mesh, elements: &[u32]) -> Self {
+    fn of(mesh: &Mesh, origin: &[u32], elements: &[u32]) -> Self {
         let mut part = Part { mesh: Mesh::default(), nodes: Vec::new() };
         let mut known: HashMap<u32, u32> = HashMap::new();
         for &e in elements {
@@ -188,7 +245,7 @@ impl Part {
                 .nodes()
                 .iter()
                 .map(|&n| {
-                    *known.entry(n).or_insert_with(|| {
+                    *known.entry(origin[n as usize]).or_insert_with(|| {
                         part.nodes.push(n);
                         part.mesh.nodes.push(mesh.nodes[n as usize]);
                         part.nodes.len() as u32 - 1
@@ -200,14 +257,33 @@ impl Part {
         part
     }
 
-    /// Takes over what was split: new nodes go behind those of the mesh.
-    fn put_back(&mut self, mesh: &mut Mesh, elements: &[u32]) {
-        for &at in &self.mesh.nodes[self.nodes.len()..] {
-            self.nodes.push(mesh.nodes.len() as u32);
-            mesh.nodes.push(at);
-        }
+    /// Takes over what was split: each node of the part is one that its elements had, as long as there are any, and else a new
+    /// one behind those of the mesh.
+    fn put_back(&mut self, mesh: &mut Mesh, origin: &mut Vec<u32>, elements: &[u32]) {
+        let mut given: Vec<Option<u32>> = vec![None; self.mesh.nodes.len()];
+        let mut taken: BTreeSet<u32> = BTreeSet::new();
         for (element, &e) in self.mesh.elements.iter().zip(elements) {
-            mesh.elements[e as usize].nodes = element.nodes.map(|n| self.nodes[n as usize]);
+            for (&own, &known) in element.nodes.iter().zip(&mesh.elements[e as usize].nodes) {
+                let given = &mut given[own as usize];
+                if given.is_none() && taken.insert(known) {
+                    *given = Some(known);
+                }
+            }
+        }
+        let at = |own: usize| self.mesh.nodes[own];
+        let whole = |(own, given): (usize, Option<u32>)| {
+            given.unwrap_or_else(|| {
+                mesh.nodes.push(at(own));
+                mesh.nodes.len() as u32 - 1
+            })
+        };
+        self.nodes = given.into_iter().enumerate().map(whole).collect();
+        for (element, &e) in self.mesh.elements.iter().zip(elements) {
+            let before = mesh.elements[e as usize].nodes;
+            let now = element.nodes.map(|n| self.nodes[n as usize]);
+            origin.resize(mesh.nodes.len(), u32::MAX);
+            before.iter().zip(now).for_each(|(&before, now)| origin[now as usize] = origin[before as usize]);
+            mesh.elements[e as usize].nodes = now;
         }
     }
 }

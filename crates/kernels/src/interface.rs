@@ -25,8 +25,17 @@ pub trait AnyInterface: Send + Sync {
     /// Pairs of this law; their nodes index `nodes`, which are the part's. `damping` is the pressure over the closing velocity
     /// of loose pairs \[Pa s/m\].
     fn contact(&self, nodes: Vec<u32>, pairs: &[Pair], damping: f64, isa: Isa) -> Box<dyn Part>;
-    /// Begins a pair of such a part, whose m is `normal`, with a pressure and shear t \[Pa\]: see [`Interface::start`].
-    fn load(&self, history: &mut [Octet], pair: usize, normal: [f64; 3], pressure: f64, shear: [f64; 2]);
+    /// Begins a pair of such a part, whose relative displacement is `d` \[m\] now and whose m is `normal`, with a pressure and
+    /// shear t \[Pa\]: see [`Interface::start`].
+    fn load(
+        &self,
+        history: &mut [Octet],
+        pair: usize,
+        d: [f64; 3],
+        normal: [f64; 3],
+        pressure: f64,
+        shear: [f64; 2],
+    );
     /// A pair of such a part, from the part's history.
     fn seen(&self, history: &[Octet], pair: usize) -> PairSeen;
 }
@@ -73,8 +82,16 @@ impl<I: Interface> AnyInterface for Instance<I> {
         Box::new(Contact::new(self.law.clone(), nodes, pairs, damping, isa))
     }
 
-    fn load(&self, history: &mut [Octet], pair: usize, normal: [f64; 3], pressure: f64, shear: [f64; 2]) {
-        load(&*self.law, history, pair, normal, pressure, shear);
+    fn load(
+        &self,
+        history: &mut [Octet],
+        pair: usize,
+        d: [f64; 3],
+        normal: [f64; 3],
+        pressure: f64,
+        shear: [f64; 2],
+    ) {
+        load(&*self.law, history, pair, d, normal, pressure, shear);
     }
 
     fn seen(&self, history: &[Octet], pair: usize) -> PairSeen {

@@ -28,7 +28,7 @@ pub fn interfaces(
         let totals = contacts.totals(seam, history);
         let peak = |value: fn(&PairSeen) -> f64| {
             let (mut most, mut pair) = (0.0, None);
-            for k in 0..seam.pairs.len() {
+            for k in seam.lasting() {
                 let now = value(&contacts.seen(history, k));
                 if now > most {
                     (most, pair) = (now, Some(k));
@@ -41,7 +41,7 @@ pub fn interfaces(
         let summary = InterfaceSummary {
             law: contacts.law.info().name.into(),
             values: values(seam, contacts),
-            pairs: seam.pairs.len() as u64,
+            pairs: seam.lasting().count() as u64,
             ends: seam.ends.len() as u64,
             area: seam.area(),
             normal_stiffness: contacts.law.stiffness(0.0)[0],

@@ -2,6 +2,7 @@
 
 use super::{Bar, Bolt, BoltPoint, BoltSet, Bolts, Cuts, Segment};
 use crate::life::{Life, Stage};
+use crate::rims::Rims;
 use std::collections::{BTreeMap, HashMap};
 use tremolite_mesh::locate::Locator;
 use tremolite_mesh::{Mesh, quality};
@@ -26,6 +27,8 @@ pub struct Ground<'a> {
     pub lives: &'a [Life],
     /// Elements that take over from others: later → earlier.
     pub successors: &'a HashMap<u32, u32>,
+    /// Which copies of nodes move as one.
+    pub rims: &'a Rims,
 }
 
 impl Ground<'_> {
@@ -155,10 +158,15 @@ impl Saw<'_> {
                 let Some(first) = self.point(bar, lain, a) else { continue };
                 let Some(second) = self.point(bar, lain, b) else { continue };
                 let shared = pieces.last().map(|last| last.points[1]);
-                let same = shared.filter(|&p| see_the_same(&points[p as usize], &first));
+                let same = shared.filter(|&p| self.see_the_same(&points[p as usize], &first));
                 let crosses = shared.is_some() && same.is_none();
                 if let Some(shared) = same {
-                    points[shared as usize].beside = lain.element;
+                    let shared = &mut points[shared as usize];
+                    shared.beside = lain.element;
+                    // By the nodes of what is there for longer.
+                    if earlier(self.gone(shared.host), self.gone(lain.element)) != self.gone(lain.element) {
+                        shared.weights.clone_from(&first.weights);
+                    }
                 }
                 let first = same.unwrap_or_else(|| push(points, first));
                 let second = push(points, second);
@@ -253,6 +261,18 @@ impl Saw<'_> {
         }
     }
 
+    /// Whether two points at one place have their motion from the same nodes, or from such that move as one as long as what they
+    /// lie in stands.
+    fn see_the_same(&self, a: &BoltPoint, b: &BoltPoint) -> bool {
+        let life = Life { born: self.kind.born, gone: earlier(self.gone(a.host), self.gone(b.host)) };
+        let same = |n: u32, m: u32| n == m || self.ground.rims.always_held(life, [n, m]);
+        let of = |point: &BoltPoint, node: u32| -> f64 {
+            point.weights.iter().filter(|(n, _)| same(*n, node)).map(|(_, weight)| *weight).sum()
+        };
+        let nodes = a.weights.iter().chain(&b.weights);
+        nodes.into_iter().all(|&(node, _)| (of(a, node) - of(b, node)).abs() < SAME)
+    }
+
     /// The point at a distance \[m\] from the head, in the element in which the bar lies there.
     fn point(&self, bar: &Bar, lain: &Lain, at: f64) -> Option<BoltPoint> {
         let before: f64 = bar.points.windows(2).take(lain.leg).map(|ends| distance(ends[0], ends[1])).sum();
@@ -283,13 +303,4 @@ fn earlier(a: Option<Stage>, b: Option<Stage>) -> Option<Stage> {
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|i| (b[i] - a[i]).powi(2)).sum::<f64>().sqrt()
-}
-
-/// Whether two points at one place have their motion from the same nodes.
-fn see_the_same(a: &BoltPoint, b: &BoltPoint) -> bool {
-    let of = |point: &BoltPoint, node: u32| {
-        point.weights.iter().find(|(n, _)| *n == node).map_or(0.0, |(_, weight)| *weight)
-    };
-    let nodes = a.weights.iter().chain(&b.weights);
-    nodes.into_iter().all(|&(node, _)| (of(a, node) - of(b, node)).abs() < SAME)
 }

@@ -26,6 +26,7 @@ impl Engine<'_> {
         state.datum = state.u.clone();
         state.ledger = Ledger::new(self.assembly.accounts.len());
         self.quiet = true;
+        self.free_pairs(state);
         self.enter(state);
         let snapshot = self.observe(state);
         self.quiet = false;
@@ -156,9 +157,13 @@ impl Engine<'_> {
     }
 
     /// Tells the parts whose life begins with the phase's stage: they count from the displacements as they are, and so do the
-    /// results at nodes that slept.
+    /// results at nodes that slept. Nodes that others hold from now on are where those are.
     pub(super) fn wake(&mut self, state: &mut State) {
         let Engine { assembly, phase, .. } = *self;
+        for (node, others) in &phase.joined {
+            let rows = [Some(&mut state.u), Some(&mut state.datum).filter(|datum| !datum.is_empty())];
+            rows.into_iter().flatten().for_each(|rows| rows[*node as usize] = mean(rows, others));
+        }
         for &m in &phase.active {
             let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
             if member.life.born != phase.stage || !member.life.is_later() {
@@ -171,6 +176,7 @@ impl Engine<'_> {
             let (motion, own) = slices.own(state);
             member.part.begin(&motion, own);
         }
+        self.free_pairs(state);
         if state.datum.is_empty() {
             return;
         }
@@ -178,4 +184,15 @@ impl Engine<'_> {
             state.datum[node as usize] = state.u[node as usize];
         }
     }
+}
+
+/// The mean of the rows of some nodes: theirs, where they have the same.
+fn mean(rows: &[Row], nodes: &[u32]) -> Row {
+    let Some(&first) = nodes.first() else { return Row::ZERO };
+    let (first, share) = (rows[first as usize], 1.0 / nodes.len() as f64);
+    let mut mean = first;
+    for &node in nodes {
+        (0..3).for_each(|i| mean.0[i] += share * (rows[node as usize].0[i] - first.0[i]));
+    }
+    mean
 }

@@ -111,11 +111,12 @@ pub(super) fn settle<I: Interface>(law: &I, octets: &mut [Octet], pair: usize) {
     write::<I>(octets, pair, WORK, &[work]);
 }
 
-/// The pair begins with a pressure and shear \[Pa\] where both its nodes have not moved; `normal` is its m.
+/// The pair begins with a pressure and shear \[Pa\] where its relative displacement is `d` \[m\]; `normal` is its m.
 pub(crate) fn load<I: Interface>(
     law: &I,
     octets: &mut [Octet],
     pair: usize,
+    d: [f64; 3],
     normal: [f64; 3],
     pressure: f64,
     shear: [f64; 2],
@@ -125,7 +126,7 @@ pub(crate) fn load<I: Interface>(
     for (octet, value) in octets[pair / 8 * width..].iter_mut().zip(history.as_ref()) {
         octet.0[pair % 8] = *value;
     }
-    write::<I>(octets, pair, OFFSET, &normal.map(|m| -gap * m));
+    write::<I>(octets, pair, OFFSET, &[0, 1, 2].map(|i| d[i] - gap * normal[i]));
     write::<I>(octets, pair, DISPLACEMENT, &[gap, 0.0, 0.0]);
     write::<I>(octets, pair, TRACTION, &[pressure, shear[0], shear[1]]);
     write::<I>(octets, pair, WORK, &[law.stored_energy(gap, shear, &history)]);

@@ -179,7 +179,7 @@ fn an_interface_that_is_split_weighs_nothing() {
     high.iter().step_by(2).for_each(|&e| weights[e as usize] = 0.9 * ROCK);
     let points = centroids(&mesh);
     let before = weight_above(&mesh, &weights, &points);
-    let there = vec![true; mesh.elements.len()];
-    split(&mut mesh, &[Cut { name: "level", sides: [&low, &high] }], &there).expect("it splits");
+    let times = vec![0..1; mesh.elements.len()];
+    split(&mut mesh, &[Cut { name: "level", sides: [&low, &high] }], &times).expect("it splits");
     assert_equal(&weight_above(&mesh, &weights, &points), &before);
 }

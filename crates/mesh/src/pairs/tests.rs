@@ -7,12 +7,12 @@ use crate::{Element, Shape};
 
 /// The mesh split between two sets of elements.
 fn opened(mut mesh: Mesh, first: &[u32], second: &[u32]) -> (Mesh, Split) {
-    let mut there = vec![false; mesh.elements.len()];
+    let mut times = vec![0..0; mesh.elements.len()];
     for &e in first.iter().chain(second) {
-        there[e as usize] = true;
+        times[e as usize] = 0..1;
     }
     let split =
-        split(&mut mesh, &[Cut { name: "interface", sides: [first, second] }], &there).expect("it splits");
+        split(&mut mesh, &[Cut { name: "interface", sides: [first, second] }], &times).expect("it splits");
     (mesh, split)
 }
 
@@ -81,7 +81,7 @@ fn the_end_of_an_interface_has_no_pair() {
     let (left, right) = (upper(true), upper(false));
     let mut mesh = mesh.clone();
     let cut = Cut { name: "fault", sides: [&left, &right] };
-    let split = split(&mut mesh, &[cut], &[true; 32]).expect("it splits");
+    let split = split(&mut mesh, &[cut], &vec![0..1; 32]).expect("it splits");
     let pairs = pairs(&mesh, &split.faces[0], CORNER);
     assert_complete(&mesh, &split, 0, &pairs);
     assert_eq!(counts(&pairs), [6]);
@@ -209,10 +209,10 @@ fn bodies_mixed_at_random_have_pairs_that_pass_on_all() {
     let body: Vec<usize> = mesh.elements.iter().map(|_| random.below(4)).collect();
     let of = |k: usize| (0..125).filter(|&e| body[e as usize] == k).collect::<Vec<u32>>();
     let bodies = [of(0), of(1), of(2)];
-    let there: Vec<bool> = body.iter().map(|&k| k < 3).collect();
+    let times: Vec<_> = body.iter().map(|&k| 0..u32::from(k < 3)).collect();
     let cuts = [(0, 1), (1, 2), (2, 0)].map(|(a, b)| Cut { name: "joint", sides: [&bodies[a], &bodies[b]] });
     let mut mesh = mesh;
-    let split = split(&mut mesh, &cuts, &there).expect("it splits");
+    let split = split(&mut mesh, &cuts, &times).expect("it splits");
     assert!(split.ends.iter().all(Vec::is_empty));
     for (cut, faces) in split.faces.iter().enumerate() {
         assert_complete(&mesh, &split, cut, &pairs(&mesh, faces, CORNER));

@@ -1,4 +1,5 @@
 use super::*;
+use std::collections::HashSet;
 use crate::sample::{distorted_box, elements_where, grid};
 use crate::topology::{components, exterior_faces, vector_areas};
 use crate::{Element, Shape};
@@ -17,8 +18,9 @@ fn cut<'a>(name: &'a str, first: &'a [u32], second: &'a [u32]) -> Cut<'a> {
 
 /// Splits a copy of the mesh and checks what must hold whatever the cuts.
 fn checked(before: &Mesh, cuts: &[Cut], there: &[bool]) -> (Mesh, Split) {
+    let times: Vec<Range<u32>> = there.iter().map(|there| 0..u32::from(*there)).collect();
     let mut mesh = before.clone();
-    let split = split(&mut mesh, cuts, there).expect("it splits");
+    let split = split(&mut mesh, cuts, &times).expect("it splits");
     assert_eq!(split.origin.len(), mesh.nodes.len());
     assert!(split.origin[..before.nodes.len()].iter().copied().eq(0..before.nodes.len() as u32));
     for (copy, &node) in split.origin.iter().enumerate() {

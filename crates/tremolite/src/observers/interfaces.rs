@@ -174,9 +174,9 @@ impl InterfaceGrid {
     }
 }
 
-/// Faces as polygons of their pairs. Where an interface ends, closed, a corner has none: there its node stands for one that
-/// never moves, behind all pairs; the second value is how many such points there are.
-/// Faces whose pairs are not there yet are left out.
+/// Faces as polygons of their pairs. Where an interface ends, closed, or something holds its sides together, a corner has none:
+/// there its node stands for one that does not move, behind all pairs; the second value is how many such points there are.
+/// Faces of which a side does not stand are left out.
 fn grid(model: &Model, stage: Stage) -> (Grid, usize) {
     let mut grid = Grid::default();
     let (mut interface, mut element, mut other) = (Vec::new(), Vec::new(), Vec::new());
@@ -186,17 +186,16 @@ fn grid(model: &Model, stage: Stage) -> (Grid, usize) {
     for (s, seam) in model.user_seams().iter().enumerate() {
         let first = grid.points.len() as u32;
         let mut corners: Vec<Vec<(u8, u32)>> = vec![Vec::new(); seam.faces.len()];
-        let mut there = vec![true; seam.faces.len()];
         for (k, pair) in (0u32..).zip(&seam.pairs) {
             grid.points.push(seam.place(&model.mesh, k as usize));
             normals.extend(pair.normal.map(|x| x as f32));
             areas.push(pair.area as f32);
-            for &(face, corner) in &pair.corners {
+            for &(face, corner) in pair.corners.iter().filter(|_| seam.lives[k as usize].holds(stage)) {
                 corners[face as usize].push((corner, first + k));
-                there[face as usize] &= seam.lives[k as usize].holds(stage);
             }
         }
-        let faces = seam.faces.iter().zip(&mut corners).zip(there).filter(|(_, there)| *there);
+        let faces = seam.faces.iter().zip(&mut corners).zip(&seam.standing);
+        let faces = faces.filter(|(_, standing)| standing.holds(stage));
         for (([a, b], corners), _) in faces {
             for (corner, node) in (0u8..).zip(model.mesh.face_nodes(*a)) {
                 if corners.iter().all(|(known, _)| *known != corner) {

@@ -124,7 +124,8 @@ fn rock_with_nodes_of_its_own_is_still_behind_the_extrados() {
     let there = standing(&mesh, &plate);
     let before = stations(&mesh, &plate, &there);
     let rock: Vec<u32> = (0..plate[0]).collect();
-    split(&mut mesh, &[Cut { name: "lining-rock", sides: [&plate, &rock] }], &there).unwrap();
+    let times: Vec<_> = there.iter().map(|there| 0..u32::from(*there)).collect();
+    split(&mut mesh, &[Cut { name: "lining-rock", sides: [&plate, &rock] }], &times).unwrap();
     let after = stations(&mesh, &plate, &there);
     assert_eq!(format!("{before:?}"), format!("{after:?}"));
 }

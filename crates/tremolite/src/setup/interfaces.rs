@@ -4,7 +4,7 @@ use super::groups::nothing_fits;
 use crate::plan::PairMonitor;
 use std::collections::{BTreeMap, BTreeSet};
 use tremolite_case::{Case, Interface as Written, Place, Problem, pattern};
-use tremolite_engine::{Body, Interface, Life};
+use tremolite_engine::{Body, Interface, Life, Stage};
 use tremolite_kernels::InterfaceLaw;
 use tremolite_laws::Choice;
 use tremolite_mesh::Mesh;
@@ -17,7 +17,8 @@ const DOUBLED: f64 = 1e-3;
 /// And within which they are paired ([`tremolite_mesh::split::split`]).
 const PAIRED: f64 = 1e-6;
 
-/// The interfaces of a case that are not tied, in its order.
+/// The interfaces of a case that are not tied, in its order: through what is there in the earthquake, and through what is
+/// excavated before.
 pub fn build(
     case: &Case,
     mesh: &Mesh,
@@ -32,7 +33,7 @@ pub fn build(
     for written in &case.interfaces {
         let Some(contact) = &written.contact else { continue };
         let Some(law) = laws.iter().find(|law| law.info.name == contact.law.value) else { continue };
-        let sides = [0, 1].map(|side| elements(written, side, mesh, &solid, problems));
+        let sides = [0, 1].map(|side| elements(written, side, mesh, &solid, lives, problems));
         let [Some(first), Some(second)] = sides else { continue };
         let [inside, other]: [BTreeSet<u32>; 2] =
             [&first, &second].map(|side| side.iter().copied().collect());
@@ -81,9 +82,10 @@ fn elements(
     side: usize,
     mesh: &Mesh,
     solid: &[bool],
+    lives: &[Life],
     problems: &mut Vec<Problem>,
 ) -> Option<Vec<u32>> {
-    let mut all = BTreeSet::new();
+    let mut all: BTreeSet<u32> = BTreeSet::new();
     let before = problems.len();
     for pattern in &written.between[side] {
         let groups = mesh.groups.iter().filter(|(name, _)| pattern::matches(pattern, name));
@@ -99,7 +101,7 @@ fn elements(
     if problems.len() > before {
         return None;
     }
-    if all.is_empty() {
+    if !all.iter().any(|&e| lives[e as usize].holds(Stage::Shaking)) {
         let names: Vec<&str> = written.between[side].iter().map(|p| p.value.as_str()).collect();
         problems.push(Problem::new(
             written.span.clone(),

@@ -3,7 +3,7 @@
 use crate::evidence::Evidence;
 use crate::observers::{Interfaces, Ringing};
 use crate::places;
-use tremolite_engine::Seam;
+use tremolite_engine::{Seam, Stage};
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
 use tremolite_kernels::contact::PairSeen;
@@ -67,8 +67,8 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     // The largest value over the edges at its pair, and that pair.
     let worst = |value: fn(&PairSeen) -> f64| {
         let mut worst = (0.0, 0);
-        for (k, edge) in edges.iter().enumerate() {
-            let share = value(&contacts.seen(history, k)) / edge;
+        for k in seam.lasting() {
+            let share = value(&contacts.seen(history, k)) / edges[k];
             if share > worst.0 || share.is_nan() {
                 worst = (share, k);
             }
@@ -109,11 +109,11 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
         )
         .with("pressure", totals.largest_pressure)
         .with("limit", limit)
-        .with("pairs", seam.pairs.len() as f64)
+        .with("pairs", seam.lasting().count() as f64)
         .with_note(said!(
             "of {pairs} pairs; the largest pressure was {pressure} MPa, and from {limit} MPa on the joint is held at a constant \
              stiffness, so that it does not shorten the step; give a larger `pressure_for_step`, at the price of a shorter one",
-            pairs = seam.pairs.len().to_string(),
+            pairs = seam.lasting().count().to_string(),
             pressure = format!("{:.3}", totals.largest_pressure / 1e6),
             limit = format!("{:.3}", limit / 1e6),
         )),
@@ -213,7 +213,8 @@ pub(super) fn ringing_name() -> Said {
 /// Σ h/(λ + 2μ) \[m/Pa\] of the elements on both sides, h their extent from the face, mean over the area.
 fn give_of_elements(model: &Model, seam: &Seam) -> f64 {
     let (mut sum, mut whole) = (0.0, 0.0);
-    for faces in &seam.faces {
+    let standing = seam.faces.iter().zip(&seam.standing).filter(|(_, life)| life.holds(Stage::Shaking));
+    for (faces, _) in standing {
         let vector = vector_areas(&model.mesh, &faces[..1]).into_values();
         let vector = vector.fold([0.0; 3], |sum, a| [0, 1, 2].map(|i| sum[i] + a[i]));
         let area = vector.iter().map(|x| x * x).sum::<f64>().sqrt();

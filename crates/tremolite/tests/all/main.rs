@@ -21,6 +21,7 @@ mod outside_part;
 mod ready;
 mod recorded;
 mod reinforcement;
+mod rims;
 mod relax;
 mod runs;
 mod setup_materials;

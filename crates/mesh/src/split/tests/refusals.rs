@@ -3,8 +3,9 @@
 use super::*;
 
 fn refusal(mesh: &Mesh, cuts: &[Cut], there: &[bool]) -> SplitError {
+    let times: Vec<Range<u32>> = there.iter().map(|there| 0..u32::from(*there)).collect();
     let mut copy = mesh.clone();
-    let error = super::split(&mut copy, cuts, there).expect_err("it is refused");
+    let error = super::split(&mut copy, cuts, &times).expect_err("it is refused");
     assert_eq!(&copy, mesh, "unchanged on an error");
     error
 }
@@ -39,7 +40,7 @@ fn sides_apart_are_refused_with_their_distance() {
 #[test]
 fn a_gap_above_the_tolerance_is_no_interface() {
     let mut mesh = grid([2, 1, 1]);
-    super::split(&mut mesh, &[cut("joint", &[0], &[1])], &[true; 2]).expect("it splits");
+    super::split(&mut mesh, &[cut("joint", &[0], &[1])], &[0..1, 0..1]).expect("it splits");
     for x in &mut mesh.nodes[12..] {
         x[0] -= 2e-6;
     }

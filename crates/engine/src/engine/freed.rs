@@ -1,0 +1,71 @@
+//! Pairs whose nodes something held together until now begin with the traction that passes there.
+
+use super::Engine;
+use crate::contacts::LoadedPair;
+use crate::state::State;
+use std::collections::{HashMap, HashSet};
+use tremolite_mesh::Face;
+
+impl Engine<'_> {
+    /// Gives pairs that the phase's stage frees the traction of the stress beside them, from where their nodes are. Of a side that
+    /// came later than the other its own stress alone counts: what stood before it is stressed by more than what passes between
+    /// them.
+    pub(super) fn free_pairs(&mut self, state: &mut State) {
+        let Engine { model, assembly, phase, .. } = *self;
+        let freed: Vec<(usize, usize)> = (0..)
+            .zip(&model.seams)
+            .flat_map(|(s, seam)| (0..seam.pairs.len()).map(move |k| (s, k)))
+            .filter(|&(s, k)| model.seams[s].freed[k] && model.seams[s].lives[k].born == phase.stage)
+            .collect();
+        if freed.is_empty() {
+            return;
+        }
+        let snapshot = self.observe(&mut state.clone());
+        self.evaluated = None;
+
+        // What stands in the place of an element now, and from when on its place is filled.
+        let now = |mut element: u32| {
+            while !model.lives[element as usize].holds(phase.stage) {
+                element = *model.successors.get(&element)?;
+            }
+            Some(element)
+        };
+        let born = |mut element: u32| {
+            while let Some(&earlier) = model.successors.get(&element) {
+                element = earlier;
+            }
+            model.lives[element as usize].born
+        };
+        let beside = |s: usize, k: usize| {
+            let seam = &model.seams[s];
+            seam.pairs[k].corners.iter().flat_map(|(f, _)| seam.faces[*f as usize])
+        };
+        let wanted: HashSet<u32> =
+            freed.iter().flat_map(|&(s, k)| beside(s, k)).filter_map(|face| now(face.element)).collect();
+        let mut stresses: HashMap<u32, [f64; 6]> = HashMap::new();
+        for (m, patch) in model.patches.iter().enumerate() {
+            let points = assembly.members[m].part.elements().1;
+            for (i, &e) in patch.elements.iter().enumerate().filter(|(_, e)| wanted.contains(e)) {
+                let first = assembly.slices[m].points.start + i * points;
+                let mut mean = [0.0; 6];
+                for point in &snapshot.stress[first..first + points] {
+                    (0..6).for_each(|c| mean[c] += point[c] / points as f64);
+                }
+                stresses.insert(e, mean);
+            }
+        }
+        for (s, k) in freed {
+            let (seam, contacts) = (&model.seams[s], &assembly.contacts[s]);
+            let latest = beside(s, k).map(|face| born(face.element)).max();
+            let stress = |face: Face| {
+                let counts = Some(born(face.element)) == latest;
+                stresses.get(&now(face.element)?).copied().filter(|_| counts)
+            };
+            let traction = seam.traction(k, stress);
+            let [a, b] = seam.pairs[k].nodes.map(|n| state.u[model.engine_node[n as usize] as usize]);
+            let d = [0, 1, 2].map(|i| b.0[i] - a.0[i]);
+            let loaded = LoadedPair { pair: k as u32, normal: seam.pairs[k].normal, traction };
+            contacts.load(&mut state.history, &loaded, d);
+        }
+    }
+}
