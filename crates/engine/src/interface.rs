@@ -150,7 +150,8 @@ impl Seam {
             let x = self.place(mesh, k);
             (0..3).map(|i| (x[i] - point[i]).powi(2)).sum::<f64>()
         };
-        let nearest = |of: &mut dyn Iterator<Item = usize>| of.min_by(|&a, &b| square(a).total_cmp(&square(b)));
+        let nearest =
+            |of: &mut dyn Iterator<Item = usize>| of.min_by(|&a, &b| square(a).total_cmp(&square(b)));
         nearest(&mut self.lasting()).or_else(|| nearest(&mut (0..self.pairs.len()))).unwrap_or(0)
     }
 }

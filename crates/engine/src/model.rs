@@ -189,15 +189,8 @@ impl Model {
             let mut more = Vec::new();
             for slab in &outside.slabs {
                 let elements = outside.standing_alone(slab);
-                let (own, held) = seams::outside(
-                    &mut mesh,
-                    &mut origin,
-                    &elements,
-                    parents,
-                    &sides,
-                    &seams,
-                    standing,
-                )?;
+                let (own, held) =
+                    seams::outside(&mut mesh, &mut origin, &elements, parents, &sides, &seams, standing)?;
                 more.extend(own);
                 joints.extend(held);
             }

@@ -4,7 +4,9 @@
 use crate::assembly::Assembly;
 use crate::boundary;
 use crate::boundary::base::add;
+use crate::contacts::Contacts;
 use crate::error::ModelError;
+use crate::interface::Seam;
 use crate::life::{Life, Stage};
 use crate::member::Member;
 use crate::model::Model;
@@ -15,6 +17,7 @@ use crate::state::State;
 use crate::ties::Ties;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use tremolite_kernels::Line;
 use tremolite_laws::Row;
 
 /// The dashpots of a node, as symmetric matrices (xx, yy, zz, xy, yz, zx) \[N s/m\].
@@ -111,10 +114,34 @@ impl Phase {
     /// # Errors
     /// If sides cannot be tied, or no face lies on a plane on which something should act.
     pub fn of(model: &Model, assembly: &Assembly, stage: Stage) -> Result<Self, ModelError> {
+        Phase::tied(model, assembly, stage, std::iter::empty(), |_| true)
+    }
+
+    /// That of the initial equilibrium before interfaces that begin under load are there: their two sides move as one.
+    ///
+    /// # Errors
+    /// As [`Phase::of`].
+    pub fn bonded(model: &Model, assembly: &Assembly) -> Result<Self, ModelError> {
+        let of = |(seam, contacts): (&Seam, &Contacts)| -> Vec<[u32; 2]> {
+            contacts.loaded.iter().map(|loaded| seam.pairs[loaded.pair as usize].nodes).collect()
+        };
+        let nodes = model.seams.iter().zip(&assembly.contacts).flat_map(of);
+        let without = |member: &Member| member.line != Some(Line::Interface);
+        Phase::tied(model, assembly, Stage::Before(0), nodes, without)
+    }
+
+    /// What is active in a stage where more nodes of the mesh move as one, of these parts.
+    fn tied(
+        model: &Model,
+        assembly: &Assembly,
+        stage: Stage,
+        more: impl Iterator<Item = [u32; 2]>,
+        of: impl Fn(&Member) -> bool,
+    ) -> Result<Self, ModelError> {
         let drive = if stage == Stage::Shaking { Drive::Dynamic } else { Drive::Quasistatic };
         let active: Vec<u32> = (0u32..)
             .zip(&assembly.members)
-            .filter(|(_, member)| member.life.holds(stage))
+            .filter(|(_, member)| member.life.holds(stage) && of(member))
             .map(|(m, _)| m)
             .collect();
         let there = |m: &u32| &assembly.members[*m as usize];
@@ -126,6 +153,7 @@ impl Phase {
         for &Joint { nodes: [a, b], .. } in model.joints.iter().filter(|joint| joint.life.holds(stage)) {
             ties.join(a, b);
         }
+        more.for_each(|[a, b]| ties.join(a, b));
         let before;
         let faces = if stage == Stage::Shaking {
             &model.faces

@@ -38,6 +38,9 @@ pub struct Relaxing {
     pub damping: f64,
     /// Δuⁿ⁺¹·fⁿ \[J\].
     pub work: f64,
+    /// Whether pairs that begin under load were given what passed between their sides at rest, in the initial equilibrium: 1, and
+    /// else 0.
+    pub freed: u64,
 }
 
 /// All that evolves in a run.
@@ -132,7 +135,7 @@ impl State {
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
         let Ledger { lines, supplied, bodies, rest } = &mut self.ledger;
-        let Relaxing { cycle, damping, work } = &mut self.relaxing;
+        let Relaxing { cycle, damping, work, freed } = &mut self.relaxing;
         let ledger = lines.values_mut().chain([supplied]).collect();
         let rest = rest.iter_mut().flat_map(Lines::values_mut).collect();
         let mut columns = vec![
@@ -151,6 +154,7 @@ impl State {
             ("held".to_owned(), "N", Column::Rows(&mut self.held)),
             ("start".to_owned(), "m", Column::Rows(&mut self.start)),
             ("cycle".to_owned(), "1", Column::Count(cycle)),
+            ("freed".to_owned(), "1", Column::Count(freed)),
             ("relaxation".to_owned(), "1, J", Column::Scalars(vec![damping, work])),
             ("moved".to_owned(), "m", Column::Scalars(vec![&mut self.moved])),
             ("carried".to_owned(), "N", Column::Rows(&mut self.carried)),

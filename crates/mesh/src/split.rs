@@ -60,8 +60,8 @@ pub struct Split {
 ///
 /// What holds a component together may be there for a part of its time alone: rock that is excavated later, at the rim of an
 /// interface. Where two elements of one component are there at a time at which nothing holds them together, all elements of it
-/// that are there at the same times and hang together have a copy of their own instead, and [`Split::joints`] says which copies
-/// move as one, and when.
+/// that are there at the same times and hang together have a copy of their own instead, or one with others that are there in the end
+/// and never without being held; and [`Split::joints`] says which copies move as one, and when.
 ///
 /// Faces keep their elements and sides, so named sets of faces stay as they are; what is exterior changes. Elements
 /// that are never there stay with the file's nodes, so their faces may lose the neighbour. The mesh is unchanged on an

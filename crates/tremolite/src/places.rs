@@ -3,7 +3,7 @@
 use tremolite_engine::Seam;
 use tremolite_engine::hexahedra::centroid;
 use tremolite_engine::model::Model;
-use tremolite_mesh::Mesh;
+use tremolite_mesh::{Face, Mesh};
 use tremolite_results::{Said, said};
 
 /// A point \[m\] to the decimetre, the same in all languages.
@@ -44,6 +44,19 @@ pub fn element(model: &Model, element: usize) -> Said {
 pub fn element_at(model: &Model, element: u32) -> Said {
     let place = coordinates(centroid(&model.mesh, element), 2);
     said!("{what} at {place}", what = self::element(model, element as usize), place = place)
+}
+
+/// An element with its centre, and an interface that has one of its nodes.
+pub fn element_beside(model: &Model, element: u32) -> Said {
+    let of = |e: u32| model.mesh.elements[e as usize].nodes().iter().map(|&n| model.places[n as usize]);
+    let own: Vec<u32> = of(element).collect();
+    let touches = |face: &Face| of(face.element).any(|place| own.contains(&place));
+    let beside = model.user_seams().iter().find(|seam| seam.faces.iter().flatten().any(touches));
+    let at = element_at(model, element);
+    match beside {
+        Some(seam) => said!("{what}, beside interface '{name}'", what = at, name = &seam.name),
+        None => at,
+    }
 }
 
 /// A pair: its interface, the number of its node, and where that is.

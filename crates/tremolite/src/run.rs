@@ -5,7 +5,7 @@ mod beside;
 mod kept;
 
 pub(crate) use beside::Beside;
-pub(crate) use kept::Beginning;
+pub(crate) use kept::{Beginning, uneven};
 
 use crate::checkpoint;
 use crate::error::RunError;

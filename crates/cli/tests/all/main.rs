@@ -19,6 +19,7 @@ mod mesh;
 mod motion;
 mod motion_told;
 mod references;
+mod rims;
 mod ringing;
 mod shipped_cases;
 mod shotcrete;

@@ -91,6 +91,8 @@ const FOLLOW: f64 = 0.1;
 /// Share of the largest motion of the stages before that a stage may count as its own: a lining that is placed moves a
 /// hundredth of what the excavation did, and what is left must be small beside that.
 const SMALL: f64 = 0.01;
+/// How much further from balance a model may be once pairs are freed that hold: what is left at a node is then shared by two.
+const SHARED: f64 = 2.0;
 /// Motion \[m\] that is none.
 const STILL: f64 = 1e-9;
 /// Cycles between looks at how far elements have strained.
@@ -175,7 +177,68 @@ impl Engine<'_> {
     }
 
     /// The same, watched.
+    ///
+    /// The initial equilibrium is found first as if interfaces that begin under load were not there, so that it is the same
+    /// whatever their stiffness. Then their pairs are given what passed between their sides, and if some cannot bear it, it goes
+    /// on with them.
     pub fn relax_watched(&mut self, state: &mut State, release: &Release, watch: &mut Watch) -> Relaxed {
+        let begins = self.phase.stage == Stage::Before(0) && state.relaxing.freed == 0;
+        let relaxed =
+            match begins && self.assembly.contacts.iter().any(|contacts| !contacts.loaded.is_empty()) {
+                true => self.bonded_then_free(state, release, watch),
+                false => self.come_to_rest(state, release, watch),
+            };
+        if let Relaxed::AtRest(rest) = &relaxed {
+            state.relaxing = Relaxing::default();
+            state.moved = state.moved.max(rest.motion);
+            if let Stage::Before(k) = self.phase.stage {
+                state.stage = u64::from(k) + 1;
+                if k == 0 {
+                    state.datum = state.u.clone();
+                }
+            }
+            // What laws remember of the strain is that of the end.
+            self.evaluate(state, None);
+        }
+        relaxed
+    }
+
+    fn bonded_then_free(&mut self, state: &mut State, release: &Release, watch: &mut Watch) -> Relaxed {
+        // It has all the faces that this engine's own phase has, so it can be made.
+        let Ok(phase) = Phase::bonded(self.model, self.assembly) else {
+            return self.come_to_rest(state, release, watch);
+        };
+        let bonded = Engine::new(self.model, self.assembly, &phase).come_to_rest(state, release, watch);
+        let Relaxed::AtRest(rest) = bonded else { return bonded };
+        state.relaxing = Relaxing { freed: 1, ..Relaxing::default() };
+        self.free_loaded(state);
+        self.evaluated = None;
+        self.evaluate(state, None);
+        if self.out_of_balance() <= SHARED * release.tolerance[0] {
+            return bonded;
+        }
+        match self.come_to_rest(state, release, watch) {
+            Relaxed::AtRest(more) => Relaxed::AtRest(Rest { cycles: rest.cycles + more.cycles, ..more }),
+            other => other,
+        }
+    }
+
+    /// Σ|R| over Σ|contributions| of the forces last evaluated, with nothing held.
+    fn out_of_balance(&self) -> f64 {
+        let Engine { phase, contributions, .. } = self;
+        let (mut unbalanced, mut whole) = (0.0, 0.0);
+        for node in 0..phase.master.len() {
+            let force = force(phase, contributions, node);
+            let free = phase.inverse_mass[node].0.map(|w| f64::from(u8::from(w > 0.0)));
+            unbalanced += length(Row([0, 1, 2, 3].map(|i| free[i] * force.0[i])));
+            let slots = phase.start[node] as usize..phase.start[node + 1] as usize;
+            whole += phase.slot[slots].iter().map(|&slot| length(contributions[slot as usize])).sum::<f64>();
+        }
+        if whole > 0.0 { unbalanced / whole } else { 0.0 }
+    }
+
+    /// Until it is at rest, or given up.
+    fn come_to_rest(&mut self, state: &mut State, release: &Release, watch: &mut Watch) -> Relaxed {
         let masses = masses(self.model, self.assembly, self.phase);
         self.evaluated = None;
         if state.relaxing.cycle == 0 {
@@ -184,9 +247,12 @@ impl Engine<'_> {
             self.evaluate(state, None);
             let now = |n: usize| force(self.phase, &self.contributions, n);
             state.held = (0..state.u.len()).map(now).collect();
-            state.start = state.u.clone();
+            let freed = state.relaxing.freed;
+            if freed == 0 {
+                state.start = state.u.clone();
+            }
             state.du.fill(Row::ZERO);
-            state.relaxing = Relaxing { cycle: 1, ..Relaxing::default() };
+            state.relaxing = Relaxing { cycle: 1, freed, ..Relaxing::default() };
         }
         let mut rest = Rest::default();
         loop {
@@ -197,7 +263,7 @@ impl Engine<'_> {
             let let_go = (state.relaxing.cycle as f64 / release.cycles.max(1) as f64).min(1.0);
             let share = 1.0 - release.share * let_go;
             let sums = self.relaxation_step(state, &masses, share);
-            let Relaxing { cycle, damping, work } = &mut state.relaxing;
+            let Relaxing { cycle, damping, work, .. } = &mut state.relaxing;
             let squared = (sums.work - *work) / sums.inertia;
             if squared > 0.0 {
                 let wanted = 2.0 * squared.sqrt();
@@ -219,16 +285,6 @@ impl Engine<'_> {
                 for held in &mut state.held {
                     *held = Row(held.0.map(|h| share * h));
                 }
-                state.relaxing = Relaxing::default();
-                state.moved = state.moved.max(rest.motion);
-                if let Stage::Before(k) = self.phase.stage {
-                    state.stage = u64::from(k) + 1;
-                    if k == 0 {
-                        state.datum = state.u.clone();
-                    }
-                }
-                // What laws remember of the strain is that of the end.
-                self.evaluate(state, None);
                 return Relaxed::AtRest(rest);
             }
             // A ratio that is not a number is no rest either.

@@ -47,7 +47,8 @@ impl Around {
                 around.firsts[slot as usize] += 1;
             }
         }
-        let interface: HashSet<[Face; 2]> = found.faces.iter().flatten().map(|&pair| faces::sorted(pair)).collect();
+        let interface: HashSet<[Face; 2]> =
+            found.faces.iter().flatten().map(|&pair| faces::sorted(pair)).collect();
         let near = |face: &Face| mesh.face_nodes(*face).any(|n| open[n as usize]);
         let mut keyed: Vec<([u32; 4], Face)> =
             all_faces(mesh, Some(&elements)).filter(near).map(|face| (face_key(mesh, face), face)).collect();
@@ -101,7 +102,9 @@ impl Around {
             next += count;
             let roots: Vec<u32> = (start..end).map(|s| root(&mut self.parent, s as u32)).collect();
             let components: BTreeSet<u32> = roots.iter().copied().collect();
-            let own = |component: u32| (start..end).filter(|slot| roots[slot - start] == component).collect::<Vec<usize>>();
+            let own = |component: u32| {
+                (start..end).filter(|slot| roots[slot - start] == component).collect::<Vec<usize>>()
+            };
             // Of what is there in the end, if anything is: what other things name by the file's nodes is then there.
             let rank = |component: &u32| {
                 let own = own(*component);
@@ -136,8 +139,8 @@ impl Around {
         left.into_iter().filter_map(joint).collect()
     }
 
-    /// Unites components of a node that meet, where that leaves no two of them together at a time at which nothing holds them;
-    /// the meetings of the others are left.
+    /// Unites components of a node that meet, where that leaves no two of them together at a time at which nothing holds them:
+    /// all that hang together at some time, or else those of them that are there in the end. The meetings of the others are left.
     fn hold(
         &mut self,
         slots: Range<usize>,
@@ -151,28 +154,40 @@ impl Around {
         let first = slots.start;
         let of: Vec<usize> = slots.map(|s| root(&mut self.parent, s as u32) as usize - first).collect();
         let time = |component: usize| &times[self.slots[first + component].1 as usize];
-        let edges: BTreeSet<[usize; 2]> =
-            meetings.iter().map(|pair| pair.map(|slot| of[slot as usize - first])).collect();
-        let whole = trees(of.len(), edges.iter().copied());
+        let edge = |pair: &[u32; 2]| pair.map(|slot| of[slot as usize - first]);
+        let edges: BTreeSet<[usize; 2]> = meetings.iter().map(edge).collect();
         let members: BTreeSet<usize> = edges.iter().flatten().copied().collect();
-        let mut parted: BTreeSet<usize> = BTreeSet::new();
+        let end = members.iter().map(|&m| time(m).end).max();
+        let lasts = |m: &usize| Some(time(*m).end) == end;
+        let whole = trees(of.len(), edges.iter().copied());
+        let lasting = trees(of.len(), edges.iter().copied().filter(|edge| edge.iter().all(lasts)));
+        let (mut parted, mut parted_lasting) = (BTreeSet::new(), BTreeSet::new());
         // What hangs together changes where a component comes or goes.
         let changes: BTreeSet<u32> = members.iter().flat_map(|&m| [time(m).start, time(m).end]).collect();
         for now in changes {
-            let there = |m: &usize| time(*m).contains(&now);
-            let held = trees(of.len(), edges.iter().copied().filter(|edge| edge.iter().all(there)));
-            for &a in members.iter().filter(|m| there(m)) {
-                let apart = |b: &&usize| there(b) && whole[**b] == whole[a] && held[**b] != held[a];
-                if members.iter().any(|b| apart(&b)) {
-                    parted.insert(whole[a]);
+            let there: Vec<usize> = members.iter().copied().filter(|&m| time(m).contains(&now)).collect();
+            let both = |edge: &[usize; 2]| edge.iter().all(|m| there.contains(m));
+            let held = trees(of.len(), edges.iter().copied().filter(both));
+            for &a in &there {
+                for &b in there.iter().filter(|&&b| held[b] != held[a]) {
+                    if whole[a] == whole[b] {
+                        parted.insert(whole[a]);
+                    }
+                    if lasting[a] == lasting[b] {
+                        parted_lasting.insert(lasting[a]);
+                    }
                 }
             }
         }
-        for (pair, edge) in meetings.iter().map(|pair| (*pair, of[pair[0] as usize - first])) {
-            if parted.contains(&whole[edge]) {
-                left.push(pair);
-            } else {
-                self.unite(pair);
+        for pair in meetings {
+            let [a, b] = edge(pair);
+            if !parted.contains(&whole[a]) {
+                self.unite(*pair);
+                continue;
+            }
+            left.push(*pair);
+            if lasting[a] == lasting[b] && !parted_lasting.contains(&lasting[a]) {
+                self.unite(*pair);
             }
         }
     }

@@ -158,11 +158,7 @@ pub(super) fn sorted([a, b]: [Face; 2]) -> [Face; 2] {
 }
 
 /// Faces that no other shares at the same time, but which are at the place of another, by place.
-fn touching_faces(
-    mesh: &Mesh,
-    times: &[Range<u32>],
-    earlier: &BTreeMap<u32, u32>,
-) -> Vec<([u32; 4], Face)> {
+fn touching_faces(mesh: &Mesh, times: &[Range<u32>], earlier: &BTreeMap<u32, u32>) -> Vec<([u32; 4], Face)> {
     if earlier.is_empty() {
         return Vec::new();
     }

@@ -1,8 +1,8 @@
 use super::*;
-use std::collections::HashSet;
 use crate::sample::{distorted_box, elements_where, grid};
 use crate::topology::{components, exterior_faces, vector_areas};
 use crate::{Element, Shape};
+use std::collections::HashSet;
 
 mod refusals;
 mod search;

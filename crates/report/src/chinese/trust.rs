@@ -12,6 +12,20 @@ pub const TEXTS: Texts = &[
         "change of the initial stress on the way to equilibrium over that stress",
         "达到平衡过程中初始应力的变化与初始应力之比",
     ),
+    (
+        "largest change of an element's initial stress on the way to equilibrium over that stress",
+        "达到平衡过程中单元初始应力的最大变化与初始应力之比",
+    ),
+    (
+        "largest difference of motion across an element or an interface to the initial equilibrium over that of the stages",
+        "达到初始平衡时单元内或接触面两侧位移差的最大值与各施工阶段之比",
+    ),
+    ("at {place}; {remedy}", "位于 {place}；{remedy}"),
+    (
+        "at {place}, over the mean of all where its own is less; {remedy}",
+        "位于 {place}；其初始应力小于平均值处以平均值为基准；{remedy}",
+    ),
+    ("{what}, beside interface '{name}'", "{what}，位于接触面“{name}”旁"),
     ("motion to the initial equilibrium over that of the stages", "达到初始平衡的位移与各施工阶段位移之比"),
     ("nothing comes before the earthquake", "地震前没有施工阶段"),
     ("no stage came to rest", "没有阶段达到静止"),

@@ -27,6 +27,8 @@ use tremolite_results::{Column, Pvd, ResultFolder, Said, TableWriter, said, writ
 const RELAXATION: &str = "relaxation";
 /// Cycles between rows of that.
 const EVERY: u64 = 10;
+/// Motion to the initial equilibrium, in the file of that stage.
+const INITIAL_MOTION: &str = "initial_motion";
 
 /// How the stages ended.
 pub(super) enum Before {
@@ -91,7 +93,7 @@ impl Stages<'_> {
             if rest.cycles > 0 && rest.cycles.is_multiple_of(EVERY) {
                 remember(&mut state.observers, stage, rest);
             }
-            if stage == 0 && rest.cycles == 1 {
+            if stage == 0 && rest.cycles == 1 && state.relaxing.freed == 0 {
                 kept::remember_imbalance(&mut state.observers, rest.unreleased);
             }
             if cycle == planned.release.cycles {
@@ -145,9 +147,15 @@ impl Stages<'_> {
         let forces = sections.at(&view);
         let bolts = BoltForces::at(&view);
         let beside = Beside::of(&view, &state.observers, stage == 0);
-        let beginning = (stage == 0).then(|| kept::Beginning::of(&view));
-        self.fields(stage, &view, &state.observers, &[])?;
+        let uneven = kept::Uneven::of(&view, state);
+        let beginning = (stage == 0).then(|| kept::Beginning::of(&view, uneven));
+        // Displacements count from here; what it took to get here is told beside them.
+        let since_start = |(now, before): (&Row, &Row)| Row([0, 1, 2, 3].map(|i| now.0[i] - before.0[i]));
+        let motion: Vec<Row> = state.u.iter().zip(&state.start).map(since_start).collect();
+        let motion = [(INITIAL_MOTION, "m", motion.as_slice())];
+        self.fields(stage, &view, &state.observers, if stage == 0 { &motion } else { &[] })?;
         kept::remember(model, self.plan, &mut state.observers, &rested);
+        uneven.remember(&mut state.observers);
         if let Some(beginning) = beginning {
             beginning.remember(&mut state.observers);
         }

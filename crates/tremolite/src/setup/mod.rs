@@ -124,8 +124,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     stages::check_pressures(case, &mesh, &mut problems);
     let lasting = staged.lasting(&bodies);
     let monitors = monitors::build(case, &mesh, &lasting, &mut problems);
-    let interfaces =
-        interfaces::build(case, &mesh, &bodies, &staged.places, &laws.interfaces, &mut problems);
+    let interfaces = interfaces::build(case, &mesh, &bodies, &staged.places, &laws.interfaces, &mut problems);
     let pairs = interfaces::monitors(case, &mesh, &mut problems);
     let at_bolts = bolts::monitors(case, &mesh, &mut problems);
     let solid = staged.solid();

@@ -1,7 +1,8 @@
 //! Checks of what came before the earthquake.
 
 use crate::evidence::Evidence;
-use crate::run::Beginning;
+use crate::places;
+use crate::run::{Beginning, uneven};
 use tremolite_results::{Fact, Said, TrustLine, said};
 
 /// What is held besides weight, loads and reactions when the shaking begins, over all contributions: ten times what stages
@@ -12,16 +13,28 @@ const INITIAL: f64 = 0.1;
 
 /// Change of the initial stress over itself.
 const CHANGE: f64 = 0.1;
+/// The same of a single element: on a slope of 45° the foot changes by a third, and one that changes by as much as it has does not
+/// fit its neighbours.
+const LOCAL: f64 = 1.0;
 
 const HELD_ID: &str = "held_at_the_end";
 const CHANGE_ID: &str = "initial_stress_change";
 const INITIAL_ID: &str = "initial_motion";
+const LOCAL_ID: &str = "initial_stress_change_local";
+const UNEVEN_ID: &str = "initial_motion_local";
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let held_name =
         || said!("held besides weight, loads and reactions after the last stage, over all contributions");
     let change_name = || said!("change of the initial stress on the way to equilibrium over that stress");
     let initial_name = || said!("motion to the initial equilibrium over that of the stages");
+    let local_name =
+        || said!("largest change of an element's initial stress on the way to equilibrium over that stress");
+    let uneven_name = || {
+        said!(
+            "largest difference of motion across an element or an interface to the initial equilibrium over that of the stages"
+        )
+    };
     let stages = &evidence.outcome.stages;
     let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
         let why = || match evidence.plan.stages.is_empty() {
@@ -31,7 +44,9 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         return vec![
             TrustLine::not_applicable(HELD_ID, held_name(), why()),
             TrustLine::not_applicable(INITIAL_ID, initial_name(), why()),
+            TrustLine::not_applicable(UNEVEN_ID, uneven_name(), why()),
             TrustLine::not_applicable(CHANGE_ID, change_name(), why()),
+            TrustLine::not_applicable(LOCAL_ID, local_name(), why()),
         ];
     };
     let held = if stages.len() == evidence.plan.stages.len() {
@@ -51,7 +66,32 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     } else {
         TrustLine::not_applicable(INITIAL_ID, initial_name(), said!("no stage that came to rest excavates"))
     };
-    let change = match Beginning::recall(&evidence.outcome.state.observers) {
+    let memory = &evidence.outcome.state.observers;
+    let beginning = Beginning::recall(memory);
+    let place = |element: u32| places::element_beside(evidence.model, element);
+    let uneven = match (beginning, uneven(memory)) {
+        (Some(found), Some((initial, later))) if excavates => {
+            TrustLine::at_most(UNEVEN_ID, uneven_name(), initial / later, INITIAL, "")
+                .with("initial", initial)
+                .with("largest", later)
+                .with_note(said!("at {place}; {remedy}", place = place(found.uneven_at), remedy = fits()))
+        }
+        _ => {
+            TrustLine::not_applicable(UNEVEN_ID, uneven_name(), said!("no stage that came to rest excavates"))
+        }
+    };
+    let local = match beginning {
+        Some(found) if !evidence.model.initial.is_empty() => {
+            let (share, at) = found.largest_change;
+            TrustLine::at_most(LOCAL_ID, local_name(), share, LOCAL, "").with_note(said!(
+                "at {place}, over the mean of all where its own is less; {remedy}",
+                place = place(at),
+                remedy = fits(),
+            ))
+        }
+        _ => TrustLine::not_applicable(LOCAL_ID, local_name(), said!("the ground begins without stress")),
+    };
+    let change = match beginning {
         Some(found) if !evidence.model.initial.is_empty() => TrustLine::at_most(
             CHANGE_ID,
             change_name(),
@@ -67,7 +107,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         )),
         _ => TrustLine::not_applicable(CHANGE_ID, change_name(), said!("the ground begins without stress")),
     };
-    vec![held, initial, change]
+    vec![held, initial, uneven, change, local]
 }
 
 /// What to look at where the initial stress does not fit.

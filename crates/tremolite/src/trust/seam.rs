@@ -3,9 +3,9 @@
 use crate::evidence::Evidence;
 use crate::observers::{Interfaces, Ringing};
 use crate::places;
-use tremolite_engine::{Seam, Stage};
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
+use tremolite_engine::{Seam, Stage};
 use tremolite_kernels::contact::PairSeen;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::topology::vector_areas;
