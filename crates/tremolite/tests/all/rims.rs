@@ -129,8 +129,8 @@ fn lean(x: &mut [f64; 3]) {
     x[0] += share * (x[2] - 8.0) / 70f64.to_radians().tan();
 }
 
-fn close() -> PlannedStage {
-    let release = Release { tolerance: [1e-11, 1e-9], most: 100_000, ..Release::default() };
+fn close(tolerance: f64) -> PlannedStage {
+    let release = Release { tolerance: [tolerance, 100.0 * tolerance], most: 100_000, ..Release::default() };
     PlannedStage { release, ..PlannedStage::new("stage") }
 }
 
@@ -140,10 +140,10 @@ struct Rested {
 }
 
 impl Rested {
-    fn new(problem: Problem, stages: usize) -> Rested {
+    fn new(problem: Problem, stages: usize, tolerance: f64) -> Rested {
         let model = Model::new(problem).unwrap();
         let assembly = Assembly::new(&model).unwrap();
-        let (state, _) = settle(&model, &assembly, &vec![close(); stages]).unwrap();
+        let (state, _) = settle(&model, &assembly, &vec![close(tolerance); stages]).unwrap();
         Rested { model, state }
     }
 
@@ -188,17 +188,14 @@ fn whole(surface: Surface, fault: Fault) -> Problem {
 #[test]
 fn a_fault_through_an_opening_that_is_not_yet_dug_is_at_rest_as_the_ground_without_it() {
     for (surface, fault) in FAULTS {
-        let settlement = most(&Rested::new(whole(surface, fault), 2).corners(false));
-        let rest = Rested::new(whole(surface, fault), 1).corners(true);
+        let settlement = most(&Rested::new(whole(surface, fault), 2, 1e-13).corners(false));
+        let rest = Rested::new(whole(surface, fault), 1, 1e-13).corners(true);
         assert!(settlement > 5e-4, "{settlement}");
         for how in HOWS {
             for (order, stiffness) in [(true, Some(1e8)), (false, Some(1e11)), (how == How::Around, None)] {
-                let faulted = Rested::new(ground(surface, fault, how, order, stiffness), 1).corners(true);
+                let faulted =
+                    Rested::new(ground(surface, fault, how, order, stiffness), 1, 1e-13).corners(true);
                 let share = apart(&faulted, &rest) / settlement;
-                println!(
-                    "{surface:?} {fault:?} {how:?} {order} {stiffness:?}: {share:e}, moved {:e}",
-                    most(&rest)
-                );
                 assert!(share < 1e-12, "{surface:?} {fault:?} {how:?} {order} {stiffness:?}: {share}");
             }
         }
@@ -213,20 +210,19 @@ fn behind_the_excavation_both_orders_and_a_mesh_split_by_hand_agree() {
         let upright = surface == Surface::Even && fault != Fault::Dipping;
         for stiffness in [1e9, 5e10] {
             let of = |how, order| {
-                Rested::new(ground(surface, fault, how, order, Some(stiffness)), 2).corners(false)
+                Rested::new(ground(surface, fault, how, order, Some(stiffness)), 2, 1e-11).corners(false)
             };
             let reference = of(How::ByHand, true);
             let share = |a: &[f64], b: &[f64]| apart(a, b) / most(&reference);
             for how in HOWS {
                 let [one, other] = [true, false].map(|order| of(how, order));
                 let (orders, by_hand) = (share(&one, &other), share(&one, &reference));
-                println!("{surface:?} {fault:?} {how:?} {stiffness:e}: {orders:e} {by_hand:e}");
                 assert!(orders < 1e-6, "{surface:?} {fault:?} {how:?} {stiffness:e}: {orders}");
                 let limit = if how != How::Around || upright { 1e-6 } else { 0.01 };
                 assert!(by_hand < limit, "{surface:?} {fault:?} {how:?} {stiffness:e}: {by_hand}");
             }
             // And the fault is felt.
-            let without = Rested::new(whole(surface, fault), 2).corners(false);
+            let without = Rested::new(whole(surface, fault), 2, 1e-11).corners(false);
             let felt = share(&without, &reference);
             assert!(felt > 1e-4, "{surface:?} {fault:?} {felt}");
         }
@@ -289,7 +285,7 @@ fn cavern(mirrored: bool) -> Problem {
         material: elastic(Moduli::from_young_poisson(young, 0.2)),
         density: DENSITY,
         quadrature,
-        viscosity: 0.0,
+        viscosity: 0.06,
     };
     let outside = [left.clone(), right.clone()].concat();
     let bodies = vec![
@@ -302,7 +298,12 @@ fn cavern(mirrored: bool) -> Problem {
     problem.initial = initial;
     problem.gravity = GRAVITY;
     problem.tractions = vec![tremolite::Traction { name: "above".into(), faces: top, life: Life::BEFORE }];
-    let mut fault = between(&problem, [0, 0], "coulomb", &[("cohesion", 0.0), ("friction", 0.5)]);
+    let mut fault = between(
+        &problem,
+        [0, 0],
+        "coulomb",
+        &[("normal_stiffness", 10e9), ("cohesion", 0.0), ("friction", 0.5)],
+    );
     fault.sides = [left, right];
     fault.name = "fault".into();
     let mut extrados = between(
@@ -346,8 +347,7 @@ fn shaken(problem: Problem, sense: f64) -> (BTreeMap<(u32, u32), Vec<f64>>, f64)
     let model = Model::new(problem).unwrap();
     let assembly = Assembly::new(&model).unwrap();
     assert!(!model.joints.is_empty() && model.seams[0].freed.iter().any(|freed| *freed));
-    let release = Release { tolerance: [1e-9, 1e-6], most: 100_000, ..Release::default() };
-    let stages = vec![PlannedStage { release, ..PlannedStage::new("stage") }; 6];
+    let stages = vec![close(1e-11); 6];
     let mut rows: BTreeMap<(u32, u32), Vec<f64>> = BTreeMap::new();
     let mut look = |state: &State| {
         for (e, corners) in (0u32..).zip(&corners) {
@@ -360,7 +360,9 @@ fn shaken(problem: Problem, sense: f64) -> (BTreeMap<(u32, u32), Vec<f64>>, f64)
     let (mut state, _) = settle(&model, &assembly, &stages).unwrap();
     look(&state);
     let phase = Phase::of(&model, &assembly, Stage::Shaking).unwrap();
-    let dt = 0.9 * stable_step(&model, &assembly, &phase).dt;
+    // The same for both: estimates of the stable step agree to a thousandth alone.
+    let dt = 0.4 * PULSE[2] / 1000.0;
+    assert!(dt < 0.8 * stable_step(&model, &assembly, &phase).dt);
     let mut engine = Engine::new(&model, &assembly, &phase);
     engine.hand_over(&mut state, dt);
     let drift = engine.quiet_run(&state, 50);
@@ -383,18 +385,6 @@ fn a_lined_and_bolted_cavern_cut_by_a_fault_moves_as_its_mirror_image() {
     assert!(slid > 0.0, "the fault slides");
     let peak = plain.values().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
     let worst = plain.iter().map(|(key, rows)| apart(rows, &mirrored[key])).fold(0.0, f64::max);
-    println!("{worst:e} of {peak:e}, {slid} m2 slid");
-    let looks = plain.values().next().unwrap().len() / 3;
-    for k in 0..looks {
-        let at = |k: usize| {
-            plain
-                .iter()
-                .map(|(key, rows)| apart(&rows[3 * k..3 * k + 3], &mirrored[key][3 * k..3 * k + 3]))
-                .fold(0.0, f64::max)
-        };
-        print!("{:.1e} ", at(k));
-    }
-    println!();
     // Round-off, with which pairs slide a little earlier or later.
     assert!(worst < 1e-9 * peak, "{worst} of {peak}");
 }
