@@ -26,9 +26,17 @@ pub(crate) static REGION: Table = Table {
         Key::required(
             "element",
             Kind::Word(Element::WORDS),
-            "one-point: fast, for rock; full: 2×2×2 points, sees bending, for linings",
+            "one-point: fast, for rock; full: 2×2×2 points, for linings of two and more elements through their thickness; \
+             layered: 2×2 points in layers through the thickness, for linings one element thick",
         )
         .when(When::IsNot("material", VOID)),
+        Key::optional(
+            "points_through",
+            Kind::Count(13),
+            "9",
+            "points through the thickness of layered elements, both faces included: 7, 9 or 13",
+        )
+        .when(When::Is("element", "layered")),
         Key::optional(
             "viscosity",
             Kind::Number(Dimension::NONE, Limit::NotNegative),
@@ -56,6 +64,8 @@ words! {
         OnePoint = "one-point",
         /// The same assumed strain at 2×2×2 points.
         Full = "full",
+        /// The same at 2×2 points in several layers through the thickness.
+        Layered = "layered",
     }
 }
 
@@ -81,6 +91,8 @@ pub enum Fill {
         material: Spanned<usize>,
         /// How the elements are integrated.
         element: Spanned<Element>,
+        /// Points through the thickness of layered elements, where they are given: 7, 9 or 13.
+        through: Option<Spanned<u32>>,
         /// Artificial viscosity b, where it is given.
         viscosity: Option<Spanned<f64>>,
         /// What stands in the place until it is excavated, where it is given: an index likewise.
@@ -111,7 +123,8 @@ impl Region {
                 Some(name) => Some(index(name)?),
                 None => None,
             };
-            Fill::Solid { material: index(material)?, element: element?, viscosity, before }
+            let through = f.count("points_through");
+            Fill::Solid { material: index(material)?, element: element?, through, viscosity, before }
         };
         Some(Region { groups, fill, span: f.span.clone() })
     }

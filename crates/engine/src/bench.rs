@@ -12,7 +12,7 @@ use crate::problem::{Problem, Rayleigh};
 use std::sync::Arc;
 use std::time::Instant;
 use tremolite_kernels::{AnyMaterial, Line, Quadrature};
-use tremolite_laws::shapes::hex8::{FullGeometry, OnePointGeometry};
+use tremolite_laws::shapes::hex8::{FullGeometry, LayeredGeometry, OnePointGeometry};
 use tremolite_laws::{Isa, Row};
 use tremolite_mesh::boxes::{BoxError, BoxSpec, Distortion};
 
@@ -152,6 +152,10 @@ fn cost_per_element(
     let (geometry, operations) = match quadrature {
         Quadrature::OnePoint => (size_of::<OnePointGeometry>() / 8, ONE_POINT_OPERATIONS),
         Quadrature::Full => (size_of::<FullGeometry>() / 8, FULL_OPERATIONS),
+        Quadrature::Layered(layers) => (
+            size_of::<LayeredGeometry>() / 8,
+            FULL_OPERATIONS + layers.count() as f64 * LAYER_OPERATIONS - FULL_POINTS_OPERATIONS,
+        ),
     };
     (geometry as f64 + 16.0 + contribution_bytes + node_bytes, operations)
 }
@@ -160,4 +164,7 @@ fn cost_per_element(
 /// 2×36 + 2×36 + 9 + 2×63 less 9, scatter 24.
 const ONE_POINT_OPERATIONS: f64 = 144.0 + 189.0 + 15.0 + 72.0 + 33.0 + 72.0 + 81.0 + 117.0 + 24.0;
 /// As above in the frame (turning 2×63 each way), strain modes and back 2×(6×24 + 72 + 40), eight points of 15 + 6.
-const FULL_OPERATIONS: f64 = 144.0 + 126.0 + 189.0 + 512.0 + 168.0 + 126.0 + 189.0 + 24.0;
+const FULL_OPERATIONS: f64 = 144.0 + 126.0 + 189.0 + 512.0 + FULL_POINTS_OPERATIONS + 126.0 + 189.0 + 24.0;
+const FULL_POINTS_OPERATIONS: f64 = 168.0;
+/// Strains and resultants of a layer 6×(14 + 18), four points of 15 + 6 + 5.
+const LAYER_OPERATIONS: f64 = 192.0 + 104.0;

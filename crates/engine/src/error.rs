@@ -14,6 +14,11 @@ pub enum ModelError {
     Twice { element: u64, first: String, second: String },
     #[error("element {element} of '{body}' cannot be used: {reason}")]
     BadElement { element: u64, body: String, reason: BadShape },
+    #[error(
+        "the thickness of element {element} of '{body}' is not to be told: {reason}; give such elements a region of their own \
+         with element = \"full\""
+    )]
+    Thickness { element: u64, body: String, reason: String },
     #[error("the sides {low} and {high} cannot be periodic: {reason}")]
     Periodic { low: &'static str, high: &'static str, reason: UnmatchedSplit },
     #[error(

@@ -31,6 +31,7 @@ pub mod rims;
 mod seams;
 pub mod sheet;
 pub mod state;
+mod thickness;
 pub mod ties;
 pub mod traction;
 
@@ -49,6 +50,6 @@ pub use problem::{Problem, Rayleigh, TimeStep};
 pub use state::State;
 pub use traction::Traction;
 pub use tremolite_kernels::{
-    AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Line, Lines, Quadrature, elastic, interface_laws,
+    AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Layers, Line, Lines, Points, Quadrature, elastic, interface_laws,
     laws,
 };

@@ -17,6 +17,7 @@ use crate::seams::{self, Seams, Standing, place_lives};
 use crate::traction::Traction;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
+use tremolite_kernels::Points;
 use tremolite_laws::Isa;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::order::hilbert_order;
@@ -96,6 +97,8 @@ pub struct Model {
     pub no_column: String,
     /// Of each element, the one of the user's that it was made of, or beside which its column stands: itself if it is one.
     pub parents: Vec<u32>,
+    /// Of each element, the natural axis through its thickness where its body is layered, else 2.
+    pub thickness: Vec<u8>,
     pub incident: Option<Incident>,
     pub rayleigh: Rayleigh,
     /// Loads on engine nodes.
@@ -225,6 +228,8 @@ impl Model {
         };
 
         let viscosity = viscosities(&mesh, &bodies, &seams, &parents);
+        let thickness =
+            crate::thickness::axes(&mesh, &bodies, user_elements, &parents, &successors, &seams)?;
         let mut patches = Vec::new();
         let (mut user_patches, mut slab_patches) = (0, 0);
         let size = patch_size(problem.patch_elements, bodies.iter().map(|b| b.elements.len()).sum());
@@ -318,6 +323,7 @@ impl Model {
             columns,
             no_column,
             parents,
+            thickness,
             incident: problem.incident,
             rayleigh: problem.rayleigh,
             loads,
@@ -371,6 +377,11 @@ impl Model {
         let stand_ins = self.stand_ins.iter().filter(|(_, of)| *of as usize == element);
         let mut all = std::iter::once(own()).chain(stand_ins.map(|(stand_in, of)| (*stand_in as usize, *of)));
         all.find(|(e, _)| self.stands(*e, stage)).map(|(e, _)| e)
+    }
+
+    /// Where the law of a body's element is evaluated.
+    pub fn points(&self, body: &Body, element: u32) -> Points {
+        Points { quadrature: body.quadrature, axis: self.thickness[element as usize] as usize }
     }
 
     /// Interfaces of the user, without what of them runs through slabs.

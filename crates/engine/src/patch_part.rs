@@ -10,7 +10,7 @@ use crate::sheet;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use tremolite_kernels::Quadrature;
-use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
+use tremolite_laws::shapes::hex8::{Hex8, element_frequencies, turned};
 use tremolite_mesh::Face;
 
 /// The part of a patch, with the mass of each of its nodes. `faces` are those that elements outside sides were made of: they pass
@@ -25,11 +25,12 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result
     let mut masses: Vec<f64> = Vec::new();
     let mut sides: BTreeSet<(u32, [u16; 2])> = BTreeSet::new();
     for (i, &e) in patch.elements.iter().enumerate() {
-        let hex = hex(&model.mesh, e as usize).map_err(|reason| ModelError::BadElement {
+        let unusable = |reason| ModelError::BadElement {
             element: model.mesh.element_id(e as usize),
             body: body.name.clone(),
             reason,
-        })?;
+        };
+        let hex = hex(&model.mesh, e as usize).map_err(unusable)?;
         let mut corner = [0; 8];
         let mesh_nodes = hex_nodes(&model.mesh, e as usize);
         for k in 0..8 {
@@ -54,8 +55,18 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result
             let source = model.engine_node[pair.source as usize];
             sides.insert((source, [place(pair.front), place(pair.back)]));
         }
-        corners.push(corner);
-        geometry.push(hex);
+        match body.quadrature {
+            Quadrature::OnePoint | Quadrature::Full => {
+                corners.push(corner);
+                geometry.push(hex);
+            }
+            // Kernels have the thickness along ζ; nothing else goes by the order of corners.
+            Quadrature::Layered(_) => {
+                let order = turned(model.thickness[e as usize] as usize);
+                corners.push(order.map(|k| corner[k]));
+                geometry.push(Hex8::new(order.map(|k| hex.corners[k])).map_err(unusable)?);
+            }
+        }
     }
     // What is made of another element is as viscous and cracks as that does, whatever its own thickness.
     let own = |&e: &u32| hex(&model.mesh, model.parents[e as usize] as usize);
@@ -82,8 +93,7 @@ fn viscosity(model: &Model, patch: &Patch, geometry: &[Hex8]) -> Vec<f64> {
         return Vec::new();
     }
     let body = &model.bodies[patch.body];
-    let full = body.quadrature == Quadrature::Full;
-    let omegas = element_frequencies(geometry, body.material.stiffest(), body.density, full);
+    let omegas = element_frequencies(geometry, body.material.stiffest(), body.density, body.quadrature);
     let share = |e: u32| model.viscosity[e as usize];
     patch.elements.iter().zip(omegas).map(|(&e, omega)| 2.0 * share(e) / omega).collect()
 }

@@ -17,7 +17,7 @@ use crate::state::State;
 use crate::ties::Ties;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use tremolite_kernels::Line;
+use tremolite_kernels::{Line, Points};
 use tremolite_laws::Row;
 
 /// The dashpots of a node, as symmetric matrices (xx, yy, zz, xy, yz, zx) \[N s/m\].
@@ -55,6 +55,8 @@ pub struct ElementSlot {
     /// Index of its first point among all points.
     pub point: u32,
     pub points: u8,
+    /// Where they lie.
+    pub places: Points,
     /// Index among all elements, in the order of members.
     pub element: u32,
     pub member: u32,
@@ -328,10 +330,12 @@ fn element_slots(model: &Model, assembly: &Assembly, active: &[u32]) -> Vec<Opti
     for &m in active.iter().filter(|&&m| (m as usize) < model.user_patches) {
         let (_, points) = assembly.members[m as usize].part.elements();
         let slices = &assembly.slices[m as usize];
-        for (i, &e) in model.patches[m as usize].elements.iter().enumerate() {
+        let patch = &model.patches[m as usize];
+        for (i, &e) in patch.elements.iter().enumerate() {
             slots[e as usize] = Some(ElementSlot {
                 point: (slices.points.start + i * points) as u32,
                 points: points as u8,
+                places: model.points(&model.bodies[patch.body], e),
                 element: (slices.elements.start + i) as u32,
                 member: m,
             });

@@ -10,7 +10,6 @@ pub mod interface;
 pub mod line;
 pub mod material;
 pub mod part;
-pub mod quadrature;
 pub mod solid;
 pub mod stage;
 
@@ -18,5 +17,5 @@ pub use interface::{AnyInterface, InterfaceLaw, interface_laws};
 pub use line::{Booked, Line, Lines};
 pub use material::{AnyMaterial, Law, elastic, laws};
 pub use part::{ElementEnergy, Entry, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
-pub use quadrature::Quadrature;
+pub use tremolite_laws::shapes::hex8::{Layers, Points, Quadrature};
 pub use stage::Stage;

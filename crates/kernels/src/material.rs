@@ -1,13 +1,12 @@
 //! Laws behind a wall: what the model needs of a material without knowing its type.
 
 use crate::part::Part;
-use crate::quadrature::Quadrature;
-use crate::solid::{Full, OnePoint, Solid};
+use crate::solid::{Full, Layered, OnePoint, Solid};
 use std::sync::Arc;
 use tremolite_laws::band::Band;
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::parameter::Derived;
-use tremolite_laws::shapes::hex8::Hex8;
+use tremolite_laws::shapes::hex8::{Hex8, Quadrature};
 use tremolite_laws::{BadParameter, Isa, LawInfo, Material, Moduli, Values};
 
 /// A law with its parameters, ready to make patches of elements.
@@ -33,7 +32,8 @@ pub trait AnyMaterial: Send + Sync {
     fn band(&self) -> Option<Band>;
     /// See [`Material::warnings`].
     fn warnings(&self) -> Vec<String>;
-    /// A patch of hexahedra of this material; `corners` index `nodes`, which are the patch's, and `viscosity` is that of each
+    /// A patch of hexahedra of this material; `corners` index `nodes`, which are the patch's (of layered elements numbered so that
+    /// ζ is their thickness, [`tremolite_laws::shapes::hex8::turned`], as their geometry is), and `viscosity` is that of each
     /// element over its stiffness \[s\], or empty. `sizes` are the size tensors \[m²\] that the law is to see, or empty for the
     /// elements' own.
     fn patch(
@@ -118,13 +118,15 @@ impl<M: Material> AnyMaterial for Instance<M> {
         isa: Isa,
     ) -> Box<dyn Part> {
         let (law, own, band) = (self.law.clone(), self.own, self.band);
+        macro_rules! solid {
+            ($rule:expr) => {
+                Box::new(Solid::new($rule, law, own, band, nodes, corners, geometry, viscosity, sizes, isa))
+            };
+        }
         match quadrature {
-            Quadrature::OnePoint => Box::new(Solid::<M, OnePoint>::new(
-                law, own, band, nodes, corners, geometry, viscosity, sizes, isa,
-            )),
-            Quadrature::Full => Box::new(Solid::<M, Full>::new(
-                law, own, band, nodes, corners, geometry, viscosity, sizes, isa,
-            )),
+            Quadrature::OnePoint => solid!(OnePoint),
+            Quadrature::Full => solid!(Full),
+            Quadrature::Layered(layers) => solid!(Layered::new(layers)),
         }
     }
 }

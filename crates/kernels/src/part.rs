@@ -108,6 +108,8 @@ pub struct Scratch {
     pub out: Vec<Row>,
     /// A copy of a history, or what stands for one.
     pub history: Vec<Octet>,
+    /// What is left at the points of an octet.
+    pub left: Vec<Octet>,
 }
 
 /// Something that pushes on nodes. No part reads another's memory.

@@ -4,17 +4,16 @@ mod pass;
 mod prescribed;
 mod weakened;
 
-pub use pass::{Full, OnePoint, Rule};
+pub use pass::{Full, Layered, OnePoint, Rule};
 
 use crate::line::{Line, Lines};
 use crate::part::{ElementEnergy, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
 use pass::{After, Pass, dispatch, whole};
 use prescribed::Prescribed;
-use std::marker::PhantomData;
 use std::sync::Arc;
-use tremolite_laws::band::{Band, BandStep, MEMORY};
+use tremolite_laws::band::{Band, BandStep};
 use tremolite_laws::materials::Elastic;
-use tremolite_laws::shapes::hex8::{Given, Hex8, Stabilisation};
+use tremolite_laws::shapes::hex8::{Given, Hex8, LEFT, Stabilisation};
 use tremolite_laws::{Column, Isa, Material, Moduli, Octet, Point, Row};
 use weakened::{Remembered, Weakened};
 
@@ -34,11 +33,11 @@ pub struct Solid<M: Material, R: Rule> {
     viscosity: Vec<Octet>,
     /// Size tensors that the law sees in place of the elements' own, six octets an octet of elements; empty for their own.
     sizes: Vec<Octet>,
-    rule: PhantomData<R>,
+    rule: R,
 }
 
 impl<M: Material, R: Rule> Solid<M, R> {
-    /// A patch from its nodes, the elements' corners as positions among them (VTK order), and their geometry.
+    /// A patch integrated by a rule, from its nodes, the elements' corners as positions among them (VTK order), and their geometry.
     ///
     /// `moduli` are the material's own; with a band, which adds to them, the law must have the relaxed ones. `viscosity` is
     /// that of each element over its stiffness \[s\], or empty; `sizes` are the size tensors \[m²\] that the law is to see
@@ -47,6 +46,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
     /// # Panics
     /// If a corner is not among the nodes, or corners, geometry, viscosity and sizes differ in number.
     pub fn new(
+        rule: R,
         law: Arc<M>,
         moduli: Moduli,
         band: Option<Band>,
@@ -70,7 +70,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
             for k in 0..8 {
                 index[e / 8][k][e % 8] = corner[k];
             }
-            R::set(&mut packed[e / 8], e % 8, hex, &bending);
+            rule.set(&mut packed[e / 8], e % 8, hex, &bending);
         }
         Solid {
             elastic: Elastic::from_moduli(band.map_or(moduli, |b| moduli.scaled(b.unrelaxed()))),
@@ -94,7 +94,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
                     })
                 })
                 .collect(),
-            rule: PhantomData,
+            rule,
         }
     }
 
@@ -130,6 +130,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         assert!(rows.len() == self.nodes.len() && out.len() == self.nodes.len());
         out.fill(Row::ZERO);
         Pass {
+            rule: &self.rule,
             law,
             stabilisation: &self.stabilisation,
             point: Point::new(dt),
@@ -156,7 +157,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         probe: Option<ProbeOut>,
         scratch: &mut Scratch,
     ) -> Lines {
-        let Scratch { rows, others, out: second, .. } = scratch;
+        let Scratch { rows, others, out: second, left, .. } = scratch;
         let viscous = !self.viscosity.is_empty() && tick.dt > 0.0;
         let band = self.band.map(|b| b.step(tick.dt, self.law.moduli()));
         let law = self.weakened();
@@ -167,7 +168,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
             second.clear();
             second.resize(self.nodes.len(), Row::ZERO);
             let rows = self.gather(x.du, others);
-            pass.after = Some(After { law: &law, rows, out: second, factor: &self.viscosity });
+            pass.after = Some(After { law: &law, rows, out: second, factor: &self.viscosity, left: self.room(left) });
         }
         dispatch::<R, M, PROBE>(self.isa, pass);
         let mut lines = Lines::default();
@@ -175,6 +176,12 @@ impl<M: Material, R: Rule> Solid<M, R> {
             lines[Line::Viscosity] = resist(1.0 / tick.dt, others, second, own.numbers, out);
         }
         lines
+    }
+
+    /// Room for what is left at the points of an octet.
+    fn room<'s>(&self, left: &'s mut Vec<Octet>) -> &'s mut [Octet] {
+        left.resize(self.rule.points() * LEFT, Octet::ZERO);
+        left
     }
 
     fn weakened(&self) -> Weakened {
@@ -203,16 +210,16 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
     }
 
     fn state_sizes(&self) -> StateSizes {
-        let points = self.index.len() * R::POINTS;
+        let octets = self.index.len();
         StateSizes {
-            history: points * M::HISTORY.len(),
-            overstress: if self.band.is_some() { points * MEMORY } else { 0 },
+            history: octets * self.rule.points() * M::HISTORY.len(),
+            overstress: if self.band.is_some() { octets * self.rule.memory() } else { 0 },
             numbers: if self.viscosity.is_empty() { 0 } else { 3 * self.nodes.len() },
         }
     }
 
     fn elements(&self) -> (usize, usize) {
-        (self.elements, R::POINTS)
+        (self.elements, self.rule.points())
     }
 
     fn columns(&self) -> &'static [Column] {
@@ -250,7 +257,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         if !M::DAMAGES {
             return self.stiffness_times(w, out, scratch);
         }
-        let Scratch { rows, others, out: unused, history: own } = scratch;
+        let Scratch { rows, others, out: unused, history: own, left } = scratch;
         own.clear();
         own.extend_from_slice(kept.history);
         unused.resize(self.nodes.len(), Row::ZERO);
@@ -258,7 +265,8 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         let u = self.since(u, kept.reference, rows);
         let mut pass = self.pass(&law, 0.0, own, None, &mut [], kept.initial, u, unused, None);
         out.fill(Row::ZERO);
-        pass.after = Some(After { law: &weakened, rows: self.gather(w, others), out, factor: &[] });
+        let rows = self.gather(w, others);
+        pass.after = Some(After { law: &weakened, rows, out, factor: &[], left: self.room(left) });
         dispatch::<R, Remembered<M>, false>(self.isa, pass);
     }
 
@@ -268,9 +276,8 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         }
         let Scratch { rows, history: left, .. } = scratch;
         left.clear();
-        left.extend(
-            self.viscosity.iter().flat_map(|&factor| (0..R::POINTS).flat_map(move |_| whole(factor))),
-        );
+        let points = self.rule.points();
+        left.extend(self.viscosity.iter().flat_map(|&factor| (0..points).flat_map(move |_| whole(factor))));
         let pass = self.weakened();
         let pass = self.pass(&pass, 0.0, left, None, &mut [], &[], self.gather(w, rows), out, None);
         dispatch::<R, Weakened, false>(self.isa, pass);
@@ -279,13 +286,14 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
 
     fn stress_forces(&self, stress: &[[f64; 6]], out: &mut [Row], scratch: &mut Scratch) {
         let Scratch { rows, history, .. } = scratch;
+        let points = self.rule.points();
         rows.clear();
         rows.resize(self.nodes.len(), Row::ZERO);
         history.clear();
-        history.resize(6 * R::POINTS * self.index.len(), Octet::ZERO);
+        history.resize(6 * points * self.index.len(), Octet::ZERO);
         for (k, point) in stress.iter().enumerate() {
-            let (element, point_of_it) = (k / R::POINTS, k % R::POINTS);
-            let first = 6 * (element / 8 * R::POINTS + point_of_it);
+            let (element, point_of_it) = (k / points, k % points);
+            let first = 6 * (element / 8 * points + point_of_it);
             for (octet, value) in history[first..].iter_mut().zip(point) {
                 octet.0[element % 8] = *value;
             }
@@ -307,7 +315,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
 
     fn stiffness_energy(&self, w: &[Row], energy: &mut [ElementEnergy], scratch: &mut Scratch) {
         let mut out = vec![Row::ZERO; self.nodes.len()];
-        let mut stress = vec![[0.0; 6]; energy.len() * R::POINTS];
+        let mut stress = vec![[0.0; 6]; energy.len() * self.rule.points()];
         let probe = ProbeOut { stress: &mut stress, energy };
         let rows = self.gather(w, &mut scratch.rows);
         dispatch::<R, Elastic, true>(

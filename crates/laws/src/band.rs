@@ -205,12 +205,12 @@ fn least_squares(ratio: f64, band: [f64; 2], times: [f64; BODIES]) -> Option<[f6
 /// Constants of one step.
 #[derive(Clone, Copy, Debug)]
 pub struct BandStep {
-    weights: [f64; BODIES],
+    pub(crate) weights: [f64; BODIES],
     /// r_j = Δt/2τ_j
-    halves: [f64; BODIES],
-    moduli: Moduli,
+    pub(crate) halves: [f64; BODIES],
+    pub(crate) moduli: Moduli,
     /// Whether time stands still.
-    relaxed: bool,
+    pub(crate) relaxed: bool,
 }
 
 impl BandStep {

@@ -76,6 +76,7 @@ fn elements(language: Language, group: &MaterialGroup) -> String {
     match group.element.as_str() {
         "one-point" => say!(language, "{count} elements, one-point", count = count),
         "full" => say!(language, "{count} elements, full", count = count),
+        "layered" => say!(language, "{count} elements, layered", count = count),
         other => say!(language, "{count} elements, {kind}", count = count, kind = other),
     }
 }

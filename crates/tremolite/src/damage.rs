@@ -39,12 +39,12 @@ fn of_group(model: &Model, phase: &Phase, history: History, memory: &Memory, gro
             continue;
         };
         result.volume += hex.volume;
-        let weights: &[f64] = if slot.points == 8 { &hex.weights } else { &[hex.volume] };
+        let weights = slot.places.weights(&hex);
         for measure in &MEASURES {
             let Some(column) = position(columns, measure.role) else { continue };
             let name = columns[column].name.to_owned();
             let found = result.measures.entry(name).or_insert_with(|| nothing(measure));
-            for (value, weight) in history.values(&slot, column).zip(weights) {
+            for (value, weight) in history.values(&slot, column).zip(&weights) {
                 found.largest = found.largest.max(value);
                 for (threshold, volume) in measure.thresholds.iter().zip(found.beyond.values_mut()) {
                     if value > *threshold {
@@ -83,12 +83,14 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
     let own = group.elements.iter().filter_map(|&e| Some((e, slot(e)?.element as usize)));
     let (element, at) = own.max_by(|a, b| widest[a.1].total_cmp(&widest[b.1]))?;
     slot(element).and_then(|s| history.with_role(&s, Role::CrackExtent))?;
-    // Through an element if both points of a pair along the axis are open, of four pairs, or its one point.
+    // Through an element if all points in a row along the axis are open.
     let open = |&(e, axis): &(u32, usize)| {
         let Some(slot) = slot(e) else { return false };
         let Some(column) = history.with_role(&slot, Role::TensionDamage) else { return false };
         let open: Vec<bool> = history.values(&slot, column).map(|damage| damage > OPEN).collect();
-        if open.len() == 8 { (0..8).any(|p| open[p] && open[p ^ 1 << axis]) } else { open.iter().all(|o| *o) }
+        let at: Vec<[f64; 3]> = (0..open.len()).map(|p| slot.places.natural(p)).collect();
+        let in_row = |p: usize, q: usize| (1..3).all(|k| at[p][(axis + k) % 3] == at[q][(axis + k) % 3]);
+        (0..open.len()).any(|p| (0..open.len()).all(|q| open[q] || !in_row(p, q)))
     };
     let stacks = stacks(&model.mesh, &group.elements);
     let through: Vec<&Stack> = stacks.iter().filter(|stack| stack.iter().all(open)).collect();

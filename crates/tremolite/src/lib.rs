@@ -22,6 +22,7 @@ pub mod outlook;
 mod phrases;
 pub mod places;
 pub mod plan;
+pub mod point_stress;
 pub mod quantities;
 pub mod run;
 pub mod sections;

@@ -1,6 +1,6 @@
 //! The quantities that results hold: names, units and meaning in one list.
 
-use tremolite_laws::sym3::principal_values;
+use tremolite_laws::shapes::hex8::Quadrature;
 use tremolite_laws::{Column, Role, Row};
 
 /// A component of a monitor's history.
@@ -259,12 +259,11 @@ pub fn field_name(column: &Column) -> &'static str {
 }
 
 /// One value for an element from those of its points: all flags that any of them has, the mean of everything else.
-pub fn of_element(column: &Column, values: impl ExactSizeIterator<Item = f64>) -> f64 {
-    let points = values.len() as f64;
+pub fn of_element(column: &Column, quadrature: Quadrature, values: impl Iterator<Item = f64>) -> f64 {
     if column.role == Role::PlasticState {
         values.fold(0, |flags, value| flags | value as u32).into()
     } else {
-        values.sum::<f64>() / points
+        values.zip(quadrature.shares()).map(|(value, share)| share * value).sum()
     }
 }
 
@@ -319,70 +318,6 @@ pub const MEASURES: [Measure; 5] = [
     plastic(Role::PlasticTension, "yielded in tension"),
 ];
 
-/// Largest and smallest principal stress over some points.
-pub fn extremes(points: &[[f64; 6]]) -> [f64; 2] {
-    points.iter().fold([f64::NEG_INFINITY, f64::INFINITY], |[most, least], stress| {
-        let p = principal_values(stress);
-        [most.max(p[0]), least.min(p[2])]
-    })
-}
-
-/// The same at the fibre: of 2×2×2 points that are intact, at the element's corners, which lie where a bent lining is
-/// stressed most; of others over the points.
-pub fn fibre_extremes(points: &[[f64; 6]], damaged: bool) -> [f64; 2] {
-    if points.len() != 8 || damaged {
-        return extremes(points);
-    }
-    let corner = |k: usize| [0, 1, 2].map(|axis| if k >> axis & 1 == 1 { 1.0 } else { -1.0 });
-    extremes(&[0, 1, 2, 3, 4, 5, 6, 7].map(|k| stress_at(points, corner(k))))
-}
-
-/// Mean stress over an element's points.
-pub fn mean(points: &[[f64; 6]]) -> [f64; 6] {
-    let mut sum = [0.0; 6];
-    for stress in points {
-        for c in 0..6 {
-            sum[c] += stress[c];
-        }
-    }
-    sum.map(|s| s / points.len() as f64)
-}
-
-/// Natural coordinates that count as equally far from two points.
-const BETWEEN: f64 = 1e-6;
-
-/// Stress at natural coordinates of an element whose material has cracked or yielded: of the nearest of its points,
-/// the mean of those that are equally near. A line through points on a limit would lead beyond it; the largest
-/// principal stress of a mean exceeds none of its parts'.
-pub fn nearest_stress(points: &[[f64; 6]], natural: [f64; 3]) -> [f64; 6] {
-    let near = |p: usize| {
-        (0..3).all(|axis| natural[axis].abs() <= BETWEEN || (p >> axis & 1 == 1) == (natural[axis] > 0.0))
-    };
-    let chosen: Vec<[f64; 6]> =
-        points.iter().enumerate().filter(|(p, _)| near(*p)).map(|(_, stress)| *stress).collect();
-    if points.len() == 8 && !chosen.is_empty() { mean(&chosen) } else { mean(points) }
-}
-
-/// Stress at natural coordinates of an element as long as it is elastic: of its one point, or trilinear through its
-/// 2×2×2 points.
-pub fn stress_at(points: &[[f64; 6]], natural: [f64; 3]) -> [f64; 6] {
-    if points.len() != 8 {
-        return mean(points);
-    }
-    // The points are at ±1/√3, in binary order: bit 0 is ξ.
-    let scaled = natural.map(|x| x * 3f64.sqrt());
-    let mut out = [0.0; 6];
-    for (p, stress) in points.iter().enumerate() {
-        let weight: f64 = (0..3)
-            .map(|axis| 0.5 * (1.0 + if p >> axis & 1 == 1 { scaled[axis] } else { -scaled[axis] }))
-            .product();
-        for c in 0..6 {
-            out[c] += weight * stress[c];
-        }
-    }
-    out
-}
-
 /// Length of a row.
 pub fn length(row: &Row) -> f64 {
     let [x, y, z] = row.xyz();
@@ -394,38 +329,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn stress_is_extrapolated_in_an_elastic_element_and_never_beyond_its_points_in_a_cracked_one() {
-        // Uniaxial along x, growing with ξ from 1 at one layer of points to 3 at the other.
-        let points: Vec<[f64; 6]> =
-            (0..8).map(|p| [if p & 1 == 1 { 3.0 } else { 1.0 }, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
-        let face = [1.0, 0.0, 0.0];
-        assert!((stress_at(&points, face)[0] - (2.0 + 3f64.sqrt())).abs() < 1e-12);
-        assert_eq!(nearest_stress(&points, face)[0], 3.0);
-        assert_eq!(nearest_stress(&points, [-0.2, 1.0, 1.0])[0], 1.0);
-        assert_eq!(nearest_stress(&points, [0.0; 3])[0], 2.0, "between the two");
-        assert_eq!(nearest_stress(&points[..1], face)[0], 1.0, "one point");
-    }
-
-    /// A plate in bending: its stress is linear through the thickness, and at the points 1/√3 of that at the fibre.
-    #[test]
-    fn a_bent_lining_is_stressed_most_at_its_fibre_and_at_points_it_shows_less() {
-        let points: Vec<[f64; 6]> = (0..8)
-            .map(|p| [if p >> 2 & 1 == 1 { 1.0 } else { -1.0 } / 3f64.sqrt(), 0.0, 0.0, 0.0, 0.0, 0.0])
-            .collect();
-        let [s1, s3] = fibre_extremes(&points, false);
-        assert!((s1 - 1.0).abs() < 1e-12 && (s3 + 1.0).abs() < 1e-12, "{s1} {s3}");
-        assert_eq!(fibre_extremes(&points, true), extremes(&points));
-        assert!(extremes(&points)[0] < 0.58);
-        assert_eq!(fibre_extremes(&points[..1], false), extremes(&points[..1]));
-    }
-
-    #[test]
     fn an_element_has_every_flag_of_its_points_and_the_mean_of_its_measures() {
         let column = |name, role| Column::with_role(name, "1", role, "");
         let flags = column("flow", Role::PlasticState);
         let damage = column("kappa", Role::TensionDamage);
-        assert_eq!(of_element(&flags, [4.0, 8.0, 0.0, 5.0].into_iter()), 13.0);
-        assert_eq!(of_element(&damage, [0.0, 0.5, 1.0, 0.5].into_iter()), 0.5);
+        let of = |column: &Column, values: [f64; 8]| of_element(column, Quadrature::Full, values.into_iter());
+        assert_eq!(of(&flags, [4.0, 8.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0]), 13.0);
+        assert_eq!(of(&damage, [0.0, 0.5, 1.0, 0.5, 0.0, 0.5, 1.0, 0.5]), 0.5);
         assert_eq!(field_name(&flags), "plastic_state");
         assert_eq!(field_name(&damage), "kappa");
         assert!(Field::Plastic.holds(&flags) && !Field::Damage.holds(&flags) && Field::Damage.holds(&damage));

@@ -11,7 +11,7 @@ use ends::intrados_first;
 use ordered::{Ordered, cross, dot, minus, scaled};
 use std::ops::Range;
 pub use steel::Steel;
-use tremolite_laws::shapes::hex8::{gauss_point, shape_values};
+use tremolite_laws::shapes::hex8::{Points, shape_values};
 use tremolite_mesh::Mesh;
 
 /// A station of a lining: a stack through its thickness with its axes, which are at right angles.
@@ -133,10 +133,9 @@ fn slices(stations: &[(Station, f64)]) -> Vec<Range<usize>> {
 /// tension there. Q = ∫ σ_tn dn, positive where what lies ahead along t pushes what lies behind towards the intrados.
 /// Here t is [`Station::along`].
 ///
-/// `points` gives the stresses \[Pa\] of an element, xx yy zz xy yz zx, of 8 points in the order of
-/// [`gauss_point`], of one, or of none where the element takes no part. Eight are two stations through an element,
-/// each the mean of its four points, which is exact for stresses that are linear through it. One point gives an element's mean, so
-/// that a single layer of one-point elements has no moment, and n layers 1 − 1/n² of it.
+/// `points` gives the stresses \[Pa\] of an element, xx yy zz xy yz zx, at its points, or none where the element takes no part.
+/// Eight are exact for stresses that are linear through the element, layers for cubics. One point gives an element's mean, so that
+/// a single layer of one-point elements has no moment, and n layers 1 − 1/n² of it.
 ///
 /// Per metre of the mid-surface across t. A cut across t runs straight along n, so a shell that curves along t needs no
 /// factor; the factor 1 + n/R of one that curves along the cavern is left out. The axes are those of the middle of the
@@ -144,29 +143,23 @@ fn slices(stations: &[(Station, f64)]) -> Vec<Range<usize>> {
 ///
 /// # Panics
 /// If an element of the station is not in the mesh.
-pub fn forces<'a>(mesh: &Mesh, station: &Station, points: impl Fn(u32) -> &'a [[f64; 6]]) -> [f64; 3] {
+pub fn forces<'a>(
+    mesh: &Mesh,
+    station: &Station,
+    points: impl Fn(u32) -> Option<(Points, &'a [[f64; 6]])>,
+) -> [f64; 3] {
     let mut sums = [0.0; 3];
     for &(element, axis) in &station.stack {
-        let stresses = points(element);
+        let Some((places, stresses)) = points(element) else { continue };
         let [near, far] = [0, 1].map(|end| ordered::centre(&ordered::face(mesh, element, axis, end)));
         let height = dot(minus(far, near), station.normal).abs();
-        let mut add = |stress: [f64; 6], at: [f64; 3], height: f64| {
-            let traction = traction(&stress, station.along);
-            let direct = dot(traction, station.along) * height;
+        for (p, (stress, share)) in stresses.iter().zip(places.quadrature.shares()).enumerate() {
+            let traction = traction(stress, station.along);
+            let direct = dot(traction, station.along) * share * height;
             sums[0] += direct;
+            let at = place(mesh, element, places.natural(p));
             sums[1] += direct * dot(minus(at, station.place), station.normal);
-            sums[2] += dot(traction, station.normal) * height;
-        };
-        if stresses.len() == 8 {
-            for end in 0..2 {
-                let beside = |p: &usize| p >> axis & 1 == end;
-                let mean = |i: usize| (0..8).filter(beside).map(|p| stresses[p][i]).sum::<f64>() / 4.0;
-                let place =
-                    |i: usize| (0..8).filter(beside).map(|p| place(mesh, element, p)[i]).sum::<f64>() / 4.0;
-                add([0, 1, 2, 3, 4, 5].map(mean), [0, 1, 2].map(place), 0.5 * height);
-            }
-        } else if let Some(stress) = stresses.first() {
-            add(*stress, [0, 1, 2].map(|i| 0.5 * (near[i] + far[i])), height);
+            sums[2] += dot(traction, station.normal) * share * height;
         }
     }
     sums
@@ -177,9 +170,9 @@ fn traction([xx, yy, zz, xy, yz, zx]: &[f64; 6], t: [f64; 3]) -> [f64; 3] {
     [dot([*xx, *xy, *zx], t), dot([*xy, *yy, *yz], t), dot([*zx, *yz, *zz], t)]
 }
 
-/// Place of an integration point of a hexahedron.
-fn place(mesh: &Mesh, element: u32, point: usize) -> [f64; 3] {
+/// Where natural coordinates of a hexahedron are \[m\].
+fn place(mesh: &Mesh, element: u32, natural: [f64; 3]) -> [f64; 3] {
     let nodes = mesh.elements[element as usize].nodes;
-    let weights = shape_values(gauss_point(point));
+    let weights = shape_values(natural);
     [0, 1, 2].map(|i| nodes.iter().zip(weights).map(|(&n, w)| w * mesh.nodes[n as usize][i]).sum())
 }

@@ -9,7 +9,9 @@ use tremolite_engine::model::Model;
 use tremolite_engine::{Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
-use tremolite_laws::shapes::hex8::{FullGeometry, OnePointGeometry, element_frequencies};
+use tremolite_laws::shapes::hex8::{
+    FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies,
+};
 use tremolite_results::{Said, said};
 
 /// Bytes an element beside the state and the kernels' geometry: mesh, groups, and fields on their way to a file.
@@ -66,7 +68,6 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     for body in model.user_bodies() {
         let moduli = body.material.moduli();
         let speeds = moduli.wave_speeds(body.density);
-        let full = body.quadrature == Quadrature::Full;
         let wavelength = speeds.1 / frequency;
         // (ω, element) and (elements a wavelength, element), worst first.
         let lasting = model.lasting(body);
@@ -74,7 +75,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
             .par_chunks(64)
             .map(|chunk| {
                 let hexes: Vec<_> = chunk.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
-                let omegas = element_frequencies(&hexes, body.material.stiffest(), body.density, full);
+                let omegas = element_frequencies(&hexes, body.material.stiffest(), body.density, body.quadrature);
                 let mut worst = ((0.0_f64, 0), (f64::INFINITY, 0));
                 for ((&e, hex), omega) in chunk.iter().zip(&hexes).zip(omegas) {
                     let longest = 2.0 * hex.half_lengths.iter().copied().fold(0.0, f64::max);
@@ -112,9 +113,13 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     let geometry: usize = model
         .bodies
         .iter()
-        .map(|b| match b.quadrature {
-            Quadrature::OnePoint => b.elements.len() * (size_of::<OnePointGeometry>() / 8 + 16),
-            Quadrature::Full => b.elements.len() * (size_of::<FullGeometry>() / 8 + 16),
+        .map(|b| {
+            let octet = match b.quadrature {
+                Quadrature::OnePoint => size_of::<OnePointGeometry>(),
+                Quadrature::Full => size_of::<FullGeometry>(),
+                Quadrature::Layered(_) => size_of::<LayeredGeometry>(),
+            };
+            b.elements.len() * (octet / 8 + 16)
         })
         .sum();
     let ever: usize = model.bodies.iter().map(|b| b.elements.len()).sum();

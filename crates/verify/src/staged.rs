@@ -5,7 +5,7 @@ use crate::models::Solid;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use tremolite::engine::Release;
 use tremolite::hexahedra::centroid;
-use tremolite::quantities::mean;
+use tremolite::point_stress::mean;
 use tremolite::stages::{PlannedStage, settle};
 use tremolite::{Assembly, Body, Engine, Life, Model, Phase, Problem, Quadrature, Snapshot, Stage, State};
 use tremolite_mesh::{Element, Face, Mesh, Shape};
@@ -61,7 +61,9 @@ impl Rested {
     /// Mean stress \[Pa\] of an element, radial, hoop and shear about the axis of y.
     pub fn polar(&self, element: u32) -> [f64; 3] {
         let x = centroid(&self.model.mesh, element);
-        turned(&mean(self.points(element)), x[2].atan2(x[0]))
+        let slot = self.phase.element_slot[element as usize];
+        let stress = slot.map_or([f64::NAN; 6], |slot| mean(&slot.places, self.points(element)));
+        turned(&stress, x[2].atan2(x[0]))
     }
 }
 

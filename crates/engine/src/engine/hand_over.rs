@@ -141,8 +141,9 @@ impl Engine<'_> {
             if let Some(slot) = phase.element_slot[element as usize] {
                 let points = slot.point as usize..slot.point as usize + usize::from(slot.points);
                 let mut mean = [0.0; 6];
-                for point in &snapshot.as_ref()?.stress[points] {
-                    (0..6).for_each(|c| mean[c] += point[c] / f64::from(slot.points));
+                let shares = slot.places.quadrature.shares();
+                for (point, share) in snapshot.as_ref()?.stress[points].iter().zip(shares) {
+                    (0..6).for_each(|c| mean[c] += share * point[c]);
                 }
                 return Some(mean);
             }

@@ -26,7 +26,6 @@ use crate::model::Model;
 use crate::phase::Phase;
 use crate::state::{Relaxing, State};
 use rayon::prelude::*;
-use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::element_frequencies;
 
@@ -150,8 +149,8 @@ pub fn masses(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<f64> {
         // `Assembly::new` has checked every element.
         let own = || patch.elements.iter().filter_map(|&e| Some((e, hex(&model.mesh, e as usize).ok()?)));
         let shapes: Vec<_> = own().map(|(_, hex)| hex).collect();
-        let full = body.quadrature == Quadrature::Full;
-        let omegas = element_frequencies(&shapes, body.material.stiffest(), body.density, full);
+        let omegas =
+            element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);
         for ((element, hex), omega) in own().zip(omegas) {
             let density = body.density * (omega / COURANT).powi(2);
             let nodes = crate::hexahedra::hex_nodes(&model.mesh, element as usize);

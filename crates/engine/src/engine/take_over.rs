@@ -86,6 +86,7 @@ impl Engine<'_> {
         // Columns of equal meaning go on, point by point.
         let (columns, old_columns) = (new_part.columns(), old_part.columns());
         let points = new_part.elements().1;
+        let shares = model.bodies[model.patches[new.member].body].quadrature.shares();
         let at = |start: usize, index: usize, count: usize, point: usize| {
             start + (index / 8 * points + point) * count
         };
@@ -98,7 +99,7 @@ impl Engine<'_> {
             }
             let strains = old_columns.iter().enumerate().filter(|(_, c)| c.role == Role::PlasticStrain);
             for ((c, _), sum) in strains.zip(&mut plastic) {
-                *sum += state.history[from + c].0[old.index % 8] / points as f64;
+                *sum += shares[point] * state.history[from + c].0[old.index % 8];
             }
         }
 

@@ -4,22 +4,29 @@ use super::weakened::Weakened;
 use crate::part::{ElementEnergy, ProbeOut};
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{
-    self, FullGeometry, Given, Hex8, LEFT, OnePointGeometry, Probe, Stabilisation,
+    FullGeometry, Given, Hex8, LEFT, LayeredGeometry, Layers, MODAL_MEMORY, OnePointGeometry, Probe,
+    Stabilisation, Through, full, layered, one_point,
 };
 use tremolite_laws::{Isa, Lane, Material, Octet, Point, Row};
 
 /// A quadrature with its geometry and kernel.
 pub trait Rule: Send + Sync + 'static {
-    const POINTS: usize;
     type Geometry: Copy + Send + Sync;
     const EMPTY: Self::Geometry;
-    fn set(geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation);
+    /// Points of an element.
+    fn points(&self) -> usize;
+    /// Octets that the damping bodies of eight elements keep.
+    fn memory(&self) -> usize {
+        self.points() * MEMORY
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation);
 
     /// Forces of one octet.
     ///
     /// # Safety
     /// All indices must be in range of both `rows` and `out`; the lane's instruction set must be enabled.
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
         law: &M,
         elastic: &Stabilisation,
         point: &Point<f64>,
@@ -36,56 +43,126 @@ pub trait Rule: Send + Sync + 'static {
     );
 }
 
-macro_rules! rule {
-    ($(#[$doc:meta])* $name:ident, $points:literal, $geometry:ty, $kernel:ident) => {
-        $(#[$doc])*
-        pub struct $name;
-        impl Rule for $name {
-            const POINTS: usize = $points;
-            type Geometry = $geometry;
-            const EMPTY: $geometry = <$geometry>::EMPTY;
-            fn set(geometry: &mut $geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
-                geometry.set(lane, hex, elastic);
-            }
-            #[inline(always)]
-            unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
-                law: &M,
-                elastic: &Stabilisation,
-                point: &Point<f64>,
-                geometry: &$geometry,
-                index: &[[u16; 8]; 8],
-                history: &mut [Octet],
-                band: Option<&BandStep>,
-                overstress: &mut [Octet],
-                given: Given,
-                left: &mut [Octet],
-                rows: &[Row],
-                out: &mut [Row],
-                probe: &mut Probe,
-            ) {
-                // SAFETY: passed on to the caller.
-                unsafe {
-                    hex8::$kernel::<L, M, PROBE>(
-                        law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out,
-                        probe,
-                    )
-                }
-            }
-        }
-    };
+/// One point with stabilisation.
+pub struct OnePoint;
+
+/// 2×2×2 points.
+pub struct Full;
+
+/// 2×2 points in each of several layers. Their number is no parameter of the type: one instance of a kernel serves all.
+pub struct Layered(Through);
+
+impl Layered {
+    pub fn new(layers: Layers) -> Self {
+        Layered(Through::new(layers))
+    }
 }
 
-rule!(
-    /// One point with stabilisation.
-    OnePoint, 1, OnePointGeometry, one_point
-);
-rule!(
-    /// 2×2×2 points.
-    Full, 8, FullGeometry, full
-);
+impl Rule for OnePoint {
+    type Geometry = OnePointGeometry;
+    const EMPTY: Self::Geometry = OnePointGeometry::EMPTY;
+    fn points(&self) -> usize {
+        1
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+        geometry.set(lane, hex, elastic);
+    }
+    #[inline(always)]
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
+        law: &M,
+        elastic: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        given: Given,
+        left: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            one_point::<L, M, PROBE>(law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out, probe,)
+        }
+    }
+}
+
+impl Rule for Full {
+    type Geometry = FullGeometry;
+    const EMPTY: Self::Geometry = FullGeometry::EMPTY;
+    fn points(&self) -> usize {
+        8
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+        geometry.set(lane, hex, elastic);
+    }
+    #[inline(always)]
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
+        law: &M,
+        elastic: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        given: Given,
+        left: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            full::<L, M, PROBE>(law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out, probe,)
+        }
+    }
+}
+
+impl Rule for Layered {
+    type Geometry = LayeredGeometry;
+    const EMPTY: Self::Geometry = LayeredGeometry::EMPTY;
+    fn points(&self) -> usize {
+        4 * self.0.count
+    }
+    fn memory(&self) -> usize {
+        MODAL_MEMORY
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+        geometry.set(lane, hex, elastic, &self.0);
+    }
+    #[inline(always)]
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
+        law: &M,
+        _: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        given: Given,
+        left: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            layered::<L, M, PROBE>(&self.0, law, point, geometry, index, history, band, overstress, given, left, rows, out, probe,)
+        }
+    }
+}
 
 /// Arguments of a pass over the octets of a patch.
 pub(super) struct Pass<'a, R: Rule, M> {
+    pub rule: &'a R,
     pub law: &'a M,
     pub stabilisation: &'a Stabilisation,
     pub point: Point<f64>,
@@ -109,10 +186,13 @@ pub(super) struct After<'a> {
     pub out: &'a mut [Row],
     /// An octet of elements each; 1 if empty.
     pub factor: &'a [Octet],
+    /// Room for what is left at the points of an octet, [`LEFT`] octets each.
+    pub left: &'a mut [Octet],
 }
 
 /// [`Rule::kernel`] of [`Weakened`] in an instruction set, out of line: all laws share it.
 type Second<R> = unsafe fn(
+    &R,
     &Weakened,
     &Stabilisation,
     &<R as Rule>::Geometry,
@@ -124,6 +204,7 @@ type Second<R> = unsafe fn(
 
 #[inline(always)]
 unsafe fn second<L: Lane, R: Rule>(
+    rule: &R,
     law: &Weakened,
     stabilisation: &Stabilisation,
     geometry: &R::Geometry,
@@ -135,7 +216,7 @@ unsafe fn second<L: Lane, R: Rule>(
     let mut probe = Probe::ZERO;
     // SAFETY: passed on to the caller.
     unsafe {
-        R::kernel::<L, Weakened, false>(
+        rule.kernel::<L, Weakened, false>(
             law,
             stabilisation,
             &Point::new(0.0),
@@ -155,21 +236,24 @@ unsafe fn second<L: Lane, R: Rule>(
 
 #[inline(always)]
 unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>, second: Second<R>) {
-    let per_octet = R::POINTS * M::HISTORY.len();
+    let rule = pass.rule;
+    let (per_octet, memory) = (rule.points() * M::HISTORY.len(), rule.memory());
     let mut probe = Probe::ZERO;
-    let mut left = [Octet::ZERO; 8 * LEFT];
     let (mut wanted, mut after) = (pass.probe, pass.after);
     for (i, (index, geometry)) in pass.index.iter().zip(pass.geometry).enumerate() {
         let history = &mut pass.history[i * per_octet..(i + 1) * per_octet];
         let overstress = match pass.band {
-            Some(_) => &mut pass.overstress[i * R::POINTS * MEMORY..(i + 1) * R::POINTS * MEMORY],
+            Some(_) => &mut pass.overstress[i * memory..(i + 1) * memory],
             None => &mut [],
         };
         let given = pass.given.of(i);
-        let room: &mut [Octet] = if after.is_some() { &mut left[..R::POINTS * LEFT] } else { &mut [] };
+        let room: &mut [Octet] = match after.as_mut() {
+            Some(after) => &mut *after.left,
+            None => &mut [],
+        };
         // SAFETY: `Solid::new` checked every index against the number of nodes, which both slices have.
         unsafe {
-            R::kernel::<L, M, PROBE>(
+            rule.kernel::<L, M, PROBE>(
                 pass.law,
                 pass.stabilisation,
                 &pass.point,
@@ -186,11 +270,11 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
             );
         }
         if PROBE && let Some(to) = wanted.as_mut() {
-            keep::<R>(&probe, i, to);
+            keep(&probe, rule.points(), i, to);
         }
         if let Some(after) = after.as_mut() {
             let factor = after.factor.get(i).copied().unwrap_or(ONE);
-            let left = &mut left[..R::POINTS * LEFT];
+            let left = &mut *after.left;
             for point in left.chunks_exact_mut(LEFT) {
                 if M::DAMAGES {
                     point[LEFT - 1] = factor;
@@ -199,7 +283,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
                 }
             }
             // SAFETY: as above; `dispatch` chose the function for the same instruction set.
-            unsafe { second(after.law, pass.stabilisation, geometry, index, left, after.rows, after.out) };
+            unsafe { second(rule, after.law, pass.stabilisation, geometry, index, left, after.rows, after.out) };
         }
     }
 }
@@ -212,7 +296,7 @@ pub(super) fn whole(factor: Octet) -> [Octet; LEFT] {
 }
 
 /// Copies an octet's probe to the places of its real elements.
-fn keep<R: Rule>(probe: &Probe, octet: usize, to: &mut ProbeOut) {
+fn keep(probe: &Probe, points: usize, octet: usize, to: &mut ProbeOut) {
     for lane in 0..8.min(to.energy.len() - 8 * octet) {
         let element = 8 * octet + lane;
         to.energy[element] = ElementEnergy {
@@ -222,8 +306,8 @@ fn keep<R: Rule>(probe: &Probe, octet: usize, to: &mut ProbeOut) {
             created: probe.created.0[lane],
             band: probe.of_band.0[lane],
         };
-        for p in 0..R::POINTS {
-            to.stress[element * R::POINTS + p] = [0, 1, 2, 3, 4, 5].map(|c| probe.stress[p][c].0[lane]);
+        for p in 0..points {
+            to.stress[element * points + p] = [0, 1, 2, 3, 4, 5].map(|c| probe.stress[p][c].0[lane]);
         }
     }
 }
@@ -262,6 +346,7 @@ mod instances {
             #[target_feature(enable = $features)]
             #[inline(never)]
             unsafe fn $name<R: Rule>(
+                rule: &R,
                 law: &Weakened,
                 stabilisation: &Stabilisation,
                 geometry: &R::Geometry,
@@ -271,7 +356,7 @@ mod instances {
                 out: &mut [Row],
             ) {
                 // SAFETY: this function enables the instruction set; indices were checked.
-                unsafe { second::<$lane, R>(law, stabilisation, geometry, index, left, rows, out) }
+                unsafe { second::<$lane, R>(rule, law, stabilisation, geometry, index, left, rows, out) }
             }
         )*};
     }

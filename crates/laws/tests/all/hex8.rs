@@ -2,19 +2,21 @@
 
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::shapes::hex8::{
-    CORNERS, FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, elastic_stress, full,
-    one_point,
+    CORNERS, FullGeometry, Given, Hex8, LayeredGeometry, Layers, OnePointGeometry, Points, Probe, Quadrature,
+    Stabilisation, Through, elastic_stress, full, layered, one_point, turned,
 };
 use tremolite_laws::{Isa, Moduli, Octet, Point, Row};
 
 type Forces = [[f64; 3]; 8];
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
-    OnePoint,
-    Full,
+/// Layered elements have their thickness along ζ here, as kernels do.
+type Kind = Quadrature;
+const LAYERED: Kind = Kind::Layered(Layers::Nine);
+const KINDS: [Kind; 3] = [Kind::OnePoint, Kind::Full, LAYERED];
+
+fn points(kind: Kind) -> Points {
+    Points { quadrature: kind, axis: 2 }
 }
-const KINDS: [Kind; 2] = [Kind::OnePoint, Kind::Full];
 
 /// Forces of one element by the scalar reference, with its strain and hourglass energy and the mean stress.
 fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8]) -> (Forces, f64, [f64; 6]) {
@@ -70,13 +72,33 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
                 )
             }
         }
+        Kind::Layered(layers) => {
+            let through = Through::new(layers);
+            let mut geometry = LayeredGeometry::EMPTY;
+            geometry.set(0, &hex, &stabilisation, &through);
+            unsafe {
+                layered::<f64, _, true>(
+                    &through,
+                    &law,
+                    &point,
+                    &geometry,
+                    &index,
+                    &mut [],
+                    None,
+                    &mut [],
+                    Given::NONE,
+                    &mut [],
+                    &rows,
+                    &mut out,
+                    &mut probe,
+                )
+            }
+        }
     }
-    let points = if kind == Kind::OnePoint { 1 } else { 8 };
     let mut mean = [0.0; 6];
-    for (p, stress) in probe.stress[..points].iter().enumerate() {
-        let weight = if points == 1 { 1.0 } else { hex.weights[p] / hex.volume };
+    for (stress, weight) in probe.stress.iter().zip(points(kind).weights(&hex)) {
         for c in 0..6 {
-            mean[c] += weight * stress[c].0[0];
+            mean[c] += weight / hex.volume * stress[c].0[0];
         }
     }
     (out.map(|r| r.xyz()), probe.strain_energy.0[0] + probe.hourglass_energy.0[0], mean)
@@ -111,8 +133,8 @@ fn elastic_stress_is_that_of_the_elements_own_pass() {
         let hex = Hex8::new(corners).unwrap();
         for kind in KINDS {
             let (_, _, mean) = element(kind, moduli, corners, u);
-            let points = elastic_stress(&hex, moduli, kind == Kind::Full, &u);
-            assert_eq!(points.len(), if kind == Kind::Full { 8 } else { 1 });
+            let points = elastic_stress(&hex, moduli, kind, &u);
+            assert_eq!(points.len(), if kind == Kind::OnePoint { 1 } else { 8 });
             for c in 0..6 {
                 let weight = |p: usize| if points.len() == 1 { 1.0 } else { hex.weights[p] / hex.volume };
                 let own: f64 = points.iter().enumerate().map(|(p, stress)| weight(p) * stress[c]).sum();
@@ -281,15 +303,75 @@ fn leaning(sides: [f64; 3], shear: f64) -> [[f64; 3]; 8] {
 }
 
 #[test]
-fn both_quadratures_agree_on_parallelepipeds_where_the_closed_form_is_exact() {
+fn quadratures_agree_on_parallelepipeds_where_the_closed_form_is_exact() {
     for shear in [0.0, 0.3, 1.0] {
         let corners = leaning([2.0, 0.7, 1.1], shear);
         let moduli = Moduli::from_young_poisson(1.0, 0.3);
-        let [one, full] = KINDS.map(|kind| stiffness(kind, moduli, corners));
-        for (a, b) in one.iter().flatten().zip(full.iter().flatten()) {
-            assert!((a - b).abs() < 1e-14, "{shear}: {a} and {b}");
+        let one = stiffness(Kind::OnePoint, moduli, corners);
+        let others = Layers::ALL.map(Kind::Layered).into_iter().chain([Kind::Full]);
+        for other in others {
+            let other = stiffness(other, moduli, corners);
+            for (a, b) in one.iter().flatten().zip(other.iter().flatten()) {
+                assert!((a - b).abs() < 1e-14, "{shear}: {a} and {b}");
+            }
         }
     }
+}
+
+/// The outer weights make 1 and ζ² exact, the middle makes odd powers vanish; none is negative. Volumes and means of the modes
+/// are then those of Gauss's points in any shape, where det J is quadratic in ζ.
+#[test]
+fn layers_integrate_cubics_through_the_thickness_and_the_volume_of_any_shape() {
+    for layers in Layers::ALL {
+        let through = Through::new(layers);
+        let of = |power: i32| -> f64 {
+            (0..through.count).map(|k| through.weight[k] * through.zeta[k].powi(power)).sum()
+        };
+        for (power, exact) in [(0, 2.0), (1, 0.0), (2, 2.0 / 3.0), (3, 0.0)] {
+            assert!((of(power) - exact).abs() < 4e-16, "{layers:?} ζ^{power}: {}", of(power));
+        }
+        assert!(through.weight[..through.count].iter().all(|weight| *weight > 0.0));
+        assert_eq!((through.zeta[0], through.zeta[through.count - 1]), (-1.0, 1.0));
+        for (seed, axis) in (0..30).map(|seed| (seed, seed as usize % 3)) {
+            let hex = Hex8::new(distorted([1.0, 1.3, 0.6], 0.3, seed)).unwrap();
+            let points = Points { quadrature: Kind::Layered(layers), axis };
+            let weights = points.weights(&hex);
+            let mean = |of: &dyn Fn([f64; 3]) -> f64| -> f64 {
+                (0..points.count()).map(|p| weights[p] * of(points.natural(p))).sum()
+            };
+            let exact = |of: &dyn Fn([f64; 3]) -> f64| -> f64 {
+                let full = Points { quadrature: Kind::Full, axis };
+                (0..8).map(|p| hex.weights[p] * of(full.natural(p))).sum()
+            };
+            let modes: [&dyn Fn([f64; 3]) -> f64; 5] =
+                [&|_| 1.0, &|x| x[0], &|x| x[1], &|x| x[2], &|x| x[0] * x[1] - x[1] * x[2] + x[2] * x[0]];
+            for mode in modes {
+                assert!((mean(mode) - exact(mode)).abs() < 1e-15 * 4.0, "{layers:?}, axis {axis}");
+            }
+        }
+    }
+}
+
+/// An element turned so that another natural axis is its thickness is the same element.
+#[test]
+fn an_element_may_be_numbered_from_any_of_its_axes() {
+    let moduli = Moduli::from_young_poisson(1.0, 0.3);
+    let corners = distorted([2.0, 0.7, 1.1], 0.3, 5);
+    for axis in 0..3 {
+        let order = turned(axis);
+        assert_eq!(order.map(|k| CORNERS[k][axis]), CORNERS.map(|c| c[2]), "ζ is the axis asked for");
+        let volume = Hex8::new(order.map(|k| corners[k])).unwrap().volume;
+        assert!((volume / Hex8::new(corners).unwrap().volume - 1.0).abs() < 1e-14, "no mirror image");
+        let own = stiffness(Kind::Full, moduli, corners);
+        let other = stiffness(Kind::Full, moduli, order.map(|k| corners[k]));
+        for (i, row) in other.iter().enumerate() {
+            for (j, value) in row.iter().enumerate() {
+                let same = own[3 * order[i / 3] + i % 3][3 * order[j / 3] + j % 3];
+                assert!((value - same).abs() < 1e-14, "{axis}");
+            }
+        }
+    }
+    assert_eq!(turned(2), [0, 1, 2, 3, 4, 5, 6, 7]);
 }
 
 /// A leaning element under the displacements of pure bending about an axis of its mid-surface has exactly the
@@ -437,6 +519,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
         kind: Kind,
         one: OnePointGeometry,
         full: FullGeometry,
+        layers: LayeredGeometry,
         index: [[u16; 8]; 8],
         rows: Vec<Row>,
     }
@@ -476,6 +559,21 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
                     out,
                     probe,
                 ),
+                Kind::Layered(layers) => layered::<L, _, true>(
+                    &Through::new(layers),
+                    &law,
+                    &point,
+                    &c.layers,
+                    &c.index,
+                    &mut [],
+                    None,
+                    &mut [],
+                    Given::NONE,
+                    &mut [],
+                    &c.rows,
+                    out,
+                    probe,
+                ),
             }
         }
     }
@@ -488,11 +586,13 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
     let mut compared = 0;
     for trial in 0..40 {
         let (mut one, mut full) = (OnePointGeometry::EMPTY, FullGeometry::EMPTY);
+        let mut layers = LayeredGeometry::EMPTY;
         for lane in 0..8 {
             let hex = Hex8::new(distorted([1.0, 2.0, 0.5], 0.3, 8 * trial + lane + 1)).unwrap();
             let s = Stabilisation::new(Moduli::from_young_poisson(25e9, 0.17));
             one.set(lane as usize, &hex, &s);
             full.set(lane as usize, &hex, &s);
+            layers.set(lane as usize, &hex, &s, &Through::new(Layers::Nine));
         }
         // Twenty rows for 64 corners: lanes collide on purpose.
         let index = core::array::from_fn(|_| core::array::from_fn(|_| ((random() + 0.5) * 19.99) as u16));
@@ -503,9 +603,9 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
             }
         }
         for kind in KINDS {
-            let case = Case { kind, one, full, index, rows: rows.clone() };
+            let case = Case { kind, one, full, layers, index, rows: rows.clone() };
             let bits = |out: &[Row], probe: &Probe| -> Vec<u64> {
-                let points = if kind == Kind::OnePoint { 1 } else { 8 };
+                let points = kind.points();
                 out.iter()
                     .flat_map(|r| r.0)
                     .chain(probe.stress[..points].iter().flatten().flat_map(|o: &Octet| o.0))

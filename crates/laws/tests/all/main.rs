@@ -16,6 +16,7 @@ mod interface_path;
 mod interface_walks;
 mod joints;
 mod lanes;
+mod layered;
 mod path;
 mod path_stress;
 mod rock_parameters;

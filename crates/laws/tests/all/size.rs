@@ -2,7 +2,8 @@
 
 use crate::common::Random;
 use tremolite_laws::shapes::hex8::{
-    CORNERS, FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point,
+    CORNERS, FullGeometry, Given, Hex8, LayeredGeometry, Layers, OnePointGeometry, Probe, Stabilisation,
+    Through, full, layered, one_point,
 };
 use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Octet, Parameter, Point, Row, Values};
 
@@ -60,7 +61,7 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners_or_what_they
         });
         let given = Given { strain: &[], size: &other };
         let both = [(Given::NONE, exact), (given, other.map(|octet| octet.0[0]))];
-        for ((given, exact), points) in both.into_iter().flat_map(|one| [(one, 1), (one, 8)]) {
+        for ((given, exact), points) in both.into_iter().flat_map(|one| [(one, 1), (one, 8), (one, 36)]) {
             let mut out = [Row::ZERO; 8];
             let mut probe = Probe::ZERO;
             // SAFETY: eight rows, indices 0 to 7, and the scalar lane needs no instruction set.
@@ -71,6 +72,25 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners_or_what_they
                     one_point::<f64, _, true>(
                         &ShowsSize,
                         &stabilisation,
+                        &point,
+                        &g,
+                        &index,
+                        &mut [],
+                        None,
+                        &mut [],
+                        given,
+                        &mut [],
+                        &rows,
+                        &mut out,
+                        &mut probe,
+                    );
+                } else if points == 36 {
+                    let through = Through::new(Layers::Nine);
+                    let mut g = LayeredGeometry::EMPTY;
+                    g.set(0, &hex, &stabilisation, &through);
+                    layered::<f64, _, true>(
+                        &through,
+                        &ShowsSize,
                         &point,
                         &g,
                         &index,

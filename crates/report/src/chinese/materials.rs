@@ -6,6 +6,7 @@ pub const TEXTS: Texts = &[
     (".", "。"),
     ("{count} elements, one-point", "{count} 个单元，单点积分"),
     ("{count} elements, full", "{count} 个单元，完全积分"),
+    ("{count} elements, layered", "{count} 个单元，沿厚度分层积分"),
     ("{count} elements, {kind}", "{count} 个单元，{kind}"),
     ("{least} to {most}", "{least} 至 {most}"),
     (

@@ -2,7 +2,8 @@
 
 use super::{Observer, Schedule, View};
 use crate::error::RunError;
-use crate::quantities::{fibre_extremes, length};
+use crate::point_stress::fibre_extremes;
+use crate::quantities::length;
 use rayon::prelude::*;
 use tremolite_engine::phase::ElementSlot;
 use tremolite_engine::state::Memory;
@@ -41,7 +42,7 @@ impl Observer for Envelopes {
         let of_element = |slot: &&ElementSlot| {
             let first = slot.point as usize;
             let points = &view.snapshot.stress[first..first + slot.points as usize];
-            fibre_extremes(points, view.history.is_damaged(slot))
+            fibre_extremes(&slot.places, points, view.history.is_damaged(slot))
         };
         let extremes: Vec<[f64; 2]> = slots.par_iter().map(of_element).collect();
         let mut now = vec![[f64::NEG_INFINITY, f64::INFINITY]; elements];

@@ -2,7 +2,8 @@
 
 use super::{Cracks, Envelopes, Observer, Schedule, Setting, View};
 use crate::error::RunError;
-use crate::quantities::{Field, extremes, field_name, mean, of_element};
+use crate::point_stress::{extremes, mean};
+use crate::quantities::{Field, field_name, of_element};
 use std::path::Path;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
@@ -112,7 +113,7 @@ impl FieldGrid {
                 grid.point_data.push(self.nodal("acceleration", "m/s2", &view.snapshot.acceleration));
             }
             Field::Stress => {
-                let values = self.slots.iter().flat_map(|s| mean(points(s))).map(|x| x as f32).collect();
+                let values = self.slots.iter().flat_map(|s| mean(&s.places, points(s))).map(|x| x as f32).collect();
                 grid.cell_data.push(Array::new("stress", "Pa", 6, Values::Float32(values)));
             }
             Field::Principal => {
@@ -153,7 +154,7 @@ impl FieldGrid {
             grid.cell_data.push(self.cells(field_name(column), unit, |slot| {
                 history
                     .named(slot, column.name)
-                    .map_or(0.0, |at| of_element(column, history.values(slot, at)))
+                    .map_or(0.0, |at| of_element(column, slot.places.quadrature, history.values(slot, at)))
             }));
         }
     }

@@ -81,7 +81,7 @@ fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
         else {
             continue;
         };
-        let volumes = if slot.points == 8 { hex.weights.to_vec() } else { vec![hex.volume] };
+        let volumes = slot.places.weights(&hex);
         cells.push(Cell { slot, volumes });
     }
     let history = group.body.material.info().history;

@@ -6,12 +6,13 @@
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::plan::{BoltMonitor, Monitor, PairMonitor, Plan};
-use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE, nearest_stress, stress_at};
+use crate::point_stress::{nearest_stress, stress_at};
+use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE};
 use crate::support::{look, over_yield};
 use tremolite_engine::hexahedra::{hex, hex_nodes};
 use tremolite_engine::model::Model;
 use tremolite_engine::state::{Memory, State};
-use tremolite_kernels::Quadrature;
+use tremolite_kernels::{Points, Quadrature};
 use tremolite_kernels::contact::PairSeen;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::elastic_stress;
@@ -190,9 +191,9 @@ pub(super) fn elastic_change(
     };
     let nodes = hex_nodes(&model.mesh, element).map(|n| model.engine_node[n as usize] as usize);
     let Ok(hex) = hex(&model.mesh, element) else { return [f64::NAN; 6] };
-    let u = nodes.map(displacement);
-    let full = body.quadrature == Quadrature::Full;
-    stress_at(&elastic_stress(&hex, body.material.relaxed(), full, &u), natural(model, monitor, element))
+    let stress = elastic_stress(&hex, body.material.relaxed(), body.quadrature, &nodes.map(displacement));
+    let quadrature = if stress.len() == 1 { Quadrature::OnePoint } else { Quadrature::Full };
+    stress_at(&Points { quadrature, axis: 0 }, &stress, natural(model, monitor, element))
 }
 
 /// Stress of the first row at the monitor of this number \[Pa\]; none before that row.
@@ -208,7 +209,10 @@ fn stress(view: &View, monitor: &Monitor, element: usize) -> [f64; 6] {
     phase.element_slot[element].map_or([f64::NAN; 6], |slot| {
         let first = slot.point as usize;
         let points = &snapshot.stress[first..first + slot.points as usize];
-        if history.is_damaged(&slot) { nearest_stress(points, natural) } else { stress_at(points, natural) }
+        match history.is_damaged(&slot) {
+            true => nearest_stress(&slot.places, points, natural),
+            false => stress_at(&slot.places, points, natural),
+        }
     })
 }
 

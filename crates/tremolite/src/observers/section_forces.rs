@@ -67,13 +67,14 @@ impl SectionForces {
     pub fn at(&self, view: &View) -> Vec<[f64; 3]> {
         let points = |e: u32| {
             let slot = slot_of(view, e)?;
-            Some(&view.snapshot.stress[slot.point as usize..][..slot.points as usize])
+            let stress = &view.snapshot.stress[slot.point as usize..][..slot.points as usize];
+            Some((slot.places, stress))
         };
         let of_station = |station: &Station| {
             if station.stack.iter().any(|(e, _)| points(*e).is_none()) {
                 return [f64::NAN; 3];
             }
-            forces(&view.model.mesh, station, |e| points(e).unwrap_or_default())
+            forces(&view.model.mesh, station, points)
         };
         let mut seen: HashMap<[usize; 2], Vec<SegmentSeen>> = HashMap::new();
         let mut tension = |[set, bolt, segment]: [usize; 3]| {

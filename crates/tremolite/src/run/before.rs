@@ -277,7 +277,8 @@ fn plastic_volume(view: &View) -> f64 {
         .filter_map(|(e, slot)| {
             let column = view.history.with_role(&slot, Role::PlasticShear)?;
             let hex = hex(&view.model.mesh, e).ok()?;
-            let mean = view.history.values(&slot, column).sum::<f64>() / f64::from(slot.points);
+            let values = view.history.values(&slot, column).zip(slot.places.quadrature.shares());
+            let mean: f64 = values.map(|(value, share)| share * value).sum();
             Some(hex.volume * mean)
         })
         // A sum of nothing is −0.

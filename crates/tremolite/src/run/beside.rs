@@ -2,7 +2,7 @@
 
 use crate::near_sides::openings;
 use crate::observers::View;
-use crate::quantities::mean;
+use crate::point_stress::mean;
 use tremolite_engine::state::Memory;
 
 /// Keys of what is remembered: the stress beside each face of the outer planes before anything is taken out, and by plane the
@@ -81,7 +81,7 @@ fn faces<'a>(view: &View<'a>) -> impl Iterator<Item = (usize, u32)> + 'a {
 /// The mean stress of an element \[Pa\], where it stands.
 fn stress(view: &View, element: u32) -> Option<[f64; 6]> {
     let slot = (*view.phase.element_slot.get(element as usize)?)?;
-    Some(mean(&view.snapshot.stress[slot.point as usize..][..slot.points as usize]))
+    Some(mean(&slot.places, &view.snapshot.stress[slot.point as usize..][..slot.points as usize]))
 }
 
 /// √(σ:σ).

@@ -5,7 +5,8 @@
 
 use crate::observers::{View, columns};
 use crate::plan::Plan;
-use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE, mean};
+use crate::point_stress::mean;
+use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 use tremolite_engine::Model;
@@ -229,7 +230,8 @@ impl Beginning {
         for (e, slot) in (0u32..).zip(&view.phase.element_slot) {
             let (Some(slot), Some(before)) = (slot, view.model.initial.get(e as usize)) else { continue };
             let Ok(hex) = hex(&view.model.mesh, e as usize) else { continue };
-            let now = mean(&view.snapshot.stress[slot.point as usize..][..slot.points as usize]);
+            let points = &view.snapshot.stress[slot.point as usize..][..slot.points as usize];
+            let now = mean(&slot.places, points);
             let change = size([0, 1, 2, 3, 4, 5].map(|c| now[c] - before[c]));
             changed += hex.volume * change;
             whole += hex.volume * size(*before);

@@ -1,6 +1,6 @@
 use super::{Station, forces, middle, place, stations};
 use std::f64::consts::TAU;
-use tremolite_engine::hexahedra::centroid;
+use tremolite_laws::shapes::hex8::{Layers, Points, Quadrature};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::split::{Cut, split};
 use tremolite_mesh::{Element, Mesh, Shape};
@@ -48,12 +48,22 @@ fn voigt(s: Stress) -> [f64; 6] {
     [s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[2][0]]
 }
 
-/// Stresses of every element at its eight points, or at its middle.
-fn seen(mesh: &Mesh, full: bool, stress: impl Fn([f64; 3]) -> Stress) -> Vec<Vec<[f64; 6]>> {
-    let at = |e: u32| -> Vec<[f64; 3]> {
-        if full { (0..8).map(|p| place(mesh, e, p)).collect() } else { vec![centroid(mesh, e)] }
-    };
-    (0..mesh.elements.len() as u32).map(|e| at(e).into_iter().map(|x| voigt(stress(x))).collect()).collect()
+const ONE: Quadrature = Quadrature::OnePoint;
+const FULL: Quadrature = Quadrature::Full;
+const LAYERED: Quadrature = Quadrature::Layered(Layers::Nine);
+
+type Seen = Vec<(Points, Vec<[f64; 6]>)>;
+
+/// Stresses of every element at its points, of layered ones with the thickness along an axis.
+fn seen_along(mesh: &Mesh, quadrature: Quadrature, axis: usize, stress: impl Fn([f64; 3]) -> Stress) -> Seen {
+    let points = Points { quadrature, axis };
+    let at = |e: u32, p: usize| voigt(stress(place(mesh, e, points.natural(p))));
+    let of = |e: u32| (points, (0..points.count()).map(|p| at(e, p)).collect());
+    (0..mesh.elements.len() as u32).map(of).collect()
+}
+
+fn seen(mesh: &Mesh, quadrature: Quadrature, stress: impl Fn([f64; 3]) -> Stress) -> Seen {
+    seen_along(mesh, quadrature, 2, stress)
 }
 
 /// Bending, tension and shear along x, linear through the plate, with as much of other components as they please.
@@ -70,8 +80,9 @@ fn assert_forces(got: [f64; 3], exact: [f64; 3]) {
     }
 }
 
-fn all(mesh: &Mesh, stations: &[Station], seen: &[Vec<[f64; 6]>]) -> Vec<[f64; 3]> {
-    stations.iter().map(|station| forces(mesh, station, |e| &seen[e as usize])).collect()
+fn all(mesh: &Mesh, stations: &[Station], seen: &Seen) -> Vec<[f64; 3]> {
+    let points = |e: u32| seen.get(e as usize).map(|(points, stress)| (*points, stress.as_slice()));
+    stations.iter().map(|station| forces(mesh, station, points)).collect()
 }
 
 #[test]
@@ -85,12 +96,18 @@ fn a_plate_has_the_tension_the_moment_and_the_shear_of_its_stress() {
             assert_eq!((station.normal, station.along), ([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), "up is free");
             assert!(station.stack.is_sorted() && station.stack.len() == layers as usize);
         }
-        for found in all(&mesh, &found, &seen(&mesh, true, in_plate)) {
+        // Layers through the thickness, or along another axis of the elements.
+        for axis in 0..3 {
+            for found in all(&mesh, &found, &seen_along(&mesh, LAYERED, axis, in_plate)) {
+                assert_forces(found, EXACT);
+            }
+        }
+        for found in all(&mesh, &found, &seen(&mesh, FULL, in_plate)) {
             assert_forces(found, EXACT);
         }
         // One point an element sees steps: of a single layer no moment at all.
         let share = 1.0 - f64::from(layers * layers).recip();
-        for found in all(&mesh, &found, &seen(&mesh, false, in_plate)) {
+        for found in all(&mesh, &found, &seen(&mesh, ONE, in_plate)) {
             assert_forces(found, [EXACT[0], share * EXACT[1], EXACT[2]]);
         }
     }
@@ -104,7 +121,7 @@ fn tension_at_the_intrados_is_a_positive_moment_on_either_side() {
     let found = stations(&mesh, &plate, &below);
     assert!(found.iter().all(|s| s.normal == [0.0, 0.0, -1.0] && s.along == [-1.0, 0.0, 0.0]));
     assert!(found.iter().all(|s| s.stack[0].0 > s.stack[1].0), "from extrados to intrados");
-    for found in all(&mesh, &found, &seen(&mesh, true, in_plate)) {
+    for found in all(&mesh, &found, &seen(&mesh, FULL, in_plate)) {
         assert_forces(found, [EXACT[0], -EXACT[1], EXACT[2]]);
     }
 }
@@ -142,7 +159,7 @@ fn a_turned_plate_has_the_same_forces() {
         let stress = |x| product(&r, &product(&in_plate(turned(&back, x)), &back));
         let found = stations(&mesh, &plate, &there);
         assert_eq!(found.len(), 12);
-        for found in all(&mesh, &found, &seen(&mesh, true, stress)) {
+        for found in all(&mesh, &found, &seen(&mesh, FULL, stress)) {
             assert_forces(found, EXACT);
         }
         mesh.nodes.iter_mut().for_each(|x| *x = turned(&back, *x));
@@ -207,7 +224,7 @@ fn a_ring_has_the_thrust_and_the_moment_of_lame_s_stresses() {
         // Alone, both ends of each stack are free.
         let found = stations(&mesh, &lining, &vec![true; mesh.elements.len()]);
         assert_eq!(found.len(), 2 * facets as usize);
-        let seen = seen(&mesh, true, lame);
+        let seen = seen(&mesh, FULL, lame);
         let mut worst = [0.0f64; 3];
         for [n, m, q] in all(&mesh, &found, &seen) {
             worst = [

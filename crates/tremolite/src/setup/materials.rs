@@ -54,6 +54,7 @@ pub fn facts(
             element: match element {
                 Element::OnePoint => "one-point".into(),
                 Element::Full => "full".into(),
+                Element::Layered => "layered".into(),
             },
         });
     }

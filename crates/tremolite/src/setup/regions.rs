@@ -2,12 +2,11 @@
 
 use super::groups::nothing_fits;
 use std::sync::Arc;
-use tremolite_case::{Case, Element, Fill, Material, Problem, Region, pattern};
+use tremolite_case::{Case, Element, Fill, Material, Problem, Region, Spanned, pattern};
 use tremolite_engine::Body;
 use tremolite_engine::extent::extents;
 use tremolite_engine::hexahedra::{centroid, hex};
-use tremolite_kernels::Quadrature;
-use tremolite_kernels::{AnyMaterial, Law};
+use tremolite_kernels::{AnyMaterial, Law, Layers, Quadrature};
 use tremolite_laws::band::Band;
 use tremolite_mesh::Mesh;
 
@@ -69,7 +68,7 @@ pub fn body(
     band: Option<Band>,
     problems: &mut Vec<Problem>,
 ) -> Option<Body> {
-    let Fill::Solid { element, viscosity, .. } = &region.fill else { return None };
+    let Fill::Solid { element, through, viscosity, .. } = &region.fill else { return None };
     let law = laws.iter().find(|l| l.info.name == material.law.value)?;
     if let Some(b) = viscosity.as_ref().filter(|b| b.value > MOST_VISCOSITY) {
         problems.push(Problem::at(
@@ -78,6 +77,11 @@ pub fn body(
             "give at most 0.5; 0.06 is usual",
         ));
     }
+    let quadrature = match element.value {
+        Element::OnePoint => Quadrature::OnePoint,
+        Element::Full => Quadrature::Full,
+        Element::Layered => Quadrature::Layered(layers(through.as_ref(), problems)),
+    };
     let built = match band {
         Some(band) => (law.build_banded)(&material.parameters, band),
         None => (law.build)(&material.parameters),
@@ -90,10 +94,7 @@ pub fn body(
                 elements,
                 material: built,
                 density: material.density.value,
-                quadrature: match element.value {
-                    Element::OnePoint => Quadrature::OnePoint,
-                    Element::Full => Quadrature::Full,
-                },
+                quadrature,
                 viscosity: match viscosity {
                     Some(given) => given.value,
                     None if law.info.damages => DAMAGING_VISCOSITY,
@@ -111,6 +112,16 @@ pub fn body(
             None
         }
     }
+}
+
+/// Points through the thickness, as many as there are rules for.
+fn layers(given: Option<&Spanned<u32>>, problems: &mut Vec<Problem>) -> Layers {
+    let Some(given) = given else { return Layers::default() };
+    Layers::ALL.into_iter().find(|layers| layers.count() == given.value as usize).unwrap_or_else(|| {
+        let message = format!("there are no elements with {} points through their thickness", given.value);
+        problems.push(Problem::at(given, message, "write 7, 9 or 13"));
+        Layers::default()
+    })
 }
 
 /// Artificial viscosity of bodies whose law damages: pieces between cracks would ring undamped at the mesh's frequencies. The

@@ -36,7 +36,7 @@ use std::sync::Arc;
 use tremolite::hexahedra::centroid;
 use tremolite::history::History;
 use tremolite::parts::loads::Load;
-use tremolite::quantities::mean;
+use tremolite::point_stress::mean;
 use tremolite::{Line, Quadrature, Rayleigh};
 use tremolite_laws::materials::MohrCoulomb;
 use tremolite_laws::{Material, Role, Values};
@@ -245,7 +245,7 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
         let at = centroid(&simulation.model.mesh, element);
         let r = at[0].hypot(at[1]);
         let points = slot.point as usize..slot.point as usize + slot.points as usize;
-        let s = mean(&snapshot.stress[points]);
+        let s = mean(&slot.places, &snapshot.stress[points]);
         let (c, d) = (at[0] / r, at[1] / r);
         let radial = -(s[0] * c * c + s[1] * d * d + 2.0 * s[3] * c * d);
         let hoop = -(s[0] * d * d + s[1] * c * c - 2.0 * s[3] * c * d);

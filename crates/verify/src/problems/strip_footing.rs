@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use tremolite::hexahedra::centroid;
 use tremolite::parts::loads::Load;
-use tremolite::quantities::mean;
+use tremolite::point_stress::mean;
 use tremolite::{Line, Quadrature};
 use tremolite_laws::materials::MohrCoulomb;
 use tremolite_laws::{Material, Values};
@@ -128,7 +128,7 @@ fn press(quadrature: Quadrature, n: u32) -> Result<Pressed, VerifyError> {
             let snapshot = engine.observe(&mut state);
             let stress = lowest.iter().map(|slot| {
                 let first = slot.point as usize;
-                mean(&snapshot.stress[first..first + slot.points as usize])[2]
+                mean(&slot.places, &snapshot.stress[first..first + slot.points as usize])[2]
             });
             let part = (10 * step / steps) as usize;
             sums[part] -= stress.sum::<f64>() * h / (COHESION * (1.0 + 0.5 * h));

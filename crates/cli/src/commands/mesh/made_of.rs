@@ -1,6 +1,6 @@
 //! What the elements of a mesh are made of, as far as the time step goes: moduli, density, quadrature.
 
-use tremolite::{Body, Quadrature};
+use tremolite::{Body, Layers, Quadrature};
 use tremolite_case::{pattern, units};
 use tremolite_laws::Moduli;
 use tremolite_laws::parameter::Dimension;
@@ -110,7 +110,8 @@ fn read(text: &str) -> Result<(Moduli, f64, Quadrature), String> {
                 quadrature = match value {
                     "one-point" => Quadrature::OnePoint,
                     "full" => Quadrature::Full,
-                    _ => return Err(format!("`element` is {value}, expected one-point or full")),
+                    "layered" => Quadrature::Layered(Layers::default()),
+                    _ => return Err(format!("`element` is {value}, expected one-point, full or layered")),
                 };
                 continue;
             }

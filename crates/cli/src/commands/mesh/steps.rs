@@ -2,7 +2,6 @@
 
 use super::made_of::MadeOf;
 use rayon::prelude::*;
-use tremolite::Quadrature;
 use tremolite::hexahedra::hex;
 use tremolite_laws::shapes::hex8::element_frequencies;
 use tremolite_mesh::Mesh;
@@ -42,11 +41,10 @@ impl Steps {
     pub fn new(mesh: &Mesh, made: &[MadeOf]) -> Self {
         let mut of = vec![f64::INFINITY; mesh.elements.len()];
         for material in made {
-            let full = material.quadrature == Quadrature::Full;
             let steps = material.elements.par_chunks(64).map(|chunk| {
                 let usable = chunk.iter().filter_map(|&e| Some((e, hex(mesh, e as usize).ok()?)));
                 let (elements, hexes): (Vec<u32>, Vec<_>) = usable.unzip();
-                let omegas = element_frequencies(&hexes, material.moduli, material.density, full);
+                let omegas = element_frequencies(&hexes, material.moduli, material.density, material.quadrature);
                 elements.into_iter().zip(omegas.into_iter().map(|omega| 2.0 / omega)).collect::<Vec<_>>()
             });
             for (element, step) in steps.flatten_iter().collect::<Vec<_>>() {

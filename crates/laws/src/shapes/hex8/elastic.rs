@@ -1,13 +1,19 @@
 //! The stress of a sound element: what its strain would ask of a material without damage or yield.
 
-use super::{FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point};
+use super::{FullGeometry, Given, Hex8, OnePointGeometry, Probe, Quadrature, Stabilisation, full, one_point};
 use crate::lane::{Octet, Row};
 use crate::material::{Moduli, Point};
 use crate::materials::Elastic;
 
-/// C : ε \[Pa\] at the points of an element (one, or 2×2×2), with the element's own strain of the displacements \[m\] of its
-/// corners in VTK order, and Hooke's C of these moduli.
-pub fn elastic_stress(hex: &Hex8, moduli: Moduli, full_quadrature: bool, u: &[[f64; 3]; 8]) -> Vec<[f64; 6]> {
+/// C : ε \[Pa\] with the element's own strain of the displacements \[m\] of its corners in VTK order, and Hooke's C of these
+/// moduli: at its one point, or at 2×2×2 points, of layered elements as well, whose strain is the same.
+pub fn elastic_stress(
+    hex: &Hex8,
+    moduli: Moduli,
+    quadrature: Quadrature,
+    u: &[[f64; 3]; 8],
+) -> Vec<[f64; 6]> {
+    let full_quadrature = quadrature != Quadrature::OnePoint;
     let law = Elastic::from_moduli(moduli);
     let stabilisation = Stabilisation::new(moduli);
     let point = Point::new(0.0);

@@ -1,6 +1,6 @@
 //! The highest frequency of a single element: what it alone would demand of the time step.
 
-use super::{FullGeometry, Given, Hex8, OnePointGeometry, Probe, Stabilisation, full, one_point};
+use super::{FullGeometry, Given, Hex8, OnePointGeometry, Probe, Quadrature, Stabilisation, full, one_point};
 use crate::lane::{Octet, Row};
 use crate::material::{Moduli, Point};
 use crate::materials::Elastic;
@@ -11,8 +11,10 @@ const ITERATIONS: usize = 40;
 /// √λmax(m⁻¹k) \[rad/s\] of up to eight elements with free nodes, lumped masses and elastic stiffness.
 ///
 /// No mesh of these elements has a higher frequency than the highest of its elements (Irons & Treharne 1971), so
-/// 2/ω bounds the stable step from below. `full_quadrature` chooses the quadrature.
-pub fn element_frequencies(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) -> Vec<f64> {
+/// 2/ω bounds the stable step from below. Layered elements have the stiffness of 2×2×2 points, to round-off in parallelepipeds
+/// and nearly in others, and are taken to have it here.
+pub fn element_frequencies(hexes: &[Hex8], moduli: Moduli, density: f64, quadrature: Quadrature) -> Vec<f64> {
+    let full_quadrature = quadrature != Quadrature::OnePoint;
     hexes.chunks(8).flat_map(|eight| octet(eight, moduli, density, full_quadrature)).collect()
 }
 

@@ -114,6 +114,11 @@ fn jacobian(corners: &[[f64; 3]; 8], gradients: &[[f64; 3]; 8]) -> Mat3 {
     j
 }
 
+/// det J \[m³\] at natural coordinates of an element with these corners.
+pub(super) fn determinant_at(corners: &[[f64; 3]; 8], xi: [f64; 3]) -> f64 {
+    determinant(&jacobian(corners, &natural_gradients(xi)))
+}
+
 impl Hex8 {
     /// Mean strain, with engineering shear, of displacements of the corners in VTK order.
     pub fn mean_strain(&self, u: &[[f64; 3]; 8]) -> [f64; 6] {

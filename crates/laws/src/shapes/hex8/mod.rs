@@ -1,9 +1,9 @@
-//! The eight-node hexahedron with one assumed-strain field at two quadratures.
+//! The eight-node hexahedron with one assumed-strain field at three quadratures.
 //!
 //! Belytschko & Bindeman (1993), ASQBI: the mean strain from the mean gradients (Flanagan & Belytschko 1981), and a
 //! hourglass strain, linear and bilinear in natural coordinates, that bends without shear and without locking at
 //! ν → ½. [`one_point`] integrates the hourglass part in closed form with the law's elastic moduli and evaluates the
-//! law once; [`full`] evaluates the law at 2×2×2 points of the same field.
+//! law once; [`full`] evaluates the law at 2×2×2 points of the same field, [`layered`] at 2×2 points in several layers.
 //!
 //! **Modal form.** The eight ±1 patterns of the nodes — constant, three linear, four hourglass — turn nodal into
 //! modal values by 24 additions a component ([`to_modes`]). With U_m = Σ_I s_mI u_I the mean gradient is
@@ -27,19 +27,27 @@
 //! the stress modes of `pian1984`). Limits: small displacements; trapezoids bend too stiffly, as they
 //! must in an element that passes the patch test (`macneal1987`).
 
+mod bodies;
 mod elastic;
+mod field;
 mod frequency;
 mod full;
 mod geometry;
+mod layer;
+mod layered;
 mod modal;
 mod one_point;
+mod quadrature;
 mod size;
 
+pub use bodies::MODAL_MEMORY;
 pub use elastic::elastic_stress;
 pub use frequency::element_frequencies;
 pub use full::{FullGeometry, full};
 pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
+pub use layered::{LayeredGeometry, layered};
 pub use one_point::{OnePointGeometry, one_point};
+pub use quadrature::{Layers, MOST_POINTS, Points, Quadrature, Through, turned};
 
 use crate::Material;
 use crate::lane::{Lane, Octet, Row};
@@ -156,7 +164,7 @@ impl Surface {
 #[derive(Clone, Copy)]
 pub struct Probe {
     /// Stress \[Pa\] of each point in global axes: `[point][component]`; only point 0 with one-point quadrature.
-    pub stress: [[Octet; 6]; 8],
+    pub stress: [[Octet; 6]; MOST_POINTS],
     /// Recoverable energy \[J\] of the mean part, Σ w ½ σ:ε.
     pub strain_energy: Octet,
     /// Energy \[J\] of the hourglass stabilisation; zero for full quadrature, where it is strain energy.
@@ -170,7 +178,7 @@ pub struct Probe {
 
 impl Probe {
     pub const ZERO: Probe = Probe {
-        stress: [[Octet::ZERO; 6]; 8],
+        stress: [[Octet::ZERO; 6]; MOST_POINTS],
         strain_energy: Octet::ZERO,
         hourglass_energy: Octet::ZERO,
         dissipated: Octet::ZERO,

@@ -1,0 +1,265 @@
+//! The assumed strain of an element that is integrated by several points: from modal displacements to the strain's own
+//! coefficients, and back from their resultants to modal forces.
+
+use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
+use super::{Hex8, Stabilisation, Surface};
+use crate::lane::{Lane, Octet};
+use crate::material::Sym;
+
+/// What the points of eight elements share; 126 octets, that is 1008 bytes an element.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub(super) struct Field {
+    /// As in the one-point element.
+    pub gradient: [[Octet; 7]; 3],
+    pub hourglass: [[Octet; 3]; 4],
+    axes: [[Octet; 3]; 3],
+    /// ℓ_b/ℓ_c of the surface across each natural axis, and its inverse.
+    aspects: [[Octet; 2]; 3],
+    /// Strain (global axes, engineering shear) for unit s_bc, s_cb and γ of each surface, contraction included.
+    surfaces: [[[Octet; 6]; 3]; 3],
+    /// Strain for unit s_k4, contraction included.
+    fibres: [[Octet; 6]; 3],
+    /// Means of ξ, η, ζ, ηζ, ξζ, ξη, weighted as the points are: removed so that a constant stress does no work on the
+    /// hourglass part.
+    means: [Octet; 6],
+}
+
+/// Modes of the hourglass strain in the order of `means`.
+pub(super) const STRAIN_MODES: [usize; 6] = [1, 2, 4, 6, 5, 3];
+/// ξ at the points of the 2×2×2 rule.
+pub(super) const G: f64 = 0.577_350_269_189_625_8;
+
+/// What the values ±1 of the strain's modes stand for: ξ, η, ζ, and ηζ, ξζ, ξη, at the places of the points.
+pub(super) struct Scale {
+    pub linear: [f64; 3],
+    pub product: [f64; 3],
+}
+
+/// ½(u⊗v + v⊗u), as a strain with engineering shear.
+fn dyad(u: [f64; 3], v: [f64; 3]) -> [f64; 6] {
+    [
+        u[0] * v[0],
+        u[1] * v[1],
+        u[2] * v[2],
+        u[0] * v[1] + u[1] * v[0],
+        u[1] * v[2] + u[2] * v[1],
+        u[2] * v[0] + u[0] * v[2],
+    ]
+}
+
+/// Strains of the surface across axis `k` for unit s_bc, s_cb and γ, with the contraction that plane stress asks for.
+fn surface_strains(hex: &Hex8, k: usize, poisson_plane: f64) -> [[f64; 6]; 3] {
+    let (t, u) = (hex.directions[(k + 1) % 3], hex.directions[(k + 2) % 3]);
+    let Surface { cosine, stretch, .. } = Surface::across(hex, k);
+    // Dual vectors in the surface, and its unit normal.
+    let along = [0, 1, 2].map(|i| stretch * (t[i] - cosine * u[i]));
+    let across = [0, 1, 2].map(|i| stretch * (u[i] - cosine * t[i]));
+    let normal = [t[1] * u[2] - t[2] * u[1], t[2] * u[0] - t[0] * u[2], t[0] * u[1] - t[1] * u[0]];
+    let normal = dyad(normal, normal).map(|x| x * stretch);
+    let contracted = |strain: [f64; 6], trace: f64| {
+        let mut strain = strain;
+        for c in 0..6 {
+            strain[c] -= poisson_plane * trace * normal[c];
+        }
+        strain
+    };
+    [
+        contracted(dyad(along, along), stretch),
+        contracted(dyad(across, across), stretch),
+        contracted(dyad(along, across), -stretch * cosine),
+    ]
+}
+
+/// Strain of uniaxial stress along axis `k` for a unit stretch.
+fn fibre_strain(hex: &Hex8, k: usize, poisson: f64) -> [f64; 6] {
+    let t = hex.directions[k];
+    let mut strain = dyad(t, t).map(|x| (1.0 + poisson) * x);
+    for value in &mut strain[..3] {
+        *value -= poisson;
+    }
+    strain
+}
+
+impl Field {
+    pub const EMPTY: Self = Field {
+        gradient: [[Octet::ZERO; 7]; 3],
+        hourglass: [[Octet::ZERO; 3]; 4],
+        axes: [[Octet::ZERO; 3]; 3],
+        aspects: [[Octet::ZERO; 2]; 3],
+        surfaces: [[[Octet::ZERO; 6]; 3]; 3],
+        fibres: [[Octet::ZERO; 6]; 3],
+        means: [Octet::ZERO; 6],
+    };
+
+    /// Puts an element into a lane; `points` are the natural coordinates of its points, with their weights.
+    pub fn set(
+        &mut self,
+        lane: usize,
+        hex: &Hex8,
+        elastic: &Stabilisation,
+        points: impl Iterator<Item = ([f64; 3], f64)> + Clone,
+    ) {
+        for j in 0..3 {
+            for (k, mode) in MODES.into_iter().enumerate() {
+                self.gradient[j][k].0[lane] = hex.gradient[mode][j];
+            }
+            for alpha in 0..4 {
+                self.hourglass[alpha][j].0[lane] = hex.hourglass[alpha][j];
+            }
+            for k in 0..3 {
+                self.axes[k][j].0[lane] = hex.directions[k][j] / (8.0 * hex.half_lengths[k]);
+            }
+        }
+        for k in 0..3 {
+            let aspect = Surface::across(hex, k).aspect;
+            self.aspects[k][0].0[lane] = aspect;
+            self.aspects[k][1].0[lane] = 1.0 / aspect;
+            let strains = surface_strains(hex, k, elastic.poisson_plane);
+            let fibre = fibre_strain(hex, k, elastic.poisson);
+            for c in 0..6 {
+                for (octets, strain) in self.surfaces[k].iter_mut().zip(&strains) {
+                    octets[c].0[lane] = strain[c];
+                }
+                self.fibres[k][c].0[lane] = fibre[c];
+            }
+        }
+        for (k, mode) in STRAIN_MODES.into_iter().enumerate() {
+            let value = |xi: [f64; 3]| -> f64 {
+                (0..3).filter(|axis| mode >> axis & 1 == 1).map(|axis| xi[axis]).product()
+            };
+            let mean: f64 = points.clone().map(|(xi, weight)| weight * value(xi)).sum();
+            self.means[k].0[lane] = mean / hex.volume;
+        }
+    }
+
+    /// Means of the strain's modes over what their values ±1 stand for.
+    #[inline(always)]
+    pub fn means<L: Lane>(&self, scale: &Scale, at: usize) -> [L; 6] {
+        [
+            L::load(&self.means[0], at) * L::splat(1.0 / scale.linear[0]),
+            L::load(&self.means[1], at) * L::splat(1.0 / scale.linear[1]),
+            L::load(&self.means[2], at) * L::splat(1.0 / scale.linear[2]),
+            L::load(&self.means[3], at) * L::splat(1.0 / scale.product[0]),
+            L::load(&self.means[4], at) * L::splat(1.0 / scale.product[1]),
+            L::load(&self.means[5], at) * L::splat(1.0 / scale.product[2]),
+        ]
+    }
+
+    /// The strain's coefficients by component, from modal displacements: `[component][mode]`, mode 7 empty. `means` are
+    /// [`Self::means`], `initial` is what the strain begins with ([`super::Given::strain`]).
+    #[inline(always)]
+    pub fn strain<L: Lane>(
+        &self,
+        modes: &[[L; 8]; 3],
+        scale: &Scale,
+        means: &[L; 6],
+        initial: &[Octet],
+        at: usize,
+    ) -> [[L; 8]; 6] {
+        let (g0, q0) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[0], at);
+        let (g1, q1) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[1], at);
+        let (g2, q2) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[2], at);
+        let g = [g0, g1, g2];
+        let s = [
+            along_axis::<L>(&self.axes[0], &q0, &q1, &q2, at),
+            along_axis::<L>(&self.axes[1], &q0, &q1, &q2, at),
+            along_axis::<L>(&self.axes[2], &q0, &q1, &q2, at),
+        ];
+
+        // From the table in the module documentation.
+        let mut e = [[L::splat(0.0); 8]; 6];
+        let mut k = 0;
+        while k < 3 {
+            let (b, c) = ((k + 1) % 3, (k + 2) % 3);
+            let mode = 1 << k;
+            let aspects = &self.aspects[k];
+            let linear = L::splat(scale.linear[k]);
+            let along = s[b][c] * linear;
+            let across = s[c][b] * linear;
+            let gamma =
+                L::load(&aspects[0], at).mul_add(s[b][b], L::load(&aspects[1], at) * s[c][c]) * linear;
+            let fibre = s[k][3] * L::splat(scale.product[k]);
+            let mut v = 0;
+            while v < 6 {
+                let t = &self.surfaces[k];
+                let sum = L::load(&t[1][v], at).mul_add(across, L::load(&t[0][v], at) * along);
+                e[v][mode] = L::load(&t[2][v], at).mul_add(gamma, sum);
+                e[v][7 ^ mode] = L::load(&self.fibres[k][v], at) * fibre;
+                v += 1;
+            }
+            k += 1;
+        }
+        let mut mean: Sym<L> =
+            [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
+        super::add_initial(&mut mean, initial, at);
+        let mut c = 0;
+        while c < 6 {
+            let mut constant = mean[c];
+            let mut k = 0;
+            while k < 6 {
+                constant = means[k].neg_mul_add(e[c][STRAIN_MODES[k]], constant);
+                k += 1;
+            }
+            e[c][0] = constant;
+            c += 1;
+        }
+        e
+    }
+
+    /// Modal forces from the resultants of the strain's modes, Σ weight · stress · ±1: forces conjugate to s, then to q, g and
+    /// the modes.
+    #[inline(always)]
+    pub fn forces<L: Lane>(
+        &self,
+        mut e: [[L; 8]; 6],
+        scale: &Scale,
+        means: &[L; 6],
+        at: usize,
+    ) -> [[L; 8]; 3] {
+        let mut c = 0;
+        while c < 6 {
+            let constant = e[c][0];
+            let mut k = 0;
+            while k < 6 {
+                let mode = STRAIN_MODES[k];
+                e[c][mode] = means[k].neg_mul_add(constant, e[c][mode]);
+                k += 1;
+            }
+            c += 1;
+        }
+        let mut conjugate = [[L::splat(0.0); 4]; 3];
+        let mut k = 0;
+        while k < 3 {
+            let (b, c) = ((k + 1) % 3, (k + 2) % 3);
+            let mode = 1 << k;
+            let t = &self.surfaces[k];
+            let linear = L::splat(scale.linear[k]);
+            let mut sums = [L::splat(0.0); 4];
+            let mut v = 0;
+            while v < 6 {
+                let resultant = e[v][mode];
+                sums[0] = L::load(&t[0][v], at).mul_add(resultant, sums[0]);
+                sums[1] = L::load(&t[1][v], at).mul_add(resultant, sums[1]);
+                sums[2] = L::load(&t[2][v], at).mul_add(resultant, sums[2]);
+                sums[3] = L::load(&self.fibres[k][v], at).mul_add(e[v][7 ^ mode], sums[3]);
+                v += 1;
+            }
+            conjugate[b][c] = sums[0] * linear;
+            conjugate[c][b] = sums[1] * linear;
+            let shear = sums[2] * linear;
+            let aspects = &self.aspects[k];
+            conjugate[b][b] = L::load(&aspects[0], at).mul_add(shear, conjugate[b][b]);
+            conjugate[c][c] = L::load(&aspects[1], at).mul_add(shear, conjugate[c][c]);
+            conjugate[k][3] = sums[3] * L::splat(scale.product[k]);
+            k += 1;
+        }
+        let resultants: Sym<L> = [e[0][0], e[1][0], e[2][0], e[3][0], e[4][0], e[5][0]];
+        let (b, x, axes) = (&self.gradient, &self.hourglass, &self.axes);
+        [
+            modal_forces::<L, 0>(b, x, axes, &resultants, &conjugate, at),
+            modal_forces::<L, 1>(b, x, axes, &resultants, &conjugate, at),
+            modal_forces::<L, 2>(b, x, axes, &resultants, &conjugate, at),
+        ]
+    }
+}

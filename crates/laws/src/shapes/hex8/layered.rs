@@ -1,0 +1,177 @@
+//! 2×2 points in the plane of a lining and several through its thickness, which is ζ, of the assumed-strain field.
+//!
+//! The field is linear in ζ, so a layer's strain has four coefficients in ξ and η, those of its four points: each layer is worked
+//! on by itself and adds its resultants and their first moments. All that the element owes to its quadrature are the weights,
+//! which make 1 and ζ² exact through the thickness ([`Through`]) as Gauss's two do, and the means that go with them: elastic
+//! parallelepipeds are those of 2×2×2 points to round-off.
+//!
+//! Damping over a band is kept by the strain's coefficients in place of its values at the points (`bodies.rs`): 1352 bytes an
+//! element in place of 7200 with nine layers.
+
+use super::bodies::{self, Bodies};
+use super::field::{Field, G, Scale};
+use super::geometry::determinant_at;
+use super::layer::{add_layer, in_layer};
+use super::quadrature::Through;
+use super::{Given, Hex8, LEFT, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal};
+use crate::band::BandStep;
+use crate::lane::{Lane, Octet, Row};
+use crate::material::{Material, Point, Sym};
+
+/// Geometry of eight elements; 138 octets, that is 1104 bytes an element, however many layers there are.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct LayeredGeometry {
+    field: Field,
+    /// det J at the four points of a layer, as coefficients of 1, ζ and ζ².
+    depth: [[Octet; 3]; 4],
+}
+
+const SCALE: Scale = Scale { linear: [G, G, 1.0], product: [G, G, G * G] };
+
+impl LayeredGeometry {
+    /// Geometry without extent: forces from it are zero. Pads the last octet of a patch.
+    pub const EMPTY: Self = LayeredGeometry { field: Field::EMPTY, depth: [[Octet::ZERO; 3]; 4] };
+
+    /// Puts an element, numbered so that ζ is its thickness, into a lane.
+    pub fn set(&mut self, lane: usize, hex: &Hex8, elastic: &Stabilisation, through: &Through) {
+        let depth: [[f64; 3]; 4] = core::array::from_fn(|q| {
+            let [xi, eta, _] = gauss_point(q);
+            let [low, middle, high] =
+                [-1.0, 0.0, 1.0].map(|zeta| determinant_at(&hex.corners, [xi, eta, zeta]));
+            [middle, 0.5 * (high - low), 0.5 * (high + low) - middle]
+        });
+        let points = (0..4 * through.count).map(|p| {
+            let [xi, eta, _] = gauss_point(p % 4);
+            let (zeta, weight) = (through.zeta[p / 4], through.weight[p / 4]);
+            let [a, b, c] = depth[p % 4];
+            ([xi, eta, zeta], weight * (a + zeta * (b + zeta * c)))
+        });
+        self.field.set(lane, hex, elastic, points);
+        for (octets, values) in self.depth.iter_mut().zip(depth) {
+            for (octet, value) in octets.iter_mut().zip(values) {
+                octet.0[lane] = value;
+            }
+        }
+    }
+}
+
+/// Internal forces of eight elements, added to `out`; history (layer by layer, four points in each) is updated in place.
+///
+/// Arguments and sign as in [`super::one_point`]; strains reach the law in global axes. `overstress` has
+/// [`super::MODAL_MEMORY`] octets.
+///
+/// # Safety
+/// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
+#[inline(always)]
+pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
+    through: &Through,
+    material: &M,
+    point: &Point<f64>,
+    geometry: &LayeredGeometry,
+    index: &[[u16; 8]; 8],
+    history: &mut [Octet],
+    band: Option<&BandStep>,
+    overstress: &mut [Octet],
+    given: Given,
+    left: &mut [Octet],
+    rows: &[Row],
+    out: &mut [Row],
+    probe: &mut Probe,
+) {
+    let columns = M::HISTORY.len();
+    let field = &geometry.field;
+    let mut nodal = [[Octet::ZERO; 3]; 8];
+    let mut at = 0;
+    while at < 8 {
+        // SAFETY: passed on to the caller.
+        let modes = unsafe { gather_modes::<L>(rows, index, at) };
+        let means = field.means::<L>(&SCALE, at);
+        let e = field.strain::<L>(&modes, &SCALE, &means, given.strain, at);
+        let zero = L::splat(0.0);
+        let band = match band {
+            Some(step) => Some((step, Bodies::advance(step, &e, overstress, at))),
+            None => None,
+        };
+        let mut lane_point = Point::new(L::splat(point.dt));
+        if M::NEEDS_SIZE {
+            lane_point.size = super::seen_size(&given, &field.gradient, &field.hourglass, at);
+        }
+        let mut sums = [[zero; 8]; 6];
+        let (mut energy, mut dissipated, mut created, mut taken) = (zero, zero, zero, zero);
+        let mut layer = 0;
+        while layer < through.count {
+            let zeta = through.zeta[layer];
+            let mut values = in_layer(&e, zeta);
+            let band = match &band {
+                Some((step, bodies)) => Some((step, bodies, bodies.in_layer(zeta))),
+                None => None,
+            };
+            let mut q = 0;
+            while q < 4 {
+                let p = 4 * layer + q;
+                let strain: Sym<L> =
+                    [values[0][q], values[1][q], values[2][q], values[3][q], values[4][q], values[5][q]];
+                let own = &mut history[p * columns..(p + 1) * columns];
+                let old = super::load_history::<L, M>(own, at);
+                let left = if M::DAMAGES && !left.is_empty() {
+                    &mut left[p * LEFT..(p + 1) * LEFT]
+                } else {
+                    &mut []
+                };
+                let (of_law, new) = super::answer(material, &lane_point, strain, old, left, at);
+                let depth = &geometry.depth[q];
+                let linear = L::splat(zeta).mul_add(L::load(&depth[2], at), L::load(&depth[1], at));
+                let weight =
+                    L::splat(through.weight[layer]) * L::splat(zeta).mul_add(linear, L::load(&depth[0], at));
+                let mut stress = of_law;
+                let mut held = zero;
+                if let Some((step, bodies, here)) = &band {
+                    let (before, now) = (super::unbroken(material, &old), super::unbroken(material, &new));
+                    stress = super::plus(stress, here.stress(step, q, now));
+                    let here = bodies.taken(step, here, overstress, (zeta, q), before, now, at);
+                    taken = weight.mul_add(here, taken);
+                    if PROBE {
+                        held = bodies::held(step, overstress, zeta, q, now, at);
+                    }
+                }
+                super::store_history::<L, M>(new, own, at);
+                let mut c = 0;
+                while c < 6 {
+                    values[c][q] = weight * stress[c];
+                    c += 1;
+                }
+                if PROBE {
+                    let stored = material.stored_energy(&strain, &of_law, &new) + held;
+                    energy = weight.mul_add(stored, energy);
+                    dissipated = weight.mul_add(super::booked(&new, M::DISSIPATION), dissipated);
+                    created = weight.mul_add(super::booked(&new, M::CREATION), created);
+                    let mut c = 0;
+                    while c < 6 {
+                        stress[c].store(&mut probe.stress[p][c], at);
+                        c += 1;
+                    }
+                }
+                q += 1;
+            }
+            add_layer(&mut sums, &values, zeta);
+            layer += 1;
+        }
+        if let Some((step, _)) = &band {
+            bodies::book(step, taken, overstress, at);
+        }
+        if PROBE {
+            energy.store(&mut probe.strain_energy, at);
+            dissipated.store(&mut probe.dissipated, at);
+            created.store(&mut probe.created, at);
+            if band.is_some() {
+                bodies::dissipated::<L>(overstress, at).store(&mut probe.of_band, at);
+            }
+        }
+        let mut forces = field.forces::<L>(sums, &SCALE, &means, at);
+        store_nodal(&mut forces, &mut nodal, at);
+        at += L::WIDTH;
+    }
+    // SAFETY: passed on to the caller.
+    unsafe { scatter_nodal::<L>(out, index, &nodal) };
+}
