@@ -50,6 +50,6 @@ pub use problem::{Problem, Rayleigh, TimeStep};
 pub use state::State;
 pub use traction::Traction;
 pub use tremolite_kernels::{
-    AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Layers, Line, Lines, Points, Quadrature, elastic, interface_laws,
-    laws,
+    AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Layers, Line, Lines, Points, Quadrature, elastic,
+    interface_laws, laws,
 };

@@ -228,8 +228,15 @@ impl Model {
         };
 
         let viscosity = viscosities(&mesh, &bodies, &seams, &parents);
-        let thickness =
-            crate::thickness::axes(&mesh, &bodies, user_elements, &parents, &successors, &seams)?;
+        let thickness = crate::thickness::axes(
+            &mesh,
+            &bodies,
+            user_elements,
+            &parents,
+            &successors,
+            &seams,
+            problem.sides,
+        )?;
         let mut patches = Vec::new();
         let (mut user_patches, mut slab_patches) = (0, 0);
         let size = patch_size(problem.patch_elements, bodies.iter().map(|b| b.elements.len()).sum());

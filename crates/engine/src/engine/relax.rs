@@ -149,8 +149,7 @@ pub fn masses(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<f64> {
         // `Assembly::new` has checked every element.
         let own = || patch.elements.iter().filter_map(|&e| Some((e, hex(&model.mesh, e as usize).ok()?)));
         let shapes: Vec<_> = own().map(|(_, hex)| hex).collect();
-        let omegas =
-            element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);
+        let omegas = element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);
         for ((element, hex), omega) in own().zip(omegas) {
             let density = body.density * (omega / COURANT).powi(2);
             let nodes = crate::hexahedra::hex_nodes(&model.mesh, element as usize);

@@ -16,6 +16,7 @@ mod free_field;
 mod free_field_file;
 mod ground;
 mod history;
+mod layered;
 mod outside_law;
 mod outside_part;
 mod ready;
