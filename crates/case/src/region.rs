@@ -23,9 +23,10 @@ pub(crate) static REGION: Table = Table {
             Kind::Text,
             "name of a material, or \"void\" for what is already excavated",
         ),
-        Key::required(
+        Key::optional(
             "element",
             Kind::Word(Element::WORDS),
+            "of linings and shotcrete that [mesh.caverns] makes layered in one layer, full in several; else it must be given",
             "one-point: fast, for rock; full: 2×2×2 points, for linings of two and more elements through their thickness; \
              layered: 2×2 points in layers through the thickness, for linings one element thick",
         )
@@ -89,8 +90,8 @@ pub enum Fill {
     Solid {
         /// Index into [`Case::materials`](crate::Case::materials).
         material: Spanned<usize>,
-        /// How the elements are integrated.
-        element: Spanned<Element>,
+        /// How the elements are integrated; left out of generated linings and shotcrete alone.
+        element: Option<Spanned<Element>>,
         /// Points through the thickness of layered elements, where they are given: 7, 9 or 13.
         through: Option<Spanned<u32>>,
         /// Artificial viscosity b, where it is given.
@@ -124,7 +125,7 @@ impl Region {
                 None => None,
             };
             let through = f.count("points_through");
-            Fill::Solid { material: index(material)?, element: element?, through, viscosity, before }
+            Fill::Solid { material: index(material)?, element, through, viscosity, before }
         };
         Some(Region { groups, fill, span: f.span.clone() })
     }

@@ -157,7 +157,7 @@ impl Model {
         let held = problem.held.into_iter().flat_map(|(node, held)| {
             copies.get(&node).cloned().unwrap_or_else(|| vec![node]).into_iter().map(move |n| (n, held))
         });
-        let held = held.collect();
+        let held: Vec<(u32, [bool; 3])> = held.collect();
 
         let standing: Vec<u32> = (0u32..).zip(&shaken).filter(|(_, b)| b.is_some()).map(|(e, _)| e).collect();
         let bounds = mesh.bounds();
@@ -236,6 +236,7 @@ impl Model {
             &successors,
             &seams,
             problem.sides,
+            &held,
         )?;
         let mut patches = Vec::new();
         let (mut user_patches, mut slab_patches) = (0, 0);

@@ -35,6 +35,7 @@ pub fn axes(
     successors: &HashMap<u32, u32>,
     seams: &[Seam],
     sides: [Side; 2],
+    held: &[(u32, [bool; 3])],
 ) -> Result<Vec<u8>, ModelError> {
     let mut axes = vec![2; mesh.elements.len()];
     let layered = || bodies.iter().filter(|body| matches!(body.quadrature, Quadrature::Layered(_)));
@@ -45,6 +46,7 @@ pub fn axes(
         mesh,
         bounds: mesh.bounds(),
         cut: sides.map(|side| side != Side::Free),
+        held: held.iter().copied().collect(),
         body_of: BTreeMap::new(),
         lengths: BTreeMap::new(),
         sharing: BTreeMap::new(),
@@ -124,6 +126,7 @@ struct Found<'a> {
     bounds: ([f64; 3], [f64; 3]),
     /// Whether the sides normal to x and to y are cuts through what goes on.
     cut: [bool; 2],
+    held: HashMap<u32, [bool; 3]>,
     body_of: BTreeMap<u32, &'a Body>,
     /// Along the natural axes \[m\]; those of a wedge's triangles are none.
     lengths: BTreeMap<u32, [f64; 3]>,
@@ -191,10 +194,14 @@ impl<'a> Found<'a> {
         if met { ACROSS_INTERFACE * length } else { length }
     }
 
-    /// Whether a face lies on one of the model's vertical sides that are cuts.
+    /// Whether a face lies on one of the model's vertical sides that are cuts, or on one that is held across it.
     fn is_cut(&self, face: Face) -> bool {
         let (low, high) = self.bounds;
-        (0..2).filter(|&i| self.cut[i]).any(|i| {
+        let across = |i: usize| {
+            self.mesh.face_nodes(face).all(|n| self.held.get(&n).is_some_and(|components| components[i]))
+        };
+        let is_cut = |i: usize| self.cut.get(i) == Some(&true) || across(i);
+        (0..3).filter(|&i| is_cut(i)).any(|i| {
             let near = 1e-6 * (high[i] - low[i]);
             [low[i], high[i]].iter().any(|plane| {
                 self.mesh.face_nodes(face).all(|n| (self.mesh.nodes[n as usize][i] - plane).abs() <= near)

@@ -17,5 +17,5 @@ pub use interface::{AnyInterface, InterfaceLaw, interface_laws};
 pub use line::{Booked, Line, Lines};
 pub use material::{AnyMaterial, Law, elastic, laws};
 pub use part::{ElementEnergy, Entry, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
-pub use tremolite_laws::shapes::hex8::{Layers, Points, Quadrature};
 pub use stage::Stage;
+pub use tremolite_laws::shapes::hex8::{Layers, Points, Quadrature};

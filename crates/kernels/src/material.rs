@@ -28,6 +28,8 @@ pub trait AnyMaterial: Send + Sync {
     fn derived(&self, extents: [f64; 2]) -> Vec<Derived>;
     /// See [`Material::compressive_strength`].
     fn compressive_strength(&self) -> Option<f64>;
+    /// See [`Material::tension_use`]; `history` is that of a point.
+    fn tension_use(&self, stress: &[f64; 6], beside: &[f64; 6], history: &[f64]) -> Option<f64>;
     /// The Maxwell bodies beside the law, if there are any.
     fn band(&self) -> Option<Band>;
     /// See [`Material::warnings`].
@@ -97,6 +99,12 @@ impl<M: Material> AnyMaterial for Instance<M> {
 
     fn compressive_strength(&self) -> Option<f64> {
         self.law.compressive_strength()
+    }
+
+    fn tension_use(&self, stress: &[f64; 6], beside: &[f64; 6], history: &[f64]) -> Option<f64> {
+        let mut own = tremolite_laws::virgin::<M>();
+        own.as_mut().copy_from_slice(history);
+        self.law.tension_use(stress, beside, &own)
     }
 
     fn band(&self) -> Option<Band> {

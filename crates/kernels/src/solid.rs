@@ -2,9 +2,10 @@
 
 mod pass;
 mod prescribed;
+mod rule;
 mod weakened;
 
-pub use pass::{Full, Layered, OnePoint, Rule};
+pub use rule::{Full, Layered, OnePoint, Rule};
 
 use crate::line::{Line, Lines};
 use crate::part::{ElementEnergy, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
@@ -168,7 +169,8 @@ impl<M: Material, R: Rule> Solid<M, R> {
             second.clear();
             second.resize(self.nodes.len(), Row::ZERO);
             let rows = self.gather(x.du, others);
-            pass.after = Some(After { law: &law, rows, out: second, factor: &self.viscosity, left: self.room(left) });
+            pass.after =
+                Some(After { law: &law, rows, out: second, factor: &self.viscosity, left: self.room(left) });
         }
         dispatch::<R, M, PROBE>(self.isa, pass);
         let mut lines = Lines::default();

@@ -245,6 +245,17 @@ pub trait Material: Send + Sync + Sized + 'static {
         None
     }
 
+    /// How much of its tensile strength an undamaged material uses at a stress \[Pa\], 1 where damage begins, at the rate of the
+    /// point beside it that has another stress and this history; none for a law that does not crack.
+    fn tension_use(
+        &self,
+        _stress: &Sym<f64>,
+        _beside: &Sym<f64>,
+        _history: &Self::History<f64>,
+    ) -> Option<f64> {
+        None
+    }
+
     /// The constants that the law works with beside its parameters, for people to check; `extents` \[m\] are the
     /// shortest and the longest of the elements.
     fn derived(&self, _extents: [f64; 2]) -> Vec<Derived> {

@@ -133,7 +133,7 @@ fn stress_cards(source: &Source, facts: &Summary, at: impl Fn(f64) -> String) ->
         if let Some((group, peak)) = found {
             let note = say!(
                 language,
-                "{group} at {time}; at the fibre of intact 2×2×2 elements, else at points",
+                "{group} at {time}; at the fibre of intact elements of several points, else at points",
                 group = group,
                 time = at(peak.time)
             );

@@ -156,12 +156,12 @@ fn stresses(stress: &IndexMap<String, GroupStress>, alone: bool) -> Option<Said>
     let peaks = (!peaks.is_empty()).then(|| listed(peaks))?;
     Some(match alone {
         true => said!(
-            "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (change by the \
+            "Largest principal stress, at the fibre of elements of several points that are intact, else at points: {peaks} (change by the \
              earthquake alone).",
             peaks = peaks,
         ),
         false => said!(
-            "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (in all, initial \
+            "Largest principal stress, at the fibre of elements of several points that are intact, else at points: {peaks} (in all, initial \
              stress included).",
             peaks = peaks,
         ),

@@ -41,9 +41,9 @@ const BETWEEN: f64 = 1e-6;
 pub fn nearest_stress(places: &Points, points: &[[f64; 6]], natural: [f64; 3]) -> [f64; 6] {
     // Points lie on a grid, so the nearest one is nearest along each axis.
     let far = |p: usize| [0, 1, 2].map(|axis| (places.natural(p)[axis] - natural[axis]).abs());
-    let least = (0..points.len()).map(far).fold([f64::INFINITY; 3], |least, far| {
-        [0, 1, 2].map(|axis| f64::min(least[axis], far[axis]))
-    });
+    let least = (0..points.len())
+        .map(far)
+        .fold([f64::INFINITY; 3], |least, far| [0, 1, 2].map(|axis| f64::min(least[axis], far[axis])));
     let near = |p: &usize| {
         let far = far(*p);
         (0..3).all(|axis| far[axis] <= least[axis] + 2.0 * BETWEEN)

@@ -3,7 +3,7 @@
 use crate::VerifyError;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
-use tremolite::{AnyMaterial, Body, Law, Problem, Quadrature, Side, elastic, laws};
+use tremolite::{AnyMaterial, Body, Law, Layers, Problem, Quadrature, Side, elastic, laws};
 use tremolite_laws::{Moduli, Values};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::boxes::{BoxError, BoxSpec, Distortion};
@@ -11,6 +11,9 @@ use tremolite_mesh::boxes::{BoxError, BoxSpec, Distortion};
 /// Both quadratures, with the word for messages.
 pub const QUADRATURES: [(Quadrature, &str); 2] =
     [(Quadrature::OnePoint, "one-point"), (Quadrature::Full, "full")];
+
+/// Of linings one element thick, with nine points through them.
+pub const LAYERED: (Quadrature, &str) = (Quadrature::Layered(Layers::Nine), "layered");
 
 /// Sides that must leave a vertical wave alone, with what quantities are called behind their names.
 pub const SIDES: &[(Side, &str)] = &[(Side::Periodic, ""), (Side::FreeField, ", free-field sides")];

@@ -202,14 +202,15 @@ impl Rings {
             let (mut thrust, mut moment) = (0.0, 0.0);
             for ring in 0..layers {
                 let centre = layer * (f64::from(ring) + 0.5) - 0.5 * (outer - inner);
-                let points = rested.points(elements[(ring * self.around + sector) as usize]);
-                for (p, stress) in points.iter().enumerate() {
-                    // Bit 0 of a point's number is its side along the radius.
-                    let side = if p & 1 == 1 { 0.5 } else { -0.5 };
+                let element = elements[(ring * self.around + sector) as usize];
+                let Some(slot) = rested.phase.element_slot[element as usize] else { continue };
+                let points = rested.points(element).iter().zip(slot.places.quadrature.shares());
+                for (p, (stress, share)) in points.enumerate() {
                     let hoop = turned(stress, angle)[1];
-                    let area = layer / points.len() as f64;
+                    let area = layer * share;
                     thrust -= area * hoop;
-                    moment += area * hoop * (centre + side * layer / 3f64.sqrt());
+                    // ξ is along the radius.
+                    moment += area * hoop * (centre + 0.5 * layer * slot.places.natural(p)[0]);
                 }
             }
             let (cosine, weight) = ((2.0 * angle).cos(), 1.0 / f64::from(self.around));

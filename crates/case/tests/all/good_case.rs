@@ -73,11 +73,11 @@ fn every_value_arrives_in_si() {
         .map(|r| match &r.fill {
             Fill::Void => None,
             Fill::Solid { material, element, viscosity, .. } => {
-                Some((material.value, element.value, viscosity.as_ref().map(|b| b.value)))
+                Some((material.value, element.as_ref()?.value, viscosity.as_ref().map(|b| b.value)))
             }
         })
         .collect();
-    let expected = [Some((0, Element::OnePoint, Some(0.02))), Some((1, Element::Full, Some(0.0))), None];
+    let expected = [Some((0, Element::OnePoint, Some(0.02))), Some((1, Element::Layered, Some(0.0))), None];
     assert_eq!(fills, expected);
     assert!(case.regions[0].holds("transformer.bench3") && !case.regions[0].holds("powerhouse.bench3"));
 

@@ -50,7 +50,6 @@ const BAD: &[Bad] = &[
     bad("{ thickness = \"30 m\", shear_wave_velocity = \"600 m/s\", poisson = 0.3, density = \"2100 kg/m3\", ", "{ thickness = \"30 m\", shear_wave_velocity = \"600 m/s\", poisson = 0.3, ", "{ thickness", "needs one of `density`, `unit_weight`", "give one of"),
     bad("title = \"every key\"\n", "", "", "`title` is missing in the case", "add title = \"…\""),
     bad("young = \"10 GPa\"\n", "", "[material.rock]", "`young` is missing", "young = \"… GPa\" (Young's modulus E)"),
-    bad("element = \"one-point\"\n", "", "[[region]]", "`element` is missing in `region[1]`", "full: 2×2×2 points"),
     bad("sides = { x = \"viscous\", y = \"roller\" }\n", "", "[dynamic]", "`sides` is missing", "periodic"),
     bad("[[region]]\ngroups = [\"powerhouse.bench*\"]", "[[region]]\nelement = \"full\"\ngroups = [\"powerhouse.bench*\"]", "element", "only where `material` is not \"void\"", "leave it out"),
     bad("kind = \"viscous-spring\", normal = 1.5, tangential = 0.5, distance", "kind = \"fixed\", distance", "distance", "only with `kind = \"viscous-spring\"`", "leave it out"),
@@ -105,7 +104,8 @@ const BAD: &[Bad] = &[
     bad("kind = \"within\"\ndepth = \"50 m\"", "kind = \"outcrp\"", "\"outcrp\"", "`kind` cannot be \"outcrp\"", "did you mean \"outcrop\"?"),
     bad("sides = { x = \"viscous\"", "sides = { x = \"freefield\"", "\"freefield\"", "`x` cannot be \"freefield\"", "did you mean \"free-field\"?"),
     bad("top = \"viscous\"", "top = \"roller\"", "\"roller\"", "`top` cannot be \"roller\"", "one of \"free\", \"viscous\""),
-    bad("element = \"full\"", "element = \"quadratic\"", "\"quadratic\"", "cannot be", "one of \"one-point\", \"full\""),
+    bad("element = \"layered\"\npoints_through = 13", "element = \"quadratic\"", "\"quadratic\"", "cannot be", "one of \"one-point\", \"full\", \"layered\""),
+    bad("element = \"layered\"", "element = \"full\"", "points_through", "only with `element = \"layered\"`", "leave it out"),
     bad("law = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25", "law = \"elastik\"", "\"elastik\"", "cannot be \"elastik\"", "did you mean \"elastic\"?"),
     bad("name = \"A\"", "name = \"A.1\"", "\"A.1\"", "cannot be used as a name", "no blanks or quotes"),
     bad("title = \"every key\"", "title = \" \"", "\" \"", "an empty text", "title"),
@@ -182,7 +182,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
     let source = GOOD
         .replace("near = \"120 cm\"", "near = \"120 MPa\"")
         .replace("poisson = 0.25", "poisson = 0.7")
-        .replace("element = \"full\"", "elemnt = \"full\"")
+        .replace("element = \"one-point\"", "elemnt = \"one-point\"")
         .replace("kind = \"within\"\ndepth = \"50 m\"\n", "")
         .replace("safety = 0.8", "safety = 7")
         .replace("between = [\"free\", \"A\"]", "between = [\"free\", \"Q\"]")
@@ -196,8 +196,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
         [
             (line("120 MPa"), "`near` is a stress or modulus (`MPa`), a length is expected"),
             (line("poisson = 0.7"), "`poisson` must be at least 0 and below 0.5"),
-            (line("groups = [\"*.lining\"]") - 1, "`element` is missing in `region[2]`"),
-            (line("elemnt"), "`elemnt` is no key of `region[2]`"),
+            (line("elemnt"), "`elemnt` is no key of `region[1]`"),
             (line("[motion]"), "`kind` is missing in `motion`"),
             (line("safety"), "`safety` must be above 0 and at most 1"),
             (line("\"Q\""), "there is no monitor `Q`"),

@@ -5,7 +5,7 @@ use crate::machine;
 use crate::terminal::print;
 use std::sync::Arc;
 use tremolite::bench::{BoxBench, run as run_box};
-use tremolite::{Quadrature, laws};
+use tremolite::{Layers, Quadrature, laws};
 use tremolite_laws::Values;
 
 #[derive(clap::Args)]
@@ -20,7 +20,7 @@ pub struct Args {
     steps: u64,
     #[arg(long, default_value_t = 1)]
     threads: usize,
-    #[arg(long, value_parser = ["one-point", "full"], default_value = "one-point")]
+    #[arg(long, value_parser = ["one-point", "full", "layered"], default_value = "one-point")]
     kind: String,
     /// A material law, with E 10 GPa, ν 0.25 and the law's defaults
     #[arg(long, default_value = "elastic")]
@@ -37,7 +37,11 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Outcome {
     let isa = machine::isa(args.isa.as_deref())?;
-    let quadrature = if args.kind == "full" { Quadrature::Full } else { Quadrature::OnePoint };
+    let quadrature = match args.kind.as_str() {
+        "full" => Quadrature::Full,
+        "layered" => Quadrature::Layered(Layers::default()),
+        _ => Quadrature::OnePoint,
+    };
     if !(1..=50_000_000).contains(&args.elements) || !(1..=4096).contains(&args.threads) {
         return Err(Failure::input("give 1 to 50 million elements and 1 to 4096 threads"));
     }

@@ -58,11 +58,9 @@ element = "one-point"
 groups = ["*.shotcrete"]
 material = "shotcrete"
 before = "rock"
-element = "full"
 [[region]]
 groups = ["*.lining"]
 material = "concrete"
-element = "full"
 [initial]
 gravity = 0
 overburden = "5.4 MPa"

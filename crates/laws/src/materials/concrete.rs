@@ -238,6 +238,10 @@ impl Material for Concrete {
         Some(self.fracture_energy(extent))
     }
 
+    fn tension_use(&self, stress: &Sym<f64>, beside: &Sym<f64>, history: &[f64; MEMORY]) -> Option<f64> {
+        Some(self.used(stress, beside, history))
+    }
+
     fn derived(&self, extents: [f64; 2]) -> Vec<Derived> {
         self.constants(extents)
     }

@@ -36,8 +36,8 @@ pub const TEXTS: Texts = &[
     ("Largest principal stress s1", "最大主应力 s1"),
     ("Smallest principal stress s3", "最小主应力 s3"),
     (
-        "{group} at {time}; at the fibre of intact 2×2×2 elements, else at points",
-        "{group}，{time}；完好的 2×2×2 单元取截面边缘处，其余取积分点",
+        "{group} at {time}; at the fibre of intact elements of several points, else at points",
+        "{group}，{time}；完好的多积分点单元取截面边缘处，其余取积分点",
     ),
     ("monitor {monitor} at {time}", "监测点 {monitor}，{time}"),
     // The model.

@@ -192,8 +192,8 @@ pub const TEXTS: Texts = &[
     ("Largest principal stress on the section", "断面第一主应力"),
     ("The last field file has no field s1_max or s1.", "最后一个场文件没有变量 s1_max 或 s1。"),
     (
-        "of each element the largest over the run, of intact 2×2×2 elements at the fibre",
-        "各单元取全程最大值，完好的 2×2×2 单元取截面边缘处",
+        "of each element the largest over the run, of intact elements of several points at the fibre",
+        "各单元取全程最大值，完好的多积分点单元取截面边缘处",
     ),
     (
         "Tension is positive. Look for where a lining came near its tensile strength, and whether the rock behind it is drawn apart as well.",

@@ -54,12 +54,12 @@ pub const TEXTS: Texts = &[
     ),
     ("{stress} MPa in {group} at {time} s", "{group} {stress} MPa（{time} s）"),
     (
-        "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (change by the earthquake alone).",
-        "最大主应力（完好的 2×2×2 单元取截面边缘处，其余取积分点）：{peaks}（仅地震引起的变化）。",
+        "Largest principal stress, at the fibre of elements of several points that are intact, else at points: {peaks} (change by the earthquake alone).",
+        "最大主应力（完好的多积分点单元取截面边缘处，其余取积分点）：{peaks}（仅地震引起的变化）。",
     ),
     (
-        "Largest principal stress, at the fibre of 2×2×2 elements that are intact, else at points: {peaks} (in all, initial stress included).",
-        "最大主应力（完好的 2×2×2 单元取截面边缘处，其余取积分点）：{peaks}（总应力，含初始应力）。",
+        "Largest principal stress, at the fibre of elements of several points that are intact, else at points: {peaks} (in all, initial stress included).",
+        "最大主应力（完好的多积分点单元取截面边缘处，其余取积分点）：{peaks}（总应力，含初始应力）。",
     ),
     // Places.
     ("no element", "无单元"),

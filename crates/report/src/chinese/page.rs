@@ -117,8 +117,8 @@ pub const TEXTS: Texts = &[
         "接触面监测点的压应力（压为正）与剪应力",
     ),
     (
-        "Principal stress of groups, tension positive; of 2×2×2 elements at the fibre while intact, else at points",
-        "各组主应力（拉为正）；2×2×2 单元未损伤时取截面边缘处，否则取积分点",
+        "Principal stress of groups, tension positive; of elements of several points at the fibre while intact, else at points",
+        "各组主应力（拉为正）；多积分点单元未损伤时取截面边缘处，否则取积分点",
     ),
     ("The section and its monitors", "断面与监测点"),
     (

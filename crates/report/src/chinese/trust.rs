@@ -179,6 +179,13 @@ pub const TEXTS: Texts = &[
         "{names}: strength grows with pressure, and the weight of the ground is not in this run; it yields earlier and further than in place, most of all in tension",
         "{names}：强度随压力增长，而本次计算未计入地层自重；与实际相比屈服更早、范围更大，受拉时尤甚",
     ),
+    ("fibre stress of intact elements over the tensile strength", "完好单元的表层应力与抗拉强度之比"),
+    ("no lining of several points an element cracks", "没有多积分点单元的衬砌会开裂"),
+    (
+        "{body}, element {element} at {place} at {time} s; points inside an element crack later than its fibre: \
+         element = \"layered\" has points at both faces",
+        "{body}，单元 {element}，位于 {place}，{time} s 时；单元内部的积分点比表层开裂得晚：element = \"layered\" 在两个表面都有积分点",
+    ),
     ("implied fracture energy", "隐含断裂能"),
     ("implied fracture energy, {body}", "隐含断裂能，{body}"),
     (

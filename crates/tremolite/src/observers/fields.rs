@@ -113,7 +113,8 @@ impl FieldGrid {
                 grid.point_data.push(self.nodal("acceleration", "m/s2", &view.snapshot.acceleration));
             }
             Field::Stress => {
-                let values = self.slots.iter().flat_map(|s| mean(&s.places, points(s))).map(|x| x as f32).collect();
+                let values =
+                    self.slots.iter().flat_map(|s| mean(&s.places, points(s))).map(|x| x as f32).collect();
                 grid.cell_data.push(Array::new("stress", "Pa", 6, Values::Float32(values)));
             }
             Field::Principal => {

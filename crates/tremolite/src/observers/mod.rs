@@ -6,6 +6,7 @@ mod cracks;
 mod depth;
 mod energy;
 mod envelopes;
+mod fibres;
 mod fields;
 mod free_field;
 mod growth;
@@ -23,6 +24,7 @@ pub use cracks::Cracks;
 pub use depth::Depth;
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
+pub use fibres::Fibres;
 pub use fields::{FieldGrid, Fields};
 pub use free_field::{ColumnSeen, FreeField, FreeFieldSeen, Theory, chosen};
 pub use growth::Growth;
@@ -151,6 +153,7 @@ pub const OBSERVERS: &[Make] = &[
     |s| Ok(Depth::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Onsets::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Cracks::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
+    |s| Ok(Fibres::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
     // Behind the cracks, whose widths it writes.
     |s| Ok(Growth::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
     |s| Ok(Fields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),

@@ -68,7 +68,7 @@ pub fn versions(
                 known
             } else {
                 let of = &case.materials[change.material];
-                let Some(built) = regions::body(mesh, solid[own], of, Vec::new(), laws, band, problems)
+                let Some(built) = regions::body(case, mesh, solid[own], of, Vec::new(), laws, band, problems)
                 else {
                     return Vec::new();
                 };

@@ -3,11 +3,11 @@
 use crate::phrases::clauses;
 use crate::units::unit;
 use indexmap::IndexMap;
-use tremolite_case::{Case, Element, Fill, Material};
+use tremolite_case::{Case, Fill, Material};
 use tremolite_engine::Body;
 use tremolite_engine::extent::extents;
 use tremolite_engine::hexahedra::hex;
-use tremolite_kernels::{AnyMaterial, Law};
+use tremolite_kernels::{AnyMaterial, Law, Quadrature};
 use tremolite_laws::{Parameter, Value};
 use tremolite_mesh::Mesh;
 use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin, Said, said};
@@ -24,14 +24,13 @@ pub fn facts(
     let damping = damping(case, reference);
     let mut all: IndexMap<String, MaterialFacts> = IndexMap::new();
     let solid = case.regions.iter().filter_map(|r| match &r.fill {
-        Fill::Solid { material, element, .. } => Some((&case.materials[material.value], element.value)),
+        Fill::Solid { material, .. } => Some(&case.materials[material.value]),
         _ => None,
     });
-    let solid: Vec<(&Material, Element)> = solid.collect();
-    for (body, (material, element)) in bodies.iter().zip(&solid) {
+    let solid: Vec<&Material> = solid.collect();
+    for (body, material) in bodies.iter().zip(&solid) {
         let facts = all.entry(material.name.value.clone()).or_insert_with(|| {
-            let made_of_it =
-                bodies.iter().zip(&solid).filter(|(_, (m, _))| m.name.value == material.name.value);
+            let made_of_it = bodies.iter().zip(&solid).filter(|(_, m)| m.name.value == material.name.value);
             let elements = made_of_it.flat_map(|(body, _)| &body.elements);
             let law = laws.iter().find(|l| l.info.name == material.law.value);
             let parameters = law.map_or(&[][..], |l| l.info.parameters);
@@ -51,10 +50,10 @@ pub fn facts(
         facts.groups.push(MaterialGroup {
             names: body.name.clone(),
             elements: body.elements.len() as u64,
-            element: match element {
-                Element::OnePoint => "one-point".into(),
-                Element::Full => "full".into(),
-                Element::Layered => "layered".into(),
+            element: match body.quadrature {
+                Quadrature::OnePoint => "one-point".into(),
+                Quadrature::Full => "full".into(),
+                Quadrature::Layered(_) => "layered".into(),
             },
         });
     }

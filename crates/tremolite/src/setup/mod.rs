@@ -161,6 +161,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(warnings::of_laws(case, &bodies, &fields));
     warnings.extend(sides::warnings(case));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
+    warnings.extend(warnings::of_single_layers(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
     warnings.extend(of_bolts);
     warnings.extend(bare);

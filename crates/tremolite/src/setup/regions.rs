@@ -53,13 +53,14 @@ pub fn build(
         let elements: Vec<u32> =
             (0u32..).zip(&region_of).filter(|(_, of)| **of == Some(r)).map(|(e, _)| e).collect();
         let material = &case.materials[material.value];
-        bodies.extend(body(mesh, region, material, elements, laws, band, problems));
+        bodies.extend(body(case, mesh, region, material, elements, laws, band, problems));
     }
     bodies
 }
 
 /// A region's elements, or some of them, as a body of a material.
 pub fn body(
+    case: &Case,
     mesh: &Mesh,
     region: &Region,
     material: &Material,
@@ -77,7 +78,18 @@ pub fn body(
             "give at most 0.5; 0.06 is usual",
         ));
     }
-    let quadrature = match element.value {
+    let element = match element {
+        Some(word) => word.value,
+        None => generated(case, mesh, region).or_else(|| {
+            problems.push(Problem::new(
+                region.span.clone(),
+                "a region that is not of generated linings or shotcrete alone must say how its elements are integrated",
+                "write element = \"one-point\" for rock; \"layered\" for linings one element thick, \"full\" for others",
+            ));
+            None
+        })?,
+    };
+    let quadrature = match element {
         Element::OnePoint => Quadrature::OnePoint,
         Element::Full => Quadrature::Full,
         Element::Layered => Quadrature::Layered(layers(through.as_ref(), problems)),
@@ -112,6 +124,24 @@ pub fn body(
             None
         }
     }
+}
+
+/// How linings and shotcrete are integrated that the case's own generator makes, alone in a region; none of other groups.
+fn generated(case: &Case, mesh: &Mesh, region: &Region) -> Option<Element> {
+    let tremolite_case::Mesh::Caverns(made) = &case.mesh else { return None };
+    let layers = |group: &String| {
+        let mut parts = group.split('.');
+        let cavern = parts.next().and_then(|name| made.caverns.iter().find(|c| c.name.value == name))?;
+        match parts.next()? {
+            "lining" => cavern.lining.as_ref().map(|lining| lining.layers.value),
+            "shotcrete" => cavern.shotcrete.as_ref().map(|shotcrete| shotcrete.layers.value),
+            _ => None,
+        }
+    };
+    let fits = |name: &&String| region.groups.iter().any(|pattern| pattern::matches(pattern, name));
+    let layers: Option<Vec<u32>> = mesh.groups.keys().filter(fits).map(layers).collect();
+    let most = layers?.into_iter().max()?;
+    Some(if most == 1 { Element::Layered } else { Element::Full })
 }
 
 /// Points through the thickness, as many as there are rules for.

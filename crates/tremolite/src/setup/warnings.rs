@@ -7,6 +7,8 @@ use tremolite_case::{self as case, Case};
 use tremolite_engine::Body;
 use tremolite_engine::hexahedra::hex;
 use tremolite_kernels::Quadrature;
+use tremolite_laws::Role;
+use tremolite_laws::parameter::position;
 use tremolite_motion::Process;
 
 /// Speeds of P waves \[m/s\] that are nothing unusual: from loose soil to well beyond the stiffest rock.
@@ -79,8 +81,30 @@ pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body])
                      them showed half of its largest stress",
                     body.name
                 ),
-                "write element = \"full\" for it",
+                "write element = \"layered\" for it if it is one element thick, else \"full\"",
             ))
+        })
+        .collect()
+}
+
+/// Linings of 2×2×2 points in one layer, of a law that cracks.
+pub fn of_single_layers(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Problem> {
+    let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
+    let cracks = |body: &Body| position(body.material.info().history, Role::TensionDamage).is_some();
+    regions
+        .zip(bodies)
+        .filter(|(_, body)| body.quadrature == Quadrature::Full && cracks(body))
+        .filter(|(_, body)| stacks(mesh, &body.elements).iter().any(|stack| stack.len() == 1))
+        .map(|(region, body)| {
+            case::Problem::new(
+                region.span.clone(),
+                format!(
+                    "'{}' is one element thick, and 2×2×2 points lie inside it: in bending its fibre cracks at 1.7 times the \
+                     tensile strength, and its section bears 18 % too much",
+                    body.name
+                ),
+                "write element = \"layered\" for it",
+            )
         })
         .collect()
 }

@@ -175,7 +175,7 @@ fn created(evidence: &Evidence) -> TrustLine {
 fn hourglass(evidence: &Evidence) -> TrustLine {
     const ID: &str = "hourglass_energy";
     let name = said!("hourglass energy over strain energy");
-    if evidence.model.user_bodies().iter().all(|body| body.quadrature == Quadrature::Full) {
+    if evidence.model.user_bodies().iter().all(|body| body.quadrature != Quadrature::OnePoint) {
         return TrustLine::not_applicable(ID, name, said!("no one-point elements"));
     }
     let [hourglass, strain] = [Line::Hourglass, Line::Strain].map(|line| column(evidence, line));

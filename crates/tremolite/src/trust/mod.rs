@@ -5,6 +5,7 @@ mod before;
 mod bolts;
 mod cut_short;
 mod energy;
+mod fibres;
 mod interface;
 mod lining_closure;
 mod mass_damping;
@@ -33,6 +34,7 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
         lines.extend(waves::free_field(evidence));
         lines.extend(waves::record(evidence));
         lines.extend(energy::lines(evidence));
+        lines.push(fibres::line(evidence));
     }
     lines.extend(interface::lines(evidence));
     lines.extend(lining_closure::lines(evidence));

@@ -71,3 +71,65 @@ fn what_a_law_finds_unusual_and_a_field_that_none_can_fill_are_warned_of_once() 
     assert!(warnings.contains("counts as shear failure"), "{warnings}");
     assert!(warnings.contains("the field 'plastic'"), "{warnings}");
 }
+
+/// A slab of concrete, one element thick, under the same pulse.
+fn slab(folder: &Path, element: &str) -> Result<(), String> {
+    let samples: Vec<String> = (0..40).map(|i| (f64::from(i) * 0.3).sin().to_string()).collect();
+    std::fs::write(folder.join("pulse.txt"), samples.join("\n")).unwrap();
+    let text = format!(
+        r#"
+title = "slab"
+[mesh.box]
+x = {{ to = "4 m", elements = 4 }}
+y = {{ to = "2 m", elements = 2 }}
+z = {{ to = "0.5 m", elements = 1 }}
+[material.weak]
+law = "concrete-damage"
+young = "25 GPa"
+poisson = 0.17
+density = "2700 kg/m3"
+tensile_strength = "1.2 MPa"
+cohesion = "2 MPa"
+friction_angle = "46 deg"
+fracture_energy = "130 N/m"
+[[region]]
+groups = ["rock"]
+material = "weak"
+{element}
+[motion]
+kind = "outcrop"
+east = {{ file = "pulse.txt", units = "m/s2", dt = "0.01 s" }}
+process = ["baseline"]
+[dynamic]
+base = "viscous"
+sides = "periodic"
+[output]
+fields = ["damage"]
+"#
+    );
+    let infos: Vec<LawInfo> = laws().iter().map(|l| l.info).collect();
+    let case = Case::parse(&folder.join("case.toml"), &text, &infos).map_err(|e| e.to_string())?;
+    let made = setup(&case, &Laws::default(), Isa::best()).map_err(|e| e.to_string())?;
+    match made.warnings.is_empty() {
+        true => Ok(()),
+        false => Err(case.report(made.warnings).to_string()),
+    }
+}
+
+#[test]
+fn one_layer_of_2x2x2_points_is_warned_of_and_layers_are_as_many_as_there_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let said = |element: &str| slab(folder.path(), element).err().unwrap_or_default();
+    let warned = said("element = \"full\"");
+    assert!(warned.contains("one element thick") && warned.contains("\"layered\""), "{warned}");
+    for good in ["element = \"layered\"", "element = \"layered\"\npoints_through = 13"] {
+        assert_eq!(said(good), "", "{good}");
+    }
+    let refused = said("element = \"layered\"\npoints_through = 8");
+    assert!(refused.contains("7, 9 or 13"), "{refused}");
+    let refused = said("element = \"full\"\npoints_through = 9");
+    assert!(refused.contains("points_through"), "{refused}");
+    // What the generator has not made must say it.
+    let refused = said("");
+    assert!(refused.contains("must say how its elements are integrated"), "{refused}");
+}

@@ -16,7 +16,7 @@
 //! these: elements with slanted sides that pass the patch test are too stiff here (`macneal1987`), each in its way.
 
 use crate::convergence::order;
-use crate::models::{QUADRATURES, Solid, nodes_at_level};
+use crate::models::{LAYERED, QUADRATURES, Solid, nodes_at_level};
 use crate::simulation::Simulation;
 use crate::stiffness::Assembled;
 use crate::{Check, Effort, Problem, VerifyError};
@@ -107,7 +107,7 @@ fn theory(load: Load) -> [f64; 2] {
 
 fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let mut checks = Vec::new();
-    for (quadrature, word) in QUADRATURES {
+    for (quadrature, word) in QUADRATURES.into_iter().chain([LAYERED]) {
         for (load, what, _) in LOADS {
             let of = |n| tip(mesh(n, BRICKS)?, quadrature, Root::Beam, load);
             let (six, [bent, other]) = (of(6)?, theory(load));
@@ -130,7 +130,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
         }
     }
     for ((shape, lean), published) in SHAPES.into_iter().zip(PUBLISHED) {
-        for (quadrature, word) in QUADRATURES {
+        for (quadrature, word) in QUADRATURES.into_iter().chain([LAYERED]) {
             for ((load, what, theory), other) in LOADS.into_iter().zip(published) {
                 let found = tip(mesh(6, lean)?, quadrature, Root::Clamped, load)?;
                 let quantity = format!("{what} over theory {theory}, {shape}, {word}, beside OptiStruct HEX8");

@@ -44,7 +44,8 @@ impl Steps {
             let steps = material.elements.par_chunks(64).map(|chunk| {
                 let usable = chunk.iter().filter_map(|&e| Some((e, hex(mesh, e as usize).ok()?)));
                 let (elements, hexes): (Vec<u32>, Vec<_>) = usable.unzip();
-                let omegas = element_frequencies(&hexes, material.moduli, material.density, material.quadrature);
+                let omegas =
+                    element_frequencies(&hexes, material.moduli, material.density, material.quadrature);
                 elements.into_iter().zip(omegas.into_iter().map(|omega| 2.0 / omega)).collect::<Vec<_>>()
             });
             for (element, step) in steps.flatten_iter().collect::<Vec<_>>() {

@@ -1,8 +1,10 @@
 //! When damage starts, and how far it goes: (8)–(14), with bound tests that spare points far from it the work.
 
-use super::{Concrete, Driver, Evolution, Split};
+use super::{Concrete, Driver, Evolution, SMOOTHED_TENSION, Split};
 use crate::lane::Lane;
 use crate::lane::elementary::exp;
+use crate::material::Sym;
+use crate::sym3::principal_values;
 
 /// Bound tests stand off the thresholds by more than the round-off of what they compare.
 const SAFE: f64 = 1.0 - 1e-6;
@@ -61,6 +63,19 @@ impl Concrete {
         let b = values[1].larger(zero);
         let c = values[2].larger(zero);
         c.mul_add(c, b.mul_add(b, a * a)).sqrt() * L::splat(scale)
+    }
+
+    /// ε̄/(ε_ts f_ε) of an undamaged stress \[Pa\], with the rate of a point that has the stress `beside`.
+    pub(super) fn used(&self, stress: &Sym<f64>, beside: &Sym<f64>, history: &[f64]) -> f64 {
+        let equivalent = |stress: &Sym<f64>| {
+            let [xx, yy, zz, xy, yz, zx] = self.moduli.strain(stress);
+            let strain = principal_values(&[xx, yy, zz, 0.5 * xy, 0.5 * yz, 0.5 * zx]);
+            self.equivalent_strain(&strain, &principal_values(stress))
+        };
+        let factor = self.rate.as_ref().filter(|law| law.filter > 0.0).map_or(1.0, |law| {
+            law.tension.factor((equivalent(beside) - history[SMOOTHED_TENSION]) / law.filter)
+        });
+        equivalent(stress) / (factor * self.threshold())
     }
 
     /// Candidate of D⁺ at ε̄ ≥ ε_t, for thresholds times `factor` and a crack across an extent `size`.

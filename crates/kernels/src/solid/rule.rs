@@ -1,0 +1,168 @@
+//! Quadratures of the hexahedron, each with its geometry and kernel.
+
+use tremolite_laws::band::{BandStep, MEMORY};
+use tremolite_laws::shapes::hex8::{
+    FullGeometry, Given, Hex8, LayeredGeometry, Layers, MODAL_MEMORY, OnePointGeometry, Probe, Stabilisation,
+    Through, full, layered, one_point,
+};
+use tremolite_laws::{Lane, Material, Octet, Point, Row};
+
+/// A quadrature with its geometry and kernel.
+pub trait Rule: Send + Sync + 'static {
+    type Geometry: Copy + Send + Sync;
+    const EMPTY: Self::Geometry;
+    /// Points of an element.
+    fn points(&self) -> usize;
+    /// Octets that the damping bodies of eight elements keep.
+    fn memory(&self) -> usize {
+        self.points() * MEMORY
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation);
+
+    /// Forces of one octet.
+    ///
+    /// # Safety
+    /// All indices must be in range of both `rows` and `out`; the lane's instruction set must be enabled.
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
+        law: &M,
+        elastic: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        given: Given,
+        left: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    );
+}
+
+/// One point with stabilisation.
+pub struct OnePoint;
+
+/// 2×2×2 points.
+pub struct Full;
+
+/// 2×2 points in each of several layers. Their number is no parameter of the type: one instance of a kernel serves all.
+pub struct Layered(Through);
+
+impl Layered {
+    pub fn new(layers: Layers) -> Self {
+        Layered(Through::new(layers))
+    }
+}
+
+impl Rule for OnePoint {
+    type Geometry = OnePointGeometry;
+    const EMPTY: Self::Geometry = OnePointGeometry::EMPTY;
+    fn points(&self) -> usize {
+        1
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+        geometry.set(lane, hex, elastic);
+    }
+    #[inline(always)]
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
+        law: &M,
+        elastic: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        given: Given,
+        left: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            one_point::<L, M, PROBE>(
+                law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out,
+                probe,
+            )
+        }
+    }
+}
+
+impl Rule for Full {
+    type Geometry = FullGeometry;
+    const EMPTY: Self::Geometry = FullGeometry::EMPTY;
+    fn points(&self) -> usize {
+        8
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+        geometry.set(lane, hex, elastic);
+    }
+    #[inline(always)]
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
+        law: &M,
+        elastic: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        given: Given,
+        left: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            full::<L, M, PROBE>(
+                law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out,
+                probe,
+            )
+        }
+    }
+}
+
+impl Rule for Layered {
+    type Geometry = LayeredGeometry;
+    const EMPTY: Self::Geometry = LayeredGeometry::EMPTY;
+    fn points(&self) -> usize {
+        4 * self.0.count
+    }
+    fn memory(&self) -> usize {
+        MODAL_MEMORY
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+        geometry.set(lane, hex, elastic, &self.0);
+    }
+    #[inline(always)]
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
+        law: &M,
+        _: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        given: Given,
+        left: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            layered::<L, M, PROBE>(
+                &self.0, law, point, geometry, index, history, band, overstress, given, left, rows, out,
+                probe,
+            )
+        }
+    }
+}
