@@ -48,6 +48,8 @@ fn motion_that_is_cut_damped_away_or_seen_in_few_rows_fails_a_check_each() {
     let summary = shaken(folder, "damping = { rayleigh = { mass = \"0.3 1/s\" } }", "0.2 s");
     let coarse = line(&summary, "peaks_between_rows");
     assert!(!coarse.pass, "{coarse:?}");
+    let warned = |summary: &Summary| summary.before.iter().any(|said| said.contains("in a period of"));
+    assert!(warned(&summary) && !warned(&good), "{:?} {:?}", summary.before, good.before);
     // What every step had is told beside the rows'.
     let rows = &summary.monitors["top"];
     assert!(rows["ax"].step_max.unwrap() > 1.2 * rows["ax"].max, "{:?}", rows["ax"]);

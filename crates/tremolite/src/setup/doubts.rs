@@ -2,7 +2,7 @@
 
 use super::facts::{SiteFacts, largest};
 use super::records::Channels;
-use crate::trust::{MOST_MASS_DAMPING, NOT_RUN, left_after, mass_damping};
+use crate::trust::{MOST_MASS_DAMPING, MOST_MISSED, NOT_RUN, left_after, mass_damping};
 use std::f64::consts::PI;
 use tremolite_case::{self as case, Problem, Site};
 use tremolite_motion::{Channel, Motion, Process};
@@ -180,6 +180,27 @@ pub fn of_mass_damping(case: &case::Case, wave: &Motion) -> Option<Problem> {
                 100.0 * ratio
             ),
             "give less, or damping over a band: damping = { ratio = 0.03, band = [\"0.5 Hz\", \"20 Hz\"] }",
+        )
+    })
+}
+
+/// Rows of the histories that lie too far apart for the motion: half an interval beside its peak a wave of its central frequency has lost
+/// 1 − cos πfΔ. In a hall under a pulse of 4 Hz rows 0.02 s apart missed 4.9 % and 0.03 s apart 6 %, where this is 3 and 7 %.
+pub fn of_rows(case: &case::Case, wave: &Motion) -> Option<Problem> {
+    let histories = &case.output.histories;
+    let frequency = tremolite_motion::highest_frequency(wave, 0.5)?;
+    let missed = 1.0 - (PI * (frequency * histories.value).min(0.5)).cos();
+    (missed > MOST_MISSED).then(|| {
+        Problem::at(
+            histories,
+            format!(
+                "rows {} s apart are {:.1} in a period of {frequency:.2} Hz, below which half of the motion's energy lies: peaks between \
+                 them may be higher by {:.0} % and more",
+                histories.value,
+                1.0 / (frequency * histories.value),
+                100.0 * missed
+            ),
+            "give a shorter interval: largest stresses, section forces and widths of cracks are taken from rows",
         )
     })
 }

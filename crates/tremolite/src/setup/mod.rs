@@ -169,6 +169,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     warnings.extend(motion.and_then(|motion| doubts::of_duration(case, motion)));
     warnings.extend(motion.and_then(|motion| doubts::of_mass_damping(case, motion)));
+    warnings.extend(motion.and_then(|motion| doubts::of_rows(case, motion)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
     let dynamic = &case.dynamic;
     let shaking = |motion: &tremolite_motion::Motion| match &dynamic.duration {

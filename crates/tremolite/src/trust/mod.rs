@@ -18,6 +18,7 @@ mod waves;
 pub(crate) use cut_short::{NOT_RUN, left_after};
 pub(crate) use mass_damping::{MOST as MOST_MASS_DAMPING, ratio as mass_damping};
 pub(crate) use material::on_broken_elements;
+pub(crate) use rows::MISSED as MOST_MISSED;
 pub(crate) use waves::DRIFT;
 
 use crate::evidence::Evidence;
