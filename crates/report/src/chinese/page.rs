@@ -9,8 +9,8 @@ pub const TEXTS: Texts = &[
         "{place}，{time}；单条裂缝的宽度取决于网格",
     ),
     (
-        "How many cracks share an even stretch, and so how wide each is, goes by the mesh: a plain column parted in 2 cracks of 3.6 mm with elements of 1 m, and in 16 of up to 0.9 mm with elements of 0.06 m. What the cracks take together does not.",
-        "均匀受拉段由多少条裂缝分担、每条有多宽取决于网格：同一素混凝土柱用 1 m 单元时裂成 2 条、宽 3.6 mm，用 0.06 m 单元时裂成 16 条、宽至 0.9 mm；裂缝张开的总量则与网格无关。",
+        "How many cracks share an even stretch, and so how wide each is, goes by the mesh: smaller elements make more of them, each less wide. What the cracks take together does not go by it.",
+        "均匀受拉段由多少条裂缝分担、每条有多宽取决于网格：单元越小，裂缝越多、每条越窄；裂缝张开的总量则与网格无关。",
     ),
     ("Results", "计算结果"),
     (

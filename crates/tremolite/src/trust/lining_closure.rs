@@ -161,7 +161,7 @@ mod tests {
                 viscosity: 0.0,
             };
             let mut problem = Problem::new(mesh.clone(), vec![body("fill", &fill), body("ground", &ground)]);
-            let of = |name: &str, sides| Interface::new(name, sides, law.clone(), values.clone());
+            let of = |name: &str, sides| Interface::new(name, sides, law, values.clone());
             problem.interfaces = vec![of("linings", [fill, ground]), of("plane", [beyond, this])];
             let model = Model::new(problem).unwrap();
             let mut found = radii(&model.mesh, &model.seams[0]);
