@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::number;
 
-/// Stresses of a group over the run, sampled with the histories: in 2×2×2 elements at the fibre (extrapolated to their
+/// Stresses of a group over the run, sampled with the histories: in elements of several points at the fibre (extrapolated to their
 /// corners) as long as these are intact, else at integration points. Of the earthquake alone.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]

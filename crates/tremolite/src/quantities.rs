@@ -35,7 +35,7 @@ pub const MONITOR: [Quantity; 19] = [
     q(
         "sxx",
         "Pa",
-        "normal stress along x, tension positive: of the element (one-point), or extrapolated from its 2×2×2 points; \
+        "normal stress along x, tension positive: of the element (one-point), or extrapolated from its points; \
          of the nearest of them once one has cracked or yielded",
     ),
     q("syy", "Pa", "normal stress along y"),
@@ -207,7 +207,7 @@ impl Field {
             Field::Envelope => (
                 "envelope",
                 "displacement_max (m), s1_max, s3_min (Pa): extremes over time, sampled with the histories; stresses of \
-                 2×2×2 elements at the fibre (extrapolated to their corners) as long as they are intact, else at points",
+                 elements of several points at the fibre (extrapolated to their corners) as long as they are intact, else at points",
             ),
             Field::Damage => (
                 "damage",

@@ -9,7 +9,7 @@ use tremolite_engine::phase::ElementSlot;
 use tremolite_engine::state::Memory;
 
 /// Keeps the largest displacement by engine node, and the largest s1 and smallest s3 with their times by element (in the order
-/// of members), under the names below in the state. Stresses of 2×2×2 elements are those at the fibre as long as they are
+/// of members), under the names below in the state. Stresses of elements of several points are those at the fibre as long as they are
 /// intact.
 pub struct Envelopes {
     pub schedule: Schedule,

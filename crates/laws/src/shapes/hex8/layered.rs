@@ -103,10 +103,10 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
         while layer < through.count {
             let zeta = through.zeta[layer];
             let mut values = in_layer(&e, zeta);
-            let band = match &band {
-                Some((step, bodies)) => Some((step, bodies, bodies.in_layer(zeta))),
-                None => None,
-            };
+            let mut of_layer = None;
+            if let Some((step, bodies)) = &band {
+                of_layer = Some((step, bodies, bodies.in_layer(zeta)));
+            }
             let mut q = 0;
             while q < 4 {
                 let p = 4 * layer + q;
@@ -126,7 +126,7 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
                     L::splat(through.weight[layer]) * L::splat(zeta).mul_add(linear, L::load(&depth[0], at));
                 let mut stress = of_law;
                 let mut held = zero;
-                if let Some((step, bodies, here)) = &band {
+                if let Some((step, bodies, here)) = &of_layer {
                     let (before, now) = (super::unbroken(material, &old), super::unbroken(material, &new));
                     stress = super::plus(stress, here.stress(step, q, now));
                     let here = bodies.taken(step, here, overstress, (zeta, q), before, now, at);
