@@ -51,7 +51,10 @@ fn stress(source: &Source, snapshots: &Snapshots) -> Section {
     let smooth = fields.smooth(&slice, &cut.field);
     let when = match cut.field.as_str() {
         "s1_max" => {
-            say!(language, "of each element the largest over the run, of intact elements of several points at the fibre")
+            say!(
+                language,
+                "of each element the largest over the run, of intact elements of several points at the fibre"
+            )
         }
         _ => snapshots.at(snapshots.last().time),
     };

@@ -1,10 +1,9 @@
 //! Motion above the band of what comes in, beside interfaces: what slides may feed vibrations at the mesh's own frequencies.
 //!
-//! Friction follows the pressure, so a pair that slides can drive a body that rings; every piece obeys its law, the balance closes,
+//! Friction follows the pressure, so pairs that slide can drive a body that rings; every piece obeys its law, the balance closes,
 //! and the body slides too far. So the acceleration of the nodes of pairs is parted at [`ABOVE`] times the highest frequency of
-//! the motion (99.9 % of its energy lies below), by a Butterworth filter of fourth order, step by step. An interval between rows at
-//! whose ends more than half the interface is open does not count: what comes off and hits rings. Less does count, for pairs that
-//! ring hop.
+//! the motion (99.9 % of its energy lies below), by a Butterworth filter of fourth order, step by step. An interval between two rows counts
+//! at a pair that is closed at both ends of it, between elements that have not cracked: what hits and what breaks rings as well.
 
 use super::{Observer, Schedule, Setting, Stepped, View};
 use crate::error::RunError;
@@ -12,43 +11,46 @@ use crate::setup::facts::ENERGY_SHARE;
 use std::ops::Range;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
+use tremolite_laws::Role;
 use tremolite_motion::{Band, Filter, Section, highest_frequency};
 
-/// Key of what this observer remembers: [`Sums`] of each interface, then [`EACH`] numbers of each node that it follows.
+/// Key of what this observer remembers: [`SUMS`] numbers of each interface, then [`EACH`] of each pair that it follows.
 const MEMORY: &str = "ringing";
 /// The band above begins at this many times the highest frequency that comes in.
-pub const ABOVE: f64 = 2.0;
-/// Share of an interface's area that is open while nothing counts.
-const OPEN: f64 = 0.5;
-/// Nodes followed on each side of an interface, about.
+const ABOVE: f64 = 2.0;
+/// Pairs followed of an interface, at most.
 const MOST: usize = 128;
+/// Damage in tension beyond which an element has cracked.
+const CRACKED: f64 = 0.5;
 /// Sections of the filter.
 const SECTIONS: usize = 2;
-/// Numbers of a node: velocity of the last step, and two of each section by component.
-const EACH: usize = 3 * (1 + 2 * SECTIONS);
-/// Numbers of an interface.
-const SUMS: usize = 8;
+/// Numbers of a component of motion: the velocity of the last step, and two of each section.
+const COMPONENT: usize = 1 + 2 * SECTIONS;
+/// Numbers of a pair: squares above the band and below since the last row, whether that row leaves it out, then its two nodes'.
+const EACH: usize = 3 + 6 * COMPONENT;
+/// Numbers of an interface: squares above and below, and steps, by the shares of the pairs that count; steps since the last row.
+const SUMS: usize = 4;
 
 /// What is known of an interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ringing {
-    /// Root mean squares of the acceleration above the band and below \[m/s²\], over area and the time that counts.
+    /// Root mean squares of the acceleration above the band and below \[m/s²\], over the area and time that count.
     pub above: f64,
     pub below: f64,
-    /// Share of the shaking that counts.
+    /// Share of area and time that counts.
     pub counted: f64,
     /// Where the band above begins \[Hz\].
     pub corner: f64,
 }
 
 impl Ringing {
-    /// What was seen at an interface of the user's; nothing where no wave comes in or no row has been written.
-    pub fn of(model: &Model, memory: &Memory, interface: usize) -> Option<Self> {
+    /// What was seen at an interface of the user's after some steps; nothing where no wave comes in or nothing was followed.
+    pub fn of(model: &Model, memory: &Memory, interface: usize, steps: u64) -> Option<Self> {
         let kept = memory.get(MEMORY)?.get(SUMS * interface..SUMS * (interface + 1))?;
-        let &[above, below, _, _, steps, all, ..] = kept else { return None };
-        (all > 0.0).then_some(())?;
-        let mean = |sum: f64| if steps > 0.0 { (sum / steps).sqrt() } else { 0.0 };
-        Some(Ringing { above: mean(above), below: mean(below), counted: steps / all, corner: corner(model)? })
+        let &[above, below, counted, _] = kept else { return None };
+        let mean = |sum: f64| if counted > 0.0 { (sum / counted).sqrt() } else { 0.0 };
+        let [above, below] = [above, below].map(mean);
+        Some(Ringing { above, below, counted: counted / steps as f64, corner: corner(model)? })
     }
 }
 
@@ -57,19 +59,24 @@ fn corner(model: &Model) -> Option<f64> {
     Some(ABOVE * highest_frequency(&model.incident.as_ref()?.motion, ENERGY_SHARE)?)
 }
 
-/// A node that is followed, with its share of what is followed of its interface.
+/// A pair that is followed.
 struct Followed {
-    node: usize,
+    /// Its number among those of the interface.
+    pair: usize,
+    nodes: [usize; 2],
+    /// Elements on both sides.
+    elements: Vec<u32>,
+    /// Of the area that is followed of its interface.
     share: f64,
 }
 
-/// Follows nodes of interfaces through every step.
+/// Follows pairs of interfaces through every step.
 pub struct Rings {
     schedule: Schedule,
     sections: Vec<Section>,
-    /// By interface, its nodes among `followed`.
-    of: Vec<Range<usize>>,
     followed: Vec<Followed>,
+    /// By interface, which of them are its own.
+    of: Vec<Range<usize>>,
 }
 
 impl Rings {
@@ -83,79 +90,96 @@ impl Rings {
         let (mut of, mut followed) = (Vec::new(), Vec::new());
         for seam in model.user_seams() {
             let first = followed.len();
-            let every = seam.pairs.len().div_ceil(MOST).max(1);
-            let pairs = || seam.pairs.iter().step_by(every);
-            let area: f64 = pairs().map(|pair| pair.area).sum();
-            for pair in pairs() {
-                followed.extend(pair.nodes.map(|node| Followed {
-                    node: model.engine_node[node as usize] as usize,
-                    share: 0.5 * pair.area / area,
-                }));
-            }
+            let lasting: Vec<usize> = seam.lasting().collect();
+            let chosen = || lasting.iter().step_by(lasting.len().div_ceil(MOST).max(1));
+            let area: f64 = chosen().map(|&k| seam.pairs[k].area).sum();
+            followed.extend(chosen().map(|&pair| {
+                let shape = &seam.pairs[pair];
+                let faces = shape.corners.iter().map(|(face, _)| *face as usize);
+                Followed {
+                    pair,
+                    nodes: shape.nodes.map(|node| model.engine_node[node as usize] as usize),
+                    elements: faces.flat_map(|face| seam.faces[face].map(|face| face.element)).collect(),
+                    share: shape.area / area,
+                }
+            }));
             of.push(first..followed.len());
         }
-        Some(Rings { schedule: setting.rows(), sections: filter.sections().to_vec(), of, followed })
+        Some(Rings { schedule: setting.rows(), sections: filter.sections().to_vec(), followed, of })
     }
 
-    fn kept<'m>(&self, memory: &'m mut Memory) -> &'m mut Vec<f64> {
-        let length = SUMS * self.of.len() + EACH * self.followed.len();
-        memory.entry(MEMORY.into()).or_insert_with(|| vec![0.0; length])
+    /// What is remembered of interfaces, and of pairs.
+    fn kept<'m>(&self, memory: &'m mut Memory) -> (&'m mut [f64], &'m mut [f64]) {
+        let sums = SUMS * self.of.len();
+        let kept =
+            memory.entry(MEMORY.into()).or_insert_with(|| vec![0.0; sums + EACH * self.followed.len()]);
+        kept.split_at_mut(sums)
+    }
+
+    /// Squares of what the filter lets through of a node's acceleration in a step, and of the rest.
+    fn squares(&self, velocity: [f64; 3], dt: f64, own: &mut [f64]) -> [f64; 2] {
+        let mut squares = [0.0; 2];
+        for (v, own) in velocity.into_iter().zip(own.chunks_exact_mut(COMPONENT)) {
+            let acceleration = (v - own[0]) / dt;
+            own[0] = v;
+            let mut x = acceleration;
+            for (Section { b, a }, z) in self.sections.iter().zip(own[1..].chunks_exact_mut(2)) {
+                let y = b[0] * x + z[0];
+                z[0] = b[1] * x - a[0] * y + z[1];
+                z[1] = b[2] * x - a[1] * y;
+                x = y;
+            }
+            squares[0] += x * x;
+            squares[1] += (acceleration - x) * (acceleration - x);
+        }
+        squares
     }
 }
 
-/// [`SUMS`] numbers in this order: squares above and below that count, those since the last row, steps that count, all steps, those
-/// since the last row, and whether it was open there.
 impl Observer for Rings {
     fn schedule(&self) -> Schedule {
         self.schedule
     }
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let View { model, assembly, history, .. } = *view;
-        let kept = self.kept(memory);
-        for (i, (seam, contacts)) in model.user_seams().iter().zip(&assembly.contacts).enumerate() {
-            let [above, below, above_now, below_now, counted, all, steps, was_open] =
-                &mut kept[SUMS * i..][..SUMS]
-            else {
-                continue;
-            };
-            let open = contacts.totals(seam, history.octets).open > OPEN * seam.area();
-            if !open && *was_open == 0.0 {
-                *above += *above_now;
-                *below += *below_now;
-                *counted += *steps;
+        let View { assembly, history, phase, .. } = *view;
+        let cracked = |element: &u32| {
+            let Some(slot) = &phase.element_slot[*element as usize] else { return false };
+            let damage = history.with_role(slot, Role::TensionDamage);
+            damage.is_some_and(|column| history.values(slot, column).any(|d| d > CRACKED))
+        };
+        let (sums, pairs) = self.kept(memory);
+        for ((of, contacts), sums) in self.of.iter().zip(&assembly.contacts).zip(sums.chunks_exact_mut(SUMS))
+        {
+            let steps = std::mem::take(&mut sums[3]);
+            for (followed, own) in
+                self.followed[of.clone()].iter().zip(pairs[EACH * of.start..].chunks_exact_mut(EACH))
+            {
+                let out = contacts.seen(history.octets, followed.pair).state == OPEN
+                    || followed.elements.iter().any(cracked);
+                if !out && own[2] == 0.0 {
+                    let more = [own[0], own[1], steps].map(|x| followed.share * x);
+                    sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+                }
+                own[..3].copy_from_slice(&[0.0, 0.0, f64::from(u8::from(out))]);
             }
-            *all += *steps;
-            (*above_now, *below_now, *steps, *was_open) = (0.0, 0.0, 0.0, f64::from(u8::from(open)));
         }
         Ok(())
     }
 
     fn stepped(&mut self, step: &Stepped, memory: &mut Memory) {
         let Stepped { du, dt, .. } = *step;
-        let seams = self.of.len();
-        let kept = self.kept(memory);
-        let (sums, nodes) = kept.split_at_mut(SUMS * seams);
-        for (sums, of) in sums.chunks_exact_mut(SUMS).zip(&self.of) {
-            sums[6] += 1.0;
-            for (followed, own) in
-                self.followed[of.clone()].iter().zip(nodes[EACH * of.start..].chunks_exact_mut(EACH))
-            {
-                let velocity = du[followed.node].xyz().map(|d| d / dt);
-                for (v, own) in velocity.into_iter().zip(own.chunks_exact_mut(EACH / 3)) {
-                    let a = (v - own[0]) / dt;
-                    own[0] = v;
-                    let mut x = a;
-                    for (Section { b, a }, z) in self.sections.iter().zip(own[1..].chunks_exact_mut(2)) {
-                        let y = b[0] * x + z[0];
-                        z[0] = b[1] * x - a[0] * y + z[1];
-                        z[1] = b[2] * x - a[1] * y;
-                        x = y;
-                    }
-                    sums[2] += followed.share * x * x;
-                    sums[3] += followed.share * (a - x) * (a - x);
-                }
+        let (sums, pairs) = self.kept(memory);
+        sums.chunks_exact_mut(SUMS).for_each(|sums| sums[3] += 1.0);
+        for (followed, own) in self.followed.iter().zip(pairs.chunks_exact_mut(EACH)) {
+            let (found, nodes) = own.split_at_mut(3);
+            for (node, own) in followed.nodes.iter().zip(nodes.chunks_exact_mut(3 * COMPONENT)) {
+                let squares = self.squares(du[*node].xyz().map(|d| d / dt), dt, own);
+                found.iter_mut().zip(squares).for_each(|(sum, more)| *sum += 0.5 * more);
             }
         }
     }
 }
+
+/// The state of a pair that is open.
+const OPEN: u8 = 3;

@@ -26,7 +26,7 @@ const CHOSEN: f64 = 0.1;
 /// Acceleration above the input's band over that below, beside an interface: a block on a slope slides by a thousandth too far at
 /// 3, by one part in fifty at 8, and right below 1.
 const RINGING: f64 = 1.0;
-/// Share of the shaking that must count, or nothing is said of ringing.
+/// Share of area and time that must count, or nothing is said of ringing.
 const LEAST_COUNTED: f64 = 0.05;
 /// Round-off of a step that is to be a share of another.
 const ROUND_OFF: f64 = 1e-9;
@@ -180,13 +180,13 @@ fn ringing(evidence: &Evidence, number: usize) -> TrustLine {
     let name = said!("{check}, {interface}", check = ringing_name(), interface = &seam.name);
     let none = |why: Said| TrustLine::not_applicable(&id, name.clone(), why);
     let Some(Ringing { above, below, counted, corner }) =
-        Ringing::of(model, &outcome.state.observers, number)
+        Ringing::of(model, &outcome.state.observers, number, outcome.taken)
     else {
         return none(said!("no wave comes in"));
     };
     if counted < LEAST_COUNTED {
         return none(said!(
-            "more than half of it was open in {share} % of the rows, and what comes off and hits rings",
+            "{share} % of it was open or beside cracked elements, over area and time, and what hits and what breaks rings",
             share = format!("{:.0}", 100.0 * (1.0 - counted)),
         ));
     }
@@ -197,7 +197,7 @@ fn ringing(evidence: &Evidence, number: usize) -> TrustLine {
         .with("counted", counted)
         .with_note(said!(
             "acceleration of its nodes above {corner} Hz, twice the highest frequency that comes in, {above} m/s², over that below, \
-             {below} m/s²; root mean squares over {share} % of the shaking, in the rest of which most of it was open. What slides feeds \
+             {below} m/s²; root mean squares over {share} % of area and time: elsewhere it was open, or beside cracked elements. What slides feeds \
              such vibrations, and slides further by them: give the interface more `viscosity`",
             corner = format!("{corner:.1}"),
             above = format!("{above:.3}"),
