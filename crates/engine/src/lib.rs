@@ -23,6 +23,7 @@ pub mod life;
 pub mod member;
 pub mod model;
 pub mod outer_faces;
+mod pair_masses;
 pub mod parts;
 mod patch_part;
 pub mod phase;

@@ -18,6 +18,7 @@
 //! chunks of nodes in ascending order, so bits do not depend on threads.
 
 mod accounts;
+mod bonded;
 mod freed;
 mod gather;
 mod hand_over;

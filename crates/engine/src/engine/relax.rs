@@ -90,8 +90,6 @@ const FOLLOW: f64 = 0.1;
 /// Share of the largest motion of the stages before that a stage may count as its own: a lining that is placed moves a
 /// hundredth of what the excavation did, and what is left must be small beside that.
 const SMALL: f64 = 0.01;
-/// How much further from balance a model may be once pairs are freed that hold: what is left at a node is then shared by two.
-const SHARED: f64 = 2.0;
 /// Motion \[m\] that is none.
 const STILL: f64 = 1e-9;
 /// Cycles between looks at how far elements have strained.
@@ -201,42 +199,13 @@ impl Engine<'_> {
         relaxed
     }
 
-    fn bonded_then_free(&mut self, state: &mut State, release: &Release, watch: &mut Watch) -> Relaxed {
-        // It has all the faces that this engine's own phase has, so it can be made.
-        let Ok(phase) = Phase::bonded(self.model, self.assembly) else {
-            return self.come_to_rest(state, release, watch);
-        };
-        let bonded = Engine::new(self.model, self.assembly, &phase).come_to_rest(state, release, watch);
-        let Relaxed::AtRest(rest) = bonded else { return bonded };
-        state.relaxing = Relaxing { freed: 1, ..Relaxing::default() };
-        self.free_loaded(state);
-        self.evaluated = None;
-        self.evaluate(state, None);
-        if self.out_of_balance() <= SHARED * release.tolerance[0] {
-            return bonded;
-        }
-        match self.come_to_rest(state, release, watch) {
-            Relaxed::AtRest(more) => Relaxed::AtRest(Rest { cycles: rest.cycles + more.cycles, ..more }),
-            other => other,
-        }
-    }
-
-    /// Σ|R| over Σ|contributions| of the forces last evaluated, with nothing held.
-    fn out_of_balance(&self) -> f64 {
-        let Engine { phase, contributions, .. } = self;
-        let (mut unbalanced, mut whole) = (0.0, 0.0);
-        for node in 0..phase.master.len() {
-            let force = force(phase, contributions, node);
-            let free = phase.inverse_mass[node].0.map(|w| f64::from(u8::from(w > 0.0)));
-            unbalanced += length(Row([0, 1, 2, 3].map(|i| free[i] * force.0[i])));
-            let slots = phase.start[node] as usize..phase.start[node + 1] as usize;
-            whole += phase.slot[slots].iter().map(|&slot| length(contributions[slot as usize])).sum::<f64>();
-        }
-        if whole > 0.0 { unbalanced / whole } else { 0.0 }
-    }
-
     /// Until it is at rest, or given up.
-    fn come_to_rest(&mut self, state: &mut State, release: &Release, watch: &mut Watch) -> Relaxed {
+    pub(super) fn come_to_rest(
+        &mut self,
+        state: &mut State,
+        release: &Release,
+        watch: &mut Watch,
+    ) -> Relaxed {
         let masses = masses(self.model, self.assembly, self.phase);
         self.evaluated = None;
         if state.relaxing.cycle == 0 {

@@ -13,8 +13,7 @@ const INITIAL: f64 = 0.1;
 
 /// Change of the initial stress over itself.
 const CHANGE: f64 = 0.1;
-/// The same of a single element: on a slope of 45° the foot changes by a third, and one that changes by as much as it has does not
-/// fit its neighbours.
+/// The same of a single element: one whose stress changes by as much as it has, or as all have in the mean, began with another's.
 const LOCAL: f64 = 1.0;
 
 const HELD_ID: &str = "held_at_the_end";

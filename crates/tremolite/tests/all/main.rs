@@ -24,6 +24,7 @@ mod recorded;
 mod reinforcement;
 mod relax;
 mod rims;
+mod rims_cavern;
 mod runs;
 mod setup_materials;
 mod shapes;
