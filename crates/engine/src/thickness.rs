@@ -21,7 +21,7 @@ const CLEARLY: f64 = 1.5;
 ///
 /// From each element ways lead along its natural axes, from face to opposite face, until the layered elements end; the shortest is
 /// through the thickness, and interfaces at its ends speak for it. Ways that come back, or end at a side of the model that is a cut
-/// and no free surface, count for nothing. Where no way is clearly the shortest, as where walls meet, an element has the axis of a
+/// and no free surface, count for nothing unless all do. Where no way is clearly the shortest, as where walls meet, an element has the axis of a
 /// neighbour: any is as good there, and integrates elastic stress exactly. Elements that take over from others, and those outside
 /// sides, have the axis of what they were made of.
 ///
@@ -63,11 +63,14 @@ pub fn axes(
         .filter(|seam| seam.of.is_none())
         .flat_map(|seam| seam.faces.iter().flatten().copied())
         .collect();
-    let told: Vec<(u32, usize)> = found
-        .lengths
-        .keys()
-        .filter_map(|&element| Some((element, by_itself([0, 1, 2].map(|k| found.way(element, k, &beside)))?)))
-        .collect();
+    let told = found.lengths.keys().filter_map(|&element| {
+        let ways = |cuts| [0, 1, 2].map(|k| found.way(element, k, &beside, cuts));
+        let all = ways(true);
+        // A piece between cuts alone, such as an element on its own between supports.
+        let seen = if all.iter().all(|way| way.is_infinite()) { ways(false) } else { all };
+        Some((element, by_itself(seen)?))
+    });
+    let told: Vec<(u32, usize)> = told.collect();
     found.axis.extend(told);
     found.ask_neighbours()?;
     for (element, axis) in &found.axis {
@@ -166,7 +169,7 @@ impl<'a> Found<'a> {
     }
 
     /// Length \[m\] of the way through an element along an axis, less where an interface lies at its end; none is endless.
-    fn way(&self, element: u32, axis: usize, beside: &BTreeSet<Face>) -> f64 {
+    fn way(&self, element: u32, axis: usize, beside: &BTreeSet<Face>, cuts: bool) -> f64 {
         let mut length = self.lengths[&element][axis];
         if length.is_infinite() {
             return length;
@@ -187,7 +190,7 @@ impl<'a> Found<'a> {
                 face = Face { element: entered.element, side: entered.side ^ 1 };
             }
             met |= beside.contains(&face);
-            if self.is_cut(face) {
+            if cuts && self.is_cut(face) {
                 return f64::INFINITY;
             }
         }
