@@ -30,9 +30,10 @@ density = "2600 kg/m3"
 [[region]]
 groups = ["low", "high", "hall"]
 material = "rock"
+element = "full"
 [[region]]
 groups = ["gallery"]
-material = "{gallery}"
+material = {gallery}
 [[interface]]
 name = "fault"
 between = ["low", "high"]
@@ -72,7 +73,7 @@ fn checks(folder: &Path) -> Vec<(f64, bool, String)> {
 fn stress_that_does_not_fit_at_one_place_is_told_with_it_and_with_the_interface_there() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    case(folder, "rock");
+    case(folder, "\"rock\"\nelement = \"full\"");
     let good = checks(folder);
     for (value, pass, _) in &good {
         assert!(*pass && *value < 1e-9, "{good:?}");
@@ -80,7 +81,7 @@ fn stress_that_does_not_fit_at_one_place_is_told_with_it_and_with_the_interface_
     let stage = String::from_utf8_lossy(&bytes(folder, "out", "stages/000.vtu")).into_owned();
     assert!(stage.contains("\"initial_motion\""));
 
-    case(folder, "void");
+    case(folder, "\"void\"");
     let wrong = checks(folder);
     assert!(wrong[0].1 && !wrong[1].1 && !wrong[3].1, "{wrong:?}");
     for (_, _, note) in [&wrong[1], &wrong[3]] {
