@@ -232,7 +232,7 @@ fn what_was_left_out_is_listed_with_values_and_materials_with_what_their_laws_de
     assert!(value("material.concrete.compressive_strength").starts_with("9.9 MPa ("));
     assert!(value("dynamic.time_step").contains(" µs (") || value("dynamic.time_step").contains(" ms ("));
     let facts = &summary.materials["concrete"];
-    assert_eq!((facts.law.as_str(), facts.groups[0].element.as_str()), ("concrete-damage", "full"));
+    assert_eq!((facts.law.as_str(), facts.groups[0].element.as_str()), ("concrete-damage", "layered"));
     assert!(facts.values.iter().any(|v| v.name == "ultimate_strain" && (v.value - 4.8e-4).abs() < 1e-9));
     assert!(results.join("damage.csv").is_file());
     assert!(

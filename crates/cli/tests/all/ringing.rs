@@ -73,5 +73,5 @@ fn a_block_that_chatters_on_a_slope_fails_the_check_of_ringing_and_one_with_visc
     let (bad, further) = shaken(folder.path(), "viscosity = 0");
     assert!(!bad.pass, "{bad:?}");
     // Newmark's rigid block slides by 62.9 mm (`block_on_slope`).
-    assert!((slip - 0.0629).abs() < 0.02 * 0.0629 && further > 1.05 * slip, "{slip} m, {further} m");
+    assert!((slip - 0.0629).abs() < 0.02 * 0.0629 && further > 1.01 * slip, "{slip} m, {further} m");
 }
