@@ -67,10 +67,10 @@ impl NearSide {
     }
 }
 
-/// The openings of what stands in the shaking. What reaches the top of the model is the ground's surface, cuts and shafts from there
+/// The openings of what stands in a stage. What reaches the top of the model is the ground's surface, cuts and shafts from there
 /// included, and no opening.
-pub fn openings(model: &Model) -> Vec<Opening> {
-    let standing = model.standing(Stage::Shaking);
+pub fn openings(model: &Model, stage: Stage) -> Vec<Opening> {
+    let standing = model.standing(stage);
     let (low, high) = model.faces.bounds;
     // Where an interface parts them faces lie at the same places with other nodes.
     let place = |node: u32| model.places.get(node as usize).copied().unwrap_or(node);
@@ -145,7 +145,7 @@ fn root(parent: &mut BTreeMap<u32, u32>, mut node: u32) -> u32 {
 /// Each boundary that stands for ground that goes on, with the opening for which it is nearest. Periodic sides, those that `mirrored`
 /// says stand for a mirror, free ones, and boundaries that all openings reach are none; the top is one where an overburden presses.
 pub fn near_sides(model: &Model, mirrored: [bool; 2]) -> Vec<NearSide> {
-    let openings = openings(model);
+    let openings = openings(model, Stage::Shaking);
     let (low, high) = model.faces.bounds;
     let presses = model.tractions.iter().flat_map(|traction| &traction.faces).any(|(face, _)| {
         let top = |n: u32| (model.mesh.nodes[n as usize][2] - high[2]).abs() <= NEAR * (high[2] - low[2]);

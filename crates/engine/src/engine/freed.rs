@@ -49,8 +49,9 @@ impl Engine<'_> {
             for (i, &e) in patch.elements.iter().enumerate().filter(|(_, e)| wanted.contains(e)) {
                 let first = assembly.slices[m].points.start + i * points;
                 let mut mean = [0.0; 6];
-                for point in &snapshot.stress[first..first + points] {
-                    (0..6).for_each(|c| mean[c] += point[c] / points as f64);
+                let shares = model.bodies[patch.body].quadrature.shares();
+                for (point, share) in snapshot.stress[first..first + points].iter().zip(shares) {
+                    (0..6).for_each(|c| mean[c] += share * point[c]);
                 }
                 stresses.insert(e, mean);
             }

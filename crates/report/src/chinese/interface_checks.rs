@@ -15,12 +15,12 @@ pub const TEXTS: Texts = &[
     ("time step times frequency of the stiffest pair", "时间步长与最刚节点对频率之积"),
     ("motion above the input's band beside the interface", "接触面附近高于输入频带的运动"),
     (
-        "{share} % of it was open or beside cracked elements, over area and time, and what hits and what breaks rings",
-        "按面积和时间计，{share} % 处于张开状态或紧邻开裂单元，而碰撞和开裂必然引起高频振动",
+        "between sound elements, and apart from what hits, it slid over {share} % of area and time alone",
+        "在完好单元之间且远离碰撞之处，滑移仅占面积和时间的 {share} %",
     ),
     (
-        "acceleration of its nodes above {corner} Hz, twice the highest frequency that comes in, {above} m/s², over that below, {below} m/s²; root mean squares over {share} % of area and time: elsewhere it was open, or beside cracked elements. What slides feeds such vibrations, and slides further by them: give the interface more `viscosity`",
-        "其节点高于 {corner} Hz（输入最高频率的两倍）的加速度 {above} m/s² 与低于该频率的加速度 {below} m/s² 之比；为面积和时间的 {share} % 上的均方根值，其余处于张开状态或紧邻开裂单元。滑移会激发这种振动，并因此滑得更远：请为接触面给出更大的 `viscosity`",
+        "acceleration of its nodes above {corner} Hz, twice the highest frequency that comes in, {above} m/s², over that below, {below} m/s²; root mean squares over {share} % of area and time: where it slid between sound elements, away from what was open. What slides feeds such vibrations, and slides further by them: give the interface more `viscosity`",
+        "其节点高于 {corner} Hz（输入最高频率的两倍）的加速度 {above} m/s² 与低于该频率的加速度 {below} m/s² 之比；为面积和时间的 {share} % 上的均方根值，即在完好单元之间滑移且远离张开处的部分。滑移会激发这种振动，并因此滑得更远：请为接触面给出更大的 `viscosity`",
     ),
     ("closure of the interface over that of the elements beside it", "接触面闭合量与相邻单元压缩量之比"),
     ("{check}, {interface}", "{check}，{interface}"),

@@ -5,11 +5,14 @@ use crate::error::RunError;
 use crate::point_stress::stress_at;
 use crate::stacks::stacks;
 use tremolite_engine::Quadrature;
+use tremolite_engine::hexahedra::{hex, hex_nodes};
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::Memory;
+use tremolite_kernels::Points;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
+use tremolite_laws::shapes::hex8::elastic_stress;
 
 /// An element whose thickness is known, with the natural axis through it.
 struct Cell {
@@ -22,7 +25,8 @@ struct Cell {
 /// ([`Fibres::MEMORY`], three numbers each; nothing seen is zero).
 ///
 /// A fibre lies at the end of a row of points through the thickness; layered elements have a point there, 2×2×2 points are
-/// extrapolated to it. Elements of one point have no fibres, and where walls meet nothing is a thickness.
+/// extrapolated to it. Elements of one point have no fibres, and where walls meet nothing is a thickness. Laws crack by their own stress:
+/// where Maxwell bodies stand beside one, it is that of the first row, when these carry nothing, and what the strain since then adds.
 pub struct Fibres {
     schedule: Schedule,
     cells: Vec<Cell>,
@@ -31,12 +35,25 @@ pub struct Fibres {
 
 impl Fibres {
     pub const MEMORY: &'static str = "fibre use";
+    /// Stresses \[Pa\] at the points of elements with Maxwell bodies in the first row, element by element.
+    const FIRST: &'static str = "stress of the first row at points of linings";
 
     /// The observer, if a body of several points an element can crack.
     pub fn new(setting: &Setting) -> Option<Self> {
         let cells = cells(setting.model, setting.phase);
         let bodies = setting.model.user_bodies().len();
         (!cells.is_empty()).then(|| Fibres { schedule: setting.rows(), cells, bodies })
+    }
+
+    fn first(&self, view: &View) -> Vec<f64> {
+        let View { model, phase, snapshot, .. } = *view;
+        let banded = self.cells.iter().filter(|cell| model.bodies[cell.body].material.band().is_some());
+        let slots = banded.filter_map(|cell| phase.element_slot[cell.element as usize]);
+        slots
+            .flat_map(|slot| &snapshot.stress[slot.point as usize..][..slot.points as usize])
+            .flatten()
+            .copied()
+            .collect()
     }
 }
 
@@ -70,14 +87,33 @@ impl Observer for Fibres {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, phase, snapshot, history, .. } = *view;
         let mut kept = memory.remove(Self::MEMORY).unwrap_or_else(|| vec![0.0; 3 * self.bodies]);
+        let first = memory.remove(Self::FIRST).unwrap_or_else(|| self.first(view));
+        let mut rest = first.as_chunks::<6>().0;
         for &Cell { element, axis, body } in &self.cells {
             let Some(slot) = phase.element_slot[element as usize] else { continue };
+            let material = &model.bodies[body].material;
+            let points = &snapshot.stress[slot.point as usize..][..slot.points as usize];
+            let mut before = points;
+            if material.band().is_some() {
+                (before, rest) = rest.split_at(points.len().min(rest.len()));
+            }
             if history.is_damaged(&slot) {
                 continue;
             }
-            let material = &model.bodies[body].material;
-            let first = slot.point as usize;
-            let points = &snapshot.stress[first..first + slot.points as usize];
+            let since = match material.band() {
+                Some(_) => since(view, element, body),
+                None => None,
+            };
+            // Of the law alone, anywhere in the element.
+            let own = |natural: [f64; 3]| {
+                let mut stress = stress_at(&slot.places, before, natural);
+                if let Some(since) = &since {
+                    let full = Points { quadrature: Quadrature::Full, axis: 0 };
+                    let more = stress_at(&full, since, natural);
+                    (0..6).for_each(|c| stress[c] += more[c]);
+                }
+                stress
+            };
             let columns = history.columns(&slot).len();
             for p in 0..points.len() {
                 let mut natural = slot.places.natural(p);
@@ -85,14 +121,12 @@ impl Observer for Fibres {
                 if natural[axis].abs() < 0.5 || (points.len() > 8 && natural[axis].abs() < 1.0) {
                     continue;
                 }
+                let at_point = own(natural);
                 natural[axis] = natural[axis].signum();
-                let fibre = match slot.places.quadrature {
-                    Quadrature::Layered(_) => points[p],
-                    _ => stress_at(&slot.places, points, natural),
-                };
+                let fibre = own(natural);
                 let remembered: Vec<f64> =
                     (0..columns).map(|c| history.values(&slot, c).nth(p).unwrap_or(f64::NAN)).collect();
-                let Some(used) = material.tension_use(&fibre, &points[p], &remembered) else { continue };
+                let Some(used) = material.tension_use(&fibre, &at_point, &remembered) else { continue };
                 let most = &mut kept[3 * body..3 * body + 3];
                 if used > most[0] {
                     most.copy_from_slice(&[used, f64::from(element), snapshot.time]);
@@ -100,6 +134,17 @@ impl Observer for Fibres {
             }
         }
         memory.insert(Self::MEMORY.into(), kept);
+        memory.insert(Self::FIRST.into(), first);
         Ok(())
     }
+}
+
+/// C:Δε \[Pa\] at 2×2×2 points, with the strain since the shaking began and the law's own moduli.
+fn since(view: &View, element: u32, body: usize) -> Option<Vec<[f64; 6]>> {
+    let View { model, snapshot, .. } = *view;
+    let body = &model.bodies[body];
+    let nodes = hex_nodes(&model.mesh, element as usize);
+    let u = nodes.map(|n| snapshot.displacement[model.engine_node[n as usize] as usize].xyz());
+    let hex = hex(&model.mesh, element as usize).ok()?;
+    Some(elastic_stress(&hex, body.material.relaxed(), body.quadrature, &u))
 }

@@ -3,11 +3,13 @@
 //! Friction follows the pressure, so pairs that slide can drive a body that rings; every piece obeys its law, the balance closes,
 //! and the body slides too far. So the acceleration of the nodes of pairs is parted at [`ABOVE`] times the highest frequency of
 //! the motion (99.9 % of its energy lies below), by a Butterworth filter of fourth order, step by step. An interval between two rows counts
-//! at a pair that is closed at both ends of it, between elements that have not cracked: what hits and what breaks rings as well.
+//! at a pair that slides at an end of it, where it and those beside it are closed at both ends, between elements that have not cracked:
+//! what hits and what breaks rings as well.
 
 use super::{Observer, Schedule, Setting, Stepped, View};
 use crate::error::RunError;
 use crate::setup::facts::ENERGY_SHARE;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
@@ -26,7 +28,8 @@ const CRACKED: f64 = 0.5;
 const SECTIONS: usize = 2;
 /// Numbers of a component of motion: the velocity of the last step, and two of each section.
 const COMPONENT: usize = 1 + 2 * SECTIONS;
-/// Numbers of a pair: squares above the band and below since the last row, whether that row leaves it out, then its two nodes'.
+/// Numbers of a pair: squares above the band and below since the last row, whether it slid in that row ([`LEFT_OUT`] where it does not
+/// count), then its two nodes'.
 const EACH: usize = 3 + 6 * COMPONENT;
 /// Numbers of an interface: squares above and below, and steps, by the shares of the pairs that count; steps since the last row.
 const SUMS: usize = 4;
@@ -61,8 +64,9 @@ fn corner(model: &Model) -> Option<f64> {
 
 /// A pair that is followed.
 struct Followed {
-    /// Its number among those of the interface.
+    /// Its number among those of the interface, and those that share a face with it, itself included.
     pair: usize,
+    beside: Vec<usize>,
     nodes: [usize; 2],
     /// Elements on both sides.
     elements: Vec<u32>,
@@ -93,11 +97,23 @@ impl Rings {
             let lasting: Vec<usize> = seam.lasting().collect();
             let chosen = || lasting.iter().step_by(lasting.len().div_ceil(MOST).max(1));
             let area: f64 = chosen().map(|&k| seam.pairs[k].area).sum();
+            let mut of_face: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+            for &k in &lasting {
+                seam.pairs[k].corners.iter().for_each(|(f, _)| of_face.entry(*f).or_default().push(k));
+            }
             followed.extend(chosen().map(|&pair| {
                 let shape = &seam.pairs[pair];
                 let faces = shape.corners.iter().map(|(face, _)| *face as usize);
+                let beside: BTreeSet<usize> = shape
+                    .corners
+                    .iter()
+                    .filter_map(|(face, _)| of_face.get(face))
+                    .flatten()
+                    .copied()
+                    .collect();
                 Followed {
                     pair,
+                    beside: beside.into_iter().collect(),
                     nodes: shape.nodes.map(|node| model.engine_node[node as usize] as usize),
                     elements: faces.flat_map(|face| seam.faces[face].map(|face| face.element)).collect(),
                     share: shape.area / area,
@@ -155,13 +171,17 @@ impl Observer for Rings {
             for (followed, own) in
                 self.followed[of.clone()].iter().zip(pairs[EACH * of.start..].chunks_exact_mut(EACH))
             {
-                let out = contacts.seen(history.octets, followed.pair).state == OPEN
+                let state = |pair: usize| contacts.seen(history.octets, pair).state;
+                let out = followed.beside.iter().any(|&pair| state(pair) == OPEN)
                     || followed.elements.iter().any(cracked);
-                if !out && own[2] == 0.0 {
+                let slides = state(followed.pair) == SLIDES;
+                let now = if out { LEFT_OUT } else { f64::from(u8::from(slides)) };
+                let counts = now != LEFT_OUT && own[2] != LEFT_OUT && (slides || own[2] > 0.0);
+                if counts {
                     let more = [own[0], own[1], steps].map(|x| followed.share * x);
                     sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
                 }
-                own[..3].copy_from_slice(&[0.0, 0.0, f64::from(u8::from(out))]);
+                own[..3].copy_from_slice(&[0.0, 0.0, now]);
             }
         }
         Ok(())
@@ -181,5 +201,8 @@ impl Observer for Rings {
     }
 }
 
-/// The state of a pair that is open.
+/// States of a pair.
+const SLIDES: u8 = 2;
 const OPEN: u8 = 3;
+/// In place of whether a pair slides.
+const LEFT_OUT: f64 = -1.0;

@@ -3,6 +3,7 @@
 use crate::near_sides::openings;
 use crate::observers::View;
 use crate::point_stress::mean;
+use tremolite_engine::Stage;
 use tremolite_engine::state::Memory;
 
 /// Keys of what is remembered: the stress beside each face of the outer planes before anything is taken out, and by plane the
@@ -21,7 +22,7 @@ pub struct Beside {
 
 impl Beside {
     /// What is to be remembered of a stage that came to rest, by its keys. The first of them begins with the initial equilibrium, or
-    /// with the stress that was given where no stage takes anything out and the openings are there from the start.
+    /// with the stress that was given where an opening is there from the start.
     pub(super) fn of(view: &View, memory: &Memory, first: bool) -> Vec<(&'static str, Vec<f64>)> {
         if view.model.initial.is_empty() {
             return Vec::new();
@@ -35,15 +36,22 @@ impl Beside {
                 largest(view, before).into_iter().chain(kept[6..].iter().copied()).collect(),
             )];
         }
-        let excavates = view.plan.stages.iter().any(|stage| !stage.excavated.is_empty());
-        let before = |element: u32| match excavates {
-            true => stress(view, element),
-            false => view.model.initial.get(element as usize).copied(),
+        let given = !openings(view.model, Stage::Before(0)).is_empty();
+        let before = |element: u32| match given {
+            true => view.model.initial.get(element as usize).copied(),
+            false => stress(view, element),
+        };
+        // Where a lining will be, of what is there now.
+        let place = |element: u32| match view.model.standing_at(element as usize, Stage::Before(0)) {
+            Some(there) => there as u32,
+            None => std::iter::successors(Some(element), |e| view.model.successors.get(e).copied())
+                .last()
+                .unwrap_or(element),
         };
         let beside: Vec<f64> =
             faces(view).flat_map(|(_, element)| before(element).unwrap_or([f64::NAN; 6])).collect();
-        let walls = openings(view.model).into_iter().flat_map(|opening| opening.walls);
-        let sizes: Vec<f64> = walls.filter_map(before).map(size).collect();
+        let walls = openings(view.model, Stage::Shaking).into_iter().flat_map(|opening| opening.walls);
+        let sizes: Vec<f64> = walls.map(place).filter_map(before).map(size).collect();
         let initial = sizes.iter().sum::<f64>() / sizes.len() as f64;
         let change = largest(view, &beside).into_iter().chain([initial]).collect();
         vec![(BEFORE, beside), (CHANGE, change)]

@@ -74,8 +74,13 @@ fn error(evidence: &Evidence) -> TrustLine {
         .bodies
         .iter()
         .zip(errors_of_bodies(evidence))
-        .map(|(books, error)| {
-            let parted = error.min(OF_JUMPS * books.held[Line::Dissipated].abs());
+        .enumerate()
+        .map(|(account, (books, error))| {
+            // Nothing jumps where nothing cracks.
+            let cracks =
+                evidence.model.user_bodies().get(account).is_some_and(|body| body.material.info().damages);
+            let most = if cracks { OF_JUMPS * books.held[Line::Dissipated].abs() } else { 0.0 };
+            let parted = error.min(most);
             (parted, error - parted)
         })
         .unzip();

@@ -2,7 +2,8 @@
 
 use crate::evidence::Evidence;
 use std::collections::BTreeMap;
-use tremolite_engine::{Model, Seam};
+use tremolite_engine::outer_faces::NEAR;
+use tremolite_engine::{Model, Seam, Side};
 use tremolite_mesh::Mesh;
 use tremolite_results::{Said, TrustLine, said, snake};
 
@@ -26,7 +27,10 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         let stiffness = contacts.law.stiffness(0.0)[0];
         // 2G/R, what an opening of radius R resists an even pressure with (`kirsch1898`): the least of the linings that it holds.
         let of_lining = |radius: f64| ground / radius / stiffness;
-        let Some(radius) = radii(&model.mesh, seam).into_iter().min_by(f64::total_cmp) else { continue };
+        let Some(radius) = radii(&model.mesh, seam, &mirrors(model)).into_iter().min_by(f64::total_cmp)
+        else {
+            continue;
+        };
         let line = TrustLine::at_most(
             format!("{ID}_{}", snake(&seam.name)),
             said!("{check}, {interface}", check = name(), interface = &seam.name),
@@ -75,7 +79,7 @@ fn ground_beside(model: &Model, seam: &Seam) -> Option<f64> {
 
 /// Of each connected part of an interface that goes around something, the mean distance of its surface from its middle along the
 /// normals \[m\]: the radius of a circle or a sphere, twice area over girth of any other section.
-fn radii(mesh: &Mesh, seam: &Seam) -> Vec<f64> {
+fn radii(mesh: &Mesh, seam: &Seam, mirrors: &[(usize, f64)]) -> Vec<f64> {
     let mut part: BTreeMap<u32, usize> = BTreeMap::new();
     let mut parts: Vec<Vec<usize>> = Vec::new();
     for (f, faces) in seam.faces.iter().enumerate() {
@@ -96,10 +100,17 @@ fn radii(mesh: &Mesh, seam: &Seam) -> Vec<f64> {
         nodes.into_iter().for_each(|n| _ = part.insert(n, into));
         parts[into].push(f);
     }
-    parts.iter().filter_map(|faces| radius(mesh, seam, faces)).collect()
+    parts.iter().filter_map(|faces| radius(mesh, seam, mirrors, faces)).collect()
 }
 
-fn radius(mesh: &Mesh, seam: &Seam, faces: &[usize]) -> Option<f64> {
+/// Planes that stand for the other half of the model: the axis across each, and where it is \[m\].
+fn mirrors(model: &Model) -> Vec<(usize, f64)> {
+    let (low, high) = model.faces.bounds;
+    let rollers = (0..2).filter(|&axis| model.sides[axis] == Side::Roller);
+    rollers.flat_map(|axis| [(axis, low[axis]), (axis, high[axis])]).collect()
+}
+
+fn radius(mesh: &Mesh, seam: &Seam, mirrors: &[(usize, f64)], faces: &[usize]) -> Option<f64> {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     // Middle, area vector and area of each face: half the cross product of the diagonals.
     let flat: Vec<([f64; 3], [f64; 3], f64)> = faces
@@ -120,7 +131,19 @@ fn radius(mesh: &Mesh, seam: &Seam, faces: &[usize]) -> Option<f64> {
         })
         .collect();
     let area: f64 = flat.iter().map(|(.., area)| area).sum();
-    let middle = [0, 1, 2].map(|i| flat.iter().map(|(x, _, area)| area * x[i]).sum::<f64>() / area);
+    let mut middle = [0, 1, 2].map(|i| flat.iter().map(|(x, _, area)| area * x[i]).sum::<f64>() / area);
+    // Of an opening that ends on one such plane the middle lies there.
+    let nodes = || faces.iter().flat_map(|&f| mesh.face_nodes(seam.faces[f][0]));
+    let (from, to) = mesh.bounds();
+    for axis in 0..2 {
+        let near = NEAR * (to[axis] - from[axis]);
+        let ends = mirrors.iter().filter(|(across, at)| {
+            *across == axis && nodes().any(|n| (mesh.nodes[n as usize][axis] - at).abs() <= near)
+        });
+        if let [(_, at)] = ends.collect::<Vec<_>>()[..] {
+            middle[axis] = *at;
+        }
+    }
     let away = |x: &[f64; 3]| [0, 1, 2].map(|i| x[i] - middle[i]);
     let radius = flat.iter().map(|(x, vector, _)| dot(away(x), *vector)).sum::<f64>().abs() / area;
     let extent = flat.iter().map(|(x, ..)| dot(away(x), away(x)).sqrt()).fold(0.0, f64::max);
@@ -164,12 +187,18 @@ mod tests {
             let of = |name: &str, sides| Interface::new(name, sides, law, values.clone());
             problem.interfaces = vec![of("linings", [fill, ground]), of("plane", [beyond, this])];
             let model = Model::new(problem).unwrap();
-            let mut found = radii(&model.mesh, &model.seams[0]);
+            let mut found = radii(&model.mesh, &model.seams[0], &[]);
             found.sort_by(f64::total_cmp);
             // Twice area over girth.
             assert_eq!(found.len(), 2);
             assert!((found[0] - 16.0 / 12.0).abs() < 1e-12 && (found[1] - 2.0).abs() < 1e-12, "{found:?}");
-            assert!(radii(&model.mesh, &model.seams[1]).is_empty());
+            assert!(radii(&model.mesh, &model.seams[1], &[]).is_empty());
+            // Half of the larger one at a plane of symmetry has the same.
+            let seam = &model.seams[0];
+            let half = |f: &usize| centroid(&model.mesh, seam.faces[*f][0].element)[0] > 11.0;
+            let faces: Vec<usize> = (0..seam.faces.len()).filter(half).collect();
+            let found = radius(&model.mesh, seam, &[(0, 11.0)], &faces).unwrap();
+            assert!((found - 2.0).abs() < 1e-12, "{found}");
         }
     }
 }
