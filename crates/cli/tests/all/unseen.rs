@@ -171,6 +171,67 @@ install = ["hall.lining"]
     assert!(lined("").not_applicable);
 }
 
+/// A hall lined all round, its floor included: the corners of such a lining have their thickness from the walls, the rock along its
+/// walls is what stood there before, and layers crack at their fibres whatever stands beside the law.
+#[test]
+fn a_closed_lining_of_layers_in_a_wide_model_passes_where_maxwell_bodies_stand_beside_it_as_well() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let more = r#"[material.concrete]
+law = "concrete-damage"
+young = "25 GPa"
+poisson = 0.2
+unit_weight = "25 kN/m3"
+cohesion = "2 MPa"
+friction_angle = "46 deg"
+tensile_strength = "1.2 MPa"
+fracture_energy = "130 N/m"
+residual_tension = 0.1
+residual_shear = 0.2
+rate = "none"
+split = "compliance"
+evolution = "exponential"
+[[region]]
+groups = ["rock", "hall.bench*"]
+material = "rock"
+element = "one-point"
+[[region]]
+groups = ["hall.lining"]
+material = "concrete"
+before = "rock"
+[[stage]]
+name = "excavation"
+excavate = ["hall.bench*"]
+[[stage]]
+name = "lining"
+install = ["hall.lining"]
+"#;
+    let lining = "lining = { walls = \"0.5 m\", crown = \"0.5 m\", floor = \"0.5 m\" }";
+    let pulse: String = (0..100)
+        .map(|k| {
+            let tau = (std::f64::consts::PI * 4.0 * (0.01 * f64::from(k) - 0.4)).powi(2);
+            format!("{:.6}\n", 12.0 * (1.0 - 2.0 * tau) * (-tau).exp())
+        })
+        .collect();
+    std::fs::write(folder.join("pulse.txt"), pulse).unwrap();
+    let motion = r#"[motion]
+kind = "incident"
+east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
+process = ["baseline"]
+[dynamic]
+damping = { ratio = 0.05, band = ["1 Hz", "20 Hz"], reference = "0 Hz" }
+"#;
+    let case = hall(45, lining, more).replace("[dynamic]\n", motion);
+    let summary = run(folder, &case);
+    let near = line(&summary, "near_sides");
+    assert!(near.pass && near.value > 0.0, "{near:?}");
+    let fibres = line(&summary, "fibre_stress_of_intact_elements");
+    assert!(fibres.pass && (0.7..1.05).contains(&fibres.value), "{fibres:?}");
+    let whole = run(folder, &case.replace("before = \"rock\"\n", "before = \"rock\"\nelement = \"full\"\n"));
+    let fibres = line(&whole, "fibre_stress_of_intact_elements");
+    assert!(!fibres.pass, "{fibres:?}");
+}
+
 /// A plain column of 2 × 2 × 60 m whose free top sends a pulse back as tension, `strength` times as strong as one that cracks it in
 /// a few places.
 fn column(folder: &Path, strength: f64) -> Summary {
