@@ -16,7 +16,7 @@ const SIZE: f64 = 1.5;
 const BESIDE: f64 = 24.0;
 const DEPTH: f64 = 18.0;
 
-/// A slice of the hill with `divide` elements along [`SIZE`]: the ground, then the block, with two nodes at every place where they touch;
+/// A slice of the hill with `divide` elements along 1.5 m: the ground, then the block, with two nodes at every place where they touch;
 /// and how many elements are the ground's.
 pub fn hill(divide: u32) -> (Mesh, u32) {
     let h = SIZE / f64::from(divide);
