@@ -28,14 +28,20 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
                 let column = histories.column(&format!("{}.{quantity}", monitor.name))?;
                 // Of s1_elastic tension counts.
                 let size = |x: f64| if *quantity == "s1_elastic" { x } else { x.abs() };
-                let of_rows = column.iter().filter(|x| x.is_finite()).map(|x| size(*x)).fold(0.0, f64::max);
-                Some((*quantity, of_rows, of_steps.max.max(size(of_steps.min))))
+                let peak = |first: usize, every: usize| {
+                    let rows = column.iter().skip(first).step_by(every).filter(|x| x.is_finite());
+                    rows.map(|x| size(*x)).fold(0.0, f64::max)
+                };
+                // Half the rows miss at least as much again of what more of them would show; of the spike of a step, nothing.
+                let thinned = peak(0, 1) - peak(0, 2).min(peak(1, 2));
+                let of_steps = of_steps.max.max(size(of_steps.min));
+                Some((*quantity, peak(0, 1), of_steps, thinned.min(of_steps - peak(0, 1))))
             });
-            let sizes: Vec<(&str, f64, f64)> = sizes.collect();
+            let sizes: Vec<(&str, f64, f64, f64)> = sizes.collect();
             // A component that hardly moves beside the others tells nothing.
             let largest = sizes.iter().map(|size| size.2).fold(0.0, f64::max);
-            for (quantity, rows, steps) in sizes {
-                let missed = (steps - rows) / largest;
+            for (quantity, rows, steps, missed) in sizes {
+                let missed = missed / largest;
                 if largest > 0.0 && worst.as_ref().is_none_or(|worst| missed > worst.0 || missed.is_nan()) {
                     worst = Some((missed, format!("{}.{quantity}", monitor.name), rows, steps));
                 }
