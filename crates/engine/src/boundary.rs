@@ -4,6 +4,7 @@
 //! are filled in here; one that pushes with more is a part in a file below this one, made in [`members`].
 
 pub mod base;
+pub mod bed;
 mod far_field;
 mod nodes;
 mod ties;
@@ -19,6 +20,7 @@ use crate::life::{Life, Stage};
 use crate::outer_faces::{OuterFaces, near, nodes_of};
 use crate::sheet::{Corner, Sheet, corners, faces_on};
 use base::add;
+use bed::Bed;
 use std::collections::BTreeMap;
 use tremolite_mesh::topology::vector_areas;
 use tremolite_mesh::{Face, Mesh};
@@ -111,6 +113,7 @@ pub struct Surroundings<'a> {
     pub base: Base,
     pub sides: [Side; 2],
     pub top: Top,
+    pub bed: Bed,
     pub held: &'a [(u32, [bool; 3])],
     pub slabs: &'a [Slab],
     pub columns: &'a [Column],
@@ -213,8 +216,8 @@ fn impedances(body: &Body) -> (f64, f64) {
     (body.density * p, body.density * s)
 }
 
-/// What holds and absorbs in a stage. Before the shaking the base is fixed, the column's too, and sides that are neither
-/// periodic nor fixed are rollers.
+/// What holds and absorbs in a stage. Before the shaking the base, the column's too, and sides that are neither periodic nor
+/// fixed are held as [`Bed`] says.
 ///
 /// # Errors
 /// If a plane on which something should act has no faces.
@@ -230,7 +233,8 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
     for axis in 0..2 {
         let side = match (stage, around.sides[axis]) {
             (Stage::Shaking, side) | (_, side @ (Side::Periodic | Side::Fixed)) => side,
-            (Stage::Before(_), _) => Side::Roller,
+            (Stage::Before(_), _) if around.bed.rollers[axis] => Side::Roller,
+            (Stage::Before(_), _) => Side::Free,
         };
         for (end, faces) in faces.planes[axis].iter().enumerate() {
             if side != Side::Free && faces.is_empty() {
@@ -260,14 +264,18 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
         }
     }
     let base = &faces.planes[2][0];
-    if stage != Stage::Shaking || around.base == Base::Fixed {
+    let footing = match (stage, around.base) {
+        (Stage::Before(_), _) => around.bed.base.held(),
+        (Stage::Shaking, base) => (base == Base::Fixed).then_some([true; 3]),
+    };
+    if let Some(footing) = footing {
         if base.is_empty() {
             return Err(ModelError::NoFaces("base"));
         }
         let outside = around.outside(2, 0, stage);
         let below = around.columns.iter().flat_map(|column| column.rings.first()).flatten();
         for n in nodes_of(mesh, base).into_iter().chain(nodes_of(mesh, &outside)).chain(below.copied()) {
-            hold(&mut out.held, engine(n), [true; 3]);
+            hold(&mut out.held, engine(n), footing);
         }
     }
     if stage == Stage::Shaking {

@@ -2,6 +2,7 @@
 
 use crate::body::Body;
 use crate::bolts::{self, BoltSet};
+use crate::boundary::bed::Bed;
 use crate::boundary::{Base, Incident, Side, Surroundings, Top};
 use crate::column::{self, Column, Reference};
 use crate::error::ModelError;
@@ -11,6 +12,7 @@ use crate::interface::{Seam, copies};
 use crate::life::{Life, Stage};
 use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
+use crate::prescribed::Prescribed;
 use crate::problem::{MakePart, Problem, Rayleigh, TimeStep};
 use crate::rims::{Joint, Rims};
 use crate::seams::{self, Seams, Standing, place_lives};
@@ -82,6 +84,10 @@ pub struct Model {
     /// Sides normal to x and to y.
     pub sides: [Side; 2],
     pub top: Top,
+    /// What holds the sides and the base before the shaking.
+    pub bed: Bed,
+    /// What is moved before the shaking.
+    pub prescribed: Vec<Prescribed>,
     /// Components held at single nodes of the mesh.
     pub held: Vec<(u32, [bool; 3])>,
     /// Copies of nodes that move as one while elements on both sides stand, at rims of interfaces.
@@ -324,6 +330,8 @@ impl Model {
             base: problem.base,
             sides: problem.sides,
             top: problem.top,
+            bed: problem.bed,
+            prescribed: problem.prescribed,
             held,
             joints,
             ties: problem.ties,
@@ -365,6 +373,7 @@ impl Model {
             places: &self.places,
             base: self.base,
             sides: self.sides,
+            bed: self.bed,
             held: &self.held,
             slabs: &self.slabs,
             columns: &self.columns,

@@ -1,6 +1,7 @@
 //! What is active in a stage: which parts, what moves as one, what is held, what absorbs. Scratch, made from the model and
 //! its assembly.
 
+mod driven;
 mod woken;
 
 use crate::assembly::Assembly;
@@ -17,6 +18,7 @@ use crate::parts::Tick;
 use crate::rims::Joint;
 use crate::state::State;
 use crate::ties::Ties;
+pub use driven::Driven;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use tremolite_kernels::{Line, Points};
@@ -92,6 +94,8 @@ pub struct Phase {
     pub mass: Vec<f64>,
     /// 1/m, zero for held components, tied nodes and nodes without mass.
     pub inverse_mass: Vec<Row>,
+    /// Nodes that the stage moves.
+    pub driven: Vec<Driven>,
     /// Contributions of node n are `slot[start[n] .. start[n + 1]]`, in the order of members.
     pub start: Vec<u32>,
     pub slot: Vec<u32>,
@@ -113,7 +117,7 @@ pub struct Phase {
 
 impl Phase {
     /// What is active in a stage. Before the shaking the base is fixed, sides that are neither periodic nor fixed are rollers,
-    /// and no dashpots act.
+    /// unless the model's bed says otherwise, and no dashpots act.
     ///
     /// # Errors
     /// If sides cannot be tied, or no face lies on a plane on which something should act.
@@ -191,6 +195,12 @@ impl Phase {
             }
         }
 
+        let driven = driven::driven(model, stage, &master);
+        for moved in &driven {
+            let row = &mut inverse_mass[moved.node as usize];
+            (0..3).filter(|&i| moved.to[i].is_some()).for_each(|i| row.0[i] = 0.0);
+        }
+
         let mut dashpots: BTreeMap<u32, Dashpot> = BTreeMap::new();
         if stage == Stage::Shaking {
             for base in &assembly.base {
@@ -252,6 +262,7 @@ impl Phase {
             master,
             mass,
             inverse_mass,
+            driven,
             start,
             slot,
             account,

@@ -2,11 +2,13 @@
 
 use crate::body::Body;
 use crate::bolts::Bolts;
+use crate::boundary::bed::Bed;
 use crate::boundary::{Base, Incident, Side, Top};
 use crate::interface::Interface;
 use crate::life::Life;
 use crate::member::Member;
 use crate::parts::loads::Load;
+use crate::prescribed::Prescribed;
 use crate::traction::Traction;
 use std::sync::Arc;
 use tremolite_laws::Isa;
@@ -64,6 +66,10 @@ pub struct Problem {
     /// Sides normal to x and to y.
     pub sides: [Side; 2],
     pub top: Top,
+    /// What holds the sides and the base before the shaking.
+    pub bed: Bed,
+    /// What is moved before the shaking.
+    pub prescribed: Vec<Prescribed>,
     pub incident: Option<Incident>,
     pub rayleigh: Rayleigh,
     /// Groups of elements that touch without being joined.
@@ -99,6 +105,8 @@ impl Problem {
             base: Base::Free,
             sides: [Side::Free; 2],
             top: Top::Free,
+            bed: Bed::default(),
+            prescribed: Vec::new(),
             incident: None,
             rayleigh: Rayleigh::default(),
             interfaces: Vec::new(),

@@ -19,6 +19,7 @@
 
 mod accounts;
 mod bonded;
+mod drive;
 mod freed;
 mod gather;
 mod hand_over;

@@ -11,6 +11,11 @@
 //! The damping is critical for what moves: c = 2 √(Δu·(fⁿ − fⁿ⁻¹)/(Δu·MΔu)), the secant along the motion; where that is
 //! negative the last value stays. It is followed by a tenth a cycle, as sums of one cycle serve the next.
 //!
+//! The damping takes c v̄·Mv̄ a cycle, v̄ = ½(Δuⁿ + Δuⁿ⁺¹), exactly: what is let go at once goes there, and so does what a specimen
+//! lets go that snaps back.
+//!
+//! Nodes that a stage moves go evenly from where they are to where they shall be, over the same cycles.
+//!
 //! **At rest** when what is out of balance is a small share of all contributions, and the motion that is left, max |Δu|/(c/2), is
 //! a small share of the stage's own; never before all is let go that shall be. By the largest motion of any stage a lining that is
 //! placed behind a large excavation would be at rest with a third of its forces missing.
@@ -60,6 +65,8 @@ pub struct Rest {
     pub motion: f64,
     /// The engine node that moves fastest.
     pub fastest: u32,
+    /// Work \[J\] that its damping took: what went neither into what is held by the parts nor into what they dissipate.
+    pub damped: f64,
     /// Σ|forces of parts| over Σ|contributions|, where nothing is held: what is not let go yet counts as out of balance.
     pub unreleased: f64,
 }
@@ -105,6 +112,8 @@ struct Sums {
     work: f64,
     inertia: f64,
     next_work: f64,
+    /// c v̄·Mv̄.
+    damped: f64,
     /// max |Δuⁿ| with its node, and max |uⁿ − u⁰|.
     step: f64,
     fastest: u32,
@@ -122,6 +131,7 @@ impl Sums {
             work: self.work + o.work,
             inertia: self.inertia + o.inertia,
             next_work: self.next_work + o.next_work,
+            damped: self.damped + o.damped,
             step,
             fastest,
             motion: self.motion.max(o.motion),
@@ -229,8 +239,9 @@ impl Engine<'_> {
             self.evaluate(state, None);
             let let_go = (state.relaxing.cycle as f64 / release.cycles.max(1) as f64).min(1.0);
             let share = 1.0 - release.share * let_go;
-            let sums = self.relaxation_step(state, &masses, share);
-            let Relaxing { cycle, damping, work, .. } = &mut state.relaxing;
+            let sums = self.relaxation_step(state, &masses, share, let_go);
+            let Relaxing { cycle, damping, work, damped, .. } = &mut state.relaxing;
+            *damped += sums.damped;
             let squared = (sums.work - *work) / sums.inertia;
             if squared > 0.0 {
                 let wanted = 2.0 * squared.sqrt();
@@ -243,6 +254,7 @@ impl Engine<'_> {
                 left: sums.step / (0.5 * *damping).max(LEAST_DAMPING),
                 motion: sums.motion,
                 fastest: sums.fastest,
+                damped: *damped,
                 unreleased: if sums.contributions > 0.0 { sums.unreleased / sums.contributions } else { 0.0 },
             };
             let enough = release.tolerance[1] * rest.motion.max(SMALL * state.moved);
@@ -267,8 +279,8 @@ impl Engine<'_> {
         }
     }
 
-    /// uⁿ to uⁿ⁺¹ with the forces just evaluated and this share of what is held.
-    fn relaxation_step(&self, state: &mut State, masses: &[f64], share: f64) -> Sums {
+    /// uⁿ to uⁿ⁺¹ with the forces just evaluated, this share of what is held, and this share of the way of what is moved.
+    fn relaxation_step(&self, state: &mut State, masses: &[f64], share: f64, way: f64) -> Sums {
         let Engine { phase, contributions, .. } = self;
         let c = state.relaxing.damping;
         let (keep, push) = ((1.0 - 0.5 * c) / (1.0 + 0.5 * c), 1.0 / (1.0 + 0.5 * c));
@@ -303,6 +315,9 @@ impl Engine<'_> {
                     sums.work += dot(*du, force);
                     sums.inertia += masses[node] * dot(*du, *du);
                     sums.next_work += dot(next, force);
+                    // Over the free components alone: what is moved has no inertia.
+                    let mean = Row([0, 1, 2, 3].map(|i| 0.5 * free[i] * (du.0[i] + next.0[i])));
+                    sums.damped += c * masses[node] * dot(mean, mean);
                     // The reference column is at rest with what is out of balance.
                     if node < counted {
                         let step = length(*du);
@@ -320,6 +335,7 @@ impl Engine<'_> {
                 sums
             })
             .collect();
+        let moved = self.move_driven(state, way);
         for &(node, master) in &phase.tied {
             let next = state.du[master as usize];
             for i in 0..3 {
@@ -327,6 +343,8 @@ impl Engine<'_> {
             }
             state.du[node as usize] = next;
         }
-        sums.into_iter().fold(Sums::default(), Sums::plus)
+        let mut sums = sums.into_iter().fold(Sums::default(), Sums::plus);
+        sums.next_work += moved;
+        sums
     }
 }

@@ -1,0 +1,46 @@
+//! Nodes that a stage moves, and what it takes to move them.
+
+use super::Engine;
+use super::gather::force;
+use crate::state::State;
+use tremolite_laws::Row;
+
+impl Engine<'_> {
+    /// Brings the phase's driven nodes to this share of their way, from [`State::start`] on. What they gained times the forces
+    /// last evaluated \[J\].
+    pub(super) fn move_driven(&self, state: &mut State, way: f64) -> f64 {
+        let mut work = 0.0;
+        for moved in &self.phase.driven {
+            let node = moved.node as usize;
+            let force = force(self.phase, &self.contributions, node);
+            let zero = state.datum.get(node).copied().unwrap_or(Row::ZERO);
+            for (i, to) in moved.to.iter().enumerate() {
+                let Some(to) = to else { continue };
+                let from = state.start[node].0[i];
+                // The end itself is met to the last bit.
+                let end = zero.0[i] + to;
+                let next = if way < 1.0 { from + way * (end - from) } else { end };
+                let gained = next - state.u[node].0[i];
+                state.u[node].0[i] = next;
+                state.du[node].0[i] = gained;
+                work += gained * force.0[i];
+            }
+        }
+        work
+    }
+
+    /// The force \[N\] with which each of [`crate::Model::prescribed`] pushes on the model along x, y and z where a state is, of the
+    /// components that it holds; 0 of those that are not there in the phase's stage.
+    pub fn reactions(&mut self, state: &State) -> Vec<[f64; 3]> {
+        self.evaluate(&mut state.clone(), None);
+        // What was evaluated on a copy is not the state's.
+        self.evaluated = None;
+        let mut reactions = vec![[0.0; 3]; self.model.prescribed.len()];
+        for moved in &self.phase.driven {
+            let force = force(self.phase, &self.contributions, moved.node as usize);
+            let reaction = &mut reactions[moved.by as usize];
+            (0..3).filter(|&i| moved.to[i].is_some()).for_each(|i| reaction[i] += force.0[i]);
+        }
+        reactions
+    }
+}
