@@ -20,7 +20,7 @@ use crate::output::{OUTPUT, Output};
 use crate::page::{Page, REPORT};
 use crate::region::{REGION, Region};
 use crate::reinforcement::{REINFORCEMENT, Reinforcement};
-use crate::stage::{STAGE, Stage, Written};
+use crate::stage::{STAGE, Stage, Written, in_steps};
 use crate::{Problem, Report, Spanned, syntax};
 
 pub(crate) static CASE: Table = Table {
@@ -189,6 +189,7 @@ impl Case {
         let regions = case.tables("region").map(|r| Region::read(r, &names)).collect::<Option<_>>()?;
         let stages: Vec<Stage> =
             case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
+        let stages = in_steps(stages);
         let reinforcement = case.tables("reinforcement").map(Reinforcement::read).collect::<Option<_>>()?;
         let motion = match case.table("motion") {
             Some(motion) => Some(Motion::read(motion, initial.gravity.value)?),

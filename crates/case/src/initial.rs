@@ -6,7 +6,7 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::defaulted::Defaulted;
 use crate::fields::Fields;
-use crate::keys::{Key, Kind, Limit, Table, When};
+use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::{Problem, Spanned};
 
 const COORDINATE: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
@@ -17,7 +17,7 @@ const RATIO: Kind = Kind::Number(Dimension::NONE, Limit::NotNegative);
 /// The keys that say what the initial stress is, of which one at most is given.
 pub(crate) const STRESSES: &[&str] = &["lateral", "stress", "measured"];
 /// The keys that have no meaning where no equilibrium is sought.
-const SEARCH: [&str; 3] = ["release_cycles", "max_cycles", "tolerance"];
+const SEARCH: [&str; 5] = ["sides", "base", "release_cycles", "max_cycles", "tolerance"];
 /// Components of stress, in the order in which they are kept.
 const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "zx"];
 /// Measured tensors: more are no measurements at points but a field.
@@ -59,6 +59,18 @@ pub(crate) static INITIAL: Table = Table {
         )
         .when(When::BesideAny(STRESSES)),
         Key::default(
+            "sides",
+            Kind::Brief(&HOLD, &["x", "y"]),
+            r#""roller""#,
+            "What holds the four sides before the earthquake, where they are neither periodic nor fixed; free for specimens",
+        ),
+        Key::default(
+            "base",
+            Kind::Word(BaseHold::WORDS),
+            r#""fixed""#,
+            "What holds the base before the earthquake; free for specimens",
+        ),
+        Key::default(
             "release_cycles",
             Kind::Count(1_000_000),
             "200",
@@ -79,6 +91,38 @@ pub(crate) static INITIAL: Table = Table {
     ],
     choice: &[&["lateral"], &["stress"], &["measured"], &[]],
 };
+
+static HOLD: Table = Table {
+    path: "initial.sides",
+    doc: "What holds the sides normal to x and to y before the earthquake.",
+    keys: &[
+        Key::required("x", Kind::Word(SideHold::WORDS), "what holds the two sides normal to x"),
+        Key::required("y", Kind::Word(SideHold::WORDS), "what holds the two sides normal to y"),
+    ],
+    choice: &[],
+};
+
+words! {
+    /// What holds a pair of sides before the earthquake.
+    SideHold {
+        /// no displacement normal to them
+        Roller = "roller",
+        /// nothing
+        Free = "free",
+    }
+}
+
+words! {
+    /// What holds the base before the earthquake.
+    BaseHold {
+        /// no displacement
+        Fixed = "fixed",
+        /// no displacement along z
+        Roller = "roller",
+        /// nothing
+        Free = "free",
+    }
+}
 
 static LATERAL: Table = Table {
     path: "initial.lateral",
@@ -154,6 +198,10 @@ pub struct Initial {
     pub stress: Option<InitialStress>,
     /// Pressure on the top plane, Pa, above 0; only beside a stress.
     pub overburden: Option<Spanned<f64>>,
+    /// What holds the sides normal to x and to y, where they are neither periodic nor fixed.
+    pub sides: [Spanned<SideHold>; 2],
+    /// What holds the base.
+    pub base: Spanned<BaseHold>,
     /// Cycles over which what is held is let go.
     pub release_cycles: Spanned<u32>,
     /// More than `release_cycles`.
@@ -251,7 +299,10 @@ impl Initial {
             return None;
         }
         let (release_cycles, max_cycles) = (f.count("release_cycles"), f.count("max_cycles"));
+        let side = |axis| f.table("sides")?.word(axis, SideHold::from_word);
         Some(Initial {
+            sides: [side("x")?, side("y")?],
+            base: f.word("base", BaseHold::from_word)?,
             gravity: f.number("gravity")?,
             stress,
             overburden,

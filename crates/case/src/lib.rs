@@ -48,15 +48,15 @@ pub use bolts::{BoltBond, BoltPattern, BoltPlace, BoltedFaces, Bolts, Plate};
 pub use case::Case;
 pub use defaulted::Defaulted;
 pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, Top};
-pub use initial::{Initial, InitialStress, MeasuredStress, StressField};
+pub use initial::{BaseHold, Initial, InitialStress, MeasuredStress, SideHold, StressField};
 pub use interface::{Contact, Interface};
 pub use law_file::{LawFile, LawKind};
 pub use laws::Laws;
 pub use listing::{Listed, ListedValue, bolt_keys, interface_keys};
 pub use material::Material;
 pub use mesh::{
-    Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Length, Lining, Mesh, MeshBox, MeshFile, RockLayer,
-    Shotcrete,
+    Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Length, Lining, Mesh, MeshBox, MeshFile, MeshPart,
+    RockLayer, Shotcrete,
 };
 pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
@@ -71,5 +71,5 @@ pub use reinforcement::{BarDirection, BarFace, Reinforcement};
 pub use report::{Problem, Report, Severity};
 pub use schema::schema;
 pub use spanned::Spanned;
-pub use stage::Stage;
+pub use stage::{Displacement, Moved, Stage};
 pub use suggest::nearest;

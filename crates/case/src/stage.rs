@@ -1,5 +1,10 @@
 //! `[[stage]]`: what is excavated, installed and changed before the earthquake, one after the other.
 
+mod displacement;
+
+pub(crate) use displacement::in_steps;
+pub use displacement::{Displacement, Moved};
+
 use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
@@ -11,6 +16,7 @@ use crate::initial::STRESSES;
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::material::VOID;
 use crate::{Problem, Spanned};
+use displacement::DISPLACEMENT_KIND;
 
 const GROUPS: Kind = Kind::List(&Kind::Text, 1, 1000);
 /// Stages beyond which a case is a slip of whoever wrote the program that wrote it.
@@ -42,9 +48,15 @@ pub(crate) static STAGE: Table = Table {
         ),
         Key::optional(
             "pressure",
-            Kind::Map("powerhouse.lining*", &Kind::Number(Dimension::PRESSURE, Limit::NotNegative)),
+            Kind::Map("powerhouse.lining*", &Kind::Number(Dimension::PRESSURE, Limit::Any)),
             "",
-            "Pressure from here on, on the faces between the void and a group on either side of them, or on the \"top\"",
+            "Pressure from here on, on the faces between the void and a group on either side of them, or on the \"top\"; below 0 it pulls",
+        ),
+        Key::optional(
+            "displacement",
+            DISPLACEMENT_KIND,
+            "",
+            "Nodes that are moved, with the force that it takes in stages.csv: entries, or one in braces",
         ),
         Key::optional(
             "bolts",
@@ -70,9 +82,13 @@ pub struct Stage {
     pub release: Spanned<f64>,
     /// Groups, likewise, and what they are made of from here on: an index into [`Case::materials`](crate::Case::materials).
     pub materials: Vec<(Spanned<String>, Spanned<usize>)>,
-    /// Groups, likewise, on either side of faces that bound the void, or "top"; and the pressure there from here on, Pa, 0
-    /// or more.
+    /// Groups, likewise, on either side of faces that bound the void, or "top"; and the pressure there from here on, Pa;
+    /// below 0 a pull.
     pub pressures: Vec<(Spanned<String>, Spanned<f64>)>,
+    /// Nodes that are moved, and those of other stages where they stand then.
+    pub displacements: Vec<Displacement>,
+    /// Whether it is the stage itself that moves some.
+    pub moves: bool,
     /// Rock bolts and anchors that are placed.
     pub bolts: Vec<Bolts>,
     /// Its table in the case: the header, or the braces.
@@ -89,6 +105,8 @@ impl Stage {
         let pressures = f.entries("pressure").iter();
         let name = f.text("name")?;
         Some(Stage {
+            displacements: f.tables("displacement").map(Displacement::read).collect::<Option<_>>()?,
+            moves: false,
             bolts: f.tables("bolts").map(|bolts| Bolts::read(bolts, &name)).collect::<Option<_>>()?,
             name,
             excavate: f.texts("excavate"),
@@ -104,15 +122,38 @@ impl Stage {
         })
     }
 
+    /// A stage of the same name and place that changes nothing.
+    pub(crate) fn plain(of: &Stage) -> Stage {
+        Stage {
+            excavate: Vec::new(),
+            install: Vec::new(),
+            materials: Vec::new(),
+            pressures: Vec::new(),
+            displacements: Vec::new(),
+            bolts: Vec::new(),
+            ..of.clone()
+        }
+    }
+
     /// What lies between the stages.
     pub(crate) fn check(case: &Fields, written: &Written, problems: &mut Vec<Problem>) {
-        if let Some(first) = case.tables("stage").nth(MOST_STAGES) {
+        let steps = |stage: &Fields| {
+            stage
+                .tables("displacement")
+                .find_map(|f| f.count("steps"))
+                .map_or(1, |steps| steps.value as usize)
+        };
+        let total: usize = case.tables("stage").map(steps).sum();
+        if total > MOST_STAGES
+            && let Some(last) = case.tables("stage").last()
+        {
             problems.push(Problem::new(
-                first.span.clone(),
-                format!("there are {} stages", case.tables("stage").count()),
+                last.span.clone(),
+                format!("there are {total} stages, each step of a displacement being one"),
                 format!("give at most {MOST_STAGES}"),
             ));
         }
+        Displacement::check(case, problems);
         for region in case.tables("region") {
             let Some(before) = region.text("before") else { continue };
             if *before == VOID {

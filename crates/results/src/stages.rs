@@ -43,6 +43,10 @@ pub struct StageSummary {
     pub held: f64,
     /// Monitor → quantity → value at the end, as in monitors.csv; not a number where it is in nothing that stands.
     pub monitors: IndexMap<String, IndexMap<String, Option<f64>>>,
+    /// What stages move, by name: `ux` … of its nodes (m) and `reaction_x` … (N), the force with which it pushes on the model, along
+    /// what is not free.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub moved: IndexMap<String, IndexMap<String, f64>>,
     /// Named point of the mesh → displacement since the initial equilibrium (m) of the nearest node of what stands throughout.
     pub walls: IndexMap<String, [f64; 3]>,
 }
@@ -58,14 +62,22 @@ const OWN: [(&str, &str); 7] = [
     ("plastic_volume", "m3"),
 ];
 
-/// Writes stages.csv whole: a row a stage, then `MONITOR.QUANTITY` for each of the columns.
+/// Writes stages.csv whole: a row a stage, then `MONITOR.QUANTITY` for each of the columns, then `NAME.QUANTITY` of what is moved.
 ///
 /// # Errors
 /// [`Error::Io`].
 pub fn write_stages(path: &Path, columns: &[Column], stages: &[StageSummary]) -> Result<(), Error> {
     let mut out = csv::Writer::from_writer(Vec::new());
     let own = OWN.iter().map(|(name, unit)| Column::new(*name, *unit).header());
-    let mut rows = vec![own.chain(columns.iter().map(Column::header)).collect::<Vec<String>>()];
+    let moved = stages.first().map(|first| &first.moved).into_iter().flatten();
+    let moved: Vec<(&String, &String)> =
+        moved.flat_map(|(name, of)| of.keys().map(move |quantity| (name, quantity))).collect();
+    let unit = |quantity: &str| if quantity.starts_with('u') { "m" } else { "N" };
+    let of_moved = moved
+        .iter()
+        .map(|(name, quantity)| Column::new(format!("{name}.{quantity}"), unit(quantity)).header());
+    let mut rows =
+        vec![own.chain(columns.iter().map(Column::header)).chain(of_moved).collect::<Vec<String>>()];
     for (k, stage) in stages.iter().enumerate() {
         let mut row = vec![k.to_string(), stage.name.clone(), stage.cycles.to_string()];
         let mut push = |x: f64| {
@@ -80,6 +92,9 @@ pub fn write_stages(path: &Path, columns: &[Column], stages: &[StageSummary]) ->
             let (monitor, quantity) = column.name.rsplit_once('.').unwrap_or((&column.name, ""));
             let value = stage.monitors.get(monitor).and_then(|of| of.get(quantity).copied().flatten());
             push(value.unwrap_or(f64::NAN));
+        }
+        for (name, quantity) in &moved {
+            push(stage.moved.get(*name).and_then(|of| of.get(*quantity).copied()).unwrap_or(f64::NAN));
         }
         rows.push(row);
     }

@@ -145,6 +145,10 @@ fn root(parent: &mut BTreeMap<u32, u32>, mut node: u32) -> u32 {
 /// Each boundary that stands for ground that goes on, with the opening for which it is nearest. Periodic sides, those that `mirrored`
 /// says stand for a mirror, free ones, and boundaries that all openings reach are none; the top is one where an overburden presses.
 pub fn near_sides(model: &Model, mirrored: [bool; 2]) -> Vec<NearSide> {
+    // What stands free before the shaking is a specimen, and no ground.
+    if model.bed.rollers == [false; 2] {
+        return Vec::new();
+    }
     let openings = openings(model, Stage::Shaking);
     let (low, high) = model.faces.bounds;
     let presses = model.tractions.iter().flat_map(|traction| &traction.faces).any(|(face, _)| {

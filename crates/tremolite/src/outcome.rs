@@ -18,6 +18,7 @@ pub(crate) fn run_in_words(
     let Evidence { outcome, plan, .. } = evidence;
     let ended = match &outcome.ending {
         Ending::Restless { stage, relaxed, place } => restless(stage, outcome.stages.len(), relaxed, place),
+        Ending::SnappedBack { stage, lost, held } => snapped_back(stage, *lost, *held),
         Ending::Failed { halt, place } => {
             failed(halt, place, outcome.taken as f64 * outcome.dt, outcome.balance[Line::Created])
         }
@@ -82,6 +83,23 @@ fn failed(halt: &Halt, place: &Said, time: f64, created: f64) -> Vec<Said> {
     };
     let place = said!("Most of it is in {place}.", place = place.clone());
     vec![why, place, remedy]
+}
+
+/// Why a stage that moves nodes was given up.
+fn snapped_back(stage: &str, lost: f64, held: f64) -> Vec<Said> {
+    let joule = |x: f64| format!("{x:.2e}");
+    let why = said!(
+        "In the stage '{stage}' the specimen snapped back: {lost} J of the {held} J that it held were let go at once, since it held \
+         more than its cracks take, and no displacement in between is at rest.",
+        stage = stage,
+        lost = joule(lost),
+        held = joule(held),
+    );
+    let remedy = said!(
+        "The rows before it stand. Move what is nearer to the crack, as a test that is driven by the opening of the crack, take a \
+         shorter or less slender specimen, or more and smaller `steps` if the force had not reached its peak."
+    );
+    vec![why, remedy]
 }
 
 /// Why a stage did not come to rest.

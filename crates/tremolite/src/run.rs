@@ -3,6 +3,7 @@
 mod before;
 mod beside;
 mod kept;
+mod moved;
 
 pub(crate) use beside::Beside;
 pub(crate) use kept::{Beginning, uneven};
@@ -58,6 +59,12 @@ pub enum Ending {
         stage: String,
         relaxed: Relaxed,
         place: Said,
+    },
+    /// What a stage moves snapped back: its name, and what \[J\] it let go at once of what it held.
+    SnappedBack {
+        stage: String,
+        lost: f64,
+        held: f64,
     },
     /// Energy appeared: the halt, and the element where most of it is.
     Failed {
@@ -196,6 +203,9 @@ pub fn run(
         Before::Stopped => Some(Ending::Stopped),
         Before::Failed { stage, relaxed, place } => {
             Some(Ending::Restless { stage: plan.stages[stage].name.clone(), relaxed, place })
+        }
+        Before::SnappedBack { stage, lost, held } => {
+            Some(Ending::SnappedBack { stage: plan.stages[stage].name.clone(), lost, held })
         }
     };
     let stage_seconds = begin.elapsed().as_secs_f64();

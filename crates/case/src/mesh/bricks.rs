@@ -18,7 +18,32 @@ pub(super) static BOX: Table = Table {
         Key::required("x", Kind::Table(&AXIS), "extent along x"),
         Key::required("y", Kind::Table(&AXIS), "extent along y"),
         Key::required("z", Kind::Table(&AXIS), "extent along z, upwards"),
-        Key::default("group", Kind::Name, r#""rock""#, "Name of the group of all elements"),
+        Key::default(
+            "group",
+            Kind::Name,
+            r#""rock""#,
+            "Name of the group of all elements that are in no part",
+        ),
+        Key::optional(
+            "part",
+            Kind::Tables(&PART),
+            "",
+            "Parts of the box with groups of their own; where two meet, the later",
+        ),
+    ],
+    choice: &[],
+};
+
+const RANGE: Kind = Kind::List(&COORDINATE, 2, 2);
+
+static PART: Table = Table {
+    path: "mesh.box.part",
+    doc: "The elements of a box whose middle lies in a range of coordinates.",
+    keys: &[
+        Key::required("group", Kind::Name, "name of the group"),
+        Key::optional("x", RANGE, "", "Smallest and largest x"),
+        Key::optional("y", RANGE, "", "Smallest and largest y"),
+        Key::optional("z", RANGE, "", "Smallest and largest z"),
     ],
     choice: &[],
 };
@@ -40,8 +65,20 @@ static AXIS: Table = Table {
 pub struct MeshBox {
     /// x, y, z.
     pub axes: [Axis; 3],
-    /// Name of the group of all elements.
+    /// Name of the group of all elements that are in no part.
     pub group: Spanned<String>,
+    /// Parts with groups of their own; where two meet, the later.
+    pub parts: Vec<MeshPart>,
+    /// Its table in the case: the header, or the braces.
+    pub span: Range<usize>,
+}
+
+/// The elements of a box whose middle lies in a range of coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPart {
+    pub group: Spanned<String>,
+    /// Smallest and largest x, y, z, m; nothing: all.
+    pub ranges: [Option<Spanned<[f64; 2]>>; 3],
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -65,6 +102,7 @@ impl MeshBox {
         Some(MeshBox {
             axes: [axis("x")?, axis("y")?, axis("z")?],
             group: f.text("group")?,
+            parts: f.tables("part").map(MeshPart::read).collect::<Option<_>>()?,
             span: f.span.clone(),
         })
     }
@@ -77,6 +115,22 @@ impl MeshBox {
                 problems.push(Problem::at(&to, "`to` must be above `from`", "swap the two, or mend one"));
             }
         }
+        let parts = f.tables("part");
+        let ranges =
+            parts.flat_map(|part| ["x", "y", "z"].into_iter().filter_map(|axis| part.numbers::<2>(axis)));
+        problems.extend(ranges.filter(|range| range.value[0] >= range.value[1]).map(|range| {
+            Problem::at(&range, "the larger coordinate must stand second", "swap the two, or mend one")
+        }));
+    }
+}
+
+impl MeshPart {
+    fn read(f: &Fields) -> Option<Self> {
+        Some(MeshPart {
+            group: f.text("group")?,
+            ranges: ["x", "y", "z"].map(|axis| f.numbers(axis)),
+            span: f.span.clone(),
+        })
     }
 }
 

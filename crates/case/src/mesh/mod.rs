@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use tremolite_laws::parameter::Dimension;
 
-pub use bricks::{Axis, MeshBox};
+pub use bricks::{Axis, MeshBox, MeshPart};
 pub use caverns::{Cavern, CavernShape, Caverns, Gallery, Ground, Length, Lining, RockLayer, Shotcrete};
 
 use crate::fields::Fields;

@@ -115,7 +115,14 @@ fn the_search_for_equilibrium_has_defaults_that_are_listed_where_there_is_one() 
     let gravity = "gravity = 9.81 m/s2";
     let plain = at_once();
     assert_eq!(keys(&plain), [gravity]);
-    let all = [gravity, "release_cycles = 200", "max_cycles = 20000", "tolerance = 1e-5"];
+    let all = [
+        gravity,
+        "sides = roller",
+        "base = fixed",
+        "release_cycles = 200",
+        "max_cycles = 20000",
+        "tolerance = 1e-5",
+    ];
     assert_eq!(keys(&format!("{plain}\n[initial]\nlateral = 0.8\n")), all);
     assert_eq!(keys(&format!("{plain}\n[[stage]]\nname = \"a\"\n"))[..], all);
     let case = read(&plain);

@@ -174,7 +174,7 @@ fn what_the_reader_refuses_for_its_form_does_not_fit() {
         ("bond = { stiffness = 1e10, strength = 3e5", "bond = { stiffness = 1e10"),
         ("name = \"tunnel filled\"\n", ""),
         ("excavate = [\"transformer.bench*\"]", "excavate = []"),
-        ("{ \"*.lining\" = \"0.2 MPa\", top = 1000 }", "{ top = -1 }"),
+        ("group = \"*.lining\"\nwithin", "within"),
         ("{ \"*.lining\" = \"0.2 MPa\", top = 1000 }", "{}"),
         (
             "{ \"transformer.lining\" = \"concrete\", \"rock*\" = \"rock\" }",

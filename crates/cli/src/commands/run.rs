@@ -302,7 +302,7 @@ pub fn run(args: &Args) -> Outcome {
         Ok(match outcome.ending {
             Ending::Done if args.strict && (warned || summary.warnings() > 0) => Code::Failed,
             Ending::Done => Code::Done,
-            Ending::Failed { .. } | Ending::Restless { .. } => Code::Failed,
+            Ending::Failed { .. } | Ending::Restless { .. } | Ending::SnappedBack { .. } => Code::Failed,
             Ending::Stopped => Code::Stopped,
         })
     })

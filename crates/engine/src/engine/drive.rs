@@ -2,6 +2,7 @@
 
 use super::Engine;
 use super::gather::force;
+use crate::life::Stage;
 use crate::state::State;
 use tremolite_laws::Row;
 
@@ -27,6 +28,11 @@ impl Engine<'_> {
             }
         }
         work
+    }
+
+    /// The phase's stage.
+    pub fn stage(&self) -> Stage {
+        self.phase.stage
     }
 
     /// The force \[N\] with which each of [`crate::Model::prescribed`] pushes on the model along x, y and z where a state is, of the

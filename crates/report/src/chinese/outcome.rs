@@ -80,4 +80,13 @@ pub const TEXTS: Texts = &[
     ("{groups} becomes {material}", "{groups} 变为 {material}"),
     ("{pressure} on {face}", "{face} 上作用 {pressure}"),
     ("bolts '{name}' placed", "安装锚杆“{name}”"),
+    ("{name} moved to {way} = {to}", "将 {name} 移至 {way} = {to}"),
+    (
+        "In the stage '{stage}' the specimen snapped back: {lost} J of the {held} J that it held were let go at once, since it held more than its cracks take, and no displacement in between is at rest.",
+        "在阶段“{stage}”中试件发生回跳：其储存的 {held} J 能量中有 {lost} J 被瞬间释放，因为它储存的能量多于裂缝所能耗散的，而中间的任何位移都不能平衡。",
+    ),
+    (
+        "The rows before it stand. Move what is nearer to the crack, as a test that is driven by the opening of the crack, take a shorter or less slender specimen, or more and smaller `steps` if the force had not reached its peak.",
+        "此前各行有效。请移动更靠近裂缝的部位（如由裂缝张开控制的试验），或采用更短、更粗的试件；若力尚未达到峰值，可采用更多、更小的 `steps`。",
+    ),
 ];

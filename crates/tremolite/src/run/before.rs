@@ -2,6 +2,7 @@
 
 use super::beside::Beside;
 use super::kept::{self, Rested};
+use super::moved::MovedNodes;
 use super::{Control, Progress, TELL};
 use crate::checkpoint;
 use crate::error::RunError;
@@ -34,6 +35,12 @@ const INITIAL_MOTION: &str = "initial_motion";
 pub(super) enum Before {
     Done,
     Stopped,
+    /// What a stage moves snapped back: the stage, and what was let go at once of what was held \[J\].
+    SnappedBack {
+        stage: usize,
+        lost: f64,
+        held: f64,
+    },
     /// In this stage, with a place.
     Failed {
         stage: usize,
@@ -61,6 +68,13 @@ impl Stages<'_> {
             let mut engine = Engine::new(model, assembly, &phase);
             match self.relax(k, planned, &mut engine, state, control)? {
                 Relaxed::AtRest(rest) => {
+                    let moved = MovedNodes::of(model, &mut engine, state);
+                    if let Some((lost, held)) = moved.snapped_back(&mut state.observers, k, &rest) {
+                        self.give_up(k, &phase, &mut engine, state)?;
+                        self.write(state)?;
+                        return Ok(Before::SnappedBack { stage: k, lost, held });
+                    }
+                    moved.remember(&mut state.observers, k);
                     self.look(k, &phase, &mut engine, state, &rest)?;
                     self.write(state)?;
                 }

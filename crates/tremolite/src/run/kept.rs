@@ -3,6 +3,7 @@
 //! Each column has a key of its own that also says where its monitor is: a run that begins with another's rest may have other
 //! monitors, of which nothing is known in the stages.
 
+use super::moved;
 use crate::observers::{View, columns};
 use crate::plan::Plan;
 use crate::point_stress::mean;
@@ -122,6 +123,7 @@ pub(super) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<Stag
                 plastic_volume: row[4],
                 held: row[5],
                 monitors,
+                moved: moved::recall(model, memory, k),
                 walls: walls
                     .iter()
                     .filter_map(|(name, _)| Some(((*name).to_owned(), motion(name)?)))

@@ -190,7 +190,18 @@ fn boxed(bricks: &case::MeshBox) -> Result<Mesh, String> {
     };
     let [x, y, z] = bricks.axes.each_ref().map(axis);
     let mut mesh = BoxSpec { x, y, z, distortion: None }.mesh().map_err(|e| e.to_string())?;
-    mesh.groups = [(bricks.group.value.clone(), (0..mesh.elements.len() as u32).collect())].into();
+    mesh.groups.clear();
+    for e in 0..mesh.elements.len() {
+        let nodes = mesh.elements[e].nodes();
+        let middle = [0, 1, 2]
+            .map(|i| nodes.iter().map(|&n| mesh.nodes[n as usize][i]).sum::<f64>() / nodes.len() as f64);
+        let is_in = |part: &&case::MeshPart| {
+            let mut ranges = middle.iter().zip(&part.ranges);
+            ranges.all(|(x, range)| range.as_ref().is_none_or(|r| (r.value[0]..r.value[1]).contains(x)))
+        };
+        let group = bricks.parts.iter().rfind(is_in).map_or(&bricks.group, |part| &part.group);
+        mesh.groups.entry(group.value.clone()).or_default().push(e as u32);
+    }
     Ok(mesh)
 }
 

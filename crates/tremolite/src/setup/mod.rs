@@ -122,6 +122,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
     let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
+    stages::check_moved(case, &mesh, &staged.solid(), &mut problems);
     let lasting = staged.lasting(&bodies);
     let monitors = monitors::build(case, &mesh, &lasting, &mut problems);
     let interfaces = interfaces::build(case, &mesh, &bodies, &staged.places, &laws.interfaces, &mut problems);

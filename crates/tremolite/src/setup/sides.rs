@@ -33,8 +33,13 @@ pub fn top(top: case::Top) -> Top {
 /// Refuses a mesh from a file whose outer sides do not lie along x and y where sides act. Generated meshes stand along them.
 pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
     let case::Mesh::File(file) = &case.mesh else { return };
-    // Where equilibrium is sought, free sides are rollers until the earthquake.
-    let acts = case.dynamic.sides.each_ref().map(|s| s.value != case::Side::Free || case.seeks_equilibrium());
+    let acts = [0, 1].map(|axis| {
+        let side = case.dynamic.sides[axis].value;
+        let holds = matches!(side, case::Side::Periodic | case::Side::Fixed);
+        // Where equilibrium is sought, free sides are rollers until the earthquake, unless the case says otherwise.
+        let before = holds || case.initial.sides[axis].value == case::SideHold::Roller;
+        (case.motion.is_some() && side != case::Side::Free) || (case.seeks_equilibrium() && before)
+    });
     if acts == [false; 2] {
         return;
     }
@@ -44,8 +49,8 @@ pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
         // What one pair of sides needs, the engine asks for.
         Err(_) if acts != [true; 2] => return,
         Err(e) => {
-            let remedy = "cut the model along two pairs of parallel vertical planes, or write sides = \"free\" where nothing is \
-                          to act on them before the earthquake either";
+            let remedy = "cut the model along two pairs of parallel vertical planes, or write sides = \"free\", in [initial] as well, \
+                          where nothing is to act on them";
             problems.push(Problem::at(place, e.to_string(), remedy));
             return;
         }

@@ -3,8 +3,10 @@
 mod exposed;
 mod faces;
 mod lives;
+mod moved;
 mod pressures;
 
+pub use moved::{bed, check_moved};
 pub use pressures::check_pressures;
 
 use super::changes::{Version, before, versions};
@@ -188,7 +190,14 @@ impl Staged {
                 walls: &walls,
             };
             let mut acting = loads(case, k, &around, &outer, &mut warnings);
-            acting.extend(sides(&space.initial, space.sides, &self.places, &shown, &outer));
+            acting.extend(sides(
+                &space.initial,
+                space.sides,
+                bed(case).rollers,
+                &self.places,
+                &shown,
+                &outer,
+            ));
             if !acting.is_empty() {
                 space.tractions.push(Traction {
                     name: format!("pressures in stage {k}"),
@@ -197,6 +206,8 @@ impl Staged {
                 });
             }
         }
+        space.bed = bed(case);
+        space.prescribed = moved::prescribed(case, &space.mesh, &shown);
         warnings
     }
 
@@ -244,7 +255,14 @@ fn changes(case: &Case, stage: &case::Stage) -> Vec<Said> {
         .iter()
         .map(|(face, p)| said!("{pressure} on {face}", pressure = pressure(p.value), face = &face.value));
     let bolts = stage.bolts.iter().map(|bolts| said!("bolts '{name}' placed", name = &bolts.name.value));
-    materials.chain(pressures).chain(bolts).collect()
+    let moved = stage.displacements.iter().filter(|_| stage.moves).flat_map(|one| {
+        let ways = ["ux", "uy", "uz"].into_iter().zip(one.to);
+        ways.filter_map(|(way, to)| to.filter(|to| *to != 0.0).map(|to| (way, to))).map(|(way, to)| {
+            let to = case::units::format(to, Dimension::LENGTH);
+            said!("{name} moved to {way} = {to}", name = &one.name, way = way, to = to)
+        })
+    });
+    materials.chain(pressures).chain(moved).chain(bolts).collect()
 }
 
 /// Name of what comes before all stages of a case.
@@ -276,7 +294,11 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
             "add a stage with release = 1, or give this one",
         ));
     }
-    if let (Some(first), None) = (case.stages.first(), &case.initial.stress) {
+    let moves = case.stages.iter().any(|stage| !stage.displacements.is_empty());
+    let excavates = case.stages.iter().any(|stage| !stage.excavate.is_empty());
+    if let (Some(first), None) = (case.stages.first(), &case.initial.stress)
+        && (excavates || !moves)
+    {
         warnings.push(Problem::at(
             &first.name,
             "there is no initial stress, so what is excavated lets nothing go",

@@ -45,7 +45,7 @@ pub(super) fn loads(
     let above = pressures.iter().find(|(name, ..)| *name == TOP).map_or(0.0, |(_, p, _)| *p);
     pressures.retain(|(name, ..)| *name != TOP);
     let on_top = overburden + above;
-    if on_top > 0.0 {
+    if on_top != 0.0 {
         acting.extend(top.iter().map(|&face| (face, tensor(on_top))));
     }
     if pressures.is_empty() {
@@ -72,7 +72,7 @@ pub(super) fn loads(
             (own == face.element && inside[own as usize]) || beside().any(|&e| inside[e as usize] && gone(e))
         };
         let faces: Vec<Face> = walls_here.iter().copied().filter(is_pressed).collect();
-        if let (true, Some(written)) = (faces.is_empty() && p > 0.0, now) {
+        if let (true, Some(written)) = (faces.is_empty() && p != 0.0, now) {
             warnings.push(Problem::at(
                 written,
                 format!("'{pattern}' bounds no void in this stage, so nothing is pressed"),
@@ -111,6 +111,7 @@ const TOP: &str = "top";
 pub(super) fn sides(
     initial: &[[f64; 6]],
     sides: [Side; 2],
+    rollers: [bool; 2],
     places: &[Life],
     shown: &[u32],
     outer: &OuterFaces,
@@ -120,7 +121,7 @@ pub(super) fn sides(
         return acting;
     }
     for axis in 0..2 {
-        if matches!(sides[axis], Side::Periodic | Side::Fixed) {
+        if matches!(sides[axis], Side::Periodic | Side::Fixed) || !rollers[axis] {
             continue;
         }
         for &face in outer.planes[axis].iter().flatten() {

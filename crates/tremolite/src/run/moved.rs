@@ -1,0 +1,106 @@
+//! What stages that move nodes leave: the way, the force that it takes, and whether the specimen snapped back.
+
+use indexmap::IndexMap;
+use tremolite_engine::engine::Rest;
+use tremolite_engine::state::{Memory, State};
+use tremolite_engine::{Engine, Model};
+
+/// Share of the energy held before a step beyond which its loss in the step is a snap-back.
+///
+/// A bar whose softening is just stable loses none; one that is twice as long as it may be loses most of what it holds (test
+/// `specimens`).
+const MOST_LOST: f64 = 0.1;
+/// Numbers of a name and a stage: way and force along x, y, z.
+const EACH: usize = 6;
+const HELD: &str = "energy held in stages";
+/// What the relaxation's damping takes of a way, over its square \[J/m²\].
+const DRAG: &str = "drag of stages";
+
+/// The quantities of a name, with their units.
+pub(super) const QUANTITIES: [(&str, &str); EACH] =
+    [("ux", "m"), ("uy", "m"), ("uz", "m"), ("reaction_x", "N"), ("reaction_y", "N"), ("reaction_z", "N")];
+
+/// What is moved in a stage, where it is at rest.
+pub(super) struct MovedNodes {
+    /// By name: way \[m\] and force \[N\]; not a number along what is free.
+    each: Vec<(String, [f64; EACH])>,
+    /// What elements hold \[J\].
+    held: f64,
+}
+
+impl MovedNodes {
+    /// Of a state at rest in the engine's phase.
+    pub fn of(model: &Model, engine: &mut Engine, state: &State) -> MovedNodes {
+        if model.prescribed.is_empty() {
+            return MovedNodes { each: Vec::new(), held: 0.0 };
+        }
+        let reactions = engine.reactions(state);
+        let now = engine.stage();
+        let here = model.prescribed.iter().zip(reactions).filter(|(one, _)| one.life.holds(now));
+        let each = here.map(|(one, force)| {
+            let row = std::array::from_fn(|i| match (one.to[i % 3], i < 3) {
+                (None, _) => f64::NAN,
+                (Some(to), true) => to,
+                (Some(_), false) => force[i % 3],
+            });
+            (one.name.clone(), row)
+        });
+        let energy = engine.observe(&mut state.clone()).energy;
+        MovedNodes { each: each.collect(), held: energy.iter().map(|element| element.held()).sum() }
+    }
+
+    /// The energy \[J\] that a step lost, and what was held before, where it lost too much of it to have gone along states at rest.
+    ///
+    /// What the damping of the relaxation takes of a model that stays linear goes by the square of the way: the first step, in which
+    /// nothing should crack, says how much of that is none.
+    pub fn snapped_back(&self, memory: &mut Memory, stage: usize, rest: &Rest) -> Option<(f64, f64)> {
+        let before = *memory.get(HELD)?.last()?;
+        let mut square = 0.0;
+        for (name, now) in &self.each {
+            let earlier = of_stage(memory, name, stage.checked_sub(1)?)?;
+            let ways = (0..3).map(|i| now[i] - earlier[i]).filter(|way| way.is_finite());
+            square += ways.map(|way| way * way).sum::<f64>();
+        }
+        if square == 0.0 {
+            return None;
+        }
+        let drag = memory.entry(DRAG.into()).or_insert_with(|| vec![rest.damped / square])[0];
+        let lost = rest.damped - drag * square;
+        (lost > MOST_LOST * before && before > 0.0).then_some((lost, before))
+    }
+
+    pub fn remember(&self, memory: &mut Memory, stage: usize) {
+        if self.each.is_empty() {
+            return;
+        }
+        memory.entry(HELD.into()).or_default().push(self.held);
+        for (name, row) in &self.each {
+            let rows = memory.entry(key(name)).or_default();
+            rows.resize(stage * EACH, f64::NAN);
+            rows.extend(row);
+        }
+    }
+}
+
+fn key(name: &str) -> String {
+    format!("moved {name}")
+}
+
+fn of_stage(memory: &Memory, name: &str, stage: usize) -> Option<[f64; EACH]> {
+    memory.get(&key(name))?.as_chunks::<EACH>().0.get(stage).copied()
+}
+
+/// What is remembered of a stage: name → quantity → value, of what is not free.
+pub(super) fn recall(
+    model: &Model,
+    memory: &Memory,
+    stage: usize,
+) -> IndexMap<String, IndexMap<String, f64>> {
+    let mut all = IndexMap::new();
+    for one in &model.prescribed {
+        let Some(row) = of_stage(memory, &one.name, stage) else { continue };
+        let known = QUANTITIES.iter().zip(row).filter(|(_, value)| value.is_finite());
+        all.insert(one.name.clone(), known.map(|((name, _), value)| ((*name).to_owned(), value)).collect());
+    }
+    all
+}
