@@ -55,10 +55,8 @@ const BAD: &[Bad] = &[
     bad(JACK, "steps = 1", "[[stage.displacement]]", "nothing says how far it is moved", "0 for a support"),
     bad(JACK, "ux = \"1 MPa\"", "\"1 MPa\"", "a length is expected", "0.5 m"),
     bad(JACK, "ux = 1e-3\nsteps = 0", "0", "`steps` should be a whole number from 1 to 5000", "steps"),
-    bad(JACK, "ux = 1e-3\nsteps = 3", "[[stage.displacement]]\nface", "a stage goes in 3 and in 1 steps", "the same `steps`"),
     bad("group = \"*.lining\"\nwithin", "group = \"*.lining\"\nface = \"top\"\nwithin", "face", "`face` cannot stand beside `group`", "one of"),
     bad("x = [\"1 m\", \"2 m\"]", "x = [\"2 m\", \"1 m\"]", "[\"2 m\", \"1 m\"]", "the larger coordinate stands first", "swap"),
-    bad("name = \"jack\"", "name = \"top\"", "[[stage.displacement]]\nface", "'top' is moved twice in this stage", "`name` of its own"),
     bad("name = \"jack\"", "name = \"A\"", "[[stage.displacement]]", "a monitor is called 'A' as well", "another `name`"),
     bad("release = \"100 %\"", "release = 0.5", "0.5", "lets go of all that is held", "a stage of its own"),
     bad("[motion]", "[[stage]]\nname = \"again\"\ndisplacement = { name = \"jack\", face = \"top\", ux = 0 }\n[motion]", "{ name = \"jack\", face = \"top\", ux = 0 }", "'jack' meant other nodes in an earlier stage", "another `name`"),
@@ -68,4 +66,18 @@ const BAD: &[Bad] = &[
 fn each_mistake_in_a_displacement_is_reported_once_at_its_place_with_a_way_out() {
     let failures: Vec<String> = BAD.iter().filter_map(Bad::failure).collect();
     assert!(failures.is_empty(), "{} of {}:\n{}", failures.len(), BAD.len(), failures.join("\n\n"));
+}
+
+#[test]
+fn displacements_of_a_stage_have_the_same_steps_and_names_of_their_own() {
+    for (from, to, message) in [
+        (JACK, "ux = 1e-3\nsteps = 3", "a stage goes in 3 and in 1 steps"),
+        ("name = \"jack\"", "name = \"top\"", "'top' is moved twice in this stage"),
+    ] {
+        let source = GOOD.replace(from, to);
+        let report = Case::parse(Path::new("case.toml"), &source, MATERIALS).expect_err(to);
+        let [problem] = &report.problems[..] else { panic!("{report}") };
+        assert_eq!(problem.message, message);
+        assert!(source[problem.span.start..].starts_with("[[stage.displacement]]\nface"), "{report}");
+    }
 }

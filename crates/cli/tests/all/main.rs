@@ -24,6 +24,7 @@ mod ringing;
 mod shipped_cases;
 mod shotcrete;
 mod sides;
+mod specimens;
 mod stage_case;
 mod stage_refusals;
 mod stages;
