@@ -10,7 +10,7 @@ use crate::source::Source;
 use crate::stage_name::{called, name};
 use crate::text_table::{Cell, Head, TextTable};
 use crate::units::Kind;
-use crate::{convergence, reaction, relaxation, stage_maps};
+use crate::{convergence, pushed, reaction, relaxation, stage_maps};
 
 /// A sum over the sum of the sizes of its parts, or a value over the largest of its kind, below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
@@ -24,6 +24,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         return None;
     }
     let mut blocks = vec![table(source, &facts)];
+    blocks.extend(pushed::block(source, &facts));
     blocks.extend(relaxation::block(source, &facts));
     blocks.extend(convergence::block(source, &facts));
     blocks.extend(reaction::block(source, &facts));

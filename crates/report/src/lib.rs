@@ -73,6 +73,7 @@ mod plan;
 mod plastic_zones;
 mod plot;
 mod plotted;
+mod pushed;
 mod reaction;
 pub mod record;
 mod record_figure;

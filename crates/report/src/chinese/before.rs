@@ -108,6 +108,18 @@ pub const TEXTS: Texts = &[
         "最终（{end}）位移最大：{point}，向洞内 {size}。",
     ),
     ("closer by", "靠近量"),
+    ("Force over displacement", "力–位移曲线"),
+    ("displacement since the initial equilibrium", "自初始平衡起的位移"),
+    ("force over displacement of what stages move", "各阶段所移动部位的力–位移曲线"),
+    (
+        "{name}: largest force {force} at {way}; {left} at the end, {end}. ",
+        "{name}：最大力 {force}，位移 {way}；结束时 {left}，位移 {end}。",
+    ),
+    (
+        "The force with which what is moved pushes on the model, positive along the axis, when the model is at rest after each step. \
+         All steps are in stages.csv.",
+        "被移动部位在每一步静止后作用于模型的力，沿坐标轴为正。全部步骤见 stages.csv。",
+    ),
     ("Ground reaction", "围岩特征曲线"),
     ("{drawn} of {all} such excavations are drawn.", "共有 {all} 次分步释放的开挖，图中给出 {drawn} 次。"),
     (
