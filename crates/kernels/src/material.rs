@@ -24,6 +24,8 @@ pub trait AnyMaterial: Send + Sync {
     fn size_limit(&self) -> f64;
     /// See [`Material::crack_energy`].
     fn crack_energy(&self, extent: f64) -> Option<f64>;
+    /// See [`Material::corner_strength`].
+    fn corner_strength(&self, extent: f64) -> Option<f64>;
     /// See [`Material::derived`]; of a law with damping over a band also its relaxed modulus.
     fn derived(&self, extents: [f64; 2]) -> Vec<Derived>;
     /// See [`Material::compressive_strength`].
@@ -87,6 +89,10 @@ impl<M: Material> AnyMaterial for Instance<M> {
 
     fn crack_energy(&self, extent: f64) -> Option<f64> {
         self.law.crack_energy(extent)
+    }
+
+    fn corner_strength(&self, extent: f64) -> Option<f64> {
+        self.law.corner_strength(extent)
     }
 
     fn derived(&self, extents: [f64; 2]) -> Vec<Derived> {

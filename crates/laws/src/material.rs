@@ -240,6 +240,12 @@ pub trait Material: Send + Sync + Sized + 'static {
         None
     }
 
+    /// Share of its strength that a body of elements of this extent \[m\] across the crack keeps where stress concentrates, at
+    /// most 1; none for a law without cracks, and for one whose strength there does not go by the elements.
+    fn corner_strength(&self, _extent: f64) -> Option<f64> {
+        None
+    }
+
     /// Uniaxial compressive strength \[Pa\] at static rates, of a law that has one.
     fn compressive_strength(&self) -> Option<f64> {
         None

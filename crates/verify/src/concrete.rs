@@ -39,7 +39,7 @@ pub fn slope() -> f64 {
     (1.0 + FRICTION.sin()) / (1.0 - FRICTION.sin())
 }
 
-/// Its parameters with some numbers and words changed; without rates unless a word asks for them.
+/// Its parameters with some numbers and words changed: the paper's plateau and split, and no rates, unless a word asks for others.
 pub fn values(numbers: &[(&str, f64)], words: &[(&str, &str)]) -> Values {
     let own = [
         ("young", YOUNG),
@@ -54,7 +54,8 @@ pub fn values(numbers: &[(&str, f64)], words: &[(&str, &str)]) -> Values {
     for (name, value) in own.iter().chain(numbers) {
         values = values.with(name, *value);
     }
-    for (name, word) in [("rate", "none")].iter().chain(words) {
+    let own = [("rate", "none"), ("evolution", "residual"), ("split", "effective")];
+    for (name, word) in own.iter().chain(words) {
         values.0.insert((*name).to_owned(), Value::Word((*word).to_owned()));
     }
     values

@@ -17,13 +17,14 @@
 //! cracked point under a trace of compression: c3′ = (1 − D⁺) c3 in tension (`shear_tension = "effective"` is the
 //! print). In (7) the effective split has no potential where ν ≠ 0 and D⁺ ≠ D⁻: a closed loop of strain at fixed
 //! damage can give out work, 0.3 to 0.4 of its peak energy (the worst of 300 random loops of principal strain at
-//! D⁺ = 0.9, D⁻ = 0); `split = "compliance"` cannot, and its dissipation is never negative. What either
-//! split takes and the effective one gives out is booked (`concrete/energy.rs`).
+//! D⁺ = 0.9, D⁻ = 0); `split = "compliance"`, the default, cannot, and its dissipation is never negative. What
+//! either split takes and the effective one gives out is booked (`concrete/energy.rs`).
 //!
-//! **Beyond the paper.** `fracture_energy` sets ε_us from the element's extent h across the crack,
-//! ε_us = ε_ts + (G_f/h − ½f_t ε_ts)/(α f_t); `evolution = "exponential"` is the crack band (Bažant & Oh 1983),
-//! D⁺ = 1 − (ε_t/ε̄) exp\[−(ε̄ − ε_t)/ε_f\], ε_f = f_ε\[G_f/(f_t h) − ½ε_ts\]; `driver = "stress"` takes
-//! ε̄ = √Σ⟨σ̂_i⟩²/E.
+//! **Beyond the paper.** `evolution = "exponential"`, the default, is the crack band (Bažant & Oh 1983),
+//! D⁺ = 1 − (ε_t/ε̄) exp\[−(ε̄ − ε_t)/ε_f\], ε_f = f_ε\[G_f/(f_t h) − ½ε_ts\], with the element's extent h across the
+//! crack. `evolution = "residual"` is the paper's plateau, to which the stress drops at once: strength at corners
+//! falls with the element size (`concrete/corner.rs`). There `fracture_energy` sets
+//! ε_us = ε_ts + (G_f/h − ½f_t ε_ts)/(α f_t). `driver = "stress"` takes ε̄ = √Σ⟨σ̂_i⟩²/E.
 //!
 //! **Not modelled.** Plastic strain (a crack closes fully), the intermediate principal stress in shear, crushing
 //! energy and with it objectivity in compression (the β plateau does not soften), creep, shrinkage, temperature,
@@ -33,6 +34,7 @@
 //! Kupfer (1969) measured 1.16 f_c. In tension–compression it lies 7 % below Kupfer & Gerstle (1973) at σ_c = 0.1 f_c, 31 % at
 //! 0.3 f_c and cracks under pressure alone near 0.5 f_c; driven by stress 9 to 24 % above.
 
+mod corner;
 mod damping;
 mod derived;
 mod energy;
@@ -96,6 +98,8 @@ pub struct Concrete {
     nominal: bool,
     /// f_c \[Pa\] of the grade where a cohesion stands for it.
     replaced: Option<f64>,
+    /// Whether G_f is Model Code's by f_c, since nothing gives it.
+    energy_of_strength: bool,
     idle: unusual::Idle,
 }
 
@@ -236,6 +240,10 @@ impl Material for Concrete {
 
     fn crack_energy(&self, extent: f64) -> Option<f64> {
         Some(self.fracture_energy(extent))
+    }
+
+    fn corner_strength(&self, extent: f64) -> Option<f64> {
+        self.strength_at_a_corner(extent)
     }
 
     fn tension_use(&self, stress: &Sym<f64>, beside: &Sym<f64>, history: &[f64; MEMORY]) -> Option<f64> {

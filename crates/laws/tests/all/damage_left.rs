@@ -1,6 +1,7 @@
 //! What damage leaves of damping stresses and of the resistance to hourglass modes.
 
 use crate::common::Random;
+use crate::common::concrete::with_words;
 use tremolite_laws::materials::{Concrete, MohrCoulomb};
 use tremolite_laws::{History, Material, Moduli, Point, Sym, Values};
 
@@ -13,7 +14,7 @@ fn concrete() -> Concrete {
         .with("tensile_strength", 1.2e6)
         .with("cohesion", 2e6)
         .with("friction_angle", 0.8);
-    Concrete::new(&values).unwrap()
+    Concrete::new(&with_words(values, &[("evolution", "residual"), ("split", "effective")])).unwrap()
 }
 
 /// The state after a strain came at once.

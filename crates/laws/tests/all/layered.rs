@@ -26,11 +26,11 @@ fn concrete(evolution: &str) -> Concrete {
     let words = match evolution {
         "exponential" => {
             values = values.with("fracture_energy", 130.0);
-            vec![("evolution", "exponential"), ("rate", "none")]
+            vec![("evolution", "exponential"), ("split", "effective"), ("rate", "none")]
         }
         _ => {
             values = values.with("residual_tension", 0.1);
-            vec![("evolution", "residual"), ("rate", "none")]
+            vec![("evolution", "residual"), ("split", "effective"), ("rate", "none")]
         }
     };
     Concrete::new(&with_words(values, &words)).unwrap()
@@ -313,7 +313,7 @@ impl Material for ShowsStrain {
 #[test]
 fn damping_kept_by_the_coefficients_of_the_strain_is_that_of_the_points() {
     let law = {
-        let words = [("rate", "none"), ("evolution", "exponential")];
+        let words = [("rate", "none"), ("split", "effective"), ("evolution", "exponential")];
         let values = Values::default()
             .with("young", YOUNG)
             .with("poisson", 0.17)

@@ -5,6 +5,7 @@ mod concrete_energy;
 mod concrete_parameters;
 mod concrete_paths;
 mod concrete_rates;
+mod concrete_residual;
 mod concrete_strength;
 mod damage_left;
 mod derived;

@@ -16,7 +16,11 @@ impl Concrete {
                 "fracture_energy",
                 extents.map(|h| self.fracture_energy(h)),
                 "N/m",
-                "G_f of a crack across the shortest to longest extent of the elements",
+                if self.energy_of_strength {
+                    "G_f of Model Code 2010 by f_c, 73 f_c^0.18 with f_c in MPa, since none is given"
+                } else {
+                    "G_f of a crack across the shortest to longest extent of the elements"
+                },
             ),
         ];
         match self.evolution {

@@ -44,9 +44,14 @@ impl Grade {
             tensile_strength: tensile * 1e6,
             young: 21.5e9 * (mean / 10.0).cbrt(),
             poisson: 0.2,
-            fracture_energy: 73.0 * mean.powf(0.18),
+            fracture_energy: fracture_energy(mean * 1e6),
         })
     }
+}
+
+/// G_F \[N/m\] of a concrete of mean compressive strength f_cm \[Pa\], 73 f_cm^0.18 in MPa (`mc2010`, 5.1-9).
+pub fn fracture_energy(compressive_strength: f64) -> f64 {
+    73.0 * (compressive_strength / 1e6).powf(0.18)
 }
 
 #[cfg(test)]

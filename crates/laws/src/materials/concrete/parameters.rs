@@ -62,15 +62,16 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "fracture_energy",
         Dimension::FRACTURE_ENERGY,
         Need::Optional(
-            "that of the grade unless ultimate_strain_ratio is given; without a grade that ratio is used",
+            "that of the grade unless ultimate_strain_ratio is given; without a grade 73 f_c^0.18 with f_c in MPa (Model Code \
+             2010), but with evolution = residual that ratio is used",
         ),
         "G_f, energy per area of a crack; the element's size across the crack then sets the softening, in either evolution",
     ),
     word(
         "evolution",
         &["residual", "exponential"],
-        Need::Word("residual"),
-        "softening in tension: plateau or crack band",
+        Need::Word("exponential"),
+        "softening in tension: the plateau of the paper, whose strength at corners falls with the element size, or crack band",
     ),
     word("rate", RATES, Need::Word("ceb"), "how strength grows with the rate of strain"),
     number(
@@ -98,5 +99,10 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "tension across a crack in the shear criterion: what the crack carries, or the effective stress as printed \
          (split = effective alone: split = compliance tests what the point carries)",
     ),
-    word("split", &["effective", "compliance"], Need::Word("effective"), "how damage enters the stress"),
+    word(
+        "split",
+        &["effective", "compliance"],
+        Need::Word("compliance"),
+        "how damage enters the stress: as in the paper, which gives out energy once cracked, or without",
+    ),
 ];

@@ -1,7 +1,7 @@
 //! How what a case says of concrete becomes numbers.
 
 use super::faults::Faults;
-use super::grade::{GRADES, Grade};
+use super::grade::{self, GRADES, Grade};
 use super::rate::Rate;
 use super::unusual;
 use super::{Concrete, Driver, Evolution, Split};
@@ -81,21 +81,17 @@ pub(super) fn read(given: &Values) -> Result<Concrete, Vec<BadParameter>> {
         } else if exponential {
             faults.0.push(BadParameter::new(
                 "ultimate_strain_ratio",
-                "has no meaning with evolution = exponential",
-                "give fracture_energy instead",
+                "has no meaning with evolution = exponential, the default",
+                "give fracture_energy instead, or evolution = \"residual\" for a plateau that ends there",
             ));
         }
     }
     let idle = unusual::idle(given, exponential, rate == "none", split);
     let of_grade = grade.filter(|_| ratio.is_none()).map(|g| g.fracture_energy);
     let energy = energy.or(of_grade);
-    if exponential && energy.is_none() {
-        faults.0.push(BadParameter::new(
-            "fracture_energy",
-            "is missing, and evolution = exponential goes by it",
-            "give it (about 130 N/m for concrete) or a grade",
-        ));
-    }
+    // With evolution = exponential nothing but G_f says how concrete softens.
+    let of_strength = fc.filter(|_| exponential && energy.is_none()).map(grade::fracture_energy);
+    let energy = energy.or(of_strength);
     let (Some(moduli), Some(ft), Some(angle), Some(fc)) = (moduli, ft, angle, fc) else {
         return Err(faults.0);
     };
@@ -116,6 +112,7 @@ pub(super) fn read(given: &Values) -> Result<Concrete, Vec<BadParameter>> {
         split,
         nominal,
         replaced,
+        energy_of_strength: of_strength.is_some(),
         idle,
         rate: Rate::named(rate, fc, reference, filter),
         ..law
@@ -147,6 +144,7 @@ impl Concrete {
             split: Split::Effective,
             nominal: true,
             replaced: None,
+            energy_of_strength: false,
             idle: unusual::Idle::default(),
         }
     }

@@ -1,4 +1,4 @@
-//! The paper's concrete (table 1) and a point of it.
+//! The paper's concrete (table 1), with its plateau and its split, and a point of it.
 
 use super::Random;
 use tremolite_laws::materials::Concrete;
@@ -38,7 +38,7 @@ pub fn values() -> Values {
     ] {
         values = values.with(name, value);
     }
-    with_words(values, &[("rate", "none")])
+    with_words(values, &[("rate", "none"), ("evolution", "residual"), ("split", "effective")])
 }
 
 pub fn with_words(mut values: Values, words: &[(&str, &str)]) -> Values {

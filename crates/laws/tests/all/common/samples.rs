@@ -90,8 +90,18 @@ macro_rules! linear_joint {
 
 const SAMPLES: &[Sample] = &[
     sample("elastic", "", rock!(), &[]),
-    sample("concrete-damage", "effective", concrete!(), &[("split", "effective"), ("rate", "none")]),
-    sample("concrete-damage", "compliance", concrete!(), &[("split", "compliance"), ("rate", "none")]),
+    sample(
+        "concrete-damage",
+        "effective",
+        concrete!(),
+        &[("split", "effective"), ("evolution", "residual"), ("rate", "none")],
+    ),
+    sample(
+        "concrete-damage",
+        "compliance",
+        concrete!(),
+        &[("split", "compliance"), ("evolution", "residual"), ("rate", "none")],
+    ),
     sample(
         "concrete-damage",
         "effective, exponential",
