@@ -66,7 +66,8 @@ const THRESHOLD: f64 = FT / YOUNG;
 
 /// That concrete with more numbers and words, static.
 fn concrete(numbers: &[(&str, f64)], words: &[(&str, &str)]) -> Concrete {
-    let static_words: Vec<_> = [("rate", "none")].iter().chain(words).copied().collect();
+    let own = [("rate", "none"), ("evolution", "residual"), ("split", "effective")];
+    let static_words: Vec<_> = own.iter().chain(words).copied().collect();
     law(&[&CONCRETE, numbers].concat(), &static_words)
 }
 

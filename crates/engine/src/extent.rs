@@ -6,8 +6,14 @@ use tremolite_laws::sym3::principal_values;
 /// Smallest and largest extent \[m\] of an element over all directions p: √(p·G·p) of the size tensor G that its law is
 /// given ([`tremolite_laws::Point::size`]); for a brick the shortest and the longest edge.
 pub fn extents(hex: &Hex8) -> [f64; 2] {
-    let [most, _, least] = principal_values(&size_tensor(hex));
-    [least, most].map(|x| x.max(0.0).sqrt())
+    let [least, _, most] = sizes(hex);
+    [least, most]
+}
+
+/// Principal extents \[m\] of an element, rising; for a brick its edges.
+pub fn sizes(hex: &Hex8) -> [f64; 3] {
+    let [most, middle, least] = principal_values(&size_tensor(hex));
+    [least, middle, most].map(|x| x.max(0.0).sqrt())
 }
 
 /// G = ½ Σ (x − x̄)⊗(x − x̄) over the corners \[m²\], in the order of Voigt.
@@ -29,7 +35,9 @@ mod tests {
             let [x, y, z] = [0.125 * c[0], 0.6 * c[1], 1.5 * c[2]];
             [5.0 + cos * x - sin * z, y, 2.0 + sin * x + cos * z]
         });
-        let [least, most] = extents(&Hex8::new(corners).unwrap());
+        let hex = Hex8::new(corners).unwrap();
+        let [least, most] = extents(&hex);
+        assert!((sizes(&hex)[1] - 1.2).abs() < 1e-7);
         assert!((least - 0.25).abs() < 1e-7 && (most - 3.0).abs() < 1e-12, "{least} {most}");
     }
 }

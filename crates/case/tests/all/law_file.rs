@@ -26,7 +26,8 @@ fn a_law_file_is_read_in_si_with_defaults_listed() {
     assert_eq!((file.kind, file.law.value.as_str()), (LawKind::Material, "concrete-damage"));
     assert_eq!(file.parameters.number("young"), Ok(25e9));
     assert_eq!(file.parameters.optional("friction_angle"), Some(46f64.to_radians()));
-    assert_eq!(file.parameters.word("split"), Some("effective"));
+    assert_eq!(file.parameters.word("split"), Some("compliance"));
+    assert_eq!(file.parameters.word("evolution"), Some("exponential"));
     assert_eq!(file.size, None);
     assert!(
         file.defaulted

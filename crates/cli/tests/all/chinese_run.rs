@@ -22,6 +22,8 @@ tensile_strength = "0.02 MPa"
 ultimate_strain_ratio = 10.0
 residual_tension = 0.1
 residual_shear = 0.2
+evolution = "residual"
+split = "effective"
 young = "20 GPa""#;
 
 #[test]

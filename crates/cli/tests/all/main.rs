@@ -8,6 +8,7 @@ mod chinese_laws;
 mod chinese_run;
 mod circles;
 mod commands;
+mod corners;
 mod every_law;
 mod interfaces;
 mod law;

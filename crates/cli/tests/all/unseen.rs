@@ -4,14 +4,14 @@ use crate::checks::{block, errors, tremolite};
 use std::path::Path;
 use tremolite_results::{Summary, TrustLine};
 
-fn run(folder: &Path, case: &str) -> Summary {
+pub fn run(folder: &Path, case: &str) -> Summary {
     std::fs::write(folder.join("case.toml"), case).unwrap();
     let run = tremolite(folder, &["run", "case.toml", "--out", "results", "--overwrite"]);
     assert!(run.status.success(), "{}", errors(&run));
     Summary::read(&folder.join("results/summary.json")).unwrap()
 }
 
-fn line(summary: &Summary, id: &str) -> TrustLine {
+pub fn line(summary: &Summary, id: &str) -> TrustLine {
     let found = summary.trust.iter().find(|line| line.id.starts_with(id)).cloned();
     found.unwrap_or_else(|| panic!("no {id}"))
 }
@@ -255,6 +255,7 @@ cohesion = "2 MPa"
 friction_angle = "46 deg"
 tensile_strength = "1.2 MPa"
 fracture_energy = "130 N/m"
+evolution = "residual"
 split = "compliance"
 [[region]]
 groups = ["rock"]

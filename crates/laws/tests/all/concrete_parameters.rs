@@ -97,7 +97,8 @@ fn a_crack_band_without_an_energy_takes_that_of_model_code_by_fc_and_lists_it() 
         assert!((law.fracture_energy(h) / code - 1.0).abs() < 1e-14);
     }
     assert!((law.size_limit() / (2.0 * code * YOUNG / (FT * FT)) - 1.0).abs() < 1e-14);
-    let listed = |law: &Concrete| law.derived([0.2, 0.8]).into_iter().find(|d| d.name == "fracture_energy").unwrap();
+    let listed =
+        |law: &Concrete| law.derived([0.2, 0.8]).into_iter().find(|d| d.name == "fracture_energy").unwrap();
     assert!((listed(&law).range[0] / code - 1.0).abs() < 1e-14 && listed(&law).doc.contains("none is given"));
     // Given, it is used; with the plateau ε_us = 10 ε_ts stands in, as it did.
     let given = Concrete::new(&plain.clone().with("fracture_energy", 130.0)).unwrap();
@@ -132,10 +133,14 @@ fn the_strength_left_at_a_corner_is_that_of_the_l_panel() {
     assert!(residual.corner_strength(0.63 * length).unwrap() < 1.0);
     assert_eq!(panel("exponential").corner_strength(5e-3), None);
     // A plateau at f_t is plastic, and right at any size; ε_us alone is measured by Model Code's energy.
-    let whole = Concrete::new(&values().with("fracture_energy", 130.0).with("residual_tension", 1.0)).unwrap();
+    let whole =
+        Concrete::new(&values().with("fracture_energy", 130.0).with("residual_tension", 1.0)).unwrap();
     assert_eq!(whole.corner_strength(1e-3), Some(1.0));
     let code = 73.0 * (fc() / 1e6).powf(0.18);
-    assert_eq!(concrete(&[]).corner_strength(0.2), Concrete::new(&values().with("fracture_energy", code)).unwrap().corner_strength(0.2));
+    assert_eq!(
+        concrete(&[]).corner_strength(0.2),
+        Concrete::new(&values().with("fracture_energy", code)).unwrap().corner_strength(0.2)
+    );
 }
 
 /// Tension below f_t with a trace of pressure across it, and the same beyond a crack.

@@ -130,6 +130,10 @@ pub const LAWS: Texts = &[
         "G_f of a crack across the shortest to longest extent of the elements",
         "裂缝横穿单元最短至最长尺寸时的 G_f",
     ),
+    (
+        "G_f of Model Code 2010 by f_c, 73 f_c^0.18 with f_c in MPa, since none is given",
+        "按 Model Code 2010 由 f_c 得出的 G_f，73 f_c^0.18（f_c 以 MPa 计），因未给出",
+    ),
     ("ε_us/ε_ts", "ε_us/ε_ts"),
     ("ε_us, beyond which nothing is carried", "ε_us，超过后不再承载"),
     ("ε_us/ε_ts, by the element's extent", "ε_us/ε_ts，随单元尺寸"),

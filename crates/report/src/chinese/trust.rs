@@ -194,7 +194,24 @@ pub const TEXTS: Texts = &[
     ),
     ("no law softens by strain alone", "没有仅按应变软化的本构"),
     ("fracture energy, {body}", "断裂能，{body}"),
-    ("given; cracks dissipate it whatever the size of the element", "已给定；无论单元大小，裂缝都耗散该能量"),
+    ("cracks dissipate it whatever the size of the element", "无论单元大小，裂缝都耗散该能量"),
+    ("{check}, {body}", "{check}，{body}"),
+    ("strength at corners over that of the fracture energy", "角部强度与断裂能所对应强度之比"),
+    ("no concrete drops to a plateau as it cracks", "没有开裂时骤降至残余平台的混凝土"),
+    (
+        "nothing of it has cracked, though a plateau makes corners too weak",
+        "其中没有任何部分开裂，尽管残余平台会使角部强度偏低",
+    ),
+    (
+        "a tenth of the {count} cracked elements extend over {size} m across the crack or less, large enough for the drop to a plateau",
+        "{count} 个开裂单元中，有十分之一横跨裂缝的尺寸不超过 {size} m，对于骤降至残余平台而言足够大",
+    ),
+    (
+        "a tenth of the {count} cracked elements extend over {size} m across the crack or less: dropping to a plateau they break by \
+         their mean stress where it concentrates, at this share of the load, and the smaller they are the earlier; evolution = \
+         \"exponential\" keeps to the fracture energy",
+        "{count} 个开裂单元中，有十分之一横跨裂缝的尺寸不超过 {size} m：骤降至残余平台的单元在应力集中处按其平均应力破坏，荷载仅为应有值的这一比例，单元越小破坏越早；evolution = \"exponential\" 遵循断裂能",
+    ),
     ("warnings of material laws", "材料本构的警告"),
     ("{body}: {warning}", "{body}：{warning}"),
 ];

@@ -163,6 +163,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     warnings.extend(sides::warnings(case));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
     warnings.extend(warnings::of_single_layers(case, &mesh, &lasting));
+    warnings.extend(warnings::of_plateaus(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
     warnings.extend(of_bolts);
     warnings.extend(bare);

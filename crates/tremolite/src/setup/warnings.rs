@@ -2,9 +2,10 @@
 
 use crate::quantities::Field;
 use crate::stacks::stacks;
-use crate::trust::DRIFT;
+use crate::trust::{DRIFT, LEAST_AT_CORNERS, typical_extent};
 use tremolite_case::{self as case, Case};
 use tremolite_engine::Body;
+use tremolite_engine::extent::sizes;
 use tremolite_engine::hexahedra::hex;
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Role;
@@ -107,6 +108,28 @@ pub fn of_single_layers(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body
             )
         })
         .collect()
+}
+
+/// Concrete that drops to a plateau in elements so small that corners are too weak. A crack lies across the middle one of an
+/// element's three extents, or the longest: the shortest is a lining's thickness.
+pub fn of_plateaus(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Problem> {
+    let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
+    let of = |(region, body): (&case::Region, &Body)| {
+        body.material.corner_strength(1.0)?;
+        let middle = |&e: &u32| hex(mesh, e as usize).ok().map(|hex| sizes(&hex)[1]);
+        let size = typical_extent(body.elements.iter().filter_map(middle).collect())?;
+        let left = body.material.corner_strength(size).filter(|left| *left < LEAST_AT_CORNERS)?;
+        Some(case::Problem::new(
+            region.span.clone(),
+            format!(
+                "'{}' drops to a plateau as it cracks, and a tenth of its elements are {size:.3} m or smaller: at corners and the                  ends of cracks they bear some {:.0} % of what its fracture energy stands for, and the less the smaller they are",
+                body.name,
+                100.0 * left
+            ),
+            "write evolution = \"exponential\" for its material, unless a paper is to be followed",
+        ))
+    };
+    regions.zip(bodies).filter_map(of).collect()
 }
 
 /// Factors that look like the half that is taken of an outcrop's motion.

@@ -98,7 +98,7 @@ fn crack_energy(model: &Model, body: &Body) -> Option<[f64; 2]> {
     (least <= most).then_some([least, most])
 }
 
-/// Whether the law takes the energy of a crack from the case: then every size of element dissipates it.
+/// Whether the energy of a crack is given, by the case, a grade or f_c: then every size of element dissipates it.
 fn given_energy(body: &Body) -> bool {
     body.material.size_limit().is_finite()
 }
@@ -130,7 +130,7 @@ fn crack_energies(model: &Model) -> Vec<TrustLine> {
     lines
 }
 
-/// Fracture energies that were given.
+/// Fracture energies that do not go by the element.
 pub(super) fn facts(model: &Model) -> Vec<Fact> {
     let given = model.user_bodies().iter().filter(|body| given_energy(body));
     given
@@ -138,7 +138,7 @@ pub(super) fn facts(model: &Model) -> Vec<Fact> {
             let [energy, _] = crack_energy(model, body)?;
             let id = format!("fracture_energy_{}", snake(&body.name));
             let name = said!("fracture energy, {body}", body = &body.name);
-            let note = said!("given; cracks dissipate it whatever the size of the element");
+            let note = said!("cracks dissipate it whatever the size of the element");
             Some(Fact::new(id, name, energy, "N/m", note))
         })
         .collect()

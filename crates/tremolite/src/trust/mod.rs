@@ -3,6 +3,7 @@
 
 mod before;
 mod bolts;
+mod corners;
 mod cut_short;
 mod energy;
 mod fibres;
@@ -15,6 +16,7 @@ mod rows;
 mod seam;
 mod waves;
 
+pub(crate) use corners::{LEAST as LEAST_AT_CORNERS, typical as typical_extent};
 pub(crate) use cut_short::{NOT_RUN, left_after};
 pub(crate) use mass_damping::{MOST as MOST_MASS_DAMPING, ratio as mass_damping};
 pub(crate) use material::on_broken_elements;
@@ -40,6 +42,7 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
     lines.extend(interface::lines(evidence));
     lines.extend(lining_closure::lines(evidence));
     lines.extend(bolts::lines(evidence));
+    lines.extend(corners::lines(evidence));
     lines.extend(material::lines(evidence));
     tell_apart(lines.iter_mut().map(|line| &mut line.id));
     lines

@@ -18,12 +18,15 @@ enum Damping {
 /// after the first crack has run through and at the end, when the halves were sent apart at 2 m/s.
 fn upper_half(quadrature: Quadrature, damping: Damping) -> [f64; 2] {
     let mesh = BoxSpec::uniform([0.0; 3], [1.0, 1.0, 3.0], [1, 1, 3]).mesh().unwrap();
-    let values = Values::default()
+    let mut values = Values::default()
         .with("young", 25e9)
         .with("poisson", 0.17)
         .with("tensile_strength", 1.2e6)
         .with("cohesion", 2e6)
         .with("friction_angle", 0.8);
+    for (key, word) in [("evolution", "residual"), ("split", "effective")] {
+        values.0.insert(key.into(), Value::Word(word.into()));
+    }
     let concrete = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
     let material = match damping {
         Damping::Stiffness => (concrete.build)(&values),
@@ -96,7 +99,9 @@ fn broken_column(split: &str, damping: Damping, safety: f64, mut look: impl FnMu
         .with("tensile_strength", 1.2e6)
         .with("cohesion", 2e6)
         .with("friction_angle", 0.8);
-    values.0.insert("split".into(), Value::Word(split.into()));
+    for (key, word) in [("evolution", "residual"), ("split", split)] {
+        values.0.insert(key.into(), Value::Word(word.into()));
+    }
     let concrete = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
     let band = Band::fit(0.05, [0.5, 20.0], 3.0).unwrap();
     let material = match damping {

@@ -47,7 +47,9 @@ fn hall_of(strength: f64, split: &str) -> Problem {
         .with("cohesion", f64::max(2e6, 10.0 * strength))
         .with("friction_angle", 0.8)
         .with("fracture_energy", 130.0);
-    values.0.insert("split".into(), tremolite_laws::parameter::Value::Word(split.into()));
+    for (key, word) in [("evolution", "residual"), ("split", split)] {
+        values.0.insert(key.into(), tremolite_laws::parameter::Value::Word(word.into()));
+    }
     let concrete = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
     let rock = elastic(Moduli::from_young_poisson(10e9, 0.25));
     let body = |name: &str, group: &str, material: Arc<dyn AnyMaterial>, quadrature, viscosity| Body {

@@ -40,7 +40,9 @@ fn concrete(band: bool) -> std::sync::Arc<dyn AnyMaterial> {
     ] {
         values = values.with(key, value);
     }
-    values.0.insert("evolution".into(), Value::Word("exponential".into()));
+    for (key, word) in [("evolution", "exponential"), ("split", "effective")] {
+        values.0.insert(key.into(), Value::Word(word.into()));
+    }
     let law = laws().into_iter().find(|law| law.info.name == "concrete-damage").unwrap();
     match band {
         true => (law.build_banded)(&values, Band::fit(0.05, [2.0, 100.0], 20.0).unwrap()).unwrap(),

@@ -25,6 +25,8 @@ density = "2700 kg/m3"
 tensile_strength = "{strength}"
 cohesion = "2 MPa"
 friction_angle = "46 deg"
+evolution = "residual"
+split = "effective"
 fracture_energy = "{energy}"
 [[region]]
 groups = ["rock"]
@@ -91,6 +93,8 @@ density = "2700 kg/m3"
 tensile_strength = "1.2 MPa"
 cohesion = "2 MPa"
 friction_angle = "46 deg"
+evolution = "residual"
+split = "effective"
 fracture_energy = "130 N/m"
 [[region]]
 groups = ["rock"]

@@ -4,7 +4,7 @@ use crate::block::block;
 use crate::ready::Ready;
 use tremolite::phase::Drive;
 use tremolite::{Assembly, Base, Engine, Life, Line, Model, Phase, Side, Stage, State, laws, stable_step};
-use tremolite_laws::{Row, Values};
+use tremolite_laws::{Row, Value, Values};
 
 const BEFORE: Stage = Stage::Before(0);
 
@@ -158,13 +158,16 @@ fn supports_before_the_shaking_are_a_fixed_base_and_rollers_and_absorb_nothing()
 /// static strength, though the scheme makes the same steps.
 #[test]
 fn time_stands_still_for_laws_before_the_shaking_while_the_scheme_goes_on() {
-    let values = Values::default()
+    let mut values = Values::default()
         .with("young", 25e9)
         .with("poisson", 0.17)
         .with("tensile_strength", 1.2e6)
         .with("cohesion", 2e6)
         .with("friction_angle", 0.8)
         .with("residual_tension", 0.1);
+    for (key, word) in [("evolution", "residual"), ("split", "effective")] {
+        values.0.insert(key.into(), Value::Word(word.into()));
+    }
     let concrete = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
     let strength = |stage: Stage| {
         let mut problem = block([3, 3, 4]);

@@ -136,7 +136,9 @@ fn uncracked_concrete_beyond_its_static_strength_is_damped_as_if_elastic() {
         .with("tensile_strength", 1.2e6)
         .with("cohesion", 2e6)
         .with("friction_angle", 0.8);
-    values.0.insert("rate".into(), Value::Word("ceb".into()));
+    for (key, word) in [("rate", "ceb"), ("evolution", "residual"), ("split", "effective")] {
+        values.0.insert(key.into(), Value::Word(word.into()));
+    }
     let law = laws().into_iter().find(|law| law.info.name == "concrete-damage").unwrap();
     let mesh = BoxSpec::uniform([0.0; 3], [1.0; 3], [1; 3]).mesh().unwrap();
     let body = Body {

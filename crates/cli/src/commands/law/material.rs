@@ -55,7 +55,10 @@ impl Kind<6> for Material {
                 let given = law.parameters.optional("fracture_energy").is_some();
                 let from = law.parameters.word("grade").filter(|_| !given);
                 let (of, instead) = from.map_or_else(Default::default, |grade| {
-                    (format!(", that of grade {grade},"), ", or ultimate_strain_ratio in place of the energy")
+                    (
+                        format!(", that of grade {grade},"),
+                        ", or evolution = \"residual\" and ultimate_strain_ratio in place of the energy",
+                    )
                 });
                 Problem::new(
                     law.span.clone(),

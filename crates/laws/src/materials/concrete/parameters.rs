@@ -71,7 +71,8 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "evolution",
         &["residual", "exponential"],
         Need::Word("exponential"),
-        "softening in tension: the plateau of the paper, whose strength at corners falls with the element size, or crack band",
+        "softening in tension: plateau or crack band; the plateau is the paper's, and its strength at corners falls with the \
+         element size",
     ),
     word("rate", RATES, Need::Word("ceb"), "how strength grows with the rate of strain"),
     number(
@@ -103,6 +104,6 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         "split",
         &["effective", "compliance"],
         Need::Word("compliance"),
-        "how damage enters the stress: as in the paper, which gives out energy once cracked, or without",
+        "how damage enters the stress; effective is the paper's, which gives out energy once cracked",
     ),
 ];

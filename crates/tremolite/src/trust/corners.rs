@@ -1,0 +1,100 @@
+//! What is left of the strength at corners where concrete drops to a plateau, which goes by the element size.
+
+use crate::evidence::Evidence;
+use tremolite_engine::Body;
+use tremolite_laws::Role;
+use tremolite_results::{Said, TrustLine, said, snake};
+
+/// Share of the right strength that passes. Assumption: 15 % is what peaks of measured and computed specimens are told apart by
+/// (of three alike beams the weakest bears 15 % less than the strongest); the estimate itself errs by up to 9 %.
+pub const LEAST: f64 = 0.85;
+/// Share of the elements that may be smaller than the extent that is judged: in a lining a few cracks run along it, and have
+/// its thickness for their extent. An assumption.
+const SMALLER: f64 = 0.1;
+const ID: &str = "strength_at_corners";
+
+fn name() -> Said {
+    said!("strength at corners over that of the fracture energy")
+}
+
+/// The extent \[m\] that all but a tenth of them exceed or have.
+pub fn typical(mut extents: Vec<f64>) -> Option<f64> {
+    extents.sort_unstable_by(f64::total_cmp);
+    extents.get((SMALLER * extents.len() as f64).ceil().max(1.0) as usize - 1).copied()
+}
+
+/// A line for each body whose strength at corners goes by its elements.
+pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
+    let bodies = evidence.model.user_bodies().iter();
+    let plateau = |body: &&Body| body.material.corner_strength(1.0).is_some();
+    let mut lines: Vec<TrustLine> = bodies.filter(plateau).map(|body| line(evidence, body)).collect();
+    if lines.is_empty() {
+        lines.push(TrustLine::not_applicable(
+            ID,
+            name(),
+            said!("no concrete drops to a plateau as it cracks"),
+        ));
+    }
+    lines
+}
+
+fn line(evidence: &Evidence, body: &Body) -> TrustLine {
+    let cracked = cracked(evidence, body);
+    let count = cracked.len();
+    let (least, most) = cracked.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), &h| (a.min(h), b.max(h)));
+    let extent = typical(cracked);
+    // Too low a strength would have cracked it.
+    let left = extent.map_or(Some(1.0), |h| body.material.corner_strength(h)).unwrap_or(f64::NAN);
+    let id = format!("{ID}_{}", snake(&body.name));
+    let name = said!("{check}, {body}", check = name(), body = &body.name);
+    let line = TrustLine::at_least(id, name, left, LEAST, "");
+    let Some(extent) = extent else {
+        return line.with_note(said!("nothing of it has cracked, though a plateau makes corners too weak"));
+    };
+    let size = format!("{extent:.3}");
+    let line =
+        line.with("extent", extent).with("least", least).with("most", most).with("cracked", count as f64);
+    let pass = line.pass;
+    line.with_note(if pass {
+        said!(
+            "a tenth of the {count} cracked elements extend over {size} m across the crack or less, large enough for the drop to a plateau",
+            count = count.to_string(),
+            size = size,
+        )
+    } else {
+        said!(
+            "a tenth of the {count} cracked elements extend over {size} m across the crack or less: dropping to a plateau they break by \
+             their mean stress where it concentrates, at this share of the load, and the smaller they are the earlier; evolution = \
+             \"exponential\" keeps to the fracture energy",
+            count = count.to_string(),
+            size = size,
+        )
+    })
+}
+
+/// Of each element that has cracked its extent across the crack \[m\], the least of its points.
+fn cracked(evidence: &Evidence, body: &Body) -> Vec<f64> {
+    let Evidence { model, assembly, phase, outcome, .. } = evidence;
+    let history = outcome.history(assembly);
+    let of = |element: u32| {
+        let slot = phase.element_slot[element as usize].as_ref()?;
+        let [damage, extent] =
+            [Role::TensionDamage, Role::CrackExtent].map(|role| history.with_role(slot, role));
+        let points = history.values(slot, damage?).zip(history.values(slot, extent?));
+        points.filter(|(damage, _)| *damage > 0.0).map(|(_, extent)| extent).min_by(f64::total_cmp)
+    };
+    model.lasting(body).into_iter().filter_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::typical;
+
+    #[test]
+    fn a_tenth_may_be_smaller_than_what_is_judged() {
+        let many =
+            |small: usize| (0..20).map(|k| if k < small { 0.5 } else { 3.0 }).rev().collect::<Vec<_>>();
+        assert_eq!([1, 2, 3].map(|small| typical(many(small))), [Some(3.0), Some(0.5), Some(0.5)]);
+        assert_eq!((typical(vec![2.0]), typical(vec![])), (Some(2.0), None));
+    }
+}
