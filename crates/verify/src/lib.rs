@@ -39,6 +39,7 @@ mod rock;
 mod scattering;
 mod select;
 mod simulation;
+pub mod specimen;
 mod staged;
 mod stiffness;
 

@@ -61,6 +61,7 @@ fn stages() -> Vec<StageSummary> {
             plastic_volume: 0.021 * k as f64,
             held: [0.0, 3e-2, 0.0, 1e-2, 1e-2, 0.0][k],
             monitors: [("A".to_owned(), monitors.into())].into(),
+            moved: Default::default(),
             walls: if k == 0 {
                 Default::default()
             } else {

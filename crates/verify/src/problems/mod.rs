@@ -7,7 +7,7 @@ macro_rules! problems {
         $(pub mod $name;)*
 
         /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws, interfaces,
-        /// stages, bolts.
+        /// stages, bolts, tests of specimens.
         pub const PROBLEMS: &[Problem] = &[$($name::PROBLEM),*];
 
         #[cfg(test)]
@@ -88,4 +88,5 @@ problems! {
     bolt_pretension Verify,
     bolted_tunnel Test,
     bolted_wave Test,
+    l_panel Verify,
 }
