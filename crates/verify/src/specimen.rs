@@ -37,8 +37,9 @@ pub struct Mix {
 /// The words of a law.
 pub type Words = [(&'static str, &'static str)];
 
-/// The law for new work, and the paper's.
+/// The law for new work, the same driven by stress, and the paper's.
 pub const BAND: &Words = &[("evolution", "exponential"), ("split", "compliance"), ("driver", "strain")];
+pub const STRESS: &Words = &[("evolution", "exponential"), ("split", "compliance"), ("driver", "stress")];
 pub const PLATEAU: &Words = &[("evolution", "residual"), ("split", "effective"), ("driver", "strain")];
 
 impl Mix {

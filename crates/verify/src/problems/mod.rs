@@ -89,4 +89,7 @@ problems! {
     bolted_tunnel Test,
     bolted_wave Test,
     l_panel Verify,
+    half_notched_beam Verify,
+    mixed_mode_beam Verify,
+    askew_crack Verify,
 }

@@ -23,6 +23,8 @@ pub struct Beam {
     pub gauge: f64,
     /// Elements within this distance of the load, and of supports, stay elastic \[m\].
     pub firm: [f64; 2],
+    /// Whether friction holds the second support along x too.
+    pub hinged: bool,
     pub mix: Mix,
 }
 
@@ -37,6 +39,7 @@ pub const HALF_NOTCHED: Beam = Beam {
     gauge: 0.02,
     // Its crack ends below the load.
     firm: [0.0, 8e-3],
+    hinged: false,
     mix: Mix { young: 37e9, poisson: 0.2, tension: 3.9e6, energy: 143.2, compression: 42.3e6 },
 };
 
@@ -51,6 +54,7 @@ pub const MIXED: Beam = Beam {
     beside: 0.05,
     gauge: 0.02,
     firm: [8e-3, 8e-3],
+    hinged: false,
     mix: Mix { young: 33.8e9, poisson: 0.2, tension: 3.5e6, energy: 125.2, compression: 20e6 },
 };
 
@@ -88,23 +92,16 @@ impl Beam {
         Plate::bricks([&across, &up], self.width, |x| (x[0] - at).abs() > 0.4 * size || x[1] > self.notch)
     }
 
-    /// The same with the lines above the notch turned by an angle \[rad\], near the notch in full and less beside; edges stay.
-    pub fn turned(&self, size: f64, angle: f64) -> Plate {
-        let (at, slope) = (self.notch_at(), angle.tan());
-        let ligament = self.depth - self.notch;
-        // The top goes along x with the columns; rows turn between the notch and the top.
-        self.plate(size, [0.02, 0.02]).moved(|[x, z]| {
-            let near = within(x, [at - 0.03, at - 0.012, at + 0.012, at + 0.03]);
-            let columns = slope * (z - self.notch).max(0.0) * near;
-            let rows = slope
-                * (x - at)
-                * near
-                * within(
-                    z,
-                    [self.notch, self.notch + 0.2 * ligament, self.depth - 0.2 * ligament, self.depth],
-                );
-            [x + columns, z - 0.0 * rows]
-        })
+    /// The same with the columns above the notch turned by an angle \[rad\] towards the longer part, in full near it and less beside.
+    pub fn turned(&self, size: f64, reach: [f64; 2], angle: f64) -> Plate {
+        let (at, middle) = (self.notch_at(), 0.5 * self.length);
+        let plate = self.plate(size, reach).moved(|[x, z]| {
+            let near = within(x, [0.0, at - reach[0], at + reach[1], self.length]);
+            [x + angle.tan() * (z - self.notch).max(0.0) * near, z]
+        });
+        // A node at the load.
+        let loaded = plate.points[plate.nearest([middle, self.depth]) as usize];
+        plate.moved(|x| if x == loaded { [middle, x[1]] } else { x })
     }
 
     /// Squares on their corners.
@@ -163,12 +160,36 @@ impl Beam {
                     share: [None, None, Some(-1.0)],
                 },
                 Grip { nodes: &|x| low(x, left), share: [Some(0.0), Some(0.0), Some(0.0)] },
-                Grip { nodes: &|x| low(x, right), share: [None, Some(0.0), Some(0.0)] },
+                Grip { nodes: &|x| low(x, right), share: [self.hinged.then_some(0.0), Some(0.0), Some(0.0)] },
             ],
             gauge: Some([[at - half, 0.0], [at + half, 0.0]]),
             ramp,
             ways,
         }
         .run()
+    }
+
+    /// Cycles over which a stage goes its way ([`super::l_panel::ramp`]).
+    pub fn ramp(size: f64) -> u64 {
+        (1000.0 * (0.0025 / size).max(1.0)).round() as u64
+    }
+
+    /// Where the crack runs: x \[m\] of the element of each row above the notch that is stretched most along x, and the row's z.
+    pub fn path(&self, plate: &Plate, tested: &Tested) -> Vec<[f64; 2]> {
+        let mut nodes: Vec<usize> =
+            (0..plate.points.len()).filter(|&n| plate.points[n][1] > self.notch - 1e-9).collect();
+        let order = |a: &usize, b: &usize| {
+            let [a, b] = [plate.points[*a], plate.points[*b]];
+            a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0]))
+        };
+        nodes.sort_by(order);
+        let rows = nodes.chunk_by(|&a, &b| (plate.points[a][1] - plate.points[b][1]).abs() < 1e-9);
+        rows.filter_map(|row| {
+            let stretch = |pair: &&[usize]| tested.moved[pair[1]][0] - tested.moved[pair[0]][0];
+            let widest = row.windows(2).max_by(|a, b| stretch(a).total_cmp(&stretch(b)))?;
+            let [a, b] = [plate.points[widest[0]], plate.points[widest[1]]];
+            Some([0.5 * (a[0] + b[0]), a[1]])
+        })
+        .collect()
     }
 }
