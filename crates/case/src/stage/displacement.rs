@@ -46,11 +46,11 @@ static DISPLACEMENT: Table = Table {
         ),
         Key::optional("uy", LENGTH, "", "Displacement along y"),
         Key::optional("uz", LENGTH, "", "Displacement along z"),
-        Key::default(
+        Key::optional(
             "steps",
             Kind::Count(MOST_STEPS),
-            "1",
-            "In how many equal steps the stage goes there: each comes to rest and is a row of stages.csv",
+            "",
+            "In how many equal steps the stage goes there (1): each comes to rest and is a row of stages.csv",
         ),
     ],
     choice: &[&["group"], &["face"]],
@@ -86,8 +86,8 @@ pub struct Displacement {
     pub within: [Option<[f64; 2]>; 3],
     /// Displacement along x, y, z at the end of the stage, from the initial equilibrium, m; nothing: free.
     pub to: [Option<f64>; 3],
-    /// Steps in which the stage goes there, as written; 1 in each of them.
-    pub steps: u32,
+    /// Steps in which the stage goes there, where it is this one that says so.
+    pub steps: Option<u32>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -105,7 +105,7 @@ impl Displacement {
             name: f.text("name").map_or_else(|| plain(&what.value), |name| name.value),
             within: AXES.map(range),
             to: WAYS.map(|way| f.number(way).map(|u| u.value)),
-            steps: f.count("steps")?.value,
+            steps: f.count("steps").map(|steps| steps.value),
             span: f.span.clone(),
             of,
         })
@@ -142,13 +142,12 @@ impl Displacement {
                     );
                     problems.push(Problem::new(one.span.clone(), what, "give it another `name`"));
                 }
-                if read[0].steps != one.steps {
-                    let what = format!("a stage goes in {} and in {} steps", read[0].steps, one.steps);
-                    problems.push(Problem::new(
-                        one.span.clone(),
-                        what,
-                        "give all of a stage the same `steps`",
-                    ));
+                let told = read[..k].iter().find_map(|other| other.steps);
+                if let (Some(told), Some(steps)) = (told, one.steps)
+                    && told != steps
+                {
+                    let what = format!("a stage goes in {told} and in {steps} steps");
+                    problems.push(Problem::new(one.span.clone(), what, "say it once"));
                 }
                 let same = |other: &&Displacement| other.name == one.name;
                 if earlier.iter().find(same).is_some_and(|other| !other.means_nodes_of(one)) {
@@ -191,12 +190,12 @@ pub(crate) fn in_steps(stages: Vec<Stage>) -> Vec<Stage> {
         let held = one.to.map(|to| to.map(|_| 0.0));
         match now.iter_mut().find(|known| known.name == one.name) {
             Some(known) => (0..3).for_each(|i| known.to[i] = known.to[i].or(held[i])),
-            None => now.push(Displacement { to: held, steps: 1, ..one.clone() }),
+            None => now.push(Displacement { to: held, steps: None, ..one.clone() }),
         }
     }
     let mut all = Vec::new();
     for stage in stages {
-        let steps = stage.displacements.first().map_or(1, |one| one.steps);
+        let steps = stage.displacements.iter().find_map(|one| one.steps).unwrap_or(1);
         let before = now.clone();
         for step in 1..=steps {
             for (known, before) in now.iter_mut().zip(&before) {

@@ -34,7 +34,7 @@ fn every_value_of_a_displacement_arrives_in_si() {
 
 #[test]
 fn what_a_stage_moves_is_held_from_the_beginning_and_stays_where_it_was_moved_to() {
-    let steps = GOOD.replace("steps = 1", "steps = 4");
+    let steps = GOOD.replace("uz = 0\nsteps = 1", "uz = 0").replace("steps = 1", "steps = 4");
     let later = "[[stage]]\nname = \"back\"\ndisplacement = { name = \"jack\", group = \"*.lining\", within = { x = [1, 2], y = [0, 5], \
                  z = [-10, -9] }, ux = \"-1 mm\", steps = 2 }\n[[stage]]\nname = \"rest\"\n[motion]";
     let case = read(&steps.replace("[motion]", later));
