@@ -203,14 +203,15 @@ pub const TEXTS: Texts = &[
         "其中没有任何部分开裂，尽管残余平台会使角部强度偏低",
     ),
     (
-        "a tenth of the {count} cracked elements extend over {size} m across the crack or less, large enough for the drop to a plateau",
-        "{count} 个开裂单元中，有十分之一横跨裂缝的尺寸不超过 {size} m，对于骤降至残余平台而言足够大",
+        "half of the {count} cracked points are in elements that extend over {size} m or more across the crack, large enough for the drop to \
+         a plateau",
+        "{count} 个开裂积分点中，有一半所在单元横跨裂缝的尺寸不小于 {size} m，对于骤降至残余平台而言足够大",
     ),
     (
-        "a tenth of the {count} cracked elements extend over {size} m across the crack or less: dropping to a plateau they break by \
-         their mean stress where it concentrates, at this share of the load, and the smaller they are the earlier; evolution = \
+        "half of the {count} cracked points are in elements that extend over {size} m or less across the crack: dropping to a plateau these \
+         break by their mean stress where it concentrates, at this share of the load, and the smaller they are the earlier; evolution = \
          \"exponential\" keeps to the fracture energy",
-        "{count} 个开裂单元中，有十分之一横跨裂缝的尺寸不超过 {size} m：骤降至残余平台的单元在应力集中处按其平均应力破坏，荷载仅为应有值的这一比例，单元越小破坏越早；evolution = \"exponential\" 遵循断裂能",
+        "{count} 个开裂积分点中，有一半所在单元横跨裂缝的尺寸不超过 {size} m：骤降至残余平台的单元在应力集中处按其平均应力破坏，荷载仅为应有值的这一比例，单元越小破坏越早；evolution = \"exponential\" 遵循断裂能",
     ),
     ("warnings of material laws", "材料本构的警告"),
     ("{body}: {warning}", "{body}：{warning}"),

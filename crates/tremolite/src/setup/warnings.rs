@@ -122,7 +122,8 @@ pub fn of_plateaus(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) ->
         Some(case::Problem::new(
             region.span.clone(),
             format!(
-                "'{}' drops to a plateau as it cracks, and a tenth of its elements are {size:.3} m or smaller: at corners and the                  ends of cracks they bear some {:.0} % of what its fracture energy stands for, and the less the smaller they are",
+                "'{}' drops to a plateau as it cracks, and half of its elements are {size:.3} m or smaller: at corners and the \
+                 ends of cracks they bear some {:.0} % of what its fracture energy stands for, and the less the smaller they are",
                 body.name,
                 100.0 * left
             ),
