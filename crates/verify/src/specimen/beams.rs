@@ -23,8 +23,6 @@ pub struct Beam {
     pub gauge: f64,
     /// Elements within this distance of the load, and of supports, stay elastic \[m\].
     pub firm: [f64; 2],
-    /// Whether friction holds the second support along x too.
-    pub hinged: bool,
     pub mix: Mix,
 }
 
@@ -39,7 +37,6 @@ pub const HALF_NOTCHED: Beam = Beam {
     gauge: 0.02,
     // Its crack ends below the load.
     firm: [0.0, 8e-3],
-    hinged: false,
     mix: Mix { young: 37e9, poisson: 0.2, tension: 3.9e6, energy: 143.2, compression: 42.3e6 },
 };
 
@@ -54,7 +51,6 @@ pub const MIXED: Beam = Beam {
     beside: 0.05,
     gauge: 0.02,
     firm: [8e-3, 8e-3],
-    hinged: false,
     mix: Mix { young: 33.8e9, poisson: 0.2, tension: 3.5e6, energy: 125.2, compression: 20e6 },
 };
 
@@ -160,7 +156,7 @@ impl Beam {
                     share: [None, None, Some(-1.0)],
                 },
                 Grip { nodes: &|x| low(x, left), share: [Some(0.0), Some(0.0), Some(0.0)] },
-                Grip { nodes: &|x| low(x, right), share: [self.hinged.then_some(0.0), Some(0.0), Some(0.0)] },
+                Grip { nodes: &|x| low(x, right), share: [None, Some(0.0), Some(0.0)] },
             ],
             gauge: Some([[at - half, 0.0], [at + half, 0.0]]),
             ramp,
