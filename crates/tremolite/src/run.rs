@@ -7,6 +7,7 @@ mod moved;
 
 pub(crate) use beside::Beside;
 pub(crate) use kept::{Beginning, uneven};
+pub(crate) use moved::damped;
 
 use crate::checkpoint;
 use crate::error::RunError;

@@ -5,6 +5,16 @@ use super::Texts;
 pub const TEXTS: Texts = &[
     // Before the earthquake.
     (
+        "work that damping took on the way to rest over the work of what stages moved",
+        "趋于静止过程中阻尼所耗功与各阶段移动所做功之比",
+    ),
+    ("no stage moved anything", "没有阶段移动任何部位"),
+    (
+        "what is moved too fast for a mesh pulls harder than at rest, and cracks beside its crack: more `release_cycles`, of which a \
+         step that moves nodes takes five times as many",
+        "移动速度对该网格过快时，拉力大于静止值，并在裂缝旁再次开裂：请增大 `release_cycles`，移动节点的步取其五倍",
+    ),
+    (
         "held besides weight, loads and reactions after the last stage, over all contributions",
         "最后施工阶段结束时除自重、荷载与支座反力外仍被约束的力与全部贡献之比",
     ),

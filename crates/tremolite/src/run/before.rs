@@ -74,7 +74,7 @@ impl Stages<'_> {
                         self.write(state)?;
                         return Ok(Before::SnappedBack { stage: k, lost, held });
                     }
-                    moved.remember(&mut state.observers, k);
+                    moved.remember(&mut state.observers, k, &rest);
                     self.look(k, &phase, &mut engine, state, &rest)?;
                     self.write(state)?;
                 }

@@ -16,6 +16,15 @@ const HELD: &str = "energy held in stages";
 /// What the relaxation's damping takes of a way, over its square \[J/m²\].
 const DRAG: &str = "drag of stages";
 
+/// Work \[J\] of what stages moved, by size, and what the damping of the relaxation took of it.
+const WORK: &str = "work of stages";
+
+/// The work \[J\] of what stages moved, and what the damping on the way to rest took; none where nothing was moved.
+pub(crate) fn damped(memory: &Memory) -> Option<(f64, f64)> {
+    let sums = memory.get(WORK)?;
+    Some((*sums.first()?, *sums.get(1)?))
+}
+
 /// The quantities of a name, with their units.
 pub(super) const QUANTITIES: [(&str, &str); EACH] =
     [("ux", "m"), ("uy", "m"), ("uz", "m"), ("reaction_x", "N"), ("reaction_y", "N"), ("reaction_z", "N")];
@@ -69,9 +78,20 @@ impl MovedNodes {
         (lost > MOST_LOST * before && before > 0.0).then_some((lost, before))
     }
 
-    pub fn remember(&self, memory: &mut Memory, stage: usize) {
+    pub fn remember(&self, memory: &mut Memory, stage: usize, rest: &Rest) {
         if self.each.is_empty() {
             return;
+        }
+        let mut work = 0.0;
+        for (name, now) in &self.each {
+            let earlier = stage.checked_sub(1).and_then(|before| of_stage(memory, name, before));
+            let Some(earlier) = earlier else { continue };
+            let ways = (0..3).map(|i| 0.5 * (earlier[i + 3] + now[i + 3]) * (now[i] - earlier[i]));
+            work += ways.filter(|work| work.is_finite()).sum::<f64>();
+        }
+        if work != 0.0 {
+            let sums = memory.entry(WORK.into()).or_insert_with(|| vec![0.0; 2]);
+            (sums[0], sums[1]) = (sums[0] + work.abs(), sums[1] + rest.damped);
         }
         memory.entry(HELD.into()).or_default().push(self.held);
         for (name, row) in &self.each {

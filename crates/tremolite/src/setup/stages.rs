@@ -31,6 +31,9 @@ use tremolite_results::{Said, said};
 /// Motion left over that of the stage, over the tolerance of what is out of balance.
 const MOTION: f64 = 100.0;
 
+/// How many times as long nodes are moved as forces are let go: they pull all that hangs on them along.
+const SLOWER: u64 = 5;
+
 /// How much nearer to rest a stage comes behind which something is installed: a lining carries a hundredth of what an excavation
 /// let go.
 const BEFORE_INSTALLATION: f64 = 0.1;
@@ -120,19 +123,19 @@ impl Staged {
         let tolerance = initial.tolerance.value;
         // What is left before something is installed would load it.
         let installs = |k: usize| case.stages.get(k).is_some_and(|stage| !stage.install.is_empty());
-        let release = |share: f64, next: usize| Release {
+        let release = |share: f64, next: usize, longer: u64| Release {
             share,
-            cycles: u64::from(initial.release_cycles.value),
+            cycles: longer * u64::from(initial.release_cycles.value),
             tolerance: [
                 tolerance,
                 MOTION * tolerance * if installs(next) { BEFORE_INSTALLATION } else { 1.0 },
             ],
-            most: u64::from(initial.max_cycles.value),
+            most: longer * u64::from(initial.max_cycles.value),
         };
-        let first = PlannedStage { release: release(1.0, 0), ..PlannedStage::new(EQUILIBRIUM) };
+        let first = PlannedStage { release: release(1.0, 0, 1), ..PlannedStage::new(EQUILIBRIUM) };
         let names = |patterns: &[Spanned<String>]| patterns.iter().map(|p| p.value.clone()).collect();
         let more = case.stages.iter().enumerate().map(|(k, stage)| PlannedStage {
-            release: release(stage.release.value, k + 1),
+            release: release(stage.release.value, k + 1, if stage.moves { SLOWER } else { 1 }),
             excavated: names(&stage.excavate),
             installed: names(&stage.install),
             changed: changes(case, stage),

@@ -11,6 +11,7 @@ mod interface;
 mod lining_closure;
 mod mass_damping;
 mod material;
+mod moved;
 mod near_sides;
 mod rows;
 mod seam;
@@ -30,6 +31,7 @@ use tremolite_results::{Fact, TrustLine, said, tell_apart};
 /// Every check of a run.
 pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
     let mut lines = before::lines(evidence);
+    lines.push(moved::line(evidence));
     lines.push(near_sides::line(evidence));
     if evidence.outcome.shaken {
         lines.extend([waves::per_wavelength(evidence), waves::drift(evidence)]);
