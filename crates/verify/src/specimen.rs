@@ -14,7 +14,7 @@ use plate::Plate;
 use tremolite::engine::Release;
 use tremolite::history::History;
 use tremolite::{
-    Assembly, Bed, Body, Engine, Life, Line, Model, Phase, Prescribed, Problem, Quadrature, Stage,
+    Assembly, Bed, Body, Bolts, Engine, Life, Line, Model, Phase, Prescribed, Problem, Quadrature, Stage,
 };
 
 use tremolite_laws::materials::{Concrete, Elastic};
@@ -83,6 +83,8 @@ pub struct Specimen<'p> {
     pub sound: Pick<'p>,
     /// The first is the machine's: its force along z is what is read.
     pub grips: Vec<Grip<'p>>,
+    /// Bars in it.
+    pub bolts: Vec<Bolts>,
     /// Two places on an edge along x whose distance is the opening.
     pub gauge: Option<[[f64; 2]; 2]>,
     /// Cycles over which each stage goes its way.
@@ -199,6 +201,7 @@ impl Specimen<'_> {
         }
         let mut problem = Problem::new(mesh, bodies);
         problem.bed = Bed::NONE;
+        problem.bolts = self.bolts.clone();
         let corners: Vec<_> = self.grips.iter().map(|grip| self.plate.corners(grip.nodes)).collect();
         // The initial equilibrium, in which nothing acts, and then the ways.
         for (k, way) in (0u16..).zip([0.0].iter().chain(&self.ways)) {

@@ -92,4 +92,8 @@ problems! {
     half_notched_beam Verify,
     mixed_mode_beam Verify,
     askew_crack Verify,
+    willam_rotating_strain Verify,
+    modulus_of_rupture Verify,
+    tension_stiffening Verify,
+    ring_line_load Verify,
 }

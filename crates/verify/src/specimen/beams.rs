@@ -158,6 +158,7 @@ impl Beam {
                 Grip { nodes: &|x| low(x, left), share: [Some(0.0), Some(0.0), Some(0.0)] },
                 Grip { nodes: &|x| low(x, right), share: [None, Some(0.0), Some(0.0)] },
             ],
+            bolts: Vec::new(),
             gauge: Some([[at - half, 0.0], [at + half, 0.0]]),
             ramp,
             ways,

@@ -104,6 +104,7 @@ pub fn test(
             },
             Grip { nodes: &|x| x[1].abs() < 1e-9, share: [Some(0.0); 3] },
         ],
+        bolts: Vec::new(),
         gauge: None,
         ramp,
         ways,
