@@ -144,7 +144,7 @@ pub fn check_moved(case: &Case, mesh: &Mesh, solid: &[bool], problems: &mut Vec<
             continue;
         }
         let ways = |i: &usize| one.to[*i].is_some();
-        let other = nodes.iter().flat_map(|&node| (0..3).filter(ways).filter_map(move |i| Some((node, i))));
+        let other = nodes.iter().flat_map(|&node| (0..3).filter(ways).map(move |i| (node, i)));
         let clash = other.clone().find_map(|(node, i)| by[node as usize][i].filter(|&known| known != k));
         if let Some(known) = clash {
             let known = &first.displacements[known].name;
