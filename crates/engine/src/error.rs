@@ -46,6 +46,12 @@ pub enum ModelError {
          `patch_elements` be 8192 at most, or leave it out"
     )]
     Patch { body: String, elements: usize },
+    #[error(
+        "'{}' and '{}' move the same component of a node, by {} and {} m: let their nodes differ (`within`), or their ways be equal; \
+         nodes of periodic sides move as one",
+        names[0], names[1], ways[0], ways[1]
+    )]
+    MovedTwice { names: [String; 2], ways: [f64; 2] },
     #[error("'{body}' has density {density} kg/m³: it must be positive")]
     Density { body: String, density: f64 },
 }

@@ -195,7 +195,7 @@ impl Phase {
             }
         }
 
-        let driven = driven::driven(model, stage, &master);
+        let driven = driven::driven(model, stage, &master)?;
         for moved in &driven {
             let row = &mut inverse_mass[moved.node as usize];
             (0..3).filter(|&i| moved.to[i].is_some()).for_each(|i| row.0[i] = 0.0);

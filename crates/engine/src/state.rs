@@ -40,6 +40,8 @@ pub struct Relaxing {
     pub work: f64,
     /// Work \[J\] that the damping of the relaxation took so far.
     pub damped: f64,
+    /// Largest Σ|contributions| of a cycle so far \[N\].
+    pub most: f64,
     /// Whether pairs that begin under load were given what passed between their sides at rest, in the initial equilibrium: 1, and
     /// else 0.
     pub freed: u64,
@@ -137,7 +139,7 @@ impl State {
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
         let Ledger { lines, supplied, bodies, rest } = &mut self.ledger;
-        let Relaxing { cycle, damping, work, damped, freed } = &mut self.relaxing;
+        let Relaxing { cycle, damping, work, damped, most, freed } = &mut self.relaxing;
         let ledger = lines.values_mut().chain([supplied]).collect();
         let rest = rest.iter_mut().flat_map(Lines::values_mut).collect();
         let mut columns = vec![
@@ -157,7 +159,7 @@ impl State {
             ("start".to_owned(), "m", Column::Rows(&mut self.start)),
             ("cycle".to_owned(), "1", Column::Count(cycle)),
             ("freed".to_owned(), "1", Column::Count(freed)),
-            ("relaxation".to_owned(), "1, J", Column::Scalars(vec![damping, work, damped])),
+            ("relaxation".to_owned(), "1, J, N", Column::Scalars(vec![damping, work, damped, most])),
             ("moved".to_owned(), "m", Column::Scalars(vec![&mut self.moved])),
             ("carried".to_owned(), "N", Column::Rows(&mut self.carried)),
             ("carried_hourglass".to_owned(), "N", Column::Rows(&mut self.carried_hourglass)),

@@ -90,7 +90,7 @@ fn snapped_back(stage: &str, lost: f64, held: f64) -> Vec<Said> {
     let joule = |x: f64| format!("{x:.2e}");
     let why = said!(
         "In the stage '{stage}' the specimen snapped back: {lost} J of the {held} J that it held were let go at once, since it held \
-         more than its cracks take, and no displacement in between is at rest.",
+         more than its cracks take, or than a bond that breaks, which takes nothing, and no displacement in between is at rest.",
         stage = stage,
         lost = joule(lost),
         held = joule(held),

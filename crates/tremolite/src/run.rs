@@ -7,7 +7,7 @@ mod moved;
 
 pub(crate) use beside::Beside;
 pub(crate) use kept::{Beginning, uneven};
-pub(crate) use moved::damped;
+pub(crate) use moved::{damped, first_step, let_go};
 
 use crate::checkpoint;
 use crate::error::RunError;

@@ -132,8 +132,8 @@ fn a_bar_is_pulled_past_its_peak_along_the_exact_curve_whatever_its_axis_and_the
         let worst =
             found.iter().map(|&(way, force)| (force - exact(length, way)).abs() / peak).fold(0.0, f64::max);
         println!("axis {axis}, {steps} steps: off by {worst:.1e} of the peak");
-        // Damage keeps what the way to rest passed beyond: 1.2·10⁻³ of the peak in 30 steps, 0.7·10⁻³ in 60, of order 1.
-        assert!(worst < 2e-3, "axis {axis}, {steps} steps: {worst}");
+        // Damage keeps what the way to rest passed beyond: 2.3·10⁻⁴ of the peak in 30 steps, 1.3·10⁻⁴ in 60, of order 1.
+        assert!(worst < 5e-4, "axis {axis}, {steps} steps: {worst}");
         along.push(found);
     }
     let table = std::fs::read_to_string(folder.join("out/stages.csv")).unwrap();
@@ -166,6 +166,103 @@ fn a_bar_that_holds_more_than_its_crack_takes_snaps_back_and_is_refused_with_its
         assert!((force - exact(9.0 * SIZE, way)).abs() < 2e-3 * SECTION * STRENGTH, "{way} {force}");
     }
     assert!(folder.join("out/report.html").exists());
+}
+
+/// A check of a run, by its id: value and whether it passes.
+fn check_of(summary: &Summary, id: &str) -> (f64, bool) {
+    let line = summary.trust.iter().find(|line| line.id == id).unwrap();
+    assert!(!line.not_applicable, "{line:?}");
+    (line.value, line.pass)
+}
+
+#[test]
+fn checks_tell_steps_that_snap_a_first_step_that_cracks_and_nodes_that_move_too_fast() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let drive = |elements: usize, stages: &str| {
+        bar(folder, 2, elements, stages);
+        done(folder, "out")
+    };
+    let all = ["let_go_at_once", "first_step_cracks", "damped_on_the_way"];
+    for elements in [3, 4] {
+        let stable = drive(elements, &pulled(2, 60e-6, 30));
+        let found = all.map(|id| check_of(&stable, id));
+        println!("{elements} elements: {found:?}");
+        assert!(found.iter().all(|(_, pass)| *pass), "{elements} elements: {found:?}");
+    }
+    // Half as long again as may be: it falls by a half at once, and holds too little to be refused.
+    let snapping = check_of(&drive(7, &pulled(2, 60e-6, 30)), "let_go_at_once");
+    println!("7 elements: {snapping:?}");
+    assert!(!snapping.1 && snapping.0 < 0.1, "{snapping:?}");
+    let cracked = check_of(&drive(3, &pulled(2, 60e-6, 2)), "first_step_cracks");
+    println!("two steps: {cracked:?}");
+    assert!(!cracked.1, "{cracked:?}");
+    bar(folder, 2, 9, &pulled(2, 10e-6, 5));
+    let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+    std::fs::write(folder.join("case.toml"), text.replace("[initial]", "[initial]\nrelease_cycles = 2"))
+        .unwrap();
+    let fast = check_of(&done(folder, "out"), "damped_on_the_way");
+    println!("in 10 cycles a step: {fast:?}");
+    assert!(!fast.1, "{fast:?}");
+}
+
+#[test]
+fn a_specimen_that_is_free_of_force_again_is_at_rest() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let back = "[[stage]]\nname = \"back\"\ndisplacement = { name = \"jaw\", face = \"top\", uz = 0 }";
+    bar(folder, 2, 3, &format!("{}\n{back}", pulled(2, 10e-6, 1)));
+    let summary = done(folder, "out");
+    let (last, before) = (summary.stages.last().unwrap(), &summary.stages[2]);
+    assert!(before.moved["jaw"]["reaction_z"] > 0.9 * exact(3.0 * SIZE, 10e-6));
+    assert!(last.moved["jaw"]["reaction_z"].abs() < 1e-4 * exact(3.0 * SIZE, 10e-6), "{last:?}");
+    assert!(last.cycles < 4000, "{}", last.cycles);
+}
+
+#[test]
+fn what_is_moved_moves_though_the_group_that_names_it_is_excavated() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    // The two lower elements stay; their upper face is named by the one above, which goes.
+    let stage = |group: &str, low: f64| {
+        format!(
+            "[[stage]]\nname = \"pull\"\nexcavate = [\"cap\"]\ndisplacement = {{ name = \"jaw\", group = \"{group}\", within = {{ z = [{low}, \
+             {low}] }}, uz = 10e-6, steps = 2 }}"
+        )
+    };
+    let drive = |group: &str| {
+        bar(folder, 2, 3, &stage(group, 0.1));
+        let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+        let text = text.replace("part = [", "part = [{ group = \"cap\", z = [0.1, 0.15] }, ");
+        let text = text.replace("groups = [\"bar\"]", "groups = [\"bar\", \"cap\"]");
+        std::fs::write(folder.join("case.toml"), text).unwrap();
+        curve(&done(folder, "out"), 2)
+    };
+    let (own, gone) = (drive("crack"), drive("cap"));
+    assert_eq!(own, gone);
+    let (way, force) = *gone.last().unwrap();
+    assert!((force / (SECTION * YOUNG * way / 0.1) - 1.0).abs() < 1e-3, "{force}");
+    // Nothing of it stands: the stage says so.
+    bar(folder, 2, 3, &stage("cap", 0.15));
+    let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+    let text = text.replace("part = [", "part = [{ group = \"cap\", z = [0.1, 0.15] }, ");
+    let text = text.replace("groups = [\"bar\"]", "groups = [\"bar\", \"cap\"]");
+    std::fs::write(folder.join("case.toml"), text).unwrap();
+    let said = errors(&tremolite(folder, &["check", "case.toml"]));
+    assert!(said.contains("nothing of 'jaw' stands in the stage 'pull 1/2'"), "{said}");
+}
+
+#[test]
+fn a_free_specimen_is_pulled_by_a_pressure_though_nothing_is_said_of_its_ground() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    bar(folder, 2, 3, "[[stage]]\nname = \"pull\"\npressure = { top = \"-1 MPa\" }");
+    let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+    let text = text.replace("base = \"roller\"", "base = \"free\"");
+    let text = text.replace("displacement = [", "displacement = [{ face = \"base\", uz = 0 },");
+    std::fs::write(folder.join("case.toml"), text).unwrap();
+    let pull = &done(folder, "out").stages[2];
+    assert!((pull.moved["base"]["reaction_z"] / (1e6 * SECTION) + 1.0).abs() < 1e-3, "{pull:?}");
 }
 
 #[test]
@@ -201,9 +298,14 @@ fn displacements_that_mean_no_node_or_one_twice_are_refused_at_their_place() {
             "widen `within`",
         ),
         (
-            "displacement = [{ face = \"top\", uz = 0 }, { name = \"edge\", group = \"bar\", uz = 0 }]",
-            "'edge' and 'top' hold the same component of a node",
+            "displacement = [{ face = \"top\", uz = 1e-5 }, { name = \"edge\", group = \"bar\", uz = 0 }]",
+            "'edge' and 'top' move the same component of the node at (0.0000, 0.0000, 0.1500) m to different places",
             "let their nodes differ",
+        ),
+        (
+            "displacement = { face = \"top\", uz = 0.1 }",
+            "'top' is moved by 0.1 m, and the mesh is 0.15",
+            "check the unit",
         ),
     ] {
         bar(folder, 2, 3, &format!("[[stage]]\nname = \"wrong\"\n{stage}"));

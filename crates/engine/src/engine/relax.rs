@@ -97,6 +97,8 @@ const FOLLOW: f64 = 0.1;
 /// Share of the largest motion of the stages before that a stage may count as its own: a lining that is placed moves a
 /// hundredth of what the excavation did, and what is left must be small beside that.
 const SMALL: f64 = 0.01;
+/// Share of the largest contributions of a stage below which forces are round-off.
+const ROUND_OFF: f64 = 1e-11;
 /// Motion \[m\] that is none.
 const STILL: f64 = 1e-9;
 /// Cycles between looks at how far elements have strained.
@@ -240,7 +242,7 @@ impl Engine<'_> {
             let let_go = (state.relaxing.cycle as f64 / release.cycles.max(1) as f64).min(1.0);
             let share = 1.0 - release.share * let_go;
             let sums = self.relaxation_step(state, &masses, share, let_go);
-            let Relaxing { cycle, damping, work, damped, .. } = &mut state.relaxing;
+            let Relaxing { cycle, damping, work, damped, most, .. } = &mut state.relaxing;
             *damped += sums.damped;
             let squared = (sums.work - *work) / sums.inertia;
             if squared > 0.0 {
@@ -248,9 +250,12 @@ impl Engine<'_> {
                 *damping = (*damping + FOLLOW * (wanted - *damping)).min(MOST_DAMPING);
             }
             *work = sums.next_work;
+            *most = most.max(sums.contributions);
+            // What is left of forces that are gone is round-off, and balances nothing.
+            let gone = sums.unbalanced <= ROUND_OFF * *most;
             rest = Rest {
                 cycles: *cycle,
-                ratio: if sums.contributions > 0.0 { sums.unbalanced / sums.contributions } else { 0.0 },
+                ratio: if gone { 0.0 } else { sums.unbalanced / sums.contributions },
                 left: sums.step / (0.5 * *damping).max(LEAST_DAMPING),
                 motion: sums.motion,
                 fastest: sums.fastest,

@@ -82,8 +82,8 @@ pub const TEXTS: Texts = &[
     ("bolts '{name}' placed", "安装锚杆“{name}”"),
     ("{name} moved to {way} = {to}", "将 {name} 移至 {way} = {to}"),
     (
-        "In the stage '{stage}' the specimen snapped back: {lost} J of the {held} J that it held were let go at once, since it held more than its cracks take, and no displacement in between is at rest.",
-        "在阶段“{stage}”中试件发生回跳：其储存的 {held} J 能量中有 {lost} J 被瞬间释放，因为它储存的能量多于裂缝所能耗散的，而中间的任何位移都不能平衡。",
+        "In the stage '{stage}' the specimen snapped back: {lost} J of the {held} J that it held were let go at once, since it held more than its cracks take, or than a bond that breaks, which takes nothing, and no displacement in between is at rest.",
+        "在阶段“{stage}”中试件发生回跳：其储存的 {held} J 能量中有 {lost} J 被瞬间释放，因为它储存的能量多于裂缝所能耗散的（界面粘结断裂则不耗能），而中间的任何位移都不能平衡。",
     ),
     (
         "The rows before it stand. Move what is nearer to the crack, as a test that is driven by the opening of the crack, take a shorter or less slender specimen, or more and smaller `steps` if the force had not reached its peak.",

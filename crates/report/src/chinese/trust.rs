@@ -9,6 +9,20 @@ pub const TEXTS: Texts = &[
         "趋于静止过程中阻尼所耗功与各阶段移动所做功之比",
     ),
     ("no stage moved anything", "没有阶段移动任何部位"),
+    ("no stage moved anything twice", "没有部位被移动两次"),
+    (
+        "share of the work of the first step that moves nodes that laws dissipated",
+        "首个移动步的功中被材料耗散的比例",
+    ),
+    (
+        "the first step should be elastic: what later steps lose is counted beyond what it did, and a peak within a step is cut; take more `steps`",
+        "首步应为弹性：其后各步的损失以首步为基准，步内的峰值会被削去；请增大 `steps`",
+    ),
+    ("largest share of the energy held that a step let go at once", "单步瞬间释放的能量占所储能量的最大比例"),
+    (
+        "in the stage '{stage}': the specimen snapped back there, and the force fell along no states at rest",
+        "在阶段“{stage}”：试件在此回跳，力的下降未经过静止状态",
+    ),
     (
         "what is moved too fast for a mesh pulls harder than at rest, and cracks beside its crack: more `release_cycles`, of which a \
          step that moves nodes takes five times as many",

@@ -19,6 +19,25 @@ const DRAG: &str = "drag of stages";
 /// Work \[J\] of what stages moved, by size, and what the damping of the relaxation took of it.
 const WORK: &str = "work of stages";
 
+/// What laws had dissipated \[J\]; the share of the first step's work that they dissipated; the largest share of what was held that a
+/// step let go at once, and its stage.
+const DISSIPATED: &str = "dissipated in stages";
+const FIRST: &str = "first step cracked";
+const LOST: &str = "let go at once";
+
+/// The share of the first step's work that laws dissipated.
+pub(crate) fn first_step(memory: &Memory) -> Option<f64> {
+    memory.get(FIRST)?.first().copied()
+}
+
+/// The largest share of what was held that a step let go at once, and its stage.
+pub(crate) fn let_go(memory: &Memory) -> Option<(f64, usize)> {
+    match memory.get(LOST)?[..] {
+        [share, stage] => Some((share, stage as usize)),
+        _ => None,
+    }
+}
+
 /// The work \[J\] of what stages moved, and what the damping on the way to rest took; none where nothing was moved.
 pub(crate) fn damped(memory: &Memory) -> Option<(f64, f64)> {
     let sums = memory.get(WORK)?;
@@ -33,15 +52,16 @@ pub(super) const QUANTITIES: [(&str, &str); EACH] =
 pub(super) struct MovedNodes {
     /// By name: way \[m\] and force \[N\]; not a number along what is free.
     each: Vec<(String, [f64; EACH])>,
-    /// What elements hold \[J\].
+    /// What elements hold, and what laws have dissipated since the start \[J\].
     held: f64,
+    dissipated: f64,
 }
 
 impl MovedNodes {
     /// Of a state at rest in the engine's phase.
     pub fn of(model: &Model, engine: &mut Engine, state: &State) -> MovedNodes {
         if model.prescribed.is_empty() {
-            return MovedNodes { each: Vec::new(), held: 0.0 };
+            return MovedNodes { each: Vec::new(), held: 0.0, dissipated: 0.0 };
         }
         let reactions = engine.reactions(state);
         let now = engine.stage();
@@ -55,7 +75,11 @@ impl MovedNodes {
             (one.name.clone(), row)
         });
         let energy = engine.observe(&mut state.clone()).energy;
-        MovedNodes { each: each.collect(), held: energy.iter().map(|element| element.held()).sum() }
+        MovedNodes {
+            each: each.collect(),
+            held: energy.iter().map(|element| element.held()).sum(),
+            dissipated: energy.iter().map(|element| element.dissipated).sum(),
+        }
     }
 
     /// The energy \[J\] that a step lost, and what was held before, where it lost too much of it to have gone along states at rest.
@@ -75,13 +99,25 @@ impl MovedNodes {
         }
         let drag = memory.entry(DRAG.into()).or_insert_with(|| vec![rest.damped / square])[0];
         let lost = rest.damped - drag * square;
-        (lost > MOST_LOST * before && before > 0.0).then_some((lost, before))
+        if before == 0.0 {
+            return None;
+        }
+        if lost > MOST_LOST * before {
+            return Some((lost, before));
+        }
+        let known = memory.entry(LOST.into()).or_insert_with(|| vec![0.0; 2]);
+        if lost / before > known[0] {
+            *known = vec![lost / before, stage as f64];
+        }
+        None
     }
 
     pub fn remember(&self, memory: &mut Memory, stage: usize, rest: &Rest) {
         if self.each.is_empty() {
             return;
         }
+        let before = memory.get(DISSIPATED).and_then(|kept| kept.first().copied()).unwrap_or(0.0);
+        memory.insert(DISSIPATED.into(), vec![self.dissipated]);
         let mut work = 0.0;
         for (name, now) in &self.each {
             let earlier = stage.checked_sub(1).and_then(|before| of_stage(memory, name, before));
@@ -92,6 +128,7 @@ impl MovedNodes {
         if work != 0.0 {
             let sums = memory.entry(WORK.into()).or_insert_with(|| vec![0.0; 2]);
             (sums[0], sums[1]) = (sums[0] + work.abs(), sums[1] + rest.damped);
+            memory.entry(FIRST.into()).or_insert_with(|| vec![(self.dissipated - before) / work.abs()]);
         }
         memory.entry(HELD.into()).or_default().push(self.held);
         for (name, row) in &self.each {

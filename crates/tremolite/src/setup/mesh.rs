@@ -202,7 +202,13 @@ fn boxed(bricks: &case::MeshBox) -> Result<Mesh, String> {
         let group = bricks.parts.iter().rfind(is_in).map_or(&bricks.group, |part| &part.group);
         mesh.groups.entry(group.value.clone()).or_default().push(e as u32);
     }
-    Ok(mesh)
+    match bricks.parts.iter().find(|part| !mesh.groups.contains_key(&part.group.value)) {
+        None => Ok(mesh),
+        Some(part) => Err(format!(
+            "no element of the box has its middle in the part '{}', or a later part has them all",
+            part.group.value
+        )),
+    }
 }
 
 #[cfg(test)]

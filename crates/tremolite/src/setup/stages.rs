@@ -21,7 +21,7 @@ use tremolite_case::{self as case, Case, Problem, Spanned, pattern};
 use tremolite_engine::Traction;
 use tremolite_engine::engine::Release;
 use tremolite_engine::outer_faces::OuterFaces;
-use tremolite_engine::{Body, Life, Problem as Space, Stage};
+use tremolite_engine::{Base, Bed, Body, Life, Problem as Space, Stage};
 use tremolite_kernels::Law;
 use tremolite_laws::Dimension;
 use tremolite_laws::band::Band;
@@ -192,6 +192,11 @@ impl Staged {
                 places: &self.places,
                 walls: &walls,
             };
+            // Each step of a stage has its place.
+            let first = k < 2 || case.stages[k - 1].span != case.stages[k - 2].span;
+            if first {
+                warnings.extend(moved::gone(case, k, &space.mesh, &standing, &shown));
+            }
             let mut acting = loads(case, k, &around, &outer, &mut warnings);
             acting.extend(sides(
                 &space.initial,
@@ -210,6 +215,10 @@ impl Staged {
             }
         }
         space.bed = bed(case);
+        // Nothing comes in and nothing leaves: a specimen stands on no ground, and beside none.
+        if case.motion.is_none() && space.bed != Bed::default() {
+            space.base = Base::Free;
+        }
         space.prescribed = moved::prescribed(case, &space.mesh, &shown);
         warnings
     }

@@ -31,7 +31,7 @@ use tremolite_results::{Fact, TrustLine, said, tell_apart};
 /// Every check of a run.
 pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
     let mut lines = before::lines(evidence);
-    lines.push(moved::line(evidence));
+    lines.extend(moved::lines(evidence));
     lines.push(near_sides::line(evidence));
     if evidence.outcome.shaken {
         lines.extend([waves::per_wavelength(evidence), waves::drift(evidence)]);

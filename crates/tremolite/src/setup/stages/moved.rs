@@ -51,6 +51,33 @@ pub(super) fn prescribed(case: &Case, mesh: &Mesh, shown: &[u32]) -> Vec<Prescri
     lives.zip(stages).flat_map(of_stage).collect()
 }
 
+/// What moves nothing, as nothing of it stands in its stage: `standing` are the elements that do in the k-th stage, the initial
+/// equilibrium being none.
+pub(super) fn gone(case: &Case, k: usize, mesh: &Mesh, standing: &[u32], shown: &[u32]) -> Vec<Problem> {
+    let Some(stage) = k.checked_sub(1).map(|k| &case.stages[k]).filter(|stage| stage.moves) else {
+        return Vec::new();
+    };
+    let mut there = vec![false; mesh.nodes.len()];
+    for &e in standing {
+        mesh.elements[e as usize].nodes().iter().for_each(|&node| there[node as usize] = true);
+    }
+    let stands = |one: &&Displacement| {
+        corners(one, mesh, shown).into_iter().any(|(e, bits)| {
+            let nodes = mesh.elements[e as usize].nodes().iter().enumerate();
+            nodes.filter(|(k, _)| bits >> k & 1 == 1).any(|(_, &node)| there[node as usize])
+        })
+    };
+    let told = stage.displacements.iter().filter(|one| !stands(one));
+    told.map(|one| {
+        let what = format!(
+            "nothing of '{}' stands in the stage '{}', so nothing is moved",
+            one.name, stage.name.value
+        );
+        Problem::new(one.span.clone(), what, "name what stands there")
+    })
+    .collect()
+}
+
 /// Elements with those of their nodes that are meant; `shown` has each element's number in the mesh as it was read.
 fn corners(one: &Displacement, mesh: &Mesh, shown: &[u32]) -> Vec<(u32, u8)> {
     let bounds = mesh.bounds();
@@ -99,9 +126,32 @@ fn plane(face: &Spanned<String>) -> Option<(usize, bool)> {
     PLANES.iter().find(|(name, ..)| *name == face.value).map(|&(_, axis, upper)| (axis, upper))
 }
 
-/// Displacements that mean no node, or one that another means as well; `solid` says which elements are made of something.
+/// Displacement over the mesh's extent beyond which it is a slip, or not small.
+const MOST: f64 = 0.1;
+
+/// Ways that are beyond small displacements.
+fn far(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
+    let (low, high) = mesh.bounds();
+    let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    let moved = case.stages.iter().filter(|stage| stage.moves).flat_map(|stage| &stage.displacements);
+    let mut told: Vec<&str> = Vec::new();
+    for one in moved {
+        let most = one.to.iter().flatten().fold(0.0, |most: f64, to| most.max(to.abs()));
+        if most > MOST * extent && !told.contains(&one.name.as_str()) {
+            told.push(&one.name);
+            problems.push(Problem::new(
+                one.span.clone(),
+                format!("'{}' is moved by {most} m, and the mesh is {extent} m large: displacements must be small", one.name),
+                "check the unit, \"0.5 mm\" for one",
+            ));
+        }
+    }
+}
+
+/// Displacements that mean no node, one that another means as well, or go too far; `solid` says which elements are made of something.
 pub fn check_moved(case: &Case, mesh: &Mesh, solid: &[bool], problems: &mut Vec<Problem>) {
     let Some(first) = case.stages.first() else { return };
+    far(case, mesh, problems);
     let own: Vec<u32> = (0..mesh.elements.len() as u32).collect();
     let mut by: Vec<[Option<usize>; 3]> = vec![[None; 3]; mesh.nodes.len()];
     for (k, one) in first.displacements.iter().enumerate() {
@@ -136,21 +186,30 @@ pub fn check_moved(case: &Case, mesh: &Mesh, solid: &[bool], problems: &mut Vec<
             })
             .collect();
         if nodes.is_empty() {
-            problems.push(Problem::new(
-                one.span.clone(),
-                format!("'{}' means no node of what is there", one.name),
-                "widen `within` so that a line of nodes lies in it: `tremolite mesh info` gives the mesh's extents",
-            ));
+            let remedy = match one.within == [None; 3] {
+                true => "it is void there: name what stands",
+                false => {
+                    "widen `within` so that nodes lie in it: `tremolite mesh info` gives the mesh's extents"
+                }
+            };
+            let what = format!("'{}' means no node of what is there", one.name);
+            problems.push(Problem::new(one.span.clone(), what, remedy));
             continue;
         }
         let ways = |i: &usize| one.to[*i].is_some();
         let other = nodes.iter().flat_map(|&node| (0..3).filter(ways).map(move |i| (node, i)));
-        let clash = other.clone().find_map(|(node, i)| by[node as usize][i].filter(|&known| known != k));
-        if let Some(known) = clash {
+        let apart = |known: usize, i: usize| {
+            case.stages.iter().any(|stage| stage.displacements[known].to[i] != stage.displacements[k].to[i])
+        };
+        let clash = other.clone().find_map(|(node, i)| {
+            by[node as usize][i].filter(|&known| known != k && apart(known, i)).map(|known| (known, node))
+        });
+        if let Some((known, node)) = clash {
             let known = &first.displacements[known].name;
+            let [x, y, z] = mesh.nodes[node as usize];
             problems.push(Problem::new(
                 one.span.clone(),
-                format!("'{}' and '{known}' hold the same component of a node", one.name),
+                format!("'{}' and '{known}' move the same component of the node at ({x:.4}, {y:.4}, {z:.4}) m to different places", one.name),
                 "let their nodes differ (`within`), or leave the component out of one",
             ));
         }
