@@ -143,6 +143,7 @@ impl Loops<'_> {
             heading(
                 &mut svg,
                 (LEFT, top - 9.0),
+                f64::INFINITY,
                 name,
                 strips.iter().map(|s| (s.name.as_str(), s.colour, false)),
             );
@@ -175,7 +176,8 @@ impl Plane<'_> {
         axes.draw(svg);
         axes.number_across(svg);
         let names = self.curves.iter().map(|c| (c.name.as_str(), c.colour, c.points));
-        heading(svg, (left, top - 9.0), &y.labelled(&self.up.name), names);
+        let over = heading(svg, (left, top - 9.0), right, &y.labelled(&self.up.name), names);
+        legend(svg, (left, bottom + 34.0), f64::INFINITY, over.into_iter());
         svg.text((right, bottom + 34.0), Anchor::End, 12.0, Style::Muted, &x.labelled(&self.across.name));
         for curve in &self.curves {
             let points =
@@ -236,7 +238,7 @@ impl Track<'_> {
             Axes { left: LEFT, right: WIDTH - RIGHT, top, bottom: top + 104.0, across: across.clone(), up };
         axes.draw(svg);
         let names = self.courses.iter().map(|c| (c.name.as_str(), c.colour, false));
-        heading(svg, (LEFT, top - 9.0), &scale.labelled(&self.quantity.name), names);
+        heading(svg, (LEFT, top - 9.0), f64::INFINITY, &scale.labelled(&self.quantity.name), names);
         for course in &self.courses {
             let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
             let points = time.iter().zip(course.values);
@@ -247,27 +249,49 @@ impl Track<'_> {
     }
 }
 
+/// A name of a legend, its colour, and whether it is of points.
+type Entry<'a> = (&'a str, usize, bool);
+
 /// A bold title, and behind it the names of the lines in their colours, but for one that the title already names; of
-/// points where the third value says so.
+/// points where the third value says so. Those that find no room before `right` come back.
 fn heading<'a>(
     svg: &mut Svg,
     at: (f64, f64),
+    right: f64,
     title: &str,
-    names: impl Iterator<Item = (&'a str, usize, bool)>,
-) {
+    names: impl Iterator<Item = Entry<'a>>,
+) -> Vec<Entry<'a>> {
     svg.text(at, Anchor::Start, 13.0, Style::Bold, title);
-    let mut x = at.0 + text_width(title, 13.0) + 24.0;
     let named =
         |name: &str| title.strip_prefix(name).is_some_and(|unit| unit.is_empty() || unit.starts_with(" ("));
-    for (name, colour, points) in names.filter(|(name, ..)| !named(name)) {
+    let start = (at.0 + text_width(title, 13.0) + 24.0, at.1);
+    legend(svg, start, right, names.filter(|(name, ..)| !named(name)))
+}
+
+/// Names in their colours, one behind the other. Those that find no room before `right` come back.
+fn legend<'a>(
+    svg: &mut Svg,
+    at: (f64, f64),
+    right: f64,
+    names: impl Iterator<Item = Entry<'a>>,
+) -> Vec<Entry<'a>> {
+    let mut x = at.0;
+    let mut over = Vec::new();
+    for (name, colour, points) in names {
+        let width = 23.0 + text_width(name, 12.0);
+        if x + width > right || !over.is_empty() {
+            over.push((name, colour, points));
+            continue;
+        }
         if points {
             svg.ring((x + 9.0, at.1 - 4.5), colour);
         } else {
             svg.lines(colour, 2.4, &[vec![(x, at.1 - 4.5), (x + 18.0, at.1 - 4.5)]]);
         }
         svg.text((x + 23.0, at.1), Anchor::Start, 12.0, Style::Plain, name);
-        x += 23.0 + text_width(name, 12.0) + 14.0;
+        x += width + 14.0;
     }
+    over
 }
 
 /// A value in a unit, with a sign of multiplication before a bare power of ten.

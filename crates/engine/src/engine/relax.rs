@@ -97,8 +97,8 @@ const FOLLOW: f64 = 0.1;
 /// Share of the largest motion of the stages before that a stage may count as its own: a lining that is placed moves a
 /// hundredth of what the excavation did, and what is left must be small beside that.
 const SMALL: f64 = 0.01;
-/// Share of the largest contributions of a stage below which forces are round-off.
-const ROUND_OFF: f64 = 1e-11;
+/// Share of the largest contributions of a stage below which there are no forces left.
+const GONE: f64 = 1e-8;
 /// Motion \[m\] that is none.
 const STILL: f64 = 1e-9;
 /// Cycles between looks at how far elements have strained.
@@ -251,8 +251,8 @@ impl Engine<'_> {
             }
             *work = sums.next_work;
             *most = most.max(sums.contributions);
-            // What is left of forces that are gone is round-off, and balances nothing.
-            let gone = sums.unbalanced <= ROUND_OFF * *most;
+            // What is left of forces that are gone balances nothing: it is round-off.
+            let gone = sums.contributions <= GONE * *most;
             rest = Rest {
                 cycles: *cycle,
                 ratio: if gone { 0.0 } else { sums.unbalanced / sums.contributions },
