@@ -20,12 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = File::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/laws");
     let csv = std::env::args().nth(1).map(PathBuf::from);
     let figures = [
-        (
-            "test-l-panel",
-            "L-shaped panel (Winkler 2001): meshes of 25, 10, 5 mm; turned by 20° and 45°, and with G_f as the test took",
-            "way",
-            panel()?,
-        ),
+        ("test-l-panel", "L-shaped panel (Winkler 2001): force over the way of its arm", "way", panel()?),
         (
             "test-half-notched",
             "Half-notched beam (Grégoire et al. 2013): force over the opening of the notch",
@@ -64,7 +59,7 @@ fn draw(title: &str, along: &str, planes: [Vec<Drawn>; 2]) -> String {
             colour += usize::from(!test);
             let (across, up): (Vec<f64>, Vec<f64>) = rows.into_iter().map(|[x, y]| (x, y)).unzip();
             let colour = if test { 0 } else { colour };
-            Curve { name: name.into(), colour, across: Cow::from(across), up: Cow::from(up), points: test }
+            Curve { name, colour, across: Cow::from(across), up: Cow::from(up), points: test }
         });
         let (across, up) = (Quantity::new(along, "m"), Quantity::new("force", "N"));
         Plane { across, up, curves: curves.collect(), named: Named::Nothing }
@@ -105,19 +100,21 @@ fn panel() -> Result<[Vec<Drawn>; 2], VerifyError> {
     Ok([
         vec![
             measured(),
-            drive("25", 0.025, Lie::Along, MIX, BAND, Quadrature::Full)?,
-            drive("10", 0.01, Lie::Along, MIX, BAND, Quadrature::Full)?,
-            drive("5", 0.005, Lie::Along, MIX, BAND, Quadrature::Full)?,
-            drive("res. 25", 0.025, Lie::Along, MIX, PLATEAU, Quadrature::Full)?,
-            drive("res. 10", 0.01, Lie::Along, MIX, PLATEAU, Quadrature::Full)?,
+            drive("25 mm", 0.025, Lie::Along, MIX, BAND, Quadrature::Full)?,
+            drive("10 mm", 0.01, Lie::Along, MIX, BAND, Quadrature::Full)?,
+            drive("5 mm", 0.005, Lie::Along, MIX, BAND, Quadrature::Full)?,
+            drive("plateau 25 mm", 0.025, Lie::Along, MIX, PLATEAU, Quadrature::Full)?,
+            drive("plateau 10 mm", 0.01, Lie::Along, MIX, PLATEAU, Quadrature::Full)?,
+            test("embedded cracks", measured::EMBEDDED_CRACKS, 1),
+            test("phase field", measured::PHASE_FIELD, 1),
         ],
         vec![
             measured(),
             drive("one point", 0.01, Lie::Along, MIX, BAND, Quadrature::OnePoint)?,
-            drive("20° up", 0.01, Lie::Turned(-turn), MIX, BAND, Quadrature::Full)?,
-            drive("down", 0.01, Lie::Turned(turn), MIX, BAND, Quadrature::Full)?,
-            drive("45°", 0.01, Lie::Diamonds, MIX, BAND, Quadrature::Full)?,
-            drive("G_f 117", 0.01, Lie::Along, Mix { energy: 117.0, ..MIX }, BAND, Quadrature::Full)?,
+            drive("rows up by 20°", 0.01, Lie::Turned(-turn), MIX, BAND, Quadrature::Full)?,
+            drive("rows down by 20°", 0.01, Lie::Turned(turn), MIX, BAND, Quadrature::Full)?,
+            drive("by 45°", 0.01, Lie::Diamonds, MIX, BAND, Quadrature::Full)?,
+            drive("G_f 117 N/m", 0.01, Lie::Along, Mix { energy: 117.0, ..MIX }, BAND, Quadrature::Full)?,
         ],
     ])
 }
@@ -137,7 +134,7 @@ fn half_notched() -> Result<[Vec<Drawn>; 2], VerifyError> {
     }
     let mut others = Vec::from(tests());
     others.push(drive("one point", 2.5e-3, beam.mix, BAND, Quadrature::OnePoint)?);
-    others.push(drive("G_f 96", 2.5e-3, Mix { energy: 96.0, ..beam.mix }, BAND, Quadrature::Full)?);
+    others.push(drive("G_f 96 N/m", 2.5e-3, Mix { energy: 96.0, ..beam.mix }, BAND, Quadrature::Full)?);
     others.push(drive("driver stress", 2.5e-3, beam.mix, STRESS, Quadrature::Full)?);
     Ok([meshes, others])
 }

@@ -176,7 +176,7 @@ impl Plane<'_> {
         axes.draw(svg);
         axes.number_across(svg);
         let names = self.curves.iter().map(|c| (c.name.as_str(), c.colour, c.points));
-        let over = heading(svg, (left, top - 9.0), right, &y.labelled(&self.up.name), names);
+        let over = heading(svg, (left, top - 9.0), right + RIGHT, &y.labelled(&self.up.name), names);
         legend(svg, (left, bottom + 34.0), f64::INFINITY, over.into_iter());
         svg.text((right, bottom + 34.0), Anchor::End, 12.0, Style::Muted, &x.labelled(&self.across.name));
         for curve in &self.curves {

@@ -34,7 +34,9 @@ fn cases() -> Vec<String> {
     let (_, tail) = rest.split_once("process").expect("processing");
     vec![
         EVERY_KEY.to_owned(),
-        with_mesh(&format!("[mesh.box]\nx = {axis}\ny = {axis}\nz = {axis}\ngroup = \"soil\"")),
+        with_mesh(&format!(
+            "[mesh.box]\nx = {axis}\ny = {axis}\nz = {axis}\ngroup = \"soil\"\npart = [{{ group = \"notch\", x = [0, 1], y = [-1, 1], z = [\"-1 m\", 0] }}]"
+        )),
         with_mesh("[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\"\nrotate = \"20 deg\""),
         with_stress("stress = { at = [1, 2, 3], zz = \"-1 MPa\", gradient = { zz = \"27 kN/m3\" } }"),
         with_stress("measured = [{ at = [1, 2, 3], xx = 1, yy = 2, zz = 3, xy = 4, yz = 5, zx = 6 }]"),

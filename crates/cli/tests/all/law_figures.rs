@@ -43,6 +43,21 @@ fn every_problem_that_the_page_names_is_there() {
     }
 }
 
+#[test]
+fn every_test_of_the_page_on_tests_is_a_problem_and_every_figure_is_there() {
+    let page = fs::read_to_string(docs().join("tests.md")).unwrap();
+    let rows = page.lines().filter(|line| line.starts_with("| ")).filter_map(|line| line.split('|').nth(2));
+    let named: Vec<&str> = rows.filter_map(|cell| cell.trim().strip_prefix('`')?.strip_suffix('`')).collect();
+    let tests = named.iter().filter(|name| **name != "verify");
+    assert_eq!(tests.clone().count(), 9, "{named:?}");
+    for name in tests {
+        assert!(PROBLEMS.iter().any(|p| p.name == *name), "{name}");
+    }
+    for figure in page.split("](laws/").skip(1).filter_map(|rest| rest.split(')').next()) {
+        assert!(docs().join("laws").join(figure).exists(), "{figure}");
+    }
+}
+
 /// Rows 'quantity | law | test | difference' of the table beside tests.
 #[test]
 fn the_table_beside_tests_is_what_verify_prints() {

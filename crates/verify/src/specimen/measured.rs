@@ -1,4 +1,4 @@
-//! What tests measured: curves of force.
+//! What tests measured, and what others computed of them: curves of force.
 
 /// A curve of the L-shaped panel (`winkler2001`): way \[mm\] and force \[N\], read off a figure by others.
 pub const L_PANEL: &[[f64; 2]] = &[
@@ -34,6 +34,57 @@ pub const L_PANEL: &[[f64; 2]] = &[
     [0.798774, 1282.5],
     [0.898952, 1100.4],
     [1.00028, 1040.5],
+];
+
+/// What others computed of the panel, by elements with cracks embedded in them and by a phase field, both on fine meshes: way \[mm\] and force \[N\]
+/// (benchmark `PSAAPGroupLinder/lShapedPanelBenchmark`, thinned).
+pub const EMBEDDED_CRACKS: &[[f64; 2]] = &[
+    [0.0000, 0.0],
+    [0.0400, 1867.9],
+    [0.0800, 3719.4],
+    [0.1200, 5480.2],
+    [0.1600, 7009.2],
+    [0.2000, 8067.2],
+    [0.2400, 8107.2],
+    [0.2800, 6783.8],
+    [0.3200, 4885.6],
+    [0.3600, 3318.0],
+    [0.4000, 2096.8],
+    [0.4400, 1441.6],
+    [0.4800, 1142.1],
+    [0.5200, 984.2],
+    [0.5600, 906.4],
+    [0.6000, 863.2],
+    [0.6400, 822.3],
+    [0.6800, 788.4],
+    [0.7200, 759.4],
+    [0.7600, 749.7],
+    [0.8000, 748.4],
+    [0.8400, 752.6],
+    [0.8800, 760.5],
+    [0.9200, 769.1],
+    [0.9600, 780.1],
+    [1.0000, 790.8],
+];
+pub const PHASE_FIELD: &[[f64; 2]] = &[
+    [0.0000, 0.0],
+    [0.0144, 642.1],
+    [0.0288, 1284.2],
+    [0.0432, 1926.3],
+    [0.0576, 2568.3],
+    [0.0720, 3209.5],
+    [0.0864, 3848.6],
+    [0.1008, 4483.1],
+    [0.1152, 5110.0],
+    [0.1296, 5725.8],
+    [0.1440, 6325.9],
+    [0.1584, 6904.1],
+    [0.1728, 7447.9],
+    [0.1872, 7931.1],
+    [0.1944, 8105.9],
+    [0.2016, 6144.3],
+    [0.2160, 5057.8],
+    [0.2268, 4519.0],
 ];
 
 /// The half-notched beam (`gregoire2013`): opening \[mm\], least and largest force \[N\] of its tests.
