@@ -177,8 +177,11 @@ impl Plane<'_> {
         axes.number_across(svg);
         let names = self.curves.iter().map(|c| (c.name.as_str(), c.colour, c.points));
         let over = heading(svg, (left, top - 9.0), right + RIGHT, &y.labelled(&self.up.name), names);
-        legend(svg, (left, bottom + 34.0), f64::INFINITY, over.into_iter());
-        svg.text((right, bottom + 34.0), Anchor::End, 12.0, Style::Muted, &x.labelled(&self.across.name));
+        let label = x.labelled(&self.across.name);
+        svg.text((right, bottom + 34.0), Anchor::End, 12.0, Style::Muted, &label);
+        let beside = right - text_width(&label, 12.0) - 14.0;
+        let over = legend(svg, (left, bottom + 34.0), beside, over.into_iter());
+        legend(svg, (left, bottom + 51.0), f64::INFINITY, over.into_iter());
         for curve in &self.curves {
             let points =
                 curve.across.iter().zip(curve.up.iter()).map(|(a, b)| axes.point(a * x.factor, b * y.factor));
