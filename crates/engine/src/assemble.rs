@@ -15,9 +15,10 @@ use crate::engine::stable_step;
 use crate::error::ModelError;
 use crate::interface::Seam;
 use crate::life::{Life, Stage};
-use crate::member::Member;
+use crate::member::{Kind, Member};
 use crate::model::Model;
 use crate::pair_masses::{PairMasses, Phases};
+use crate::parts::Reads;
 use crate::phase::Phase;
 use crate::problem::TimeStep;
 use std::collections::BTreeMap;
@@ -38,49 +39,52 @@ impl Assembly {
     /// # Errors
     /// If no face lies on the plane of a base that should do something, a part of the program's own does not fit, an interface's
     /// law refuses what was chosen for it, or a pair's nodes move as one.
-    pub fn new(model: &Model) -> Result<Self, ModelError> {
+    pub fn new(model: &Model) -> Result<Arc<Self>, ModelError> {
         let mut assembly = Assembly::without_interfaces(model)?;
-        // Behind everything of the house.
-        let at = assembly.members.len() - model.parts.len();
         if !model.seams.is_empty() {
-            add(model, &mut assembly, at)?;
+            add(model, &mut assembly)?;
             assembly.settle(model);
-            let Assembly { contacts, slices, .. } = &mut assembly;
-            let mut next = at;
-            for contacts in contacts {
-                for range in &mut contacts.histories {
-                    *range = slices[next].history.clone();
-                    next += 1;
-                }
-            }
         }
         if !model.bolts.is_empty() {
             bolt(model, &mut assembly);
+            assembly.settle(model);
         }
-        Ok(assembly)
+        let Assembly { members, slices, contacts, bolts, .. } = &mut assembly;
+        for (m, (member, slices)) in (0u32..).zip(members.iter().zip(slices.iter())) {
+            match member.kind {
+                Kind::Pairs(seam) => {
+                    let contacts = &mut contacts[seam as usize];
+                    contacts.histories.push(slices.history.clone());
+                    contacts.members.push(m);
+                }
+                Kind::Bolts(set) => bolts[set as usize].starts.push(slices.numbers.start),
+                Kind::Patch(_) | Kind::Boundary | Kind::Load | Kind::Weight | Kind::Own => {}
+            }
+        }
+        Ok(Arc::new(assembly))
+    }
+
+    /// Puts in members behind everything of the house.
+    fn insert(&mut self, more: Vec<Member>) {
+        let at = self.members.iter().position(|member| member.kind == Kind::Own);
+        let at = at.unwrap_or(self.members.len());
+        self.members.splice(at..at, more);
     }
 }
 
 /// Puts in the parts of all bolts, behind those of the interfaces.
 fn bolt(model: &Model, assembly: &mut Assembly) {
-    let mut next = assembly.members.len() - model.parts.len();
     let mut more = Vec::new();
-    for set in &model.bolts {
-        let (members, bolting) = bolting::members(model, set);
+    for (number, set) in (0u32..).zip(&model.bolts) {
+        let (members, bolting) = bolting::members(model, set, number);
         more.extend(members);
         assembly.bolts.push(bolting);
     }
-    assembly.members.splice(next..next, more);
-    assembly.settle(model);
-    let Assembly { bolts, slices, .. } = assembly;
-    for start in bolts.iter_mut().flat_map(|bolting| &mut bolting.starts) {
-        *start = slices[next].numbers.start;
-        next += 1;
-    }
+    assembly.insert(more);
 }
 
-/// Builds the parts of all interfaces into an assembly of everything else, behind the member `at`.
-fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelError> {
+/// Builds the parts of all interfaces into an assembly of everything else.
+fn add(model: &Model, assembly: &mut Assembly) -> Result<(), ModelError> {
     let phases = Phases::of(model, assembly)?;
     for seam in &model.seams {
         let tied = |&k: &usize| {
@@ -130,15 +134,15 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
         let mut places = vec![(0, 0); seam.pairs.len()];
         let centres: Vec<[f64; 3]> = (0..seam.pairs.len()).map(|k| seam.place(&model.mesh, k)).collect();
         let order = hilbert_order(&centres);
-        let mut histories = Vec::new();
+        let mut count = 0;
         let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
         order.into_iter().for_each(|pair| of_life.entry(seam.lives[pair as usize]).or_default().push(pair));
         for (life, chunk) in of_life.iter().flat_map(|(life, own)| own.chunks(CHUNK).map(move |c| (*life, c)))
         {
             for (place, &pair) in chunk.iter().enumerate() {
-                places[pair as usize] = (histories.len() as u32, place as u32);
+                places[pair as usize] = (count, place as u32);
             }
-            histories.push(0..0);
+            count += 1;
             let (nodes, pairs) = part(model, seam, chunk);
             let springs = pairs.iter().flat_map(|pair| {
                 let stiffness = pair.area * stiffest[s];
@@ -146,12 +150,15 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
             });
             let springs = springs.collect();
             let part = law.contact(nodes, &pairs, damping, model.isa);
+            let name = format!("interface '{}'", seam.name);
+            let member = Member::of(Kind::Pairs(s as u32), name, part);
             members.push(Member {
+                reads: Reads { elements: beside_freed(seam, chunk), ..member.reads.clone() },
                 springs,
                 life,
                 line: Some(Line::Interface),
                 counted: seam.of.is_none(),
-                ..Member::new(format!("interface '{}'", seam.name), part)
+                ..member
             });
         }
         let chosen = seam.law.info.parameters.iter().any(|parameter| {
@@ -162,10 +169,30 @@ fn add(model: &Model, assembly: &mut Assembly, at: usize) -> Result<(), ModelErr
             .filter(|(((_, life), _), _)| !life.is_later())
             .map(|(((&traction, _), pair), shape)| LoadedPair { pair, normal: shape.normal, traction });
         let loaded = loaded.collect();
-        assembly.contacts.push(Contacts { law, chosen, places, histories, loaded, frequency, stiffest_pair });
+        assembly.contacts.push(Contacts {
+            law,
+            chosen,
+            places,
+            histories: Vec::new(),
+            members: Vec::new(),
+            loaded,
+            frequency,
+            stiffest_pair,
+        });
     }
-    assembly.members.splice(at..at, members);
+    assembly.insert(members);
     Ok(())
+}
+
+/// The elements beside those of some pairs that a stage frees, by whose stress these begin.
+fn beside_freed(seam: &Seam, pairs: &[u32]) -> Vec<u32> {
+    let freed = pairs.iter().filter(|&&k| seam.freed[k as usize]);
+    let faces = freed.flat_map(|&k| &seam.pairs[k as usize].corners);
+    let mut elements: Vec<u32> =
+        faces.flat_map(|(f, _)| seam.faces[*f as usize].map(|face| face.element)).collect();
+    elements.sort_unstable();
+    elements.dedup();
+    elements
 }
 
 /// A choice with which no law refuses what it would not refuse by itself.

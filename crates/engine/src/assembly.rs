@@ -8,7 +8,7 @@ use crate::error::ModelError;
 use crate::free_field::sheets;
 use crate::interface::traction;
 use crate::life::{Life, Stage};
-use crate::member::Member;
+use crate::member::{Kind, Member};
 use crate::model::Model;
 use crate::parts::constant::Constant;
 use crate::parts::loads::Loads;
@@ -51,14 +51,13 @@ impl Slices {
         (Motion { u, du }, own)
     }
 
-    /// What a part alone keeps of a state.
-    pub fn kept<'s>(&self, state: &'s State) -> Kept<'s> {
+    /// What a part alone keeps of what all remember.
+    pub fn kept<'s>(&self, all: &Kept<'s>) -> Kept<'s> {
         Kept {
-            history: &state.history[self.history.clone()],
-            overstress: &state.overstress[self.overstress.clone()],
-            numbers: &state.numbers[self.numbers.clone()],
-            reference: &state.reference[self.reference.clone()],
-            initial: &state.initial[self.initial.clone()],
+            history: &all.history[self.history.clone()],
+            numbers: &all.numbers[self.numbers.clone()],
+            reference: &all.reference[self.reference.clone()],
+            initial: &all.initial[self.initial.clone()],
         }
     }
 }
@@ -67,11 +66,13 @@ impl Slices {
 /// state, nor a checkpoint.
 #[derive(Default)]
 pub struct Assembly {
-    /// In the order in which a node sums what they hold for it: patches of the user's elements (as the model's patches),
-    /// those of slabs and columns, boundaries, loads, weight and tractions, interfaces, the program's own.
+    /// In the order in which a node sums what they hold for it: patches, boundaries, loads, weight and tractions, interfaces,
+    /// bolts, the program's own. What each is its [`Kind`] says, never its place.
     pub members: Vec<Member>,
     /// Of each member.
     pub slices: Vec<Slices>,
+    /// The member that each of the model's patches is.
+    pub of_patch: Vec<u32>,
     /// Of the model's interfaces, in their order.
     pub contacts: Vec<Contacts>,
     /// Of the model's bolts, in their order.
@@ -102,25 +103,24 @@ impl Assembly {
         let faces: HashMap<u32, Face> = sheets(&model.slabs, &model.columns)
             .flat_map(|sheet| sheet.twins.iter().map(|&(face, twin)| (twin, face)))
             .collect();
-        let mut members: Vec<Member> =
-            model.patches.par_iter().map(|patch| solid(model, &faces, patch)).collect::<Result<_, _>>()?;
-        for member in &mut members[model.user_patches..] {
-            member.counted = false;
-        }
+        let mut members: Vec<Member> = (0..model.patches.len() as u32)
+            .into_par_iter()
+            .map(|p| solid(model, &faces, p))
+            .collect::<Result<_, _>>()?;
         let boundary::Members { members: of_boundaries, base, spring_distance } =
             boundary::members(model.surroundings(&model.faces))?;
         members.extend(of_boundaries);
         for (k, load) in model.loads.iter().enumerate() {
             let part = Box::new(Loads::new(load.clone()));
             let line = Some(Line::Input);
-            members.push(Member { line, ..Member::new(format!("load {}", k + 1), part) });
+            members.push(Member { line, ..Member::of(Kind::Load, format!("load {}", k + 1), part) });
         }
-        members.extend(weights(model, &members[..model.patches.len()]));
+        members.extend(weights(model, &members));
         members.extend(model.tractions.iter().filter_map(|traction| of_traction(model, traction)));
         for make in &model.parts {
             let member = make(&model.mesh, &model.engine_node);
             check(model, &member)?;
-            members.push(member);
+            members.push(Member { kind: Kind::Own, ..member });
         }
         let (nodes, free_field) = (model.mesh_node.len(), !model.slabs.is_empty());
         let mut assembly =
@@ -133,13 +133,18 @@ impl Assembly {
     pub(crate) fn settle(&mut self, model: &Model) {
         let Assembly { members, .. } = self;
         self.slices = slices(members);
-        self.initial = initial_strains(model, &self.slices);
+        self.of_patch = vec![0; model.patches.len()];
+        for (m, member) in (0u32..).zip(members.iter()) {
+            if let Some(patch) = member.kind.patch() {
+                self.of_patch[patch] = m;
+            }
+        }
+        self.initial = initial_strains(model, members, &self.slices);
         let mut accounts: Vec<String> = model.user_bodies().iter().map(|body| body.name.clone()).collect();
         self.account = members
             .iter()
-            .enumerate()
-            .map(|(m, member)| match model.patches.get(m) {
-                Some(patch) => member.counted.then_some(patch.body as u16),
+            .map(|member| match member.body {
+                Some(body) => member.counted.then_some(body as u16),
                 None if member.counted && member.part.elements().0 > 0 => {
                     accounts.push(member.name.clone());
                     Some(accounts.len() as u16 - 1)
@@ -190,6 +195,11 @@ impl Assembly {
         self.slices.last().cloned().unwrap_or_default()
     }
 
+    /// Members of a kind, with their slices, in their order.
+    pub fn of_kind(&self, kind: Kind) -> impl Iterator<Item = (&Member, &Slices)> {
+        self.members.iter().zip(&self.slices).filter(move |(member, _)| member.kind == kind)
+    }
+
     /// A member by its name, with its slices: for observers of a program's own parts.
     pub fn named(&self, name: &str) -> Option<(&Member, &Slices)> {
         self.members.iter().zip(&self.slices).find(|(member, _)| member.name == name)
@@ -213,7 +223,7 @@ fn check(model: &Model, member: &Member) -> Result<(), ModelError> {
             nodes.len()
         ));
     }
-    if !counted && nodes.iter().any(|&n| model.counted.contains(&(n as usize))) {
+    if !counted && nodes.iter().any(|&n| model.nodes.counts(n as usize)) {
         return refuse("it is left out of the balance and pushes nodes that are in it: count it".into());
     }
     Ok(())
@@ -225,7 +235,7 @@ fn weights(model: &Model, solids: &[Member]) -> Vec<Member> {
         return Vec::new();
     }
     let mut lots: BTreeMap<(bool, Life), BTreeMap<u32, f64>> = BTreeMap::new();
-    for member in solids {
+    for member in solids.iter().filter(|member| member.kind.patch().is_some()) {
         let lot = lots.entry((!member.counted, member.life)).or_default();
         for (&node, mass) in member.part.nodes().iter().zip(&member.masses) {
             *lot.entry(node).or_default() += mass;
@@ -236,7 +246,11 @@ fn weights(model: &Model, solids: &[Member]) -> Vec<Member> {
         .map(|((outside, life), masses)| {
             let forces = masses.into_iter().map(|(node, mass)| (node, [0.0, 0.0, -mass * model.gravity]));
             let part = Box::new(Constant::new(forces));
-            Member { life: life.and(&Life::BEFORE), counted: !outside, ..Member::new("weight", part) }
+            Member {
+                life: life.and(&Life::BEFORE),
+                counted: !outside,
+                ..Member::of(Kind::Weight, "weight", part)
+            }
         })
         .collect()
 }
@@ -256,13 +270,14 @@ fn of_traction(model: &Model, of: &Traction) -> Option<Member> {
     }
     let life = of.life.and(&Life::BEFORE);
     let part = Box::new(Constant::new(forces));
-    (!part.nodes().is_empty()).then(|| Member { life, ..Member::new(of.name.clone(), part) })
+    (!part.nodes().is_empty()).then(|| Member { life, ..Member::of(Kind::Weight, of.name.clone(), part) })
 }
 
 /// C⁻¹σ₀ of every element that begins with stress, with the elastic constants that its law has by itself.
-fn initial_strains(model: &Model, slices: &[Slices]) -> Vec<Octet> {
+fn initial_strains(model: &Model, members: &[Member], slices: &[Slices]) -> Vec<Octet> {
     let mut all = vec![Octet::ZERO; slices.last().map_or(0, |s| s.initial.end)];
-    for (patch, slices) in model.patches.iter().zip(slices) {
+    for (member, slices) in members.iter().zip(slices) {
+        let Some(patch) = member.kind.patch().map(|patch| &model.patches[patch]) else { continue };
         let own = &mut all[slices.initial.clone()];
         if own.is_empty() || patch.takes_over {
             continue;

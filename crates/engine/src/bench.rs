@@ -125,7 +125,7 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
         }
         let seconds = begin.elapsed().as_secs_f64();
         let elements = model.user_elements;
-        let kinetic = engine.observe(&mut state).balance[Line::Kinetic];
+        let kinetic = engine.look(&state).snapshot.balance[Line::Kinetic];
         Ok(Timing {
             elements,
             nodes: model.user_nodes,

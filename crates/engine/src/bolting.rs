@@ -2,7 +2,7 @@
 
 use crate::bolts::{self, BoltSet, Bolts, SegmentSeen, SegmentState};
 use crate::life::Life;
-use crate::member::Member;
+use crate::member::{Kind, Member};
 use crate::model::Model;
 use crate::parts::bars::memory::{BROKEN, CUT_OFF, Layout, LinkMemory, PointMemory, WholeMemory, YIELDED};
 use crate::parts::bars::{Bar, Bars, Bolt};
@@ -82,8 +82,8 @@ impl Bolting {
     }
 }
 
-/// The members of a set, and how to look at its bolts.
-pub fn members(model: &Model, set: &BoltSet) -> (Vec<Member>, Bolting) {
+/// The members of the set of this number, and how to look at its bolts.
+pub fn members(model: &Model, set: &BoltSet, number: u32) -> (Vec<Member>, Bolting) {
     let kind = Arc::new(set.kind.clone());
     let life = Life { born: set.kind.born, gone: None };
     let heads: Vec<[f64; 3]> = set.bolts.iter().map(|bolt| bolt.points[0].place).collect();
@@ -102,10 +102,9 @@ pub fn members(model: &Model, set: &BoltSet) -> (Vec<Member>, Bolting) {
             springs,
             life,
             line: Some(Line::Bolts),
-            ..Member::new(set.kind.name.clone(), Box::new(bars))
+            ..Member::of(Kind::Bolts(number), set.kind.name.clone(), Box::new(bars))
         });
     }
-    bolting.starts = vec![0; members.len()];
     (members, bolting)
 }
 

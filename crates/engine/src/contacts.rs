@@ -15,8 +15,9 @@ pub struct Contacts {
     pub chosen: bool,
     /// Of each pair of [`Seam::pairs`], which of the interface's members it is in, and its place there.
     pub(crate) places: Vec<(u32, u32)>,
-    /// Where the histories of these members lie.
+    /// Where the histories of these members lie, and which of the assembly they are.
     pub(crate) histories: Vec<Range<usize>>,
+    pub(crate) members: Vec<u32>,
     /// Pairs that begin under load: pair, m, pressure and shear t \[Pa\].
     pub(crate) loaded: Vec<LoadedPair>,
     /// Largest ω_c of its pairs \[rad/s\], and that pair.
@@ -34,6 +35,11 @@ pub(crate) struct LoadedPair {
 }
 
 impl Contacts {
+    /// The number of the member that a pair is in.
+    pub(crate) fn member_of(&self, pair: usize) -> usize {
+        self.members[self.places[pair].0 as usize] as usize
+    }
+
     /// Gives pairs that begin under load their first memory.
     pub(crate) fn begin(&self, history: &mut [Octet]) {
         self.loaded.iter().for_each(|loaded| self.load(history, loaded, [0.0; 3]));

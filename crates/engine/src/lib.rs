@@ -22,6 +22,7 @@ pub mod interface;
 pub mod life;
 pub mod member;
 pub mod model;
+pub mod node_table;
 pub mod outer_faces;
 mod pair_masses;
 pub mod parts;
@@ -46,8 +47,9 @@ pub use engine::{ContactLimit, Engine, Halt, Limit, Snapshot, StableStep, stable
 pub use error::ModelError;
 pub use interface::{Interface, Seam};
 pub use life::{Life, Stage};
-pub use member::Member;
+pub use member::{Kind, Member};
 pub use model::Model;
+pub use node_table::{Domain, Nodes};
 pub use phase::Phase;
 pub use prescribed::Prescribed;
 pub use problem::{Problem, Rayleigh, TimeStep};

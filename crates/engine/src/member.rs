@@ -1,14 +1,53 @@
 //! A part with what the model knows of it.
 
 use crate::life::Life;
-use crate::parts::Part;
+use crate::parts::{Part, Reads};
 use tremolite_kernels::Line;
+
+/// What a member is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Elements: a patch, by its number in [`Model::patches`](crate::Model::patches).
+    Patch(u32),
+    /// What a base, or another boundary, pushes with.
+    Boundary,
+    /// A load that varies in time.
+    Load,
+    /// Weight, or a traction on faces: constant, before the shaking alone.
+    Weight,
+    /// Pairs of an interface, by its number in [`Model::seams`](crate::Model::seams).
+    Pairs(u32),
+    /// Bolts, by their number in [`Model::bolts`](crate::Model::bolts).
+    Bolts(u32),
+    /// Of the program's own.
+    Own,
+}
+
+impl Kind {
+    /// The patch that it is.
+    pub fn patch(self) -> Option<usize> {
+        match self {
+            Kind::Patch(patch) => Some(patch as usize),
+            _ => None,
+        }
+    }
+}
 
 /// One of a model's parts.
 pub struct Member {
     /// For messages, and by which a program finds its own.
     pub name: String,
+    pub kind: Kind,
     pub part: Box<dyn Part>,
+    /// The body of its elements, a number in [`Model::bodies`](crate::Model::bodies).
+    pub body: Option<u32>,
+    /// The level of its step: 0, the finest there is, for all so far.
+    pub level: u8,
+    /// Who evaluates it: 0, this process, for all so far.
+    pub owner: u32,
+    /// What it reads beyond its own nodes and memory: what its part names, elements that its own take over from, and those beside
+    /// pairs that a stage frees.
+    pub reads: Reads,
     /// Mass \[kg\] that it gives each of its nodes, in the order of its nodes; empty for a part without mass.
     pub masses: Vec<f64>,
     /// Engine nodes with the stiffness \[N/m\] of springs at them, of a part without elements: relaxation takes its masses from
@@ -25,10 +64,20 @@ pub struct Member {
 }
 
 impl Member {
-    /// A part without mass that is always there and enters the balance.
+    /// A part of a program's own, without mass, that is always there and enters the balance.
     pub fn new(name: impl Into<String>, part: Box<dyn Part>) -> Self {
+        Member::of(Kind::Own, name, part)
+    }
+
+    /// A part without mass that is always there and enters the balance.
+    pub(crate) fn of(kind: Kind, name: impl Into<String>, part: Box<dyn Part>) -> Self {
         Member {
             name: name.into(),
+            kind,
+            body: None,
+            level: 0,
+            owner: 0,
+            reads: part.reads(),
             part,
             masses: Vec::new(),
             springs: Vec::new(),

@@ -10,6 +10,7 @@ use crate::free_field::{FreeField, Ground, Slab};
 use crate::hexahedra::{centroid, hex};
 use crate::interface::{Seam, copies};
 use crate::life::{Life, Stage};
+use crate::node_table::{Domain, Nodes};
 use crate::outer_faces::OuterFaces;
 use crate::parts::loads::Load;
 use crate::prescribed::Prescribed;
@@ -18,7 +19,7 @@ use crate::rims::{Joint, Rims};
 use crate::seams::{self, Seams, Standing, place_lives};
 use crate::traction::Traction;
 use std::collections::{BTreeMap, HashMap};
-use std::ops::Range;
+use std::sync::Arc;
 use tremolite_kernels::Points;
 use tremolite_laws::Isa;
 use tremolite_mesh::Mesh;
@@ -28,6 +29,8 @@ use tremolite_mesh::order::hilbert_order;
 #[derive(Clone, Debug)]
 pub struct Patch {
     pub body: usize,
+    /// What its elements belong to.
+    pub domain: Domain,
     pub life: Life,
     /// Whether its elements have artificial viscosity ([`Model::viscosity`]).
     pub viscous: bool,
@@ -62,16 +65,15 @@ pub struct Model {
     /// m/s²
     pub gravity: f64,
     pub tractions: Vec<Traction>,
-    /// Patches of the user's elements, then those of the slabs, then those of the columns.
+    /// How many of the bodies are the user's.
+    pub user_bodies: usize,
     pub patches: Vec<Patch>,
-    pub user_patches: usize,
     /// Engine node → node of the mesh.
     pub mesh_node: Vec<u32>,
     /// Node of the mesh → engine node; `u32::MAX` if no active element uses it.
     pub engine_node: Vec<u32>,
-    /// Engine nodes of the user's model; those of the slabs follow, then those of the columns.
-    pub counted: Range<usize>,
-    pub of_slabs: Range<usize>,
+    /// What is known of each engine node.
+    pub nodes: Nodes,
     /// Faces on the outer planes of the user's elements that are there in the shaking.
     pub faces: OuterFaces,
     /// Interfaces, split: those of the user, then what of them runs through slabs.
@@ -125,7 +127,7 @@ impl Model {
     ///
     /// # Errors
     /// The first thing that stands in the way of running it.
-    pub fn new(problem: Problem) -> Result<Self, ModelError> {
+    pub fn new(problem: Problem) -> Result<Arc<Self>, ModelError> {
         let Problem { mut mesh, mut bodies, .. } = problem;
         let body_of = check_bodies(&mesh, &bodies)?;
         let mut lives = match problem.lives {
@@ -245,7 +247,6 @@ impl Model {
             &held,
         )?;
         let mut patches = Vec::new();
-        let (mut user_patches, mut slab_patches) = (0, 0);
         let size = patch_size(problem.patch_elements, bodies.iter().map(|b| b.elements.len()).sum());
         for (b, body) in bodies.iter().enumerate() {
             let mut lots: BTreeMap<(Life, bool, bool), Vec<u32>> = BTreeMap::new();
@@ -253,44 +254,39 @@ impl Model {
                 let lot = (lives[e as usize], successors.contains_key(&e), viscosity[e as usize] > 0.0);
                 lots.entry(lot).or_default().push(e);
             }
+            let domain = match b {
+                b if b < user_bodies => Domain::Model,
+                b if b < slab_bodies => Domain::Slab,
+                _ => Domain::Column,
+            };
             for ((life, takes_over, viscous), lot) in lots {
                 let centroids: Vec<[f64; 3]> = lot.iter().map(|&e| centroid(&mesh, e)).collect();
                 let order: Vec<u32> =
                     hilbert_order(&centroids).into_iter().map(|i| lot[i as usize]).collect();
                 patches.extend(order.chunks(size).map(|elements| Patch {
                     body: b,
+                    domain,
                     life,
                     viscous,
                     takes_over,
                     elements: elements.to_vec(),
                 }));
             }
-            if b + 1 == user_bodies {
-                user_patches = patches.len();
-            }
-            if b + 1 == slab_bodies {
-                slab_patches = patches.len();
-            }
         }
 
         // Nodes in the order in which the patches first touch them: a patch's nodes lie close in memory.
         let mut engine_node = vec![u32::MAX; mesh.nodes.len()];
         let mut mesh_node = Vec::new();
-        let (mut counted, mut of_slabs) = (0..0, 0..0);
-        for (p, patch) in patches.iter().enumerate() {
+        let mut nodes = Nodes::default();
+        for patch in &patches {
             for &e in &patch.elements {
                 for &n in mesh.elements[e as usize].nodes() {
                     if engine_node[n as usize] == u32::MAX {
                         engine_node[n as usize] = mesh_node.len() as u32;
                         mesh_node.push(n);
+                        nodes.push(patch.domain);
                     }
                 }
-            }
-            if p + 1 == user_patches {
-                counted = 0..mesh_node.len();
-            }
-            if p + 1 == slab_patches {
-                of_slabs = counted.end..mesh_node.len();
             }
         }
         let loads = problem
@@ -304,7 +300,7 @@ impl Model {
                 load
             })
             .collect();
-        Ok(Model {
+        Ok(Arc::new(Model {
             mesh,
             user_nodes,
             user_elements,
@@ -318,11 +314,10 @@ impl Model {
             gravity: problem.gravity,
             tractions,
             patches,
-            user_patches,
+            user_bodies,
             mesh_node,
             engine_node,
-            counted,
-            of_slabs,
+            nodes,
             faces,
             seams,
             bolts,
@@ -346,7 +341,7 @@ impl Model {
             parts: problem.parts,
             time_step: problem.time_step,
             isa: problem.isa,
-        })
+        }))
     }
 
     /// Whether an element is there in a stage.
@@ -408,8 +403,7 @@ impl Model {
 
     /// Bodies of the user, without those of slabs and columns.
     pub fn user_bodies(&self) -> &[Body] {
-        let count = self.patches[..self.user_patches].last().map_or(0, |p| p.body + 1);
-        &self.bodies[..count]
+        &self.bodies[..self.user_bodies]
     }
 }
 

@@ -7,9 +7,10 @@ use crate::life::{Life, Stage};
 use crate::model::Model;
 use crate::phase::Phase;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// The phases that pairs are judged in: of the shaking, and for those that are gone by then of a stage in which they are there.
-pub struct Phases(pub BTreeMap<Stage, Phase>);
+pub struct Phases(pub BTreeMap<Stage, Arc<Phase>>);
 
 impl Phases {
     pub fn of(model: &Model, assembly: &Assembly) -> Result<Self, ModelError> {

@@ -3,8 +3,9 @@
 use crate::error::ModelError;
 use crate::extent::size_tensor;
 use crate::hexahedra::{hex, hex_nodes};
-use crate::member::Member;
+use crate::member::{Kind, Member};
 use crate::model::{Model, Patch};
+use crate::node_table::Domain;
 use crate::parts::passed_on::PassedOn;
 use crate::sheet;
 use std::collections::btree_map::Entry;
@@ -13,9 +14,10 @@ use tremolite_kernels::Quadrature;
 use tremolite_laws::shapes::hex8::{Hex8, element_frequencies, turned};
 use tremolite_mesh::Face;
 
-/// The part of a patch, with the mass of each of its nodes. `faces` are those that elements outside sides were made of: they pass
+/// The part of the patch of this number, with the mass of each of its nodes. `faces` are those that elements outside sides were made of: they pass
 /// on to these what they feel.
-pub fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result<Member, ModelError> {
+pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<Member, ModelError> {
+    let patch = &model.patches[number as usize];
     let body = &model.bodies[patch.body];
     let mut nodes: Vec<u32> = Vec::new();
     // By node; in a patch that takes over by element and corner as well.
@@ -79,12 +81,23 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, patch: &Patch) -> Result
     let part = match sides.is_empty() {
         true => part,
         false => {
-            let booked = sides.iter().all(|(node, _)| model.counted.contains(&(*node as usize)));
+            let booked = sides.iter().all(|(node, _)| model.nodes.counts(*node as usize));
             Box::new(PassedOn::new(part, sides.into_iter().collect(), booked))
         }
     };
     let initial = patch.takes_over || (!model.initial.is_empty() && !patch.life.is_later());
-    Ok(Member { masses, initial, life: patch.life, ..Member::new(body.name.clone(), part) })
+    let member = Member::of(Kind::Patch(number), body.name.clone(), part);
+    let mut reads = member.reads.clone();
+    reads.elements.extend(patch.elements.iter().filter_map(|e| model.successors.get(e)));
+    Ok(Member {
+        body: Some(patch.body as u32),
+        reads,
+        masses,
+        initial,
+        life: patch.life,
+        counted: patch.domain == Domain::Model,
+        ..member
+    })
 }
 
 /// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without.

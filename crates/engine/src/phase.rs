@@ -2,6 +2,7 @@
 //! its assembly.
 
 mod driven;
+pub mod passes;
 mod woken;
 
 use crate::assembly::Assembly;
@@ -11,17 +12,19 @@ use crate::contacts::Contacts;
 use crate::error::ModelError;
 use crate::interface::Seam;
 use crate::life::Stage;
-use crate::member::Member;
+use crate::member::{Kind, Member};
 use crate::model::Model;
+use crate::node_table::Domain;
 use crate::outer_faces::OuterFaces;
 use crate::parts::Tick;
 use crate::rims::Joint;
 use crate::state::State;
 use crate::ties::Ties;
 pub use driven::Driven;
-use std::collections::BTreeMap;
-use std::ops::Range;
-use tremolite_kernels::{Line, Points};
+use passes::Pass;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
+use tremolite_kernels::Points;
 use tremolite_laws::Row;
 
 /// The dashpots of a node, as symmetric matrices (xx, yy, zz, xy, yz, zx) \[N s/m\].
@@ -40,6 +43,8 @@ pub struct Dashpot {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Follow {
     pub leader: u32,
+    /// Its place in [`Phase::leaders`].
+    pub place: u32,
     /// N s/m
     pub matrix: [f64; 6],
 }
@@ -64,6 +69,8 @@ pub struct ElementSlot {
     /// Index among all elements, in the order of members.
     pub element: u32,
     pub member: u32,
+    /// The patch that this member is.
+    pub patch: u32,
 }
 
 /// In [`Phase::slot_account`]: a part without an account.
@@ -82,8 +89,6 @@ pub struct Phase {
     pub joined: Vec<(u32, Vec<u32>)>,
     /// Members that are there, ascending.
     pub active: Vec<u32>,
-    /// Nodes whose energy counts.
-    pub counted_nodes: Range<usize>,
     /// Elements whose energy counts.
     pub counted_elements: usize,
     /// Whether the counted parts keep books of all that they take and give out.
@@ -109,8 +114,10 @@ pub struct Phase {
     pub tied: Vec<(u32, u32)>,
     /// Ascending by node.
     pub dashpots: Vec<(u32, Dashpot)>,
-    /// Nodes in the order in which the scheme advances them, leaders first: columns, slabs, the model. One group where nobody leads.
-    pub groups: Vec<Range<usize>>,
+    /// Engine nodes that others follow by dashpots, in the order in which they are advanced.
+    pub leaders: Vec<u32>,
+    /// All nodes in the order in which the scheme advances them, leaders first.
+    pub passes: Vec<Pass>,
     /// Element of the mesh → its slot; for active elements of the user.
     pub element_slot: Vec<Option<ElementSlot>>,
 }
@@ -121,7 +128,7 @@ impl Phase {
     ///
     /// # Errors
     /// If sides cannot be tied, or no face lies on a plane on which something should act.
-    pub fn of(model: &Model, assembly: &Assembly, stage: Stage) -> Result<Self, ModelError> {
+    pub fn of(model: &Model, assembly: &Assembly, stage: Stage) -> Result<Arc<Self>, ModelError> {
         Phase::tied(model, assembly, stage, std::iter::empty(), |_| true)
     }
 
@@ -129,12 +136,12 @@ impl Phase {
     ///
     /// # Errors
     /// As [`Phase::of`].
-    pub fn bonded(model: &Model, assembly: &Assembly) -> Result<Self, ModelError> {
+    pub fn bonded(model: &Model, assembly: &Assembly) -> Result<Arc<Self>, ModelError> {
         let of = |(seam, contacts): (&Seam, &Contacts)| -> Vec<[u32; 2]> {
             contacts.loaded.iter().map(|loaded| seam.pairs[loaded.pair as usize].nodes).collect()
         };
         let nodes = model.seams.iter().zip(&assembly.contacts).flat_map(of);
-        let without = |member: &Member| member.line != Some(Line::Interface);
+        let without = |member: &Member| !matches!(member.kind, Kind::Pairs(_));
         Phase::tied(model, assembly, Stage::Before(0), nodes, without)
     }
 
@@ -145,7 +152,7 @@ impl Phase {
         stage: Stage,
         more: impl Iterator<Item = [u32; 2]>,
         of: impl Fn(&Member) -> bool,
-    ) -> Result<Self, ModelError> {
+    ) -> Result<Arc<Self>, ModelError> {
         let drive = if stage == Stage::Shaking { Drive::Dynamic } else { Drive::Quasistatic };
         let active: Vec<u32> = (0u32..)
             .zip(&assembly.members)
@@ -215,7 +222,7 @@ impl Phase {
             let leader = master[leader as usize];
             match follows.iter_mut().find(|follow| follow.leader == leader) {
                 Some(known) => add(&mut known.matrix, matrix),
-                None => follows.push(Follow { leader, matrix: *matrix }),
+                None => follows.push(Follow { leader, place: 0, matrix: *matrix }),
             }
         }
         for dashpot in dashpots.values_mut() {
@@ -224,11 +231,11 @@ impl Phase {
             add(whole, sides);
             follows.iter().for_each(|follow| add(whole, &follow.matrix));
         }
-        let all = model.mesh_node.len();
-        let groups = match model.slabs.is_empty() {
-            true => std::iter::once(0..all).collect(),
-            false => vec![model.of_slabs.end..all, model.of_slabs.clone(), model.counted.clone()],
-        };
+        let (leaders, passes) = passes::passes(model, dashpots.values());
+        let place: HashMap<u32, u32> = leaders.iter().copied().zip(0..).collect();
+        for follow in dashpots.values_mut().flat_map(|dashpot| &mut dashpot.follows) {
+            follow.place = place[&follow.leader];
+        }
 
         let (start, slot, slot_account) = sources(assembly, &active, &master);
         let (account, others) = (0..master.len())
@@ -249,12 +256,11 @@ impl Phase {
             .unzip();
         let counted = || active.iter().map(there).filter(|member| member.counted);
         let (joined, woken) = woken::woken(model, assembly, stage);
-        Ok(Phase {
+        Ok(Arc::new(Phase {
             stage,
             drive,
             woken,
             joined,
-            counted_nodes: model.counted.clone(),
             counted_elements: counted().map(|member| member.part.elements().0).sum(),
             keeps_books: counted().all(|member| member.part.keeps_books()),
             element_slot: element_slots(model, assembly, &active),
@@ -270,8 +276,9 @@ impl Phase {
             slot_account,
             tied,
             dashpots: dashpots.into_iter().collect(),
-            groups,
-        })
+            leaders,
+            passes,
+        }))
     }
 
     /// What laws and loads know of the time at a state.
@@ -309,13 +316,17 @@ fn sources(assembly: &Assembly, active: &[u32], master: &[u32]) -> (Vec<u32>, Ve
     (start, slot, account)
 }
 
-/// Patches are the first members, in their order.
+/// Where the results of each of the user's elements lie.
 fn element_slots(model: &Model, assembly: &Assembly, active: &[u32]) -> Vec<Option<ElementSlot>> {
     let mut slots = vec![None; model.user_elements];
-    for &m in active.iter().filter(|&&m| (m as usize) < model.user_patches) {
-        let (_, points) = assembly.members[m as usize].part.elements();
-        let slices = &assembly.slices[m as usize];
-        let patch = &model.patches[m as usize];
+    for &m in active {
+        let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
+        let Some(number) = member.kind.patch() else { continue };
+        let patch = &model.patches[number];
+        if patch.domain != Domain::Model {
+            continue;
+        }
+        let (_, points) = member.part.elements();
         for (i, &e) in patch.elements.iter().enumerate() {
             slots[e as usize] = Some(ElementSlot {
                 point: (slices.points.start + i * points) as u32,
@@ -323,6 +334,7 @@ fn element_slots(model: &Model, assembly: &Assembly, active: &[u32]) -> Vec<Opti
                 places: model.points(&model.bodies[patch.body], e),
                 element: (slices.elements.start + i) as u32,
                 member: m,
+                patch: number as u32,
             });
         }
     }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use tremolite_kernels::Lines;
+use tremolite_kernels::part::Kept;
 use tremolite_laws::{Octet, Row};
 
 /// The books of the energy balance \[J\], sums since the start.
@@ -117,6 +118,12 @@ impl State {
     pub fn shown(&self, node: usize) -> Row {
         let zero = self.datum.get(node).copied().unwrap_or(Row::ZERO);
         Row([0, 1, 2, 3].map(|i| self.u[node].0[i] - zero.0[i]))
+    }
+
+    /// What all parts remember.
+    pub fn kept(&self) -> Kept<'_> {
+        let State { history, numbers, reference, initial, .. } = self;
+        Kept { history, numbers, reference, initial }
     }
 
     /// Steps since t = 0.

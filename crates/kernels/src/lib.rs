@@ -16,6 +16,6 @@ pub mod stage;
 pub use interface::{AnyInterface, InterfaceLaw, interface_laws};
 pub use line::{Booked, Line, Lines};
 pub use material::{AnyMaterial, Law, elastic, laws};
-pub use part::{ElementEnergy, Entry, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
+pub use part::{ElementEnergy, Entry, Motion, Own, Part, ProbeOut, Reads, Scratch, StateSizes, Tick};
 pub use stage::Stage;
 pub use tremolite_laws::shapes::hex8::{Layers, Points, Quadrature};

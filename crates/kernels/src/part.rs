@@ -23,12 +23,23 @@ pub struct Motion<'a> {
     pub du: &'a [Row],
 }
 
+/// What a part reads beyond its own nodes and its own memory. Whoever evaluates it elsewhere must bring this; in a test all else is
+/// not a number.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Reads {
+    /// Engine nodes whose motion it reads and which it does not push.
+    pub nodes: Vec<u32>,
+    /// Elements of the mesh whose stress or memory it is given where a stage begins.
+    pub elements: Vec<u32>,
+}
+
 /// Where a stage begins, as a part is told of it.
 pub struct Entry<'a> {
     pub stage: Stage,
     /// Displacement \[m\] of all nodes.
     pub u: &'a [Row],
-    /// Mean stress \[Pa\] of an element of the mesh, or of what has taken over from it; none where none is known.
+    /// Mean stress \[Pa\] of an element of the mesh that the part [reads](Part::reads), or of what has taken over from it; none where
+    /// none is known.
     pub stress: &'a dyn Fn(u32) -> Option<[f64; 6]>,
 }
 
@@ -47,11 +58,10 @@ pub struct Own<'a> {
     pub initial: &'a [Octet],
 }
 
-/// The same, to be read alone.
+/// What of it others may ask a part about, to be read alone.
 #[derive(Clone, Copy)]
 pub struct Kept<'a> {
     pub history: &'a [Octet],
-    pub overstress: &'a [Octet],
     pub numbers: &'a [f64],
     pub reference: &'a [Row],
     pub initial: &'a [Octet],
@@ -116,6 +126,10 @@ pub struct Scratch {
 pub trait Part: Send + Sync {
     /// Nodes pushed, in the order of the part's contributions.
     fn nodes(&self) -> &[u32];
+    /// What it reads beyond these nodes and its own memory.
+    fn reads(&self) -> Reads {
+        Reads::default()
+    }
     /// Length of the part's slices of the state.
     fn state_sizes(&self) -> StateSizes {
         StateSizes::default()

@@ -7,6 +7,7 @@ use crate::quantities::{BOLT, Field, INTERFACE, MEASURES, MONITOR, PAIR, RELATIV
 use crate::spectra;
 use crate::transfer_table;
 use std::collections::BTreeSet;
+use tremolite_engine::Domain;
 use tremolite_engine::Stage;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::model::Model;
@@ -175,7 +176,7 @@ pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field]) -> (u64, u64)
     let kept = history().filter(|column| fields.iter().any(|field| field.holds(column)));
     of_cell += kept.map(|column| column.name).collect::<BTreeSet<_>>().len() as u64;
     // Coordinates; corners, where they end, type, element and body; a mark for each group.
-    let nodes = model.counted.len() as u64;
+    let nodes = model.nodes.of(Domain::Model).count() as u64;
     let groups = model.mesh.groups.values().filter(|elements| elements.iter().any(active)).count() as u64;
     (24 * nodes + (8 * 8 + 8 + 1 + 8 + 4 + groups) * cells, 4 * (of_node * nodes + of_cell * cells))
 }

@@ -196,13 +196,14 @@ fn extent(model: &Model, opening: &Opening, axis: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::Arc;
     use tremolite_engine::{Body, Problem, Quadrature, elastic, hexahedra::centroid};
     use tremolite_laws::Moduli;
     use tremolite_mesh::boxes::BoxSpec;
 
     /// A block of 40 × 8 × 40 m with a hole of 10 × 10 m, `left` m from xmin and 6 m from the base, that goes through along y, or
     /// from ymin halfway.
-    fn model(left: f64, halfway: bool, sides: [Side; 2]) -> Model {
+    fn model(left: f64, halfway: bool, sides: [Side; 2]) -> Arc<Model> {
         let mesh = BoxSpec::uniform([0.0; 3], [40.0, 8.0, 40.0], [20, 4, 20]).mesh().unwrap();
         let inside = |e: &u32| {
             let [x, y, z] = centroid(&mesh, *e);

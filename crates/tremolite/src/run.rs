@@ -20,10 +20,11 @@ use crate::plan::{Plan, Steps};
 use crate::spectra;
 use crate::transfer_table;
 use before::{Before, Stages};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tremolite_engine::assembly::Assembly;
-use tremolite_engine::engine::{BodyBooks, Relaxed};
+use tremolite_engine::engine::{BodyBooks, Relaxed, Seen};
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
@@ -176,9 +177,9 @@ pub fn check_rest(
 /// If a file cannot be written or the checkpoint cannot be used. A physical or numerical failure is no error here
 /// but an [`Ending`].
 pub fn run(
-    model: &Model,
-    assembly: &Assembly,
-    phase: &Phase,
+    model: &Arc<Model>,
+    assembly: &Arc<Assembly>,
+    phase: &Arc<Phase>,
     plan: &Plan,
     folder: &ResultFolder,
     start: Start,
@@ -300,34 +301,38 @@ pub fn run(
             kept = now;
             if stop {
                 // A look at a copy, since the state's own parts must see each step once.
-                let snapshot = engine.observe(&mut state.clone());
+                let snapshot = engine.look(&state).snapshot;
                 (balance, bodies) = (snapshot.balance, snapshot.bodies);
                 break Ending::Stopped;
             }
         }
         let step = state.steps();
-        if observers.iter().any(|o| o.schedule().due(step)) {
-            let look = Instant::now();
-            let snapshot = engine.observe(&mut state);
+        let due = observers.iter().any(|o| o.schedule().due(step));
+        let begin_look = Instant::now();
+        let mut evaluated = engine.evaluate(std::mem::take(&mut state), due);
+        if let Some(Seen { snapshot, history, numbers, memory }) = evaluated.seen() {
             balance = snapshot.balance;
             bodies.clone_from(&snapshot.bodies);
-            let history = History { assembly, octets: &state.history };
-            let numbers = &state.numbers;
-            let view = View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers };
+            let history = History { assembly, octets: history };
+            let view = View { model, assembly, phase, plan, snapshot, history, numbers };
             for observer in observers.iter_mut().filter(|o| o.schedule().due(step)) {
-                observer.see(&view, &mut state.observers)?;
+                observer.see(&view, memory)?;
             }
-            observing += look.elapsed();
-            if let Err(halt) = engine.guard(&state, &snapshot) {
-                let place = hottest_element(model, phase, &snapshot);
+            observing += begin_look.elapsed();
+            if let Err(halt) = engine.guard(snapshot) {
+                let place = hottest_element(model, phase, snapshot);
+                state = evaluated.end();
                 break Ending::Failed { halt, place };
             }
         }
         if step >= steps.total {
+            state = evaluated.end();
             break Ending::Done;
         }
-        if let Err(halt) = engine.step(&mut state) {
-            let place = hottest_element(model, phase, &engine.observe(&mut state));
+        let stepped;
+        (state, stepped) = engine.advance(evaluated);
+        if let Err(halt) = stepped {
+            let place = hottest_element(model, phase, &engine.look(&state).snapshot);
             break Ending::Failed { halt, place };
         }
         let State { u, du, datum, dt, observers: memory, .. } = &mut state;
@@ -379,7 +384,7 @@ fn hottest_element(model: &Model, phase: &Phase, snapshot: &Snapshot) -> Said {
 }
 
 /// Seconds a step takes here, from a short timing of the real engine on a state of its own.
-pub fn time_step_cost(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> f64 {
+pub fn time_step_cost(model: &Arc<Model>, assembly: &Arc<Assembly>, phase: &Arc<Phase>, dt: f64) -> f64 {
     let mut state = assembly.rest();
     state.dt = dt;
     let mut engine = Engine::new(model, assembly, phase);

@@ -1,5 +1,6 @@
 //! Stages before the shaking: what is changed in each, and how the model comes to rest.
 
+use std::sync::Arc;
 use tremolite_engine::engine::{Relaxed, Release, Rest};
 use tremolite_engine::{Assembly, Engine, Model, ModelError, Phase, Stage, State};
 use tremolite_results::Said;
@@ -41,8 +42,8 @@ pub enum Unsettled {
 /// # Errors
 /// At the first stage that does not come to rest.
 pub fn settle(
-    model: &Model,
-    assembly: &Assembly,
+    model: &Arc<Model>,
+    assembly: &Arc<Assembly>,
     stages: &[PlannedStage],
 ) -> Result<(State, Vec<Rest>), Unsettled> {
     let mut state = assembly.rest();

@@ -2,6 +2,7 @@
 
 use crate::places;
 use rayon::prelude::*;
+use tremolite_engine::Domain;
 use tremolite_engine::ModelError;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::hexahedra::{centroid, hex};
@@ -136,7 +137,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
         slab_elements: model.slabs.iter().map(|slab| slab.sheet.twins.len()).sum(),
         column_elements: model.columns.iter().map(|column| column.layers.len()).sum(),
         void_elements: model.user_elements - model.stand_ins.len() - active,
-        nodes: model.counted.len(),
+        nodes: model.nodes.of(Domain::Model).count(),
         bytes: geometry
             + state
             + stages

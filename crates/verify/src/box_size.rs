@@ -5,7 +5,7 @@ use crate::VerifyError;
 use crate::models::{Solid, material};
 use crate::simulation::{Simulation, whole_steps};
 use tremolite::hexahedra::centroid;
-use tremolite::{Base, Body, Incident, Problem, Quadrature, Side, stable_step};
+use tremolite::{Base, Body, Domain, Incident, Problem, Quadrature, Side, stable_step};
 use tremolite_laws::materials::MohrCoulomb;
 use tremolite_laws::{Material, Values};
 use tremolite_mesh::boxes::BoxSpec;
@@ -104,8 +104,8 @@ pub fn shake(ground: Ground, sides: Side, widths: u32, frequency: f64) -> Result
     let simulation = Simulation::new(problem)?;
     let walls: Vec<usize> = simulation
         .model
-        .counted
-        .clone()
+        .nodes
+        .of(Domain::Model)
         .filter(|&n| {
             let [x, y, z] = simulation.position(n);
             let (x, z) = (x.abs() - 0.5 * WIDTH, (z - FLOOR - 0.5 * WIDTH).abs() - 0.5 * WIDTH);

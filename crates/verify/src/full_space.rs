@@ -168,7 +168,7 @@ impl Slice {
         for step in 1..=steps {
             engine.step(&mut state)?;
             if step >= first && (step - first).is_multiple_of(between) {
-                let snapshot = engine.observe(&mut state);
+                let snapshot = engine.look(&state).snapshot;
                 seen.times.push(state.time() - delay);
                 for (hoops, (points, angle)) in seen.hoops.iter_mut().zip(&fibres) {
                     let hoop: f64 = points.iter().map(|p| turned(&snapshot.stress[*p], *angle)[1]).sum();

@@ -137,7 +137,7 @@ fn brick(solid: Solid, base: Base, side: Side) -> Result<Simulation, VerifyError
 pub fn of_base(solid: Solid, base: Base) -> Result<Boundary, VerifyError> {
     let Simulation { model, assembly, .. } = brick(solid, base, Side::Free)?;
     let mut boundary = Boundary { dashpots: [0.0; 2], springs: [0.0; 2] };
-    for node in assembly.base.iter().filter(|node| model.counted.contains(&(node.node as usize))) {
+    for node in assembly.base.iter().filter(|node| model.nodes.counts(node.node as usize)) {
         for (k, component) in [2, 0].into_iter().enumerate() {
             boundary.dashpots[k] += node.dashpot[component] / 4.0;
             boundary.springs[k] += node.spring[component] / 4.0;
@@ -152,7 +152,7 @@ pub fn of_base(solid: Solid, base: Base) -> Result<Boundary, VerifyError> {
 /// As [`of_base`].
 pub fn of_viscous_side(solid: Solid) -> Result<Boundary, VerifyError> {
     let mut dashpots = [0.0; 2];
-    for (_, dashpot) in brick(solid, Base::Free, Side::Viscous)?.phase.dashpots {
+    for (_, dashpot) in &brick(solid, Base::Free, Side::Viscous)?.phase.dashpots {
         for (k, component) in [0, 1].into_iter().enumerate() {
             // Of two sides of 4 m².
             dashpots[k] += dashpot.sides[component] / 8.0;

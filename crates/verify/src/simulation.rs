@@ -1,14 +1,15 @@
 //! A problem made ready to run, and its run.
 
 use crate::VerifyError;
+use std::sync::Arc;
 use tremolite::{Assembly, Engine, Model, Phase, Problem, Snapshot, Stage, State, stable_step};
 use tremolite_laws::Row;
 
 /// A model with its dynamic phase.
 pub struct Simulation {
-    pub model: Model,
-    pub assembly: Assembly,
-    pub phase: Phase,
+    pub model: Arc<Model>,
+    pub assembly: Arc<Assembly>,
+    pub phase: Arc<Phase>,
 }
 
 impl Simulation {
@@ -26,7 +27,7 @@ impl Simulation {
         stable_step(&self.model, &self.assembly, &self.phase).dt
     }
 
-    pub fn engine(&self) -> Engine<'_> {
+    pub fn engine(&self) -> Engine {
         Engine::new(&self.model, &self.assembly, &self.phase)
     }
 
@@ -75,7 +76,7 @@ impl Simulation {
             engine.step(&mut state)?;
             see(&state);
         }
-        Ok(engine.observe(&mut state))
+        Ok(engine.look(&state).snapshot)
     }
 }
 

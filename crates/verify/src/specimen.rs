@@ -236,7 +236,7 @@ impl Specimen<'_> {
             let before = tested.last();
             let way = self.ways[k - 1];
             let force = engine.reactions(&state)[k * self.grips.len()][2];
-            let balance = engine.observe(&mut state).balance;
+            let balance = engine.look(&state).snapshot.balance;
             let shown = |node: u32| state.shown(model.engine_node[node as usize] as usize).0[0];
             let along = |pairs: &[(u32, f64)]| pairs.iter().map(|&(n, w)| w * shown(n)).sum::<f64>();
             let opened = gauge.as_ref().map_or(0.0, |[a, b]| along(b) - along(a));

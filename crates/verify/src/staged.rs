@@ -3,6 +3,7 @@
 use crate::VerifyError;
 use crate::models::Solid;
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::Arc;
 use tremolite::engine::Release;
 use tremolite::hexahedra::centroid;
 use tremolite::point_stress::mean;
@@ -22,9 +23,9 @@ pub fn release(share: f64) -> Release {
 
 /// A model at rest after its last stage.
 pub struct Rested {
-    pub model: Model,
-    pub assembly: Assembly,
-    pub phase: Phase,
+    pub model: Arc<Model>,
+    pub assembly: Arc<Assembly>,
+    pub phase: Arc<Phase>,
     pub state: State,
     /// What is seen there.
     pub snapshot: Snapshot,
@@ -43,7 +44,7 @@ impl Rested {
         let (mut state, _) = settle(&model, &assembly, &stages)
             .map_err(|unsettled| VerifyError::Setup(format!("{unsettled:?}")))?;
         let phase = Phase::of(&model, &assembly, Stage::Before(releases.len() as u16 - 1))?;
-        let snapshot = Engine::new(&model, &assembly, &phase).observe(&mut state);
+        let snapshot = Engine::new(&model, &assembly, &phase).finish(&mut state);
         Ok(Rested { model, assembly, phase, state, snapshot })
     }
 

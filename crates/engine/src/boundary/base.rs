@@ -4,7 +4,7 @@
 //! (`lysmer1969` for the dashpots, `wang2018` for the springs). The dashpots act on velocity and belong to the step
 //! ([`crate::engine`]); this part gives the other two terms. Vertical incidence in homogeneous ground below the base.
 
-use crate::parts::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
+use crate::parts::{Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::Row;
 use tremolite_motion::Motion as Record;
@@ -72,6 +72,15 @@ const REMEMBERED: usize = 6;
 impl Part for BasePart {
     fn nodes(&self) -> &[u32] {
         &self.nodes
+    }
+
+    /// The bottoms of the columns whose motion is the free field.
+    fn reads(&self) -> Reads {
+        let mut nodes: Vec<u32> =
+            self.pushed.iter().flat_map(|base| &base.free_field).map(|(node, _)| *node).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        Reads { nodes, ..Reads::default() }
     }
 
     fn state_sizes(&self) -> StateSizes {

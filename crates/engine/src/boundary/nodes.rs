@@ -6,7 +6,7 @@ use super::{Base, Surroundings, nodal_matrices, quarter};
 use crate::error::ModelError;
 use crate::hexahedra::centroid;
 use crate::life::{Life, Stage};
-use crate::member::Member;
+use crate::member::{Kind, Member};
 use tremolite_kernels::Line;
 use tremolite_mesh::Face;
 
@@ -35,7 +35,8 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
             let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
             let part = Box::new(BasePart::new(nodes, incident));
             let line = Some(Line::Springs);
-            out.members.push(Member { life: Life::SHAKING, line, counted, ..Member::new(name, part) });
+            let member = Member::of(Kind::Boundary, name, part);
+            out.members.push(Member { life: Life::SHAKING, line, counted, ..member });
         }
     }
     Ok(out)

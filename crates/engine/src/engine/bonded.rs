@@ -2,6 +2,7 @@
 //! whatever their stiffness; then their pairs are given what passes between their sides, which the forces of both say exactly.
 
 use super::Engine;
+use super::evaluation::Forces;
 use super::gather::{dot, force};
 use super::relax::{Relaxed, Release, Rest, Watch};
 use crate::contacts::LoadedPair;
@@ -13,7 +14,7 @@ use tremolite_mesh::pairs::tangents;
 
 /// How much further from balance a model may be once pairs are freed that hold: what is left at a node is then shared by two.
 const SHARED: f64 = 2.0;
-impl Engine<'_> {
+impl Engine {
     /// Brings a state to the initial equilibrium, and on from there if pairs cannot bear what passes.
     pub(super) fn bonded_then_free(
         &mut self,
@@ -22,15 +23,16 @@ impl Engine<'_> {
         watch: &mut Watch,
     ) -> Relaxed {
         // It has all the faces that this engine's own phase has, so it can be made.
-        let Ok(phase) = Phase::bonded(self.model, self.assembly) else {
+        let Ok(phase) = Phase::bonded(&self.model, &self.assembly) else {
             return self.come_to_rest(state, release, watch);
         };
-        let bonded = Engine::new(self.model, self.assembly, &phase).come_to_rest(state, release, watch);
+        let mut bonded = Engine::new(&self.model, &self.assembly, &phase);
+        bonded.poisoned = self.poisoned;
+        let bonded = bonded.come_to_rest(state, release, watch);
         let Relaxed::AtRest(rest) = bonded else { return bonded };
         state.relaxing = Relaxing { freed: 1, ..Relaxing::default() };
         self.free_loaded(state);
-        self.evaluated = None;
-        self.evaluate(state, None);
+        self.evaluate_at(state, None);
         if self.out_of_balance() <= SHARED * release.tolerance[0] {
             return bonded;
         }
@@ -42,7 +44,7 @@ impl Engine<'_> {
 
     /// Σ|R| over Σ|contributions| of the forces last evaluated, with nothing held.
     fn out_of_balance(&self) -> f64 {
-        let Engine { phase, contributions, .. } = self;
+        let Engine { phase, forces: Forces { contributions, .. }, .. } = self;
         let (mut unbalanced, mut whole) = (0.0, 0.0);
         for node in 0..phase.master.len() {
             let force = force(phase, contributions, node);
@@ -58,9 +60,8 @@ impl Engine<'_> {
     /// ([`crate::Phase::bonded`]): their traction so far and, where that leaves the sides out of balance with each other, the least
     /// that is missing, by area.
     fn free_loaded(&mut self, state: &mut State) {
-        self.evaluated = None;
-        self.evaluate(state, None);
-        let Engine { model, assembly, phase, .. } = *self;
+        self.evaluate_at(state, None);
+        let Engine { model, assembly, phase, forces, .. } = &*self;
         let mut links: Vec<Link> = Vec::new();
         for (s, (seam, contacts)) in model.seams.iter().zip(&assembly.contacts).enumerate() {
             for loaded in &contacts.loaded {
@@ -71,7 +72,7 @@ impl Engine<'_> {
         }
         for i in 0..3 {
             let free = |n: u32| phase.inverse_mass[n as usize].0[i] > 0.0;
-            let out = |n: u32| force(phase, &self.contributions, n as usize).0[i];
+            let out = |n: u32| force(phase, &forces.contributions, n as usize).0[i];
             let open: Vec<usize> =
                 (0..links.len()).filter(|&k| links[k].nodes.iter().all(|&n| free(n))).collect();
             let edges: Vec<([u32; 2], f64)> = open.iter().map(|&k| (links[k].nodes, links[k].area)).collect();

@@ -6,14 +6,14 @@ use crate::life::Stage;
 use crate::state::State;
 use tremolite_laws::Row;
 
-impl Engine<'_> {
+impl Engine {
     /// Brings the phase's driven nodes to this share of their way, from [`State::start`] on. What they gained times the forces
     /// last evaluated \[J\].
     pub(super) fn move_driven(&self, state: &mut State, way: f64) -> f64 {
         let mut work = 0.0;
         for moved in &self.phase.driven {
             let node = moved.node as usize;
-            let force = force(self.phase, &self.contributions, node);
+            let force = force(&self.phase, &self.forces.contributions, node);
             let zero = state.datum.get(node).copied().unwrap_or(Row::ZERO);
             for (i, to) in moved.to.iter().enumerate() {
                 let Some(to) = to else { continue };
@@ -38,12 +38,10 @@ impl Engine<'_> {
     /// The force \[N\] with which each of [`crate::Model::prescribed`] pushes on the model along x, y and z where a state is, of the
     /// components that it holds; 0 of those that are not there in the phase's stage.
     pub fn reactions(&mut self, state: &State) -> Vec<[f64; 3]> {
-        self.evaluate(&mut state.clone(), None);
-        // What was evaluated on a copy is not the state's.
-        self.evaluated = None;
+        self.evaluate_copies(state, None);
         let mut reactions = vec![[0.0; 3]; self.model.prescribed.len()];
         for moved in &self.phase.driven {
-            let force = force(self.phase, &self.contributions, moved.node as usize);
+            let force = force(&self.phase, &self.forces.contributions, moved.node as usize);
             let reaction = &mut reactions[moved.by as usize];
             (0..3).filter(|&i| moved.to[i].is_some()).for_each(|i| reaction[i] += force.0[i]);
         }

@@ -7,12 +7,12 @@ use crate::state::State;
 use std::collections::{HashMap, HashSet};
 use tremolite_mesh::Face;
 
-impl Engine<'_> {
+impl Engine {
     /// Gives pairs that the phase's stage frees the traction of the stress beside them, from where their nodes are. Of a side that
     /// came later than the other its own stress alone counts: what stood before it is stressed by more than what passes between
     /// them.
     pub(super) fn free_pairs(&mut self, state: &mut State) {
-        let Engine { model, assembly, phase, .. } = *self;
+        let (model, assembly, phase) = (self.model.clone(), self.assembly.clone(), self.phase.clone());
         let freed: Vec<(usize, usize)> = (0..)
             .zip(&model.seams)
             .flat_map(|(s, seam)| (0..seam.pairs.len()).map(move |k| (s, k)))
@@ -21,8 +21,7 @@ impl Engine<'_> {
         if freed.is_empty() {
             return;
         }
-        let snapshot = self.observe(&mut state.clone());
-        self.evaluated = None;
+        let snapshot = self.look(state).snapshot;
 
         // What stands in the place of an element now, and from when on its place is filled.
         let now = |mut element: u32| {
@@ -44,7 +43,8 @@ impl Engine<'_> {
         let wanted: HashSet<u32> =
             freed.iter().flat_map(|&(s, k)| beside(s, k)).filter_map(|face| now(face.element)).collect();
         let mut stresses: HashMap<u32, [f64; 6]> = HashMap::new();
-        for (m, patch) in model.patches.iter().enumerate() {
+        for (patch, &m) in model.patches.iter().zip(&assembly.of_patch) {
+            let m = m as usize;
             let points = assembly.members[m].part.elements().1;
             for (i, &e) in patch.elements.iter().enumerate().filter(|(_, e)| wanted.contains(e)) {
                 let first = assembly.slices[m].points.start + i * points;
@@ -59,7 +59,12 @@ impl Engine<'_> {
         for (s, k) in freed {
             let (seam, contacts) = (&model.seams[s], &assembly.contacts[s]);
             let latest = beside(s, k).map(|face| born(face.element)).max();
+            let reads = &assembly.members[contacts.member_of(k)].reads.elements;
             let stress = |face: Face| {
+                // What the pair's member did not name it cannot know.
+                if reads.binary_search(&face.element).is_err() {
+                    return Some([f64::NAN; 6]);
+                }
                 let counts = Some(born(face.element)) == latest;
                 stresses.get(&now(face.element)?).copied().filter(|_| counts)
             };

@@ -5,9 +5,10 @@
 //! ten to a hundred times what a wave brings). Weight and other constant loads are then in no line, and neither is what is held.
 
 use super::Engine;
+use super::evaluation::Probed;
 use super::gather::{dot, force};
 use crate::bolts::BoltSet;
-use crate::parts::{Entry, Scratch};
+use crate::parts::{Entry, Motion, Scratch};
 use crate::state::{Ledger, State};
 use std::collections::HashMap;
 use tremolite_kernels::{Booked, Line, Lines};
@@ -16,7 +17,7 @@ use tremolite_laws::Row;
 /// Share of what is stored at the hand-over that counts as supplied: else round-off would halt a run before the wave comes.
 const ROUND_OFF: f64 = 1e-12;
 
-impl Engine<'_> {
+impl Engine {
     /// Begins the shaking with steps of `dt` \[s\] where a state rests: displacements and the balance count from here.
     pub fn hand_over(&mut self, state: &mut State, dt: f64) {
         state.begin(dt);
@@ -28,13 +29,12 @@ impl Engine<'_> {
         self.quiet = true;
         self.free_pairs(state);
         self.enter(state);
-        let snapshot = self.observe(state);
+        let mut probed = Probed::default();
+        self.evaluate_at(state, Some(&mut probed));
         self.quiet = false;
-        // What is evaluated again belongs to the first step.
-        self.evaluated = None;
-        state.carried_hourglass = self.stabilisation(&snapshot.stress);
-        state.carried = self.contributions.clone();
-        let (held, bodies) = self.held(state, &snapshot.energy);
+        state.carried_hourglass = self.stabilisation(&probed.stress);
+        state.carried = self.forces.contributions.clone();
+        let (held, bodies) = self.held(state, state.kept(), &probed.energy);
         let mut ledger = Ledger::new(self.assembly.accounts.len());
         for &line in Line::ALL {
             match line.booked() {
@@ -48,13 +48,13 @@ impl Engine<'_> {
         }
         ledger.rest = bodies;
         state.ledger = ledger;
-        state.held = (0..state.u.len()).map(|n| force(self.phase, &self.contributions, n)).collect();
+        state.held = (0..state.u.len()).map(|n| force(&self.phase, &self.forces.contributions, n)).collect();
         self.settle(state);
     }
 
     /// Forces \[N\] of the elements' stabilisation at the displacements last evaluated, where the points had these stresses.
     fn stabilisation(&self, stress: &[[f64; 6]]) -> Vec<Row> {
-        let mut all = vec![Row::ZERO; self.contributions.len()];
+        let mut all = vec![Row::ZERO; self.forces.contributions.len()];
         let mut scratch = Scratch::default();
         for &m in &self.phase.active {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
@@ -63,7 +63,7 @@ impl Engine<'_> {
             }
             let own = &mut all[slices.contributions.clone()];
             member.part.stress_forces(&stress[slices.points.clone()], own, &mut scratch);
-            for (own, whole) in own.iter_mut().zip(&self.contributions[slices.contributions.clone()]) {
+            for (own, whole) in own.iter_mut().zip(&self.forces.contributions[slices.contributions.clone()]) {
                 *own = Row([0, 1, 2, 3].map(|i| whole.0[i] - own.0[i]));
             }
         }
@@ -113,14 +113,12 @@ impl Engine<'_> {
     /// Steps of the shaking without motion on a copy of a state: the largest displacement \[m\] that comes of it.
     pub fn quiet_run(&mut self, state: &State, steps: u64) -> f64 {
         let mut copy = state.clone();
-        let before = self.evaluated.take();
         self.quiet = true;
         for _ in 0..steps {
             // It has no more energy than round-off, by which a step may halt: it is made all the same.
             let _ = self.step(&mut copy);
         }
         self.quiet = false;
-        self.evaluated = before;
         let moved = copy.u.iter().zip(&state.u).map(|(a, b)| {
             let d = Row([0, 1, 2, 3].map(|i| a.0[i] - b.0[i]));
             dot(d, d).sqrt()
@@ -133,11 +131,10 @@ impl Engine<'_> {
     pub(super) fn enter(&mut self, state: &mut State) {
         // Only bonds with friction ask for the stress, which takes an evaluation; what laws would remember of it is dropped.
         let confined = |set: &BoltSet| set.kind.bond.is_some_and(|bond| bond.friction > 0.0);
-        let snapshot = self.model.bolts.iter().any(confined).then(|| self.observe(&mut state.clone()));
-        self.evaluated = None;
-        let Engine { model, assembly, phase, .. } = *self;
+        let snapshot = self.model.bolts.iter().any(confined).then(|| self.look(state).snapshot);
+        let Engine { model, assembly, phase, .. } = &*self;
         let later: HashMap<u32, u32> = model.successors.iter().map(|(&later, &of)| (of, later)).collect();
-        let stress = |mut element: u32| loop {
+        let of_element = |mut element: u32| loop {
             if let Some(slot) = phase.element_slot[element as usize] {
                 let points = slot.point as usize..slot.point as usize + usize::from(slot.points);
                 let mut mean = [0.0; 6];
@@ -151,8 +148,14 @@ impl Engine<'_> {
         };
         let u = state.u.clone();
         for &m in &phase.active {
-            let entry = Entry { stage: phase.stage, u: &u, stress: &stress };
             let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
+            // What a member did not name it cannot know.
+            let stress = |element: u32| match member.reads.elements.binary_search(&element) {
+                Ok(_) => of_element(element),
+                Err(_) => Some([f64::NAN; 6]),
+            };
+            let named = self.named(member, &u);
+            let entry = Entry { stage: phase.stage, u: &named, stress: &stress };
             member.part.enter(&entry, slices.own(state).1);
         }
     }
@@ -160,7 +163,7 @@ impl Engine<'_> {
     /// Tells the parts whose life begins with the phase's stage: they count from the displacements as they are, and so do the
     /// results at nodes that slept. Nodes that others hold from now on are where those are.
     pub(super) fn wake(&mut self, state: &mut State) {
-        let Engine { assembly, phase, .. } = *self;
+        let (assembly, phase) = (self.assembly.clone(), self.phase.clone());
         for (node, others) in &phase.joined {
             let rows = [Some(&mut state.u), Some(&mut state.datum).filter(|datum| !datum.is_empty())];
             rows.into_iter().flatten().for_each(|rows| rows[*node as usize] = mean(rows, others));
@@ -170,12 +173,13 @@ impl Engine<'_> {
             if member.life.born != phase.stage || !member.life.is_later() {
                 continue;
             }
-            if self.model.patches.get(m as usize).is_some_and(|patch| patch.takes_over) {
+            if member.kind.patch().is_some_and(|patch| self.model.patches[patch].takes_over) {
                 self.take_over(m as usize, state);
                 continue;
             }
-            let (motion, own) = slices.own(state);
-            member.part.begin(&motion, own);
+            let (Motion { u, du }, own) = slices.own(state);
+            let (u, du) = (self.named(member, u), self.named(member, du));
+            member.part.begin(&Motion { u: &u, du: &du }, own);
         }
         self.free_pairs(state);
         if state.datum.is_empty() {

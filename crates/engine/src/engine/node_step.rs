@@ -32,13 +32,6 @@ pub(super) struct Lead {
     pub hat: Row,
 }
 
-/// Velocities of the nodes that were advanced before, from engine node `first` on.
-#[derive(Clone, Copy)]
-pub(super) struct Leads<'a> {
-    pub first: usize,
-    pub all: &'a [Lead],
-}
-
 /// v̂, dv/dt and the forces of the dampings at a node.
 #[derive(Default)]
 pub(super) struct NodeStep {
@@ -66,7 +59,7 @@ pub(super) fn node_step(
     damping: &Damping,
     phase: &Phase,
     products: &Products,
-    leads: Leads,
+    leads: &[Lead],
     dashpot: Option<&Dashpot>,
     node: usize,
     force: Row,
@@ -85,7 +78,7 @@ pub(super) fn node_step(
     let pull = |of: fn(&Lead) -> Row| {
         let mut pull = [0.0; 3];
         for follow in dashpot.iter().flat_map(|dashpot| &dashpot.follows) {
-            let lead = of(&leads.all[follow.leader as usize - leads.first]);
+            let lead = of(&leads[follow.place as usize]);
             let force = times(&follow.matrix, lead.xyz());
             (0..3).for_each(|i| pull[i] += force[i]);
         }

@@ -2,17 +2,15 @@
 
 use super::accounts::Accounts;
 use super::gather::{dot, force, net};
-use super::node_step::{Damping, Dashpots, Lead, Leads, NodeStep, Products, damping, node_step};
+use super::node_step::{Damping, Dashpots, Lead, NodeStep, Products, damping, node_step};
+use super::split::split;
 use crate::model::Model;
 use crate::phase::Phase;
+use crate::phase::passes::{BLOCK, Block};
 use crate::state::State;
 use rayon::prelude::*;
-use std::ops::Range;
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::{Isa, Row};
-
-/// Nodes a chunk: the unit of threads and of sums, whatever their number.
-pub(super) const CHUNK: usize = 2048;
 
 /// What a pass adds up over the nodes that count \[J\].
 #[derive(Clone, Debug, Default)]
@@ -68,52 +66,43 @@ impl NodeSums {
 }
 
 /// Leaders that one thread advances: so few that another barrier would cost more.
-const FEW: usize = CHUNK;
-
-/// Room for the velocities of all nodes that may lead.
-pub fn leads(phase: &Phase) -> Vec<Lead> {
-    let leaders = &phase.groups[..phase.groups.len() - 1];
-    vec![Lead::default(); leaders.iter().map(Range::len).sum()]
-}
+const FEW: usize = BLOCK;
 
 /// Nodes that one thread works on, with two columns of their rows.
 struct Chunk<'c> {
-    first: usize,
+    block: &'c Block,
     rows: [&'c mut [Row]; 2],
-    /// Where to leave the velocities that others follow; nowhere in the last group.
+    /// Those of them that others follow, and where to leave their velocities.
+    leaders: &'c [u32],
     own: &'c mut [Lead],
-    /// Those to follow.
-    follow: Leads<'c>,
+    /// Velocities of those that were advanced before.
+    before: &'c [Lead],
 }
 
-/// Works on two columns of rows group by group, leaders first, and adds up by chunks in ascending order.
-fn by_groups(
+/// Works on two columns of rows pass by pass, and adds up by blocks in ascending order.
+fn by_passes(
     phase: &Phase,
     leads: &mut [Lead],
     [a, b]: [&mut [Row]; 2],
     one: impl Fn(Chunk) -> NodeSums + Sync,
 ) -> NodeSums {
-    let groups = &phase.groups;
-    // Leaders have the numbers behind those of the last group.
-    let followed = groups[groups.len() - 1].end;
     let mut total = NodeSums::default();
-    for (g, group) in groups.iter().enumerate() {
-        let leads_on = g + 1 < groups.len();
-        let (own, before) = leads.split_at_mut(group.end - followed);
-        let own = if leads_on { &mut own[group.start - followed..] } else { &mut own[..0] };
-        let follow = Leads { first: group.end, all: before };
-        let mut own: Vec<&mut [Lead]> = own.chunks_mut(CHUNK).collect();
-        own.resize_with(group.len().div_ceil(CHUNK), Default::default);
-        let rows = a[group.clone()].chunks_mut(CHUNK).zip(b[group.clone()].chunks_mut(CHUNK));
-        let chunks: Vec<Chunk> = (group.start..)
-            .step_by(CHUNK)
-            .zip(rows.zip(own))
-            .map(|(first, ((a, b), own))| Chunk { first, rows: [a, b], own, follow })
-            .collect();
-        let sums: Vec<NodeSums> = if leads_on && group.len() <= FEW {
-            chunks.into_iter().map(&one).collect()
+    for pass in &phase.passes {
+        let first = pass.blocks.first().map_or(0, |block| block.leaders.start);
+        let (before, own) = leads.split_at_mut(first);
+        let before = &*before;
+        let nodes = |block: &Block| block.nodes.clone();
+        let rows = split(a, &pass.blocks, nodes).into_iter().zip(split(b, &pass.blocks, nodes));
+        let own = split(own, &pass.blocks, |block| block.leaders.start - first..block.leaders.end - first);
+        let leads_on = own.iter().any(|own| !own.is_empty());
+        let chunks = pass.blocks.iter().zip(rows).zip(own).map(|((block, (a, b)), own)| {
+            let leaders = &phase.leaders[block.leaders.clone()];
+            Chunk { block, rows: [a, b], leaders, own, before }
+        });
+        let sums: Vec<NodeSums> = if leads_on && pass.nodes() <= FEW {
+            chunks.map(&one).collect()
         } else {
-            chunks.into_par_iter().with_max_len(1).map(&one).collect()
+            chunks.collect::<Vec<_>>().into_par_iter().with_max_len(1).map(&one).collect()
         };
         total = sums.into_iter().fold(total, NodeSums::plus);
     }
@@ -134,7 +123,7 @@ pub fn advance(
     let State { u, du, held, .. } = state;
     let wide = Isa::Avx2.available();
     let pass = Advance { phase, contributions, held, products, damping, accounts, wide };
-    let mut sums = by_groups(phase, leads, [u, du], |chunk| pass.chunk(chunk));
+    let mut sums = by_passes(phase, leads, [u, du], |chunk| pass.chunk(chunk));
     for &(node, master) in &phase.tied {
         let next = state.du[master as usize];
         for i in 0..4 {
@@ -184,10 +173,11 @@ impl Advance<'_> {
     /// With `LEADS` the nodes leave their velocities to those who follow.
     #[inline(always)]
     fn nodes_of<const LEADS: bool>(&self, chunk: Chunk) -> NodeSums {
-        let Chunk { first, rows: [u, du], own, follow } = chunk;
+        let Chunk { block, rows: [u, du], leaders, own, before } = chunk;
+        let (first, counts) = (block.nodes.start, block.counts);
+        let mut leaders = leaders.iter().zip(own).peekable();
         let Advance { phase, contributions, held, products, damping, .. } = self;
         let (dt, omega) = (damping.dt, damping.mass_proportional);
-        let counted = phase.counted_nodes.end;
         let mut dashpots = Dashpots::from(phase, first);
         let mut sums = NodeSums::default();
         let mut accounts = Accounts::new(phase, contributions, self.accounts);
@@ -198,6 +188,10 @@ impl Advance<'_> {
         for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
             let node = first + k;
             let dashpot = dashpots.take(node);
+            let mut lead = match LEADS {
+                true => leaders.next_if(|(leader, _)| **leader as usize == node).map(|(_, lead)| lead),
+                false => None,
+            };
             // Tied nodes follow their master; nodes that no part pushes stay.
             if phase.start[node] == phase.start[node + 1] {
                 continue;
@@ -205,7 +199,6 @@ impl Advance<'_> {
             let force = force(phase, contributions, node);
             let net = net(held, node, force);
             let mut next = Row::ZERO;
-            let counts = node < counted;
             let mass = if counts { phase.mass[node] } else { 0.0 };
             if simple && dashpot.is_none() {
                 let inverse = &phase.inverse_mass[node];
@@ -214,19 +207,19 @@ impl Advance<'_> {
                     let a = -net.0[i] * inverse.0[i];
                     next.0[i] = keep * du.0[i] + push * a;
                     rayleigh += (fade * du.0[i] + 0.5 * dt * dt * a) * (du.0[i] + next.0[i]);
-                    if LEADS {
-                        own[k].mean.0[i] = 0.5 * (du.0[i] + next.0[i]) / dt;
-                        own[k].hat.0[i] = (fade * du.0[i] + 0.5 * dt * dt * a) / dt;
+                    if LEADS && let Some(lead) = &mut lead {
+                        lead.mean.0[i] = 0.5 * (du.0[i] + next.0[i]) / dt;
+                        lead.hat.0[i] = (fade * du.0[i] + 0.5 * dt * dt * a) / dt;
                     }
                 }
                 sums.rayleigh += 0.5 * omega / dt * mass * rayleigh;
             } else {
-                let step = node_step(damping, phase, products, follow, dashpot, node, net, *du);
+                let step = node_step(damping, phase, products, before, dashpot, node, net, *du);
                 for i in 0..4 {
                     next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
                 }
-                if LEADS {
-                    own[k] = Lead { mean: step.mean, hat: step.velocity };
+                if let Some(lead) = lead {
+                    *lead = Lead { mean: step.mean, hat: step.velocity };
                 }
                 if counts {
                     sums.book(&step, Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i])));
@@ -255,22 +248,24 @@ pub fn measure(
     state: &State,
 ) -> (NodeSums, Vec<Row>, Vec<Row>) {
     let damping = damping(model, state);
-    let counted = phase.counted_nodes.end;
     let accounts = state.ledger.bodies.len();
     let mut velocity = vec![Row::ZERO; state.u.len()];
     let mut acceleration = vec![Row::ZERO; state.u.len()];
-    let mut leads = leads(phase);
-    let sums = by_groups(
+    let mut leads = vec![Lead::default(); phase.leaders.len()];
+    let sums = by_passes(
         phase,
         &mut leads,
         [&mut velocity, &mut acceleration],
-        |Chunk { first, rows: [velocity, acceleration], own: leading, follow }| {
+        |Chunk { block, rows: [velocity, acceleration], leaders, own: leading, before }| {
+            let first = block.nodes.start;
+            let mut leaders = leaders.iter().zip(leading).peekable();
             let mut dashpots = Dashpots::from(phase, first);
             let mut sums = NodeSums::default();
             let mut own = Accounts::new(phase, contributions, accounts);
             for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
                 let node = first + k;
                 let dashpot = dashpots.take(node);
+                let lead = leaders.next_if(|(leader, _)| **leader as usize == node).map(|(_, lead)| lead);
                 // As when advancing: nodes that no part pushes stay.
                 if phase.start[node] == phase.start[node + 1] {
                     continue;
@@ -278,11 +273,11 @@ pub fn measure(
                 let du = state.du[node];
                 let force = force(phase, contributions, node);
                 let net = net(&state.held, node, force);
-                let step = node_step(&damping, phase, products, follow, dashpot, node, net, du);
-                if let Some(lead) = leading.get_mut(k) {
+                let step = node_step(&damping, phase, products, before, dashpot, node, net, du);
+                if let Some(lead) = lead {
                     *lead = Lead { mean: step.mean, hat: step.velocity };
                 }
-                if node < counted {
+                if block.counts {
                     let mass = phase.mass[node];
                     sums.kinetic += 0.5 * mass * dot(step.velocity, step.velocity);
                     sums.scheme +=

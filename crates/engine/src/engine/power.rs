@@ -6,12 +6,13 @@
 //!
 //! Dashpots act on the mean of v⁻ and v⁺ and take energy in every step whatever its length, so they bound nothing.
 
-use super::nodes::CHUNK;
 use super::product::{self, Product};
 use crate::assembly::Assembly;
+use crate::member::Member;
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Scratch};
 use crate::phase::Phase;
+use crate::phase::passes::BLOCK as CHUNK;
 use rayon::prelude::*;
 use tremolite_laws::Row;
 
@@ -195,8 +196,8 @@ fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row]) -> Limi
     let mut scratch = Scratch::default();
     let mut best = (0.0, Limit::Element(0));
     for &m in &phase.active {
-        let part = &assembly.members[m as usize].part;
-        if let Some(patch) = model.patches.get(m as usize) {
+        let Member { part, kind, .. } = &assembly.members[m as usize];
+        if let Some(patch) = kind.patch().map(|patch| &model.patches[patch]) {
             let mut energy = vec![ElementEnergy::default(); patch.elements.len()];
             part.stiffness_energy(w, &mut energy, &mut scratch);
             for (&element, energy) in patch.elements.iter().zip(&energy) {

@@ -2,9 +2,8 @@
 
 use super::gather::force;
 use crate::assembly::Assembly;
-use crate::parts::Scratch;
+use crate::parts::{Kept, Scratch};
 use crate::phase::Phase;
-use crate::state::State;
 use rayon::prelude::*;
 use tremolite_laws::Row;
 
@@ -15,8 +14,8 @@ pub enum Product<'s> {
     Stiffness,
     /// K + s C, with C the artificial viscosity of undamaged elements and s \[1/s\].
     Viscous(f64),
-    /// The stiffness of elements that damage has left at a state, for ξK.
-    Damping(&'s State),
+    /// The stiffness of elements that damage has left at displacements \[m\] and with what parts remember, for ξK.
+    Damping(&'s [Row], Kept<'s>),
 }
 
 /// The product by engine node of all active parts, added up in the order of parts; a tied node's share is its master's.
@@ -53,8 +52,8 @@ pub fn times(
                     }
                 }
             }
-            Product::Damping(state) => {
-                part.damping_times(&state.u, assembly.slices[m as usize].kept(state), w, own, scratch);
+            Product::Damping(u, kept) => {
+                part.damping_times(u, assembly.slices[m as usize].kept(&kept), w, own, scratch);
             }
         }
     });

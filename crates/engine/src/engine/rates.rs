@@ -5,6 +5,7 @@ use super::nodes::measure;
 use super::product::{self, Product};
 use crate::assembly::Assembly;
 use crate::model::Model;
+use crate::parts::Kept;
 use crate::phase::Phase;
 use crate::state::State;
 use tremolite_laws::Row;
@@ -31,7 +32,7 @@ impl Rates {
         }
     }
 
-    /// Both products at the state, whose forces are in `contributions`.
+    /// Both products at the state, whose forces are in `contributions`, with what parts remember there.
     pub fn update(
         &mut self,
         model: &Model,
@@ -39,6 +40,7 @@ impl Rates {
         phase: &Phase,
         contributions: &[Row],
         state: &State,
+        kept: Kept,
     ) {
         if model.rayleigh.stiffness == 0.0 {
             return;
@@ -47,7 +49,7 @@ impl Rates {
         for (v, du) in velocity.iter_mut().zip(&state.du) {
             *v = Row(du.0.map(|d| d / state.dt));
         }
-        let damping = Product::Damping(state);
+        let damping = Product::Damping(&state.u, kept);
         product::times(assembly, phase, damping, velocity, own, &mut products.minus);
         // Tied nodes move as their masters, of which alone v̂ is worked out.
         let (_, hat, _) = measure(model, phase, contributions, products, state);

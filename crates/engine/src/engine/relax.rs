@@ -21,14 +21,15 @@
 //! placed behind a large excavation would be at rest with a third of its forces missing.
 
 use super::Engine;
+use super::evaluation::Forces;
 use super::gather::{dot, force};
-use super::nodes::CHUNK;
 use super::strained;
 use crate::assembly::Assembly;
 use crate::hexahedra::hex;
 use crate::life::Stage;
 use crate::model::Model;
 use crate::phase::Phase;
+use crate::phase::passes::BLOCK;
 use crate::state::{Relaxing, State};
 use rayon::prelude::*;
 use tremolite_laws::Row;
@@ -154,7 +155,7 @@ pub fn masses(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<f64> {
         for &(node, stiffness) in &member.springs {
             add(node, 2.0 * stiffness / (COURANT * COURANT));
         }
-        let Some(patch) = model.patches.get(m as usize) else { continue };
+        let Some(patch) = member.kind.patch().map(|patch| &model.patches[patch]) else { continue };
         let body = &model.bodies[patch.body];
         // `Assembly::new` has checked every element.
         let own = || patch.elements.iter().filter_map(|&e| Some((e, hex(&model.mesh, e as usize).ok()?)));
@@ -171,7 +172,7 @@ pub fn masses(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<f64> {
     masses
 }
 
-impl Engine<'_> {
+impl Engine {
     /// Brings a state to rest under all active parts of a phase before the shaking. What is out of balance at first is held,
     /// and `release` says how much of it goes; the rest stays in [`State::held`]. A state whose relaxation was begun goes on.
     ///
@@ -206,7 +207,7 @@ impl Engine<'_> {
                 }
             }
             // What laws remember of the strain is that of the end.
-            self.evaluate(state, None);
+            self.evaluate_at(state, None);
         }
         relaxed
     }
@@ -218,13 +219,12 @@ impl Engine<'_> {
         release: &Release,
         watch: &mut Watch,
     ) -> Relaxed {
-        let masses = masses(self.model, self.assembly, self.phase);
-        self.evaluated = None;
+        let masses = masses(&self.model, &self.assembly, &self.phase);
         if state.relaxing.cycle == 0 {
             self.wake(state);
             self.enter(state);
-            self.evaluate(state, None);
-            let now = |n: usize| force(self.phase, &self.contributions, n);
+            self.evaluate_at(state, None);
+            let now = |n: usize| force(&self.phase, &self.forces.contributions, n);
             state.held = (0..state.u.len()).map(now).collect();
             let freed = state.relaxing.freed;
             if freed == 0 {
@@ -238,7 +238,7 @@ impl Engine<'_> {
             if !watch(state, &rest) {
                 return Relaxed::Stopped(rest);
             }
-            self.evaluate(state, None);
+            self.evaluate_at(state, None);
             let let_go = (state.relaxing.cycle as f64 / release.cycles.max(1) as f64).min(1.0);
             let share = 1.0 - release.share * let_go;
             let sums = self.relaxation_step(state, &masses, share, let_go);
@@ -277,7 +277,7 @@ impl Engine<'_> {
             }
             *cycle += 1;
             if state.relaxing.cycle.is_multiple_of(LOOK)
-                && let Some(element) = strained::torn(self.model, self.phase, state)
+                && let Some(element) = strained::torn(&self.model, &self.assembly, &self.phase, state)
             {
                 return Relaxed::Torn(rest, element);
             }
@@ -286,20 +286,19 @@ impl Engine<'_> {
 
     /// uⁿ to uⁿ⁺¹ with the forces just evaluated, this share of what is held, and this share of the way of what is moved.
     fn relaxation_step(&self, state: &mut State, masses: &[f64], share: f64, way: f64) -> Sums {
-        let Engine { phase, contributions, .. } = self;
+        let Engine { phase, forces: Forces { contributions, .. }, .. } = self;
         let c = state.relaxing.damping;
         let (keep, push) = ((1.0 - 0.5 * c) / (1.0 + 0.5 * c), 1.0 / (1.0 + 0.5 * c));
-        let counted = phase.counted_nodes.end;
         let (held, start) = (&state.held, &state.start);
         let sums: Vec<Sums> = state
             .u
-            .par_chunks_mut(CHUNK)
-            .zip(state.du.par_chunks_mut(CHUNK))
+            .par_chunks_mut(BLOCK)
+            .zip(state.du.par_chunks_mut(BLOCK))
             .enumerate()
             .map(|(chunk, (u, du))| {
                 let mut sums = Sums::default();
                 for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
-                    let node = chunk * CHUNK + k;
+                    let node = chunk * BLOCK + k;
                     let slots = phase.start[node] as usize..phase.start[node + 1] as usize;
                     if slots.is_empty() {
                         continue;
@@ -324,7 +323,7 @@ impl Engine<'_> {
                     let mean = Row([0, 1, 2, 3].map(|i| 0.5 * free[i] * (du.0[i] + next.0[i])));
                     sums.damped += c * masses[node] * dot(mean, mean);
                     // The reference column is at rest with what is out of balance.
-                    if node < counted {
+                    if self.model.nodes.counts(node) {
                         let step = length(*du);
                         if step > sums.step {
                             (sums.step, sums.fastest) = (step, node as u32);

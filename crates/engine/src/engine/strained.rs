@@ -1,7 +1,8 @@
 //! Whether a relaxation has gone beyond what small strains can be.
 
+use crate::assembly::Assembly;
 use crate::hexahedra::hex_nodes;
-use crate::model::Model;
+use crate::model::{Model, Patch};
 use crate::phase::Phase;
 use crate::state::State;
 use rayon::prelude::*;
@@ -16,7 +17,7 @@ const EDGES: [[usize; 2]; 12] =
 
 /// The first active element one of whose edges has strained by a tenth since the relaxation began, or that has moved by more
 /// than its longest edge.
-pub(super) fn torn(model: &Model, phase: &Phase, state: &State) -> Option<u32> {
+pub(super) fn torn(model: &Model, assembly: &Assembly, phase: &Phase, state: &State) -> Option<u32> {
     let moved = |node: u32| -> [f64; 3] {
         let node = model.engine_node[node as usize] as usize;
         let (u, start): (Row, Row) = (state.u[node], state.start[node]);
@@ -36,6 +37,7 @@ pub(super) fn torn(model: &Model, phase: &Phase, state: &State) -> Option<u32> {
         }
         motion.iter().any(|&d| between(d, [0.0; 3]) > longest)
     };
-    let patches = phase.active.iter().filter_map(|&m| model.patches.get(m as usize)).collect::<Vec<_>>();
+    let of = |&m: &u32| assembly.members[m as usize].kind.patch().map(|patch| &model.patches[patch]);
+    let patches: Vec<&Patch> = phase.active.iter().filter_map(of).collect();
     patches.par_iter().find_map_first(|patch| patch.elements.iter().copied().find(|&e| is_torn(e)))
 }

@@ -7,14 +7,16 @@
 
 use super::Engine;
 use crate::hexahedra::{hex, hex_nodes};
+use crate::member::Member;
 use crate::state::State;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use tremolite_laws::{Column, Role, Row};
 
 /// Where an element lies among the members.
 #[derive(Clone, Copy)]
 struct Place {
     member: usize,
+    patch: usize,
     index: usize,
 }
 
@@ -36,33 +38,40 @@ fn alike(old: &[Column], new: &[Column]) -> Vec<(usize, usize)> {
     pairs
 }
 
-impl Engine<'_> {
+impl Engine {
     /// Gives the elements of a member that take over what those before them have come to.
     pub(super) fn take_over(&self, member: usize, state: &mut State) {
-        let model = self.model;
-        let patch = &model.patches[member];
+        let (model, assembly) = (&self.model, &self.assembly);
+        let Member { kind, reads, .. } = &assembly.members[member];
+        let Some(patch) = kind.patch() else { return };
+        let named: HashSet<u32> = reads.elements.iter().copied().collect();
         let mut places: HashMap<u32, Place> = HashMap::new();
-        for (member, patch) in model.patches.iter().enumerate() {
-            for (index, &e) in patch.elements.iter().enumerate() {
-                places.insert(e, Place { member, index });
+        for (patch, of) in model.patches.iter().enumerate() {
+            let member = assembly.of_patch[patch] as usize;
+            for (index, &e) in of.elements.iter().enumerate().filter(|(_, e)| named.contains(e)) {
+                places.insert(e, Place { member, patch, index });
             }
         }
-        for (index, &e) in patch.elements.iter().enumerate() {
-            let earlier = model.successors.get(&e).and_then(|earlier| places.get(earlier));
-            if let Some(&earlier) = earlier {
-                self.take_over_element(Place { member, index }, earlier, e, state);
+        for (index, &e) in model.patches[patch].elements.iter().enumerate() {
+            let Some(earlier) = model.successors.get(&e) else { continue };
+            match places.get(earlier) {
+                Some(&earlier) => {
+                    self.take_over_element(Place { member, patch, index }, earlier, e, state);
+                }
+                // What the member did not name it cannot know.
+                None => state.reference[assembly.slices[member].reference.clone()].fill(Row([f64::NAN; 4])),
             }
         }
     }
 
     fn take_over_element(&self, new: Place, old: Place, element: u32, state: &mut State) {
-        let (model, assembly) = (self.model, self.assembly);
+        let (model, assembly) = (&self.model, &self.assembly);
         // `Assembly::new` has checked every element.
         let Ok(hex) = hex(&model.mesh, element as usize) else { return };
         let corners = hex_nodes(&model.mesh, element as usize);
         let of = |place: Place| (&assembly.members[place.member].part, &assembly.slices[place.member]);
         let ((old_part, old_slices), (new_part, new_slices)) = (of(old), of(new));
-        let moduli = [old, new].map(|p| model.bodies[model.patches[p.member].body].material.relaxed());
+        let moduli = [old, new].map(|p| model.bodies[model.patches[p.patch].body].material.relaxed());
         let ratio = moduli[0].young() / moduli[1].young();
 
         let mut moved = [[0.0; 3]; 8];
@@ -71,7 +80,7 @@ impl Engine<'_> {
             let references = &state.reference[old_slices.reference.clone()];
             let zero = if references.is_empty() {
                 Row::ZERO
-            } else if model.patches[old.member].takes_over {
+            } else if model.patches[old.patch].takes_over {
                 references[8 * old.index + k]
             } else {
                 let place = old_part.nodes().iter().position(|n| *n == node);
@@ -86,7 +95,7 @@ impl Engine<'_> {
         // Columns of equal meaning go on, point by point.
         let (columns, old_columns) = (new_part.columns(), old_part.columns());
         let points = new_part.elements().1;
-        let shares = model.bodies[model.patches[new.member].body].quadrature.shares();
+        let shares = model.bodies[model.patches[new.patch].body].quadrature.shares();
         let at = |start: usize, index: usize, count: usize, point: usize| {
             start + (index / 8 * points + point) * count
         };

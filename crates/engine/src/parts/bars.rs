@@ -11,7 +11,7 @@ mod chain;
 mod link;
 pub mod memory;
 
-use super::{Entry, Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
+use super::{Entry, Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
 use crate::bolts::Bolts;
 use crate::life::Stage;
 use chain::Chain;
@@ -286,6 +286,17 @@ fn pull(bar: &Bar, force: f64, points: &mut [Row]) {
 impl Part for Bars {
     fn nodes(&self) -> &[u32] {
         &self.nodes
+    }
+
+    /// The elements in which it lies, by whose stress friction goes.
+    fn reads(&self) -> Reads {
+        if self.kind.bond.is_none_or(|bond| bond.friction <= 0.0) {
+            return Reads::default();
+        }
+        let mut elements: Vec<u32> = self.hosts.iter().flatten().copied().collect();
+        elements.sort_unstable();
+        elements.dedup();
+        Reads { elements, ..Reads::default() }
     }
 
     fn state_sizes(&self) -> StateSizes {

@@ -57,7 +57,7 @@ impl FieldGrid {
             (0u32..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).collect();
         let (mut grid, mesh_nodes) = Grid::from_mesh(&model.mesh, Some(&active));
         let slots: Vec<ElementSlot> = active.iter().filter_map(|&e| phase.element_slot[e as usize]).collect();
-        let bodies: Vec<i32> = slots.iter().map(|s| model.patches[s.member as usize].body as i32).collect();
+        let bodies: Vec<i32> = slots.iter().map(|s| model.patches[s.patch as usize].body as i32).collect();
         let numbers = active.iter().map(|&e| model.mesh.element_id(e as usize) as i64).collect();
         grid.cell_data = vec![
             Array::new("element", "", 1, Values::Int64(numbers)),

@@ -186,9 +186,10 @@ impl Predicted {
 /// Whether the material of some bodies has yielded or cracked anywhere.
 fn is_damaged(view: &View, bodies: &Range<usize>) -> bool {
     let View { model, assembly, history, .. } = *view;
-    (model.user_patches..model.patches.len()).filter(|p| bodies.contains(&model.patches[*p].body)).any(|p| {
-        let columns = assembly.members[p].part.columns();
-        let own = &history.octets[assembly.slices[p].history.clone()];
+    let patches = assembly.of_patch.iter().zip(&model.patches);
+    patches.filter(|(_, patch)| bodies.contains(&patch.body)).any(|(&member, _)| {
+        let columns = assembly.members[member as usize].part.columns();
+        let own = &history.octets[assembly.slices[member as usize].history.clone()];
         MEASURES.iter().any(|measure| {
             position(columns, measure.role).is_some_and(|at| {
                 own.iter()

@@ -102,7 +102,7 @@ pub fn at_rest(view: &View, state: &State) -> Vec<f64> {
         };
         let member = &assembly.members[slot.member as usize];
         // What takes over from another material does not begin anew.
-        let takes_over = model.patches[slot.member as usize].takes_over;
+        let takes_over = model.patches[slot.patch as usize].takes_over;
         let reference = &state.reference[assembly.slices[slot.member as usize].reference.clone()];
         let mut u = [0.0; 3];
         for (&node, weight) in model.mesh.elements[element].nodes().iter().zip(monitor.location.weights) {

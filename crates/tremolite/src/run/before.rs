@@ -15,6 +15,7 @@ use crate::plan::Plan;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 use tremolite_engine::engine::{Relaxed, Rest};
@@ -51,8 +52,8 @@ pub(super) enum Before {
 
 /// A run's stages.
 pub(super) struct Stages<'a> {
-    pub model: &'a Model,
-    pub assembly: &'a Assembly,
+    pub model: &'a Arc<Model>,
+    pub assembly: &'a Arc<Assembly>,
     pub plan: &'a Plan,
     pub folder: &'a ResultFolder,
     pub fingerprint: u64,
@@ -259,7 +260,7 @@ fn list(path: &Path, stage: usize, file: &str) -> Result<(), RunError> {
 
 /// What is seen of a state of a stage. Nothing in it has a velocity.
 fn still(engine: &mut Engine, state: &State) -> Snapshot {
-    let mut snapshot = engine.observe(&mut state.clone());
+    let mut snapshot = engine.look(state).snapshot;
     snapshot.velocity.fill(Row::ZERO);
     snapshot.acceleration.fill(Row::ZERO);
     snapshot

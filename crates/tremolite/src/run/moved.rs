@@ -74,7 +74,7 @@ impl MovedNodes {
             });
             (one.name.clone(), row)
         });
-        let energy = engine.observe(&mut state.clone()).energy;
+        let energy = engine.look(state).snapshot.energy;
         MovedNodes {
             each: each.collect(),
             held: energy.iter().map(|element| element.held()).sum(),

@@ -1,5 +1,6 @@
 //! Bolts in whole models: what they feel of the ground, and what they do to it.
 
+use std::sync::Arc;
 use tremolite::engine::Release;
 use tremolite::stages::{PlannedStage, settle};
 use tremolite::{
@@ -53,8 +54,8 @@ fn cube(elements: u32, quadrature: Quadrature) -> Problem {
 }
 
 pub struct Built {
-    pub model: Model,
-    pub assembly: Assembly,
+    pub model: Arc<Model>,
+    pub assembly: Arc<Assembly>,
 }
 
 impl Built {
@@ -75,7 +76,7 @@ impl Built {
 
     fn observed(&self, state: &mut State) -> Vec<SegmentSeen> {
         let phase = Phase::of(&self.model, &self.assembly, Stage::Before(0)).unwrap();
-        Engine::new(&self.model, &self.assembly, &phase).observe(state);
+        Engine::new(&self.model, &self.assembly, &phase).finish(state);
         self.assembly.bolts[0].seen(&state.numbers, 0)
     }
 }
@@ -302,7 +303,7 @@ fn work_on_a_sliding_yielding_and_breaking_bolt_is_in_its_lines() {
                 (0..3).map(|i| out.iter().map(|row| row.0[i]).sum::<f64>().abs()).fold(0.0, f64::max);
             assert!(resultant <= 1e-9 * size.max(1.0), "step {step}: {resultant} of {size} N");
             before = out;
-            let lines = member.part.energy(&motion_of(&state), slices.kept(&state));
+            let lines = member.part.energy(&motion_of(&state), slices.kept(&state.kept()));
             let held: f64 =
                 [Line::Bolts, Line::BoltFriction, Line::BoltPlastic].iter().map(|&l| lines[l]).sum();
             let scale = lines[Line::Bolts] + lines[Line::BoltFriction] + lines[Line::BoltPlastic];

@@ -1,6 +1,7 @@
 //! Bolts through stages and the shaking: bits that do not depend on threads or instruction sets, and runs that are taken up again.
 
 use crate::block::block;
+use std::sync::Arc;
 use tremolite::engine::{Relaxed, Release};
 use tremolite::{
     Assembly, Bar, Bolts, Bond, Engine, Life, Model, Phase, Problem, Stage, State, checkpoint, stable_step,
@@ -61,8 +62,8 @@ fn bolted(isa: Isa) -> Problem {
 }
 
 struct Built {
-    model: Model,
-    assembly: Assembly,
+    model: Arc<Model>,
+    assembly: Arc<Assembly>,
 }
 
 impl Built {
@@ -77,7 +78,7 @@ impl Built {
         Built { model, assembly }
     }
 
-    fn phase(&self, stage: Stage) -> Phase {
+    fn phase(&self, stage: Stage) -> Arc<Phase> {
         Phase::of(&self.model, &self.assembly, stage).unwrap()
     }
 

@@ -42,13 +42,7 @@ impl<'a> Alone<'a> {
     }
 
     fn energy(&self, u: &[Row], du: &[Row]) -> Lines {
-        let kept = Kept {
-            history: &self.history,
-            overstress: &self.overstress,
-            numbers: &self.numbers,
-            reference: &[],
-            initial: &[],
-        };
+        let kept = Kept { history: &self.history, numbers: &self.numbers, reference: &[], initial: &[] };
         self.member.part.energy(&Motion { u, du }, kept)
     }
 }
@@ -64,7 +58,7 @@ fn agrees(problem: Problem) {
     };
     // The reference column stays: springs see what moves against it.
     let mut rows = || -> Vec<Row> {
-        let counted = |n: usize| ready.model.counted.contains(&n);
+        let counted = |n: usize| ready.model.nodes.counts(n);
         (0..ready.phase.mass.len())
             .map(|n| if counted(n) { Row::new([random(), random(), random()]) } else { Row::ZERO })
             .collect()

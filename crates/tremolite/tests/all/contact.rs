@@ -113,7 +113,7 @@ fn a_joint_square_or_oblique_passes_the_patch_test() {
             let own = apply(&strain(stress, YOUNG, POISSON), x);
             *u = Row::new(if below[n] { own } else { std::array::from_fn(|i| own[i] + jump[i]) });
         }
-        let snapshot = ready.engine().observe(&mut state);
+        let snapshot = ready.engine().finish(&mut state);
         let exterior: Vec<u32> = tremolite_mesh::topology::exterior_faces(&two_blocks(turned).mesh, None)
             .into_iter()
             .flat_map(|face| two_blocks(turned).mesh.face_nodes(face).collect::<Vec<_>>())
@@ -153,7 +153,7 @@ fn shaken(problem: Problem, steps: u64) -> (Ready, State) {
     let mut engine = ready.engine();
     for step in 0..steps {
         if step % 40 == 39 {
-            engine.observe(&mut state);
+            engine.look(&state);
         }
         engine.step(&mut state).unwrap();
     }
@@ -217,8 +217,8 @@ fn the_two_sides_of_a_pair_are_pushed_by_opposite_bits() {
 
 #[test]
 fn a_joint_that_sides_hold_apart_keeps_its_books() {
-    let (ready, mut state) = shaken(jointed(Isa::best()), 400);
-    let snapshot = ready.engine().observe(&mut state);
+    let (ready, state) = shaken(jointed(Isa::best()), 400);
+    let snapshot = ready.engine().look(&state).snapshot;
     let balance = &snapshot.balance;
     let input = balance[Line::Input];
     assert!(balance[Line::Friction] > 0.01 * input && balance[Line::Interface] >= 0.0, "{balance:?}");

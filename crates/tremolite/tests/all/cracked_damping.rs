@@ -135,8 +135,8 @@ fn broken_column(split: &str, damping: Damping, safety: f64, mut look: impl FnMu
         for _ in 0..rows {
             engine.step(&mut state).unwrap();
         }
-        let snapshot = engine.observe(&mut state);
-        engine.guard(&state, &snapshot).unwrap();
+        let snapshot = engine.look(&state).snapshot;
+        engine.guard(&snapshot).unwrap();
         look(&snapshot, state.ledger.supplied);
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::block::block;
 use crate::ready::Ready;
+use tremolite::Domain;
 use tremolite::{Incident, Line, Problem, Side, State};
 use tremolite_laws::{Isa, Row};
 use tremolite_motion::{Motion, ricker_velocity};
@@ -18,7 +19,7 @@ fn run(problem: Problem, steps: u64) -> (State, Vec<u64>, usize) {
     let mut balances = Vec::new();
     for step in 0..steps {
         if step % 40 == 39 {
-            let snapshot = engine.observe(&mut state);
+            let snapshot = engine.look(&state).snapshot;
             balances.extend(snapshot.balance.iter().map(|(_, x)| x.to_bits()));
             balances.extend(snapshot.stress.iter().flatten().map(|x| x.to_bits()));
         }
@@ -104,7 +105,7 @@ fn energy_balance_closes_with_the_second_order_of_the_step() {
             let mut engine = ready.engine();
             let (mut worst, mut supplied) = (0.0_f64, 0.0);
             while state.time() < 0.3 {
-                let balance = engine.observe(&mut state).balance;
+                let balance = engine.look(&state).snapshot.balance;
                 worst = worst.max(balance[Line::Error].abs());
                 supplied = state.ledger.supplied;
                 engine.step(&mut state).unwrap();
@@ -154,7 +155,7 @@ fn held_components_do_what_they_say() {
     }
     let model = &ready.model;
     let mut slid = 0.0_f64;
-    for (node, u) in state.u.iter().enumerate().take(model.counted.end) {
+    for (node, u) in state.u.iter().enumerate().take(model.nodes.of(Domain::Model).count()) {
         let [x, y, _] = model.mesh.nodes[model.mesh_node[node] as usize];
         if y == 0.0 || y == 10.0 {
             assert_eq!(*u, Row::ZERO);

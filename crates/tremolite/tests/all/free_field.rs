@@ -3,8 +3,10 @@
 use crate::block::pulse;
 use crate::ready::Ready;
 use std::sync::Arc;
+use tremolite::Domain;
 use tremolite::extent::size_tensor;
 use tremolite::hexahedra::hex;
+use tremolite::model::Patch;
 use tremolite::{
     AnyMaterial, Base, Body, Incident, Law, Life, Model, Problem, Quadrature, Rayleigh, Side, Stage, elastic,
     laws,
@@ -61,11 +63,13 @@ fn against_columns(problem: Problem, steps: u64) -> f64 {
     let model = &ready.model;
     let node = |n: u32| model.mesh.nodes[n as usize];
     let levels: Vec<(usize, usize)> = model
-        .counted
-        .clone()
+        .nodes
+        .of(Domain::Model)
         .map(|n| {
             let z = node(model.mesh_node[n])[2];
-            let beside = (model.of_slabs.end..model.mesh_node.len())
+            let beside = model
+                .nodes
+                .of(Domain::Column)
                 .find(|&c| (node(model.mesh_node[c])[2] - z).abs() < 1e-9)
                 .unwrap();
             (n, beside)
@@ -150,7 +154,7 @@ fn homogeneous_blocks_of_any_width_move_as_theory_in_their_middle_and_at_their_e
                 let p = model.mesh.nodes[model.mesh_node[*n] as usize];
                 (p[0] - x).abs() + (p[1] - y).abs() + (p[2] - height).abs() < 1e-6
             };
-            model.counted.clone().find(here).unwrap()
+            model.nodes.of(Domain::Model).find(here).unwrap()
         };
         let places = [at(0.5 * width, 8.0), at(0.0, 8.0), at(width, 0.0)];
         let (mut engine, mut state) = (ready.engine(), ready.rest(0.5));
@@ -287,10 +291,12 @@ fn elements_outside_a_side_show_laws_the_size_of_their_parents() {
         let mut problem = Problem::new(mesh.clone(), vec![body]);
         problem.sides = [Side::Free, Side::FreeField];
         let ready = Ready::new(problem);
-        let stress = ready.engine().observe(&mut ready.rest(0.5)).stress;
+        let stress = ready.engine().look(&ready.rest(0.5)).snapshot.stress;
         let size = |e: u32| size_tensor(&hex(&ready.model.mesh, e as usize).unwrap());
         let mut differ = 0;
-        for (p, patch) in ready.model.patches.iter().enumerate().skip(ready.model.user_patches) {
+        let outside = |(_, patch): &(usize, &Patch)| patch.domain != Domain::Model;
+        for (p, patch) in ready.model.patches.iter().enumerate().filter(outside) {
+            let p = ready.assembly.of_patch[p] as usize;
             let points = ready.assembly.members[p].part.elements().1;
             for (i, &e) in patch.elements.iter().enumerate() {
                 let parent = size(ready.model.parents[e as usize]);

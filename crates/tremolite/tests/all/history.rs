@@ -61,7 +61,7 @@ fn every_column_of_every_point_is_found_in_both_quadratures_and_padded_octets() 
     while state.time() < 0.15 {
         engine.step(&mut state).unwrap();
     }
-    let snapshot = engine.observe(&mut state);
+    let snapshot = engine.finish(&mut state);
     let history = History { assembly: &ready.assembly, octets: &state.history };
     let most = snapshot.stress.iter().flatten().fold(0.0_f64, |m, s| m.max(s.abs()));
     let mut points = [0, 0];

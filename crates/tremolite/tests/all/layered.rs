@@ -90,7 +90,7 @@ fn struck(problem: Problem, steps: usize) -> (Vec<Row>, Vec<(Line, f64)>, f64) {
     for _ in 0..steps {
         engine.step(&mut state).unwrap();
     }
-    let snapshot = engine.observe(&mut state);
+    let snapshot = engine.look(&state).snapshot;
     let mut u = vec![Row::ZERO; ready.model.mesh.nodes.len()];
     for (row, &node) in state.u.iter().zip(&ready.model.mesh_node) {
         u[node as usize] = *row;
@@ -168,7 +168,7 @@ fn bits_of_a_cracking_plate_depend_on_neither_instruction_set_nor_threads() {
 }
 
 fn thickness_of(mesh: Mesh, elements: Vec<u32>) -> Result<Vec<u8>, ModelError> {
-    Ok(Model::new(free(mesh, vec![body(elements, rock(), LAYERED)]))?.thickness)
+    Ok(Model::new(free(mesh, vec![body(elements, rock(), LAYERED)]))?.thickness.clone())
 }
 
 #[test]

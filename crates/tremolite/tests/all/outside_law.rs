@@ -100,7 +100,7 @@ fn a_law_from_outside_the_list_runs_in_the_engine_with_its_history() {
     let mut engine = ready.engine();
     let mut most = f64::NEG_INFINITY;
     while state.time() < 0.3 {
-        let snapshot = engine.observe(&mut state);
+        let snapshot = engine.look(&state).snapshot;
         for slot in ready.phase.element_slot.iter().flatten() {
             for s in &snapshot.stress[slot.point as usize..][..slot.points as usize] {
                 most = most.max((s[0] + s[1] + s[2]) / 3.0);
@@ -330,7 +330,7 @@ fn damping_over_a_band_relaxes_a_law_whatever_its_moduli_are_called() {
     let model = &ready.model;
     let pulled = |n: &u32| Row::new([0.0, 0.0, 1e-4 * model.mesh.nodes[*n as usize][2]]);
     state.u = model.mesh_node.iter().map(pulled).collect();
-    let snapshot = Engine::new(model, &ready.assembly, &before).observe(&mut state);
+    let snapshot = Engine::new(model, &ready.assembly, &before).look(&state).snapshot;
     // K + 4/3 G, confined along x and y.
     let expected = 1e-4 * band.relaxed() * (2e9 / 3.0 + 4.0 / 3.0 * 4e8);
     for slot in before.element_slot.iter().flatten() {

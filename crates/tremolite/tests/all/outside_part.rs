@@ -95,7 +95,7 @@ fn a_block_released_from_stretched_springs_swings_and_its_balance_closes() {
         assert!((state.ledger.lines[Line::Initial] / held - 1.0).abs() < 1e-12);
         let (mut worst, mut most) = (0.0_f64, 0.0_f64);
         while state.time() < 1.0 {
-            let balance = engine.observe(&mut state).balance;
+            let balance = engine.look(&state).snapshot.balance;
             worst = worst.max(balance[Line::Error].abs());
             most = most.max(balance[Line::Kinetic]);
             engine.step(&mut state).unwrap();

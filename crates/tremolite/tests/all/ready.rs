@@ -1,12 +1,13 @@
 //! A problem made ready to run in one phase.
 
+use std::sync::Arc;
 use tremolite::{Assembly, Engine, Model, Phase, Problem, Stage, State, stable_step};
 
 /// A model with its parts and what of them is active.
 pub struct Ready {
-    pub model: Model,
-    pub assembly: Assembly,
-    pub phase: Phase,
+    pub model: Arc<Model>,
+    pub assembly: Arc<Assembly>,
+    pub phase: Arc<Phase>,
 }
 
 impl Ready {
@@ -30,7 +31,7 @@ impl Ready {
         state
     }
 
-    pub fn engine(&self) -> Engine<'_> {
+    pub fn engine(&self) -> Engine {
         Engine::new(&self.model, &self.assembly, &self.phase)
     }
 }

@@ -111,7 +111,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
     let stages = vec![PlannedStage { release, ..PlannedStage::new("stage") }; 2];
     let (mut state, _) = settle(&model, &assembly, &stages).unwrap();
     let phase = Phase::of(&model, &assembly, PLACED).unwrap();
-    let snapshot = Engine::new(&model, &assembly, &phase).observe(&mut state);
+    let snapshot = Engine::new(&model, &assembly, &phase).finish(&mut state);
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
         title: String::new(),

@@ -53,8 +53,8 @@ fn ground(distorted: f64, isa: Isa) -> Problem {
 }
 
 struct Relaxed {
-    model: Model,
-    assembly: Assembly,
+    model: Arc<Model>,
+    assembly: Arc<Assembly>,
     state: State,
     rest: Result<Rest, Rest>,
 }

@@ -1,6 +1,7 @@
 //! Interfaces that meet rock which is excavated later: at rest, and behind the excavation.
 
 use crate::contact::between;
+use std::sync::Arc;
 use tremolite::engine::Release;
 use tremolite::hexahedra::centroid;
 use tremolite::stages::{PlannedStage, settle};
@@ -130,7 +131,7 @@ pub fn close(tolerance: f64) -> PlannedStage {
 }
 
 struct Rested {
-    model: Model,
+    model: Arc<Model>,
     state: State,
 }
 

@@ -98,7 +98,7 @@ fn a_mixed_mesh_passes_the_patch_test_to_round_off() {
         let mut state = ready.assembly.rest();
         state.dt = 1e-6;
         state.u = model.mesh_node.iter().map(|&n| Row::new(field(model.mesh.nodes[n as usize]))).collect();
-        let snapshot = ready.engine().observe(&mut state);
+        let snapshot = ready.engine().look(&state).snapshot;
         for stress in &snapshot.stress {
             for (found, exact) in stress.iter().zip([2000.0, 2000.0, 2000.0, 400.0, 400.0, 400.0]) {
                 assert!((found - exact).abs() < 1e-9 * exact, "{quadrature:?}: {stress:?}");

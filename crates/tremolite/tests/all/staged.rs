@@ -1,6 +1,7 @@
 //! Whole models through stages: initial stress, excavation, a lining, and the hand-over to the shaking.
 
 use crate::contact::between;
+use std::sync::Arc;
 use tremolite::engine::Release;
 use tremolite::stages::{PlannedStage, settle};
 use tremolite::{
@@ -92,8 +93,8 @@ pub fn lined(parted: bool) -> Problem {
 }
 
 struct Built {
-    model: Model,
-    assembly: Assembly,
+    model: Arc<Model>,
+    assembly: Arc<Assembly>,
 }
 
 fn built(problem: Problem) -> Built {
@@ -163,7 +164,7 @@ fn an_opening_closes_and_a_lining_that_comes_after_carries_its_own_weight_alone(
         assert!(more < crown[2].abs(), "{more} {crown:?}");
         let phase = Phase::of(&built.model, &built.assembly, LINED).unwrap();
         let mut engine = Engine::new(&built.model, &built.assembly, &phase);
-        let seen = engine.observe(&mut lined.clone());
+        let seen = engine.look(&lined).snapshot;
         let slot = |e: &usize| phase.element_slot[*e];
         let stress =
             (0..built.model.user_elements).filter(|&e| built.model.bodies[1].elements.contains(&(e as u32)));
@@ -203,7 +204,7 @@ fn a_model_at_rest_stays_at_rest_in_the_shaking() {
         engine.hand_over(&mut state, dt);
         let drift = engine.quiet_run(&state, 100);
         assert!(drift < 1e-12, "{drift}");
-        let seen = engine.observe(&mut state);
+        let seen = engine.look(&state).snapshot;
         assert!(seen.displacement.iter().all(|u| u.0 == [0.0; 4]));
         let stored: f64 = state.ledger.lines[Line::Strain];
         assert!(stored > 1.0);

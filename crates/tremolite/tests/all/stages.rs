@@ -2,6 +2,8 @@
 
 use crate::block::block;
 use crate::ready::Ready;
+use std::sync::Arc;
+use tremolite::Domain;
 use tremolite::phase::Drive;
 use tremolite::{Assembly, Base, Engine, Life, Line, Model, Phase, Side, Stage, State, laws, stable_step};
 use tremolite_laws::{Row, Value, Values};
@@ -30,14 +32,14 @@ fn a_body_that_is_born_with_the_shaking_is_absent_before_and_no_column_moves() {
     problem.base = Base::Viscous;
     let model = Model::new(problem).unwrap();
     let mut assembly = Assembly::new(&model).unwrap();
-    for (member, patch) in assembly.members.iter_mut().zip(&model.patches[..model.user_patches]) {
-        if model.bodies[patch.body].name == "slab" {
+    for member in &mut Arc::get_mut(&mut assembly).unwrap().members {
+        if member.counted && member.name == "slab" {
             member.life = Life::SHAKING;
         }
     }
     let before = Phase::of(&model, &assembly, BEFORE).unwrap();
     let shaking = Phase::of(&model, &assembly, Stage::Shaking).unwrap();
-    let mass = |phase: &Phase| model.counted.clone().map(|n| phase.mass[n]).sum::<f64>();
+    let mass = |phase: &Phase| model.nodes.of(Domain::Model).map(|n| phase.mass[n]).sum::<f64>();
     let slab: f64 = model.bodies[1]
         .elements
         .iter()
@@ -62,12 +64,15 @@ fn a_body_that_is_born_with_the_shaking_is_absent_before_and_no_column_moves() {
     for _ in 0..200 {
         engine.step(&mut state).unwrap();
     }
-    let snapshot = engine.observe(&mut state);
+    let snapshot = engine.look(&state).snapshot;
     assert!(snapshot.balance[Line::Strain] > 0.0);
     let moved = |n: usize| state.u[n] != first[n];
-    assert!(model.counted.clone().any(moved));
-    let alone: Vec<usize> =
-        model.counted.clone().filter(|&n| before.master[n] as usize == n && before.mass[n] == 0.0).collect();
+    assert!(model.nodes.of(Domain::Model).any(moved));
+    let alone: Vec<usize> = model
+        .nodes
+        .of(Domain::Model)
+        .filter(|&n| before.master[n] as usize == n && before.mass[n] == 0.0)
+        .collect();
     assert!(!alone.is_empty() && !alone.iter().any(|&n| moved(n)), "nodes of the slab alone sleep");
     for &element in &model.bodies[1].elements {
         let slot = shaking.element_slot[element as usize].unwrap();
@@ -84,14 +89,14 @@ fn a_body_that_is_born_with_the_shaking_is_absent_before_and_no_column_moves() {
     let (u, still) = (state.u.clone(), vec![Row::ZERO; state.u.len()]);
     engine.start(&mut state, u, &still);
     // The balance begins anew with what is held: nothing of the stage's books is left in it.
-    let snapshot = engine.observe(&mut state);
+    let snapshot = engine.look(&state).snapshot;
     let held = snapshot.balance[Line::Initial];
     assert!(held > 0.0 && snapshot.balance[Line::Error].abs() < 1e-9 * held, "{:?}", snapshot.balance);
     assert_eq!((snapshot.step, snapshot.time), (0, 0.0));
     for _ in 0..100 {
         engine.step(&mut state).unwrap();
     }
-    let error = engine.observe(&mut state).balance[Line::Error];
+    let error = engine.look(&state).snapshot.balance[Line::Error];
     // ⅛Δt²aᵀMa of the scheme: with all energy at the mesh's highest frequency (ωΔt/2)² of it, 0.04 here.
     assert!(error.abs() < 0.04 * held, "{error:e} of {held:e} J");
     assert_eq!((state.step, state.time()), (300, 100.0 * dt));
@@ -129,7 +134,7 @@ fn supports_before_the_shaking_are_a_fixed_base_and_rollers_and_absorb_nothing()
             let held = before.inverse_mass[master].xyz().map(|w| w == 0.0);
             let base = z == 0.0;
             let on = [x == 0.0 || x == 12.0, y == 0.0 || y == 10.0];
-            let expected = if n >= ready.model.counted.end {
+            let expected = if n >= ready.model.nodes.of(Domain::Model).count() {
                 if side == Side::FreeField && !base {
                     // The ends of slabs rest on rollers of their own.
                     assert!(!held[2]);
@@ -191,7 +196,7 @@ fn time_stands_still_for_laws_before_the_shaking_while_the_scheme_goes_on() {
                     Row::new([0.0, 0.0, strain * z])
                 })
                 .collect();
-            let snapshot = engine.observe(&mut state);
+            let snapshot = engine.look(&state).snapshot;
             let slots = phase.element_slot.iter().flatten();
             let first = slots.map(|slot| snapshot.stress[slot.point as usize][2]).fold(0.0, f64::max);
             most = most.max(first);
@@ -222,13 +227,13 @@ fn what_was_spent_before_a_start_is_neither_in_the_balance_nor_its_error() {
     while state.time() < 0.2 {
         engine.step(&mut state).unwrap();
     }
-    let spent = engine.observe(&mut state).balance[Line::Dissipated];
+    let spent = engine.look(&state).snapshot.balance[Line::Dissipated];
     let dt = state.dt;
     state.begin(dt);
     let mut engine = ready.engine();
     let (u, still) = (state.u.clone(), vec![Row::ZERO; state.u.len()]);
     engine.start(&mut state, u, &still);
-    let balance = engine.observe(&mut state).balance;
+    let balance = engine.look(&state).snapshot.balance;
     let held = balance[Line::Initial];
     assert!(spent > 0.0 && held > 0.0);
     assert!(balance[Line::Dissipated].abs() < 1e-9 * spent, "{balance:?}");

@@ -42,7 +42,7 @@ fn left_after(ready: &Ready, factor: f64, steps: usize) -> Option<f64> {
     for _ in 0..steps {
         engine.step(&mut state).ok()?;
     }
-    Some(engine.observe(&mut state).balance[Line::Kinetic] / supplied)
+    Some(engine.look(&state).snapshot.balance[Line::Kinetic] / supplied)
 }
 
 #[test]
@@ -79,7 +79,7 @@ fn the_highest_mode_of_an_element_is_damped_by_the_share() {
             let mut engine = plain.engine();
             let still = vec![Row::ZERO; 8];
             engine.start(&mut probe, mode.clone(), &still);
-            let a = engine.observe(&mut probe).acceleration;
+            let a = engine.look(&probe).snapshot.acceleration;
             let size = a.iter().flat_map(|r| r.0).fold(0.0_f64, |m, x| m.max(x.abs()));
             mode = a.iter().map(|r| Row(r.0.map(|x| -x / size))).collect();
         }
@@ -88,13 +88,13 @@ fn the_highest_mode_of_an_element_is_damped_by_the_share() {
         let at_rest = state.u.clone();
         engine.start(&mut state, at_rest, &velocity);
         let total = |b: &tremolite_kernels::Lines| b[Line::Kinetic] + b[Line::Strain] + b[Line::Hourglass];
-        let before = total(&engine.observe(&mut state).balance);
+        let before = total(&engine.look(&state).snapshot.balance);
         // Ten periods.
         let steps = (10.0 * std::f64::consts::TAU / omega / dt).round() as usize;
         for _ in 0..steps {
             engine.step(&mut state).unwrap();
         }
-        let balance = engine.observe(&mut state).balance;
+        let balance = engine.look(&state).snapshot.balance;
         let ratio = -(total(&balance) / before).ln() / (2.0 * omega * dt * steps as f64);
         // Forces at v⁻ lag half a step: order 1, ωΔt/2 = 1 %.
         assert!((ratio / 0.06 - 1.0).abs() < 0.02, "{quadrature:?}: {ratio}");
@@ -112,7 +112,7 @@ fn stiffness_proportional_damping_acts_on_elements_alone() {
     for member in &ready.assembly.members {
         let mut out = vec![Row::new([1.0; 3]); member.part.nodes().len()];
         let history = vec![Octet::ZERO; member.part.state_sizes().history];
-        let kept = Kept { history: &history, overstress: &[], numbers: &[], reference: &[], initial: &[] };
+        let kept = Kept { history: &history, numbers: &[], reference: &[], initial: &[] };
         member.part.damping_times(&w, kept, &w, &mut out, &mut Scratch::default());
         let still = out.iter().all(|row| row.xyz() == [0.0; 3]);
         if member.part.elements().0 > 0 {
@@ -159,7 +159,7 @@ fn uncracked_concrete_beyond_its_static_strength_is_damped_as_if_elastic() {
         let strain = 1.05 * 1.2e6 / 25e9 * step as f64 / steps as f64;
         state.u = (0..8).map(|n| Row::new([0.0, 0.0, strain * height(n)])).collect();
         engine = ready.engine();
-        engine.observe(&mut state);
+        engine.finish(&mut state);
     }
     drop(engine);
     assert!(state.history.iter().step_by(14).all(|d| d.0[0] == 0.0), "nothing has cracked");
@@ -169,7 +169,7 @@ fn uncracked_concrete_beyond_its_static_strength_is_damped_as_if_elastic() {
     let rows: Vec<Row> = state.u.clone();
     part.damping_times(
         &rows,
-        ready.assembly.slices[0].kept(&state),
+        ready.assembly.slices[0].kept(&state.kept()),
         &w,
         &mut damped,
         &mut Scratch::default(),

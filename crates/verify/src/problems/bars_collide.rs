@@ -85,7 +85,7 @@ fn collide(n: u32) -> Result<Outcome, VerifyError> {
             (sum, count) = (sum + seen.pressure, count + 1.0);
         }
     }
-    let snapshot = engine.observe(&mut state);
+    let snapshot = engine.finish(&mut state);
     let (mut momentum, mut mass) = (0.0, 0.0);
     for (node, &m) in simulation.phase.mass.iter().enumerate().filter(|(node, _)| upper[*node]) {
         momentum += m * snapshot.velocity[node].0[2];

@@ -8,6 +8,7 @@
 //! Where it moves with the rock, what the joint opens is the strain of the one segment that runs through it, which ends where the
 //! bolt leaves the elements beside the joint: N = EA δ·t/ℓ goes by the mesh, and doubles as elements are halved.
 
+use std::sync::Arc;
 use crate::bolted::{AREA, Bonded, STEEL, bisect, bolts};
 use crate::convergence::order;
 use crate::joints::joint;
@@ -83,7 +84,7 @@ fn forces(
     kind: Bolts,
     elements: u32,
     parting: f64,
-) -> Result<(Model, Vec<SegmentSeen>), VerifyError> {
+) -> Result<(Arc<Model>, Vec<SegmentSeen>), VerifyError> {
     let mut mesh =
         BoxSpec::uniform([0.0; 3], [WIDE, WIDE, HIGH], [elements / 2, elements / 2, elements]).mesh()?;
     let all = 0..mesh.elements.len() as u32;
@@ -107,7 +108,7 @@ fn forces(
             state.u[model.engine_node[node as usize] as usize] = motion;
         }
     }
-    Engine::new(&model, &assembly, &phase).observe(&mut state);
+    Engine::new(&model, &assembly, &phase).finish(&mut state);
     let seen = assembly.bolts[0].seen(&state.numbers, 0);
     Ok((model, seen))
 }

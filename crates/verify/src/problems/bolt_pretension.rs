@@ -14,6 +14,7 @@
 //! A bar oblique to all axes must do the same in its own axes. Compared is what is left beside Kelvin's solution, at the same
 //! points as the bars see them, so that what is interpolated between nodes is small. Those bars end anywhere in elements.
 
+use std::sync::Arc;
 use crate::bolted::{AREA, bolts};
 use crate::convergence::order;
 use crate::models::Solid;
@@ -79,7 +80,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// A body with its bar pulled.
 struct Pulled {
-    model: Model,
+    model: Arc<Model>,
     state: State,
     ends: [[f64; 3]; 2],
     middle: [f64; 3],

@@ -105,7 +105,7 @@ impl Pulled {
                 *row = Row::new([0.0, 0.0, by]);
             }
         }
-        Engine::new(model, assembly, phase).observe(state);
+        Engine::new(model, assembly, phase).finish(state);
     }
 
     /// Where the bond's force, of what N falls by from segment to segment, comes down to its strength, on the line through the

@@ -10,6 +10,7 @@
 //!   segments those of the bond between; ∫F ds less what the bond stores is what friction took. The balance must close as before.
 //! - The model's mirror image moves as its mirror image, sliding and yielding included.
 
+use tremolite::Domain;
 use crate::bolted::{AREA, Watched, bolts};
 use crate::convergence::order;
 use crate::models::{Solid, column};
@@ -88,7 +89,7 @@ fn shake(kind: Option<Bolts>, along: [f64; 3], steps: u64, dt: f64) -> Result<Ou
     let (mut out, mut supplied) = (Outcome::default(), 0.0_f64);
     for _ in 0..steps {
         engine.step(&mut state)?;
-        let balance = engine.observe(&mut state).balance;
+        let balance = engine.look(&state).snapshot.balance;
         supplied = supplied.max(state.ledger.supplied);
         out.error = out.error.max(balance[Line::Error].abs());
         (out.friction, out.plastic) = (balance[Line::BoltFriction], balance[Line::BoltPlastic]);
@@ -250,7 +251,7 @@ fn rows(
     let mut rows: BTreeMap<[i64; 3], Vec<f64>> = BTreeMap::new();
     simulation.run_from_rest(dt, steps, |state| {
         if state.step.is_multiple_of(10) {
-            for n in simulation.model.counted.clone() {
+            for n in simulation.model.nodes.of(Domain::Model) {
                 let [x, y, z] = state.u[n].xyz();
                 let place = simulation.position(n).map(|x| x.round() as i64);
                 rows.entry(place).or_default().extend([sense * x, y, z]);

@@ -216,7 +216,7 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
     for _ in 0..(end / dt) as u64 {
         engine.step(&mut state)?;
     }
-    let snapshot = engine.observe(&mut state);
+    let snapshot = engine.finish(&mut state);
     let history = History { assembly: &simulation.assembly, octets: &state.history };
 
     let inwards: Vec<f64> = wall

@@ -60,7 +60,7 @@ fn drift(quadrature: Quadrature) -> Result<f64, VerifyError> {
 
 /// E at the state.
 fn energy(simulation: &Simulation, engine: &mut Engine, state: &mut State) -> f64 {
-    let snapshot = engine.observe(state);
+    let snapshot = engine.look(state).snapshot;
     let mass = simulation.phase.mass.iter();
     let square = |a: &tremolite_laws::Row| a.xyz().iter().map(|x| x * x).sum::<f64>();
     let ama: f64 = mass.zip(&snapshot.acceleration).map(|(m, a)| m * square(a)).sum();

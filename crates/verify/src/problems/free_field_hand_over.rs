@@ -5,6 +5,8 @@
 //! stages by themselves. As nothing varies along y, the slab beyond a side across y must press on it with just what its rollers
 //! carried, and so nothing is held there. Then a pulse comes, and long afterwards the slice must be at rest.
 
+use tremolite::assembly::Slices;
+use tremolite::{Domain, Member};
 use crate::concrete;
 use crate::lined::{Joints, ROCK, slice};
 use crate::models::material;
@@ -67,13 +69,13 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
     let (steps, dt) = whole_steps(end / f64::from(rows), dt);
     state.dt = dt;
     let (mut peak, mut shaken) = (0.0_f64, 0.0_f64);
-    let mut last = engine.observe(&mut state);
+    let mut last = engine.look(&state).snapshot;
     for _ in 0..rows {
         for _ in 0..steps {
             engine.step(&mut state)?;
             peak = peak.max(fastest(&model, &state));
         }
-        last = engine.observe(&mut state);
+        last = engine.look(&state).snapshot;
         shaken = shaken.max(last.balance[Line::FreeField].abs());
     }
     let note = "5e-3: some transits of the slice after the pulse what has not left rings in cracked concrete; 20 s are run by \
@@ -90,7 +92,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
 /// Largest velocity of the model \[m/s\].
 fn fastest(model: &Model, state: &State) -> f64 {
     let square = |n: usize| state.du[n].xyz().iter().map(|d| d * d).sum::<f64>();
-    model.counted.clone().map(square).fold(0.0, f64::max).sqrt() / state.dt
+    model.nodes.of(Domain::Model).map(square).fold(0.0, f64::max).sqrt() / state.dt
 }
 
 /// Largest force \[N\] normal to the sides across y at a node off the edges: what is held there, and what the slab presses with.
@@ -101,10 +103,10 @@ struct Sides {
 
 fn sides(model: &Model, assembly: &Assembly, state: &State) -> Sides {
     let mut pressed: BTreeMap<u32, f64> = BTreeMap::new();
-    let patches = model.user_patches..model.patches.len();
-    for (member, slices) in assembly.members[patches.clone()].iter().zip(&assembly.slices[patches]) {
+    let outside = |(member, _): &(&Member, &Slices)| member.body.is_some() && !member.counted;
+    for (member, slices) in assembly.members.iter().zip(&assembly.slices).filter(outside) {
         for (&node, row) in member.part.nodes().iter().zip(&state.carried[slices.contributions.clone()]) {
-            if model.counted.contains(&(node as usize)) {
+            if model.nodes.counts(node as usize) {
                 *pressed.entry(node).or_default() += row.0[1];
             }
         }

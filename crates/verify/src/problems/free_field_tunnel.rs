@@ -5,6 +5,7 @@
 //! differ by round-off alone while laws are regular; where concrete cracks and the joint opens, round-off grows with every branch
 //! that falls the other way, and the time at which that begins is told.
 
+use tremolite::Domain;
 use crate::concrete;
 use crate::lined::{END, Joints, slice};
 use crate::models::material;
@@ -165,14 +166,14 @@ fn shake(ground: Ground, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
     state.dt = dt;
     let mut rows = [Rows::new(), Rows::new()];
     while state.time() < end {
-        rows[0].push(section(&simulation, &state, simulation.model.counted.clone(), |y| y.abs() < 1e-6));
+        rows[0].push(section(&simulation, &state, simulation.model.nodes.of(Domain::Model), |y| y.abs() < 1e-6));
         // What lies before the low side of y; the slabs across x do not.
-        rows[1].push(section(&simulation, &state, simulation.model.of_slabs.clone(), |y| y < -1e-6));
+        rows[1].push(section(&simulation, &state, simulation.model.nodes.of(Domain::Slab), |y| y < -1e-6));
         for _ in 0..every {
             engine.step(&mut state)?;
         }
     }
-    engine.observe(&mut state);
+    engine.finish(&mut state);
     let Simulation { model, assembly, phase } = &simulation;
     let history = History { assembly, octets: &state.history };
     let of = |body: usize, role: Role| {
@@ -196,7 +197,7 @@ fn shake(ground: Ground, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
 fn section(
     simulation: &Simulation,
     state: &State,
-    nodes: std::ops::Range<usize>,
+    nodes: impl Iterator<Item = usize>,
     there: impl Fn(f64) -> bool,
 ) -> BTreeMap<[i64; 2], [f64; 3]> {
     let mut sums: BTreeMap<[i64; 2], ([f64; 3], f64)> = BTreeMap::new();

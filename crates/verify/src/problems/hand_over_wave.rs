@@ -145,7 +145,7 @@ fn shake(yields: bool, begin: Begin) -> Result<Shaken, VerifyError> {
     for step in 1..=steps {
         engine.step(&mut state)?;
         if step % (steps / ROWS) == 0 {
-            rows.push(engine.observe(&mut state));
+            rows.push(engine.look(&state).snapshot);
         }
     }
     Ok(Shaken { rows, stored })

@@ -161,7 +161,7 @@ fn press(around: u32, turn: f64) -> Result<Pressed, VerifyError> {
     while state.time() < end {
         engine.step(&mut state)?;
     }
-    let snapshot = engine.observe(&mut state);
+    let snapshot = engine.finish(&mut state);
     let (seam, contacts) = (&model.seams[0], &simulation.assembly.contacts[0]);
     let (mut force, mut slip) = (0.0, f64::INFINITY);
     let seen: Vec<_> =

@@ -140,7 +140,7 @@ fn rest(problem: tremolite::Problem) -> Result<[f64; 3], VerifyError> {
         engine.step(&mut state)?;
         after = after.max(most(&state, true));
     }
-    engine.observe(&mut state);
+    engine.finish(&mut state);
     let (seam, contacts) = (&model.seams[0], &assembly.contacts[0]);
     let error = seam.pairs.iter().enumerate().map(|(k, pair)| {
         let on = traction(&stress, pair.normal);

@@ -4,6 +4,7 @@
 //! slide, a soft half beside a hard one, and two rocks that meet in a vertical edge of the model itself. Each is run as it is and
 //! reflected in x, with every base and every kind of sides that the model can have; what cannot be built must be refused in both.
 
+use tremolite::Domain;
 use crate::joints::joint;
 use crate::models::Solid;
 use crate::simulation::{Simulation, whole_steps};
@@ -191,7 +192,7 @@ fn shake(simulation: &Simulation, dt: f64, steps: u64, sense: f64) -> Result<BTr
     let model = &simulation.model;
     simulation.run_from_rest(dt, steps, |state| {
         if state.step.is_multiple_of(10) {
-            for n in model.counted.clone() {
+            for n in model.nodes.of(Domain::Model) {
                 let [x, y, z] = state.u[n].xyz();
                 rows.entry(model.mesh_node[n]).or_default().extend([sense * x, y, z]);
             }

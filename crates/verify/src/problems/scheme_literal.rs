@@ -203,7 +203,7 @@ fn side_by_side(quadrature: Quadrature, damping: Damping) -> Result<[f64; 2], Ve
             Damping::Dashpots => literal.step_with_dashpots(n, s)?,
             Damping::None | Damping::Rayleigh => literal.step(n, s),
         };
-        let velocity = engine.observe(&mut state).velocity;
+        let velocity = engine.look(&state).snapshot.velocity;
         let found = [system.gather(&state.u), system.gather(&velocity)];
         for (k, (found, exact)) in found.iter().zip([&s.u, &s.v]).enumerate() {
             for (x, y) in found.iter().zip(exact) {

@@ -125,7 +125,7 @@ fn press(quadrature: Quadrature, n: u32) -> Result<Pressed, VerifyError> {
     let (mut sums, mut counts) = ([0.0; 10], [0.0; 10]);
     for step in 0..steps {
         if step % EVERY == 0 {
-            let snapshot = engine.observe(&mut state);
+            let snapshot = engine.look(&state).snapshot;
             let stress = lowest.iter().map(|slot| {
                 let first = slot.point as usize;
                 mean(&slot.places, &snapshot.stress[first..first + slot.points as usize])[2]
@@ -136,7 +136,7 @@ fn press(quadrature: Quadrature, n: u32) -> Result<Pressed, VerifyError> {
         }
         engine.step(&mut state)?;
     }
-    let balance = engine.observe(&mut state).balance;
+    let balance = engine.look(&state).snapshot.balance;
     Ok(Pressed {
         loads: std::array::from_fn(|k| sums[k] / counts[k]),
         hourglass: balance[Line::Hourglass] / balance[Line::Dissipated],

@@ -115,7 +115,7 @@ fn errors(
     for _ in 0..steps {
         engine.step(&mut state)?;
     }
-    let velocity = engine.observe(&mut state).velocity;
+    let velocity = engine.look(&state).snapshot.velocity;
     let found = [system.gather(&state.u), system.gather(&velocity)];
     Ok([0, 1].map(|k| {
         let norm = |x: &dyn Fn(usize) -> f64| {

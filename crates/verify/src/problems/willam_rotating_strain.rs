@@ -182,7 +182,7 @@ fn element(law: Words, quadrature: Quadrature) -> Result<Vec<Row>, VerifyError> 
         {
             return Err(VerifyError::Setup(format!("stage {k} does not come to rest: {rest:?}")));
         }
-        let stress = engine.observe(&mut state).stress;
+        let stress = engine.look(&state).snapshot.stress;
         let Some(slot) = phase.element_slot[0] else { continue };
         let s = mean(&slot.places, &stress[slot.point as usize..][..slot.points as usize]);
         found.push(Row { shear, strain, stress: [s[0], s[1], s[3]] });

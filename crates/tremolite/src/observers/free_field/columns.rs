@@ -1,6 +1,7 @@
 //! The columns of a model, as they are watched, and the nodes of the model itself beside them.
 
 use std::ops::Range;
+use tremolite_engine::Domain;
 use tremolite_engine::column::Column;
 use tremolite_engine::model::Model;
 
@@ -50,7 +51,7 @@ fn beside(model: &Model, corner: usize, level: f64) -> usize {
         let x = model.mesh.nodes[model.mesh_node[n] as usize];
         (0..3).map(|i| (x[i] - at[i]).powi(2)).sum::<f64>()
     };
-    model.counted.clone().min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(0)
+    model.nodes.of(Domain::Model).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(0)
 }
 
 /// Engine nodes of the model itself at the upper and lower ends of its four vertical edges: level with the columns that stand
@@ -65,7 +66,7 @@ pub fn edges(model: &Model, columns: &[Watched]) -> [[usize; 4]; 2] {
                 Some(column) => place(column.ends[end])[2],
                 None => {
                     let at = edge(model, corner);
-                    let along = model.counted.clone().map(place);
+                    let along = model.nodes.of(Domain::Model).map(place);
                     let along = along.filter(|x| (0..2).all(|i| (x[i] - at[i]).abs() < near)).map(|x| x[2]);
                     let extreme = if end == 0 { along.reduce(f64::max) } else { along.reduce(f64::min) };
                     extreme.unwrap_or([high[2], low[2]][end])

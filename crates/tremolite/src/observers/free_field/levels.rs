@@ -2,6 +2,7 @@
 
 use super::columns::edge;
 use std::collections::BTreeSet;
+use tremolite_engine::Domain;
 use tremolite_engine::column::Column;
 use tremolite_engine::life::Stage;
 use tremolite_engine::model::Model;
@@ -42,8 +43,11 @@ pub fn levels(model: &Model, column: &Column) -> Vec<Level> {
 pub fn beside(model: &Model, corner: usize, levels: &[Level]) -> Vec<usize> {
     let (at, near) = (edge(model, corner), near(model));
     let place = |n: usize| model.mesh.nodes[model.mesh_node[n] as usize];
-    let along: Vec<usize> =
-        model.counted.clone().filter(|&n| (0..2).all(|i| (place(n)[i] - at[i]).abs() < near)).collect();
+    let along: Vec<usize> = model
+        .nodes
+        .of(Domain::Model)
+        .filter(|&n| (0..2).all(|i| (place(n)[i] - at[i]).abs() < near))
+        .collect();
     let off = |n: usize, level: &Level| (place(n)[2] - level.z).abs();
     let nearest =
         |level: &Level| along.iter().copied().min_by(|a, b| off(*a, level).total_cmp(&off(*b, level)));

@@ -1,0 +1,112 @@
+//! A state whose parts have been evaluated, and the step on from there.
+
+use super::evaluation::{Forces, Probed};
+use super::guard::GUARD;
+use super::{Engine, Halt, Snapshot, nodes};
+use crate::model::Model;
+use crate::parts::Kept;
+use crate::phase::Phase;
+use crate::state::{Memory, State};
+use std::sync::Arc;
+use tremolite_laws::Octet;
+
+/// A state u^n whose parts have seen it, with the forces that they push with there. It can be looked at and advanced once; it
+/// cannot be evaluated again.
+pub struct Evaluated {
+    model: Arc<Model>,
+    phase: Arc<Phase>,
+    state: State,
+    forces: Forces,
+    snapshot: Option<Snapshot>,
+}
+
+impl Evaluated {
+    /// The state, whose parts remember what they saw.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// What was seen, if that was wished.
+    pub fn snapshot(&self) -> Option<&Snapshot> {
+        self.snapshot.as_ref()
+    }
+
+    /// What observers are shown, with what they remember, if anything was to be seen.
+    pub fn seen(&mut self) -> Option<Seen<'_>> {
+        let Evaluated { state: State { history, numbers, observers, .. }, snapshot, .. } = self;
+        Some(Seen { snapshot: snapshot.as_ref()?, history, numbers, memory: observers })
+    }
+
+    /// The state at the end of a run: what its laws remember is that of its displacements, so that no step goes on from it.
+    pub fn end(self) -> State {
+        self.state
+    }
+}
+
+/// What observers are shown of an evaluated state.
+pub struct Seen<'e> {
+    pub snapshot: &'e Snapshot,
+    /// Histories of the laws and numbers of the parts.
+    pub history: &'e [Octet],
+    pub numbers: &'e [f64],
+    /// What observers remember.
+    pub memory: &'e mut Memory,
+}
+
+/// What is seen at a state that is left as it is.
+#[derive(Clone, Debug, Default)]
+pub struct Look {
+    pub snapshot: Snapshot,
+    /// Histories of the laws and numbers of the parts, as they are once evaluated there.
+    pub history: Vec<Octet>,
+    pub numbers: Vec<f64>,
+}
+
+impl Engine {
+    /// Evaluates all active parts at a state; what they hold and its balance are `seen` as well if so wished.
+    pub fn evaluate(&mut self, mut state: State, seen: bool) -> Evaluated {
+        let mut probed = seen.then(Probed::default);
+        self.evaluate_at(&mut state, probed.as_mut());
+        let snapshot = probed.map(|probed| self.snapshot(&state, state.kept(), probed));
+        let (model, phase) = (self.model.clone(), self.phase.clone());
+        Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot }
+    }
+
+    /// Goes on from u^n to u^{n+1}.
+    ///
+    /// # Errors
+    /// [`Halt::Energy`] if energy appeared; the state is then that of the failed step.
+    pub fn advance(&mut self, evaluated: Evaluated) -> (State, Result<(), Halt>) {
+        let Evaluated { model, phase, mut state, mut forces, .. } = evaluated;
+        let time = state.time();
+        let Forces { contributions, rates, leads, works } = &mut forces;
+        let sums = nodes::advance(&model, &phase, contributions, &rates.products, leads, &mut state);
+        state.ledger.book(works, &sums);
+        state.step += 1;
+        self.forces = forces;
+        let supplied = state.ledger.supplied;
+        // Written so that a kinetic energy that is not a number halts as well.
+        let stepped = match sums.kinetic <= GUARD * (supplied + self.noise) {
+            true => Ok(()),
+            false => Err(Halt::Energy { kinetic: sums.kinetic, supplied, step: state.steps(), time }),
+        };
+        (state, stepped)
+    }
+
+    /// What is seen at the end of a run: what its parts remember is then that of its displacements, and no step goes on from it.
+    pub fn finish(&mut self, state: &mut State) -> Snapshot {
+        let mut evaluated = self.evaluate(std::mem::take(state), true);
+        let snapshot = evaluated.snapshot.take().unwrap_or_default();
+        *state = evaluated.state;
+        snapshot
+    }
+
+    /// What is seen at a state, which is left as it is: parts are evaluated on copies of their memory.
+    pub fn look(&mut self, state: &State) -> Look {
+        let mut probed = Probed::default();
+        let (history, numbers) = self.evaluate_copies(state, Some(&mut probed));
+        let kept = Kept { history: &history, numbers: &numbers, ..state.kept() };
+        let snapshot = self.snapshot(state, kept, probed);
+        Look { snapshot, history, numbers }
+    }
+}

@@ -1,0 +1,287 @@
+//! All active parts evaluated at a state: what they push with, the work that they book, and what was to be seen of them.
+
+use super::Engine;
+use super::node_step::Lead;
+use super::rates::Rates;
+use super::split::split;
+use crate::assembly::{Assembly, Slices};
+use crate::member::Member;
+use crate::model::Model;
+use crate::parts::{ElementEnergy, Kept, Motion, Own, ProbeOut, Scratch, Tick};
+use crate::phase::Phase;
+use crate::state::State;
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::cell::RefCell;
+use tremolite_kernels::{Booked, Line, Lines};
+use tremolite_laws::{Octet, Row};
+
+/// Forces at a state, and room for the next.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Forces {
+    /// What each part pushes its nodes with, part by part.
+    pub contributions: Vec<Row>,
+    pub rates: Rates,
+    /// Velocities that leaders leave to those who follow them.
+    pub leads: Vec<Lead>,
+    pub works: Works,
+}
+
+impl Forces {
+    pub fn room(model: &Model, assembly: &Assembly, phase: &Phase) -> Self {
+        Forces {
+            contributions: vec![Row::ZERO; assembly.totals().contributions.end],
+            rates: Rates::new(model, assembly),
+            leads: vec![Lead::default(); phase.leaders.len()],
+            works: Works::default(),
+        }
+    }
+}
+
+/// Work that parts book themselves \[J\].
+#[derive(Clone, Debug, Default)]
+pub(super) struct Works {
+    pub lines: Lines,
+    /// What artificial viscosity took, by account.
+    pub viscosity: Vec<f64>,
+}
+
+impl Works {
+    fn of(assembly: &Assembly, phase: &Phase, all: Vec<Lines>) -> Self {
+        let mut viscosity = vec![0.0; assembly.accounts.len()];
+        for (work, &m) in all.iter().zip(&phase.active) {
+            if let Some(account) = assembly.account[m as usize] {
+                viscosity[account as usize] += work[Line::Viscosity];
+            }
+        }
+        // Of what parts book that are not counted only that on the model's nodes is in a balance.
+        let lines = all.into_iter().zip(&phase.active).fold(Lines::default(), |mut sum, (work, &m)| {
+            if assembly.members[m as usize].counted {
+                return sum + work;
+            }
+            sum[Line::FreeField] += work[Line::FreeField];
+            sum
+        });
+        Works { lines, viscosity }
+    }
+
+    /// What came in: positive work by lines of what is put in, which have a minus in the sum of what is found.
+    pub fn supplied(&self) -> f64 {
+        let put_in = |line: &&Line| line.booked() == Booked::Work && line.sign() < 0.0;
+        Line::ALL.iter().filter(put_in).map(|&line| (line.sign() * self.lines[line]).max(0.0)).sum()
+    }
+}
+
+/// Stress of every point and energies of every element, as a probe leaves them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Probed {
+    pub stress: Vec<[f64; 6]>,
+    pub energy: Vec<ElementEnergy>,
+}
+
+/// What an evaluation works on.
+enum Subject<'s> {
+    /// A state, whose parts remember what they saw.
+    State(&'s mut State),
+    /// A state that is left as it is. What parts then remember of histories and numbers goes to these copies of it, the rest of
+    /// their memory to copies that are dropped.
+    Copies { state: &'s State, history: &'s mut [Octet], numbers: &'s mut [f64] },
+}
+
+impl Subject<'_> {
+    fn state(&self) -> &State {
+        match self {
+            Subject::State(state) => state,
+            Subject::Copies { state, .. } => state,
+        }
+    }
+}
+
+/// Memory that a part may write.
+enum Memory<'m, T> {
+    Own(&'m mut [T]),
+    /// To be copied before.
+    Foreign(&'m [T]),
+}
+
+impl<'m, T: Clone> Memory<'m, T> {
+    fn each(
+        self,
+        slices: &[Slices],
+        range: impl Fn(&Slices) -> std::ops::Range<usize>,
+    ) -> Vec<Memory<'m, T>> {
+        match self {
+            Memory::Own(all) => split(all, slices, range).into_iter().map(Memory::Own).collect(),
+            Memory::Foreign(all) => slices.iter().map(|s| Memory::Foreign(&all[range(s)])).collect(),
+        }
+    }
+
+    /// The memory itself, or a copy of it in `room`.
+    fn or_copy(self, room: &'m mut Vec<T>) -> &'m mut [T] {
+        match self {
+            Memory::Own(own) => own,
+            Memory::Foreign(all) => {
+                room.clear();
+                room.extend_from_slice(all);
+                room
+            }
+        }
+    }
+}
+
+/// One active part with its slices.
+struct Job<'j> {
+    member: &'j Member,
+    out: &'j mut [Row],
+    history: &'j mut [Octet],
+    overstress: Memory<'j, Octet>,
+    numbers: &'j mut [f64],
+    reference: Memory<'j, Row>,
+    initial: &'j [Octet],
+    /// Where stresses and energies go, if they are wanted.
+    probe: Option<ProbeOut<'j>>,
+}
+
+/// Room that a thread reuses from part to part.
+#[derive(Default)]
+struct Room {
+    scratch: Scratch,
+    overstress: Vec<Octet>,
+    reference: Vec<Row>,
+    u: Vec<Row>,
+    du: Vec<Row>,
+}
+
+thread_local! {
+    static ROOM: RefCell<Room> = RefCell::default();
+}
+
+impl Engine {
+    /// Evaluates all active parts at a state, which remember what they saw, and the products with K that ξ ≠ 0 needs.
+    pub(super) fn evaluate_at(&mut self, state: &mut State, probed: Option<&mut Probed>) {
+        self.parts_at(Subject::State(state), probed);
+        self.rates_at(state, state.kept());
+    }
+
+    /// The same on copies of what parts remember of histories and numbers, which are given back as evaluated; the state is left as
+    /// it is.
+    pub(super) fn evaluate_copies(
+        &mut self,
+        state: &State,
+        probed: Option<&mut Probed>,
+    ) -> (Vec<Octet>, Vec<f64>) {
+        let (mut history, mut numbers) = (state.history.clone(), state.numbers.clone());
+        self.parts_at(Subject::Copies { state, history: &mut history, numbers: &mut numbers }, probed);
+        self.rates_at(state, Kept { history: &history, numbers: &numbers, ..state.kept() });
+        (history, numbers)
+    }
+
+    /// Rows of all nodes as a member may know them: all that it did not name is not a number where the engine is poisoned.
+    pub(super) fn named<'r>(&self, member: &Member, rows: &'r [Row]) -> Cow<'r, [Row]> {
+        if !self.poisoned {
+            return Cow::Borrowed(rows);
+        }
+        let mut room = Vec::new();
+        named(member, rows, &mut room);
+        Cow::Owned(room)
+    }
+
+    fn rates_at(&mut self, state: &State, kept: Kept) {
+        let Engine { model, assembly, phase, forces, .. } = self;
+        forces.rates.update(model, assembly, phase, &forces.contributions, state, kept);
+    }
+
+    fn parts_at(&mut self, subject: Subject, probed: Option<&mut Probed>) {
+        let Engine { model, assembly, phase, forces, poisoned, .. } = self;
+        if forces.contributions.is_empty() {
+            *forces = Forces::room(model, assembly, phase);
+        }
+        let poisoned = *poisoned;
+        let mut tick = phase.tick(subject.state());
+        if self.quiet {
+            tick.time = -f64::MIN_POSITIVE;
+        }
+        let slices = &assembly.slices;
+        let totals = assembly.totals();
+        let mut probes = probed.map(|probed| {
+            probed.stress = vec![[0.0; 6]; totals.points.end];
+            probed.energy = vec![ElementEnergy::default(); totals.elements.end];
+            let stress = split(&mut probed.stress, slices, |s| s.points.clone());
+            let energy = split(&mut probed.energy, slices, |s| s.elements.clone());
+            stress.into_iter().zip(energy).map(|(stress, energy)| ProbeOut { stress, energy })
+        });
+        let (u, du, history, overstress, numbers, reference, initial) = match subject {
+            Subject::State(State { u, du, history, overstress, numbers, reference, initial, .. }) => {
+                let (overstress, reference) = (Memory::Own(overstress), Memory::Own(reference));
+                (&*u, &*du, &mut history[..], overstress, &mut numbers[..], reference, &*initial)
+            }
+            Subject::Copies { state, history, numbers } => {
+                let State { u, du, overstress, reference, initial, .. } = state;
+                (u, du, history, Memory::Foreign(overstress), numbers, Memory::Foreign(reference), initial)
+            }
+        };
+        let motion = Motion { u, du };
+        let all = split(&mut forces.contributions, slices, |s| s.contributions.clone())
+            .into_iter()
+            .zip(split(history, slices, |s| s.history.clone()))
+            .zip(overstress.each(slices, |s| s.overstress.clone()))
+            .zip(split(numbers, slices, |s| s.numbers.clone()))
+            .zip(reference.each(slices, |s| s.reference.clone()))
+            .zip(assembly.members.iter().zip(slices))
+            .map(|(((((out, history), overstress), numbers), reference), (member, slices))| Job {
+                member,
+                out,
+                history,
+                overstress,
+                numbers,
+                reference,
+                initial: &initial[slices.initial.clone()],
+                probe: probes.as_mut().and_then(Iterator::next),
+            });
+        let mut active = phase.active.iter().copied().peekable();
+        let jobs: Vec<Job> =
+            (0u32..).zip(all).filter_map(|(m, job)| active.next_if_eq(&m).map(|_| job)).collect();
+        // One by one: members differ in cost, and half of what is left would be too much to hand over at the end.
+        let works: Vec<Lines> = jobs
+            .into_par_iter()
+            .with_max_len(1)
+            .map(|job| ROOM.with_borrow_mut(|room| evaluate(job, &tick, &motion, room, poisoned)))
+            .collect();
+        forces.works = Works::of(assembly, phase, works);
+    }
+}
+
+/// Evaluates one part; all but what it names is poisoned for it if so wished.
+fn evaluate(job: Job, tick: &Tick, motion: &Motion, room: &mut Room, poisoned: bool) -> Lines {
+    let Job { member, out, history, overstress, numbers, reference, initial, probe } = job;
+    let Room { scratch, overstress: copied, reference: copied_reference, u, du } = room;
+    let own = Own {
+        history,
+        overstress: overstress.or_copy(copied),
+        numbers,
+        reference: reference.or_copy(copied_reference),
+        initial,
+    };
+    let motion = match poisoned {
+        true => {
+            out.fill(Row([f64::NAN; 4]));
+            named(member, motion.u, u);
+            named(member, motion.du, du);
+            Motion { u, du }
+        }
+        false => *motion,
+    };
+    match probe {
+        None => member.part.forces(tick, &motion, own, out, scratch),
+        Some(to) => member.part.probe(tick, &motion, own, out, to, scratch),
+    }
+}
+
+/// A motion at the nodes that a member pushes or reads; not a number elsewhere.
+fn named(member: &Member, rows: &[Row], room: &mut Vec<Row>) {
+    room.clear();
+    room.resize(rows.len(), Row([f64::NAN; 4]));
+    for &node in member.part.nodes().iter().chain(&member.reads.nodes) {
+        room[node as usize] = rows[node as usize];
+    }
+}
