@@ -17,4 +17,8 @@ pub enum RunError {
     Checkpoint(#[from] CheckpointError),
     #[error(transparent)]
     Model(#[from] ModelError),
+    #[error("the stage '{0}' comes before the earthquake; bring it to rest before the first step")]
+    StageLeft(String),
+    #[error("no stage is left to bring to rest; go on with steps")]
+    NoStageLeft,
 }

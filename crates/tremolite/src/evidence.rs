@@ -2,8 +2,8 @@
 
 use crate::near_sides::NearSide;
 use crate::plan::Plan;
-use crate::run::Outcome;
 use crate::setup::MotionFacts;
+use crate::simulation::Outcome;
 use crate::survey::Survey;
 use indexmap::IndexMap;
 use tremolite_engine::assembly::Assembly;

@@ -1,7 +1,8 @@
 //! Tremolite: from a case to results.
 //!
-//! [`setup`] makes a [`Problem`] and a [`plan::Plan`] of a case, [`run`] runs them through the engine
-//! ([`tremolite_engine`], whose modules are passed on here) and lets [`observers`] look, [`summary`] says what came out.
+//! [`setup`] makes a [`Problem`] and a [`plan::Plan`] of a case; a [`simulation::Simulation`] takes them through the engine
+//! ([`tremolite_engine`], whose modules are passed on here) and lets [`observers`] look, [`run`] drives it to its end, and
+//! [`summary`] says what came out.
 
 pub mod checkpoint;
 pub mod damage;
@@ -27,9 +28,11 @@ pub mod quantities;
 pub mod run;
 pub mod sections;
 pub mod setup;
+pub mod simulation;
 pub mod spectra;
 pub mod stacks;
 pub mod stages;
+pub mod step_cost;
 pub mod stress;
 pub mod summary;
 pub mod support;

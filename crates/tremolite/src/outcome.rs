@@ -2,7 +2,7 @@
 
 use crate::evidence::Evidence;
 use crate::phrases::{listed, sentences};
-use crate::run::Ending;
+use crate::simulation::Ending;
 use indexmap::IndexMap;
 use tremolite_engine::Halt;
 use tremolite_engine::engine::Relaxed;

@@ -5,7 +5,7 @@ use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
 use crate::observers::{BoltForces, Extremes};
 use crate::outcome::run_in_words;
-use crate::run::Ending;
+use crate::simulation::Ending;
 use crate::stress::stresses;
 use crate::support;
 use crate::survey::step_in_words;

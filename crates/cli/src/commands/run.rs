@@ -15,8 +15,9 @@ use std::time::Instant;
 use tremolite::evidence::Evidence;
 use tremolite::near_sides::near_sides;
 use tremolite::outlook::outlook;
-use tremolite::run::{Control, Ending, Progress, Start, check_rest, choose_step};
+use tremolite::run::{Control, Progress};
 use tremolite::setup::changed;
+use tremolite::simulation::{Ending, Simulation, Start, check_rest, choose_step};
 use tremolite::summary::summary;
 use tremolite::survey::{impacts_in_words, limit_in_words, survey};
 use tremolite::{Assembly, Model, Phase, Stage, stable_step};
@@ -205,13 +206,14 @@ pub fn run(args: &Args) -> Outcome {
             };
             line.show(p.share, &words);
         };
-        let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
+        let mut control = Control { stop: &stop, progress: &mut tell };
         let start = match &other {
             Some(other) => Start::From(other),
             None if args.resume => Start::Resume,
             None => Start::Rest,
         };
-        let outcome = tremolite::run::run(&model, &assembly, &phase, &plan, &folder, start, &mut control)
+        let outcome = Simulation::new(&model, &assembly, &phase, &plan, &folder, start, Vec::new())
+            .and_then(|simulation| tremolite::run::run(simulation, &mut control))
             .map_err(Failure::failed);
         line.end();
         let outcome = outcome?;

@@ -86,7 +86,7 @@ impl<'a> View<'a> {
 
 /// Something that looks at a run now and then. All it remembers from one look to the next is in the memory that it is
 /// given, which is part of the state, so a resumed run goes on as if it had never stopped.
-pub trait Observer {
+pub trait Observer: Send {
     fn schedule(&self) -> Schedule;
     /// Looks, and writes or remembers.
     ///

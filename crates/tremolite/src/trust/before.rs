@@ -2,7 +2,7 @@
 
 use crate::evidence::Evidence;
 use crate::places;
-use crate::run::{Beginning, uneven};
+use crate::simulation::{Beginning, uneven};
 use tremolite_results::{Fact, Said, TrustLine, said};
 
 /// What is held besides weight, loads and reactions when the shaking begins, over all contributions: ten times what stages

@@ -6,13 +6,14 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::plan::{BoltMonitor, Plan};
 use tremolite::quantities::BOLT;
-use tremolite::run::{Control, Ending, Outcome, Progress, Start, run};
+use tremolite::run::{Control, Progress, run};
+use tremolite::simulation::{Ending, Outcome, Simulation, Start};
 use tremolite::stages::PlannedStage;
 use tremolite::{Bar, Bolts, Problem, Stage};
 use tremolite_results::{BoltLines, EARTHQUAKE, Pvd, ResultFolder, Table, read_bolts};
 
 /// Two bolts of 4 m that a stage places, and one for the shaking alone.
-fn bolted() -> Problem {
+pub fn bolted() -> Problem {
     let bar = |x: f64| Bar { points: vec![[x, 5.0, 5.0], [x + 0.5, 5.2, 9.0]], areas: vec![5e-4] };
     let group = |name: &str, bars: Vec<Bar>, born: Stage, yields: f64| Bolts {
         name: name.into(),
@@ -35,7 +36,7 @@ fn bolted() -> Problem {
     problem
 }
 
-fn plan() -> Plan {
+pub fn plan() -> Plan {
     let monitor =
         |name: &str, x: f64, set: usize| BoltMonitor { name: name.into(), point: [x, 5.1, 7.0], set };
     Plan {
@@ -67,9 +68,11 @@ fn go(folder: &Path, resume: bool, stop: bool) -> Outcome {
             stopped.store(true, Ordering::Relaxed);
         }
     };
-    let mut control = Control { stop: &stopped, progress: &mut tell, observers: Vec::new() };
+    let mut control = Control { stop: &stopped, progress: &mut tell };
     let start = if resume { Start::Resume } else { Start::Rest };
-    run(&model, &assembly, &phase, &plan(), &results, start, &mut control).unwrap()
+    Simulation::new(&model, &assembly, &phase, &plan(), &results, start, Vec::new())
+        .and_then(|simulation| run(simulation, &mut control))
+        .unwrap()
 }
 
 #[test]

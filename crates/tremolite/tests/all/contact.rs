@@ -24,7 +24,7 @@ pub fn between(problem: &Problem, bodies: [usize; 2], law: &str, numbers: &[(&st
     Interface::new("joint", sides, law, values)
 }
 
-const BANDIS: &[(&str, f64)] = &[
+pub const BANDIS: &[(&str, f64)] = &[
     ("normal_stiffness", 20e9),
     ("max_closure", 2e-3),
     ("cohesion", 0.2e6),

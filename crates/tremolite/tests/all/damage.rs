@@ -9,7 +9,8 @@ use tremolite::damage::{damage, findings};
 use tremolite::disk::field_bytes;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
-use tremolite::run::{Control, Ending, Outcome, Start, run};
+use tremolite::run::{Control, run};
+use tremolite::simulation::{Ending, Outcome, Simulation, Start};
 use tremolite::{
     AnyMaterial, Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, elastic, hexahedra, laws,
 };
@@ -111,16 +112,17 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
         };
         let stop = AtomicBool::new(false);
         let mut tell = |p: tremolite::run::Progress| stop.store(p.time > stop_after, Ordering::Relaxed);
-        let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
-        let outcome = run(
+        let mut control = Control { stop: &stop, progress: &mut tell };
+        let outcome = Simulation::new(
             &ready.model,
             &ready.assembly,
             &ready.phase,
             &plan,
             &results,
             if resume { Start::Resume } else { Start::Rest },
-            &mut control,
+            Vec::new(),
         )
+        .and_then(|simulation| run(simulation, &mut control))
         .unwrap();
         (ready, outcome)
     })

@@ -6,7 +6,8 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use tremolite::observers::Extremes;
 use tremolite::plan::{Monitor, Plan};
-use tremolite::run::{Control, Outcome, Start, run};
+use tremolite::run::{Control, run};
+use tremolite::simulation::{Outcome, Simulation, Start};
 use tremolite::{Base, Body, Incident, Problem, Quadrature, Side, elastic, laws};
 use tremolite_laws::{Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
@@ -86,8 +87,10 @@ pub fn shaken(problem: Problem, plan: &Plan, folder: &Path) -> (ResultFolder, Ou
     let Ready { model, assembly, phase } = Ready::new(problem);
     let results = ResultFolder::create(Some(folder), "ground", true).unwrap();
     let stop = AtomicBool::new(false);
-    let mut control = Control { stop: &stop, progress: &mut |_| {}, observers: Vec::new() };
-    let outcome = run(&model, &assembly, &phase, plan, &results, Start::Rest, &mut control).unwrap();
+    let mut control = Control { stop: &stop, progress: &mut |_| {} };
+    let outcome = Simulation::new(&model, &assembly, &phase, plan, &results, Start::Rest, Vec::new())
+        .and_then(|simulation| run(simulation, &mut control))
+        .unwrap();
     (results, outcome)
 }
 

@@ -6,7 +6,8 @@ use tremolite::hexahedra::hex;
 use tremolite::observers::Fibres;
 use tremolite::parts::loads::Load;
 use tremolite::plan::Plan;
-use tremolite::run::{Control, Start, run};
+use tremolite::run::{Control, run};
+use tremolite::simulation::{Simulation, Start};
 use tremolite::{
     AnyMaterial, Base, Body, Layers, Line, Model, ModelError, Problem, Quadrature, Rayleigh, Side, elastic,
     laws,
@@ -309,9 +310,18 @@ fn most_used(quadrature: Quadrature) -> f64 {
     };
     let folder = tempfile::tempdir().unwrap();
     let results = ResultFolder::create(Some(folder.path()), "cantilever", true).unwrap();
-    let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {}, observers: Vec::new() };
-    let outcome =
-        run(&ready.model, &ready.assembly, &ready.phase, &plan, &results, Start::Rest, &mut control).unwrap();
+    let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
+    let outcome = Simulation::new(
+        &ready.model,
+        &ready.assembly,
+        &ready.phase,
+        &plan,
+        &results,
+        Start::Rest,
+        Vec::new(),
+    )
+    .and_then(|simulation| run(simulation, &mut control))
+    .unwrap();
     let history = outcome.history(&ready.assembly);
     let slots = ready.phase.element_slot.iter().flatten();
     assert!(slots.clone().any(|slot| history.is_damaged(slot)), "{quadrature:?}: it cracks");

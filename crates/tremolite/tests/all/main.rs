@@ -15,6 +15,7 @@ mod engine;
 mod free_field;
 mod free_field_file;
 mod ground;
+mod held;
 mod history;
 mod layered;
 mod outside_law;

@@ -6,8 +6,9 @@ use indexmap::IndexMap;
 use std::sync::atomic::AtomicBool;
 use tremolite::evidence::Evidence;
 use tremolite::plan::{Monitor, Plan};
-use tremolite::run::{Control, Start, run};
+use tremolite::run::{Control, run};
 use tremolite::setup::MotionFacts;
+use tremolite::simulation::{Simulation, Start};
 use tremolite::summary::summary;
 use tremolite::survey::survey;
 use tremolite::{Engine, Law, Phase, Problem, Stage};
@@ -242,8 +243,10 @@ fn told(problem: Problem) -> Summary {
     let motion = problem.incident.clone().unwrap().motion;
     let Ready { model, assembly, phase } = Ready::new(problem);
     let results = ResultFolder::create(Some(folder.path()), "metal", true).unwrap();
-    let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {}, observers: Vec::new() };
-    let outcome = run(&model, &assembly, &phase, &plan, &results, Start::Rest, &mut control).unwrap();
+    let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
+    let outcome = Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, Vec::new())
+        .and_then(|simulation| run(simulation, &mut control))
+        .unwrap();
     let facts = MotionFacts {
         kind: MotionKind::Outcrop,
         factor: Some(0.5),

@@ -5,10 +5,11 @@ use crate::ready::Ready;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use tremolite::observers::{Observer, Schedule, Setting, View};
+use tremolite::observers::{Observer, OwnObservers, Schedule, Setting, View};
 use tremolite::parts::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
 use tremolite::plan::Plan;
-use tremolite::run::{Control, Ending, Start, run};
+use tremolite::run::{Control, run};
+use tremolite::simulation::{Ending, Simulation, Start};
 use tremolite::state::Memory;
 use tremolite::{Base, Limit, Line, Lines, Member, Problem, RunError, Side};
 use tremolite_laws::Row;
@@ -176,14 +177,12 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
         relatives: Vec::new(),
     };
     let results = ResultFolder::create(Some(folder.path()), "springs", true).unwrap();
-    let mut control = Control {
-        stop: &AtomicBool::new(false),
-        progress: &mut |_| {},
-        observers: vec![Arc::new(|setting: &Setting| {
-            Ok(Some(Box::new(Stretched::new(setting)?) as Box<dyn Observer>))
-        })],
-    };
-    let outcome = run(&model, &assembly, &phase, &plan, &results, Start::Rest, &mut control).unwrap();
+    let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
+    let own: OwnObservers =
+        vec![Arc::new(|setting: &Setting| Ok(Some(Box::new(Stretched::new(setting)?) as Box<dyn Observer>)))];
+    let outcome = Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, own)
+        .and_then(|simulation| run(simulation, &mut control))
+        .unwrap();
     assert_eq!(outcome.ending, Ending::Done);
     let table = Table::read(&Stretched::path(&results)).unwrap();
     let stretch = table.column("stretch").unwrap();

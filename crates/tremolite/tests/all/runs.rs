@@ -10,7 +10,8 @@ use tremolite::observers::Extremes;
 use tremolite::parts::loads::Load;
 use tremolite::plan::{Monitor, PairMonitor, Plan};
 use tremolite::quantities::Field;
-use tremolite::run::{Control, Ending, Outcome, Start, run};
+use tremolite::run::{Control, run};
+use tremolite::simulation::{Ending, Outcome, Simulation, Start};
 use tremolite::{Base, Halt, Line, Problem, Side, elastic};
 use tremolite_laws::{Isa, Moduli};
 use tremolite_mesh::locate::Locator;
@@ -58,16 +59,17 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_at: Op
                 stop.store(true, Ordering::Relaxed);
             }
         };
-        let mut control = Control { stop: &stop, progress: &mut tell, observers: Vec::new() };
-        run(
+        let mut control = Control { stop: &stop, progress: &mut tell };
+        Simulation::new(
             &model,
             &assembly,
             &phase,
             &plan,
             &results,
             if resume { Start::Resume } else { Start::Rest },
-            &mut control,
+            Vec::new(),
         )
+        .and_then(|simulation| run(simulation, &mut control))
         .unwrap()
     })
 }
@@ -126,9 +128,10 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
         let plan = plan(&other);
         let Ready { model, assembly, phase } = Ready::new(other);
         let stop = AtomicBool::new(false);
-        let mut control = Control { stop: &stop, progress: &mut |_| {}, observers: Vec::new() };
+        let mut control = Control { stop: &stop, progress: &mut |_| {} };
         let results = ResultFolder::open_existing(&parts).unwrap();
-        let refused = run(&model, &assembly, &phase, &plan, &results, Start::Resume, &mut control);
+        let refused = Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Resume, Vec::new())
+            .and_then(|simulation| run(simulation, &mut control));
         assert!(refused.is_err_and(|e| e.to_string().contains("another model or plan")), "{what}");
     }
 }

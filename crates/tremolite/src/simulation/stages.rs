@@ -1,9 +1,9 @@
 //! Stages of a run: each is relaxed, looked at and written, so that what is done stays done.
 
+use super::Simulation;
 use super::beside::Beside;
 use super::kept::{self, Rested};
 use super::moved::MovedNodes;
-use super::{Control, Progress, TELL};
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
@@ -11,19 +11,16 @@ use crate::observers::{
     BoltForces, BoltGrid, FieldGrid, InterfaceGrid, SectionForces, View, at_rest, columns,
 };
 use crate::places;
-use crate::plan::Plan;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
-use std::time::Instant;
-use tremolite_engine::engine::{Relaxed, Rest};
+use tremolite_engine::engine::{Look, Relaxed, Rest};
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::state::{Memory, State};
-use tremolite_engine::{Assembly, Engine, Model, Phase, Snapshot, Stage};
+use tremolite_engine::{Engine, Model, Phase, Snapshot, Stage};
 use tremolite_laws::{Role, Row};
-use tremolite_results::{Column, Pvd, ResultFolder, Said, TableWriter, said, write_stages};
+use tremolite_results::{Column, Pvd, Said, TableWriter, said, write_stages};
 
 /// What is remembered of how stages came to rest: stage, cycle, ratio, motion left, motion.
 const RELAXATION: &str = "relaxation";
@@ -32,75 +29,101 @@ const EVERY: u64 = 10;
 /// Motion to the initial equilibrium, in the file of that stage.
 const INITIAL_MOTION: &str = "initial_motion";
 
-/// How the stages ended.
-pub(super) enum Before {
-    Done,
+/// A cycle of a stage's relaxation, before the next.
+#[derive(Clone, Copy, Debug)]
+pub struct Cycle {
+    pub stage: usize,
+    /// The number of the next cycle.
+    pub cycle: u64,
+    /// How near to rest the last one left the model; nothing is known before the first, of cycle 0.
+    pub rest: Rest,
+    /// How far the stage is, from 0 to 1: a guess.
+    pub share: f64,
+}
+
+/// What to do before a cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Go {
+    On,
+    /// Write a checkpoint, and go on.
+    Checkpoint,
+    /// Write one, and stop.
+    Stop,
+}
+
+/// How a stage ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StageEnd {
+    AtRest(Rest),
+    /// It was told to stop, and goes on from there another time.
     Stopped,
-    /// What a stage moves snapped back: the stage, and what was let go at once of what was held \[J\].
-    SnappedBack {
-        stage: usize,
-        lost: f64,
-        held: f64,
-    },
-    /// In this stage, with a place.
-    Failed {
-        stage: usize,
+    /// It did not come to rest: how it ended, and where most moves.
+    Restless {
         relaxed: Relaxed,
         place: Said,
     },
+    /// What it moves snapped back: what was let go at once of what was held \[J\].
+    SnappedBack {
+        lost: f64,
+        held: f64,
+    },
 }
 
-/// A run's stages.
-pub(super) struct Stages<'a> {
-    pub model: &'a Arc<Model>,
-    pub assembly: &'a Arc<Assembly>,
-    pub plan: &'a Plan,
-    pub folder: &'a ResultFolder,
-    pub fingerprint: u64,
-}
-
-impl Stages<'_> {
-    /// Brings a state through the stages that are left.
-    pub fn run(&self, state: &mut State, control: &mut Control) -> Result<Before, RunError> {
-        let Stages { model, assembly, plan, .. } = *self;
-        let first = state.stage as usize;
-        for (k, planned) in plan.stages.iter().enumerate().skip(first) {
-            let phase = Phase::of(model, assembly, Stage::Before(k as u16))?;
-            let mut engine = Engine::new(model, assembly, &phase);
-            match self.relax(k, planned, &mut engine, state, control)? {
-                Relaxed::AtRest(rest) => {
-                    let moved = MovedNodes::of(model, &mut engine, state);
-                    if let Some((lost, held)) = moved.snapped_back(&mut state.observers, k, &rest) {
-                        self.give_up(k, &phase, &mut engine, state)?;
-                        self.write(state)?;
-                        return Ok(Before::SnappedBack { stage: k, lost, held });
-                    }
-                    moved.remember(&mut state.observers, k, &rest);
-                    self.look(k, &phase, &mut engine, state, &rest)?;
-                    self.write(state)?;
-                }
-                Relaxed::Stopped(_) => return Ok(Before::Stopped),
-                relaxed => {
-                    // What it looks like where it was given up.
-                    self.give_up(k, &phase, &mut engine, state)?;
-                    self.write(state)?;
-                    let place = place(model, &phase, &relaxed);
-                    return Ok(Before::Failed { stage: k, relaxed, place });
-                }
-            }
-        }
-        Ok(Before::Done)
+impl Simulation {
+    /// Brings the stage that comes next to rest, looks at it and writes what stands then. `watch` is asked before every cycle.
+    ///
+    /// # Errors
+    /// If no stage is left, or a file cannot be written.
+    pub fn relax(&mut self, watch: &mut dyn FnMut(&Cycle) -> Go) -> Result<StageEnd, RunError> {
+        let stage = self.stage().ok_or(RunError::NoStageLeft)?;
+        let phase = Phase::of(&self.model, &self.assembly, Stage::Before(stage as u16))?;
+        let mut engine = Engine::new(&self.model, &self.assembly, &phase);
+        let mut state = std::mem::take(&mut self.state);
+        let relaxed = self.relax_state(stage, &mut engine, &mut state, watch);
+        let end = relaxed.and_then(|relaxed| self.end_stage(stage, relaxed, &phase, &mut engine, &mut state));
+        self.state = state;
+        end
     }
 
-    fn relax(
+    fn end_stage(
         &self,
         stage: usize,
-        planned: &PlannedStage,
+        relaxed: Relaxed,
+        phase: &Phase,
         engine: &mut Engine,
         state: &mut State,
-        control: &mut Control,
+    ) -> Result<StageEnd, RunError> {
+        let end = match relaxed {
+            Relaxed::AtRest(rest) => {
+                let moved = MovedNodes::of(&self.model, engine, state);
+                if let Some((lost, held)) = moved.snapped_back(&mut state.observers, stage, &rest) {
+                    self.give_up(stage, phase, engine, state)?;
+                    StageEnd::SnappedBack { lost, held }
+                } else {
+                    moved.remember(&mut state.observers, stage, &rest);
+                    self.look_at_rest(stage, phase, engine, state, &rest)?;
+                    StageEnd::AtRest(rest)
+                }
+            }
+            Relaxed::Stopped(_) => return Ok(StageEnd::Stopped),
+            relaxed => {
+                // What it looks like where it was given up.
+                self.give_up(stage, phase, engine, state)?;
+                StageEnd::Restless { relaxed, place: place(&self.model, phase, &relaxed) }
+            }
+        };
+        self.write_tables(state)?;
+        Ok(end)
+    }
+
+    fn relax_state(
+        &self,
+        stage: usize,
+        engine: &mut Engine,
+        state: &mut State,
+        watch: &mut dyn FnMut(&Cycle) -> Go,
     ) -> Result<Relaxed, RunError> {
-        let (mut told, mut kept) = (Instant::now(), Instant::now());
+        let planned = &self.plan.stages[stage];
         let mut failed = None;
         let mut start_ratio = f64::NAN;
         let relaxed = engine.relax_watched(state, &planned.release, &mut |state, rest| {
@@ -114,28 +137,15 @@ impl Stages<'_> {
             if cycle == planned.release.cycles {
                 start_ratio = rest.ratio;
             }
-            let now = Instant::now();
-            // Before the first cycle nothing is known of the balance.
-            if rest.cycles > 0 && now - told >= TELL {
-                told = now;
-                (control.progress)(Progress {
-                    stage: Some(stage),
-                    share: (stage as f64 + share(rest, planned, start_ratio)) / self.plan.stages.len() as f64,
-                    cycle,
-                    ratio: rest.ratio,
-                    ..Progress::default()
-                });
+            let share = share(rest, planned, start_ratio);
+            let go = watch(&Cycle { stage, cycle, rest: *rest, share });
+            if go != Go::On
+                && let Err(e) = checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint)
+            {
+                failed = Some(e);
+                return false;
             }
-            let stop = control.stop.load(Ordering::Relaxed);
-            let due = self.plan.checkpoint.is_some_and(|every| (now - kept).as_secs_f64() >= every);
-            if stop || due {
-                if let Err(e) = checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint) {
-                    failed = Some(e);
-                    return false;
-                }
-                kept = now;
-            }
-            !stop
+            go != Go::Stop
         });
         match failed {
             Some(e) => Err(e.into()),
@@ -143,8 +153,18 @@ impl Stages<'_> {
         }
     }
 
+    /// What is seen of the stage that goes on or ended last. Nothing in it has a velocity.
+    pub(super) fn look_at_stage(&mut self) -> Result<(Arc<Phase>, Look), RunError> {
+        let next = self.state.stage;
+        let now = if self.state.relaxing.cycle > 0 { next } else { next.saturating_sub(1) };
+        let stage = if self.plan.stages.is_empty() { Stage::Shaking } else { Stage::Before(now as u16) };
+        let phase = Phase::of(&self.model, &self.assembly, stage)?;
+        let look = still(&mut Engine::new(&self.model, &self.assembly, &phase), &self.state);
+        Ok((phase, look))
+    }
+
     /// Remembers how a stage ended, and writes what stands then.
-    fn look(
+    fn look_at_rest(
         &self,
         stage: usize,
         phase: &Phase,
@@ -152,8 +172,8 @@ impl Stages<'_> {
         state: &mut State,
         rest: &Rest,
     ) -> Result<(), RunError> {
-        let model = self.model;
-        let snapshot = still(engine, state);
+        let model = &*self.model;
+        let snapshot = still(engine, state).snapshot;
         let view = self.view(phase, &snapshot, state);
         let monitors = at_rest(&view, state);
         let walls = kept::walls(model).into_iter().map(|(_, node)| state.shown(node).xyz()).collect();
@@ -169,7 +189,7 @@ impl Stages<'_> {
         let motion: Vec<Row> = state.u.iter().zip(&state.start).map(since_start).collect();
         let motion = [(INITIAL_MOTION, "m", motion.as_slice())];
         self.fields(stage, &view, &state.observers, if stage == 0 { &motion } else { &[] })?;
-        kept::remember(model, self.plan, &mut state.observers, &rested);
+        kept::remember(model, &self.plan, &mut state.observers, &rested);
         uneven.remember(&mut state.observers);
         if let Some(beginning) = beginning {
             beginning.remember(&mut state.observers);
@@ -188,13 +208,13 @@ impl Stages<'_> {
         engine: &mut Engine,
         state: &mut State,
     ) -> Result<(), RunError> {
-        let snapshot = still(engine, state);
+        let snapshot = still(engine, state).snapshot;
         let last = ("motion_of_last_cycle", "m", state.du.as_slice());
         self.fields(stage, &self.view(phase, &snapshot, state), &state.observers, &[last])
     }
 
     fn view<'v>(&'v self, phase: &'v Phase, snapshot: &'v Snapshot, state: &'v State) -> View<'v> {
-        let Stages { model, assembly, plan, .. } = *self;
+        let Simulation { model, assembly, plan, .. } = self;
         let history = History { assembly, octets: &state.history };
         View { model, assembly, phase, plan, snapshot, history, numbers: &state.numbers }
     }
@@ -209,7 +229,7 @@ impl Stages<'_> {
         let folder = self.folder.stage_fields();
         std::fs::create_dir_all(&folder).map_err(|source| RunError::Io { path: folder.clone(), source })?;
         let name = format!("{stage:03}.vtu");
-        let grid = FieldGrid::of(self.model, view.phase);
+        let grid = FieldGrid::of(&self.model, view.phase);
         grid.write(&folder.join(&name), stage as f64, view, memory, more)?;
         list(&self.folder.stages_pvd(), stage, &format!("stages/{name}"))?;
         if self.plan.fields.contains(&Field::Interface) && !self.model.user_seams().is_empty() {
@@ -217,7 +237,11 @@ impl Stages<'_> {
             std::fs::create_dir_all(&folder)
                 .map_err(|source| RunError::Io { path: folder.clone(), source })?;
             let name = format!("stage-{stage:03}.vtu");
-            InterfaceGrid::of(self.model, view.phase.stage).write(&folder.join(&name), stage as f64, view)?;
+            InterfaceGrid::of(&self.model, view.phase.stage).write(
+                &folder.join(&name),
+                stage as f64,
+                view,
+            )?;
             // The list begins anew with the earthquake.
             list(&self.folder.interfaces_pvd(), stage, &format!("interfaces/{name}"))?;
         }
@@ -234,8 +258,12 @@ impl Stages<'_> {
     }
 
     /// Writes the tables of the stages whole, from what is remembered.
-    pub fn write(&self, state: &State) -> Result<(), RunError> {
-        let Stages { model, plan, folder, .. } = *self;
+    pub(super) fn write_stages(&self) -> Result<(), RunError> {
+        self.write_tables(&self.state)
+    }
+
+    fn write_tables(&self, state: &State) -> Result<(), RunError> {
+        let Simulation { model, plan, folder, .. } = self;
         write_stages(&folder.stages(), &columns(plan)[1..], &kept::summaries(model, plan, &state.observers))?;
         let columns = [("stage", ""), ("cycle", ""), ("ratio", ""), ("motion_left", "m"), ("motion", "m")];
         let columns = columns.map(|(name, unit)| Column::new(name, unit));
@@ -259,11 +287,11 @@ fn list(path: &Path, stage: usize, file: &str) -> Result<(), RunError> {
 }
 
 /// What is seen of a state of a stage. Nothing in it has a velocity.
-fn still(engine: &mut Engine, state: &State) -> Snapshot {
-    let mut snapshot = engine.look(state).snapshot;
-    snapshot.velocity.fill(Row::ZERO);
-    snapshot.acceleration.fill(Row::ZERO);
-    snapshot
+fn still(engine: &mut Engine, state: &State) -> Look {
+    let mut look = engine.look(state);
+    look.snapshot.velocity.fill(Row::ZERO);
+    look.snapshot.acceleration.fill(Row::ZERO);
+    look
 }
 
 fn remember(memory: &mut Memory, stage: usize, rest: &Rest) {

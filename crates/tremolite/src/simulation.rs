@@ -1,0 +1,179 @@
+//! A simulation that anybody can hold: stages before the earthquake one by one, then steps, with looks between them.
+//!
+//! It owns the state and shares the model, and nothing outside ever sees a state within a step. Whoever drives it decides when to
+//! go on; results do not depend on how. Files are written by its observers as it goes, so that what is done stays done.
+
+mod beside;
+mod kept;
+mod moved;
+mod outcome;
+mod shaking;
+mod stages;
+
+pub(crate) use beside::Beside;
+pub(crate) use kept::{Beginning, uneven};
+pub(crate) use moved::{damped, first_step, let_go};
+pub use outcome::{Ending, Outcome};
+pub use shaking::Stepping;
+pub use stages::{Cycle, Go, StageEnd};
+
+use crate::checkpoint;
+use crate::error::RunError;
+use crate::fingerprint::fingerprint;
+use crate::observers::OwnObservers;
+use crate::plan::{Plan, Steps};
+use shaking::Shaking;
+use std::sync::Arc;
+use tremolite_engine::assembly::Assembly;
+pub use tremolite_engine::engine::Look;
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::Phase;
+use tremolite_engine::state::State;
+use tremolite_engine::{StableStep, stable_step};
+use tremolite_results::ResultFolder;
+
+/// The step a model runs with and the plan in steps.
+pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Steps) {
+    plan.steps(model.time_step.given.unwrap_or_else(|| stable.to_run(model.time_step.safety)))
+}
+
+/// What a run begins with.
+#[derive(Clone, Copy, Debug)]
+pub enum Start<'a> {
+    /// Rest, before all stages.
+    Rest,
+    /// The checkpoint of its own folder.
+    Resume,
+    /// What another run of the same model had come to before the earthquake.
+    From(&'a ResultFolder),
+}
+
+/// Whether a run with steps of `dt` \[s\] can begin with another's rest, before anything is written.
+///
+/// # Errors
+/// If it is that of another mesh, other materials or stages, or there is none.
+pub fn check_rest(
+    model: &Model,
+    assembly: &Assembly,
+    plan: &Plan,
+    dt: f64,
+    other: &ResultFolder,
+) -> Result<(), RunError> {
+    Ok(checkpoint::check_hand_over(&other.checkpoint(), fingerprint(model, assembly, plan, dt))?)
+}
+
+/// A model on its way through a plan.
+///
+/// Works on the rayon pool that it is called from. The bits of the results depend neither on its size nor on how the simulation is
+/// driven.
+pub struct Simulation {
+    model: Arc<Model>,
+    assembly: Arc<Assembly>,
+    plan: Arc<Plan>,
+    /// Of the shaking.
+    phase: Arc<Phase>,
+    folder: ResultFolder,
+    /// Observers of the program's own.
+    own: OwnObservers,
+    stable: StableStep,
+    dt: f64,
+    steps: Steps,
+    fingerprint: u64,
+    state: State,
+    /// The shaking, once it goes on.
+    shaking: Option<Shaking>,
+}
+
+impl Simulation {
+    /// A simulation of a plan on a model, which writes its files into a folder. `phase` is that of the shaking.
+    ///
+    /// # Errors
+    /// If there is no checkpoint to start from, or it is of another model or plan.
+    pub fn new(
+        model: &Arc<Model>,
+        assembly: &Arc<Assembly>,
+        phase: &Arc<Phase>,
+        plan: &Plan,
+        folder: &ResultFolder,
+        start: Start,
+        own: OwnObservers,
+    ) -> Result<Self, RunError> {
+        let stable = stable_step(model, assembly, phase);
+        let (dt, steps) = choose_step(model, plan, &stable);
+        let fingerprint = fingerprint(model, assembly, plan, dt);
+        let mut simulation = Simulation {
+            model: model.clone(),
+            assembly: assembly.clone(),
+            plan: Arc::new(plan.clone()),
+            phase: phase.clone(),
+            folder: folder.clone(),
+            own,
+            stable,
+            dt,
+            steps,
+            fingerprint,
+            state: State::default(),
+            shaking: None,
+        };
+        match start {
+            Start::Rest => simulation.state = simulation.at_rest(),
+            Start::Resume => simulation.restore()?,
+            Start::From(other) => {
+                simulation.state = simulation.at_rest();
+                checkpoint::read_hand_over(&other.checkpoint(), &mut simulation.state, fingerprint)?;
+                simulation.state.dt = dt;
+                simulation.write_stages()?;
+            }
+        }
+        Ok(simulation)
+    }
+
+    fn at_rest(&self) -> State {
+        let mut state = self.assembly.rest();
+        state.dt = self.dt;
+        state
+    }
+
+    /// Goes back to the checkpoint in its folder. Tables are cut back to it as soon as it goes on.
+    ///
+    /// # Errors
+    /// If there is none, or it is damaged or of another model or plan.
+    pub fn restore(&mut self) -> Result<(), RunError> {
+        self.state = self.at_rest();
+        self.shaking = None;
+        Ok(checkpoint::read(&self.folder.checkpoint(), &mut self.state, self.fingerprint)?)
+    }
+
+    /// The step \[s\], and the plan in steps.
+    pub fn steps(&self) -> (f64, Steps) {
+        (self.dt, self.steps)
+    }
+
+    pub fn model(&self) -> &Arc<Model> {
+        &self.model
+    }
+
+    pub fn assembly(&self) -> &Arc<Assembly> {
+        &self.assembly
+    }
+
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Steps taken since t = 0.
+    pub fn taken(&self) -> u64 {
+        self.state.steps()
+    }
+
+    /// Time since the earthquake began \[s\].
+    pub fn time(&self) -> f64 {
+        self.state.time()
+    }
+
+    /// The number of the stage that comes next or goes on; none once all are done.
+    pub fn stage(&self) -> Option<usize> {
+        let next = self.state.stage as usize;
+        (next < self.plan.stages.len()).then_some(next)
+    }
+}

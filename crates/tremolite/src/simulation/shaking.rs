@@ -1,0 +1,308 @@
+//! The shaking, step by step.
+
+use super::outcome::{Ending, Outcome};
+use super::{Simulation, kept};
+use crate::checkpoint;
+use crate::error::RunError;
+use crate::history::History;
+use crate::motion_table;
+use crate::observers::{Depth, OBSERVERS, Observer, SectionForces, Setting, Stepped, View};
+use crate::places;
+use crate::spectra;
+use crate::transfer_table;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use tremolite_engine::engine::{BodyBooks, Evaluated, Look, Seen};
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::Phase;
+use tremolite_engine::state::State;
+use tremolite_engine::{Engine, Halt, Snapshot};
+use tremolite_kernels::Lines;
+use tremolite_results::Said;
+
+/// Steps of the quiet run.
+const QUIET: u64 = 100;
+/// Key of what is remembered of it.
+const DRIFT: &str = "quiet run";
+
+/// What came of some steps.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stepping {
+    /// They were made.
+    On,
+    /// The run is at its end, and all that is looked at there has been.
+    Done,
+    /// Energy appeared: the halt, and the element where most of it is.
+    Failed { halt: Halt, place: Said },
+}
+
+/// A simulation in the shaking.
+pub(super) struct Shaking {
+    engine: Engine,
+    observers: Vec<Box<dyn Observer>>,
+    /// The step from which this process went on.
+    first: u64,
+    /// The balance when it was last looked at.
+    balance: Lines,
+    bodies: Vec<BodyBooks>,
+    /// How it ended, with what was seen there.
+    ended: Option<(Stepping, Snapshot)>,
+    /// Wall time of the steps, and what of it went into looks.
+    spent: Duration,
+    looking: Duration,
+}
+
+impl Simulation {
+    /// Makes so many steps, or fewer where the run ends before. Looks that are due are taken as each step is made; those of the
+    /// last step with the call after it.
+    ///
+    /// # Errors
+    /// If a stage is left, or a file cannot be written.
+    pub fn step(&mut self, steps: u64) -> Result<Stepping, RunError> {
+        if let Some(stage) = self.stage() {
+            return Err(RunError::StageLeft(self.plan.stages[stage].name.clone()));
+        }
+        if self.plan.duration == 0.0 {
+            return Ok(Stepping::Done);
+        }
+        let mut shaking = match self.shaking.take() {
+            Some(shaking) => shaking,
+            None => self.begin()?,
+        };
+        let begin = Instant::now();
+        let mut stepped = Ok(Stepping::On);
+        for _ in 0..steps {
+            stepped = self.one_step(&mut shaking);
+            if !matches!(stepped, Ok(Stepping::On)) {
+                break;
+            }
+        }
+        shaking.spent += begin.elapsed();
+        self.shaking = Some(shaking);
+        stepped
+    }
+
+    /// From the state where the stages ended, or from the step at which it was stopped.
+    fn begin(&mut self) -> Result<Shaking, RunError> {
+        let Simulation { model, assembly, phase, plan, folder, state, .. } = self;
+        let mut engine = Engine::new(model, assembly, phase);
+        if !plan.stages.is_empty() && state.carried.is_empty() {
+            checkpoint::write_hand_over(&folder.checkpoint(), state, self.fingerprint)?;
+            engine.hand_over(state, self.dt);
+            let drift = engine.quiet_run(state, QUIET);
+            state.observers.insert(DRIFT.into(), vec![drift]);
+        }
+        let first = state.steps();
+        if let Some(incident) = &model.incident
+            && first == 0
+        {
+            let given = plan.recorded.as_ref().map(|recorded| &recorded.motion);
+            motion_table::write(folder, incident, given, plan.duration)?;
+            if let Some(recorded) = &plan.recorded {
+                transfer_table::write(folder, recorded)?;
+            }
+        }
+        let setting = Setting {
+            folder,
+            model,
+            assembly,
+            phase,
+            plan,
+            steps: self.steps,
+            memory: &state.observers,
+            step: first,
+            time: state.time(),
+            dt: self.dt,
+        };
+        let mut observers: Vec<Box<dyn Observer>> = Vec::new();
+        for make in OBSERVERS {
+            observers.extend(make(&setting)?);
+        }
+        for make in &self.own {
+            observers.extend(make(&setting)?);
+        }
+        Ok(Shaking {
+            engine,
+            observers,
+            first,
+            balance: Lines::default(),
+            bodies: Vec::new(),
+            ended: None,
+            spent: Duration::ZERO,
+            looking: Duration::ZERO,
+        })
+    }
+
+    /// Looks where something is due, and goes on by a step.
+    fn one_step(&mut self, shaking: &mut Shaking) -> Result<Stepping, RunError> {
+        if let Some((ended, _)) = &shaking.ended {
+            return Ok(ended.clone());
+        }
+        let step = self.state.steps();
+        let due = shaking.observers.iter().any(|observer| observer.schedule().due(step));
+        let begin = Instant::now();
+        let mut evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), due);
+        if let Some(seen) = evaluated.seen() {
+            let told = self.tell(shaking, seen, step);
+            shaking.looking += begin.elapsed();
+            match told {
+                Ok(Stepping::On) => {}
+                Ok(failed) => return Ok(self.end(shaking, evaluated, failed)),
+                Err(error) => {
+                    self.end(shaking, evaluated, Stepping::Done);
+                    return Err(error);
+                }
+            }
+        }
+        if step >= self.steps.total {
+            return Ok(self.end(shaking, evaluated, Stepping::Done));
+        }
+        let stepped;
+        (self.state, stepped) = shaking.engine.advance(evaluated);
+        if let Err(halt) = stepped {
+            let seen = shaking.engine.look(&self.state).snapshot;
+            let place = hottest_element(&self.model, &self.phase, &seen);
+            let failed = Stepping::Failed { halt, place };
+            shaking.ended = Some((failed.clone(), seen));
+            return Ok(failed);
+        }
+        let State { u, du, datum, dt, observers: memory, .. } = &mut self.state;
+        let stepped = Stepped { model: &self.model, plan: &self.plan, u, datum, du, dt: *dt };
+        shaking.observers.iter_mut().for_each(|observer| observer.stepped(&stepped, memory));
+        Ok(Stepping::On)
+    }
+
+    /// Shows observers what is due, and asks the guard.
+    fn tell(&self, shaking: &mut Shaking, seen: Seen, step: u64) -> Result<Stepping, RunError> {
+        let Simulation { model, assembly, phase, plan, .. } = self;
+        let Seen { snapshot, history, numbers, memory } = seen;
+        shaking.balance = snapshot.balance;
+        shaking.bodies.clone_from(&snapshot.bodies);
+        let history = History { assembly, octets: history };
+        let view = View { model, assembly, phase, plan, snapshot, history, numbers };
+        for observer in shaking.observers.iter_mut().filter(|observer| observer.schedule().due(step)) {
+            observer.see(&view, memory)?;
+        }
+        Ok(match shaking.engine.guard(snapshot) {
+            Ok(()) => Stepping::On,
+            Err(halt) => Stepping::Failed { halt, place: hottest_element(model, phase, snapshot) },
+        })
+    }
+
+    /// Ends with a state whose parts have seen it.
+    fn end(&mut self, shaking: &mut Shaking, evaluated: Evaluated, how: Stepping) -> Stepping {
+        let seen = evaluated.snapshot().cloned().unwrap_or_default();
+        self.state = evaluated.end();
+        shaking.ended = Some((how.clone(), seen));
+        how
+    }
+
+    /// Element updates a second of the steps made in this process, without looks; 0 before the first.
+    pub fn updates_per_second(&self) -> f64 {
+        self.shaking.as_ref().map_or(0.0, |Shaking { first, spent, looking, .. }| {
+            let steps = (self.state.steps() - first) as f64;
+            steps * self.phase.counted_elements as f64
+                / spent.saturating_sub(*looking).as_secs_f64().max(1e-9)
+        })
+    }
+
+    /// What is seen where the simulation stands: of its last stage, or of the step it has come to. Nothing changes by it.
+    ///
+    /// # Errors
+    /// If there is no phase of that stage.
+    pub fn look(&mut self) -> Result<(Arc<Phase>, Look), RunError> {
+        let ended = |(_, snapshot): &(Stepping, Snapshot)| Look {
+            snapshot: snapshot.clone(),
+            history: self.state.history.clone(),
+            numbers: self.state.numbers.clone(),
+        };
+        match &mut self.shaking {
+            Some(shaking) => Ok((
+                self.phase.clone(),
+                match &shaking.ended {
+                    Some(end) => ended(end),
+                    None => shaking.engine.look(&self.state),
+                },
+            )),
+            None => self.look_at_stage(),
+        }
+    }
+
+    /// Writes a checkpoint of where the simulation stands, if its guard lets it pass; else the halt, and the element where most
+    /// energy is. One that has ended keeps the checkpoint that it has.
+    ///
+    /// # Errors
+    /// If the file cannot be written; an older one is then untouched.
+    pub fn checkpoint(&mut self) -> Result<Option<(Halt, Said)>, RunError> {
+        if let Some(shaking) = &mut self.shaking {
+            if shaking.ended.is_some() {
+                return Ok(None);
+            }
+            let seen = shaking.engine.look(&self.state).snapshot;
+            if let Err(halt) = shaking.engine.guard(&seen) {
+                return Ok(Some((halt, hottest_element(&self.model, &self.phase, &seen))));
+            }
+        }
+        checkpoint::write(&self.folder.checkpoint(), &mut self.state, self.fingerprint)?;
+        Ok(None)
+    }
+
+    /// Ends the simulation where it stands: writes what is written at the end, and says what is known of the run.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn finish(mut self, ending: Ending, stage_seconds: f64) -> Result<Outcome, RunError> {
+        if self.shaking.as_ref().is_some_and(|shaking| shaking.ended.is_none()) {
+            let snapshot = self.look()?.1.snapshot;
+            if let Some(shaking) = &mut self.shaking {
+                (shaking.balance, shaking.bodies) = (snapshot.balance, snapshot.bodies);
+            }
+        }
+        let Simulation { model, plan, folder, state, shaking, steps, dt, stable, .. } = self;
+        if shaking.is_some() {
+            SectionForces::of(&model).write(&folder, &plan, &state.observers)?;
+            if model.incident.is_some() {
+                spectra::write(&folder, &model, &plan)?;
+            }
+            if let Some(depth) = Depth::of(&model, &plan) {
+                depth.write(&folder, &model, &plan, &state)?;
+            }
+        }
+        let taken = if shaking.is_some() { state.steps() } else { 0 };
+        let seconds = |of: fn(&Shaking) -> Duration| shaking.as_ref().map_or(0.0, |s| of(s).as_secs_f64());
+        Ok(Outcome {
+            ending,
+            steps,
+            taken,
+            taken_here: taken - shaking.as_ref().map_or(0, |shaking| shaking.first),
+            dt,
+            stable,
+            loop_seconds: seconds(|shaking| shaking.spent),
+            step_seconds: seconds(|shaking| shaking.spent.saturating_sub(shaking.looking)),
+            stages: kept::summaries(&model, &plan, &state.observers),
+            shaken: shaking.is_some(),
+            stage_seconds,
+            quiet: state.observers.get(DRIFT).and_then(|drift| drift.first().copied()),
+            balance: shaking.as_ref().map_or(Lines::default(), |shaking| shaking.balance),
+            bodies: shaking.map_or(Vec::new(), |shaking| shaking.bodies),
+            state,
+        })
+    }
+}
+
+/// The element that holds most energy, or the first whose energy is not a number.
+fn hottest_element(model: &Model, phase: &Phase, snapshot: &Snapshot) -> Said {
+    let mut worst = (f64::NEG_INFINITY, 0);
+    for (e, slot) in phase.element_slot.iter().enumerate() {
+        let Some(slot) = slot else { continue };
+        let energy = snapshot.energy[slot.element as usize].held();
+        if !energy.is_finite() {
+            worst = (energy, e);
+            break;
+        }
+        if energy > worst.0 {
+            worst = (energy, e);
+        }
+    }
+    places::element_at(model, worst.1 as u32)
+}
