@@ -2,6 +2,7 @@
 
 use crate::life::Life;
 use crate::parts::{Part, Reads};
+use std::collections::HashSet;
 use tremolite_kernels::Line;
 
 /// What a member is.
@@ -71,13 +72,16 @@ impl Member {
 
     /// A part without mass that is always there and enters the balance.
     pub(crate) fn of(kind: Kind, name: impl Into<String>, part: Box<dyn Part>) -> Self {
+        let own: HashSet<u32> = part.nodes().iter().copied().collect();
+        let mut reads = part.reads();
+        reads.nodes.retain(|node| !own.contains(node));
         Member {
             name: name.into(),
             kind,
             body: None,
             level: 0,
             owner: 0,
-            reads: part.reads(),
+            reads,
             part,
             masses: Vec::new(),
             springs: Vec::new(),

@@ -123,6 +123,7 @@ impl Simulation {
                 checkpoint::read_hand_over(&other.checkpoint(), &mut simulation.state, fingerprint)?;
                 simulation.state.dt = dt;
                 simulation.write_stages()?;
+                simulation.hand_over_begins()?;
             }
         }
         Ok(simulation)

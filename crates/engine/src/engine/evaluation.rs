@@ -264,7 +264,7 @@ fn evaluate(job: Job, tick: &Tick, motion: &Motion, room: &mut Room, poisoned: b
     };
     let motion = match poisoned {
         true => {
-            out.fill(Row([f64::NAN; 4]));
+            out.fill(UNKNOWN);
             named(member, motion.u, u);
             named(member, motion.du, du);
             Motion { u, du }
@@ -277,10 +277,13 @@ fn evaluate(job: Job, tick: &Tick, motion: &Motion, room: &mut Room, poisoned: b
     }
 }
 
+/// What is not known; the fourth number is no component.
+const UNKNOWN: Row = Row([f64::NAN, f64::NAN, f64::NAN, 0.0]);
+
 /// A motion at the nodes that a member pushes or reads; not a number elsewhere.
 fn named(member: &Member, rows: &[Row], room: &mut Vec<Row>) {
     room.clear();
-    room.resize(rows.len(), Row([f64::NAN; 4]));
+    room.resize(rows.len(), UNKNOWN);
     for &node in member.part.nodes().iter().chain(&member.reads.nodes) {
         room[node as usize] = rows[node as usize];
     }

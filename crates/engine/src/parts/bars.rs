@@ -269,7 +269,9 @@ fn pressure_across(stress: &[f64; 6], t: [f64; 3]) -> f64 {
         + yy * t[1] * t[1]
         + zz * t[2] * t[2]
         + 2.0 * (xy * t[0] * t[1] + yz * t[1] * t[2] + zx * t[2] * t[0]);
-    (-0.5 * (xx + yy + zz - along)).max(0.0)
+    let pressure = -0.5 * (xx + yy + zz - along);
+    // Not `max`, to which what is not a number would be none.
+    if pressure < 0.0 { 0.0 } else { pressure }
 }
 
 /// Adds the forces with which a segment under tension resists to those of its points.

@@ -87,7 +87,6 @@ impl Simulation {
         let Simulation { model, assembly, phase, plan, folder, state, .. } = self;
         let mut engine = Engine::new(model, assembly, phase);
         if !plan.stages.is_empty() && state.carried.is_empty() {
-            checkpoint::write_hand_over(&folder.checkpoint(), state, self.fingerprint)?;
             engine.hand_over(state, self.dt);
             let drift = engine.quiet_run(state, QUIET);
             state.observers.insert(DRIFT.into(), vec![drift]);

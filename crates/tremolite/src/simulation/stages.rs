@@ -82,7 +82,16 @@ impl Simulation {
         let relaxed = self.relax_state(stage, &mut engine, &mut state, watch);
         let end = relaxed.and_then(|relaxed| self.end_stage(stage, relaxed, &phase, &mut engine, &mut state));
         self.state = state;
+        self.hand_over_begins()?;
         end
+    }
+
+    /// Keeps the state that the shaking begins with, once all stages are done.
+    pub(super) fn hand_over_begins(&mut self) -> Result<(), RunError> {
+        if self.stage().is_none() && self.state.carried.is_empty() {
+            checkpoint::write_hand_over(&self.folder.checkpoint(), &mut self.state, self.fingerprint)?;
+        }
+        Ok(())
     }
 
     fn end_stage(

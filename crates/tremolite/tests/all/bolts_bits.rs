@@ -29,7 +29,7 @@ fn kind(name: &str, bars: Vec<[[f64; 3]; 2]>) -> Bolts {
 
 /// A block under its weight. The first stage places anchors that are pulled, slide, and feel the pressure on them, and bars that
 /// yield; the second takes a pit out of the top, and some of the bolts' heads with it.
-fn bolted(isa: Isa) -> Problem {
+pub fn bolted(isa: Isa) -> Problem {
     let mut problem = block([6, 5, 7]);
     problem.isa = isa;
     problem.gravity = 9.81;

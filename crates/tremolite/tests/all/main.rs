@@ -20,6 +20,7 @@ mod history;
 mod layered;
 mod outside_law;
 mod outside_part;
+mod poison;
 mod ready;
 mod recorded;
 mod reinforcement;

@@ -21,7 +21,7 @@ const PULSE: [f64; 4] = [20.0, 0.06, 0.15, 0.3];
 
 /// A cavern of 9 × 6 m cut by a fault of 70°, excavated in four benches, lined in two steps and bolted across the fault; or its
 /// mirror image.
-fn cavern(mirrored: bool) -> Problem {
+pub fn cavern(mirrored: bool) -> Problem {
     let mut mesh = BoxSpec::uniform([0.0; 3], SIZE, ELEMENTS).mesh().unwrap();
     let at: Vec<[u32; 2]> =
         (0..ELEMENTS[0] * ELEMENTS[2]).map(|e| [e % ELEMENTS[0], e / ELEMENTS[0]]).collect();

@@ -215,7 +215,7 @@ fn a_model_at_rest_stays_at_rest_in_the_shaking() {
 }
 
 /// A column of rock whose upper half becomes stiffer in stage 1, and which is loaded on top from stage 2 on.
-fn stiffened(quadrature: Quadrature, poisson: f64) -> Problem {
+pub fn stiffened(quadrature: Quadrature, poisson: f64) -> Problem {
     let mut spec = BoxSpec::uniform([0.0; 3], [4.0, 4.0, 8.0], [2, 2, 4]);
     spec.distortion =
         Some(tremolite_mesh::boxes::Distortion { fraction: 0.15, seed: 5, periodic: [false; 2] });
