@@ -2,13 +2,13 @@
 
 use tremolite_results::{BoltLine, BoltLines, Summary};
 
-use crate::axes::Axes;
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, LINES, Style, Svg};
+use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::say;
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::source::Source;
-use crate::svg::{Anchor, LINES, Style, Svg};
-use crate::ticks::Ticks;
 use crate::units::Kind;
 
 /// Bolts that are longer than this many times another are drawn apart: anchors and bars of a lining would hide the others.

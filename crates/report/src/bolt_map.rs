@@ -2,15 +2,15 @@
 
 use tremolite_results::{BoltLine, BoltLines, Cut, Pvd};
 
+use crate::drawing::frame_row::Row;
+use crate::drawing::window::Window;
 use crate::figure::{Block, Figure};
-use crate::frame_row::Row;
 use crate::language::say;
 use crate::scale::{Scale, figures, trimmed};
 use crate::section_view::{borders, plane};
 use crate::sentences::joined;
 use crate::source::Source;
 use crate::units::Kind;
-use crate::window::Window;
 
 const GROUND: &str = "#c3cad2";
 /// Room around what bolts reach, as a part of its extent.

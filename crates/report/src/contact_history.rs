@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
-use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
+use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
 use crate::scale::{Scale, quantity};

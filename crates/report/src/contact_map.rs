@@ -4,6 +4,7 @@ use tremolite_results::{ElementGroups, PairSurface, Pvd};
 
 use crate::contact_history::names;
 use crate::contact_panel::{BELOW, Layer, ROW, TITLE, frame, panel};
+use crate::drawing::svg::Svg;
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
 use crate::plan::{Bars, LEFT, Plan};
@@ -11,7 +12,6 @@ use crate::scale::moment;
 use crate::sentences::joined;
 use crate::sheet_words::{developed, from_left, labels};
 use crate::source::Source;
-use crate::svg::Svg;
 use crate::unfold::{Sheet, unfold};
 use crate::units::Kind;
 

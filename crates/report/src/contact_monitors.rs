@@ -3,11 +3,11 @@
 use tremolite_results::Table;
 
 use crate::contact_path::Path;
+use crate::drawing::loops::{Course, Loops, Quantity, Track};
+use crate::drawing::state_strips::Strip;
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
-use crate::loops::{Course, Loops, Quantity, Track};
 use crate::source::Source;
-use crate::strips::Strip;
 use crate::units::Kind;
 
 /// The columns of such a monitor.

@@ -2,13 +2,13 @@
 
 use tremolite_results::PairSurface;
 
-use crate::colours::{self, LEVELS, colour, level};
+use crate::drawing::colours::{self, LEVELS, colour, level};
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
+use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::plan::{BAR, LEFT, Plan, end_walls, marks};
 use crate::scale::Scale;
 use crate::sheet_words::direction;
-use crate::svg::{Anchor, Style, Svg, text_width};
-use crate::ticks::Ticks;
 use crate::unfold::Sheet;
 
 const GREY: &str = "#dfe3e8";

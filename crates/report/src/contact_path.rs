@@ -1,10 +1,10 @@
 //! Shear over pressure at a pair, row by row, in the colours of its states.
 
-use crate::axes::{Axes, drawable};
+use crate::drawing::axes::{Axes, drawable};
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
+use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::scale::Scale;
-use crate::svg::{Anchor, Style, Svg, text_width};
-use crate::ticks::Ticks;
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;

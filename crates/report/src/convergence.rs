@@ -3,15 +3,15 @@
 use indexmap::IndexMap;
 use tremolite_results::{StageSummary, Summary};
 
-use crate::axes::Axes;
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::source::Source;
 use crate::stage_name::{called, name};
-use crate::svg::{Anchor, Style, Svg};
 use crate::text_table::{Cell, Head, TextTable};
-use crate::ticks::Ticks;
 use crate::units::Kind;
 
 /// Points side by side in one table.

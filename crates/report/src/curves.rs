@@ -11,7 +11,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 use crate::blocks::{Blocks, json_element};
-use crate::chart::{Chart, Panel as Drawn, Stroke};
+use crate::drawing::chart::{Chart, Panel as Drawn, Stroke};
 use crate::language::Language;
 
 /// Of single precision the sign, the exponent and 16 bits: to 8 parts in a million.
@@ -93,7 +93,7 @@ pub struct Mark {
 #[derive(Clone, Debug, Serialize)]
 pub struct Line {
     pub name: String,
-    /// As [`Svg::lines`](crate::svg::Svg::lines) takes it.
+    /// As [`Svg::lines`](crate::drawing::svg::Svg::lines) takes it.
     pub colour: usize,
     pub stroke: Stroke,
     /// Whether its points are drawn too.
@@ -137,7 +137,7 @@ impl Curves {
                 let line = panel.lines.iter().position(|line| std::ptr::eq(line, peak.line))?;
                 Some(Mark { line, across: peak.time, value: peak.value * factor })
             });
-            let line = |line: &crate::chart::Line<'_>| Line {
+            let line = |line: &crate::drawing::chart::Line<'_>| Line {
                 name: line.name.clone(),
                 colour: line.colour,
                 stroke: line.stroke,

@@ -2,8 +2,8 @@
 
 use tremolite_results::{Cut, CutCell};
 
+use crate::drawing::frame_row::Row;
 use crate::figure::Figure;
-use crate::frame_row::Row;
 use crate::language::say;
 use crate::scale::Scale;
 use crate::section_view::{Positions, borders, on_plane, place, points, window};

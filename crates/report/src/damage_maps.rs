@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use tremolite_results::{Fields, Slice};
 
+use crate::drawing::frame_row::Row;
 use crate::figure::{Figure, Section};
-use crate::frame_row::Row;
 use crate::language::{Language, say};
 use crate::lining_maps::{self, Sheets};
 use crate::scale::figures;

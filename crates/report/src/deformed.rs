@@ -2,8 +2,8 @@
 
 use tremolite_results::{Peaks, Slice, Snapshot};
 
+use crate::drawing::frame_row::Row;
 use crate::figure::{Figure, Section};
-use crate::frame_row::Row;
 use crate::language::say;
 use crate::pairs::held;
 use crate::relative_motion::{Moved, Rigid, exaggeration};

@@ -2,14 +2,14 @@
 
 use tremolite_results::{Peaks, Summary, Table};
 
-use crate::axes::Axes;
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
-use crate::plot::{self, Curve, Pen, RIGHT, WIDTH};
 use crate::scale::Scale;
 use crate::source::Source;
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// A component this much smaller than the largest does not count as moving.

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use tremolite_results::Table;
 
 use crate::apart::{self, Titles};
-use crate::chart::{Line, Mark, Panel, Stroke};
+use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::figure::Section;
 use crate::language::{Language, say};
 use crate::scale::figures;

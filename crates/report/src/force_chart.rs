@@ -1,15 +1,15 @@
 //! Figure of section forces along a lining.
 
-use crate::axes::Axes;
 use crate::curves::{Rule, Side};
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
+use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::language::{Language, say};
 use crate::lining::{Extreme, KILO, Lining, Station, distance, forces, joints};
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
 use crate::scale::trimmed;
-use crate::svg::{Anchor, Style, Svg, text_width};
-use crate::ticks::Ticks;
 
 /// Colours: after the stages, largest, smallest.
 pub const COLOURS: [usize; 3] = [3, 1, 0];

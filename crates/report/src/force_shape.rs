@@ -1,12 +1,12 @@
 //! Figure of section forces drawn on the lining's own shape, at right angles to it.
 
+use crate::drawing::plot::{self, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::figure::Figure;
 use crate::force_chart::COLOURS;
 use crate::language::{Language, say};
 use crate::lining::{Extreme, Lining, Station, forces, joints, kilo};
-use crate::plot::{self, WIDTH};
 use crate::scale::trimmed;
-use crate::svg::{Anchor, Style, Svg, text_width};
 
 /// Longest ordinate.
 const LONGEST: f64 = 34.0;

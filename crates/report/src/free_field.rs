@@ -3,8 +3,8 @@
 
 use tremolite_results::Station;
 
-use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
+use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::free_field_beside::Drawn;
 use crate::free_field_numbers::{AXES, Wave, largest, places};

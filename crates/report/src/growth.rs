@@ -3,8 +3,8 @@
 use tremolite_results::Table;
 
 use crate::apart::{self, Titles};
-use crate::chart::{Line, Mark, Panel, Stroke};
 use crate::damage::heading;
+use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::figure::Section;
 use crate::language::say;
 use crate::scale::Scale;

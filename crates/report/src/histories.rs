@@ -6,8 +6,8 @@ use std::borrow::Cow;
 use tremolite_results::Table;
 
 use crate::apart::{self, Titles};
-use crate::chart::{Line, Mark, Panel, Stroke};
 use crate::contact_monitors::is_on_interface;
+use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::figure::Section;
 use crate::language::{Language, say};
 use crate::of_steps::with_steps;

@@ -1,8 +1,8 @@
 //! Figures of the motion that a case gives: acceleration by component, velocity and displacement, response spectra.
 
-use crate::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::curves::Curves;
 use crate::deconvolved;
+use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::facts::kind_of_motion;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;

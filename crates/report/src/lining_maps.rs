@@ -2,12 +2,12 @@
 
 use tremolite_results::{ElementGroups, Fields, Skin};
 
-use crate::colours::{self, LEVELS, colour, level};
 use crate::contact_panel::{BELOW, ROW, TITLE, frame};
+use crate::drawing::colours::{self, LEVELS, colour, level};
+use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::language::{Language, say};
 use crate::plan::{Bars, LEFT, Plan};
 use crate::sheet_words::{developed, from_left, labels};
-use crate::svg::{Anchor, Style, Svg};
 use crate::unfold::{Sheet, unfold};
 
 /// Above the first panel: the title.

@@ -2,8 +2,8 @@
 
 use tremolite_results::{Cut, Pvd};
 
+use crate::drawing::frame_row::Row;
 use crate::figure::{Figure, Section};
-use crate::frame_row::Row;
 use crate::language::say;
 use crate::scale::{count, trimmed};
 use crate::section_view::{area, plane, points, window};

@@ -2,9 +2,9 @@
 
 use tremolite_results::{Cut, CutCell, Fields, Slice};
 
+use crate::drawing::frame::Frame;
+use crate::drawing::frame_row::Row;
 use crate::figure::Figure;
-use crate::frame::Frame;
-use crate::frame_row::Row;
 use crate::language::{Language, say};
 use crate::scale::{Scale, figures, trimmed};
 use crate::section_view::{Positions, area, borders, on_plane, place, points, window};

@@ -1,9 +1,9 @@
-//! The curves of figures drawn with [`plot`](crate::plot), for the page's script: all over one abscissa.
+//! The curves of figures drawn with [`plot`](crate::drawing::plot), for the page's script: all over one abscissa.
 
-use crate::axes::drawable;
-use crate::chart::Stroke;
 use crate::curves::{Across, Curves, Line, PASSED, Panel};
-use crate::plot::{Curve, Pen};
+use crate::drawing::axes::drawable;
+use crate::drawing::chart::Stroke;
+use crate::drawing::plot::{Curve, Pen};
 
 /// One set of axes.
 pub struct Plot<'a> {

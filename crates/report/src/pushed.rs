@@ -2,15 +2,15 @@
 
 use tremolite_results::{StageSummary, Summary};
 
-use crate::axes::Axes;
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::say;
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
 use crate::scale::Scale;
 use crate::source::Source;
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
 
 /// Way and force, with the axis along which they go.
 const ALONG: [(&str, &str, &str); 3] =

@@ -2,18 +2,18 @@
 
 use tremolite_results::{StageSummary, Summary};
 
-use crate::axes::Axes;
 use crate::convergence::{Point, caverns};
 use crate::curves::{Rule, Side};
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
+use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::say;
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
 use crate::scale::{figures, trimmed};
 use crate::source::Source;
 use crate::stage_name::called;
-use crate::svg::{Anchor, LINES, Style, Svg, text_width};
-use crate::ticks::Ticks;
 use crate::units::Kind;
 
 /// Figures beyond these say nothing new.

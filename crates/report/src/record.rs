@@ -1,12 +1,12 @@
 //! The figure of a record before and after its processing: histories above one another, response spectra below them.
 
-use crate::axes::{Axes, drawable};
-use crate::period_axis::{axis, place};
-use crate::plot::range;
+use crate::drawing::axes::{Axes, drawable};
+use crate::drawing::period_axis::{axis, place};
+use crate::drawing::plot::range;
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
+use crate::drawing::thinning::thin;
+use crate::drawing::ticks::Ticks;
 use crate::scale::{Scale, moment};
-use crate::svg::{Anchor, Style, Svg, text_width};
-use crate::thin::thin;
-use crate::ticks::Ticks;
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 64.0;

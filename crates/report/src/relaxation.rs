@@ -2,17 +2,17 @@
 
 use tremolite_results::Summary;
 
-use crate::axes::Axes;
 use crate::curves::{Curves, Rule, Side};
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
+use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
 use crate::scale::{figures, superscript, trimmed};
 use crate::source::Source;
 use crate::stage_name::name;
-use crate::svg::{Anchor, Style, Svg, text_width};
-use crate::ticks::Ticks;
 
 /// The block; nothing without the file.
 pub fn block(source: &Source, facts: &Summary) -> Option<Block> {

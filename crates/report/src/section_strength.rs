@@ -8,14 +8,14 @@
 
 use tremolite_results::Summary;
 
-use crate::axes::Axes;
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::language::say;
 use crate::lining::{Lining, Station};
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::source::Source;
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
 use crate::units::Kind;
 
 /// Static strengths of a lining's concrete (Pa).

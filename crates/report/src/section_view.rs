@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use indexmap::IndexMap;
 use tremolite_results::{Cut, CutCell};
 
-use crate::frame::Frame;
+use crate::drawing::frame::Frame;
+use crate::drawing::window::Window;
 use crate::language::{Language, say};
 use crate::scale::{figures, trimmed};
-use crate::window::Window;
 
 /// The positions of named points.
 pub type Positions = IndexMap<String, [f64; 3]>;

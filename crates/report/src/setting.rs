@@ -3,8 +3,8 @@
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{AutoEscape, Environment, Value};
 
+use crate::drawing::svg::escape;
 use crate::language::Language;
-use crate::svg::escape;
 
 /// The style sheet of all pages.
 pub const STYLE: &str = include_str!("../template/report.css");

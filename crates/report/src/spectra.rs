@@ -2,9 +2,9 @@
 
 use tremolite_results::Table;
 
+use crate::drawing::plot::Pen;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::{Language, say};
-use crate::plot::Pen;
 use crate::scale::{quantity, trimmed};
 use crate::source::Source;
 use crate::spectra_figure::{AXES, Drawn, Point, Row, figure, moving};

@@ -2,17 +2,17 @@
 
 use tremolite_results::Table;
 
-use crate::axes::Axes;
 use crate::curves::Curves;
+use crate::drawing::axes::Axes;
+use crate::drawing::period_axis::{axis, place};
+use crate::drawing::plot::{self, Curve, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::language::{Language, say};
-use crate::period_axis::{axis, place};
-use crate::plot::{self, Curve, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
 use crate::scale::Scale;
 use crate::source::Source;
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
 use crate::units::Kind;
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];

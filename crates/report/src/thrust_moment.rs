@@ -1,13 +1,13 @@
 //! Figure of moment over thrust at all stations of a lining.
 
-use crate::axes::Axes;
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::force_chart::COLOURS;
 use crate::language::{Language, say};
 use crate::lining::{KILO, Lining, Station};
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
 
 /// Boxes of more stations hide each other.
 const BOXES: usize = 150;

@@ -3,8 +3,8 @@
 use minijinja::Value;
 use tremolite_results::Said;
 
+use crate::drawing::svg::escape;
 use crate::language::Language;
-use crate::svg::escape;
 
 /// A text as HTML, from its pattern. Where the page's language lacks that, as of a program's own observers or in files that
 /// know of no patterns, the English text stands there and says that it is English.

@@ -2,17 +2,17 @@
 
 use tremolite_results::{Deconvolved, Table};
 
-use crate::axes::Axes;
 use crate::curves::{Curves, Rule, Side};
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::free_field_numbers::AXES;
 use crate::language::{Language, say};
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
 use crate::scale::{figures, trimmed};
 use crate::source::Source;
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
 
 /// The share of its value at rest below which a transfer is not inverted.
 const LEAST: f64 = 0.05;

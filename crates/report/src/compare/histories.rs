@@ -4,18 +4,18 @@ use tremolite_results::Table;
 
 use super::Run;
 use super::numbers::head;
-use crate::axes::Axes;
 use crate::curves::Curves;
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::thinning::thin;
+use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::language::{Language, say};
 use crate::pairs::names;
-use crate::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::plotted::{self, Plot};
 use crate::scale::{Scale, figures, moment, trimmed};
-use crate::svg::{Anchor, Style, Svg};
 use crate::text_table::{Cell, TextTable};
-use crate::thin::thin;
-use crate::ticks::Ticks;
 
 /// What is drawn of each monitor and pair, where a run has it.
 const QUANTITIES: [&str; 5] = ["ux", "uy", "uz", "s1", "s3"];

@@ -4,8 +4,8 @@ use super::super::columns::INTERFACE;
 use super::super::figure::{Along, NEGLIGIBLE, Pair, courses, curves, largest, most, spread};
 use tremolite_laws::PairState;
 use tremolite_laws::interface_path::InterfaceResponse;
+use tremolite_report::Strip;
 use tremolite_report::loops::{Course, Loops, Named, Plane, Quantity, Track};
-use tremolite_report::strips::Strip;
 
 /// How far beyond all gaps and closures that carry something a gap that carries nothing is drawn.
 const BEYOND: f64 = 1.25;

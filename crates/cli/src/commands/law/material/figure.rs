@@ -4,8 +4,8 @@ use super::super::columns::MATERIAL;
 use super::super::figure::{Along, NEGLIGIBLE, Pair, courses, curves, largest, most, spread};
 use tremolite_laws::Role;
 use tremolite_laws::path::Response;
+use tremolite_report::Strip;
 use tremolite_report::loops::{Course, Curve, Loops, Named, Plane, Quantity, Track};
-use tremolite_report::strips::Strip;
 
 const COMPONENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "zx"];
 

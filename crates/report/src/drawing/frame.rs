@@ -1,10 +1,10 @@
-//! A map in the plane (x, z) to scale: what is on it. How maps stand side by side is in [`frame_row`](crate::frame_row).
+//! A map in the plane (x, z) to scale: what is on it. How maps stand side by side is in [`frame_row`](crate::drawing::frame_row).
 
-use crate::colours::{self, LEVELS, colour};
-use crate::contours::{bands, line};
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
-use crate::window::Window;
+use crate::drawing::colours::{self, LEVELS, colour};
+use crate::drawing::contours::{bands, line};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
+use crate::drawing::window::Window;
 
 /// Areas of one kind: name, colour and outlines.
 type Kind = (String, &'static str, Vec<Vec<(f64, f64)>>);

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 
-use crate::axes::{Axes, drawable};
+use crate::drawing::axes::{Axes, drawable};
+use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
+use crate::drawing::thinning::thin;
+use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::scale::{Scale, moment};
-use crate::svg::{Anchor, LINES, Style, Svg, text_width};
-use crate::thin::thin;
-use crate::ticks::Ticks;
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;

@@ -1,8 +1,8 @@
 //! Strips: which of several states hold, over time.
 
-use crate::axes::Axes;
-use crate::svg::Svg;
-use crate::ticks::Ticks;
+use crate::drawing::axes::Axes;
+use crate::drawing::svg::Svg;
+use crate::drawing::ticks::Ticks;
 
 /// Height of one strip.
 const PITCH: f64 = 16.0;

@@ -1,6 +1,6 @@
 //! An axis of periods, by their logarithm.
 
-use crate::ticks::Ticks;
+use crate::drawing::ticks::Ticks;
 
 /// Periods that are named (s).
 const NAMED: [(f64, &str); 10] = [

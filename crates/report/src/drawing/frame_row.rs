@@ -1,9 +1,9 @@
 //! Maps of one window beside each other or above each other, with one bar of colours for all.
 
-use crate::colours;
-use crate::frame::Frame;
-use crate::svg::{Anchor, Style, Svg};
-use crate::window::Window;
+use crate::drawing::colours;
+use crate::drawing::frame::Frame;
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::window::Window;
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;

@@ -1,8 +1,8 @@
 //! Axes with lines and dots in display units, for figures whose abscissa is not time.
 
-use crate::axes::{Axes, drawable};
-use crate::svg::{Anchor, LINES, Style, Svg, text_width};
-use crate::ticks::Ticks;
+use crate::drawing::axes::{Axes, drawable};
+use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
+use crate::drawing::ticks::Ticks;
 
 /// Width of a figure.
 pub const WIDTH: f64 = 940.0;

@@ -2,12 +2,12 @@
 
 use std::borrow::Cow;
 
-use crate::axes::{Axes, drawable};
+use crate::drawing::axes::{Axes, drawable};
+use crate::drawing::state_strips::{self, Strip};
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
+use crate::drawing::thinning::thin;
+use crate::drawing::ticks::Ticks;
 use crate::scale::Scale;
-use crate::strips::{self, Strip};
-use crate::svg::{Anchor, Style, Svg, text_width};
-use crate::thin::thin;
-use crate::ticks::Ticks;
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;
@@ -147,7 +147,7 @@ impl Loops<'_> {
                 name,
                 strips.iter().map(|s| (s.name.as_str(), s.colour, false)),
             );
-            let axes = strips::draw(&mut svg, strips, over, (LEFT, WIDTH - RIGHT, top));
+            let axes = state_strips::draw(&mut svg, strips, over, (LEFT, WIDTH - RIGHT, top));
             top = axes.bottom;
             lowest = Some(axes);
         }

@@ -1,7 +1,7 @@
 //! Colours of a map by value, and the bar that says which is which.
 
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 
 /// Steps that a map distinguishes.
 pub const LEVELS: usize = 24;

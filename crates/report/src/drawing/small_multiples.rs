@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::axes::{Axes, drawable};
-use crate::chart::{Line, Panel};
+use crate::drawing::axes::{Axes, drawable};
+use crate::drawing::chart::{Line, Panel};
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
+use crate::drawing::thinning::thin;
+use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::scale::moment;
-use crate::svg::{Anchor, Style, Svg, text_width};
-use crate::thin::thin;
-use crate::ticks::Ticks;
 
 const WIDTH: f64 = 940.0;
 /// Between the left edge of a column and its axis, at least: the numbers.

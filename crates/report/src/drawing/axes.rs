@@ -1,7 +1,7 @@
 //! A pair of axes: their grid, and where a point lies between them.
 
-use crate::svg::{Anchor, Style, Svg};
-use crate::ticks::Ticks;
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
 
 /// A rectangle of a figure with an axis along each direction.
 pub struct Axes {
