@@ -2,11 +2,11 @@
 
 use std::borrow::Cow;
 
-use crate::curves::Curves;
 use crate::drawing::chart::{Chart, Line, Panel};
 use crate::drawing::small_multiples::{Cell, Multiples};
 use crate::figure::Figure;
 use crate::language::Language;
+use crate::script::curves::Curves;
 
 /// More lines than this hide one another.
 const TOGETHER: usize = 4;

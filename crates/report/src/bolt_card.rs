@@ -3,9 +3,9 @@
 use tremolite_results::{BoltSummary, Summary};
 
 use crate::language::say;
-use crate::scale::{count, figures};
+use crate::quantities::scale::{count, figures};
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// The bolt nearest to yield of all groups, or where none yields the one with the largest force: the value and what it is.
 pub fn hardest(source: &Source, facts: &Summary) -> Option<(String, String)> {

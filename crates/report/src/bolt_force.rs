@@ -8,8 +8,8 @@ use crate::drawing::svg::{Anchor, LINES, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::say;
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// Bolts that are longer than this many times another are drawn apart: anchors and bars of a lining would hide the others.
 const ALIKE: f64 = 3.0;

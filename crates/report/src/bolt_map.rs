@@ -6,11 +6,11 @@ use crate::drawing::frame_row::Row;
 use crate::drawing::window::Window;
 use crate::figure::{Block, Figure};
 use crate::language::say;
-use crate::scale::{Scale, figures, trimmed};
+use crate::quantities::scale::{Scale, figures, trimmed};
+use crate::quantities::units::Kind;
 use crate::section_view::{borders, plane};
 use crate::sentences::joined;
 use crate::source::Source;
-use crate::units::Kind;
 
 const GROUND: &str = "#c3cad2";
 /// Room around what bolts reach, as a part of its extent.

@@ -5,10 +5,10 @@ use tremolite_results::{BoltLines, BoltPeak, BoltRow, BoltSummary, EARTHQUAKE, P
 
 use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
-use crate::scale::{count, figures, moment, trimmed};
+use crate::quantities::scale::{count, figures, moment, trimmed};
+use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};
-use crate::units::Kind;
 use crate::{bolt_force, bolt_map, stage_name};
 
 const ID: &str = "bolts";

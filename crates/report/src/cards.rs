@@ -9,9 +9,9 @@ use crate::facts::{Fact, card, duration};
 use crate::interfaces;
 use crate::language::say;
 use crate::pairs::{PairPeaks, held};
-use crate::scale::{figures, moment};
+use crate::quantities::scale::{figures, moment};
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// The few numbers that a reader wants first.
 pub fn key_results(source: &Source) -> Vec<Fact> {

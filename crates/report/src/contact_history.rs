@@ -4,13 +4,13 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
-use crate::curves::Curves;
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
-use crate::scale::{Scale, quantity};
+use crate::quantities::scale::{Scale, quantity};
+use crate::quantities::units::Kind;
+use crate::script::curves::Curves;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// A column, its name, and which colour.
 type Wanted = (&'static str, String, usize);

@@ -8,12 +8,12 @@ use crate::drawing::svg::Svg;
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
 use crate::plan::{Bars, LEFT, Plan};
-use crate::scale::moment;
+use crate::quantities::scale::moment;
+use crate::quantities::units::Kind;
 use crate::sentences::joined;
 use crate::sheet_words::{developed, from_left, labels};
 use crate::source::Source;
 use crate::unfold::{Sheet, unfold};
-use crate::units::Kind;
 
 /// The section of the page; nothing for a run without files of interfaces.
 pub fn section(source: &Source) -> Option<Section> {

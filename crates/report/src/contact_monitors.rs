@@ -7,8 +7,8 @@ use crate::drawing::loops::{Course, Loops, Quantity, Track};
 use crate::drawing::state_strips::Strip;
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// The columns of such a monitor.
 pub const QUANTITIES: [&str; 7] = ["gap", "slip1", "slip2", "pressure", "shear1", "shear2", "state"];

@@ -7,7 +7,7 @@ use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::plan::{BAR, LEFT, Plan, end_walls, marks};
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
 use crate::sheet_words::direction;
 use crate::unfold::Sheet;
 

@@ -4,7 +4,7 @@ use crate::drawing::axes::{Axes, drawable};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;

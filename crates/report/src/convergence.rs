@@ -9,10 +9,10 @@ use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
+use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::stage_name::{called, name};
 use crate::text_table::{Cell, Head, TextTable};
-use crate::units::Kind;
 
 /// Points side by side in one table.
 const ABREAST: usize = 5;

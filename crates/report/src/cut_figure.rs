@@ -5,7 +5,7 @@ use tremolite_results::{Cut, CutCell};
 use crate::drawing::frame_row::Row;
 use crate::figure::Figure;
 use crate::language::say;
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
 use crate::section_view::{Positions, borders, on_plane, place, points, window};
 use crate::sentences::joined;
 use crate::source::Source;

@@ -4,9 +4,9 @@ use serde::Serialize;
 use tremolite_results::{Cracks, Damaged, GroupDamage, Onset, Summary};
 
 use crate::language::{Language, say};
-use crate::scale::{figures, moment, trimmed};
+use crate::quantities::scale::{figures, moment, trimmed};
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// Measures with the same thresholds in all groups whose laws have one of them.
 #[derive(Serialize)]

@@ -9,7 +9,7 @@ use crate::drawing::frame_row::Row;
 use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
 use crate::lining_maps::{self, Sheets};
-use crate::scale::figures;
+use crate::quantities::scale::figures;
 use crate::section_view::{Positions, borders, on_plane, plane, window};
 use crate::sentences::joined;
 use crate::snapshots::Snapshots;

@@ -4,7 +4,7 @@ use tremolite_results::Deconvolved;
 
 use crate::free_field_numbers::percent;
 use crate::language::{Language, say};
-use crate::scale::{figures, quantity, trimmed};
+use crate::quantities::scale::{figures, quantity, trimmed};
 
 /// Where the record was taken, how much of the wave moves that place, and what became of the record: whole sentences.
 pub fn words(language: Language, site: &Deconvolved) -> String {

@@ -6,13 +6,13 @@ use crate::drawing::frame_row::Row;
 use crate::figure::{Figure, Section};
 use crate::language::say;
 use crate::pairs::held;
+use crate::quantities::scale::{figures, moment, trimmed};
+use crate::quantities::units::Kind;
 use crate::relative_motion::{Moved, Rigid, exaggeration};
-use crate::scale::{figures, moment, trimmed};
 use crate::section_view::{Edge, Positions, area, border_sides, on_plane, plane, points, window};
 use crate::sentences::joined;
 use crate::snapshots::Snapshots;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// Room around linings, as a part of their extent: ground that strains with them.
 const MARGIN: f64 = 0.15;

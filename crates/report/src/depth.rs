@@ -8,7 +8,7 @@ use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
 use crate::source::Source;
 
 const AXES: [&str; 3] = ["x", "y", "z"];

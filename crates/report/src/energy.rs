@@ -8,9 +8,9 @@ use crate::apart::{self, Titles};
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::figure::Section;
 use crate::language::{Language, say};
-use crate::scale::figures;
+use crate::quantities::scale::figures;
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// The dark one; the other lines pass it over.
 const ERROR_COLOUR: usize = 3;

@@ -1,6 +1,6 @@
 //! A figure for the page and the folder, or the reason why there is none; chapters made of tables and figures.
 
-use crate::curves::Curves;
+use crate::script::curves::Curves;
 use crate::text_table::TextTable;
 
 /// A section of the page that is drawn.

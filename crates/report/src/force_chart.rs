@@ -1,6 +1,5 @@
 //! Figure of section forces along a lining.
 
-use crate::curves::{Rule, Side};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
@@ -8,8 +7,9 @@ use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::language::{Language, say};
 use crate::lining::{Extreme, KILO, Lining, Station, distance, forces, joints};
-use crate::plotted::{self, Plot};
-use crate::scale::trimmed;
+use crate::quantities::scale::trimmed;
+use crate::script::curves::{Rule, Side};
+use crate::script::plot_curves::{self, Plot};
 
 /// Colours: after the stages, largest, smallest.
 pub const COLOURS: [usize; 3] = [3, 1, 0];
@@ -74,7 +74,7 @@ pub fn figure(
         ends: Some((*ends).into()),
         curves,
     });
-    let mut curves = plotted::curves(&title, &words, "m", &plots.collect::<Vec<_>>());
+    let mut curves = plot_curves::curves(&title, &words, "m", &plots.collect::<Vec<_>>());
     let landmarks = landmarks(language, section).into_iter();
     curves.rules = landmarks.map(|(k, name)| Rule { across: along[k], name, side: Side::Center }).collect();
     let mut caption = say!(

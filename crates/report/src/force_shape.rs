@@ -6,7 +6,7 @@ use crate::figure::Figure;
 use crate::force_chart::COLOURS;
 use crate::language::{Language, say};
 use crate::lining::{Extreme, Lining, Station, forces, joints, kilo};
-use crate::scale::trimmed;
+use crate::quantities::scale::trimmed;
 
 /// Longest ordinate.
 const LONGEST: f64 = 34.0;

@@ -3,7 +3,7 @@
 use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
 use crate::lining::{self, Extreme, Lining, Station, kilo, linings};
-use crate::scale::{moment, trimmed};
+use crate::quantities::scale::{moment, trimmed};
 use crate::section_view::plane;
 use crate::source::Source;
 use crate::text_table::{Cell, Head, TextTable};

@@ -3,7 +3,6 @@
 
 use tremolite_results::Station;
 
-use crate::curves::Curves;
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::free_field_beside::Drawn;
@@ -11,9 +10,10 @@ use crate::free_field_numbers::{AXES, Wave, largest, places};
 use crate::free_field_tables::{of_columns, of_corners};
 use crate::free_field_words::{explained, verdict};
 use crate::language::{Language, say};
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
+use crate::quantities::units::Kind;
+use crate::script::curves::Curves;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// A component this much smaller than the largest does not count as moving: the sides that hold a normal go by the same.
 const IDLE: f64 = 1e-3;

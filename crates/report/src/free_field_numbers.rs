@@ -6,7 +6,7 @@
 use tremolite_results::{Station, Velocities};
 
 use crate::language::{Language, say};
-use crate::scale::figures;
+use crate::quantities::scale::figures;
 use crate::source::Source;
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];

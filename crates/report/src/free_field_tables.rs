@@ -5,7 +5,7 @@ use tremolite_results::{FreeField, Station};
 use crate::free_field_beside::{Drawn, alike, corners};
 use crate::free_field_numbers::{self, AXES, SAME, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
 use crate::text_table::{Cell, Head, TextTable};
 
 /// A peak beside the largest that counts; round-off is none.

@@ -6,7 +6,7 @@ use crate::facts::kind_of_motion;
 use crate::free_field_beside::{Drawn, farthest_from_theory, same};
 use crate::free_field_numbers::{AXES, SAME, Wave, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
-use crate::scale::{Scale, figures, quantity, trimmed};
+use crate::quantities::scale::{Scale, figures, quantity, trimmed};
 use crate::source::Source;
 
 /// Share of the incident wave's peak that the rows should show, for their peaks to be those of the motion.

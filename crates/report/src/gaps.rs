@@ -5,7 +5,7 @@ use tremolite_results::Table;
 use crate::contact_monitors::is_on_interface;
 use crate::facts::duration;
 use crate::language::say;
-use crate::scale::moment;
+use crate::quantities::scale::moment;
 use crate::source::Source;
 
 /// A sentence that names the file, the first such time and a column; nothing where all is well. A history without any number

@@ -7,9 +7,9 @@ use crate::damage::heading;
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::figure::Section;
 use crate::language::say;
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 use crate::widths::width_by_mesh;
 
 /// The section of the page; nothing for a run in which nothing could be damaged.

@@ -12,10 +12,10 @@ use crate::figure::Section;
 use crate::language::{Language, say};
 use crate::of_steps::with_steps;
 use crate::pairs::{difference, from_mean, held, is_pair, names};
-use crate::scale::{figures, quantity};
+use crate::quantities::scale::{figures, quantity};
+use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::strength;
-use crate::units::Kind;
 
 /// Quantities that belong in one figure.
 struct Family {

@@ -1,17 +1,17 @@
 //! Figures of the motion that a case gives: acceleration by component, velocity and displacement, response spectra.
 
-use crate::curves::Curves;
 use crate::deconvolved;
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::facts::kind_of_motion;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
+use crate::quantities::scale::figures;
+use crate::quantities::units::Kind;
 use crate::record_figure;
-use crate::scale::figures;
+use crate::script::curves::Curves;
 use crate::source::Source;
 use crate::spectra;
 use crate::transfer_figure;
-use crate::units::Kind;
 use tremolite_results::Table;
 
 const AXES: [&str; 3] = ["x", "y", "z"];

@@ -4,9 +4,9 @@ use serde::Serialize;
 use tremolite_results::{InterfaceSummary, MaterialValue, PairPeak, Summary};
 
 use crate::language::{Language, say};
-use crate::scale::{count, figures, quantity, trimmed};
+use crate::quantities::scale::{count, figures, quantity, trimmed};
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// All interfaces side by side.
 #[derive(Serialize)]

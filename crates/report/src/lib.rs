@@ -9,7 +9,6 @@
 
 mod apart;
 mod before;
-mod blocks;
 mod bolt_card;
 mod bolt_force;
 mod bolt_map;
@@ -25,7 +24,6 @@ mod contact_panel;
 mod contact_path;
 mod contents;
 mod convergence;
-mod curves;
 mod cut_figure;
 mod damage;
 mod damage_maps;
@@ -63,14 +61,14 @@ mod pairs;
 mod peaks;
 mod plan;
 mod plastic_zones;
-mod plotted;
 mod pushed;
+mod quantities;
 mod reaction;
 pub mod record;
 mod record_figure;
 mod relative_motion;
 mod relaxation;
-mod scale;
+mod script;
 mod section_strength;
 mod section_view;
 mod sentences;
@@ -90,7 +88,6 @@ mod thrust_moment;
 mod told;
 mod transfer_figure;
 mod unfold;
-mod units;
 mod verdict;
 mod view;
 mod widths;
@@ -101,12 +98,12 @@ use std::path::{Path, PathBuf};
 
 use tremolite_results::replace_file;
 
-use crate::blocks::Blocks;
 pub use crate::compare::compare;
 use crate::contents::Content;
 pub use crate::drawing::loops;
 pub use crate::drawing::state_strips::Strip;
 pub use crate::language::Language;
+use crate::script::blocks::Blocks;
 use crate::source::Source;
 
 /// Why no report could be written.
@@ -167,7 +164,7 @@ fn set(source: &Source) -> Result<PathBuf, Error> {
     let words = page::html(source, &sections, 0, String::new())?.len();
     let room =
         page_size::limit(source.facts().model.elements as usize).saturating_sub(words + page_size::VIEW);
-    let (curves, left) = curves::embedded(of_figures, &mut blocks, room);
+    let (curves, left) = script::curves::embedded(of_figures, &mut blocks, room);
     // The view is the part that can be made smaller, so it comes last.
     let rest = words + curves.len() + blocks.elements().len();
     let view = view::embedded(source, &mut blocks, rest);

@@ -5,7 +5,7 @@ use serde::Serialize;
 use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin, Summary};
 
 use crate::language::{Language, say};
-use crate::scale::{count, figures, quantity, trimmed};
+use crate::quantities::scale::{count, figures, quantity, trimmed};
 use crate::told::{known, told};
 
 /// A material and its values.

@@ -5,7 +5,7 @@ use tremolite_results::{Cut, Pvd};
 use crate::drawing::frame_row::Row;
 use crate::figure::{Figure, Section};
 use crate::language::say;
-use crate::scale::{count, trimmed};
+use crate::quantities::scale::{count, trimmed};
 use crate::section_view::{area, plane, points, window};
 use crate::source::Source;
 

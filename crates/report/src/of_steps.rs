@@ -1,8 +1,8 @@
 //! The largest values of all steps, of which the rows that figures draw are a few.
 
 use crate::language::say;
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// A caption, and behind it the largest size that a monitor had in any step of some quantities; loose pieces are left out.
 pub fn with_steps(source: &Source, caption: String, quantities: &[&str], kind: Kind) -> String {

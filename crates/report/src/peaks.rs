@@ -6,9 +6,9 @@ use tremolite_results::Summary;
 use crate::contact_monitors::QUANTITIES;
 use crate::facts::{ByName, duration};
 use crate::language::say;
-use crate::scale::{figures, moment, trimmed};
+use crate::quantities::scale::{figures, moment, trimmed};
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// Peaks of one family of quantities in one unit.
 #[derive(Serialize)]

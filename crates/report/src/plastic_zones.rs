@@ -6,7 +6,7 @@ use crate::drawing::frame::Frame;
 use crate::drawing::frame_row::Row;
 use crate::figure::Figure;
 use crate::language::{Language, say};
-use crate::scale::{Scale, figures, trimmed};
+use crate::quantities::scale::{Scale, figures, trimmed};
 use crate::section_view::{Positions, area, borders, on_plane, place, points, window};
 use crate::sentences::joined;
 

@@ -8,8 +8,8 @@ use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::say;
-use crate::plotted::{self, Plot};
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
+use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
 
 /// Way and force, with the axis along which they go.
@@ -60,7 +60,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &across);
     let plot =
         Plot { title: title.clone(), unit: force.unit.clone(), log: false, ends: None, curves: &curves };
-    let answering = plotted::curves(&heading, &along, &way.unit, &[plot]);
+    let answering = plot_curves::curves(&heading, &along, &way.unit, &[plot]);
     let peak = |course: &Course| {
         let (at, most) = course.points.iter().copied().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
         let (end, left) = *course.points.last()?;

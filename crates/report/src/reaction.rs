@@ -3,18 +3,18 @@
 use tremolite_results::{StageSummary, Summary};
 
 use crate::convergence::{Point, caverns};
-use crate::curves::{Rule, Side};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::say;
-use crate::plotted::{self, Plot};
-use crate::scale::{figures, trimmed};
+use crate::quantities::scale::{figures, trimmed};
+use crate::quantities::units::Kind;
+use crate::script::curves::{Rule, Side};
+use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
 use crate::stage_name::called;
-use crate::units::Kind;
 
 /// Figures beyond these say nothing new.
 const MOST: usize = 6;
@@ -171,7 +171,7 @@ fn figure(
     let along = say!(language, "let go so far");
     svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &format!("{along} (%)"));
     let plot = Plot { title: named, unit: scale.unit.clone(), log: false, ends: None, curves: &curves };
-    let mut answering = plotted::curves(&heading, &along, "%", &[plot]);
+    let mut answering = plot_curves::curves(&heading, &along, "%", &[plot]);
     let rule = |(i, share): (usize, &f64)| Rule {
         across: 100.0 * share,
         name: label(stages, steps.first + i),

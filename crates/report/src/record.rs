@@ -6,7 +6,7 @@ use crate::drawing::plot::range;
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
-use crate::scale::{Scale, moment};
+use crate::quantities::scale::{Scale, moment};
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 64.0;
@@ -93,7 +93,9 @@ impl BeforeAfter<'_> {
                 numbered: true,
                 across: axis(low, high),
                 places: periods.iter().map(|period| place(*period)).collect(),
-                at: &|place| format!("{}\u{a0}s", crate::scale::figures(1e-3 * 10_f64.powf(place), 2)),
+                at: &|place| {
+                    format!("{}\u{a0}s", crate::quantities::scale::figures(1e-3 * 10_f64.powf(place), 2))
+                },
                 up: Ticks::within(0.0, 1.06 * most * pair.scale().factor, 5),
                 height: SPECTRUM,
             };

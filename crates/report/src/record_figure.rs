@@ -1,12 +1,12 @@
 //! Figure of a record that was deconvolved beside what the run made of it at its place.
 
-use crate::curves::Curves;
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::figure::Figure;
 use crate::free_field_numbers::{AXES, interpolated, percent};
 use crate::language::say;
+use crate::quantities::units::Kind;
+use crate::script::curves::Curves;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// Of a monitor with this name, the free field at its own level stands where that at the place of the record would.
 const RECORD: &str = "record";

@@ -2,15 +2,15 @@
 
 use tremolite_results::Summary;
 
-use crate::curves::{Curves, Rule, Side};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
-use crate::plotted::{self, Plot};
-use crate::scale::{figures, superscript, trimmed};
+use crate::quantities::scale::{figures, superscript, trimmed};
+use crate::script::curves::{Curves, Rule, Side};
+use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
 use crate::stage_name::name;
 
@@ -183,7 +183,7 @@ fn answering(
         curves,
     });
     let plots: Vec<Plot> = plots.collect();
-    let mut curves = plotted::curves(title, &say!(language, "cycles of all stages"), "", &plots);
+    let mut curves = plot_curves::curves(title, &say!(language, "cycles of all stages"), "", &plots);
     let rule =
         |span: &Span| Rule { across: span.from, name: full_name(language, span, facts), side: Side::Start };
     curves.rules = spans.iter().map(rule).collect();

@@ -15,8 +15,8 @@ use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::language::say;
 use crate::lining::{Lining, Station};
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// Static strengths of a lining's concrete (Pa).
 #[derive(Clone, Copy, Debug, PartialEq)]

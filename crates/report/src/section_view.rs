@@ -8,7 +8,7 @@ use tremolite_results::{Cut, CutCell};
 use crate::drawing::frame::Frame;
 use crate::drawing::window::Window;
 use crate::language::{Language, say};
-use crate::scale::{figures, trimmed};
+use crate::quantities::scale::{figures, trimmed};
 
 /// The positions of named points.
 pub type Positions = IndexMap<String, [f64; 3]>;

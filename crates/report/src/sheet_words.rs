@@ -4,7 +4,7 @@ use tremolite_results::ElementGroups;
 
 use crate::language::{Language, say};
 use crate::plan::end_walls;
-use crate::scale::trimmed;
+use crate::quantities::scale::trimmed;
 use crate::unfold::Sheet;
 
 /// Puts sheets from left to right as they stand in the ground.

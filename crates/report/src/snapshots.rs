@@ -6,7 +6,7 @@ use tremolite_results::{Fields, Pvd, Snapshot, Status};
 
 use crate::facts::duration;
 use crate::language::say;
-use crate::scale::moment;
+use crate::quantities::scale::moment;
 use crate::source::Source;
 
 /// The field files of the shaking.

@@ -10,8 +10,8 @@ use tremolite_results::{
 use crate::field_files::FieldFiles;
 use crate::language::{Language, say};
 use crate::pairs::is_pair;
-use crate::scale::Scale;
-use crate::units::{Kind, Units};
+use crate::quantities::scale::Scale;
+use crate::quantities::units::{Kind, Units};
 
 /// The content of a result folder; for each file that could not be read, a sentence that says why.
 pub struct Source {

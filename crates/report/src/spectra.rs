@@ -5,11 +5,11 @@ use tremolite_results::Table;
 use crate::drawing::plot::Pen;
 use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::{Language, say};
-use crate::scale::{quantity, trimmed};
+use crate::quantities::scale::{quantity, trimmed};
+use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::spectra_figure::{AXES, Drawn, Point, Row, figure, moving};
 use crate::text_table::{Cell, Head, TextTable};
-use crate::units::Kind;
 
 /// Monitors in one figure: as many as a printed page has room for.
 const ROWS: usize = 6;
@@ -175,7 +175,9 @@ fn peaks(source: &Source, points: &[(Point, Point)], axes_of: &[usize], periods:
             let mut row = vec![std::mem::take(&mut name), Cell::words(AXES[axis])];
             for point in [own, beside] {
                 let (period, value) = point.peak(periods, axis, shortest).unwrap_or((f64::NAN, f64::NAN));
-                row.extend([scale.number(value), crate::scale::figures(period, 2)].map(Cell::number));
+                row.extend(
+                    [scale.number(value), crate::quantities::scale::figures(period, 2)].map(Cell::number),
+                );
             }
             rows.push(row);
         }

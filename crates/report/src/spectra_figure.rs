@@ -2,7 +2,6 @@
 
 use tremolite_results::Table;
 
-use crate::curves::Curves;
 use crate::drawing::axes::Axes;
 use crate::drawing::period_axis::{axis, place};
 use crate::drawing::plot::{self, Curve, Pen, RIGHT, WIDTH};
@@ -10,10 +9,11 @@ use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::language::{Language, say};
-use crate::plotted::{self, Plot};
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
+use crate::quantities::units::Kind;
+use crate::script::curves::Curves;
+use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
-use crate::units::Kind;
 
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// A component this much smaller than the largest does not count as moving.
@@ -174,7 +174,7 @@ impl Sheet {
             ends: Some(self.up.range.into()),
             curves: &cell.curves,
         });
-        let mut curves = plotted::curves(title, &self.period, "s", &plots.collect::<Vec<_>>());
+        let mut curves = plot_curves::curves(title, &self.period, "s", &plots.collect::<Vec<_>>());
         curves.across.log = true;
         curves.heading.clone_from(&self.words);
         curves.abreast = self.abreast;

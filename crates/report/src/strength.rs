@@ -1,7 +1,7 @@
 //! Strengths of the materials, to set stresses beside.
 
+use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::units::Kind;
 
 /// Tensile strength of each material that has one, as one text; nothing where none has.
 pub fn tensile(source: &Source) -> Option<String> {

@@ -4,7 +4,7 @@ use tremolite_results::{Finding, Severity, Summary};
 
 use crate::brief::{NAME, percent, short};
 use crate::language::{Language, say};
-use crate::scale::figures;
+use crate::quantities::scale::figures;
 
 /// A share that hides how much of a block of rock, most of it far from the caverns, has yielded.
 const SMALL: f64 = 0.01;

@@ -2,7 +2,6 @@
 
 use tremolite_results::{Deconvolved, Table};
 
-use crate::curves::{Curves, Rule, Side};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
@@ -10,8 +9,9 @@ use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::free_field_numbers::AXES;
 use crate::language::{Language, say};
-use crate::plotted::{self, Plot};
-use crate::scale::{figures, trimmed};
+use crate::quantities::scale::{figures, trimmed};
+use crate::script::curves::{Curves, Rule, Side};
+use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
 
 /// The share of its value at rest below which a transfer is not inverted.
@@ -136,7 +136,7 @@ impl Drawing {
             ends: Some(self.up.range.into()),
             curves: &self.curves,
         };
-        let mut curves = plotted::curves(title, &self.below, "Hz", &[plot]);
+        let mut curves = plot_curves::curves(title, &self.below, "Hz", &[plot]);
         curves.rules.clone_from(&self.rules);
         curves
     }

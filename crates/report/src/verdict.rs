@@ -6,10 +6,10 @@ use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary}
 use crate::brief::{CHECK, NAME, percent, short};
 use crate::language::{Language, say};
 use crate::pairs::held;
-use crate::scale::{figures, moment};
+use crate::quantities::scale::{figures, moment};
+use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::surroundings::{around, of_rock, yielded};
-use crate::units::Kind;
 
 /// Lines that the verdict may have.
 const LINES: usize = 5;

@@ -26,9 +26,9 @@ use self::encode::Common;
 use self::fit::{fit, size};
 use self::manifest::{Kind, Manifest, Moment, PartData};
 use self::part::Part;
-use crate::blocks::{Blocks, json_element};
 use crate::language::say;
 use crate::page_size::{VIEW, limit};
+use crate::script::blocks::{Blocks, json_element};
 use crate::source::Source;
 
 /// Steps of displacement to each side of the mean where all that i16 holds would take too much.

@@ -4,7 +4,7 @@ use tremolite_results::Status;
 
 use super::Run;
 use crate::language::{Language, say};
-use crate::scale::{moment, trimmed};
+use crate::quantities::scale::{moment, trimmed};
 use crate::source::Source;
 use crate::text_table::Cell;
 

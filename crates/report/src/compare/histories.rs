@@ -4,7 +4,6 @@ use tremolite_results::Table;
 
 use super::Run;
 use super::numbers::head;
-use crate::curves::Curves;
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
@@ -13,8 +12,9 @@ use crate::drawing::ticks::Ticks;
 use crate::figure::Figure;
 use crate::language::{Language, say};
 use crate::pairs::names;
-use crate::plotted::{self, Plot};
-use crate::scale::{Scale, figures, moment, trimmed};
+use crate::quantities::scale::{Scale, figures, moment, trimmed};
+use crate::script::curves::Curves;
+use crate::script::plot_curves::{self, Plot};
 use crate::text_table::{Cell, TextTable};
 
 /// What is drawn of each monitor and pair, where a run has it.
@@ -101,7 +101,7 @@ fn answering(runs: &[Run], monitor: &str, histories: &[History]) -> Curves {
         ends: None,
         curves,
     });
-    plotted::curves(monitor, "", "s", &plots.collect::<Vec<_>>())
+    plot_curves::curves(monitor, "", "s", &plots.collect::<Vec<_>>())
 }
 
 fn figure(runs: &[Run], monitor: &str, histories: &[History], language: Language) -> Figure {

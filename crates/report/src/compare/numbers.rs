@@ -5,7 +5,7 @@ use tremolite_results::{Peaks, Summary, TrustLine};
 use super::Run;
 use crate::facts::ByName;
 use crate::language::{Language, say};
-use crate::scale::{Scale, figures, trimmed};
+use crate::quantities::scale::{Scale, figures, trimmed};
 use crate::text_table::{Cell, Head, TextTable};
 
 /// A table under its heading.

@@ -8,10 +8,10 @@ use super::case_text::{Changes, changes};
 use super::ended::{status, warning};
 use super::histories::{figures_of, parting};
 use super::numbers::{checks, head, tables};
-use crate::blocks::Blocks;
-use crate::curves::embedded;
 use crate::language::{Language, say};
-use crate::scale::{count, quantity, span, trimmed};
+use crate::quantities::scale::{count, quantity, span, trimmed};
+use crate::script::blocks::Blocks;
+use crate::script::curves::embedded;
 use crate::setting::{SCRIPT, STYLE, environment, markup};
 use crate::text_table::{Cell, TextTable};
 

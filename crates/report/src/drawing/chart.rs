@@ -9,7 +9,7 @@ use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::scale::{Scale, moment};
+use crate::quantities::scale::{Scale, moment};
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;

@@ -7,7 +7,7 @@ use crate::drawing::state_strips::{self, Strip};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
 
 const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;

@@ -8,7 +8,7 @@ use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::scale::moment;
+use crate::quantities::scale::moment;
 
 const WIDTH: f64 = 940.0;
 /// Between the left edge of a column and its axis, at least: the numbers.

@@ -6,8 +6,8 @@ use super::faces::Outer;
 use super::labels::label;
 use super::manifest::{Cells, Faces, Field, Group, Kind, PartData, Points};
 use super::part::Part;
-use crate::blocks::Blocks;
 use crate::language::Language;
+use crate::script::blocks::Blocks;
 
 /// In what all parts agree.
 pub struct Common {

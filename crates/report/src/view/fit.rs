@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::manifest::{Kind, PartData};
-use crate::blocks::Blocks;
+use crate::script::blocks::Blocks;
 
 /// What was left out of the ground.
 #[derive(Debug, Default, PartialEq)]

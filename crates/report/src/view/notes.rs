@@ -3,7 +3,7 @@
 use super::fit::LeftOut;
 use super::part::Part;
 use crate::language::{Language, say};
-use crate::scale::figures;
+use crate::quantities::scale::figures;
 
 /// Fields of one value throughout a part.
 pub fn uniform(language: Language, part: &str, fields: &[(String, f32)]) -> Option<String> {

@@ -8,7 +8,7 @@ use tremolite_mesh::{Element, Mesh, Shape};
 use tremolite_results::{Cracks, GroupDamage, Pvd, ResultFolder, Summary};
 
 use super::within;
-use crate::blocks::Blocks;
+use crate::script::blocks::Blocks;
 use crate::source::Source;
 
 const TIMES: usize = 9;

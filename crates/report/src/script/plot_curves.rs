@@ -1,9 +1,9 @@
 //! The curves of figures drawn with [`plot`](crate::drawing::plot), for the page's script: all over one abscissa.
 
-use crate::curves::{Across, Curves, Line, PASSED, Panel};
 use crate::drawing::axes::drawable;
 use crate::drawing::chart::Stroke;
 use crate::drawing::plot::{Curve, Pen};
+use crate::script::curves::{Across, Curves, Line, PASSED, Panel};
 
 /// One set of axes.
 pub struct Plot<'a> {

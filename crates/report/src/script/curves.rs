@@ -10,9 +10,9 @@ use std::collections::BTreeSet;
 use indexmap::IndexMap;
 use serde::Serialize;
 
-use crate::blocks::{Blocks, json_element};
 use crate::drawing::chart::{Chart, Panel as Drawn, Stroke};
 use crate::language::Language;
+use crate::script::blocks::{Blocks, json_element};
 
 /// Of single precision the sign, the exponent and 16 bits: to 8 parts in a million.
 const SHOWN: u32 = !0x7f;

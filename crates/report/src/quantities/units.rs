@@ -2,7 +2,7 @@
 
 use tremolite_results::{Peaks, Summary};
 
-use crate::scale::Scale;
+use crate::quantities::scale::Scale;
 
 /// A quantity that has one unit on the page. Others take the unit that suits their size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

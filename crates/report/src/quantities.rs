@@ -1,0 +1,4 @@
+//! Numbers with their units, as an engineer writes them.
+
+pub mod scale;
+pub mod units;
