@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use crate::drawing::chart::{Chart, Line, Panel};
 use crate::drawing::small_multiples::{Cell, Multiples};
-use crate::figure::Figure;
 use crate::language::Language;
+use crate::page::figure::Figure;
 use crate::script::curves::Curves;
 
 /// More lines than this hide one another.

@@ -2,14 +2,14 @@
 
 use tremolite_results::{StageSummary, Summary};
 
-use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
+use crate::page::figure::{Block, Chapter};
+use crate::page::text_table::{Cell, Head, TextTable};
 use crate::pairs::is_pair;
 use crate::quantities::scale::{count, figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::stage_name::{called, name};
-use crate::text_table::{Cell, Head, TextTable};
 use crate::{convergence, pushed, reaction, relaxation, stage_maps};
 
 /// A sum over the sum of the sizes of its parts, or a value over the largest of its kind, below this is round-off.

@@ -6,8 +6,8 @@ use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, LINES, Style, Svg};
 use crate::drawing::ticks::Ticks;
-use crate::figure::{Block, Figure};
 use crate::language::say;
+use crate::page::figure::{Block, Figure};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 

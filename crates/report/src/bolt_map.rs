@@ -4,12 +4,11 @@ use tremolite_results::{BoltLine, BoltLines, Cut, Pvd};
 
 use crate::drawing::frame_row::Row;
 use crate::drawing::window::Window;
-use crate::figure::{Block, Figure};
 use crate::language::say;
+use crate::page::figure::{Block, Figure};
 use crate::quantities::scale::{Scale, figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::section_view::{borders, plane};
-use crate::sentences::joined;
 use crate::source::Source;
 
 const GROUND: &str = "#c3cad2";
@@ -122,7 +121,7 @@ pub fn block(source: &Source, lines: &BoltLines, when: &str) -> Option<Block> {
         heading: heading.clone(),
         file: "bolts-map.svg".into(),
         svg,
-        caption: joined(language, &said),
+        caption: language.joined(&said),
         curves: None,
     };
     Some(Block { heading, figures: vec![figure], ..Block::default() })

@@ -3,12 +3,12 @@
 use indexmap::IndexMap;
 use tremolite_results::{BoltLines, BoltPeak, BoltRow, BoltSummary, EARTHQUAKE, Pvd, Summary};
 
-use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
+use crate::page::figure::{Block, Chapter};
+use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{count, figures, moment, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::text_table::{Cell, Head, TextTable};
 use crate::{bolt_force, bolt_map, stage_name};
 
 const ID: &str = "bolts";

@@ -5,12 +5,11 @@ use tremolite_results::{ElementGroups, PairSurface, Pvd};
 use crate::contact_history::names;
 use crate::contact_panel::{BELOW, Layer, ROW, TITLE, frame, panel};
 use crate::drawing::svg::Svg;
-use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
+use crate::page::figure::{Figure, Section};
 use crate::plan::{Bars, LEFT, Plan};
 use crate::quantities::scale::moment;
 use crate::quantities::units::Kind;
-use crate::sentences::joined;
 use crate::sheet_words::{developed, from_left, labels};
 use crate::source::Source;
 use crate::unfold::{Sheet, unfold};
@@ -70,7 +69,7 @@ pub fn section(source: &Source) -> Option<Section> {
         heading: heading.clone(),
         file,
         svg,
-        caption: joined(language, &said),
+        caption: language.joined(&said),
         curves: None,
     };
     Some(Section::Drawn(figures.into_iter().map(figure).collect()))

@@ -5,8 +5,8 @@ use tremolite_results::Table;
 use crate::contact_path::Path;
 use crate::drawing::loops::{Course, Loops, Quantity, Track};
 use crate::drawing::state_strips::Strip;
-use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
+use crate::page::figure::{Figure, Section};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 

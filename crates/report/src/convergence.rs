@@ -7,12 +7,12 @@ use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
-use crate::figure::{Block, Figure};
 use crate::language::{Language, say};
+use crate::page::figure::{Block, Figure};
+use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::stage_name::{called, name};
-use crate::text_table::{Cell, Head, TextTable};
 
 /// Points side by side in one table.
 const ABREAST: usize = 5;

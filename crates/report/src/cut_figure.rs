@@ -3,11 +3,10 @@
 use tremolite_results::{Cut, CutCell};
 
 use crate::drawing::frame_row::Row;
-use crate::figure::Figure;
 use crate::language::say;
+use crate::page::figure::Figure;
 use crate::quantities::scale::Scale;
 use crate::section_view::{Positions, borders, on_plane, place, points, window};
-use crate::sentences::joined;
 use crate::source::Source;
 
 /// A cut with what is said of it.
@@ -118,6 +117,6 @@ impl Map<'_> {
         if zero {
             said.push(say!(language, "Blue line: zero."));
         }
-        joined(language, &said)
+        language.joined(&said)
     }
 }

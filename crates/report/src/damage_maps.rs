@@ -6,12 +6,11 @@ use std::rc::Rc;
 use tremolite_results::{Fields, Slice};
 
 use crate::drawing::frame_row::Row;
-use crate::figure::{Figure, Section};
 use crate::language::{Language, say};
 use crate::lining_maps::{self, Sheets};
+use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::figures;
 use crate::section_view::{Positions, borders, on_plane, plane, window};
-use crate::sentences::joined;
 use crate::snapshots::Snapshots;
 use crate::source::Source;
 use crate::thick::Thick;
@@ -192,7 +191,7 @@ impl Scene {
                 heading: heading.into(),
                 file: format!("{file}.svg"),
                 svg,
-                caption: joined(language, &own),
+                caption: language.joined(&own),
                 curves: None,
             });
         }
@@ -204,7 +203,7 @@ impl Scene {
                 heading: heading.into(),
                 file: format!("{file}-unrolled.svg"),
                 svg,
-                caption: joined(language, &said),
+                caption: language.joined(&said),
                 curves: None,
             });
         }

@@ -3,14 +3,13 @@
 use tremolite_results::{Peaks, Slice, Snapshot};
 
 use crate::drawing::frame_row::Row;
-use crate::figure::{Figure, Section};
 use crate::language::say;
+use crate::page::figure::{Figure, Section};
 use crate::pairs::held;
 use crate::quantities::scale::{figures, moment, trimmed};
 use crate::quantities::units::Kind;
 use crate::relative_motion::{Moved, Rigid, exaggeration};
 use crate::section_view::{Edge, Positions, area, border_sides, on_plane, plane, points, window};
-use crate::sentences::joined;
 use crate::snapshots::Snapshots;
 use crate::source::Source;
 
@@ -205,7 +204,7 @@ fn figure(
         heading: heading.into(),
         file: "section-deformed.svg".into(),
         svg,
-        caption: joined(language, &said),
+        caption: language.joined(&said),
         curves: None,
     }
 }

@@ -6,8 +6,8 @@ use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
-use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
+use crate::page::figure::{Block, Chapter, Figure, Section};
 use crate::quantities::scale::Scale;
 use crate::source::Source;
 

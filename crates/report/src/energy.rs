@@ -6,8 +6,8 @@ use tremolite_results::Table;
 
 use crate::apart::{self, Titles};
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
-use crate::figure::Section;
 use crate::language::{Language, say};
+use crate::page::figure::Section;
 use crate::quantities::scale::figures;
 use crate::quantities::units::Kind;
 use crate::source::Source;

@@ -7,10 +7,10 @@ use tremolite_results::{Bound, Finding, PairPlace, Peaks, Said, Severity, Status
 
 use crate::deconvolved;
 use crate::language::{Language, say};
+use crate::page::results_text::{in_english, told};
 use crate::quantities::scale::{count, figures, quantity, span, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::told::{in_english, told};
 
 /// An outcome at the top of the page.
 #[derive(Serialize)]

@@ -2,10 +2,10 @@
 
 use crate::drawing::plot::{self, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
-use crate::figure::Figure;
 use crate::force_chart::COLOURS;
 use crate::language::{Language, say};
 use crate::lining::{Extreme, Lining, Station, forces, joints, kilo};
+use crate::page::figure::Figure;
 use crate::quantities::scale::trimmed;
 
 /// Longest ordinate.

@@ -1,12 +1,12 @@
 //! The chapter on section forces of linings: after the last stage, and between which values they went while the ground shook.
 
-use crate::figure::{Block, Chapter};
 use crate::language::{Language, say};
 use crate::lining::{self, Extreme, Lining, Station, kilo, linings};
+use crate::page::figure::{Block, Chapter};
+use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{moment, trimmed};
 use crate::section_view::plane;
 use crate::source::Source;
-use crate::text_table::{Cell, Head, TextTable};
 use crate::{force_chart, force_shape, section_strength, thrust_moment};
 
 /// The chapter; nothing for a run that wrote no section forces.

@@ -4,12 +4,12 @@
 use tremolite_results::Station;
 
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
-use crate::figure::{Block, Chapter, Figure, Section};
 use crate::free_field_beside::Drawn;
 use crate::free_field_numbers::{AXES, Wave, largest, places};
 use crate::free_field_tables::{of_columns, of_corners};
 use crate::free_field_words::{explained, verdict};
 use crate::language::{Language, say};
+use crate::page::figure::{Block, Chapter, Figure, Section};
 use crate::quantities::scale::Scale;
 use crate::quantities::units::Kind;
 use crate::script::curves::Curves;

@@ -5,8 +5,8 @@ use tremolite_results::{FreeField, Station};
 use crate::free_field_beside::{Drawn, alike, corners};
 use crate::free_field_numbers::{self, AXES, SAME, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
+use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::Scale;
-use crate::text_table::{Cell, Head, TextTable};
 
 /// A peak beside the largest that counts; round-off is none.
 fn peak(values: &[f64], most: f64, scale: &Scale) -> Cell {

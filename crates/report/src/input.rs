@@ -3,8 +3,8 @@
 use crate::deconvolved;
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::facts::kind_of_motion;
-use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::say;
+use crate::page::figure::{Block, Chapter, Figure, Section};
 use crate::quantities::scale::figures;
 use crate::quantities::units::Kind;
 use crate::record_figure;

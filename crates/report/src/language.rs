@@ -54,6 +54,11 @@ impl Language {
         }
     }
 
+    /// Sentences as a paragraph: Chinese sets no space between them.
+    pub(crate) fn joined(self, sentences: &[String]) -> String {
+        sentences.join(if self == Language::Chinese { "" } else { " " })
+    }
+
     /// The pattern in this language; in English where it has none.
     pub fn pattern(self, english: &str) -> &str {
         match self {

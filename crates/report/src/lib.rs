@@ -22,7 +22,6 @@ mod contact_map;
 mod contact_monitors;
 mod contact_panel;
 mod contact_path;
-mod contents;
 mod convergence;
 mod cut_figure;
 mod damage;
@@ -34,7 +33,6 @@ mod drawing;
 mod energy;
 mod facts;
 mod field_files;
-mod figure;
 mod force_chart;
 mod force_shape;
 mod forces;
@@ -56,7 +54,6 @@ mod materials;
 mod mesh_figure;
 mod of_steps;
 mod page;
-mod page_size;
 mod pairs;
 mod peaks;
 mod plan;
@@ -71,8 +68,6 @@ mod relaxation;
 mod script;
 mod section_strength;
 mod section_view;
-mod sentences;
-mod setting;
 mod sheet_words;
 mod snapshots;
 mod source;
@@ -82,10 +77,8 @@ mod stage_maps;
 mod stage_name;
 mod strength;
 mod surroundings;
-mod text_table;
 mod thick;
 mod thrust_moment;
-mod told;
 mod transfer_figure;
 mod unfold;
 mod verdict;
@@ -99,10 +92,10 @@ use std::path::{Path, PathBuf};
 use tremolite_results::replace_file;
 
 pub use crate::compare::compare;
-use crate::contents::Content;
 pub use crate::drawing::loops;
 pub use crate::drawing::state_strips::Strip;
 pub use crate::language::Language;
+use crate::page::contents::Content;
 use crate::script::blocks::Blocks;
 use crate::source::Source;
 
@@ -146,7 +139,7 @@ pub fn write_in(dir: &Path, language: Language) -> Result<PathBuf, Error> {
 
 fn set(source: &Source) -> Result<PathBuf, Error> {
     let mut blocks = Blocks::default();
-    let sections = contents::sections(source, view::is_wanted(source));
+    let sections = page::contents::sections(source, view::is_wanted(source));
     let folder = source.folder.figures();
     fs::create_dir_all(&folder).map_err(|source| Error::Figures { path: folder.clone(), source })?;
     for placed in &sections {
@@ -163,7 +156,7 @@ fn set(source: &Source) -> Result<PathBuf, Error> {
     let of_figures = figures.filter_map(|figure| Some((figure.file.as_str(), figure.curves.as_ref()?)));
     let words = page::html(source, &sections, 0, String::new())?.len();
     let room =
-        page_size::limit(source.facts().model.elements as usize).saturating_sub(words + page_size::VIEW);
+        page::size::limit(source.facts().model.elements as usize).saturating_sub(words + page::size::VIEW);
     let (curves, left) = script::curves::embedded(of_figures, &mut blocks, room);
     // The view is the part that can be made smaller, so it comes last.
     let rest = words + curves.len() + blocks.elements().len();

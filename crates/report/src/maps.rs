@@ -4,8 +4,8 @@
 use crate::cut_figure::Map;
 use crate::damage_maps;
 use crate::deformed;
-use crate::figure::Section;
 use crate::language::say;
+use crate::page::figure::Section;
 use crate::plastic_zones::{Files, Zones};
 use crate::section_view::plane;
 use crate::snapshots::Snapshots;

@@ -5,8 +5,8 @@ use serde::Serialize;
 use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin, Summary};
 
 use crate::language::{Language, say};
+use crate::page::results_text::{known, told};
 use crate::quantities::scale::{count, figures, quantity, trimmed};
-use crate::told::{known, told};
 
 /// A material and its values.
 #[derive(Serialize)]

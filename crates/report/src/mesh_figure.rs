@@ -3,8 +3,8 @@
 use tremolite_results::{Cut, Pvd};
 
 use crate::drawing::frame_row::Row;
-use crate::figure::{Figure, Section};
 use crate::language::say;
+use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::{count, trimmed};
 use crate::section_view::{area, plane, points, window};
 use crate::source::Source;

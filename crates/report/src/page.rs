@@ -1,4 +1,13 @@
 //! The page: the template filled in.
+//!
+//! [`contents`] is its order; [`figure`] and [`text_table`] are what its chapters are made of.
+
+pub mod contents;
+pub mod figure;
+pub mod results_text;
+pub mod size;
+pub mod templates;
+pub mod text_table;
 
 use minijinja::Value;
 use minijinja::value::Serde;
@@ -6,19 +15,19 @@ use serde::Serialize;
 use tremolite_results::Defaulted;
 
 use crate::cards;
-use crate::contents::{Content, Placed};
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::drawing::svg;
 use crate::facts::{self, Check, Fact, Outcome};
-use crate::figure::{Block, Figure, Section};
 use crate::gaps;
 use crate::interfaces::{self, InterfaceTable};
 use crate::language::say;
 use crate::materials::{self, MaterialTable};
+use crate::page::contents::{Content, Placed};
+use crate::page::figure::{Block, Figure, Section};
+use crate::page::templates::{SCRIPT, STYLE, environment, markup};
+use crate::page::text_table::TextTable;
 use crate::peaks::{self, PeakTable};
-use crate::setting::{SCRIPT, STYLE, environment, markup};
 use crate::source::Source;
-use crate::text_table::TextTable;
 use crate::verdict::{self, Verdict};
 use crate::widths::width_by_mesh;
 

@@ -4,11 +4,10 @@ use tremolite_results::{Cut, CutCell, Fields, Slice};
 
 use crate::drawing::frame::Frame;
 use crate::drawing::frame_row::Row;
-use crate::figure::Figure;
 use crate::language::{Language, say};
+use crate::page::figure::Figure;
 use crate::quantities::scale::{Scale, figures, trimmed};
 use crate::section_view::{Positions, area, borders, on_plane, place, points, window};
-use crate::sentences::joined;
 
 /// Colours of kinds of yielding.
 const SHEAR: &str = "#e58a4a";
@@ -159,7 +158,7 @@ impl Zones {
         }
         let title = say!(language, "plastic zones");
         let svg = row.draw(&title, &maps, &say!(language, "a section coloured by element"));
-        (svg, joined(language, &said))
+        (svg, language.joined(&said))
     }
 
     fn strain(
@@ -214,7 +213,7 @@ impl Zones {
             ));
         }
         let title = scale.labelled(&say!(language, "plastic shear strain Γ"));
-        (row.draw(&title, &maps, &say!(language, "a section coloured by element")), joined(language, &said))
+        (row.draw(&title, &maps, &say!(language, "a section coloured by element")), language.joined(&said))
     }
 }
 

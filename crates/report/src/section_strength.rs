@@ -12,9 +12,9 @@ use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
-use crate::figure::Figure;
 use crate::language::say;
 use crate::lining::{Lining, Station};
+use crate::page::figure::Figure;
 use crate::quantities::units::Kind;
 use crate::source::Source;
 

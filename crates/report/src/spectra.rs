@@ -3,13 +3,13 @@
 use tremolite_results::Table;
 
 use crate::drawing::plot::Pen;
-use crate::figure::{Block, Chapter, Figure, Section};
 use crate::language::{Language, say};
+use crate::page::figure::{Block, Chapter, Figure, Section};
+use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{quantity, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::spectra_figure::{AXES, Drawn, Point, Row, figure, moving};
-use crate::text_table::{Cell, Head, TextTable};
 
 /// Monitors in one figure: as many as a printed page has room for.
 const ROWS: usize = 6;

@@ -3,8 +3,8 @@
 use tremolite_results::{Pvd, Summary};
 
 use crate::cut_figure::Map;
-use crate::figure::Block;
 use crate::language::say;
+use crate::page::figure::Block;
 use crate::plastic_zones::{Files, Zones};
 use crate::section_view::plane;
 use crate::source::Source;

@@ -27,7 +27,7 @@ use self::fit::{fit, size};
 use self::manifest::{Kind, Manifest, Moment, PartData};
 use self::part::Part;
 use crate::language::say;
-use crate::page_size::{VIEW, limit};
+use crate::page::size::{VIEW, limit};
 use crate::script::blocks::{Blocks, json_element};
 use crate::source::Source;
 

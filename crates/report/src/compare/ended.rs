@@ -4,9 +4,9 @@ use tremolite_results::Status;
 
 use super::Run;
 use crate::language::{Language, say};
+use crate::page::text_table::Cell;
 use crate::quantities::scale::{moment, trimmed};
 use crate::source::Source;
-use crate::text_table::Cell;
 
 /// How a run ended, in words, and at which of how many seconds where it is not done.
 pub fn status(run: &Run, language: Language) -> Cell {

@@ -9,13 +9,13 @@ use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
-use crate::figure::Figure;
 use crate::language::{Language, say};
+use crate::page::figure::Figure;
+use crate::page::text_table::{Cell, TextTable};
 use crate::pairs::names;
 use crate::quantities::scale::{Scale, figures, moment, trimmed};
 use crate::script::curves::Curves;
 use crate::script::plot_curves::{self, Plot};
-use crate::text_table::{Cell, TextTable};
 
 /// What is drawn of each monitor and pair, where a run has it.
 const QUANTITIES: [&str; 5] = ["ux", "uy", "uz", "s1", "s3"];

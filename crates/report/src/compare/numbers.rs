@@ -5,8 +5,8 @@ use tremolite_results::{Peaks, Summary, TrustLine};
 use super::Run;
 use crate::facts::ByName;
 use crate::language::{Language, say};
+use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{Scale, figures, trimmed};
-use crate::text_table::{Cell, Head, TextTable};
 
 /// A table under its heading.
 pub struct Compared {

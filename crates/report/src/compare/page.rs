@@ -9,11 +9,11 @@ use super::ended::{status, warning};
 use super::histories::{figures_of, parting};
 use super::numbers::{checks, head, tables};
 use crate::language::{Language, say};
+use crate::page::templates::{SCRIPT, STYLE, environment, markup};
+use crate::page::text_table::{Cell, TextTable};
 use crate::quantities::scale::{count, quantity, span, trimmed};
 use crate::script::blocks::Blocks;
 use crate::script::curves::embedded;
-use crate::setting::{SCRIPT, STYLE, environment, markup};
-use crate::text_table::{Cell, TextTable};
 
 const TEMPLATE: &str = include_str!("../../template/compare.html");
 

@@ -1,7 +1,7 @@
 //! A figure for the page and the folder, or the reason why there is none; chapters made of tables and figures.
 
+use crate::page::text_table::TextTable;
 use crate::script::curves::Curves;
-use crate::text_table::TextTable;
 
 /// A section of the page that is drawn.
 pub struct Figure {

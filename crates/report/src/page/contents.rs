@@ -1,8 +1,8 @@
 //! What the page holds, in its order. This is the one place that says so.
 
-use crate::figure::{Chapter, Section};
 use crate::histories::Recorded;
 use crate::language::say;
+use crate::page::figure::{Chapter, Section};
 use crate::source::Source;
 use crate::{
     before, bolts, contact_history, contact_map, contact_monitors, damage, depth, energy, forces, free_field,

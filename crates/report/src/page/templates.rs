@@ -7,10 +7,10 @@ use crate::drawing::svg::escape;
 use crate::language::Language;
 
 /// The style sheet of all pages.
-pub const STYLE: &str = include_str!("../template/report.css");
+pub const STYLE: &str = include_str!("../../template/report.css");
 
 /// The script of all pages, built from `page/src` and checked in.
-pub const SCRIPT: &str = include_str!("../page/dist/page.js");
+pub const SCRIPT: &str = include_str!("../../page/dist/page.js");
 
 /// An environment for templates of pages in a language: everything is escaped but [`markup`]. It knows `t('English text')`
 /// and the filter `dots`.
