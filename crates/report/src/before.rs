@@ -5,10 +5,10 @@ use tremolite_results::{StageSummary, Summary};
 use crate::language::{Language, say};
 use crate::page::figure::{Block, Chapter};
 use crate::page::text_table::{Cell, Head, TextTable};
-use crate::pairs::is_pair;
 use crate::quantities::scale::{count, figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
+use crate::source::monitor_pairs::is_pair;
 use crate::stage_name::{called, name};
 use crate::{convergence, pushed, reaction, relaxation, stage_maps};
 

@@ -8,10 +8,10 @@ use crate::energy::worst_error;
 use crate::facts::{Fact, card, duration};
 use crate::interfaces;
 use crate::language::say;
-use crate::pairs::{PairPeaks, held};
 use crate::quantities::scale::{figures, moment};
 use crate::quantities::units::Kind;
 use crate::source::Source;
+use crate::source::monitor_pairs::{PairPeaks, held};
 
 /// The few numbers that a reader wants first.
 pub fn key_results(source: &Source) -> Vec<Fact> {

@@ -5,13 +5,13 @@ use tremolite_results::{Peaks, Slice, Snapshot};
 use crate::drawing::frame_row::Row;
 use crate::language::say;
 use crate::page::figure::{Figure, Section};
-use crate::pairs::held;
 use crate::quantities::scale::{figures, moment, trimmed};
 use crate::quantities::units::Kind;
 use crate::relative_motion::{Moved, Rigid, exaggeration};
 use crate::section_view::{Edge, Positions, area, border_sides, on_plane, plane, points, window};
 use crate::snapshots::Snapshots;
 use crate::source::Source;
+use crate::source::monitor_pairs::held;
 
 /// Room around linings, as a part of their extent: ground that strains with them.
 const MARGIN: f64 = 0.15;

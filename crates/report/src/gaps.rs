@@ -2,8 +2,8 @@
 
 use tremolite_results::Table;
 
-use crate::contact_monitors::is_on_interface;
 use crate::facts::duration;
+use crate::interfaces::monitors::is_on_interface;
 use crate::language::say;
 use crate::quantities::scale::moment;
 use crate::source::Source;

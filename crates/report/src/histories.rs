@@ -6,15 +6,15 @@ use std::borrow::Cow;
 use tremolite_results::Table;
 
 use crate::apart::{self, Titles};
-use crate::contact_monitors::is_on_interface;
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
+use crate::interfaces::monitors::is_on_interface;
 use crate::language::{Language, say};
 use crate::of_steps::with_steps;
 use crate::page::figure::Section;
-use crate::pairs::{difference, from_mean, held, is_pair, names};
 use crate::quantities::scale::{figures, quantity};
 use crate::quantities::units::Kind;
 use crate::source::Source;
+use crate::source::monitor_pairs::{difference, from_mean, held, is_pair, names};
 use crate::strength;
 
 /// Quantities that belong in one figure.

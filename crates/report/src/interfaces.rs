@@ -1,4 +1,10 @@
-//! What interfaces did, as a table.
+//! What interfaces did: as a table here, over time, developed flat, and at single pairs in the files below.
+
+pub mod history;
+pub mod map;
+pub mod map_panel;
+pub mod monitors;
+pub mod shear_path;
 
 use serde::Serialize;
 use tremolite_results::{InterfaceSummary, MaterialValue, PairPeak, Summary};

@@ -2,9 +2,9 @@
 
 use tremolite_results::{ElementGroups, Fields, Skin};
 
-use crate::contact_panel::{BELOW, ROW, TITLE, frame};
 use crate::drawing::colours::{self, LEVELS, colour, level};
 use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::interfaces::map_panel::{BELOW, ROW, TITLE, frame};
 use crate::language::{Language, say};
 use crate::plan::{Bars, LEFT, Plan};
 use crate::sheet_words::{developed, from_left, labels};

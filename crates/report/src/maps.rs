@@ -1,5 +1,5 @@
 //! The section maps of the page, in the order in which a reader asks: how far linings are damaged, what stresses them, how they
-//! deform, and where rock yielded. Where linings came off the rock is in [`contact_map`](crate::contact_map).
+//! deform, and where rock yielded. Where linings came off the rock is in [`contact_map`](crate::interfaces::map).
 
 use crate::cut_figure::Map;
 use crate::damage_maps;

@@ -3,8 +3,8 @@
 use serde::Serialize;
 use tremolite_results::Summary;
 
-use crate::contact_monitors::QUANTITIES;
 use crate::facts::{ByName, duration};
+use crate::interfaces::monitors::QUANTITIES;
 use crate::language::say;
 use crate::quantities::scale::{figures, moment, trimmed};
 use crate::quantities::units::Kind;

@@ -1,5 +1,8 @@
 //! All that the report knows: what the result files hold, and why a file is of no use where it is not.
 
+pub mod field_files;
+pub mod monitor_pairs;
+
 use std::path::Path;
 
 use indexmap::IndexMap;
@@ -7,11 +10,11 @@ use tremolite_results::{
     BoltRow, FreeField, ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_bolts, read_sections,
 };
 
-use crate::field_files::FieldFiles;
 use crate::language::{Language, say};
-use crate::pairs::is_pair;
 use crate::quantities::scale::Scale;
 use crate::quantities::units::{Kind, Units};
+use crate::source::field_files::FieldFiles;
+use crate::source::monitor_pairs::is_pair;
 
 /// The content of a result folder; for each file that could not be read, a sentence that says why.
 pub struct Source {

@@ -5,10 +5,10 @@ use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary}
 
 use crate::brief::{CHECK, NAME, percent, short};
 use crate::language::{Language, say};
-use crate::pairs::held;
 use crate::quantities::scale::{figures, moment};
 use crate::quantities::units::Kind;
 use crate::source::Source;
+use crate::source::monitor_pairs::held;
 use crate::surroundings::{around, of_rock, yielded};
 
 /// Lines that the verdict may have.

@@ -12,10 +12,10 @@ use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::page::figure::Figure;
 use crate::page::text_table::{Cell, TextTable};
-use crate::pairs::names;
 use crate::quantities::scale::{Scale, figures, moment, trimmed};
 use crate::script::curves::Curves;
 use crate::script::plot_curves::{self, Plot};
+use crate::source::monitor_pairs::names;
 
 /// What is drawn of each monitor and pair, where a run has it.
 const QUANTITIES: [&str; 5] = ["ux", "uy", "uz", "s1", "s3"];

@@ -2,9 +2,9 @@
 
 use tremolite_results::{ElementGroups, PairSurface, Pvd};
 
-use crate::contact_history::names;
-use crate::contact_panel::{BELOW, Layer, ROW, TITLE, frame, panel};
 use crate::drawing::svg::Svg;
+use crate::interfaces::history::names;
+use crate::interfaces::map_panel::{BELOW, Layer, ROW, TITLE, frame, panel};
 use crate::language::{Language, say};
 use crate::page::figure::{Figure, Section};
 use crate::plan::{Bars, LEFT, Plan};

@@ -2,9 +2,9 @@
 
 use tremolite_results::Table;
 
-use crate::contact_path::Path;
 use crate::drawing::loops::{Course, Loops, Quantity, Track};
 use crate::drawing::state_strips::Strip;
+use crate::interfaces::shear_path::Path;
 use crate::language::{Language, say};
 use crate::page::figure::{Figure, Section};
 use crate::quantities::units::Kind;
@@ -33,7 +33,8 @@ pub fn is_on_interface(table: &Table, monitor: &str) -> bool {
 /// The section of the page; nothing where no monitor lies on an interface.
 pub fn section(source: &Source) -> Option<Section> {
     let table = source.monitors.as_ref().ok()?;
-    let monitors = crate::pairs::names(table).into_iter().filter(|name| is_on_interface(table, name));
+    let monitors =
+        crate::source::monitor_pairs::names(table).into_iter().filter(|name| is_on_interface(table, name));
     let both = |(k, name): (usize, String)| {
         let file = |what: &str| format!("interface-{what}-{}.svg", k + 1);
         [figure(source, table, &name, file("monitor")), path(source, table, &name, file("path"))]
