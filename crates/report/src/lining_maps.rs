@@ -2,13 +2,13 @@
 
 use tremolite_results::{ElementGroups, Fields, Skin};
 
+use crate::developed::layout::{Bars, LEFT, Plan};
+use crate::developed::unfold::{Sheet, unfold};
+use crate::developed::words::{developed, from_left, labels};
 use crate::drawing::colours::{self, LEVELS, colour, level};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::interfaces::map_panel::{BELOW, ROW, TITLE, frame};
 use crate::language::{Language, say};
-use crate::plan::{Bars, LEFT, Plan};
-use crate::sheet_words::{developed, from_left, labels};
-use crate::unfold::{Sheet, unfold};
 
 /// Above the first panel: the title.
 const HEADER: f64 = 26.0;

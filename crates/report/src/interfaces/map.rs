@@ -2,17 +2,17 @@
 
 use tremolite_results::{ElementGroups, PairSurface, Pvd};
 
+use crate::developed::layout::{Bars, LEFT, Plan};
+use crate::developed::unfold::{Sheet, unfold};
+use crate::developed::words::{developed, from_left, labels};
 use crate::drawing::svg::Svg;
 use crate::interfaces::history::names;
 use crate::interfaces::map_panel::{BELOW, Layer, ROW, TITLE, frame, panel};
 use crate::language::{Language, say};
 use crate::page::figure::{Figure, Section};
-use crate::plan::{Bars, LEFT, Plan};
 use crate::quantities::scale::moment;
 use crate::quantities::units::Kind;
-use crate::sheet_words::{developed, from_left, labels};
 use crate::source::Source;
-use crate::unfold::{Sheet, unfold};
 
 /// The section of the page; nothing for a run without files of interfaces.
 pub fn section(source: &Source) -> Option<Section> {

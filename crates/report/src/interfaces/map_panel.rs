@@ -2,14 +2,14 @@
 
 use tremolite_results::PairSurface;
 
+use crate::developed::layout::{BAR, LEFT, Plan, end_walls, marks};
+use crate::developed::unfold::Sheet;
+use crate::developed::words::direction;
 use crate::drawing::colours::{self, LEVELS, colour, level};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::plan::{BAR, LEFT, Plan, end_walls, marks};
 use crate::quantities::scale::Scale;
-use crate::sheet_words::direction;
-use crate::unfold::Sheet;
 
 const GREY: &str = "#dfe3e8";
 /// Distance of the lines of hatching.

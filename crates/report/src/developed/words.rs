@@ -2,10 +2,10 @@
 
 use tremolite_results::ElementGroups;
 
+use crate::developed::layout::end_walls;
+use crate::developed::unfold::Sheet;
 use crate::language::{Language, say};
-use crate::plan::end_walls;
 use crate::quantities::scale::trimmed;
-use crate::unfold::Sheet;
 
 /// Puts sheets from left to right as they stand in the ground.
 pub fn from_left(sheets: &mut [Sheet], points: &[[f64; 3]]) {

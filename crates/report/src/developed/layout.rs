@@ -1,7 +1,7 @@
 //! How developed sheets are laid out on a figure.
 
+use crate::developed::unfold::{Flat, Sheet};
 use crate::language::{Language, say};
-use crate::unfold::{Flat, Sheet};
 
 /// Room left of a panel's sheets for numbers, and right of them for the colour bar with its key.
 pub const LEFT: f64 = 52.0;
