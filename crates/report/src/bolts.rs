@@ -1,5 +1,9 @@
 //! The chapter on bolts: what became of each group, what they carried stage by stage, and where they carry most.
 
+pub mod force;
+pub mod key_result;
+pub mod map;
+
 use indexmap::IndexMap;
 use tremolite_results::{BoltLines, BoltPeak, BoltRow, BoltSummary, EARTHQUAKE, Pvd, Summary};
 
@@ -9,7 +13,7 @@ use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{count, figures, moment, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::{bolt_force, bolt_map, stage_name};
+use crate::stage_name;
 
 const ID: &str = "bolts";
 /// Groups side by side in one table.
@@ -42,8 +46,8 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     }
     match last(source) {
         Ok(Last { lines, when, shaken }) => {
-            blocks.extend(bolt_map::block(source, &lines, &when));
-            blocks.extend(bolt_force::block(source, &lines, &facts, (&when, shaken)));
+            blocks.extend(map::block(source, &lines, &when));
+            blocks.extend(force::block(source, &lines, &facts, (&when, shaken)));
         }
         Err(why) => blocks.push(left_out(language, &why)),
     }

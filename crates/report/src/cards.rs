@@ -2,7 +2,7 @@
 
 use tremolite_results::{Peaks, Summary, Table};
 
-use crate::bolt_card;
+use crate::bolts::key_result;
 use crate::damage::opening;
 use crate::energy::worst_error;
 use crate::facts::{Fact, card, duration};
@@ -70,7 +70,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     let extremes = interfaces::extremes(source, &facts).into_iter();
     cards.extend(extremes.map(|(label, value, note)| card(label, value, note)));
     cards.extend(
-        bolt_card::hardest(source, &facts)
+        key_result::hardest(source, &facts)
             .map(|(value, note)| card(say!(language, "Force of the bolt nearest to yield"), value, note)),
     );
     // As the check has it; summaries of other versions leave it to the table.

@@ -9,9 +9,6 @@
 
 mod apart;
 mod before;
-mod bolt_card;
-mod bolt_force;
-mod bolt_map;
 mod bolts;
 mod brief;
 mod cards;
