@@ -2,7 +2,7 @@
 //! deform, and where rock yielded. Where linings came off the rock is in [`contact_map`](crate::interfaces::map).
 
 use crate::cut_figure::Map;
-use crate::damage_maps;
+use crate::damage::maps;
 use crate::deformed;
 use crate::language::say;
 use crate::page::figure::Section;
@@ -17,7 +17,7 @@ const MARGIN: f64 = 0.25;
 /// Damage of the linings, before and after the shaking and by kind; or why there are no maps at all.
 pub fn damage(source: &Source) -> Vec<Section> {
     match readable(source) {
-        Ok(snapshots) => damage_maps::sections(source, &snapshots),
+        Ok(snapshots) => maps::sections(source, &snapshots),
         Err(why) => vec![Section::left_out(&say!(source.language, "Section through the caverns"), why)],
     }
 }

@@ -15,6 +15,7 @@ use serde::Serialize;
 use tremolite_results::Defaulted;
 
 use crate::cards;
+use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::drawing::svg;
 use crate::facts::{self, Check, Fact, Outcome};
@@ -29,7 +30,6 @@ use crate::page::text_table::TextTable;
 use crate::peaks::{self, PeakTable};
 use crate::source::Source;
 use crate::verdict::{self, Verdict};
-use crate::widths::width_by_mesh;
 
 const TEMPLATE: &str = include_str!("../template/report.html");
 

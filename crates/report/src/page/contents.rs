@@ -5,8 +5,7 @@ use crate::language::say;
 use crate::page::figure::{Chapter, Section};
 use crate::source::Source;
 use crate::{
-    before, bolts, damage, depth, energy, forces, free_field, growth, input, interfaces, maps, mesh_figure,
-    spectra,
+    before, bolts, damage, depth, energy, forces, free_field, input, interfaces, maps, mesh_figure, spectra,
 };
 
 /// A section in its place.
@@ -84,7 +83,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.put("stress", recorded.as_ref().map(Recorded::stress));
     page.put("stress-elastic", recorded.as_ref().and_then(Recorded::elastic_stress));
     page.put("damage-map", if shakes { maps::damage(source) } else { Vec::new() });
-    page.put("damage-history", when(shakes, growth::section));
+    page.put("damage-history", when(shakes, damage::growth::section));
     page.put("interface-map", interfaces::map::section(source));
     page.put("interface-history", when(shakes, interfaces::history::section));
     page.put("interface-monitors", when(shakes, interfaces::monitors::section));

@@ -5,15 +5,15 @@ use std::rc::Rc;
 
 use tremolite_results::{Fields, Slice};
 
+use crate::damage::developed_maps::{self, Sheets};
+use crate::damage::thickened::Thick;
 use crate::drawing::frame_row::Row;
 use crate::language::{Language, say};
-use crate::lining_maps::{self, Sheets};
 use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::figures;
 use crate::section_view::{Positions, borders, on_plane, plane, window};
 use crate::snapshots::Snapshots;
 use crate::source::Source;
-use crate::thick::Thick;
 
 const ROCK: &str = "#e4e7eb";
 /// Room around linings, as a part of their extent: nothing else is of a colour.
@@ -197,7 +197,7 @@ impl Scene {
         }
         let maps: Vec<(String, &[f64])> =
             maps.iter().map(|map| (map.title.clone(), map.values.as_slice())).collect();
-        if let Some((svg, more)) = lining_maps::draw(language, &self.sheets, title, &maps, RANGE) {
+        if let Some((svg, more)) = developed_maps::draw(language, &self.sheets, title, &maps, RANGE) {
             said.extend(more);
             figures.push(Figure {
                 heading: heading.into(),

@@ -3,6 +3,7 @@
 use tremolite_results::Table;
 
 use crate::apart::{self, Titles};
+use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::heading;
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::language::say;
@@ -10,7 +11,6 @@ use crate::page::figure::Section;
 use crate::quantities::scale::Scale;
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::widths::width_by_mesh;
 
 /// The section of the page; nothing for a run in which nothing could be damaged.
 pub fn section(source: &Source) -> Option<Section> {
