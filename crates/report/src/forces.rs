@@ -5,7 +5,7 @@ use crate::lining::{self, Extreme, Lining, Station, kilo, linings};
 use crate::page::figure::{Block, Chapter};
 use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{moment, trimmed};
-use crate::section_view::plane;
+use crate::section_maps::section_view::plane;
 use crate::source::Source;
 use crate::{force_chart, force_shape, section_strength, thrust_moment};
 

@@ -2,11 +2,11 @@
 
 use tremolite_results::{Pvd, Summary};
 
-use crate::cut_figure::Map;
 use crate::language::say;
 use crate::page::figure::Block;
-use crate::plastic_zones::{Files, Zones};
-use crate::section_view::plane;
+use crate::section_maps::field_map::Map;
+use crate::section_maps::plastic_zones::{Files, Zones};
+use crate::section_maps::section_view::plane;
 use crate::source::Source;
 use crate::stage_name::called;
 

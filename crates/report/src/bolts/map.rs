@@ -8,7 +8,7 @@ use crate::language::say;
 use crate::page::figure::{Block, Figure};
 use crate::quantities::scale::{Scale, figures, trimmed};
 use crate::quantities::units::Kind;
-use crate::section_view::{borders, plane};
+use crate::section_maps::section_view::{borders, plane};
 use crate::source::Source;
 
 const GROUND: &str = "#c3cad2";

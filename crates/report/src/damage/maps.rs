@@ -11,8 +11,8 @@ use crate::drawing::frame_row::Row;
 use crate::language::{Language, say};
 use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::figures;
-use crate::section_view::{Positions, borders, on_plane, plane, window};
-use crate::snapshots::Snapshots;
+use crate::section_maps::section_view::{Positions, borders, on_plane, plane, window};
+use crate::section_maps::snapshots::Snapshots;
 use crate::source::Source;
 
 const ROCK: &str = "#e4e7eb";

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use tremolite_results::CutCell;
 
 use crate::drawing::window::Window;
-use crate::section_view::{Side, edges, key};
+use crate::section_maps::section_view::{Side, edges, key};
 
 /// Factors by which a lining may be drawn thicker.
 const FACTORS: [f64; 3] = [4.0, 3.0, 2.0];

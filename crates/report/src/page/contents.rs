@@ -5,7 +5,7 @@ use crate::language::say;
 use crate::page::figure::{Chapter, Section};
 use crate::source::Source;
 use crate::{
-    before, bolts, damage, depth, energy, forces, free_field, input, interfaces, maps, mesh_figure, spectra,
+    before, bolts, damage, depth, energy, forces, free_field, input, interfaces, section_maps, spectra,
 };
 
 /// A section in its place.
@@ -73,7 +73,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.set("model-view", say!(language, "The model in three dimensions"), view);
 
     // The paper's figures: 2 and 3, 4, 5, 6, 7 and 8, 9.
-    page.put("section-mesh", mesh_figure::section(source));
+    page.put("section-mesh", section_maps::mesh::section(source));
     page.set("shaking", say!(language, "Earthquake"), source.still().is_some());
     page.put("input", when(shakes, input::section));
     page.put("histories", missing);
@@ -82,12 +82,12 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.put("relative", recorded.as_ref().map(Recorded::relative));
     page.put("stress", recorded.as_ref().map(Recorded::stress));
     page.put("stress-elastic", recorded.as_ref().and_then(Recorded::elastic_stress));
-    page.put("damage-map", if shakes { maps::damage(source) } else { Vec::new() });
+    page.put("damage-map", if shakes { section_maps::damage(source) } else { Vec::new() });
     page.put("damage-history", when(shakes, damage::growth::section));
     page.put("interface-map", interfaces::map::section(source));
     page.put("interface-history", when(shakes, interfaces::history::section));
     page.put("interface-monitors", when(shakes, interfaces::monitors::section));
-    page.put("section", if shakes { maps::sections(source) } else { Vec::new() });
+    page.put("section", if shakes { section_maps::sections(source) } else { Vec::new() });
 
     page.tell(forces::chapter(source));
     page.tell(before::chapter(source));

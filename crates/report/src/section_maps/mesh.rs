@@ -6,7 +6,7 @@ use crate::drawing::frame_row::Row;
 use crate::language::say;
 use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::{count, trimmed};
-use crate::section_view::{area, plane, points, window};
+use crate::section_maps::section_view::{area, plane, points, window};
 use crate::source::Source;
 
 /// Room around what is to be seen, as a part of its extent.

@@ -6,7 +6,7 @@ use crate::drawing::frame_row::Row;
 use crate::language::say;
 use crate::page::figure::Figure;
 use crate::quantities::scale::Scale;
-use crate::section_view::{Positions, borders, on_plane, place, points, window};
+use crate::section_maps::section_view::{Positions, borders, on_plane, place, points, window};
 use crate::source::Source;
 
 /// A cut with what is said of it.

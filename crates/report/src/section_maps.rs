@@ -1,14 +1,21 @@
 //! The section maps of the page, in the order in which a reader asks: how far linings are damaged, what stresses them, how they
-//! deform, and where rock yielded. Where linings came off the rock is in [`contact_map`](crate::interfaces::map).
+//! deform, and where rock yielded. Where linings came off the rock is in [`interfaces::map`](crate::interfaces::map).
 
-use crate::cut_figure::Map;
-use crate::damage::maps;
-use crate::deformed;
+pub mod deformed;
+pub mod field_map;
+pub mod mesh;
+pub mod plastic_zones;
+pub mod relative_motion;
+pub mod section_view;
+pub mod snapshots;
+
+use crate::damage;
 use crate::language::say;
 use crate::page::figure::Section;
-use crate::plastic_zones::{Files, Zones};
-use crate::section_view::plane;
-use crate::snapshots::Snapshots;
+use crate::section_maps::field_map::Map;
+use crate::section_maps::plastic_zones::{Files, Zones};
+use crate::section_maps::section_view::plane;
+use crate::section_maps::snapshots::Snapshots;
 use crate::source::Source;
 
 /// Room around linings, as a part of their extent.
@@ -17,7 +24,7 @@ const MARGIN: f64 = 0.25;
 /// Damage of the linings, before and after the shaking and by kind; or why there are no maps at all.
 pub fn damage(source: &Source) -> Vec<Section> {
     match readable(source) {
-        Ok(snapshots) => maps::sections(source, &snapshots),
+        Ok(snapshots) => damage::maps::sections(source, &snapshots),
         Err(why) => vec![Section::left_out(&say!(source.language, "Section through the caverns"), why)],
     }
 }

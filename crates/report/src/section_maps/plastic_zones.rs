@@ -7,7 +7,7 @@ use crate::drawing::frame_row::Row;
 use crate::language::{Language, say};
 use crate::page::figure::Figure;
 use crate::quantities::scale::{Scale, figures, trimmed};
-use crate::section_view::{Positions, area, borders, on_plane, place, points, window};
+use crate::section_maps::section_view::{Positions, area, borders, on_plane, place, points, window};
 
 /// Colours of kinds of yielding.
 const SHEAR: &str = "#e58a4a";

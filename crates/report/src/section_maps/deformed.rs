@@ -7,9 +7,11 @@ use crate::language::say;
 use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::{figures, moment, trimmed};
 use crate::quantities::units::Kind;
-use crate::relative_motion::{Moved, Rigid, exaggeration};
-use crate::section_view::{Edge, Positions, area, border_sides, on_plane, plane, points, window};
-use crate::snapshots::Snapshots;
+use crate::section_maps::relative_motion::{Moved, Rigid, exaggeration};
+use crate::section_maps::section_view::{
+    Edge, Positions, area, border_sides, on_plane, plane, points, window,
+};
+use crate::section_maps::snapshots::Snapshots;
 use crate::source::Source;
 use crate::source::monitor_pairs::held;
 
@@ -161,7 +163,7 @@ fn figure(
     let undeformed: Vec<Edge> = borders.iter().map(|sides| sides[0].edge).collect();
     frame.outlines(&undeformed);
     // Each side of a border by its own nodes: where an interface opened, two lines part.
-    let drawn = |side: &crate::section_view::Side| {
+    let drawn = |side: &crate::section_maps::section_view::Side| {
         [0, 1].map(|end| {
             let u = rest(side.cell, side.corner + end);
             [0, 1].map(|i| side.edge[end][i] + factor * u[i])
