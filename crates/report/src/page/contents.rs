@@ -5,7 +5,8 @@ use crate::language::say;
 use crate::page::figure::{Chapter, Section};
 use crate::source::Source;
 use crate::{
-    before, bolts, damage, depth, energy, forces, free_field, input, interfaces, section_maps, spectra,
+    before, bolts, damage, depth, energy, free_field, input, interfaces, section_forces, section_maps,
+    spectra,
 };
 
 /// A section in its place.
@@ -89,7 +90,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.put("interface-monitors", when(shakes, interfaces::monitors::section));
     page.put("section", if shakes { section_maps::sections(source) } else { Vec::new() });
 
-    page.tell(forces::chapter(source));
+    page.tell(section_forces::chapter(source));
     page.tell(before::chapter(source));
     page.put("spectra", when(shakes, spectra::section));
     page.put("depth", when(shakes, depth::section));

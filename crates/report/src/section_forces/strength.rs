@@ -13,9 +13,9 @@ use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
-use crate::lining::{Lining, Station};
 use crate::page::figure::Figure;
 use crate::quantities::units::Kind;
+use crate::section_forces::stations::{Lining, Station};
 use crate::source::Source;
 
 /// Static strengths of a lining's concrete (Pa).

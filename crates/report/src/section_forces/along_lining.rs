@@ -5,11 +5,11 @@ use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::lining::{Extreme, KILO, Lining, Station, distance, forces, joints};
 use crate::page::figure::Figure;
 use crate::quantities::scale::trimmed;
 use crate::script::curves::{Rule, Side};
 use crate::script::plot_curves::{self, Plot};
+use crate::section_forces::stations::{Extreme, KILO, Lining, Station, distance, forces, joints};
 
 /// Colours: after the stages, largest, smallest.
 pub const COLOURS: [usize; 3] = [3, 1, 0];

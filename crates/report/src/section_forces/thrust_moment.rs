@@ -4,10 +4,10 @@ use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
-use crate::force_chart::COLOURS;
 use crate::language::{Language, say};
-use crate::lining::{KILO, Lining, Station};
 use crate::page::figure::Figure;
+use crate::section_forces::along_lining::COLOURS;
+use crate::section_forces::stations::{KILO, Lining, Station};
 
 /// Boxes of more stations hide each other.
 const BOXES: usize = 150;

@@ -1,13 +1,18 @@
 //! The chapter on section forces of linings: after the last stage, and between which values they went while the ground shook.
 
+pub mod along_lining;
+pub mod on_shape;
+pub mod stations;
+pub mod strength;
+pub mod thrust_moment;
+
 use crate::language::{Language, say};
-use crate::lining::{self, Extreme, Lining, Station, kilo, linings};
 use crate::page::figure::{Block, Chapter};
 use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{moment, trimmed};
+use crate::section_forces::stations::{Extreme, Lining, Station, kilo, linings};
 use crate::section_maps::section_view::plane;
 use crate::source::Source;
-use crate::{force_chart, force_shape, section_strength, thrust_moment};
 
 /// The chapter; nothing for a run that wrote no section forces.
 pub fn chapter(source: &Source) -> Option<Chapter> {
@@ -53,10 +58,10 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         let (y, section) = lining.section(y);
         let mut block = Block { heading: lining.name.clone(), ..Block::default() };
         let suffix = if number == 0 { String::new() } else { format!("-{}", number + 1) };
-        block.figures.extend(force_shape::figure(language, lining, (y, &section), &suffix));
-        block.figures.extend(force_chart::figure(language, lining, (y, &section), &suffix));
+        block.figures.extend(on_shape::figure(language, lining, (y, &section), &suffix));
+        block.figures.extend(along_lining::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(thrust_moment::figure(language, lining, &section, &suffix));
-        match section_strength::figure(source, lining, &facts, &suffix) {
+        match strength::figure(source, lining, &facts, &suffix) {
             Ok(figure) => block.figures.push(figure),
             Err(why) => block.notes.push(why),
         }
@@ -82,7 +87,7 @@ fn table(language: Language, linings: &[Lining], duration: f64) -> TextTable {
     }
     let mut rows = Vec::new();
     for lining in linings {
-        for (i, force) in lining::forces(language).into_iter().enumerate() {
+        for (i, force) in stations::forces(language).into_iter().enumerate() {
             let label = if i == 0 { lining.name.as_str() } else { "" };
             let mut row = vec![Cell::words(label), Cell::words(force)];
             let after: Vec<_> = lining.stations.iter().map(|s| (s, s.after[i], f64::NAN)).collect();

@@ -2,11 +2,11 @@
 
 use crate::drawing::plot::{self, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
-use crate::force_chart::COLOURS;
 use crate::language::{Language, say};
-use crate::lining::{Extreme, Lining, Station, forces, joints, kilo};
 use crate::page::figure::Figure;
 use crate::quantities::scale::trimmed;
+use crate::section_forces::along_lining::COLOURS;
+use crate::section_forces::stations::{Extreme, Lining, Station, forces, joints, kilo};
 
 /// Longest ordinate.
 const LONGEST: f64 = 34.0;
