@@ -13,7 +13,7 @@ use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{count, figures, moment, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::stage_name;
+use crate::stages;
 
 const ID: &str = "bolts";
 /// Groups side by side in one table.
@@ -184,7 +184,7 @@ fn place(language: Language, peak: &BoltPeak, duration: f64) -> Cell {
             say!(language, "{at}, at\u{a0}{time}\u{a0}s", at = at, time = moment(peak.time, duration))
         }
         stage => {
-            say!(language, "{at}, in {stage}", at = at, stage = stage_name::name(language, stage))
+            say!(language, "{at}, in {stage}", at = at, stage = stages::names::name(language, stage))
         }
     };
     Cell::words(say!(language, "bolt\u{a0}{number}", number = peak.bolt)).with(place)
@@ -215,7 +215,7 @@ fn by_stage(source: &Source, rows: &[BoltRow], facts: &Summary) -> Option<Block>
         let row = |(stage, groups): (&&str, &IndexMap<&str, (f64, f64)>)| {
             let stage = match *stage {
                 EARTHQUAKE => say!(language, "earthquake, largest of its rows"),
-                stage => stage_name::name(language, stage),
+                stage => stages::names::name(language, stage),
             };
             std::iter::once(Cell::words(stage))
                 .chain(names.iter().map(|name| cell(groups.get(name))))

@@ -8,13 +8,11 @@
 //! columns.
 
 mod apart;
-mod before;
 mod bolts;
 mod brief;
 mod cards;
 pub mod chinese;
 mod compare;
-mod convergence;
 mod damage;
 mod deconvolved;
 mod depth;
@@ -36,20 +34,16 @@ mod materials;
 mod of_steps;
 mod page;
 mod peaks;
-mod pushed;
 mod quantities;
-mod reaction;
 pub mod record;
 mod record_figure;
-mod relaxation;
 mod script;
 mod section_forces;
 mod section_maps;
 mod source;
 mod spectra;
 mod spectra_figure;
-mod stage_maps;
-mod stage_name;
+mod stages;
 mod strength;
 mod surroundings;
 mod transfer_figure;

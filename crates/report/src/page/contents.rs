@@ -5,8 +5,8 @@ use crate::language::say;
 use crate::page::figure::{Chapter, Section};
 use crate::source::Source;
 use crate::{
-    before, bolts, damage, depth, energy, free_field, input, interfaces, section_forces, section_maps,
-    spectra,
+    bolts, damage, depth, energy, free_field, input, interfaces, section_forces, section_maps, spectra,
+    stages,
 };
 
 /// A section in its place.
@@ -91,7 +91,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.put("section", if shakes { section_maps::sections(source) } else { Vec::new() });
 
     page.tell(section_forces::chapter(source));
-    page.tell(before::chapter(source));
+    page.tell(stages::chapter(source));
     page.put("spectra", when(shakes, spectra::section));
     page.put("depth", when(shakes, depth::section));
     page.tell(bolts::chapter(source));

@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use tremolite_results::{SectionRow, Summary};
 
 use crate::language::{Language, say};
-use crate::stage_name::called;
+use crate::stages::names::called;
 
 /// Stations whose y differ by less lie in one section (m).
 const SAME: f64 = 0.01;

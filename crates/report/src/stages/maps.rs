@@ -8,7 +8,7 @@ use crate::section_maps::field_map::Map;
 use crate::section_maps::plastic_zones::{Files, Zones};
 use crate::section_maps::section_view::plane;
 use crate::source::Source;
-use crate::stage_name::called;
+use crate::stages::names::called;
 
 /// Room around caverns, as a part of their extent: what they disturb reaches about that far.
 const MARGIN: f64 = 0.6;

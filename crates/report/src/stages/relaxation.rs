@@ -12,7 +12,7 @@ use crate::quantities::scale::{figures, superscript, trimmed};
 use crate::script::curves::{Curves, Rule, Side};
 use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
-use crate::stage_name::name;
+use crate::stages::names::name;
 
 /// The block; nothing without the file.
 pub fn block(source: &Source, facts: &Summary) -> Option<Block> {

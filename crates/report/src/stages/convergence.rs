@@ -12,7 +12,7 @@ use crate::page::figure::{Block, Figure};
 use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::stage_name::{called, name};
+use crate::stages::names::{called, name};
 
 /// Points side by side in one table.
 const ABREAST: usize = 5;

@@ -2,7 +2,6 @@
 
 use tremolite_results::{StageSummary, Summary};
 
-use crate::convergence::{Point, caverns};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
@@ -14,7 +13,8 @@ use crate::quantities::units::Kind;
 use crate::script::curves::{Rule, Side};
 use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
-use crate::stage_name::called;
+use crate::stages::convergence::{Point, caverns};
+use crate::stages::names::called;
 
 /// Figures beyond these say nothing new.
 const MOST: usize = 6;

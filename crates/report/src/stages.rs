@@ -1,5 +1,12 @@
 //! What came before the earthquake: the stages as a table, and the figures of them.
 
+pub mod convergence;
+pub mod force_displacement;
+pub mod ground_reaction;
+pub mod maps;
+pub mod names;
+pub mod relaxation;
+
 use tremolite_results::{StageSummary, Summary};
 
 use crate::language::{Language, say};
@@ -9,8 +16,7 @@ use crate::quantities::scale::{count, figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::source::monitor_pairs::is_pair;
-use crate::stage_name::{called, name};
-use crate::{convergence, pushed, reaction, relaxation, stage_maps};
+use crate::stages::names::{called, name};
 
 /// A sum over the sum of the sizes of its parts, or a value over the largest of its kind, below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
@@ -24,12 +30,12 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         return None;
     }
     let mut blocks = vec![table(source, &facts)];
-    blocks.extend(pushed::block(source, &facts));
+    blocks.extend(force_displacement::block(source, &facts));
     blocks.extend(relaxation::block(source, &facts));
     blocks.extend(convergence::block(source, &facts));
-    blocks.extend(reaction::block(source, &facts));
+    blocks.extend(ground_reaction::block(source, &facts));
     blocks.extend(monitors(source, &facts));
-    blocks.extend(stage_maps::block(source, &facts));
+    blocks.extend(maps::block(source, &facts));
     let heading =
         if source.shakes() { say!(language, "Before the earthquake") } else { say!(language, "Stages") };
     Some(Chapter { id: "before", heading, blocks })
