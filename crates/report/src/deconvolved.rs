@@ -2,7 +2,7 @@
 
 use tremolite_results::Deconvolved;
 
-use crate::free_field_numbers::percent;
+use crate::free_field::numbers::percent;
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, quantity, trimmed};
 

@@ -1,13 +1,19 @@
 //! What came in and what the free field made of it: the wave that was asked for, each column at its surface and base by theory
 //! and as it moved, and the model at its corner farthest from its column.
 
+pub mod at_corners;
+pub mod depth;
+pub mod numbers;
+pub mod tables;
+pub mod words;
+
 use tremolite_results::Station;
 
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
-use crate::free_field_beside::Drawn;
-use crate::free_field_numbers::{AXES, Wave, largest, places};
-use crate::free_field_tables::{of_columns, of_corners};
-use crate::free_field_words::{explained, verdict};
+use crate::free_field::at_corners::Drawn;
+use crate::free_field::numbers::{AXES, Wave, largest, places};
+use crate::free_field::tables::{of_columns, of_corners};
+use crate::free_field::words::{explained, verdict};
 use crate::language::{Language, say};
 use crate::page::figure::{Block, Chapter, Figure, Section};
 use crate::quantities::scale::Scale;

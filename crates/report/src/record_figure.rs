@@ -1,7 +1,7 @@
 //! Figure of a record that was deconvolved beside what the run made of it at its place.
 
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
-use crate::free_field_numbers::{AXES, interpolated, percent};
+use crate::free_field::numbers::{AXES, interpolated, percent};
 use crate::language::say;
 use crate::page::figure::Figure;
 use crate::quantities::units::Kind;

@@ -6,7 +6,7 @@ use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
-use crate::free_field_numbers::AXES;
+use crate::free_field::numbers::AXES;
 use crate::language::{Language, say};
 use crate::page::figure::Figure;
 use crate::quantities::scale::{figures, trimmed};

@@ -5,8 +5,7 @@ use crate::language::say;
 use crate::page::figure::{Chapter, Section};
 use crate::source::Source;
 use crate::{
-    bolts, damage, depth, energy, free_field, input, interfaces, section_forces, section_maps, spectra,
-    stages,
+    bolts, damage, energy, free_field, input, interfaces, section_forces, section_maps, spectra, stages,
 };
 
 /// A section in its place.
@@ -93,7 +92,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.tell(section_forces::chapter(source));
     page.tell(stages::chapter(source));
     page.put("spectra", when(shakes, spectra::section));
-    page.put("depth", when(shakes, depth::section));
+    page.put("depth", when(shakes, free_field::depth::section));
     page.tell(bolts::chapter(source));
     page.put("free-field", when(shakes, free_field::section));
     page.put("velocity", recorded.as_ref().map(Recorded::velocity));

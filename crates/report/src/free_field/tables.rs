@@ -2,8 +2,8 @@
 
 use tremolite_results::{FreeField, Station};
 
-use crate::free_field_beside::{Drawn, alike, corners};
-use crate::free_field_numbers::{self, AXES, SAME, from_column, from_theory, largest, percent, places};
+use crate::free_field::at_corners::{Drawn, alike, corners};
+use crate::free_field::numbers::{self, AXES, SAME, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
 use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::Scale;
@@ -36,7 +36,7 @@ fn has(station: &Station, axis: usize) -> bool {
 }
 
 fn largest_of(station: &Station) -> f64 {
-    free_field_numbers::peak(station, |of| &of.measured)
+    numbers::peak(station, |of| &of.measured)
 }
 
 /// Peaks of all columns that differ, beside theory.

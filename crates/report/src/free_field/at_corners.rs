@@ -2,7 +2,7 @@
 
 use tremolite_results::{FreeField, Station};
 
-use crate::free_field_numbers::{SAME, from_column, from_theory, largest, peak};
+use crate::free_field::numbers::{SAME, from_column, from_theory, largest, peak};
 use crate::language::{Language, say};
 
 /// The model at one of its corners, or its mean over them, beside a column.

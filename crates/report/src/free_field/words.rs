@@ -3,8 +3,8 @@
 use tremolite_results::{FreeField, Station};
 
 use crate::facts::kind_of_motion;
-use crate::free_field_beside::{Drawn, farthest_from_theory, same};
-use crate::free_field_numbers::{AXES, SAME, Wave, from_column, from_theory, largest, percent, places};
+use crate::free_field::at_corners::{Drawn, farthest_from_theory, same};
+use crate::free_field::numbers::{AXES, SAME, Wave, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
 use crate::quantities::scale::{Scale, figures, quantity, trimmed};
 use crate::source::Source;
