@@ -5,7 +5,7 @@ use minijinja::Value;
 use serde::Serialize;
 use tremolite_results::{Bound, Finding, PairPlace, Peaks, Said, Severity, Status, Summary, TrustLine, said};
 
-use crate::deconvolved;
+use crate::input::deconvolved;
 use crate::language::{Language, say};
 use crate::page::results_text::{in_english, told};
 use crate::quantities::scale::{count, figures, quantity, span, trimmed};

@@ -1,18 +1,21 @@
 //! Figures of the motion that a case gives: acceleration by component, velocity and displacement, response spectra.
 
-use crate::deconvolved;
+pub mod deconvolved;
+pub mod processing;
+pub mod record_at_place;
+pub mod transfer;
+
+use tremolite_results::Table;
+
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::facts::kind_of_motion;
 use crate::language::say;
 use crate::page::figure::{Block, Chapter, Figure, Section};
 use crate::quantities::scale::figures;
 use crate::quantities::units::Kind;
-use crate::record_figure;
 use crate::script::curves::Curves;
 use crate::source::Source;
 use crate::spectra;
-use crate::transfer_figure;
-use tremolite_results::Table;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// Of the largest component: what a record that is turned into the model's axes leaves along one that it does not have.
@@ -107,9 +110,9 @@ pub fn section(source: &Source) -> Option<Section> {
         figures.push(drawn(drift, &title, "input-drift.svg", words));
     }
     let axes_of: Vec<usize> = accelerations.iter().map(|(axis, _)| *axis).collect();
-    let (transfer, notes) = transfer_figure::figure(source, &axes_of);
+    let (transfer, notes) = transfer::figure(source, &axes_of);
     figures.extend(transfer);
-    figures.extend(record_figure::figure(source, &moving(table, "v")));
+    figures.extend(record_at_place::figure(source, &moving(table, "v")));
     figures.extend(spectra::of_input(source));
     let blocks = vec![Block { figures, notes, ..Block::default() }];
     Some(Section::Told(Chapter { id: "input", heading, blocks }))

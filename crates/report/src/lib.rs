@@ -4,7 +4,7 @@
 //! network and no scripts, prints on A4, and follows the reader's choice of a light or dark screen. What a file or
 //! column does not give is left out with a sentence that says why.
 //!
-//! [`loops`] draws what comes of a law driven along a path, [`record`] a record before and after its processing; both from plain
+//! [`loops`] draws what comes of a law driven along a path, [`processing`] a record before and after its processing; both from plain
 //! columns.
 
 mod apart;
@@ -14,7 +14,6 @@ mod cards;
 pub mod chinese;
 mod compare;
 mod damage;
-mod deconvolved;
 mod developed;
 mod drawing;
 mod energy;
@@ -30,18 +29,14 @@ mod of_steps;
 mod page;
 mod peaks;
 mod quantities;
-pub mod record;
-mod record_figure;
 mod script;
 mod section_forces;
 mod section_maps;
 mod source;
 mod spectra;
-mod spectra_figure;
 mod stages;
 mod strength;
 mod surroundings;
-mod transfer_figure;
 mod verdict;
 mod view;
 
@@ -54,6 +49,7 @@ use tremolite_results::replace_file;
 pub use crate::compare::compare;
 pub use crate::drawing::loops;
 pub use crate::drawing::state_strips::Strip;
+pub use crate::input::processing;
 pub use crate::language::Language;
 use crate::page::contents::Content;
 use crate::script::blocks::Blocks;

@@ -1,5 +1,7 @@
 //! Response spectra: of the motion that comes in, and of the monitors beside the free field's.
 
+pub mod figure;
+
 use tremolite_results::Table;
 
 use crate::drawing::plot::Pen;
@@ -9,7 +11,7 @@ use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{quantity, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::spectra_figure::{AXES, Drawn, Point, Row, figure, moving};
+use crate::spectra::figure::{AXES, Drawn, Point, Row, figure, moving};
 
 /// Monitors in one figure: as many as a printed page has room for.
 const ROWS: usize = 6;

@@ -1,7 +1,7 @@
 //! A channel before and after its processing, as a figure.
 
 use tremolite_motion::{Channel, Error, Process, cumulative_trapezoid, default_periods, pseudo_acceleration};
-use tremolite_report::record::{BeforeAfter, Pair};
+use tremolite_report::processing::{BeforeAfter, Pair};
 
 /// The figure as SVG: histories of acceleration, velocity and displacement, integrated from rest, and response spectra. Of
 /// counts the history alone, since nothing more is known of them. `before` is the record less its mean, which the legend says.
