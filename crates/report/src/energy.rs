@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
-use crate::apart::{self, Titles};
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
+use crate::histories::legible::{self, Titles};
 use crate::language::{Language, say};
 use crate::page::figure::Section;
 use crate::quantities::scale::figures;
@@ -230,5 +230,5 @@ pub fn section(source: &Source) -> Section {
     }
     let caption = said.into_iter().reduce(|a, b| join(language, &a, &b)).unwrap_or_default();
     let titles = Titles { heading: &heading, file: "energy", caption: &caption };
-    Section::Drawn(apart::figures(language, &titles, table.column("time").unwrap_or(&[]), panels))
+    Section::Drawn(legible::figures(language, &titles, table.column("time").unwrap_or(&[]), panels))
 }

@@ -1,21 +1,25 @@
 //! Figures of what the monitors recorded: displacement, differences, stress, velocity, acceleration, and whatever
 //! else the table holds.
 
+pub mod gaps;
+pub mod largest_of_steps;
+pub mod legible;
+pub mod tensile_strengths;
+
 use std::borrow::Cow;
 
 use tremolite_results::Table;
 
-use crate::apart::{self, Titles};
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
+use crate::histories::largest_of_steps::with_steps;
+use crate::histories::legible::Titles;
 use crate::interfaces::monitors::is_on_interface;
 use crate::language::{Language, say};
-use crate::of_steps::with_steps;
 use crate::page::figure::Section;
 use crate::quantities::scale::{figures, quantity};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::source::monitor_pairs::{difference, from_mean, held, is_pair, names};
-use crate::strength;
 
 /// Quantities that belong in one figure.
 struct Family {
@@ -229,7 +233,7 @@ impl<'a> Recorded<'a> {
     pub fn stress(&self) -> Section {
         let language = self.source.language;
         let mut caption = say!(language, "Tension is positive.");
-        if let Some(strengths) = strength::tensile(self.source) {
+        if let Some(strengths) = tensile_strengths::tensile(self.source) {
             caption = say!(
                 language,
                 "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Fast loading raises it, and \
@@ -367,7 +371,7 @@ impl<'a> Recorded<'a> {
 
     fn drawn(&self, titles: &Titles<'_>, panels: Vec<Panel<'_>>) -> Section {
         let time = self.table.column("time").unwrap_or(&[]);
-        Section::Drawn(apart::figures(self.source.language, titles, time, panels))
+        Section::Drawn(legible::figures(self.source.language, titles, time, panels))
     }
 
     fn family<'h>(&self, family: Family, of: impl Fn(&str) -> Histories<'h>) -> Section {

@@ -7,7 +7,6 @@
 //! [`loops`] draws what comes of a law driven along a path, [`processing`] a record before and after its processing; both from plain
 //! columns.
 
-mod apart;
 mod bolts;
 mod brief;
 mod cards;
@@ -19,13 +18,11 @@ mod drawing;
 mod energy;
 mod facts;
 mod free_field;
-mod gaps;
 mod histories;
 mod input;
 mod interfaces;
 pub mod language;
 mod materials;
-mod of_steps;
 mod page;
 mod peaks;
 mod quantities;
@@ -35,7 +32,6 @@ mod section_maps;
 mod source;
 mod spectra;
 mod stages;
-mod strength;
 mod surroundings;
 mod verdict;
 mod view;

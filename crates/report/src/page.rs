@@ -19,7 +19,7 @@ use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::drawing::svg;
 use crate::facts::{self, Check, Fact, Outcome};
-use crate::gaps;
+use crate::histories::gaps;
 use crate::interfaces::{self, InterfaceTable};
 use crate::language::say;
 use crate::materials::{self, MaterialTable};

@@ -2,10 +2,10 @@
 
 use tremolite_results::Table;
 
-use crate::apart::{self, Titles};
 use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::heading;
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
+use crate::histories::legible::{self, Titles};
 use crate::language::say;
 use crate::page::figure::Section;
 use crate::quantities::scale::Scale;
@@ -32,7 +32,7 @@ pub fn section(source: &Source) -> Option<Section> {
     );
     let caption = say!(language, "{first} {second}", first = first, second = width_by_mesh(language));
     let titles = Titles { heading: &heading, file: "damage", caption: &caption };
-    Some(Section::Drawn(apart::figures(language, &titles, time, panels)))
+    Some(Section::Drawn(legible::figures(language, &titles, time, panels)))
 }
 
 /// A panel for each measure that rose in some group; a group keeps its colour.
