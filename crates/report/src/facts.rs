@@ -1,5 +1,9 @@
 //! What the page says in words and numbers: outcome, trust, the model, the run.
 
+pub mod key_results;
+pub mod materials;
+pub mod peaks;
+
 use indexmap::IndexMap;
 use minijinja::Value;
 use serde::Serialize;

@@ -8,8 +8,6 @@
 //! columns.
 
 mod bolts;
-mod brief;
-mod cards;
 pub mod chinese;
 mod compare;
 mod damage;
@@ -22,9 +20,7 @@ mod histories;
 mod input;
 mod interfaces;
 pub mod language;
-mod materials;
 mod page;
-mod peaks;
 mod quantities;
 mod script;
 mod section_forces;
@@ -32,7 +28,6 @@ mod section_maps;
 mod source;
 mod spectra;
 mod stages;
-mod surroundings;
 mod verdict;
 mod view;
 

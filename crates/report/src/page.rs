@@ -14,20 +14,20 @@ use minijinja::value::Serde;
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
-use crate::cards;
 use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::drawing::svg;
+use crate::facts::key_results::key_results;
+use crate::facts::materials::{self, MaterialTable};
+use crate::facts::peaks::{self, PeakTable};
 use crate::facts::{self, Check, Fact, Outcome};
 use crate::histories::gaps;
 use crate::interfaces::{self, InterfaceTable};
 use crate::language::say;
-use crate::materials::{self, MaterialTable};
 use crate::page::contents::{Content, Placed};
 use crate::page::figure::{Block, Figure, Section};
 use crate::page::templates::{SCRIPT, STYLE, environment, markup};
 use crate::page::text_table::TextTable;
-use crate::peaks::{self, PeakTable};
 use crate::source::Source;
 use crate::verdict::{self, Verdict};
 
@@ -135,7 +135,7 @@ pub fn html(
         verdict: verdict::verdict(source),
         outcome: facts::outcome(source),
         findings: facts::findings(language, &summary),
-        cards: cards::key_results(source),
+        cards: key_results(source),
         checks: facts::checks(language, &summary),
         warnings: facts::warnings(language, &summary),
         model: facts::model(source, &summary),

@@ -1,15 +1,18 @@
 //! The verdict: whether the lining stands, in five lines at most, from what the summary found.
 
+pub mod short_names;
+pub mod surroundings;
+
 use serde::Serialize;
 use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary};
 
-use crate::brief::{CHECK, NAME, percent, short};
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, moment};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::source::monitor_pairs::held;
-use crate::surroundings::{around, of_rock, yielded};
+use crate::verdict::short_names::{CHECK, NAME, percent, short};
+use crate::verdict::surroundings::{around, of_rock, yielded};
 
 /// Lines that the verdict may have.
 const LINES: usize = 5;

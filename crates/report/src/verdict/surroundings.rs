@@ -2,9 +2,9 @@
 
 use tremolite_results::{Finding, Severity, Summary};
 
-use crate::brief::{NAME, percent, short};
 use crate::language::{Language, say};
 use crate::quantities::scale::figures;
+use crate::verdict::short_names::{NAME, percent, short};
 
 /// A share that hides how much of a block of rock, most of it far from the caverns, has yielded.
 const SMALL: f64 = 0.01;
