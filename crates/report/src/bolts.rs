@@ -1,8 +1,8 @@
 //! The chapter on bolts: what became of each group, what they carried stage by stage, and where they carry most.
 
-pub mod force;
+mod force;
 pub mod key_result;
-pub mod map;
+mod map;
 
 use indexmap::IndexMap;
 use tremolite_results::{BoltLines, BoltPeak, BoltRow, BoltSummary, EARTHQUAKE, Pvd, Summary};

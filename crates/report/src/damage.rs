@@ -1,10 +1,10 @@
 //! How far the groups of elements are damaged or yielded, as tables.
 
 pub mod crack_widths;
-pub mod developed_maps;
+mod developed_maps;
 pub mod growth;
 pub mod maps;
-pub mod thickened;
+mod thickened;
 
 use serde::Serialize;
 use tremolite_results::{Cracks, Damaged, GroupDamage, Onset, Summary};

@@ -7,7 +7,7 @@
 pub mod axes;
 pub mod chart;
 pub mod colours;
-pub mod contours;
+mod contours;
 pub mod frame;
 pub mod frame_row;
 pub mod loops;

@@ -1,16 +1,16 @@
 //! What came in and what the free field made of it: the wave that was asked for, each column at its surface and base by theory
 //! and as it moved, and the model at its corner farthest from its column.
 
-pub mod at_corners;
+mod at_corners;
 pub mod depth;
 pub mod numbers;
-pub mod tables;
-pub mod words;
+mod tables;
+mod words;
 
 use tremolite_results::Station;
 
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
-use crate::free_field::at_corners::Drawn;
+use crate::free_field::at_corners::DrawnCorner;
 use crate::free_field::numbers::{AXES, Wave, largest, places};
 use crate::free_field::tables::{of_columns, of_corners};
 use crate::free_field::words::{explained, verdict};
@@ -55,7 +55,7 @@ pub fn section(source: &Source) -> Option<Section> {
     }
     let first = (0..3).filter(|&axis| sizes[axis] > 0.0).max_by(|&a, &b| sizes[a].total_cmp(&sizes[b]));
     let first = first.unwrap_or(0);
-    let drawn = Drawn::of(language, found);
+    let drawn = DrawnCorner::of(language, found);
     let size = |axis: usize| sizes[axis].max(drawn.largest(axis));
     let moving: Vec<usize> =
         (0..3).filter(|&axis| sizes[axis] > IDLE * most || size(axis) > SCATTERED * most).collect();
@@ -111,7 +111,7 @@ pub fn section(source: &Source) -> Option<Section> {
 fn panels<'a>(
     language: Language,
     wave: &'a Wave,
-    drawn: &Drawn<'a>,
+    drawn: &DrawnCorner<'a>,
     (moving, scale): (&[usize], &Scale),
 ) -> Vec<Panel<'a>> {
     let mut panels = Vec::new();

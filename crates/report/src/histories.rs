@@ -2,9 +2,9 @@
 //! else the table holds.
 
 pub mod gaps;
-pub mod largest_of_steps;
+mod largest_of_steps;
 pub mod legible;
-pub mod tensile_strengths;
+mod tensile_strengths;
 
 use std::borrow::Cow;
 

@@ -2,8 +2,8 @@
 
 pub mod deconvolved;
 pub mod processing;
-pub mod record_at_place;
-pub mod transfer;
+mod record_at_place;
+mod transfer;
 
 use tremolite_results::Table;
 

@@ -4,7 +4,7 @@ pub mod history;
 pub mod map;
 pub mod map_panel;
 pub mod monitors;
-pub mod shear_path;
+mod shear_path;
 
 use serde::Serialize;
 use tremolite_results::{InterfaceSummary, MaterialValue, PairPeak, Summary};

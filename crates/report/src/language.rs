@@ -39,7 +39,7 @@ impl FromStr for Language {
 
 impl Language {
     /// As BCP 47 has it.
-    pub fn code(self) -> &'static str {
+    pub(crate) fn code(self) -> &'static str {
         match self {
             Language::English => "en",
             Language::Chinese => "zh-CN",
@@ -47,7 +47,7 @@ impl Language {
     }
 
     /// The pattern in this language; nothing where it has none, as for texts of a program's own observers.
-    pub fn known(self, english: &str) -> Option<&str> {
+    pub(crate) fn known(self, english: &str) -> Option<&str> {
         match self {
             Language::English => None,
             Language::Chinese => CHINESE.get(english).copied(),
@@ -60,7 +60,7 @@ impl Language {
     }
 
     /// The pattern in this language; in English where it has none.
-    pub fn pattern(self, english: &str) -> &str {
+    pub(crate) fn pattern(self, english: &str) -> &str {
         match self {
             Language::English => english,
             Language::Chinese => CHINESE.get(english).copied().unwrap_or(english),
@@ -73,17 +73,17 @@ impl Language {
     }
 
     /// A sentence of a result file.
-    pub fn tell(self, said: &Said) -> String {
+    pub(crate) fn tell(self, said: &Said) -> String {
         said.set(&|english| self.pattern(english).to_owned())
     }
 
     /// A sentence of a result file as plain text, or the English beside it where this language lacks a pattern of it.
-    pub fn tell_or(self, said: &Said, english: &str) -> String {
+    pub(crate) fn tell_or(self, said: &Said, english: &str) -> String {
         if said.is_empty() || !self.knows(said) { english.to_owned() } else { self.tell(said) }
     }
 
     /// A pattern with its slots filled. By the macro `say!`.
-    pub fn fill(self, english: &str, slots: &[(&str, &dyn Display)]) -> String {
+    pub(crate) fn fill(self, english: &str, slots: &[(&str, &dyn Display)]) -> String {
         let slot =
             |name: &str| slots.iter().find(|(known, _)| *known == name).map(|(_, value)| value.to_string());
         filled(self.pattern(english), slot)

@@ -19,7 +19,7 @@ mod free_field;
 mod histories;
 mod input;
 mod interfaces;
-pub mod language;
+mod language;
 mod page;
 mod quantities;
 mod script;

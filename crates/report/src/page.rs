@@ -53,7 +53,7 @@ struct Page {
     cracks: Vec<CrackRow>,
     interfaces: Option<InterfaceTable>,
     /// In their order.
-    sections: Vec<Part>,
+    sections: Vec<PagePart>,
     /// What to say in the place of the shaking; nothing where there is one.
     still: Option<String>,
     peaks: Vec<PeakTable>,
@@ -84,24 +84,24 @@ struct Paragraph {
     lead: String,
     text: String,
     tables: Vec<TextTable>,
-    figures: Vec<Drawing>,
+    figures: Vec<PageDrawing>,
     notes: Vec<String>,
 }
 
 /// One section: what the template sets by its id; or figures, or blocks with tables and figures, or the reason for having
 /// none.
 #[derive(Default, Serialize)]
-struct Part {
+struct PagePart {
     id: String,
     heading: String,
     template: bool,
     why: String,
-    figures: Vec<Drawing>,
+    figures: Vec<PageDrawing>,
     blocks: Vec<Paragraph>,
 }
 
 #[derive(Serialize)]
-struct Drawing {
+struct PageDrawing {
     /// The name by which the manifest of the curves knows it; empty for a figure without.
     curves: String,
     svg: Value,
@@ -239,16 +239,16 @@ fn paragraph(block: &Block) -> Paragraph {
     }
 }
 
-fn part(placed: &Placed) -> Part {
-    let part = Part { id: placed.id.clone(), heading: placed.heading.clone(), ..Part::default() };
+fn part(placed: &Placed) -> PagePart {
+    let part = PagePart { id: placed.id.clone(), heading: placed.heading.clone(), ..PagePart::default() };
     match &placed.content {
-        Content::Template => Part { template: true, ..part },
-        Content::Section(Section::LeftOut { why, .. }) => Part { why: why.clone(), ..part },
+        Content::Template => PagePart { template: true, ..part },
+        Content::Section(Section::LeftOut { why, .. }) => PagePart { why: why.clone(), ..part },
         Content::Section(Section::Drawn(figures)) => {
-            Part { figures: figures.iter().map(drawing).collect(), ..part }
+            PagePart { figures: figures.iter().map(drawing).collect(), ..part }
         }
         Content::Section(Section::Told(chapter)) => {
-            Part { blocks: chapter.blocks.iter().map(paragraph).collect(), ..part }
+            PagePart { blocks: chapter.blocks.iter().map(paragraph).collect(), ..part }
         }
     }
 }
@@ -258,13 +258,13 @@ fn part(placed: &Placed) -> Part {
 const TALL: f64 = 1.0;
 const HIGH: f64 = 0.75;
 
-fn drawing(figure: &Figure) -> Drawing {
+fn drawing(figure: &Figure) -> PageDrawing {
     let height = match svg::proportion(&figure.svg) {
         Some(proportion) if proportion > TALL => "tall",
         Some(proportion) if proportion > HIGH => "high",
         _ => "",
     };
-    Drawing {
+    PageDrawing {
         curves: figure.curves.as_ref().map(|_| figure.file.clone()).unwrap_or_default(),
         svg: markup(&figure.svg),
         height,

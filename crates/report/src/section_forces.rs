@@ -1,10 +1,10 @@
 //! The chapter on section forces of linings: after the last stage, and between which values they went while the ground shook.
 
-pub mod along_lining;
-pub mod on_shape;
-pub mod stations;
-pub mod strength;
-pub mod thrust_moment;
+mod along_lining;
+mod on_shape;
+mod stations;
+mod strength;
+mod thrust_moment;
 
 use crate::language::{Language, say};
 use crate::page::figure::{Block, Chapter};

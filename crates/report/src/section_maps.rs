@@ -1,11 +1,11 @@
 //! The section maps of the page, in the order in which a reader asks: how far linings are damaged, what stresses them, how they
 //! deform, and where rock yielded. Where linings came off the rock is in [`interfaces::map`](crate::interfaces::map).
 
-pub mod deformed;
+mod deformed;
 pub mod field_map;
 pub mod mesh;
 pub mod plastic_zones;
-pub mod relative_motion;
+mod relative_motion;
 pub mod section_view;
 pub mod snapshots;
 

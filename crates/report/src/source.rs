@@ -1,6 +1,6 @@
 //! All that the report knows: what the result files hold, and why a file is of no use where it is not.
 
-pub mod field_files;
+mod field_files;
 pub mod monitor_pairs;
 
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Response spectra: of the motion that comes in, and of the monitors beside the free field's.
 
-pub mod figure;
+mod figure;
 
 use tremolite_results::Table;
 
@@ -11,7 +11,7 @@ use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{quantity, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::spectra::figure::{AXES, Drawn, Point, Row, figure, moving};
+use crate::spectra::figure::{AXES, DrawnSpectra, SpectraRow, SpectrumPlace, figure, moving};
 
 /// Monitors in one figure: as many as a printed page has room for.
 const ROWS: usize = 6;
@@ -31,8 +31,8 @@ fn monitors(table: &Table) -> Vec<&str> {
 pub fn of_input(source: &Source) -> Option<Figure> {
     let Some(Ok(table)) = &source.spectra else { return None };
     let (language, periods) = (source.language, table.column("period")?);
-    let points =
-        ["given", "incident", "free_field.surface", "free_field.base"].map(|name| Point::of(table, name));
+    let points = ["given", "incident", "free_field.surface", "free_field.base"]
+        .map(|name| SpectrumPlace::of(table, name));
     let names = [
         say!(language, "motion given"),
         say!(language, "incident wave"),
@@ -40,15 +40,15 @@ pub fn of_input(source: &Source) -> Option<Figure> {
         say!(language, "free field, base"),
     ];
     let pens = [(3, Pen::Line), (2, Pen::Line), (0, Pen::Dashed), (1, Pen::Dashed)];
-    let known: Vec<&Point> = points.iter().filter(|point| point.is_known()).collect();
+    let known: Vec<&SpectrumPlace> = points.iter().filter(|point| point.is_known()).collect();
     let axes_of = moving(&known);
     if axes_of.is_empty() {
         return None;
     }
     let all = points.iter().zip(names).zip(pens).filter(|((point, _), _)| point.is_known());
-    let drawn = all.map(|((point, name), (colour, pen))| Drawn { name, point, colour, pen }).collect();
+    let drawn = all.map(|((point, name), (colour, pen))| DrawnSpectra { name, point, colour, pen }).collect();
     let title = say!(language, "Response spectra of the motion that comes in");
-    let rows = [Row { name: "", drawn }];
+    let rows = [SpectraRow { name: "", drawn }];
     let figure = figure(&rows, &axes_of, periods, &title, "input-spectra.svg".into(), source);
     let caption = say!(
         language,
@@ -77,16 +77,17 @@ pub fn section(source: &Source) -> Option<Section> {
         None => return None,
     };
     let periods = table.column("period").unwrap_or(&[]);
-    let of = |name: &str| (Point::of(table, name), Point::of(table, &format!("{name}{BESIDE}")));
-    let points: Vec<(Point, Point)> =
+    let of =
+        |name: &str| (SpectrumPlace::of(table, name), SpectrumPlace::of(table, &format!("{name}{BESIDE}")));
+    let points: Vec<(SpectrumPlace, SpectrumPlace)> =
         monitors(table).into_iter().map(of).filter(|(own, _)| own.is_known()).collect();
-    let own: Vec<&Point> = points.iter().map(|(own, _)| own).collect();
+    let own: Vec<&SpectrumPlace> = points.iter().map(|(own, _)| own).collect();
     let axes_of = moving(&own);
     if axes_of.is_empty() {
         let why = say!(language, "spectra.csv holds no monitor that moves.");
         return Some(Section::left_out(&heading, why));
     }
-    let rows: Vec<Row> = points.iter().map(|pair| row(pair, language)).collect();
+    let rows: Vec<SpectraRow> = points.iter().map(|pair| row(pair, language)).collect();
     let beside = points.iter().any(|(_, beside)| beside.is_known());
     let mut caption = say!(
         language,
@@ -122,14 +123,14 @@ pub fn section(source: &Source) -> Option<Section> {
     Some(Section::Told(Chapter { id: "spectra", heading, blocks: vec![block] }))
 }
 
-fn row<'a>((own, beside): &'a (Point<'a>, Point<'a>), language: Language) -> Row<'a> {
+fn row<'a>((own, beside): &'a (SpectrumPlace<'a>, SpectrumPlace<'a>), language: Language) -> SpectraRow<'a> {
     let mut drawn = Vec::new();
     if beside.is_known() {
         let name = say!(language, "free field at the monitor's level");
-        drawn.push(Drawn { name, point: beside, colour: 3, pen: Pen::Dashed });
+        drawn.push(DrawnSpectra { name, point: beside, colour: 3, pen: Pen::Dashed });
     }
-    drawn.push(Drawn { name: say!(language, "monitor"), point: own, colour: 0, pen: Pen::Line });
-    Row { name: &own.name, drawn }
+    drawn.push(DrawnSpectra { name: say!(language, "monitor"), point: own, colour: 0, pen: Pen::Line });
+    SpectraRow { name: &own.name, drawn }
 }
 
 /// Time between rows of the histories (s).
@@ -156,7 +157,12 @@ fn explained(source: &Source) -> String {
 }
 
 /// The largest of each spectrum, and at which period.
-fn peaks(source: &Source, points: &[(Point, Point)], axes_of: &[usize], periods: &[f64]) -> TextTable {
+fn peaks(
+    source: &Source,
+    points: &[(SpectrumPlace, SpectrumPlace)],
+    axes_of: &[usize],
+    periods: &[f64],
+) -> TextTable {
     let language = source.language;
     let shortest = ROWS_A_PERIOD * interval(source).unwrap_or(0.0);
     let scale = source.scale(Kind::Acceleration);

@@ -1,11 +1,11 @@
 //! What came before the earthquake: the stages as a table, and the figures of them.
 
-pub mod convergence;
-pub mod force_displacement;
-pub mod ground_reaction;
-pub mod maps;
+mod convergence;
+mod force_displacement;
+mod ground_reaction;
+mod maps;
 pub mod names;
-pub mod relaxation;
+mod relaxation;
 
 use tremolite_results::{StageSummary, Summary};
 

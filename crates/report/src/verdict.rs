@@ -1,7 +1,7 @@
 //! The verdict: whether the lining stands, in five lines at most, from what the summary found.
 
-pub mod short_names;
-pub mod surroundings;
+mod short_names;
+mod surroundings;
 
 use serde::Serialize;
 use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary};
@@ -33,12 +33,12 @@ pub struct Verdict {
     pub answer: String,
     /// `good`, `warn`, `bad`, or `plain` where no earthquake has asked: the colour of the answer.
     pub class: &'static str,
-    pub lines: Vec<Line>,
+    pub lines: Vec<VerdictLine>,
 }
 
 /// A fact of the verdict with its colour.
 #[derive(Serialize)]
-pub struct Line {
+pub struct VerdictLine {
     pub class: &'static str,
     pub text: String,
 }
@@ -59,7 +59,7 @@ pub fn verdict(source: &Source) -> Verdict {
             count = count,
             worst = next.text
         );
-        lines.push(Line { text, ..next });
+        lines.push(VerdictLine { text, ..next });
     }
     let room = LINES.saturating_sub(lines.len());
     lines.extend(within(room, around(language, &facts), language));
@@ -155,10 +155,10 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
 }
 
 /// How the run went, and whether it can be trusted.
-fn run(source: &Source, facts: &Summary) -> Line {
+fn run(source: &Source, facts: &Summary) -> VerdictLine {
     let language = source.language;
     if source.summary.is_err() {
-        return Line {
+        return VerdictLine {
             class: "warn",
             text: say!(language, "The run left no summary, so nothing is checked."),
         };
@@ -180,7 +180,7 @@ fn run(source: &Source, facts: &Summary) -> Line {
         ),
         Status::Done => ("warn", warned(source, facts, passed, judged)),
     };
-    Line { class, text }
+    VerdictLine { class, text }
 }
 
 /// That checks warn, and which.
@@ -217,7 +217,7 @@ fn warned(source: &Source, facts: &Summary, passed: usize, judged: usize) -> Str
 }
 
 /// The lines in the room there is for them: those that have none of their own share the last.
-fn within(room: usize, mut lines: Vec<(Severity, String)>, language: Language) -> Vec<Line> {
+fn within(room: usize, mut lines: Vec<(Severity, String)>, language: Language) -> Vec<VerdictLine> {
     while lines.len() > room.max(1) {
         let Some((severity, text)) = lines.pop() else { break };
         if let Some(last) = lines.last_mut() {
@@ -225,11 +225,11 @@ fn within(room: usize, mut lines: Vec<(Severity, String)>, language: Language) -
             *last = (worse, say!(language, "{first} {second}", first = last.1, second = text));
         }
     }
-    lines.into_iter().map(|(severity, text)| Line { class: class(severity), text }).collect()
+    lines.into_iter().map(|(severity, text)| VerdictLine { class: class(severity), text }).collect()
 }
 
 /// A lining's cracks, those of its parts, and what of them was there before the earthquake.
-fn in_full(source: &Source, facts: &Summary, finding: &Finding) -> Line {
+fn in_full(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
     let language = source.language;
     let mut line = lining(source, finding);
     let cracked = |group: &GroupDamage| Some(group.measures.get(CRACKED)?.beyond.get("0.5")? / group.volume);
@@ -269,7 +269,7 @@ fn before(source: &Source, group: &str) -> Option<f64> {
 }
 
 /// A lining's cracks.
-fn lining(source: &Source, finding: &Finding) -> Line {
+fn lining(source: &Source, finding: &Finding) -> VerdictLine {
     let language = source.language;
     let number = |name: &str| finding.numbers.get(name).copied().filter(|x| x.is_finite());
     let group = &short(&finding.group, NAME);
@@ -309,7 +309,7 @@ fn lining(source: &Source, finding: &Finding) -> Line {
             }
         }
     };
-    Line { class: class(finding.severity), text }
+    VerdictLine { class: class(finding.severity), text }
 }
 
 /// Whether a lining's cracks opened so far that pieces have come loose.
@@ -325,7 +325,7 @@ fn opening(source: &Source, value: f64) -> String {
 }
 
 /// The pair of monitors that moved apart most, of those that did not come loose.
-fn relative(source: &Source, facts: &Summary) -> Option<Line> {
+fn relative(source: &Source, facts: &Summary) -> Option<VerdictLine> {
     let (held, loose) = held(facts);
     let lengths = held.into_iter().filter_map(|(pair, of)| Some((pair, of.get("u")?)));
     let (pair, most) =
@@ -347,5 +347,5 @@ fn relative(source: &Source, facts: &Summary) -> Option<Line> {
             pairs = loose.join(", ")
         );
     }
-    Some(Line { class: "plain", text })
+    Some(VerdictLine { class: "plain", text })
 }

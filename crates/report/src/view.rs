@@ -24,7 +24,7 @@ use tremolite_results::{FieldFile, Pvd, SectionRow};
 use self::code::Grid16;
 use self::encode::Common;
 use self::fit::{fit, size};
-use self::manifest::{Kind, Manifest, Moment, PartData};
+use self::manifest::{Manifest, Moment, PartData, PartKind};
 use self::part::Part;
 use crate::language::say;
 use crate::page::size::{VIEW, limit};
@@ -115,7 +115,7 @@ fn drawn(
     for part in &interfaces {
         let numbered = || say!(language, "interface {number}", number = part.owner);
         names.push(interface::name(part).map_or_else(numbered, str::to_owned));
-        kinds.push(Kind::Interface);
+        kinds.push(PartKind::Interface);
         outer.push(faces::of_interface(&part.mesh));
     }
 

@@ -3,7 +3,7 @@
 use tremolite_results::{BoltLine, BoltLines, Summary};
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, LINES, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
@@ -71,8 +71,8 @@ fn figure(
     let (mut curves, mut named) = (Vec::new(), Vec::new());
     for (colour, Worst { name, bolt, own }) in family.iter().enumerate() {
         let label = say!(language, "{group}, bolt {bolt}", group = name, bolt = bolt);
-        curves.push(Curve::new(label, colour, Pen::Line, steps(own, |line| line.force)));
-        curves.push(Curve::new("", colour, Pen::Dashed, steps(own, |line| line.force_max)));
+        curves.push(PlotCurve::new(label, colour, Pen::Line, steps(own, |line| line.force)));
+        curves.push(PlotCurve::new("", colour, Pen::Dashed, steps(own, |line| line.force_max)));
         let yields = facts.bolts.get(*name).map(|group| group.yield_force).filter(|force| force.is_finite());
         let named_at = |force| {
             say!(language, "{group} at {force}", group = name, force = source.quantity(Kind::Force, force))

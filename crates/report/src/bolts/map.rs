@@ -2,7 +2,7 @@
 
 use tremolite_results::{BoltLine, BoltLines, Cut, Pvd};
 
-use crate::drawing::frame_row::Row;
+use crate::drawing::frame_row::MapRow;
 use crate::drawing::window::Window;
 use crate::language::say;
 use crate::page::figure::{Block, Figure};
@@ -36,7 +36,7 @@ pub fn block(source: &Source, lines: &BoltLines, when: &str) -> Option<Block> {
     let scale = if share { Scale { factor: 1.0, unit: String::new() } } else { source.scale(Kind::Force) };
     let language = source.language;
     // A share has one scale on every page, so that a colour means the same; what is beyond is as dark as what yields.
-    let row = Row::of(window, 1);
+    let row = MapRow::of(window, 1);
     let mut frame = row.frame(0.0, if share { 1.0 } else { most * scale.factor });
     let cut = cut(source);
     if let Some(cut) = &cut {

@@ -2,7 +2,7 @@
 
 use super::Texts;
 
-pub const TEXTS: Texts = &[
+pub(super) const TEXTS: Texts = &[
     (".", "。"),
     ("{count} elements, one-point", "{count} 个单元，单点积分"),
     ("{count} elements, full", "{count} 个单元，完全积分"),

@@ -15,12 +15,12 @@ const AROUND: usize = 2;
 pub struct Changes {
     pub run: String,
     /// Nothing where the two are the same.
-    pub lines: Vec<Line>,
+    pub lines: Vec<CaseLine>,
 }
 
 /// A line of the comparison.
 #[derive(Serialize)]
-pub struct Line {
+pub struct CaseLine {
     /// `gone` from the first run's case, `new` in this one's, `same` in both, `left` for what is passed over.
     pub class: &'static str,
     pub text: String,
@@ -34,12 +34,12 @@ pub fn changes(runs: &[Run]) -> Vec<Changes> {
     others.map(|(run, text)| Changes { run: run.name.clone(), lines: lines(&first, &text) }).collect()
 }
 
-fn lines(first: &str, other: &str) -> Vec<Line> {
+fn lines(first: &str, other: &str) -> Vec<CaseLine> {
     let difference = TextDiff::from_lines(first, other);
     let mut lines = Vec::new();
     for group in difference.grouped_ops(AROUND) {
         if !lines.is_empty() {
-            lines.push(Line { class: "left", text: "…".into() });
+            lines.push(CaseLine { class: "left", text: "…".into() });
         }
         for change in group.iter().flat_map(|op| difference.iter_changes(op)) {
             let class = match change.tag() {
@@ -47,7 +47,7 @@ fn lines(first: &str, other: &str) -> Vec<Line> {
                 ChangeTag::Insert => "new",
                 ChangeTag::Equal => "same",
             };
-            lines.push(Line { class, text: change.value().trim_end().to_owned() });
+            lines.push(CaseLine { class, text: change.value().trim_end().to_owned() });
         }
     }
     lines

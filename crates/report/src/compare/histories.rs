@@ -5,7 +5,7 @@ use tremolite_results::Table;
 use super::Run;
 use super::numbers::head;
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
@@ -89,11 +89,11 @@ fn answering(runs: &[Run], monitor: &str, histories: &[History]) -> Curves {
         let scale = Scale::suiting(history.unit, history.largest());
         let curve = |(run, time, values): &(usize, &[f64], &[f64])| {
             let points = time.iter().zip(values.iter()).map(|(t, x)| (*t, x * scale.factor));
-            Curve::new(&runs[*run].name, *run, Pen::Line, points.collect())
+            PlotCurve::new(&runs[*run].name, *run, Pen::Line, points.collect())
         };
         history.of.iter().map(curve).collect::<Vec<_>>()
     };
-    let drawn: Vec<(&History, Vec<Curve>)> = histories.iter().map(|h| (h, curves(h))).collect();
+    let drawn: Vec<(&History, Vec<PlotCurve>)> = histories.iter().map(|h| (h, curves(h))).collect();
     let plots = drawn.iter().map(|(history, curves)| Plot {
         title: history.quantity.into(),
         unit: Scale::suiting(history.unit, history.largest()).unit,
@@ -106,11 +106,11 @@ fn answering(runs: &[Run], monitor: &str, histories: &[History]) -> Curves {
 
 fn figure(runs: &[Run], monitor: &str, histories: &[History], language: Language) -> Figure {
     let mut svg = Svg::new(WIDTH);
-    let legend: Vec<Curve> = runs
+    let legend: Vec<PlotCurve> = runs
         .iter()
         .enumerate()
         .filter(|(run, _)| histories.iter().any(|h| h.of.iter().any(|(r, ..)| r == run)))
-        .map(|(run, named)| Curve::new(&named.name, run, Pen::Line, Vec::new()))
+        .map(|(run, named)| PlotCurve::new(&named.name, run, Pen::Line, Vec::new()))
         .collect();
     let mut top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, monitor, &legend);
     let times = histories.iter().flat_map(|h| &h.of).flat_map(|(_, time, _)| [time.first(), time.last()]);

@@ -15,7 +15,7 @@ pub struct Compared {
 }
 
 /// One number of all runs.
-struct Row {
+struct NumberRow {
     label: String,
     values: Vec<Option<f64>>,
 }
@@ -101,13 +101,13 @@ pub fn head(runs: &[Run]) -> Vec<Head> {
 }
 
 /// Rows by label, in the order in which the runs first name them.
-fn gather(all: impl Iterator<Item = Vec<(String, f64)>>) -> Vec<Row> {
+fn gather(all: impl Iterator<Item = Vec<(String, f64)>>) -> Vec<NumberRow> {
     let all: Vec<Vec<(String, f64)>> = all.collect();
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<NumberRow> = Vec::new();
     for (run, numbers) in all.iter().enumerate() {
         for (label, value) in numbers.iter().filter(|(_, value)| value.is_finite()) {
             let at = rows.iter().position(|row| row.label == *label).unwrap_or_else(|| {
-                rows.push(Row { label: label.clone(), values: vec![None; all.len()] });
+                rows.push(NumberRow { label: label.clone(), values: vec![None; all.len()] });
                 rows.len() - 1
             });
             rows[at].values[run] = Some(*value);
@@ -119,7 +119,7 @@ fn gather(all: impl Iterator<Item = Vec<(String, f64)>>) -> Vec<Row> {
 }
 
 /// One unit for the whole table.
-fn table(runs: &[Run], rows: &[Row], unit: &str) -> TextTable {
+fn table(runs: &[Run], rows: &[NumberRow], unit: &str) -> TextTable {
     let largest =
         rows.iter().flat_map(|row| row.values.iter().flatten()).fold(0.0_f64, |most, x| most.max(x.abs()));
     let scale = match unit {
@@ -130,7 +130,7 @@ fn table(runs: &[Run], rows: &[Row], unit: &str) -> TextTable {
     head[0].text = if scale.unit.is_empty() { String::new() } else { format!("({})", scale.unit) };
     // Beside the largest of the table the rest may be round-off.
     let negligible = 1e-9 * largest;
-    let row = |row: &Row| {
+    let row = |row: &NumberRow| {
         let first = row.values[0];
         let cell = |(run, value): (usize, &Option<f64>)| {
             let Some(value) = value else { return Cell::number("–") };

@@ -18,7 +18,7 @@ use crate::script::curves::embedded;
 const TEMPLATE: &str = include_str!("../../template/compare.html");
 
 #[derive(Serialize)]
-struct Page {
+struct ComparePage {
     language: &'static str,
     style: minijinja::Value,
     script: minijinja::Value,
@@ -30,7 +30,7 @@ struct Page {
     /// What each run is.
     runs: TextTable,
     changes: Vec<Changes>,
-    tables: Vec<Part>,
+    tables: Vec<ComparePart>,
     parting: Option<TextTable>,
     checks: TextTable,
     /// Name by which the script knows it, and drawing.
@@ -40,7 +40,7 @@ struct Page {
 }
 
 #[derive(Serialize)]
-struct Part {
+struct ComparePart {
     heading: String,
     table: TextTable,
 }
@@ -53,7 +53,7 @@ pub fn html(runs: &[Run], language: Language) -> Result<String, minijinja::Error
     let of_figures =
         figures.iter().filter_map(|figure| Some((figure.file.as_str(), figure.curves.as_ref()?)));
     let (curves, _) = embedded(of_figures, &mut blocks, usize::MAX);
-    let page = Page {
+    let page = ComparePage {
         language: language.code(),
         style: markup(STYLE),
         script: markup(SCRIPT),
@@ -64,7 +64,7 @@ pub fn html(runs: &[Run], language: Language) -> Result<String, minijinja::Error
         changes: changes(runs),
         tables: tables(runs, language)
             .into_iter()
-            .map(|t| Part { heading: t.heading, table: t.table })
+            .map(|t| ComparePart { heading: t.heading, table: t.table })
             .collect(),
         parting: parting(runs, language),
         checks: checks(runs, language),

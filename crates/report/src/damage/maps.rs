@@ -7,7 +7,7 @@ use tremolite_results::{Fields, Slice};
 
 use crate::damage::developed_maps::{self, Sheets};
 use crate::damage::thickened::Thick;
-use crate::drawing::frame_row::Row;
+use crate::drawing::frame_row::MapRow;
 use crate::language::{Language, say};
 use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::figures;
@@ -226,7 +226,7 @@ impl Scene {
         }
         let thick = Thick::of(&cut.cells, &inside);
         let window = window(&cut, &self.positions, MARGIN, |_| false);
-        let row = Row::of(window, maps.len());
+        let row = MapRow::of(window, maps.len());
         let mut drawn = cut.cells.clone();
         own.iter().for_each(|&k| drawn[k].outline = thick.outline(&drawn[k].outline));
         let lining: Vec<_> = own.iter().map(|&k| drawn[k].clone()).collect();

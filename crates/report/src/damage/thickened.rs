@@ -5,21 +5,21 @@ use std::collections::{BTreeMap, HashMap};
 use tremolite_results::CutCell;
 
 use crate::drawing::window::Window;
-use crate::section_maps::section_view::{Side, edges, key};
+use crate::section_maps::section_view::{CellSide, edges, key};
 
 /// Factors by which a lining may be drawn thicker.
 const FACTORS: [f64; 3] = [4.0, 3.0, 2.0];
 /// How much of the smaller extent of its lining a wall may take when drawn.
 const ROOM: f64 = 0.35;
 
-type Key = [i64; 2];
+type PointKey = [i64; 2];
 
 /// How points of linings move inwards when drawn.
 #[derive(Debug)]
 pub struct Thick {
     /// How many times as thick linings are drawn.
     pub factor: f64,
-    moves: HashMap<Key, [f64; 2]>,
+    moves: HashMap<PointKey, [f64; 2]>,
 }
 
 impl Thick {
@@ -35,7 +35,7 @@ impl Thick {
         }
         let room = ROOM * smallest(cells, inside);
         let mut thickest = 0.0_f64;
-        let mut ends: BTreeMap<Key, ([f64; 2], Vec<[f64; 2]>)> = BTreeMap::new();
+        let mut ends: BTreeMap<PointKey, ([f64; 2], Vec<[f64; 2]>)> = BTreeMap::new();
         for sides in all.iter().filter(|sides| sides.len() == 1 && inside[sides[0].cell]) {
             for way in through(cells, inside, &all, &edge_of, sides[0]) {
                 let Some((end, way)) = way.split_last() else { continue };
@@ -58,7 +58,7 @@ impl Thick {
         let inwards = |(point, ends): &([f64; 2], Vec<[f64; 2]>)| {
             [0, 1].map(|i| ends.iter().map(|end| point[i] - end[i]).sum::<f64>())
         };
-        let moves: HashMap<Key, [f64; 2]> = ends.iter().map(|(k, found)| (*k, inwards(found))).collect();
+        let moves: HashMap<PointKey, [f64; 2]> = ends.iter().map(|(k, found)| (*k, inwards(found))).collect();
         let factor = FACTORS.into_iter().find(|factor| factor * thickest <= room);
         let factor = if moves.is_empty() { 1.0 } else { factor.unwrap_or(1.0) };
         Thick { factor, moves }
@@ -81,9 +81,9 @@ impl Thick {
 fn through(
     cells: &[CutCell],
     inside: &[bool],
-    all: &[Vec<Side>],
+    all: &[Vec<CellSide>],
     edge_of: &HashMap<(usize, usize), usize>,
-    from: Side,
+    from: CellSide,
 ) -> Vec<Vec<[f64; 2]>> {
     /// No lining has so many elements through its thickness.
     const DEEPEST: usize = 64;
@@ -112,7 +112,7 @@ fn through(
 /// The smaller extent of the smallest part that hangs together.
 fn smallest(cells: &[CutCell], inside: &[bool]) -> f64 {
     let own: Vec<usize> = (0..cells.len()).filter(|&k| inside[k]).collect();
-    let mut at: HashMap<Key, Vec<usize>> = HashMap::new();
+    let mut at: HashMap<PointKey, Vec<usize>> = HashMap::new();
     for &k in &own {
         cells[k].outline.iter().for_each(|point| at.entry(key(point)).or_default().push(k));
     }

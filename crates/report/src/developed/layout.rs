@@ -127,7 +127,7 @@ fn extent(sheet: &Sheet) -> Spot {
 
 /// What a run of faces of a lining may be.
 #[derive(Clone, Copy, PartialEq)]
-enum Part {
+enum SheetPart {
     Crown,
     Floor,
     Left,
@@ -141,19 +141,19 @@ pub fn marks(language: Language, sheet: &Sheet) -> Vec<(String, f64)> {
         return Vec::new();
     }
     let [x, y, _] = sheet.axis;
-    let mut ends: Vec<(Part, bool, [f64; 2])> = Vec::new();
+    let mut ends: Vec<(SheetPart, bool, [f64; 2])> = Vec::new();
     for face in sheet.faces.iter().filter(|face| !face.end && face.piece == 0) {
         let n = face.normal;
         let s = -face.corners.iter().map(|c| c[1]).sum::<f64>() / face.corners.len() as f64;
         let name = match n[2] {
-            up if up > STEEP => Part::Crown,
-            up if up < -STEEP => Part::Floor,
+            up if up > STEEP => SheetPart::Crown,
+            up if up < -STEEP => SheetPart::Floor,
             // Right of who looks along the axis: axis × z.
-            _ if n[0] * y - n[1] * x > 0.0 => Part::Right,
-            _ => Part::Left,
+            _ if n[0] * y - n[1] * x > 0.0 => SheetPart::Right,
+            _ => SheetPart::Left,
         };
         // The floor is cut in two.
-        let side = name == Part::Floor && s > 0.0;
+        let side = name == SheetPart::Floor && s > 0.0;
         match ends.iter_mut().find(|(known, left, _)| *known == name && *left == side) {
             Some((_, _, [low, high])) => (*low, *high) = (low.min(s), high.max(s)),
             None => ends.push((name, side, [s, s])),
@@ -161,12 +161,12 @@ pub fn marks(language: Language, sheet: &Sheet) -> Vec<(String, f64)> {
     }
     // A lining without a floor has feet that face downwards.
     let around = ends.iter().map(|(.., [low, high])| high - low).sum::<f64>();
-    let name = |part: Part, width: f64| match part {
-        Part::Floor if width < 0.05 * around => say!(language, "foot"),
-        Part::Floor => say!(language, "floor"),
-        Part::Crown => say!(language, "crown"),
-        Part::Left => say!(language, "left wall"),
-        Part::Right => say!(language, "right wall"),
+    let name = |part: SheetPart, width: f64| match part {
+        SheetPart::Floor if width < 0.05 * around => say!(language, "foot"),
+        SheetPart::Floor => say!(language, "floor"),
+        SheetPart::Crown => say!(language, "crown"),
+        SheetPart::Left => say!(language, "left wall"),
+        SheetPart::Right => say!(language, "right wall"),
     };
     ends.into_iter().map(|(own, _, [low, high])| (name(own, high - low), 0.5 * (low + high))).collect()
 }

@@ -7,7 +7,7 @@ use crate::drawing::ticks::Ticks;
 use crate::drawing::window::Window;
 
 /// Areas of one kind: name, colour and outlines.
-type Kind = (String, &'static str, Vec<Vec<(f64, f64)>>);
+type LineKind = (String, &'static str, Vec<Vec<(f64, f64)>>);
 
 /// The map in the making.
 pub struct Frame {
@@ -20,7 +20,7 @@ pub struct Frame {
     pub turned: bool,
     levels: Vec<Vec<Vec<(f64, f64)>>>,
     /// Areas of a kind each, under the levels.
-    kinds: Vec<Kind>,
+    kinds: Vec<LineKind>,
     borders: Vec<Vec<(f64, f64)>>,
     /// Lines over all else, and those on which the value is zero.
     shapes: Vec<Vec<(f64, f64)>>,

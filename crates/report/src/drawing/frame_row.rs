@@ -18,13 +18,13 @@ const BELOW: f64 = 44.0;
 const TALLEST: f64 = 560.0;
 
 /// So many maps of one window.
-pub struct Row {
+pub struct MapRow {
     window: Window,
     beside: bool,
     room: (f64, f64),
 }
 
-impl Row {
+impl MapRow {
     /// Beside each other, unless maps of this window are drawn much larger above each other.
     pub fn of(window: Window, maps: usize) -> Self {
         let n = maps.max(1) as f64;
@@ -35,7 +35,7 @@ impl Row {
         let zoom = |room: (f64, f64)| (room.0 / width).min(room.1 / height);
         // Above each other they leave a page half empty, unless they are long.
         let best = maps < 2 || 1.4 * zoom(beside) >= zoom(above);
-        Row { window, beside: best, room: if best { beside } else { above } }
+        MapRow { window, beside: best, room: if best { beside } else { above } }
     }
 
     /// A map of the row, coloured from `low` to `high` (in the display unit).
@@ -90,7 +90,7 @@ mod tests {
     fn one_value_throughout_has_a_colour_bar_that_reads() {
         for (value, label) in [(0.0, ">0.5<"), (-3.0, ">−2.0<")] {
             let outline = [[0.0, 0.0], [40.0, 0.0], [40.0, 30.0], [0.0, 30.0]];
-            let row = Row::of(Window::around(outline.into_iter()), 1);
+            let row = MapRow::of(Window::around(outline.into_iter()), 1);
             let mut frame = row.frame(value, value);
             frame.cell(&outline, value);
             let figure = row.draw("damage", &[(String::new(), frame)], "");
@@ -101,7 +101,7 @@ mod tests {
     #[test]
     fn long_maps_stand_above_each_other() {
         let window = |width: f64, height: f64| Window { low: [0.0; 2], high: [width, height] };
-        assert!(Row::of(window(60.0, 55.0), 2).beside);
-        assert!(!Row::of(window(200.0, 40.0), 2).beside);
+        assert!(MapRow::of(window(60.0, 55.0), 2).beside);
+        assert!(!MapRow::of(window(200.0, 40.0), 2).beside);
     }
 }

@@ -253,7 +253,7 @@ impl Track<'_> {
 }
 
 /// A name of a legend, its colour, and whether it is of points.
-type Entry<'a> = (&'a str, usize, bool);
+type LegendEntry<'a> = (&'a str, usize, bool);
 
 /// A bold title, and behind it the names of the lines in their colours, but for one that the title already names; of
 /// points where the third value says so. Those that find no room before `right` come back.
@@ -262,8 +262,8 @@ fn heading<'a>(
     at: (f64, f64),
     right: f64,
     title: &str,
-    names: impl Iterator<Item = Entry<'a>>,
-) -> Vec<Entry<'a>> {
+    names: impl Iterator<Item = LegendEntry<'a>>,
+) -> Vec<LegendEntry<'a>> {
     svg.text(at, Anchor::Start, 13.0, Style::Bold, title);
     let named =
         |name: &str| title.strip_prefix(name).is_some_and(|unit| unit.is_empty() || unit.starts_with(" ("));
@@ -276,8 +276,8 @@ fn legend<'a>(
     svg: &mut Svg,
     at: (f64, f64),
     right: f64,
-    names: impl Iterator<Item = Entry<'a>>,
-) -> Vec<Entry<'a>> {
+    names: impl Iterator<Item = LegendEntry<'a>>,
+) -> Vec<LegendEntry<'a>> {
     let mut x = at.0;
     let mut over = Vec::new();
     for (name, colour, points) in names {

@@ -26,7 +26,7 @@ pub enum Pen {
 
 /// What is drawn under one name; values in the units of the axes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
+pub struct PlotCurve {
     pub name: String,
     pub colour: usize,
     pub pen: Pen,
@@ -34,9 +34,9 @@ pub struct Curve {
     pub pieces: Vec<Vec<(f64, f64)>>,
 }
 
-impl Curve {
+impl PlotCurve {
     pub fn new(name: impl Into<String>, colour: usize, pen: Pen, points: Vec<(f64, f64)>) -> Self {
-        Curve { name: name.into(), colour, pen, pieces: vec![points] }
+        PlotCurve { name: name.into(), colour, pen, pieces: vec![points] }
     }
 
     fn values(&self) -> impl Iterator<Item = (f64, f64)> {
@@ -51,13 +51,13 @@ pub fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// The ends of what curves show, along the two axes.
-pub fn ranges(curves: &[Curve]) -> ((f64, f64), (f64, f64)) {
-    let all = || curves.iter().flat_map(Curve::values);
+pub fn ranges(curves: &[PlotCurve]) -> ((f64, f64), (f64, f64)) {
+    let all = || curves.iter().flat_map(PlotCurve::values);
     (range(all().map(|p| p.0)), range(all().map(|p| p.1)))
 }
 
 /// A bold title above axes, and below it the names of the curves; returns where the axes may begin.
-pub fn title(svg: &mut Svg, (left, top): (f64, f64), width: f64, title: &str, curves: &[Curve]) -> f64 {
+pub fn title(svg: &mut Svg, (left, top): (f64, f64), width: f64, title: &str, curves: &[PlotCurve]) -> f64 {
     svg.text((left, top + 14.0), Anchor::Start, 13.0, Style::Bold, title);
     let (mut x, mut y) = (left, top + 14.0);
     let mut named: Vec<&str> = Vec::new();
@@ -83,7 +83,7 @@ pub fn title(svg: &mut Svg, (left, top): (f64, f64), width: f64, title: &str, cu
 }
 
 /// Axes with curves. The numbers below are drawn as well.
-pub fn draw(svg: &mut Svg, axes: &Axes, curves: &[Curve]) {
+pub fn draw(svg: &mut Svg, axes: &Axes, curves: &[PlotCurve]) {
     axes.draw(svg);
     axes.number_across(svg);
     for curve in curves {
@@ -102,7 +102,7 @@ pub fn draw(svg: &mut Svg, axes: &Axes, curves: &[Curve]) {
     }
 }
 
-fn stroke(svg: &mut Svg, curve: &Curve, width: f64, lines: &[Vec<(f64, f64)>]) {
+fn stroke(svg: &mut Svg, curve: &PlotCurve, width: f64, lines: &[Vec<(f64, f64)>]) {
     let dashed = if curve.pen == Pen::Dashed { LINES.len() } else { 0 };
     svg.lines(curve.colour % LINES.len() + dashed, width, lines);
 }

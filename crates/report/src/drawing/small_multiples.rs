@@ -24,7 +24,7 @@ const CELL: f64 = 57.0;
 const INK: usize = 3;
 
 /// A cell: which panel's axes and range, and the line.
-pub type Cell<'a> = (&'a Panel<'a>, &'a Line<'a>);
+pub type PanelLine<'a> = (&'a Panel<'a>, &'a Line<'a>);
 
 /// A figure of cells in rows.
 pub struct Multiples<'a> {
@@ -32,7 +32,7 @@ pub struct Multiples<'a> {
     /// Times (s), ascending.
     pub time: &'a [f64],
     /// Cells abreast; one that is not there leaves its place empty.
-    pub rows: Vec<Vec<Option<Cell<'a>>>>,
+    pub rows: Vec<Vec<Option<PanelLine<'a>>>>,
 }
 
 impl Multiples<'_> {
@@ -51,7 +51,7 @@ impl Multiples<'_> {
         let mut top = 0.0;
         for row in &self.rows {
             // A heading where a column begins with another quantity.
-            let news = |k: usize, cell: &Option<Cell<'_>>| {
+            let news = |k: usize, cell: &Option<PanelLine<'_>>| {
                 cell.as_ref().is_some_and(|(panel, _)| headed[k] != Some(panel.title.as_str()))
             };
             if row.iter().enumerate().any(|(k, cell)| news(k, cell)) {
@@ -105,7 +105,7 @@ impl Multiples<'_> {
     fn cell(
         &self,
         svg: &mut Svg,
-        (panel, line): &Cell<'_>,
+        (panel, line): &PanelLine<'_>,
         axes: &Axes,
         language: Language,
     ) -> Option<String> {

@@ -12,7 +12,7 @@ pub type Point = (f64, f64);
 pub fn thin(points: impl Iterator<Item = Point>, tolerance: f64) -> Vec<Vec<Point>> {
     let mut lines = Vec::new();
     let mut line = Vec::new();
-    let mut column: Option<Column> = None;
+    let mut column: Option<PixelColumn> = None;
     for point in points {
         if !(point.0.is_finite() && point.1.is_finite()) {
             close(&mut column, &mut line);
@@ -26,7 +26,7 @@ pub fn thin(points: impl Iterator<Item = Point>, tolerance: f64) -> Vec<Vec<Poin
             Some(current) if current.left == point.0.floor() => current.add(point),
             _ => {
                 close(&mut column, &mut line);
-                column = Some(Column { left: point.0.floor(), low: point, high: point });
+                column = Some(PixelColumn { left: point.0.floor(), low: point, high: point });
             }
         }
     }
@@ -37,13 +37,13 @@ pub fn thin(points: impl Iterator<Item = Point>, tolerance: f64) -> Vec<Vec<Poin
     lines
 }
 
-struct Column {
+struct PixelColumn {
     left: f64,
     low: Point,
     high: Point,
 }
 
-impl Column {
+impl PixelColumn {
     fn add(&mut self, point: Point) {
         if point.1 < self.low.1 {
             self.low = point;
@@ -54,8 +54,8 @@ impl Column {
     }
 }
 
-fn close(column: &mut Option<Column>, line: &mut Vec<Point>) {
-    if let Some(Column { low, high, .. }) = column.take() {
+fn close(column: &mut Option<PixelColumn>, line: &mut Vec<Point>) {
+    if let Some(PixelColumn { low, high, .. }) = column.take() {
         if low == high {
             line.push(low);
         } else if low.0 <= high.0 {

@@ -21,9 +21,9 @@ pub struct MaterialTable {
     pub speeds: String,
     pub damping: Value,
     /// What the case gives or the law's defaults fill in.
-    pub given: Vec<Row>,
+    pub given: Vec<MaterialRow>,
     /// What the law works out of that.
-    pub derived: Vec<Row>,
+    pub derived: Vec<MaterialRow>,
 }
 
 /// Groups of elements.
@@ -35,7 +35,7 @@ pub struct MadeOf {
 
 /// One value.
 #[derive(Serialize)]
-pub struct Row {
+pub struct MaterialRow {
     pub name: String,
     pub value: String,
     pub meaning: Value,
@@ -81,8 +81,8 @@ fn elements(language: Language, group: &MaterialGroup) -> String {
     }
 }
 
-fn row(language: Language, value: &MaterialValue) -> Row {
-    Row {
+fn row(language: Language, value: &MaterialValue) -> MaterialRow {
+    MaterialRow {
         name: value.name.clone(),
         value: text(language, value),
         // What follows a semicolon is for who writes the case.

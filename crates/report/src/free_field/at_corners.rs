@@ -25,7 +25,7 @@ pub struct Farthest {
 }
 
 /// What is drawn, and why that.
-pub struct Drawn<'a> {
+pub struct DrawnCorner<'a> {
     pub column: Option<&'a Station>,
     pub model: Option<Beside<'a>>,
     /// How far the model is from the column that is drawn.
@@ -99,10 +99,10 @@ pub fn corners(language: Language, found: &FreeField) -> Vec<Beside<'_>> {
     all
 }
 
-impl<'a> Drawn<'a> {
+impl<'a> DrawnCorner<'a> {
     /// The corner of the model that is farthest from its column, and that column. Where there is no such pair, the column farthest
     /// from theory, without theory the one farthest from the model's mean, and beside it the mean or the corner that moves most.
-    pub fn of(language: Language, found: &'a FreeField) -> Drawn<'a> {
+    pub fn of(language: Language, found: &'a FreeField) -> DrawnCorner<'a> {
         let all = corners(language, found);
         let beside = |beside: Beside<'a>| {
             let column = beside.column?;
@@ -122,7 +122,7 @@ impl<'a> Drawn<'a> {
                 ),
                 _ => String::new(),
             };
-            return Drawn { column, model: Some(model), apart: Some(apart), why };
+            return DrawnCorner { column, model: Some(model), apart: Some(apart), why };
         }
         let size = |beside: &Beside| {
             let size = peak(beside.model, |of| &of.measured);
@@ -166,7 +166,7 @@ impl<'a> Drawn<'a> {
             true => Beside { column, ..beside },
             false => beside,
         });
-        Drawn { column, model, apart: None, why }
+        DrawnCorner { column, model, apart: None, why }
     }
 
     /// The largest velocity of the model along an axis (m/s).

@@ -3,7 +3,7 @@
 use tremolite_results::{Peaks, Summary, Table};
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
@@ -20,7 +20,7 @@ const LEFT: f64 = 46.0;
 const APART: f64 = 12.0;
 
 /// What is drawn beside each other.
-struct Quantity {
+struct DepthQuantity {
     title: String,
     unit: &'static str,
     /// Its columns along x, y and z.
@@ -49,28 +49,28 @@ pub fn section(source: &Source) -> Option<Section> {
         None => return None,
     };
     let quantities = [
-        Quantity {
+        DepthQuantity {
             title: say!(language, "acceleration"),
             unit: "m/s2",
             columns: ["ax", "ay", "az"],
             strain: false,
             of_monitors: true,
         },
-        Quantity {
+        DepthQuantity {
             title: say!(language, "velocity"),
             unit: "m/s",
             columns: ["vx", "vy", "vz"],
             strain: false,
             of_monitors: true,
         },
-        Quantity {
+        DepthQuantity {
             title: say!(language, "displacement from base"),
             unit: "m",
             columns: ["ux", "uy", "uz"],
             strain: false,
             of_monitors: false,
         },
-        Quantity {
+        DepthQuantity {
             title: String::new(),
             unit: "1",
             columns: ["gxz", "gyz", "ezz"],
@@ -124,7 +124,7 @@ fn caption(source: &Source, table: &Table) -> String {
 fn draw(
     source: &Source,
     table: &Table,
-    quantities: &[Quantity],
+    quantities: &[DepthQuantity],
     moving: &[usize],
     facts: &Summary,
     title: &str,
@@ -139,9 +139,10 @@ fn draw(
         say!(language, "edge of the model"),
         say!(language, "monitors"),
     ];
-    let named =
-        |curves: &mut Vec<Curve>| curves.retain(|curve| curve.pieces.iter().any(|piece| !piece.is_empty()));
-    let panel = |quantity: &Quantity, axis: usize, scale: &Scale| -> Vec<Curve> {
+    let named = |curves: &mut Vec<PlotCurve>| {
+        curves.retain(|curve| curve.pieces.iter().any(|piece| !piece.is_empty()))
+    };
+    let panel = |quantity: &DepthQuantity, axis: usize, scale: &Scale| -> Vec<PlotCurve> {
         let column = quantity.columns[axis];
         let line = |name: &str| {
             let values = table.column(name).unwrap_or(&[]);
@@ -154,15 +155,15 @@ fn draw(
         };
         let dots = if quantity.of_monitors { monitors(table, facts, column, scale) } else { Vec::new() };
         let mut curves = vec![
-            Curve::new(&names[2], 1, Pen::Line, line(&format!("model.{column}"))),
-            Curve::new(&names[1], 0, Pen::Line, line(&format!("free_field.{column}"))),
-            Curve::new(&names[0], 3, Pen::Dashed, line(&format!("free_field.{column}_theory"))),
-            Curve::new(&names[3], 4, Pen::Dots, dots),
+            PlotCurve::new(&names[2], 1, Pen::Line, line(&format!("model.{column}"))),
+            PlotCurve::new(&names[1], 0, Pen::Line, line(&format!("free_field.{column}"))),
+            PlotCurve::new(&names[0], 3, Pen::Dashed, line(&format!("free_field.{column}_theory"))),
+            PlotCurve::new(&names[3], 4, Pen::Dots, dots),
         ];
         named(&mut curves);
         curves
     };
-    let scale = |quantity: &Quantity| {
+    let scale = |quantity: &DepthQuantity| {
         let of = |axis: &usize| {
             peak(table.column(&format!("free_field.{}", quantity.columns[*axis])).unwrap_or(&[]))
         };

@@ -2,7 +2,7 @@
 
 use tremolite_results::{FreeField, Station};
 
-use crate::free_field::at_corners::{Drawn, alike, corners};
+use crate::free_field::at_corners::{DrawnCorner, alike, corners};
 use crate::free_field::numbers::{self, AXES, SAME, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
 use crate::page::text_table::{Cell, Head, TextTable};
@@ -73,7 +73,7 @@ pub fn of_columns(language: Language, found: &FreeField, moving: &[usize], scale
 pub fn of_corners(
     language: Language,
     found: &FreeField,
-    drawn: &Drawn,
+    drawn: &DrawnCorner,
     moving: &[usize],
     scale: &Scale,
 ) -> TextTable {

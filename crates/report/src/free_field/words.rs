@@ -3,7 +3,7 @@
 use tremolite_results::{FreeField, Station};
 
 use crate::facts::kind_of_motion;
-use crate::free_field::at_corners::{Drawn, farthest_from_theory, same};
+use crate::free_field::at_corners::{DrawnCorner, farthest_from_theory, same};
 use crate::free_field::numbers::{AXES, SAME, Wave, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
 use crate::quantities::scale::{Scale, figures, quantity, trimmed};
@@ -17,7 +17,7 @@ pub fn verdict(
     source: &Source,
     found: &FreeField,
     wave: &Wave,
-    drawn: &Drawn,
+    drawn: &DrawnCorner,
     (axis, scale): (usize, &Scale),
 ) -> String {
     let language = source.language;
@@ -65,7 +65,12 @@ fn asked(source: &Source, wave: &Wave, (axis, scale): (usize, &Scale)) -> Option
 }
 
 /// What the column made of it at its surface and base.
-fn of_column(language: Language, wave: &Wave, drawn: &Drawn, (axis, scale): (usize, &Scale)) -> Vec<String> {
+fn of_column(
+    language: Language,
+    wave: &Wave,
+    drawn: &DrawnCorner,
+    (axis, scale): (usize, &Scale),
+) -> Vec<String> {
     let Some(column) = drawn.column else { return Vec::new() };
     let incident = wave.incident[axis];
     let mut parts = Vec::new();
@@ -102,7 +107,7 @@ fn of_column(language: Language, wave: &Wave, drawn: &Drawn, (axis, scale): (usi
 }
 
 /// What the model did beside it.
-fn of_model(language: Language, drawn: &Drawn, (axis, scale): (usize, &Scale)) -> Vec<String> {
+fn of_model(language: Language, drawn: &DrawnCorner, (axis, scale): (usize, &Scale)) -> Vec<String> {
     let Some(beside) = &drawn.model else { return Vec::new() };
     let mut parts = Vec::new();
     for (k, place) in places(language).into_iter().enumerate() {
@@ -134,7 +139,7 @@ fn of_model(language: Language, drawn: &Drawn, (axis, scale): (usize, &Scale)) -
 }
 
 /// The corner and the column that are farthest from what they should be.
-fn worst(language: Language, found: &FreeField, drawn: &Drawn) -> String {
+fn worst(language: Language, found: &FreeField, drawn: &DrawnCorner) -> String {
     let places = places(language);
     let mut text = String::new();
     if let (Some(apart), Some(beside), Some(column)) = (drawn.apart, &drawn.model, drawn.column) {

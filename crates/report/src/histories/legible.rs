@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::drawing::chart::{Chart, Line, Panel};
-use crate::drawing::small_multiples::{Cell, Multiples};
+use crate::drawing::small_multiples::{Multiples, PanelLine};
 use crate::language::Language;
 use crate::page::figure::Figure;
 use crate::script::curves::Curves;
@@ -55,7 +55,7 @@ pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Ve
 }
 
 /// The panels with those of their lines that stand in these rows.
-fn together<'a>(panels: &'a [Panel<'a>], rows: &[Vec<Option<Cell<'a>>>]) -> Vec<Panel<'a>> {
+fn together<'a>(panels: &'a [Panel<'a>], rows: &[Vec<Option<PanelLine<'a>>>]) -> Vec<Panel<'a>> {
     let stands =
         |line: &Line<'_>| rows.iter().flatten().flatten().any(|(_, other)| std::ptr::eq(*other, line));
     let of = |panel: &'a Panel<'a>| {
@@ -77,8 +77,8 @@ fn together<'a>(panels: &'a [Panel<'a>], rows: &[Vec<Option<Cell<'a>>>]) -> Vec<
 
 /// A row for each name with a cell for each panel, [`ABREAST`] panels at a time; where no name stands in two panels, each
 /// panel's lines abreast.
-fn rows<'a>(panels: &'a [Panel<'a>]) -> Vec<Vec<Option<Cell<'a>>>> {
-    let of = |panel: &'a Panel<'a>, name: &str| -> Option<Cell<'a>> {
+fn rows<'a>(panels: &'a [Panel<'a>]) -> Vec<Vec<Option<PanelLine<'a>>>> {
+    let of = |panel: &'a Panel<'a>, name: &str| -> Option<PanelLine<'a>> {
         let line: Option<&Line> = panel.lines.iter().find(|line| line.name == name);
         Some((panel, line?))
     };
@@ -87,7 +87,7 @@ fn rows<'a>(panels: &'a [Panel<'a>]) -> Vec<Vec<Option<Cell<'a>>>> {
     });
     if !shared {
         let abreast = |panel: &'a Panel<'a>| {
-            let cells: Vec<Option<Cell>> = panel.lines.iter().map(|line| Some((panel, line))).collect();
+            let cells: Vec<Option<PanelLine>> = panel.lines.iter().map(|line| Some((panel, line))).collect();
             cells.chunks(ABREAST).map(<[_]>::to_vec).collect::<Vec<_>>()
         };
         return panels.iter().flat_map(abreast).collect();

@@ -69,7 +69,7 @@ impl BeforeAfter<'_> {
         let duration = self.time.last().copied().unwrap_or(f64::NAN);
         let last = self.histories.len().saturating_sub(1);
         for (k, pair) in self.histories.iter().enumerate() {
-            let panel = Panel {
+            let panel = ProcessingPanel {
                 pair,
                 numbered: k == last,
                 across: Ticks::within(from, to, 10),
@@ -88,7 +88,7 @@ impl BeforeAfter<'_> {
         if let Some((periods, pair)) = &self.spectrum {
             let (low, high) = range(periods.iter().copied());
             let (_, most) = range(pair.before.iter().chain(pair.after).copied());
-            let panel = Panel {
+            let panel = ProcessingPanel {
                 pair,
                 numbered: true,
                 across: axis(low, high),
@@ -143,7 +143,7 @@ fn largest(values: &[f64]) -> (usize, f64) {
 }
 
 /// A pair on its axes.
-struct Panel<'a> {
+struct ProcessingPanel<'a> {
     pair: &'a Pair<'a>,
     across: Ticks,
     /// Whether the axis below has its numbers.
@@ -156,7 +156,7 @@ struct Panel<'a> {
     height: f64,
 }
 
-impl Panel<'_> {
+impl ProcessingPanel<'_> {
     /// Draws the panel below `top`; returns where its axes end, and the largest values in words.
     fn draw(&self, svg: &mut Svg, top: f64) -> (f64, String) {
         let scale = self.pair.scale();

@@ -3,14 +3,14 @@
 use tremolite_results::{Deconvolved, Table};
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::free_field::numbers::AXES;
 use crate::language::{Language, say};
 use crate::page::figure::Figure;
 use crate::quantities::scale::{figures, trimmed};
-use crate::script::curves::{Curves, Rule, Side};
+use crate::script::curves::{Curves, Rule, RuleAnchor};
 use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
 
@@ -46,10 +46,10 @@ pub fn figure(source: &Source, moving: &[usize]) -> (Option<Figure>, Vec<String>
     if let Some(site) = site.as_ref().filter(|site| site.at_rest > 0.0) {
         let level = LEAST * site.at_rest;
         let name = say!(language, "5 % of the value at low frequency: nothing is inverted below");
-        curves.push(Curve::new(name, 1, Pen::Dashed, hertz.iter().map(|f| (*f, level)).collect()));
+        curves.push(PlotCurve::new(name, 1, Pen::Dashed, hertz.iter().map(|f| (*f, level)).collect()));
     }
     let heading = say!(language, "From the incident wave to the place of the record");
-    let drawing = Drawing {
+    let drawing = TransferDrawing {
         words: say!(language, "motion where the record was taken over incident wave, amplitude"),
         below: say!(language, "frequency"),
         across: Ticks::within(0.0, end, 10),
@@ -68,14 +68,14 @@ pub fn figure(source: &Source, moving: &[usize]) -> (Option<Figure>, Vec<String>
 }
 
 /// A curve for each component, one for those that are the same.
-fn components(language: Language, table: &Table, hertz: &[f64], moving: &[usize]) -> Vec<Curve> {
-    let mut curves: Vec<Curve> = Vec::new();
+fn components(language: Language, table: &Table, hertz: &[f64], moving: &[usize]) -> Vec<PlotCurve> {
+    let mut curves: Vec<PlotCurve> = Vec::new();
     for &axis in moving {
         let Some(values) = table.column(AXES[axis]) else { continue };
         let points: Vec<(f64, f64)> = hertz.iter().copied().zip(values.iter().copied()).collect();
         match curves.iter_mut().find(|curve| curve.pieces[0] == points) {
             Some(same) => same.name = say!(language, "{a} and {b}", a = same.name, b = AXES[axis]),
-            None => curves.push(Curve::new(AXES[axis], axis, Pen::Line, points)),
+            None => curves.push(PlotCurve::new(AXES[axis], axis, Pen::Line, points)),
         }
     }
     curves
@@ -90,22 +90,22 @@ fn rules(language: Language, site: &Deconvolved, end: f64) -> Vec<Rule> {
     rules.retain(|(at, _)| (0.0..=end).contains(at));
     rules.sort_by(|a, b| a.0.total_cmp(&b.0));
     // Names of neighbours stand on the sides that are turned away.
-    let sides = if rules.len() > 1 { [Side::End, Side::Start] } else { [Side::End; 2] };
+    let sides = if rules.len() > 1 { [RuleAnchor::End, RuleAnchor::Start] } else { [RuleAnchor::End; 2] };
     rules.into_iter().zip(sides).map(|((across, name), side)| Rule { across, name, side }).collect()
 }
 
 /// What the figure is made of.
-struct Drawing {
+struct TransferDrawing {
     words: String,
     /// Below the axis, without the unit.
     below: String,
     across: Ticks,
     up: Ticks,
     rules: Vec<Rule>,
-    curves: Vec<Curve>,
+    curves: Vec<PlotCurve>,
 }
 
-impl Drawing {
+impl TransferDrawing {
     fn draw(&self, title: &str) -> String {
         let mut svg = Svg::new(WIDTH);
         let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &self.words, &self.curves) + NAMES;
@@ -116,7 +116,7 @@ impl Drawing {
             let (x, _) = axes.point(*across, 0.0);
             svg.rule((x, top - NAMES + 4.0), (x, bottom), true);
             let (shift, anchor) = match side {
-                Side::End => (-4.0, Anchor::End),
+                RuleAnchor::End => (-4.0, Anchor::End),
                 _ => (4.0, Anchor::Start),
             };
             svg.text((x + shift, top - 5.0), anchor, 11.0, Style::Muted, name);

@@ -26,9 +26,9 @@ pub enum Content {
 
 /// The sections so far.
 #[derive(Default)]
-struct Page(Vec<Placed>);
+struct Contents(Vec<Placed>);
 
-impl Page {
+impl Contents {
     /// Sections that the code makes, none or several; further ones have a number behind the id.
     fn put(&mut self, id: &str, sections: impl IntoIterator<Item = Section>) {
         for (number, section) in sections.into_iter().enumerate() {
@@ -67,7 +67,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
         Some(Err(section)) => (None, Some(section)),
         None => (None, None),
     };
-    let mut page = Page::default();
+    let mut page = Contents::default();
 
     page.set("findings", say!(language, "What was found"), true);
     page.set("model-view", say!(language, "The model in three dimensions"), view);

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use indexmap::IndexMap;
 use serde::Serialize;
 
-use crate::drawing::chart::{Chart, Panel as Drawn, Stroke};
+use crate::drawing::chart::{Chart, Line, Panel, Stroke};
 use crate::language::Language;
 use crate::script::blocks::{Blocks, json_element};
 
@@ -30,7 +30,7 @@ pub struct Curves {
     /// Above all panels, what they have in common; may be empty.
     pub heading: String,
     pub across: Across,
-    pub panels: Vec<Panel>,
+    pub panels: Vec<CurvePanel>,
     /// Panels beside each other.
     pub abreast: usize,
     pub rules: Vec<Rule>,
@@ -55,13 +55,13 @@ pub struct Across {
 pub struct Rule {
     pub across: f64,
     pub name: String,
-    pub side: Side,
+    pub side: RuleAnchor,
 }
 
 /// Which part of a rule's name stands at it.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Side {
+pub enum RuleAnchor {
     Start,
     Center,
     End,
@@ -69,7 +69,7 @@ pub enum Side {
 
 /// One set of axes.
 #[derive(Clone, Debug, Serialize)]
-pub struct Panel {
+pub struct CurvePanel {
     pub title: String,
     pub unit: String,
     pub log: bool,
@@ -77,13 +77,13 @@ pub struct Panel {
     pub ends: Option<[f64; 2]>,
     /// Names the marked point; may be empty.
     pub remark: String,
-    pub mark: Option<Mark>,
-    pub lines: Vec<Line>,
+    pub mark: Option<CurveMark>,
+    pub lines: Vec<CurveLine>,
 }
 
 /// The marked point: number of the line in its panel, abscissa, value in the panel's unit.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Mark {
+pub struct CurveMark {
     pub line: usize,
     pub across: f64,
     pub value: f64,
@@ -91,7 +91,7 @@ pub struct Mark {
 
 /// One curve.
 #[derive(Clone, Debug, Serialize)]
-pub struct Line {
+pub struct CurveLine {
     pub name: String,
     /// As [`Svg::lines`](crate::drawing::svg::Svg::lines) takes it.
     pub colour: usize,
@@ -105,7 +105,7 @@ pub struct Line {
 
 /// A figure in the manifest, with the blocks that hold its numbers: of the lines one behind the other, and of the abscissa.
 #[derive(Serialize)]
-struct Entry<'a> {
+struct CurvesEntry<'a> {
     #[serde(flatten)]
     curves: &'a Curves,
     rows: usize,
@@ -115,7 +115,7 @@ struct Entry<'a> {
 
 impl Curves {
     /// Panels one below the other.
-    pub fn new(title: &str, across: Across, panels: Vec<Panel>) -> Curves {
+    pub fn new(title: &str, across: Across, panels: Vec<CurvePanel>) -> Curves {
         let curves = Curves {
             title: title.into(),
             heading: String::new(),
@@ -130,14 +130,14 @@ impl Curves {
 
     /// Those of a chart.
     pub fn of_chart(chart: &Chart<'_>, language: Language) -> Curves {
-        let panel = |panel: &Drawn<'_>| {
+        let panel = |panel: &Panel<'_>| {
             let factor = panel.scale.factor;
             let peak = panel.peak(chart.time);
             let mark = peak.and_then(|peak| {
                 let line = panel.lines.iter().position(|line| std::ptr::eq(line, peak.line))?;
-                Some(Mark { line, across: peak.time, value: peak.value * factor })
+                Some(CurveMark { line, across: peak.time, value: peak.value * factor })
             });
-            let line = |line: &crate::drawing::chart::Line<'_>| Line {
+            let line = |line: &Line<'_>| CurveLine {
                 name: line.name.clone(),
                 colour: line.colour,
                 stroke: line.stroke,
@@ -148,7 +148,7 @@ impl Curves {
                     .map(|x| if x.is_finite() { x * factor } else { f64::NAN })
                     .collect(),
             };
-            Panel {
+            CurvePanel {
                 title: panel.title.clone(),
                 unit: panel.scale.unit.clone(),
                 log: false,
@@ -224,7 +224,7 @@ pub fn embedded<'a>(
 ) -> (String, usize) {
     let (mut taken, mut left) = (0, 0);
     let mut known: Vec<(Vec<u8>, usize)> = Vec::new();
-    let mut entries: IndexMap<&str, Entry<'_>> = IndexMap::new();
+    let mut entries: IndexMap<&str, CurvesEntry<'_>> = IndexMap::new();
     for (file, curves) in figures {
         let lines = curves.panels.iter().flat_map(|panel| &panel.lines);
         let numbers = packed(lines.flat_map(|line| &line.values), SHOWN);
@@ -243,7 +243,7 @@ pub fn embedded<'a>(
             }
         };
         let rows = curves.across.values.len();
-        entries.insert(file, Entry { curves, rows, block, across_block });
+        entries.insert(file, CurvesEntry { curves, rows, block, across_block });
     }
     let manifest = match serde_json::to_string(&entries) {
         Ok(json) if !entries.is_empty() => json_element("curves-data", &json),
@@ -271,7 +271,7 @@ mod tests {
 
     fn long(rows: usize) -> Curves {
         let time: Vec<f64> = (0..rows).map(|row| row as f64 * 0.001).collect();
-        let line = |k: usize| Line {
+        let line = |k: usize| CurveLine {
             name: format!("m{k}"),
             colour: k,
             stroke: Stroke::Thin,
@@ -279,7 +279,7 @@ mod tests {
             values: time.iter().map(|t| (t * 7.0 + k as f64).sin() + f64::from(*t == 31.234) * 5.0).collect(),
         };
         let lines = (0..7).map(line).collect();
-        let panel = Panel {
+        let panel = CurvePanel {
             title: "x".into(),
             unit: "mm".into(),
             log: false,

@@ -2,8 +2,8 @@
 
 use crate::drawing::axes::drawable;
 use crate::drawing::chart::Stroke;
-use crate::drawing::plot::{Curve, Pen};
-use crate::script::curves::{Across, Curves, Line, PASSED, Panel};
+use crate::drawing::plot::{Pen, PlotCurve};
+use crate::script::curves::{Across, CurveLine, CurvePanel, Curves, PASSED};
 
 /// One set of axes.
 pub struct Plot<'a> {
@@ -14,14 +14,14 @@ pub struct Plot<'a> {
     /// The ends of the upright axis, where they are not to follow the values.
     pub ends: Option<[f64; 2]>,
     /// In the units of the axes, ascending within each piece.
-    pub curves: &'a [Curve],
+    pub curves: &'a [PlotCurve],
 }
 
 /// Curves over an abscissa with this name and unit.
 pub fn curves(title: &str, name: &str, unit: &str, plots: &[Plot<'_>]) -> Curves {
     let all = || plots.iter().flat_map(|plot| plot.curves);
     let values = abscissa(all());
-    let panel = |plot: &Plot<'_>| Panel {
+    let panel = |plot: &Plot<'_>| CurvePanel {
         title: plot.title.clone(),
         unit: plot.unit.clone(),
         log: plot.log,
@@ -36,7 +36,7 @@ pub fn curves(title: &str, name: &str, unit: &str, plots: &[Plot<'_>]) -> Curves
 }
 
 /// Where any of the curves has a point, ascending, each once; and where one breaks between neighbours, the middle.
-fn abscissa<'a>(curves: impl Iterator<Item = &'a Curve> + Clone) -> Vec<f64> {
+fn abscissa<'a>(curves: impl Iterator<Item = &'a PlotCurve> + Clone) -> Vec<f64> {
     let pieces = || curves.clone().flat_map(|curve| &curve.pieces);
     let mut values: Vec<f64> = pieces().flatten().map(|point| point.0).filter(|x| drawable(*x)).collect();
     values.sort_by(f64::total_cmp);
@@ -53,7 +53,7 @@ fn abscissa<'a>(curves: impl Iterator<Item = &'a Curve> + Clone) -> Vec<f64> {
     values
 }
 
-fn line(curve: &Curve, abscissa: &[f64]) -> Line {
+fn line(curve: &PlotCurve, abscissa: &[f64]) -> CurveLine {
     let mut values = vec![f64::NAN; abscissa.len()];
     for piece in &curve.pieces {
         let mut last = None;
@@ -69,7 +69,7 @@ fn line(curve: &Curve, abscissa: &[f64]) -> Line {
             last = Some(row);
         }
     }
-    Line {
+    CurveLine {
         name: curve.name.clone(),
         colour: curve.colour,
         stroke: if curve.pen == Pen::Dashed { Stroke::Dashed } else { Stroke::Thin },
@@ -82,7 +82,7 @@ fn line(curve: &Curve, abscissa: &[f64]) -> Line {
 mod tests {
     use super::*;
 
-    fn of(curves: &[Curve]) -> Curves {
+    fn of(curves: &[PlotCurve]) -> Curves {
         let plot = Plot { title: String::new(), unit: String::new(), log: false, ends: None, curves };
         super::curves("", "", "s", &[plot])
     }
@@ -94,8 +94,8 @@ mod tests {
         };
         let [coarse, fine] = [history(0.5, 4), history(0.2, 6)];
         let merged = of(&[
-            Curve::new("coarse", 0, Pen::Line, coarse.clone()),
-            Curve::new("fine", 1, Pen::Line, fine.clone()),
+            PlotCurve::new("coarse", 0, Pen::Line, coarse.clone()),
+            PlotCurve::new("fine", 1, Pen::Line, fine.clone()),
         ]);
         let across = &merged.across.values;
         assert!(across.windows(2).all(|pair| pair[0] < pair[1]), "{across:?}");
@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn a_line_breaks_between_its_pieces_and_where_it_has_no_number() {
         let pieces = vec![vec![(0.0, 1.0), (1.0, 2.0)], vec![(2.0, 3.0), (3.0, f64::NAN), (4.0, 5.0)]];
-        let broken = of(&[Curve { name: String::new(), colour: 0, pen: Pen::Marked, pieces }]);
+        let broken = of(&[PlotCurve { name: String::new(), colour: 0, pen: Pen::Marked, pieces }]);
         assert_eq!(broken.across.values, [0.0, 1.0, 1.5, 2.0, 3.0, 4.0]);
         let values = &broken.panels[0].lines[0].values;
         assert!(values[2].is_nan() && values[4].is_nan());
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn a_time_that_a_resumed_run_repeats_is_passed_over() {
         let points = vec![(0.0, 1.0), (0.1, 2.0), (0.2, 3.0), (0.1, 9.0), (0.2, 9.0), (0.3, 4.0)];
-        let curves = of(&[Curve::new("", 0, Pen::Line, points)]);
+        let curves = of(&[PlotCurve::new("", 0, Pen::Line, points)]);
         assert_eq!(curves.across.values, [0.0, 0.1, 0.2, 0.3]);
         assert_eq!(curves.panels[0].lines[0].values, [1.0, 2.0, 3.0, 4.0]);
     }

@@ -1,13 +1,13 @@
 //! Figure of section forces along a lining.
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::page::figure::Figure;
 use crate::quantities::scale::trimmed;
-use crate::script::curves::{Rule, Side};
+use crate::script::curves::{Rule, RuleAnchor};
 use crate::script::plot_curves::{self, Plot};
 use crate::section_forces::stations::{Extreme, KILO, Lining, Station, distance, forces, joints};
 
@@ -76,7 +76,8 @@ pub fn figure(
     });
     let mut curves = plot_curves::curves(&title, &words, "m", &plots.collect::<Vec<_>>());
     let landmarks = landmarks(language, section).into_iter();
-    curves.rules = landmarks.map(|(k, name)| Rule { across: along[k], name, side: Side::Center }).collect();
+    curves.rules =
+        landmarks.map(|(k, name)| Rule { across: along[k], name, side: RuleAnchor::Center }).collect();
     let mut caption = say!(
         language,
         "Section y = {y}\u{a0}m, {number} stations going round from below by the wall of greater x over the crown. Lines break where \
@@ -97,7 +98,13 @@ pub fn figure(
 }
 
 /// What is drawn of a force: after the stages, largest, smallest.
-fn curves(language: Language, lining: &Lining, section: &[&Station], along: &[f64], i: usize) -> Vec<Curve> {
+fn curves(
+    language: Language,
+    lining: &Lining,
+    section: &[&Station],
+    along: &[f64],
+    i: usize,
+) -> Vec<PlotCurve> {
     let after = |s: &Station| s.after[i];
     let extreme = |of: Option<Extreme>| of.map_or(f64::NAN, |e| e.forces[i]);
     let most = |s: &Station| extreme(s.most);
@@ -120,9 +127,9 @@ fn curves(language: Language, lining: &Lining, section: &[&Station], along: &[f6
             }
         }
         let pen = if k == 0 { Pen::Marked } else { Pen::Line };
-        Curve { name, colour: COLOURS[k], pen, pieces }
+        PlotCurve { name, colour: COLOURS[k], pen, pieces }
     };
-    let drawn = |curve: &Curve| curve.pieces.iter().flatten().any(|p| p.1.is_finite());
+    let drawn = |curve: &PlotCurve| curve.pieces.iter().flatten().any(|p| p.1.is_finite());
     wanted.into_iter().enumerate().map(curve).filter(drawn).collect()
 }
 

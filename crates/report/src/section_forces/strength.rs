@@ -9,7 +9,7 @@
 use tremolite_results::Summary;
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
@@ -97,13 +97,13 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
     }
     let points = |states: &[[f64; 2]]| states.iter().map(|[n, m]| (*n, *m)).collect::<Vec<_>>();
     let mut curves = vec![
-        Curve::new(
+        PlotCurve::new(
             say!(language, "elastic section: a fibre reaches f_t or f_c"),
             1,
             Pen::Line,
             strength.elastic(),
         ),
-        Curve::new(
+        PlotCurve::new(
             say!(language, "what is left once cracked: no tension, f_c over the compressed part"),
             1,
             Pen::Dashed,
@@ -115,19 +115,19 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
             language,
             "at the extremes of moment and thrust while the ground shakes, each with the other of that time"
         );
-        curves.push(Curve::new(name, 6, Pen::Dots, points(&shaken)));
+        curves.push(PlotCurve::new(name, 6, Pen::Dots, points(&shaken)));
     }
     if !after.is_empty() {
-        curves.push(Curve::new(&lining.after, 3, Pen::Dots, points(&after)));
+        curves.push(PlotCurve::new(&lining.after, 3, Pen::Dots, points(&after)));
     }
     // As far as there are points, and a little of the lines in any case.
     let (_, (low, high)) = plot::ranges(&curves[2..]);
     let most = 1.2 * high.abs().max(low.abs()).max(0.01);
     let left = plot::ranges(&curves[2..]).0.0.min(-0.05) * 1.15;
     let right = plot::ranges(&curves[2..]).0.1.max(1.3 * strength.tension / strength.compression) * 1.1;
-    let clipped: Vec<Curve> = curves
+    let clipped: Vec<PlotCurve> = curves
         .into_iter()
-        .map(|curve| Curve {
+        .map(|curve| PlotCurve {
             pieces: curve.pieces.iter().flat_map(|p| within(p, (left, right), most)).collect(),
             ..curve
         })

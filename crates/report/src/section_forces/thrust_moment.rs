@@ -1,7 +1,7 @@
 //! Figure of moment over thrust at all stations of a lining.
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
@@ -35,10 +35,10 @@ pub fn figure(language: Language, lining: &Lining, section: &[&Station], suffix:
     let mut curves = Vec::new();
     if boxes.iter().flatten().any(|(n, m)| n.is_finite() && m.is_finite()) {
         let name = say!(language, "between which values each station went while the ground shook");
-        curves.push(Curve { name, colour: 6, pen: Pen::Thin, pieces: boxes });
+        curves.push(PlotCurve { name, colour: 6, pen: Pen::Thin, pieces: boxes });
     }
     if after.iter().any(|(n, m)| n.is_finite() && m.is_finite()) {
-        curves.push(Curve::new(&lining.after, COLOURS[0], Pen::Dots, after));
+        curves.push(PlotCurve::new(&lining.after, COLOURS[0], Pen::Dots, after));
     }
     if curves.is_empty() {
         return None;

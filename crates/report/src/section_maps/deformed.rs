@@ -2,7 +2,7 @@
 
 use tremolite_results::{Peaks, Slice, Snapshot};
 
-use crate::drawing::frame_row::Row;
+use crate::drawing::frame_row::MapRow;
 use crate::language::say;
 use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::{figures, moment, trimmed};
@@ -154,7 +154,7 @@ fn figure(
     let factor = exaggeration(farthest, DRAWN * width.max(height));
 
     let scale = source.scale(Kind::Displacement);
-    let row = Row::of(window, 1);
+    let row = MapRow::of(window, 1);
     let mut frame = row.frame(0.0, most * scale.factor);
     for &k in &seen {
         let values: Vec<f64> = sizes(k).map(|value| value * scale.factor).collect();
@@ -163,7 +163,7 @@ fn figure(
     let undeformed: Vec<Edge> = borders.iter().map(|sides| sides[0].edge).collect();
     frame.outlines(&undeformed);
     // Each side of a border by its own nodes: where an interface opened, two lines part.
-    let drawn = |side: &crate::section_maps::section_view::Side| {
+    let drawn = |side: &crate::section_maps::section_view::CellSide| {
         [0, 1].map(|end| {
             let u = rest(side.cell, side.corner + end);
             [0, 1].map(|i| side.edge[end][i] + factor * u[i])

@@ -2,7 +2,7 @@
 
 use tremolite_results::{Cut, CutCell};
 
-use crate::drawing::frame_row::Row;
+use crate::drawing::frame_row::MapRow;
 use crate::language::say;
 use crate::page::figure::Figure;
 use crate::quantities::scale::Scale;
@@ -39,7 +39,7 @@ impl Map<'_> {
         let low = finite().map(|cell| cell.value).fold(f64::INFINITY, f64::min);
         let high = finite().map(|cell| cell.value).fold(f64::NEG_INFINITY, f64::max);
         let scale = self.source.units.suiting(&cut.unit, low.abs().max(high.abs()));
-        let row = Row::of(window, if self.smooth.is_some() { 2 } else { 1 });
+        let row = MapRow::of(window, if self.smooth.is_some() { 2 } else { 1 });
         let borders = borders(&cut.cells);
         let frame = || {
             let mut frame = row.frame(low * scale.factor, high * scale.factor);

@@ -2,7 +2,7 @@
 
 use tremolite_results::{Cut, Pvd};
 
-use crate::drawing::frame_row::Row;
+use crate::drawing::frame_row::MapRow;
 use crate::language::say;
 use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::{count, trimmed};
@@ -28,7 +28,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let window = window(&cut, &positions, MARGIN, |_| false);
     let shown = || cut.cells.iter().filter(|cell| window.meets(&cell.outline));
     let rock = largest_body(&cut)?;
-    let row = Row::of(window.clone(), 1);
+    let row = MapRow::of(window.clone(), 1);
     let mut frame = row.frame(0.0, 1.0);
     for cell in shown() {
         frame.kind(&cell.outline, "", if cell.group == rock { ROCK } else { LINING });

@@ -3,7 +3,7 @@
 use tremolite_results::{Cut, CutCell, Fields, Slice};
 
 use crate::drawing::frame::Frame;
-use crate::drawing::frame_row::Row;
+use crate::drawing::frame_row::MapRow;
 use crate::language::{Language, say};
 use crate::page::figure::Figure;
 use crate::quantities::scale::{Scale, figures, trimmed};
@@ -107,15 +107,15 @@ impl Zones {
         positions: &Positions,
     ) -> (String, String) {
         let window = window(cut, positions, MARGIN, |cell| yielded(cell.value));
-        let row = Row::of(window, if before.is_some() { 2 } else { 1 });
+        let row = MapRow::of(window, if before.is_some() { 2 } else { 1 });
         let frame = |cut: &Cut| {
             let mut frame = row.frame(0.0, 1.0);
             // In this order beside the map.
             for (wanted, name, colour) in [
-                (Kind::Shear, say!(language, "in shear"), SHEAR),
-                (Kind::Tension, say!(language, "in tension"), TENSION),
-                (Kind::Both, say!(language, "in both"), BOTH),
-                (Kind::Elastic, say!(language, "elastic"), ELASTIC),
+                (ZoneKind::Shear, say!(language, "in shear"), SHEAR),
+                (ZoneKind::Tension, say!(language, "in tension"), TENSION),
+                (ZoneKind::Both, say!(language, "in both"), BOTH),
+                (ZoneKind::Elastic, say!(language, "elastic"), ELASTIC),
             ] {
                 for cell in cut.cells.iter().filter(|cell| kind(cell.value) == Some(wanted)) {
                     frame.kind(&cell.outline, &name, colour);
@@ -172,7 +172,7 @@ impl Zones {
         let most = cut.cells.iter().map(|cell| cell.value).filter(|x| x.is_finite()).fold(0.0, f64::max);
         // Strains of rock are thousandths.
         let scale = Scale { factor: 1e3, unit: "10⁻³".into() };
-        let row = Row::of(window, if before.is_some() { 2 } else { 1 });
+        let row = MapRow::of(window, if before.is_some() { 2 } else { 1 });
         let frame = |cut: &Cut| {
             let mut frame = row.frame(0.0, most * scale.factor);
             let none = say!(language, "none");
@@ -228,7 +228,7 @@ fn strains(cut: &Cut) -> bool {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum ZoneKind {
     Shear,
     Tension,
     Both,
@@ -236,17 +236,17 @@ enum Kind {
 }
 
 fn yielded(value: f64) -> bool {
-    kind(value).is_some_and(|kind| kind != Kind::Elastic)
+    kind(value).is_some_and(|kind| kind != ZoneKind::Elastic)
 }
 
 /// What flags of the state say: 1 and 4 shear, 2 and 8 tension, now and earlier.
-fn kind(value: f64) -> Option<Kind> {
+fn kind(value: f64) -> Option<ZoneKind> {
     let flags = if value.is_finite() { value as i64 } else { return None };
     Some(match (flags & 5 != 0, flags & 10 != 0) {
-        (true, true) => Kind::Both,
-        (true, false) => Kind::Shear,
-        (false, true) => Kind::Tension,
-        (false, false) => Kind::Elastic,
+        (true, true) => ZoneKind::Both,
+        (true, false) => ZoneKind::Shear,
+        (false, true) => ZoneKind::Tension,
+        (false, false) => ZoneKind::Elastic,
     })
 }
 
@@ -256,7 +256,7 @@ mod tests {
 
     #[test]
     fn flags_of_now_and_earlier_count_alike() {
-        use Kind::{Both, Elastic, Shear, Tension};
+        use ZoneKind::{Both, Elastic, Shear, Tension};
         let kinds = [0.0, 1.0, 4.0, 2.0, 8.0, 6.0, 9.0].map(kind);
         assert_eq!(kinds, [Elastic, Shear, Shear, Tension, Tension, Both, Both].map(Some));
         assert_eq!(kind(f64::NAN), None);

@@ -101,9 +101,9 @@ pub fn borders(cells: &[CutCell]) -> Vec<Edge> {
 }
 
 /// The same with the cells beside each edge.
-pub fn border_sides(cells: &[CutCell]) -> Vec<Vec<Side>> {
-    let is_border = |sides: &Vec<Side>| {
-        let group = |side: &Side| cells[side.cell].group;
+pub fn border_sides(cells: &[CutCell]) -> Vec<Vec<CellSide>> {
+    let is_border = |sides: &Vec<CellSide>| {
+        let group = |side: &CellSide| cells[side.cell].group;
         sides.len() == 1 || sides.iter().any(|side| group(side) != group(&sides[0]))
     };
     edges(cells).into_iter().filter(is_border).collect()
@@ -111,21 +111,21 @@ pub fn border_sides(cells: &[CutCell]) -> Vec<Vec<Side>> {
 
 /// An edge of a cell: which of its corners it begins at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Side {
+pub struct CellSide {
     pub cell: usize,
     pub corner: usize,
     pub edge: Edge,
 }
 
 /// Edges of the section, each with the cells beside it.
-pub fn edges(cells: &[CutCell]) -> Vec<Vec<Side>> {
-    let mut edges: BTreeMap<_, Vec<Side>> = BTreeMap::new();
+pub fn edges(cells: &[CutCell]) -> Vec<Vec<CellSide>> {
+    let mut edges: BTreeMap<_, Vec<CellSide>> = BTreeMap::new();
     for (cell, own) in cells.iter().enumerate() {
         let next = own.outline.iter().cycle().skip(1);
         for (corner, (a, b)) in own.outline.iter().zip(next).enumerate() {
             let (ka, kb) = (key(a), key(b));
             if ka != kb {
-                edges.entry((ka.min(kb), ka.max(kb))).or_default().push(Side {
+                edges.entry((ka.min(kb), ka.max(kb))).or_default().push(CellSide {
                     cell,
                     corner,
                     edge: [*a, *b],

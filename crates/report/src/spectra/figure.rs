@@ -4,7 +4,7 @@ use tremolite_results::Table;
 
 use crate::drawing::axes::Axes;
 use crate::drawing::period_axis::{axis, place};
-use crate::drawing::plot::{self, Curve, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
@@ -24,16 +24,16 @@ const LEFT: f64 = 46.0;
 const APART: f64 = 10.0;
 
 /// What is drawn: the columns of a point.
-pub struct Point<'a> {
+pub struct SpectrumPlace<'a> {
     pub name: String,
     /// Along x, y and z; empty where the file has none.
     pub spectrum: [&'a [f64]; 3],
 }
 
-impl<'a> Point<'a> {
-    pub fn of(table: &'a Table, name: &str) -> Point<'a> {
+impl<'a> SpectrumPlace<'a> {
+    pub fn of(table: &'a Table, name: &str) -> SpectrumPlace<'a> {
         let along = |axis: &str| table.column(&format!("{name}.a{axis}")).unwrap_or(&[]);
-        Point { name: name.into(), spectrum: AXES.map(along) }
+        SpectrumPlace { name: name.into(), spectrum: AXES.map(along) }
     }
 
     pub fn is_known(&self) -> bool {
@@ -50,27 +50,27 @@ impl<'a> Point<'a> {
 }
 
 /// A spectrum that is drawn, under the name it has in the legend.
-pub struct Drawn<'a> {
+pub struct DrawnSpectra<'a> {
     pub name: String,
-    pub point: &'a Point<'a>,
+    pub point: &'a SpectrumPlace<'a>,
     pub colour: usize,
     pub pen: Pen,
 }
 
 /// Spectra of one pair of axes, or of several components.
-pub struct Row<'a> {
+pub struct SpectraRow<'a> {
     /// Before the component in the heading; empty for none.
     pub name: &'a str,
-    pub drawn: Vec<Drawn<'a>>,
+    pub drawn: Vec<DrawnSpectra<'a>>,
 }
 
-fn largest(points: &[&Point], axis: usize) -> f64 {
+fn largest(points: &[&SpectrumPlace], axis: usize) -> f64 {
     let values = points.iter().flat_map(|point| point.spectrum[axis]).copied();
     values.filter(|x| x.is_finite()).fold(0.0, f64::max)
 }
 
 /// The components that move.
-pub fn moving(points: &[&Point]) -> Vec<usize> {
+pub fn moving(points: &[&SpectrumPlace]) -> Vec<usize> {
     let sizes = [0, 1, 2].map(|axis| largest(points, axis));
     let most = sizes.into_iter().fold(0.0, f64::max);
     (0..3).filter(|&axis| most > 0.0 && sizes[axis] > IDLE * most).collect()
@@ -78,7 +78,7 @@ pub fn moving(points: &[&Point]) -> Vec<usize> {
 
 /// Rows of spectra by component, all over the same periods and on the same scale; without heading and caption.
 pub fn figure(
-    rows: &[Row],
+    rows: &[SpectraRow],
     axes_of: &[usize],
     periods: &[f64],
     title: &str,
@@ -86,20 +86,21 @@ pub fn figure(
     source: &Source,
 ) -> Figure {
     let language = source.language;
-    let all: Vec<&Point> = rows.iter().flat_map(|row| row.drawn.iter().map(|drawn| drawn.point)).collect();
+    let all: Vec<&SpectrumPlace> =
+        rows.iter().flat_map(|row| row.drawn.iter().map(|drawn| drawn.point)).collect();
     let most = axes_of.iter().map(|&axis| largest(&all, axis)).fold(0.0, f64::max);
     let scale = source.scale(Kind::Acceleration);
     let (low, high) = plot::range(periods.iter().copied());
     let words = scale.labelled(&say!(language, "spectral acceleration, 5 % damping"));
-    let cells: Vec<Cell> = rows
+    let cells: Vec<SpectrumAxes> = rows
         .iter()
         .flat_map(|row| axes_of.iter().map(move |&axis| (row, axis)))
-        .map(|(row, axis)| Cell {
+        .map(|(row, axis)| SpectrumAxes {
             heading: heading(row, axis, language),
             curves: curves(row, axis, periods, &scale),
         })
         .collect();
-    let sheet = Sheet {
+    let sheet = SpectraDrawing {
         // Where one component moves, monitors stand beside each other.
         abreast: if axes_of.len() > 1 { axes_of.len() } else { rows.len().clamp(1, 3) },
         cells,
@@ -114,15 +115,15 @@ pub fn figure(
 }
 
 /// One pair of axes.
-struct Cell {
+struct SpectrumAxes {
     heading: String,
     /// Over periods (s).
-    curves: Vec<Curve>,
+    curves: Vec<PlotCurve>,
 }
 
 /// What a figure is made of.
-struct Sheet {
-    cells: Vec<Cell>,
+struct SpectraDrawing {
+    cells: Vec<SpectrumAxes>,
     abreast: usize,
     across: Ticks,
     up: Ticks,
@@ -133,7 +134,7 @@ struct Sheet {
     period: String,
 }
 
-impl Sheet {
+impl SpectraDrawing {
     fn draw(&self, title: &str) -> String {
         let mut svg = Svg::new(WIDTH);
         let wide = (WIDTH - RIGHT + APART) / self.abreast as f64;
@@ -182,18 +183,18 @@ impl Sheet {
     }
 }
 
-fn heading(row: &Row, axis: usize, language: Language) -> String {
+fn heading(row: &SpectraRow, axis: usize, language: Language) -> String {
     match row.name {
         "" => say!(language, "along {axis}", axis = AXES[axis]),
         name => say!(language, "{name}, along {axis}", name = name, axis = AXES[axis]),
     }
 }
 
-fn curves(row: &Row, axis: usize, periods: &[f64], scale: &Scale) -> Vec<Curve> {
-    let curve = |drawn: &Drawn| {
+fn curves(row: &SpectraRow, axis: usize, periods: &[f64], scale: &Scale) -> Vec<PlotCurve> {
+    let curve = |drawn: &DrawnSpectra| {
         let points = periods.iter().zip(drawn.point.spectrum[axis]);
         let points = points.map(|(period, value)| (*period, value * scale.factor)).collect();
-        Curve::new(drawn.name.clone(), drawn.colour, drawn.pen, points)
+        PlotCurve::new(drawn.name.clone(), drawn.colour, drawn.pen, points)
     };
     row.drawn.iter().map(curve).collect()
 }

@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use tremolite_results::{StageSummary, Summary};
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
@@ -19,7 +19,7 @@ const ABREAST: usize = 5;
 
 /// A named point of a cavern.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Point {
+pub struct WallPoint {
     /// As the summary has it.
     pub key: String,
     /// Without the cavern's name.
@@ -29,13 +29,13 @@ pub struct Point {
 }
 
 /// The points of each cavern, by its name.
-pub fn caverns(stages: &[StageSummary]) -> IndexMap<String, Vec<Point>> {
-    let mut caverns: IndexMap<String, Vec<Point>> = IndexMap::new();
+pub fn caverns(stages: &[StageSummary]) -> IndexMap<String, Vec<WallPoint>> {
+    let mut caverns: IndexMap<String, Vec<WallPoint>> = IndexMap::new();
     for key in stages.iter().flat_map(|stage| stage.walls.keys()) {
         let (cavern, label, inward) = parts(key);
         let points = caverns.entry(cavern).or_default();
         if !points.iter().any(|point| point.key == *key) {
-            points.push(Point { key: key.clone(), label, inward });
+            points.push(WallPoint { key: key.clone(), label, inward });
         }
     }
     caverns
@@ -68,7 +68,7 @@ fn parts(key: &str) -> (String, String, Option<(usize, f64)>) {
     (words[..first].join("."), rest.join(" "), inward)
 }
 
-impl Point {
+impl WallPoint {
     /// What it is called on the page.
     pub fn called(&self, language: Language) -> String {
         match self.label.as_str() {
@@ -96,8 +96,8 @@ impl Point {
 }
 
 /// Pairs of walls that face each other.
-fn facing(points: &[Point]) -> Vec<(&Point, &Point)> {
-    let other = |left: &Point| {
+fn facing(points: &[WallPoint]) -> Vec<(&WallPoint, &WallPoint)> {
+    let other = |left: &WallPoint| {
         let label = left.label.to_lowercase().replace("left", "right");
         points.iter().find(|p| p.label.to_lowercase() == label && p.inward == Some((0, -1.0)))
     };
@@ -106,12 +106,12 @@ fn facing(points: &[Point]) -> Vec<(&Point, &Point)> {
 }
 
 /// What two walls came nearer to each other: the difference of their horizontal displacements.
-fn closure(stages: &[StageSummary], (left, right): (&Point, &Point), k: usize) -> f64 {
+fn closure(stages: &[StageSummary], (left, right): (&WallPoint, &WallPoint), k: usize) -> f64 {
     left.moved(stages, k)[0] - right.moved(stages, k)[0]
 }
 
 /// What a closure is called beside others.
-fn closure_name(language: Language, pairs: &[(&Point, &Point)], k: usize) -> String {
+fn closure_name(language: Language, pairs: &[(&WallPoint, &WallPoint)], k: usize) -> String {
     if pairs.len() == 1 {
         say!(language, "wall to wall")
     } else {
@@ -162,20 +162,26 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     Some(block)
 }
 
-fn figure(source: &Source, stages: &[StageSummary], cavern: &str, points: &[Point], number: usize) -> Figure {
+fn figure(
+    source: &Source,
+    stages: &[StageSummary],
+    cavern: &str,
+    points: &[WallPoint],
+    number: usize,
+) -> Figure {
     let language = source.language;
-    let mut curves: Vec<Curve> = Vec::new();
+    let mut curves: Vec<PlotCurve> = Vec::new();
     // The dark colour is that of the closure.
     let mut colours = (0..).filter(|k| *k != 3);
     for point in points.iter().filter(|p| p.inward.is_some()) {
         let values = (0..stages.len()).map(|k| (k as f64, point.inwards(stages, k).unwrap_or(f64::NAN)));
         let (name, colour) = (point.called(language), colours.next().unwrap_or(0));
-        curves.push(Curve::new(name, colour, Pen::Marked, values.collect()));
+        curves.push(PlotCurve::new(name, colour, Pen::Marked, values.collect()));
     }
     let pairs = facing(points);
     for (k, pair) in pairs.iter().enumerate() {
         let values = (0..stages.len()).map(|k| (k as f64, closure(stages, *pair, k)));
-        curves.push(Curve::new(closure_name(language, &pairs, k), 3, Pen::Dashed, values.collect()));
+        curves.push(PlotCurve::new(closure_name(language, &pairs, k), 3, Pen::Dashed, values.collect()));
     }
     let (low, high) = plot::ranges(&curves).1;
     let scale = source.scale(Kind::Displacement);
@@ -234,7 +240,7 @@ fn figure(source: &Source, stages: &[StageSummary], cavern: &str, points: &[Poin
 }
 
 /// Both components of each point, by stage.
-fn table(source: &Source, stages: &[StageSummary], cavern: &str, points: &[Point]) -> TextTable {
+fn table(source: &Source, stages: &[StageSummary], cavern: &str, points: &[WallPoint]) -> TextTable {
     let language = source.language;
     let all = || (0..stages.len()).flat_map(|k| points.iter().flat_map(move |p| p.moved(stages, k)));
     let most = all().filter(|x| x.is_finite()).fold(0.0, |most: f64, x| most.max(x.abs()));

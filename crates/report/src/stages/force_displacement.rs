@@ -3,7 +3,7 @@
 use tremolite_results::{StageSummary, Summary};
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
@@ -17,7 +17,7 @@ const ALONG: [(&str, &str, &str); 3] =
     [("ux", "reaction_x", "x"), ("uy", "reaction_y", "y"), ("uz", "reaction_z", "z")];
 
 /// What is moved along an axis: way \[m\] and force \[N\], stage by stage.
-struct Course {
+struct Movement {
     name: String,
     points: Vec<(f64, f64)>,
 }
@@ -33,13 +33,13 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         courses.iter().flat_map(|course| &course.points).map(|p| of(p).abs()).fold(0.0, f64::max)
     };
     let (way, force) = (Scale::suiting("m", most(|p| p.0)), Scale::suiting("N", most(|p| p.1)));
-    let shown = |course: &Course| -> Vec<(f64, f64)> {
+    let shown = |course: &Movement| -> Vec<(f64, f64)> {
         course.points.iter().map(|(u, f)| (u * way.factor, f * force.factor)).collect()
     };
-    let curves: Vec<Curve> = courses
+    let curves: Vec<PlotCurve> = courses
         .iter()
         .enumerate()
-        .map(|(k, course)| Curve::new(course.name.clone(), k, Pen::Marked, shown(course)))
+        .map(|(k, course)| PlotCurve::new(course.name.clone(), k, Pen::Marked, shown(course)))
         .collect();
     let ((left, right), (low, high)) = plot::ranges(&curves);
     let title = say!(language, "Force over displacement");
@@ -61,7 +61,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     let plot =
         Plot { title: title.clone(), unit: force.unit.clone(), log: false, ends: None, curves: &curves };
     let answering = plot_curves::curves(&heading, &along, &way.unit, &[plot]);
-    let peak = |course: &Course| {
+    let peak = |course: &Movement| {
         let (at, most) = course.points.iter().copied().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
         let (end, left) = *course.points.last()?;
         Some(say!(
@@ -93,7 +93,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
 }
 
 /// Of each name and axis along which it moves.
-fn courses(stages: &[StageSummary]) -> Vec<Course> {
+fn courses(stages: &[StageSummary]) -> Vec<Movement> {
     let names = stages.iter().find(|stage| !stage.moved.is_empty()).map(|stage| stage.moved.keys());
     let mut all = Vec::new();
     for name in names.into_iter().flatten() {
@@ -104,7 +104,7 @@ fn courses(stages: &[StageSummary]) -> Vec<Course> {
             };
             let points: Vec<(f64, f64)> = stages.iter().filter_map(point).collect();
             if points.iter().any(|p| p.0 != 0.0) {
-                all.push(Course { name: format!("{name}, {axis}"), points });
+                all.push(Movement { name: format!("{name}, {axis}"), points });
             }
         }
     }

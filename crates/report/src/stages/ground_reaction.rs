@@ -3,17 +3,17 @@
 use tremolite_results::{StageSummary, Summary};
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
 use crate::page::figure::{Block, Figure};
 use crate::quantities::scale::{figures, trimmed};
 use crate::quantities::units::Kind;
-use crate::script::curves::{Rule, Side};
+use crate::script::curves::{Rule, RuleAnchor};
 use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
-use crate::stages::convergence::{Point, caverns};
+use crate::stages::convergence::{WallPoint, caverns};
 use crate::stages::names::called;
 
 /// Figures beyond these say nothing new.
@@ -92,8 +92,11 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
 }
 
 /// The points of the caverns that the excavated groups belong to by name; all where none does.
-fn concerned(caverns: &indexmap::IndexMap<String, Vec<Point>>, stage: &StageSummary) -> Vec<(String, Point)> {
-    let of = |all: bool| -> Vec<(String, Point)> {
+fn concerned(
+    caverns: &indexmap::IndexMap<String, Vec<WallPoint>>,
+    stage: &StageSummary,
+) -> Vec<(String, WallPoint)> {
+    let of = |all: bool| -> Vec<(String, WallPoint)> {
         let belongs = |cavern: &str| {
             let within =
                 |group: &String| group.strip_prefix(cavern).is_some_and(|rest| rest.starts_with('.'));
@@ -117,12 +120,12 @@ fn figure(
     source: &Source,
     stages: &[StageSummary],
     steps: &Steps,
-    points: &[(String, Point)],
+    points: &[(String, WallPoint)],
 ) -> Option<Figure> {
     let language = source.language;
     let before = steps.first - 1;
     let several = points.iter().any(|(cavern, _)| *cavern != points[0].0);
-    let curve = |(k, (cavern, point)): (usize, &(String, Point))| {
+    let curve = |(k, (cavern, point)): (usize, &(String, WallPoint))| {
         let start = point.inwards(stages, before)?;
         let after = steps.shares.iter().enumerate().map(|(i, share)| {
             let moved = point.inwards(stages, steps.first + i).unwrap_or(f64::NAN) - start;
@@ -131,9 +134,9 @@ fn figure(
         let name = point.called(language);
         let name = if several { format!("{cavern} {name}") } else { name };
         let points: Vec<(f64, f64)> = std::iter::once((0.0, 0.0)).chain(after).collect();
-        points[1..].iter().any(|p| p.1.is_finite()).then(|| Curve::new(name, k, Pen::Marked, points))
+        points[1..].iter().any(|p| p.1.is_finite()).then(|| PlotCurve::new(name, k, Pen::Marked, points))
     };
-    let mut curves: Vec<Curve> = points.iter().take(LINES.len()).enumerate().filter_map(curve).collect();
+    let mut curves: Vec<PlotCurve> = points.iter().take(LINES.len()).enumerate().filter_map(curve).collect();
     if curves.is_empty() {
         return None;
     }
@@ -175,7 +178,7 @@ fn figure(
     let rule = |(i, share): (usize, &f64)| Rule {
         across: 100.0 * share,
         name: label(stages, steps.first + i),
-        side: Side::End,
+        side: RuleAnchor::End,
     };
     answering.rules = steps.shares.iter().enumerate().map(rule).collect();
     let installed =

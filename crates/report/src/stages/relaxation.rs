@@ -3,13 +3,13 @@
 use tremolite_results::Summary;
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, Curve, LEFT, Pen, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::page::figure::{Block, Figure};
 use crate::quantities::scale::{figures, superscript, trimmed};
-use crate::script::curves::{Curves, Rule, Side};
+use crate::script::curves::{Curves, Rule, RuleAnchor};
 use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;
 use crate::stages::names::name;
@@ -40,13 +40,13 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         let rows = spans.iter().flat_map(|span| span.rows.clone().map(|row| span.shift + cycle[row]));
         let line = std::iter::once(0.0).chain(rows).chain([end]).map(|x| (x, limit)).collect();
         let name = say!(language, "tolerance {limit}", limit = trimmed(&figures(limit, 2)));
-        panels[0].1.push(Curve::new(name, 1, Pen::Dashed, line));
+        panels[0].1.push(PlotCurve::new(name, 1, Pen::Dashed, line));
     }
     let motions = [
         (say!(language, "motion in the stage"), "motion", 3),
         (say!(language, "motion left (estimate)"), "motion_left", 2),
     ];
-    let motions: Vec<Curve> = motions
+    let motions: Vec<PlotCurve> = motions
         .into_iter()
         .filter_map(|(name, column, colour)| Some(curve(&name, colour, &spans, cycle, table.column(column)?)))
         .filter(|curve| curve.pieces.iter().flatten().any(|p| p.1.is_finite()))
@@ -109,11 +109,11 @@ fn spans(stage: &[f64], cycle: &[f64], facts: &Summary) -> Vec<Span> {
 }
 
 /// A value over the cycles of the run, a piece a stage; what has no logarithm is left out.
-fn curve(name: &str, colour: usize, spans: &[Span], cycle: &[f64], values: &[f64]) -> Curve {
+fn curve(name: &str, colour: usize, spans: &[Span], cycle: &[f64], values: &[f64]) -> PlotCurve {
     let positive = |x: f64| if x > 0.0 { x } else { f64::NAN };
     let piece =
         |span: &Span| span.rows.clone().map(|row| (span.shift + cycle[row], positive(values[row]))).collect();
-    Curve { name: name.into(), colour, pen: Pen::Line, pieces: spans.iter().map(piece).collect() }
+    PlotCurve { name: name.into(), colour, pen: Pen::Line, pieces: spans.iter().map(piece).collect() }
 }
 
 /// An axis of powers of ten.
@@ -133,7 +133,7 @@ fn decades((low, high): (f64, f64)) -> Ticks {
 fn draw(
     language: Language,
     title: &str,
-    panels: &[(String, Vec<Curve>)],
+    panels: &[(String, Vec<PlotCurve>)],
     spans: &[Span],
     facts: &Summary,
 ) -> String {
@@ -171,7 +171,7 @@ fn draw(
 fn answering(
     language: Language,
     title: &str,
-    panels: &[(String, Vec<Curve>)],
+    panels: &[(String, Vec<PlotCurve>)],
     spans: &[Span],
     facts: &Summary,
 ) -> Curves {
@@ -184,8 +184,11 @@ fn answering(
     });
     let plots: Vec<Plot> = plots.collect();
     let mut curves = plot_curves::curves(title, &say!(language, "cycles of all stages"), "", &plots);
-    let rule =
-        |span: &Span| Rule { across: span.from, name: full_name(language, span, facts), side: Side::Start };
+    let rule = |span: &Span| Rule {
+        across: span.from,
+        name: full_name(language, span, facts),
+        side: RuleAnchor::Start,
+    };
     curves.rules = spans.iter().map(rule).collect();
     curves
 }

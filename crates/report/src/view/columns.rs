@@ -7,7 +7,7 @@
 use std::rc::Rc;
 
 /// An array of the files with one number a cell or point.
-pub struct Column {
+pub struct PartColumn {
     pub name: String,
     pub unit: String,
     pub at_cells: bool,
@@ -15,7 +15,7 @@ pub struct Column {
     pub times: Vec<Option<Rc<[f32]>>>,
 }
 
-impl Column {
+impl PartColumn {
     /// The values at a time, where there are any.
     pub fn at(&self, time: usize) -> Option<&[f32]> {
         self.times.get(time)?.as_deref()
@@ -41,14 +41,14 @@ impl Column {
 
 /// All columns of a part, in the order of the files.
 #[derive(Default)]
-pub struct Columns(pub Vec<Column>);
+pub struct Columns(pub Vec<PartColumn>);
 
 impl Columns {
     /// Adds the values of an array at time number `time`.
     pub fn add(&mut self, time: usize, name: &str, unit: &str, at_cells: bool, values: Vec<f32>) {
         let known = self.0.iter().position(|c| c.name == name && c.at_cells == at_cells);
         let place = known.unwrap_or_else(|| {
-            self.0.push(Column { name: name.into(), unit: unit.into(), at_cells, times: Vec::new() });
+            self.0.push(PartColumn { name: name.into(), unit: unit.into(), at_cells, times: Vec::new() });
             self.0.len() - 1
         });
         let column = &mut self.0[place];

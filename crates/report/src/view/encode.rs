@@ -1,10 +1,10 @@
 //! A part of the view as blocks.
 
 use super::code::{Grid16, bits, deltas32, displacements, levels};
-use super::columns::Column;
+use super::columns::PartColumn;
 use super::faces::Outer;
 use super::labels::label;
-use super::manifest::{Cells, Faces, Field, Group, Kind, PartData, Points};
+use super::manifest::{Cells, Faces, Field, Group, PartData, PartKind, Points};
 use super::part::Part;
 use crate::language::Language;
 use crate::script::blocks::Blocks;
@@ -25,7 +25,7 @@ impl Common {
         &self,
         part: &Part,
         name: String,
-        kind: Kind,
+        kind: PartKind,
         outer: &[Outer],
         blocks: &mut Blocks,
     ) -> (PartData, Vec<(String, f32)>) {
@@ -73,7 +73,7 @@ impl Common {
         (self.step > 0.0).then(|| blocks.add(&displacements(values, part.mesh.points.len(), self.step)))
     }
 
-    fn field(&self, part: &Part, column: &Column, low: f32, high: f32, blocks: &mut Blocks) -> Field {
+    fn field(&self, part: &Part, column: &PartColumn, low: f32, high: f32, blocks: &mut Blocks) -> Field {
         let count = if column.at_cells { part.mesh.elements.len() } else { part.mesh.points.len() };
         let mut stored: Vec<Option<usize>> = Vec::new();
         for time in 0..self.times {

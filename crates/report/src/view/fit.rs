@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::manifest::{Kind, PartData};
+use super::manifest::{PartData, PartKind};
 use crate::script::blocks::Blocks;
 
 /// What was left out of the ground.
@@ -47,7 +47,7 @@ pub fn fit(parts: &mut [PartData], times: usize, blocks: &Blocks, budget: usize)
 }
 
 fn ground(parts: &mut [PartData]) -> impl Iterator<Item = &mut PartData> {
-    parts.iter_mut().filter(|part| part.kind == Kind::Rock)
+    parts.iter_mut().filter(|part| part.kind == PartKind::Rock)
 }
 
 /// Keeps one of `every` times, counted from the last.

@@ -34,7 +34,7 @@ pub struct Moment {
 /// `rock`, `lining` or `interface`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum PartKind {
     Rock,
     Lining,
     Interface,
@@ -43,7 +43,7 @@ pub enum Kind {
 #[derive(Serialize)]
 pub struct PartData {
     pub name: String,
-    pub kind: Kind,
+    pub kind: PartKind,
     pub groups: Vec<Group>,
     pub points: Points,
     pub cells: Cells,

@@ -6,7 +6,7 @@ use tremolite_results::FieldCell;
 
 /// By which a cell is known in all files: the element's number, that of the element across (0 for a solid), and which of
 /// several of this kind in one file.
-type Key = (i64, i64, u32);
+type CellKey = (i64, i64, u32);
 
 /// The union of a part's cells over the files. Points have no numbers in the files, and several may lie at one place (at
 /// faults), so they are known as corners of cells.
@@ -18,7 +18,7 @@ pub struct Mesh {
     pub corners: Vec<u32>,
     /// Number of each cell's element.
     pub elements: Vec<u32>,
-    known: HashMap<Key, u32>,
+    known: HashMap<CellKey, u32>,
 }
 
 /// Where cells and points of one file stand in the mesh: pairs of the file's index and the mesh's.
@@ -47,7 +47,7 @@ impl Mesh {
             *count += 1;
             (cell.element, cell.other, *count)
         };
-        let keys: Vec<Key> = cells.iter().map(|(_, cell)| key(cell)).collect();
+        let keys: Vec<CellKey> = cells.iter().map(|(_, cell)| key(cell)).collect();
         let mut own_of = vec![u32::MAX; places.len()];
         // Known cells first: they say which points new ones share with them.
         for ((_, cell), key) in cells.iter().zip(&keys) {

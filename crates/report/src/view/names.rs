@@ -3,7 +3,7 @@
 use tremolite_results::Summary;
 use tremolite_results::hexahedron::volume;
 
-use super::manifest::Kind;
+use super::manifest::PartKind;
 use super::part::Part;
 use crate::language::{Language, say};
 
@@ -56,7 +56,7 @@ fn covering(part: &Part) -> Vec<String> {
 /// Which bodies are linings. The largest body is the ground. Of the others one is a lining if it holds the whole of a group of
 /// which section forces were taken (`linings`, of sections.csv), or whose law knows cracks (in the summary). What neither
 /// file says anything of is ground as well.
-pub fn kinds(parts: &[Part], linings: &[&str], summary: &Summary) -> Vec<Kind> {
+pub fn kinds(parts: &[Part], linings: &[&str], summary: &Summary) -> Vec<PartKind> {
     let volumes: Vec<f64> = parts.iter().map(total_volume).collect();
     let largest = (0..parts.len()).max_by(|&a, &b| volumes[a].total_cmp(&volumes[b]));
     let cracks = |name: &str| summary.damage.get(name).is_some_and(|damage| damage.cracks.is_some());
@@ -70,7 +70,7 @@ pub fn kinds(parts: &[Part], linings: &[&str], summary: &Summary) -> Vec<Kind> {
             .iter()
             .any(|(name, _)| (linings.contains(&name.as_str()) || cracks(name)) && !elsewhere(name, k))
     };
-    let kind = |k| if Some(k) != largest && lining(k) { Kind::Lining } else { Kind::Rock };
+    let kind = |k| if Some(k) != largest && lining(k) { PartKind::Lining } else { PartKind::Rock };
     (0..parts.len()).map(kind).collect()
 }
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::{cross, dot, length, less, unit};
 
 /// A face and one of its edges, that from its corner k to k + 1.
-pub type Side = (usize, usize);
+pub type FaceSide = (usize, usize);
 
 /// A face with its neighbours.
 pub struct Facet {
@@ -17,7 +17,7 @@ pub struct Facet {
     pub normal: [f64; 3],
     pub centre: [f64; 3],
     /// For each edge, from corner k to k + 1: the face beside it and which of its edges that is.
-    pub beside: Vec<Option<Side>>,
+    pub beside: Vec<Option<FaceSide>>,
 }
 
 /// The faces of a surface.
@@ -40,7 +40,7 @@ impl Folds {
     /// straightest.
     fn join(&mut self) {
         // By ends of the edge: faces with their edges that run along it there and back.
-        let mut at: BTreeMap<(usize, usize), [Vec<Side>; 2]> = BTreeMap::new();
+        let mut at: BTreeMap<(usize, usize), [Vec<FaceSide>; 2]> = BTreeMap::new();
         for (f, facet) in self.facets.iter().enumerate() {
             let n = facet.nodes.len();
             for k in 0..n {
