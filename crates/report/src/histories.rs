@@ -1,10 +1,11 @@
 //! Figures of what the monitors recorded: displacement, differences, stress, velocity, acceleration, and whatever
 //! else the table holds.
 
+mod displacement;
 pub mod gaps;
 mod largest_of_steps;
 pub mod legible;
-mod tensile_strengths;
+mod stress;
 
 use std::borrow::Cow;
 
@@ -16,10 +17,9 @@ use crate::histories::legible::Titles;
 use crate::interfaces::monitors::is_on_interface;
 use crate::language::{Language, say};
 use crate::page::figure::Section;
-use crate::quantities::scale::{figures, quantity};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::source::monitor_pairs::{difference, from_mean, held, is_pair, names};
+use crate::source::monitor_pairs::{is_pair, names};
 
 /// Quantities that belong in one figure.
 struct Family {
@@ -45,12 +45,6 @@ const SMALL: f64 = 5e-3;
 
 /// What is this much smaller than another is round-off or nearly so.
 const ROUND_OFF: f64 = 1e-6;
-
-/// s1_elastic this many times the largest s1 is that of a piece that came loose, and would flatten all others.
-const BEYOND_STRESS: f64 = 10.0;
-
-/// A loose piece, or a pair with one, that moves by this many times the others' largest would flatten them.
-const BEYOND_OTHERS: f64 = 3.0;
 
 /// What one line of a figure shows: a monitor or a pair, and its history of one quantity.
 type Histories<'a> = Vec<(String, Cow<'a, [f64]>)>;
@@ -98,195 +92,6 @@ impl<'a> Recorded<'a> {
             Some((name.clone(), Cow::from(self.table.column(&format!("{name}.{quantity}"))?)))
         };
         self.monitors.iter().filter_map(column).collect()
-    }
-
-    /// Figure 5 of the paper.
-    pub fn displacement(&self) -> Section {
-        let language = self.source.language;
-        let names = ["ux", "uy", "uz"];
-        let mut caption = self.in_step(say!(
-            language,
-            "Relative to the state before the earthquake. Do all monitors move in step, so that the caverns ride \
-             with the rock? And do they come back: what is left at the end has not."
-        ));
-        let size = |monitor: &str| {
-            let of = |quantity: &&str| self.table.column(&format!("{monitor}.{quantity}"));
-            names.iter().filter_map(of).map(largest_of).fold(0.0, f64::max)
-        };
-        let loose = self.source.facts().monitors_on_broken_elements;
-        let hidden = flattening(&self.monitors, |name| loose.iter().any(|other| other == name), size);
-        for monitor in &hidden {
-            caption = say!(
-                language,
-                "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
-                first = caption,
-                monitor = *monitor,
-                size = self.source.quantity(Kind::Displacement, size(monitor))
-            );
-        }
-        let caption = with_steps(self.source, caption, &names, Kind::Displacement);
-        let heading = say!(language, "Displacement");
-        let panels = components(language, &names, Mark::Largest);
-        let family = Family { heading, file: "displacement", caption, panels, negligible: SMALL };
-        self.family(family, |quantity| {
-            let mut histories = self.of_monitors(quantity);
-            histories.retain(|(name, _)| !hidden.contains(&name));
-            histories
-        })
-    }
-
-    /// A caption, and behind it how far the monitors move in step, where the summary says so.
-    fn in_step(&self, caption: String) -> String {
-        let language = self.source.language;
-        let facts = self.source.facts();
-        facts.synchrony.iter().fold(caption, |first, (component, of)| {
-            say!(
-                language,
-                "{first} {component}: of any two monitors that are not on broken elements the correlation is at least \
-                 {correlation} ({least}), and the shift in time at which they fit best at most {lag} ({latest}).",
-                first = first,
-                component = component,
-                correlation = figures(of.correlation, 4),
-                least = of.least_of,
-                lag = quantity("s", of.lag.abs()),
-                latest = of.latest_of
-            )
-        })
-    }
-
-    /// What of the displacement strains the linings: without the motion that all monitors share.
-    pub fn beside_mean(&self) -> Option<Section> {
-        let language = self.source.language;
-        if self.monitors.len() < 3 {
-            return None;
-        }
-        // A loose piece would move the mean of all.
-        let loose = self.source.facts().monitors_on_broken_elements;
-        let held = |name: &str| !loose.iter().any(|other| other == name);
-        let all = !self.monitors.iter().any(|name| held(name));
-        let mut caption = say!(
-            language,
-            "Of each monitor its displacement less the mean of all in every row: what all share strains nothing and is \
-             taken away. Look for monitors that leave the others for good."
-        );
-        if !all && !loose.is_empty() {
-            caption = say!(
-                language,
-                "{first} Not in the mean, since they are on pieces that came loose: {monitors}.",
-                first = caption,
-                monitors = loose.join(", ")
-            );
-        }
-        Some(self.family(
-            Family {
-                heading: say!(language, "Displacement less the mean of the monitors"),
-                file: "displacement-less-mean",
-                caption,
-                panels: components(language, &["ux", "uy", "uz"], Mark::Nothing),
-                // The files do not hold the size that would have to be told.
-                negligible: ROUND_OFF,
-            },
-            |quantity| from_mean(self.of_monitors(quantity), |name| all || held(name)),
-        ))
-    }
-
-    /// Of pairs that the case names.
-    pub fn relative(&self) -> Section {
-        let language = self.source.language;
-        let heading = say!(language, "Relative displacement");
-        if self.pairs.is_empty() {
-            let why = say!(language, "The case names no pairs of monitors ([[relative]]).");
-            return Section::left_out(&heading, why);
-        }
-        let mut caption = say!(
-            language,
-            "Of each pair, the displacement of the first monitor less that of the second: what the lining between them has to \
-             follow."
-        );
-        let names = ["ux", "uy", "uz"];
-        let of_pair = |name: &str, quantity: &str| difference(self.table, &self.monitors, name, quantity);
-        let facts = self.source.facts();
-        let (_, loose) = held(&facts);
-        let size = |name: &str| {
-            let each = names.iter().filter_map(|quantity| of_pair(name, quantity));
-            each.map(|values| largest_of(&values)).fold(0.0, f64::max)
-        };
-        let hidden = flattening(&self.pairs, |name| loose.contains(&name), size);
-        for pair in &hidden {
-            let size = size(pair);
-            caption = say!(
-                language,
-                "{first} Not drawn: {pair}, up to {size} along an axis, of which one monitor is on a piece that came loose.",
-                first = caption,
-                pair = *pair,
-                size = self.source.quantity(Kind::Displacement, size)
-            );
-        }
-        let panels = components(language, &names, Mark::Largest);
-        self.family(Family { heading, file: "relative", caption, panels, negligible: SMALL }, |quantity| {
-            let drawn = self.pairs.iter().filter(|name| !hidden.contains(name));
-            drawn.filter_map(|name| Some((name.clone(), of_pair(name, quantity)?))).collect()
-        })
-    }
-
-    /// Figure 6 of the paper.
-    pub fn stress(&self) -> Section {
-        let language = self.source.language;
-        let mut caption = say!(language, "Tension is positive.");
-        if let Some(strengths) = tensile_strengths::tensile(self.source) {
-            caption = say!(
-                language,
-                "{first} Set s1 beside the tensile strength of what a monitor lies in: {strengths}. Fast loading raises it, and \
-                 damping adds to s1: where s1 passes it for a moment, the damage at that place says whether a crack opened.",
-                first = caption,
-                strengths = strengths
-            );
-        }
-        let panels = vec![
-            ("s1", say!(language, "s1, the largest principal stress"), Mark::Highest),
-            ("s3", say!(language, "s3, the smallest principal stress"), Mark::Lowest),
-        ];
-        let heading = say!(language, "Principal stress");
-        self.family(Family { heading, file: "stress", caption, panels, negligible: ROUND_OFF }, |quantity| {
-            self.of_monitors(quantity)
-        })
-    }
-
-    /// What the strain would ask of concrete that does not crack; nothing in files without it.
-    pub fn elastic_stress(&self) -> Option<Section> {
-        let language = self.source.language;
-        let stress = largest(&self.of_monitors("s1"));
-        let (drawn, loose): (Histories<'_>, Histories<'_>) = self
-            .of_monitors("s1_elastic")
-            .into_iter()
-            .partition(|history| largest_of(&history.1) <= BEYOND_STRESS * stress);
-        if drawn.is_empty() {
-            return None;
-        }
-        let mut caption = say!(
-            language,
-            "The largest principal value of σ₀ + C:Δε (s1_elastic in monitors.csv): the stress when the shaking begins, and what the \
-             strain since then would add if nothing cracked or yielded. Set it beside s1 above, which also holds what damping over a \
-             band adds to a fast change: where it goes on and s1 falls, a crack has taken the stress."
-        );
-        for history in &loose {
-            let most =
-                self.source.units.suiting("Pa", largest_of(&history.1)).quantity(largest_of(&history.1));
-            caption = say!(
-                language,
-                "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
-                first = caption,
-                monitor = history.0,
-                size = most
-            );
-        }
-        let caption = with_steps(self.source, caption, &["s1_elastic"], Kind::Stress);
-        let panels = vec![("s1_elastic", "s1_elastic".to_owned(), Mark::Highest)];
-        let heading = say!(language, "Principal stress as if nothing cracked");
-        Some(self.family(
-            Family { heading, file: "stress-elastic", caption, panels, negligible: ROUND_OFF },
-            |_| drawn.clone(),
-        ))
     }
 
     pub fn velocity(&self) -> Section {
@@ -412,13 +217,6 @@ impl<'a> Recorded<'a> {
         }
         self.drawn(&Titles { heading: &family.heading, file: family.file, caption: &caption }, panels)
     }
-}
-
-/// Of those that came loose the ones beside which the others, by their sizes, would be flat lines.
-fn flattening(names: &[String], is_loose: impl Fn(&str) -> bool, size: impl Fn(&str) -> f64) -> Vec<&String> {
-    let (loose, others): (Vec<&String>, Vec<&String>) = names.iter().partition(|name| is_loose(name));
-    let most = others.iter().map(|name| size(name)).fold(0.0, f64::max);
-    loose.into_iter().filter(|name| most > 0.0 && size(name) > BEYOND_OTHERS * most).collect()
 }
 
 fn largest(histories: &[(String, Cow<'_, [f64]>)]) -> f64 {
