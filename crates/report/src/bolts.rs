@@ -7,9 +7,9 @@ mod map;
 use indexmap::IndexMap;
 use tremolite_results::{BoltLines, BoltPeak, BoltRow, BoltSummary, EARTHQUAKE, Pvd, Summary};
 
+use crate::chapter::figure::{Block, Chapter};
+use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::language::{Language, say};
-use crate::page::figure::{Block, Chapter};
-use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{count, figures, moment, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;

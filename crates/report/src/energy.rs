@@ -4,10 +4,10 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
+use crate::chapter::figure::Section;
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::histories::legible::{self, Titles};
 use crate::language::{Language, say};
-use crate::page::figure::Section;
 use crate::quantities::scale::figures;
 use crate::quantities::units::Kind;
 use crate::source::Source;

@@ -9,9 +9,9 @@ use minijinja::Value;
 use serde::Serialize;
 use tremolite_results::{Bound, Finding, PairPlace, Peaks, Said, Severity, Status, Summary, TrustLine, said};
 
+use crate::chapter::results_text::{in_english, told};
 use crate::input::deconvolved;
 use crate::language::{Language, say};
-use crate::page::results_text::{in_english, told};
 use crate::quantities::scale::{count, figures, quantity, span, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;

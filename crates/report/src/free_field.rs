@@ -9,13 +9,13 @@ mod words;
 
 use tremolite_results::Station;
 
+use crate::chapter::figure::{Block, Chapter, Figure, Section};
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::free_field::at_corners::DrawnCorner;
 use crate::free_field::numbers::{AXES, Wave, largest, places};
 use crate::free_field::tables::{of_columns, of_corners};
 use crate::free_field::words::{explained, verdict};
 use crate::language::{Language, say};
-use crate::page::figure::{Block, Chapter, Figure, Section};
 use crate::quantities::scale::Scale;
 use crate::quantities::units::Kind;
 use crate::script::curves::Curves;

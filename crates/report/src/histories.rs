@@ -11,12 +11,12 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
+use crate::chapter::figure::Section;
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::histories::largest_of_steps::with_steps;
 use crate::histories::legible::Titles;
 use crate::interfaces::monitors::is_on_interface;
 use crate::language::{Language, say};
-use crate::page::figure::Section;
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::source::monitor_pairs::{is_pair, names};

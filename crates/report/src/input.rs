@@ -7,10 +7,10 @@ mod transfer;
 
 use tremolite_results::Table;
 
+use crate::chapter::figure::{Block, Chapter, Figure, Section};
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::facts::kind_of_motion;
 use crate::language::say;
-use crate::page::figure::{Block, Chapter, Figure, Section};
 use crate::quantities::scale::figures;
 use crate::quantities::units::Kind;
 use crate::script::curves::Curves;

@@ -8,6 +8,7 @@
 //! columns.
 
 mod bolts;
+mod chapter;
 pub mod chinese;
 mod compare;
 mod damage;

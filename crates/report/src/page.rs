@@ -1,19 +1,18 @@
 //! The page: the template filled in.
 //!
-//! [`contents`] is its order; [`figure`] and [`text_table`] are what its chapters are made of.
+//! [`contents`] is its order.
 
 pub mod contents;
-pub mod figure;
-pub mod results_text;
 pub mod size;
 pub mod templates;
-pub mod text_table;
 
 use minijinja::Value;
 use minijinja::value::Serde;
 use serde::Serialize;
 use tremolite_results::Defaulted;
 
+use crate::chapter::figure::{Block, Figure, Section};
+use crate::chapter::text_table::TextTable;
 use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::drawing::svg;
@@ -25,9 +24,7 @@ use crate::histories::gaps;
 use crate::interfaces::{self, InterfaceTable};
 use crate::language::say;
 use crate::page::contents::{Content, Placed};
-use crate::page::figure::{Block, Figure, Section};
 use crate::page::templates::{SCRIPT, STYLE, environment, markup};
-use crate::page::text_table::TextTable;
 use crate::source::Source;
 use crate::verdict::{self, Verdict};
 

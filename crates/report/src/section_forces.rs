@@ -6,9 +6,9 @@ mod stations;
 mod strength;
 mod thrust_moment;
 
+use crate::chapter::figure::{Block, Chapter};
+use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::language::{Language, say};
-use crate::page::figure::{Block, Chapter};
-use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{moment, trimmed};
 use crate::section_forces::stations::{Extreme, Lining, Station, kilo, linings};
 use crate::section_maps::section_view::plane;

@@ -9,9 +9,9 @@ mod relative_motion;
 pub mod section_view;
 pub mod snapshots;
 
+use crate::chapter::figure::Section;
 use crate::damage;
 use crate::language::say;
-use crate::page::figure::Section;
 use crate::section_maps::field_map::Map;
 use crate::section_maps::plastic_zones::{Files, Zones};
 use crate::section_maps::section_view::plane;

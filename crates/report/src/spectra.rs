@@ -4,10 +4,10 @@ mod figure;
 
 use tremolite_results::Table;
 
+use crate::chapter::figure::{Block, Chapter, Figure, Section};
+use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::drawing::plot::Pen;
 use crate::language::{Language, say};
-use crate::page::figure::{Block, Chapter, Figure, Section};
-use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{quantity, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;

@@ -9,9 +9,9 @@ mod relaxation;
 
 use tremolite_results::{StageSummary, Summary};
 
+use crate::chapter::figure::{Block, Chapter};
+use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::language::{Language, say};
-use crate::page::figure::{Block, Chapter};
-use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{count, figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;

@@ -2,10 +2,10 @@
 
 use tremolite_results::{BoltLine, BoltLines, Cut, Pvd};
 
+use crate::chapter::figure::{Block, Figure};
 use crate::drawing::frame_row::MapRow;
 use crate::drawing::window::Window;
 use crate::language::say;
-use crate::page::figure::{Block, Figure};
 use crate::quantities::scale::{Scale, figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::section_maps::section_view::{borders, plane};

@@ -3,8 +3,8 @@
 use tremolite_results::Status;
 
 use super::Run;
+use crate::chapter::text_table::Cell;
 use crate::language::{Language, say};
-use crate::page::text_table::Cell;
 use crate::quantities::scale::{moment, trimmed};
 use crate::source::Source;
 

@@ -4,14 +4,14 @@ use tremolite_results::Table;
 
 use super::Run;
 use super::numbers::head;
+use crate::chapter::figure::Figure;
+use crate::chapter::text_table::{Cell, TextTable};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::page::figure::Figure;
-use crate::page::text_table::{Cell, TextTable};
 use crate::quantities::scale::{Scale, figures, moment, trimmed};
 use crate::script::curves::Curves;
 use crate::script::plot_curves::{self, Plot};

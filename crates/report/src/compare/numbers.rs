@@ -3,9 +3,9 @@
 use tremolite_results::{Peaks, Summary, TrustLine};
 
 use super::Run;
+use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::facts::ByName;
 use crate::language::{Language, say};
-use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::{Scale, figures, trimmed};
 
 /// A table under its heading.

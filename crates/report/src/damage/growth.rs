@@ -2,12 +2,12 @@
 
 use tremolite_results::Table;
 
+use crate::chapter::figure::Section;
 use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::heading;
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::histories::legible::{self, Titles};
 use crate::language::say;
-use crate::page::figure::Section;
 use crate::quantities::scale::Scale;
 use crate::quantities::units::Kind;
 use crate::source::Source;

@@ -5,11 +5,11 @@ use std::rc::Rc;
 
 use tremolite_results::{Fields, Slice};
 
+use crate::chapter::figure::{Figure, Section};
 use crate::damage::developed_maps::{self, Sheets};
 use crate::damage::thickened::Thick;
 use crate::drawing::frame_row::MapRow;
 use crate::language::{Language, say};
-use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::figures;
 use crate::section_maps::section_view::{Positions, borders, on_plane, plane, window};
 use crate::section_maps::snapshots::Snapshots;

@@ -4,8 +4,8 @@ use minijinja::Value;
 use serde::Serialize;
 use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin, Summary};
 
+use crate::chapter::results_text::{known, told};
 use crate::language::{Language, say};
-use crate::page::results_text::{known, told};
 use crate::quantities::scale::{count, figures, quantity, trimmed};
 
 /// A material and its values.

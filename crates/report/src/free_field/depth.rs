@@ -2,12 +2,12 @@
 
 use tremolite_results::{Peaks, Summary, Table};
 
+use crate::chapter::figure::{Block, Chapter, Figure, Section};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
-use crate::page::figure::{Block, Chapter, Figure, Section};
 use crate::quantities::scale::Scale;
 use crate::source::Source;
 

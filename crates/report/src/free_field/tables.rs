@@ -2,10 +2,10 @@
 
 use tremolite_results::{FreeField, Station};
 
+use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::free_field::at_corners::{DrawnCorner, alike, corners};
 use crate::free_field::numbers::{self, AXES, SAME, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};
-use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::scale::Scale;
 
 /// A peak beside the largest that counts; round-off is none.

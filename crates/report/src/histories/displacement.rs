@@ -1,10 +1,10 @@
 //! Displacement of the monitors: as it is, less the mean of all, and of pairs.
 
+use crate::chapter::figure::Section;
 use crate::drawing::chart::Mark;
 use crate::histories::largest_of_steps::with_steps;
 use crate::histories::{Family, ROUND_OFF, Recorded, SMALL, components, largest_of};
 use crate::language::say;
-use crate::page::figure::Section;
 use crate::quantities::scale::{figures, quantity};
 use crate::quantities::units::Kind;
 use crate::source::monitor_pairs::{difference, from_mean, held};

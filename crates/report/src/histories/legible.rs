@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
+use crate::chapter::figure::Figure;
 use crate::drawing::chart::{Chart, Line, Panel};
 use crate::drawing::small_multiples::{Multiples, PanelLine};
 use crate::language::Language;
-use crate::page::figure::Figure;
 use crate::script::curves::Curves;
 
 /// More lines than this hide one another.

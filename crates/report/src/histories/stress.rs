@@ -2,11 +2,11 @@
 
 use tremolite_results::MaterialFacts;
 
+use crate::chapter::figure::Section;
 use crate::drawing::chart::Mark;
 use crate::histories::largest_of_steps::with_steps;
 use crate::histories::{Family, Histories, ROUND_OFF, Recorded, largest, largest_of};
 use crate::language::say;
-use crate::page::figure::Section;
 use crate::quantities::units::Kind;
 use crate::source::Source;
 

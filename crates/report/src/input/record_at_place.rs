@@ -1,9 +1,9 @@
 //! Figure of a record that was deconvolved beside what the run made of it at its place.
 
+use crate::chapter::figure::Figure;
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::free_field::numbers::{AXES, interpolated, percent};
 use crate::language::say;
-use crate::page::figure::Figure;
 use crate::quantities::units::Kind;
 use crate::script::curves::Curves;
 use crate::source::Source;

@@ -2,13 +2,13 @@
 
 use tremolite_results::{Deconvolved, Table};
 
+use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::free_field::numbers::AXES;
 use crate::language::{Language, say};
-use crate::page::figure::Figure;
 use crate::quantities::scale::{figures, trimmed};
 use crate::script::curves::{Curves, Rule, RuleAnchor};
 use crate::script::plot_curves::{self, Plot};

@@ -4,9 +4,9 @@ use std::borrow::Cow;
 
 use tremolite_results::Table;
 
+use crate::chapter::figure::{Figure, Section};
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
 use crate::language::{Language, say};
-use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::{Scale, quantity};
 use crate::quantities::units::Kind;
 use crate::script::curves::Curves;

@@ -2,6 +2,7 @@
 
 use tremolite_results::{ElementGroups, PairSurface, Pvd};
 
+use crate::chapter::figure::{Figure, Section};
 use crate::developed::layout::{Bars, LEFT, Plan};
 use crate::developed::unfold::{Sheet, unfold};
 use crate::developed::words::{developed, from_left, labels};
@@ -9,7 +10,6 @@ use crate::drawing::svg::Svg;
 use crate::interfaces::history::names;
 use crate::interfaces::map_panel::{BELOW, Layer, ROW, TITLE, frame, panel};
 use crate::language::{Language, say};
-use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::moment;
 use crate::quantities::units::Kind;
 use crate::source::Source;

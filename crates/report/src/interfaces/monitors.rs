@@ -2,11 +2,11 @@
 
 use tremolite_results::Table;
 
+use crate::chapter::figure::{Figure, Section};
 use crate::drawing::loops::{Course, Loops, Quantity, Track};
 use crate::drawing::state_strips::Strip;
 use crate::interfaces::shear_path::Path;
 use crate::language::{Language, say};
-use crate::page::figure::{Figure, Section};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 

@@ -1,8 +1,8 @@
 //! What the page holds, in its order. This is the one place that says so.
 
+use crate::chapter::figure::{Chapter, Section};
 use crate::histories::Recorded;
 use crate::language::say;
-use crate::page::figure::{Chapter, Section};
 use crate::source::Source;
 use crate::{
     bolts, damage, energy, free_field, input, interfaces, section_forces, section_maps, spectra, stages,

@@ -1,11 +1,11 @@
 //! Figure of section forces along a lining.
 
+use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::page::figure::Figure;
 use crate::quantities::scale::trimmed;
 use crate::script::curves::{Rule, RuleAnchor};
 use crate::script::plot_curves::{self, Plot};

@@ -1,9 +1,9 @@
 //! Figure of section forces drawn on the lining's own shape, at right angles to it.
 
+use crate::chapter::figure::Figure;
 use crate::drawing::plot::{self, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::language::{Language, say};
-use crate::page::figure::Figure;
 use crate::quantities::scale::trimmed;
 use crate::section_forces::along_lining::COLOURS;
 use crate::section_forces::stations::{Extreme, Lining, Station, forces, joints, kilo};

@@ -8,12 +8,12 @@
 
 use tremolite_results::Summary;
 
+use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
-use crate::page::figure::Figure;
 use crate::quantities::units::Kind;
 use crate::section_forces::stations::{Lining, Station};
 use crate::source::Source;

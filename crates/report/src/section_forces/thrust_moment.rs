@@ -1,11 +1,11 @@
 //! Figure of moment over thrust at all stations of a lining.
 
+use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::page::figure::Figure;
 use crate::section_forces::along_lining::COLOURS;
 use crate::section_forces::stations::{KILO, Lining, Station};
 

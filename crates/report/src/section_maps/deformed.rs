@@ -2,9 +2,9 @@
 
 use tremolite_results::{Peaks, Slice, Snapshot};
 
+use crate::chapter::figure::{Figure, Section};
 use crate::drawing::frame_row::MapRow;
 use crate::language::say;
-use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::{figures, moment, trimmed};
 use crate::quantities::units::Kind;
 use crate::section_maps::relative_motion::{Moved, Rigid, exaggeration};

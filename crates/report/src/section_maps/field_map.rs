@@ -2,9 +2,9 @@
 
 use tremolite_results::{Cut, CutCell};
 
+use crate::chapter::figure::Figure;
 use crate::drawing::frame_row::MapRow;
 use crate::language::say;
-use crate::page::figure::Figure;
 use crate::quantities::scale::Scale;
 use crate::section_maps::section_view::{Positions, borders, on_plane, place, points, window};
 use crate::source::Source;

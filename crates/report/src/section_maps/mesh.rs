@@ -2,9 +2,9 @@
 
 use tremolite_results::{Cut, Pvd};
 
+use crate::chapter::figure::{Figure, Section};
 use crate::drawing::frame_row::MapRow;
 use crate::language::say;
-use crate::page::figure::{Figure, Section};
 use crate::quantities::scale::{count, trimmed};
 use crate::section_maps::section_view::{area, plane, points, window};
 use crate::source::Source;

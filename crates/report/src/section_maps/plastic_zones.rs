@@ -2,10 +2,10 @@
 
 use tremolite_results::{Cut, CutCell, Fields, Slice};
 
+use crate::chapter::figure::Figure;
 use crate::drawing::frame::Frame;
 use crate::drawing::frame_row::MapRow;
 use crate::language::{Language, say};
-use crate::page::figure::Figure;
 use crate::quantities::scale::{Scale, figures, trimmed};
 use crate::section_maps::section_view::{Positions, area, borders, on_plane, place, points, window};
 

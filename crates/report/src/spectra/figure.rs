@@ -2,13 +2,13 @@
 
 use tremolite_results::Table;
 
+use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
 use crate::drawing::period_axis::{axis, place};
 use crate::drawing::plot::{self, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::page::figure::Figure;
 use crate::quantities::scale::Scale;
 use crate::quantities::units::Kind;
 use crate::script::curves::Curves;

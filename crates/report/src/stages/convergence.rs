@@ -3,13 +3,13 @@
 use indexmap::IndexMap;
 use tremolite_results::{StageSummary, Summary};
 
+use crate::chapter::figure::{Block, Figure};
+use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::page::figure::{Block, Figure};
-use crate::page::text_table::{Cell, Head, TextTable};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::stages::names::{called, name};

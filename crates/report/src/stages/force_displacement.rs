@@ -2,12 +2,12 @@
 
 use tremolite_results::{StageSummary, Summary};
 
+use crate::chapter::figure::{Block, Figure};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
-use crate::page::figure::{Block, Figure};
 use crate::quantities::scale::Scale;
 use crate::script::plot_curves::{self, Plot};
 use crate::source::Source;

@@ -2,8 +2,8 @@
 
 use tremolite_results::{Pvd, Summary};
 
+use crate::chapter::figure::Block;
 use crate::language::say;
-use crate::page::figure::Block;
 use crate::section_maps::field_map::Map;
 use crate::section_maps::plastic_zones::{Files, Zones};
 use crate::section_maps::section_view::plane;

@@ -2,12 +2,12 @@
 
 use tremolite_results::Summary;
 
+use crate::chapter::figure::{Block, Figure};
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
-use crate::page::figure::{Block, Figure};
 use crate::quantities::scale::{figures, superscript, trimmed};
 use crate::script::curves::{Curves, Rule, RuleAnchor};
 use crate::script::plot_curves::{self, Plot};

@@ -1,6 +1,6 @@
 //! A figure for the page and the folder, or the reason why there is none; chapters made of tables and figures.
 
-use crate::page::text_table::TextTable;
+use crate::chapter::text_table::TextTable;
 use crate::script::curves::Curves;
 
 /// A section of the page that is drawn.
