@@ -80,7 +80,7 @@ fn last(source: &Source) -> Result<Last, String> {
     // Without field files the list of the stages stays.
     let shaken = !last.file.contains("stage-");
     let when = if shaken {
-        say!(language, "at {time}\u{a0}s", time = moment(last.time, crate::facts::duration(source)))
+        say!(language, "at {time}\u{a0}s", time = moment(last.time, source.duration()))
     } else {
         say!(language, "when the stages are done")
     };

@@ -9,7 +9,7 @@ use minijinja::Value;
 use serde::Serialize;
 use tremolite_results::{Bound, Finding, PairPlace, Peaks, Said, Severity, Status, Summary, TrustLine, said};
 
-use crate::chapter::results_text::{in_english, told};
+use crate::chapter::results_text::{in_english, kind_of_motion, told};
 use crate::input::deconvolved;
 use crate::language::{Language, say};
 use crate::quantities::scale::{count, figures, quantity, span, trimmed};
@@ -48,12 +48,6 @@ pub struct Check {
 
 /// By name of a monitor or pair, then of a quantity.
 pub(crate) type ByName = IndexMap<String, IndexMap<String, Peaks>>;
-
-/// How long the histories are (s); without them, how long the run was to be.
-pub(crate) fn duration(source: &Source) -> f64 {
-    let last = source.monitors.as_ref().ok().and_then(|table| table.column("time")?.last().copied());
-    last.unwrap_or(source.facts().model.duration)
-}
 
 /// Outcome of the run and colour of its banner.
 pub fn outcome(source: &Source) -> Outcome {
@@ -208,17 +202,6 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
         facts.push(card(say!(language, "Peak incident acceleration, {axis}", axis = axis), value, record));
     }
     facts
-}
-
-/// The kind of motion that a case gives.
-pub(crate) fn kind_of_motion(language: Language, kind: &str) -> String {
-    match kind {
-        "outcrop" => say!(language, "outcrop"),
-        "incident" => say!(language, "incident"),
-        "within" => say!(language, "within"),
-        "surface" => say!(language, "surface record"),
-        other => other.to_owned(),
-    }
 }
 
 /// Where the monitors are.

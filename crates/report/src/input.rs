@@ -8,8 +8,8 @@ mod transfer;
 use tremolite_results::Table;
 
 use crate::chapter::figure::{Block, Chapter, Figure, Section};
+use crate::chapter::results_text::kind_of_motion;
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
-use crate::facts::kind_of_motion;
 use crate::language::say;
 use crate::quantities::scale::figures;
 use crate::quantities::units::Kind;

@@ -1,4 +1,4 @@
-//! The section maps of the page, in the order in which a reader asks: how far linings are damaged, what stresses them, how they
+//! The section maps of the page behind those of damage, in the order in which a reader asks: what stresses linings, how they
 //! deform, and where rock yielded. Where linings came off the rock is in [`interfaces::map`](crate::interfaces::map).
 
 mod deformed;
@@ -10,7 +10,6 @@ pub mod section_view;
 pub mod snapshots;
 
 use crate::chapter::figure::Section;
-use crate::damage;
 use crate::language::say;
 use crate::section_maps::field_map::Map;
 use crate::section_maps::plastic_zones::{Files, Zones};
@@ -21,24 +20,10 @@ use crate::source::Source;
 /// Room around linings, as a part of their extent.
 const MARGIN: f64 = 0.25;
 
-/// Damage of the linings, before and after the shaking and by kind; or why there are no maps at all.
-pub fn damage(source: &Source) -> Vec<Section> {
-    match readable(source) {
-        Ok(snapshots) => damage::maps::sections(source, &snapshots),
-        Err(why) => vec![Section::left_out(&say!(source.language, "Section through the caverns"), why)],
-    }
-}
-
-/// Stress, deformed shape and plastic zones; nothing where [`damage`] says why there is none.
+/// Stress, deformed shape and plastic zones; nothing where there is no map, which the maps of damage say.
 pub fn sections(source: &Source) -> Vec<Section> {
-    let Ok(snapshots) = readable(source) else { return Vec::new() };
+    let Ok(snapshots) = Snapshots::readable(source) else { return Vec::new() };
     vec![stress(source, &snapshots), deformed::section(source, &snapshots), yielding(source, &snapshots)]
-}
-
-/// The field files, of which the last can be read.
-fn readable(source: &Source) -> Result<Snapshots<'_>, String> {
-    let snapshots = Snapshots::of(source)?;
-    snapshots.read(snapshots.last()).map(|_| snapshots)
 }
 
 /// The largest principal stress over the run.

@@ -55,6 +55,12 @@ pub struct Source {
 }
 
 impl Source {
+    /// How long the histories are (s); without them, how long the run was to be.
+    pub fn duration(&self) -> f64 {
+        let last = self.monitors.as_ref().ok().and_then(|table| table.column("time")?.last().copied());
+        last.unwrap_or(self.facts().model.duration)
+    }
+
     /// Reads the folder's files. Without a `language` the page's is that which the case asked for.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use minijinja::Value;
 use tremolite_results::Said;
 
 use crate::drawing::svg::escape;
-use crate::language::Language;
+use crate::language::{Language, say};
 
 /// A text as HTML, from its pattern. Where the page's language lacks that, as of a program's own observers or in files that
 /// know of no patterns, the English text stands there and says that it is English.
@@ -26,6 +26,17 @@ pub fn known(language: Language, english: &str) -> Value {
 /// A text that stands in English whatever the page's language.
 pub fn in_english(english: &str) -> Value {
     Value::from_safe_string(format!("<span lang=\"en\">{}</span>", escape(english)))
+}
+
+/// The kind of motion that a case gives.
+pub fn kind_of_motion(language: Language, kind: &str) -> String {
+    match kind {
+        "outcrop" => say!(language, "outcrop"),
+        "incident" => say!(language, "incident"),
+        "within" => say!(language, "within"),
+        "surface" => say!(language, "surface record"),
+        other => other.to_owned(),
+    }
 }
 
 #[cfg(test)]

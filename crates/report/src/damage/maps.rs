@@ -30,16 +30,20 @@ struct Damage {
     values: Vec<f64>,
 }
 
-/// Damage before and after, and its kinds; one section each.
-pub fn sections(source: &Source, snapshots: &Snapshots) -> Vec<Section> {
+/// Damage before and after, and its kinds, one section each; or why there are no maps of the section at all.
+pub fn sections(source: &Source) -> Vec<Section> {
     let language = source.language;
+    let snapshots = match Snapshots::readable(source) {
+        Ok(snapshots) => snapshots,
+        Err(why) => return vec![Section::left_out(&say!(language, "Section through the caverns"), why)],
+    };
     let heading = say!(language, "Damage of the linings, before and after");
-    let scene = match Scene::of(source, snapshots) {
+    let scene = match Scene::of(source, &snapshots) {
         Ok(scene) => scene,
         Err(why) => return vec![Section::left_out(&heading, why)],
     };
     let kinds = say!(language, "Damage in tension and in shear");
-    vec![scene.before_and_after(source, snapshots, heading), scene.kinds(source, snapshots, kinds)]
+    vec![scene.before_and_after(source, &snapshots, heading), scene.kinds(source, &snapshots, kinds)]
 }
 
 /// What is common to all maps.

@@ -5,7 +5,7 @@ use tremolite_results::{Peaks, Summary, Table};
 use crate::bolts::key_result;
 use crate::damage::opening;
 use crate::energy::worst_error;
-use crate::facts::{Fact, card, duration};
+use crate::facts::{Fact, card};
 use crate::interfaces;
 use crate::language::say;
 use crate::quantities::scale::{figures, moment};
@@ -16,7 +16,7 @@ use crate::source::monitor_pairs::{PairPeaks, held};
 /// The few numbers that a reader wants first.
 pub fn key_results(source: &Source) -> Vec<Fact> {
     let (facts, language) = (source.facts(), source.language);
-    let duration = duration(source);
+    let duration = source.duration();
     let at = |time: f64| format!("{}\u{a0}s", moment(time, duration));
     let mut cards = stage_cards(source, &facts);
     let without = |note: String, loose: &[&str]| match loose.is_empty() {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use tremolite_results::Summary;
 
-use crate::facts::{ByName, duration};
+use crate::facts::ByName;
 use crate::interfaces::monitors::QUANTITIES;
 use crate::language::say;
 use crate::quantities::scale::{figures, moment, trimmed};
@@ -76,7 +76,7 @@ pub fn peaks(source: &Source) -> Vec<PeakTable> {
 
 /// The largest stresses of each group.
 fn group_stress(source: &Source, summary: &Summary) -> PeakTable {
-    let (scale, duration) = (source.scale(Kind::Stress), duration(source));
+    let (scale, duration) = (source.scale(Kind::Stress), source.duration());
     let rows = summary.stress.iter().flat_map(|(group, stress)| {
         let row = |monitor: &str, quantity: &str| PeakRow {
             monitor: monitor.to_owned(),
@@ -110,7 +110,7 @@ fn group_stress(source: &Source, summary: &Summary) -> PeakTable {
 }
 
 fn peak_table(source: &Source, heading: String, kind: Kind, all: &ByName, wanted: &[&str]) -> PeakTable {
-    let (scale, duration) = (source.scale(kind), duration(source));
+    let (scale, duration) = (source.scale(kind), source.duration());
     let sizes =
         all.values().flat_map(|by_quantity| by_quantity.iter()).filter(|(q, _)| wanted.contains(&q.as_str()));
     let most = sizes.map(|(_, p)| p.largest().1.abs()).filter(|x| x.is_finite()).fold(0.0, f64::max);

@@ -2,7 +2,7 @@
 
 use tremolite_results::{FreeField, Station};
 
-use crate::facts::kind_of_motion;
+use crate::chapter::results_text::kind_of_motion;
 use crate::free_field::at_corners::{DrawnCorner, farthest_from_theory, same};
 use crate::free_field::numbers::{AXES, SAME, Wave, from_column, from_theory, largest, percent, places};
 use crate::language::{Language, say};

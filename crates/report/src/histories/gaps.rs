@@ -2,7 +2,6 @@
 
 use tremolite_results::Table;
 
-use crate::facts::duration;
 use crate::interfaces::monitors::is_on_interface;
 use crate::language::say;
 use crate::quantities::scale::moment;
@@ -29,7 +28,7 @@ pub fn told(source: &Source) -> Option<String> {
         "{file} has values that are no number, first at {time}\u{a0}s ({column}): the run went wrong there, or the file is \
          damaged. Figures and peaks leave them out.",
         file = "monitors.csv",
-        time = moment(times[row], duration(source)),
+        time = moment(times[row], source.duration()),
         column = name
     ))
 }

@@ -48,7 +48,7 @@ pub fn section(source: &Source) -> Option<Section> {
         let (svg, mut said) = draw(source, surface, &layers, &name, &groups);
         said.push(match source.shakes() {
             true => {
-                let time = moment(last.time, crate::facts::duration(source));
+                let time = moment(last.time, source.duration());
                 say!(language, "From the file of t = {time}\u{a0}s.", time = time)
             }
             false => say!(language, "After the last stage."),

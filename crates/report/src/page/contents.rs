@@ -82,7 +82,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
     page.put("relative", recorded.as_ref().map(Recorded::relative));
     page.put("stress", recorded.as_ref().map(Recorded::stress));
     page.put("stress-elastic", recorded.as_ref().and_then(Recorded::elastic_stress));
-    page.put("damage-map", if shakes { section_maps::damage(source) } else { Vec::new() });
+    page.put("damage-map", if shakes { damage::maps::sections(source) } else { Vec::new() });
     page.put("damage-history", when(shakes, damage::growth::section));
     page.put("interface-map", interfaces::map::section(source));
     page.put("interface-history", when(shakes, interfaces::history::section));

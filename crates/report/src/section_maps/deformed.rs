@@ -42,7 +42,7 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
         return Section::left_out(&heading, say!(language, "The plane of the section meets no element."));
     };
     let time = snapshots.at(snapshot.time);
-    let duration = crate::facts::duration(source);
+    let duration = source.duration();
     let length = |size: f64| source.quantity(Kind::Displacement, size);
     let why = match (&seen, &strained) {
         (Some((_, pair, size)), Some((most_pair, at, most))) => say!(

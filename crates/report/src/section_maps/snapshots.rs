@@ -4,7 +4,6 @@ use std::rc::Rc;
 
 use tremolite_results::{Fields, Pvd, Snapshot, Status};
 
-use crate::facts::duration;
 use crate::language::say;
 use crate::quantities::scale::moment;
 use crate::source::Source;
@@ -30,6 +29,15 @@ impl<'a> Snapshots<'a> {
             return Err(say!(source.language, "fields.pvd lists no field file yet."));
         }
         Ok(Snapshots { source, pvd })
+    }
+
+    /// As [`of`](Self::of), of which the last can be read.
+    ///
+    /// # Errors
+    /// A sentence that says why it cannot, or why there are none.
+    pub fn readable(source: &'a Source) -> Result<Self, String> {
+        let snapshots = Self::of(source)?;
+        snapshots.read(snapshots.last()).map(|_| snapshots)
     }
 
     /// All of them, as they were written.
@@ -63,7 +71,7 @@ impl<'a> Snapshots<'a> {
 
     /// A time, in words.
     pub fn at(&self, time: f64) -> String {
-        say!(self.source.language, "at {time}\u{a0}s", time = moment(time, duration(self.source)))
+        say!(self.source.language, "at {time}\u{a0}s", time = moment(time, self.source.duration()))
     }
 
     /// What the first file stands for: nothing has shaken yet, or something has.
@@ -74,7 +82,7 @@ impl<'a> Snapshots<'a> {
 
     /// What the last file stands for.
     pub fn after(&self) -> String {
-        let time = moment(self.last().time, duration(self.source));
+        let time = moment(self.last().time, self.source.duration());
         // Of a run that was stopped, failed, or is still going on the last file is not the end.
         match self.source.summary.as_ref().is_ok_and(|summary| summary.status == Status::Done) {
             true => say!(self.source.language, "after the earthquake, t = {time}\u{a0}s", time = time),
