@@ -55,12 +55,6 @@ pub struct Source {
 }
 
 impl Source {
-    /// How long the histories are (s); without them, how long the run was to be.
-    pub fn duration(&self) -> f64 {
-        let last = self.monitors.as_ref().ok().and_then(|table| table.column("time")?.last().copied());
-        last.unwrap_or(self.facts().model.duration)
-    }
-
     /// Reads the folder's files. Without a `language` the page's is that which the case asked for.
     ///
     /// # Errors
@@ -177,6 +171,12 @@ impl Source {
     /// The summary, or an empty one.
     pub fn facts(&self) -> Summary {
         facts(&self.summary, &self.monitors)
+    }
+
+    /// How long the histories are (s); without them, how long the run was to be.
+    pub fn duration(&self) -> f64 {
+        let last = self.monitors.as_ref().ok().and_then(|table| table.column("time")?.last().copied());
+        last.unwrap_or(self.facts().model.duration)
     }
 }
 

@@ -5,9 +5,9 @@ use std::fmt::{Display, Write};
 /// Colours of the lines, told apart by people with any of the common colour blindnesses (Okabe & Ito 2008).
 pub const LINES: [&str; 7] = ["#0072B2", "#D55E00", "#009E73", "#333333", "#CC79A7", "#E69F00", "#56B4E9"];
 /// Text.
-pub const INK: &str = "#1f2933";
+const INK: &str = "#1f2933";
 /// Text of lesser weight.
-pub const MUTED: &str = "#5b6773";
+const MUTED: &str = "#5b6773";
 const GRID: &str = "#e2e6ea";
 const VEIL: &str = "#d3dae1";
 const AXIS: &str = "#8b95a1";

@@ -1,7 +1,7 @@
 //! Long histories, thinned to what a figure can show.
 
 /// A point of a figure in its own units.
-pub type Point = (f64, f64);
+type Point = (f64, f64);
 
 /// The polylines that look like the history `points` (ascending first coordinate) when each column of one
 /// unit is as wide as the pen.

@@ -64,7 +64,7 @@ pub fn peak(station: &Station, of: fn(&Velocities) -> &[Vec<f64>; 3]) -> f64 {
 }
 
 /// How far two histories are apart at most, over a peak; none where they have no row in common.
-pub fn apart(a: &[f64], b: &[f64], peak: f64) -> Option<f64> {
+fn apart(a: &[f64], b: &[f64], peak: f64) -> Option<f64> {
     let both = a.iter().zip(b).filter(|(a, b)| a.is_finite() && b.is_finite());
     let most = both.map(|(a, b)| (a - b).abs()).reduce(f64::max)?;
     Some(if most == 0.0 { 0.0 } else { most / peak })

@@ -43,7 +43,7 @@ pub fn place(language: Language, cell: &CutCell) -> String {
 }
 
 /// The mean of corners.
-pub fn middle(outline: &[[f64; 2]]) -> [f64; 2] {
+fn middle(outline: &[[f64; 2]]) -> [f64; 2] {
     [0, 1].map(|i| outline.iter().map(|c| c[i]).sum::<f64>() / outline.len().max(1) as f64)
 }
 

@@ -36,7 +36,7 @@ impl Grid16 {
 }
 
 /// Whole numbers as differences to the one before, of the first to 0, modulo 2¹⁶.
-pub fn deltas16(numbers: impl Iterator<Item = u16>) -> Vec<u8> {
+fn deltas16(numbers: impl Iterator<Item = u16>) -> Vec<u8> {
     let mut before = 0u16;
     numbers
         .flat_map(|number| number.wrapping_sub(std::mem::replace(&mut before, number)).to_le_bytes())
