@@ -11,8 +11,8 @@ use crate::life::{Life, Stage};
 use crate::member::{Kind, Member};
 use crate::model::Model;
 use crate::parts::constant::Constant;
-use crate::parts::loads::Loads;
-use crate::parts::{Entry, Kept, Motion, Own, Part, StateSizes};
+use crate::parts::loads::{Load, Loads};
+use crate::parts::{Entry, Kept, Motion, Own, StateSizes};
 use crate::patch_part::solid;
 use crate::state::{Ledger, State};
 use crate::traction::Traction;
@@ -23,6 +23,9 @@ use tremolite_kernels::Line;
 use tremolite_laws::{Octet, Row};
 use tremolite_mesh::Face;
 use tremolite_mesh::topology::vector_areas;
+
+/// Nodes of a member at most, of what spans the model: weight, tractions, loads, the base.
+pub(crate) const PIECE: usize = 256;
 
 /// Where a part's slices begin and end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -90,8 +93,9 @@ pub struct Assembly {
     free_field: bool,
     /// Strain that elements begin with, part by part.
     initial: Vec<Octet>,
-    /// Number of nodes.
+    /// Number of nodes, and of blocks of them.
     nodes: usize,
+    blocks: usize,
 }
 
 impl Assembly {
@@ -111,20 +115,24 @@ impl Assembly {
             boundary::members(model.surroundings(&model.faces))?;
         members.extend(of_boundaries);
         for (k, load) in model.loads.iter().enumerate() {
-            let part = Box::new(Loads::new(load.clone()));
-            let line = Some(Line::Input);
-            members.push(Member { line, ..Member::of(Kind::Load, format!("load {}", k + 1), part) });
+            members.extend(load.forces.chunks(PIECE).map(|forces| {
+                let part =
+                    Box::new(Loads::new(Load { forces: forces.to_vec(), factor: load.factor.clone() }));
+                let line = Some(Line::Input);
+                Member { line, ..Member::of(Kind::Load, format!("load {}", k + 1), part) }
+            }));
         }
         members.extend(weights(model, &members));
-        members.extend(model.tractions.iter().filter_map(|traction| of_traction(model, traction)));
+        members.extend(model.tractions.iter().flat_map(|traction| of_traction(model, traction)));
         for make in &model.parts {
             let member = make(&model.mesh, &model.engine_node);
             check(model, &member)?;
             members.push(Member { kind: Kind::Own, ..member });
         }
         let (nodes, free_field) = (model.mesh_node.len(), !model.slabs.is_empty());
+        let blocks = model.nodes.blocks.len();
         let mut assembly =
-            Assembly { members, base, spring_distance, nodes, free_field, ..Assembly::default() };
+            Assembly { members, base, spring_distance, nodes, blocks, free_field, ..Assembly::default() };
         assembly.settle(model);
         Ok(assembly)
     }
@@ -177,7 +185,7 @@ impl Assembly {
             numbers: vec![0.0; totals.numbers.end],
             reference: vec![Row::ZERO; totals.reference.end],
             initial: self.initial.clone(),
-            ledger: Ledger::new(self.accounts.len()),
+            ledger: Ledger::new(self.accounts.len(), self.members.len(), self.blocks),
             ..State::default()
         };
         self.contacts.iter().for_each(|contacts| contacts.begin(&mut state.history));
@@ -243,20 +251,16 @@ fn weights(model: &Model, solids: &[Member]) -> Vec<Member> {
     }
     lots.into_iter()
         .filter(|((_, life), _)| life.born < Stage::Shaking)
-        .map(|((outside, life), masses)| {
-            let forces = masses.into_iter().map(|(node, mass)| (node, [0.0, 0.0, -mass * model.gravity]));
-            let part = Box::new(Constant::new(forces));
-            Member {
-                life: life.and(&Life::BEFORE),
-                counted: !outside,
-                ..Member::of(Kind::Weight, "weight", part)
-            }
+        .flat_map(|((outside, life), masses)| {
+            let forces: Vec<_> =
+                masses.into_iter().map(|(node, mass)| (node, [0.0, 0.0, -mass * model.gravity])).collect();
+            constant("weight", &forces, &life, !outside)
         })
         .collect()
 }
 
 /// A traction as nodal forces; nothing where none of its faces has nodes that move.
-fn of_traction(model: &Model, of: &Traction) -> Option<Member> {
+fn of_traction(model: &Model, of: &Traction) -> Vec<Member> {
     let mut forces: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
     for (face, stress) in &of.faces {
         for (node, area) in vector_areas(&model.mesh, &[*face]) {
@@ -268,9 +272,17 @@ fn of_traction(model: &Model, of: &Traction) -> Option<Member> {
             }
         }
     }
-    let life = of.life.and(&Life::BEFORE);
-    let part = Box::new(Constant::new(forces));
-    (!part.nodes().is_empty()).then(|| Member { life, ..Member::of(Kind::Weight, of.name.clone(), part) })
+    constant(&of.name, &forces.into_iter().collect::<Vec<_>>(), &of.life, true)
+}
+
+/// Constant forces before the shaking, in pieces.
+fn constant(name: &str, forces: &[(u32, [f64; 3])], life: &Life, counted: bool) -> Vec<Member> {
+    let life = life.and(&Life::BEFORE);
+    let piece = |forces: &[(u32, [f64; 3])]| {
+        let part = Box::new(Constant::new(forces.iter().copied()));
+        Member { life, counted, ..Member::of(Kind::Weight, name, part) }
+    };
+    forces.chunks(PIECE).map(piece).collect()
 }
 
 /// C⁻¹σ₀ of every element that begins with stress, with the elastic constants that its law has by itself.

@@ -118,14 +118,16 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
                 .collect();
         let u = state.u.clone();
         engine.start(&mut state, u, &velocity);
-        engine.step(&mut state).map_err(BenchError::Halt)?;
+        engine.step(&mut state);
         let begin = Instant::now();
         for _ in 0..bench.steps {
-            engine.step(&mut state).map_err(BenchError::Halt)?;
+            engine.step(&mut state);
         }
         let seconds = begin.elapsed().as_secs_f64();
         let elements = model.user_elements;
-        let kinetic = engine.look(&state).snapshot.balance[Line::Kinetic];
+        let seen = engine.finish(&mut state);
+        engine.guard(&seen).map_err(BenchError::Halt)?;
+        let kinetic = seen.balance[Line::Kinetic];
         Ok(Timing {
             elements,
             nodes: model.user_nodes,

@@ -34,6 +34,7 @@ pub mod rims;
 mod seams;
 pub mod sheet;
 pub mod state;
+mod sums;
 mod thickness;
 pub mod ties;
 pub mod traction;

@@ -274,19 +274,33 @@ impl Model {
             }
         }
 
-        // Nodes in the order in which the patches first touch them: a patch's nodes lie close in memory.
+        // In the order in which the patches first touch them: a patch's nodes lie close in memory.
         let mut engine_node = vec![u32::MAX; mesh.nodes.len()];
         let mut mesh_node = Vec::new();
         let mut nodes = Nodes::default();
+        // How many patches touch each: beyond one it does not matter how many.
+        let mut touched = vec![(u32::MAX, 0u8); mesh.nodes.len()];
+        let of_patch = |patch: &Patch| -> Vec<u32> {
+            patch.elements.iter().flat_map(|&e| mesh.elements[e as usize].nodes()).copied().collect()
+        };
+        for (p, patch) in (0u32..).zip(&patches) {
+            for n in of_patch(patch) {
+                let (last, count) = &mut touched[n as usize];
+                if *last != p {
+                    (*last, *count) = (p, count.saturating_add(1));
+                }
+            }
+        }
         for patch in &patches {
-            for &e in &patch.elements {
-                for &n in mesh.elements[e as usize].nodes() {
-                    if engine_node[n as usize] == u32::MAX {
+            for alone in [true, false] {
+                let before = mesh_node.len();
+                for n in of_patch(patch) {
+                    if engine_node[n as usize] == u32::MAX && (touched[n as usize].1 == 1) == alone {
                         engine_node[n as usize] = mesh_node.len() as u32;
                         mesh_node.push(n);
-                        nodes.push(patch.domain);
                     }
                 }
+                nodes.push(patch.domain, mesh_node.len() - before);
             }
         }
         let loads = problem

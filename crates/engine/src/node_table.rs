@@ -1,5 +1,7 @@
 //! What a model knows of each of its engine nodes.
 
+use std::ops::Range;
+
 /// What an element or a node belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Domain {
@@ -11,9 +13,19 @@ pub enum Domain {
     Column,
 }
 
-/// The engine nodes of a model, in the order in which the patches first touch them.
+/// Nodes that are worked on and added up together: of those that a patch touches first, the ones that no other patch touches, or the
+/// others. A model has the same blocks in all phases, so that sums over its nodes are the same bits wherever they are made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Block {
+    pub domain: Domain,
+    pub nodes: Range<usize>,
+}
+
+/// The engine nodes of a model, in the order in which the patches first touch them; of each patch those first that no other touches.
 #[derive(Clone, Debug, Default)]
 pub struct Nodes {
+    /// All nodes, ascending.
+    pub blocks: Vec<Block>,
     /// What each belongs to.
     pub domain: Vec<Domain>,
     /// The level of its step: 0, the finest there is, for all so far.
@@ -23,11 +35,16 @@ pub struct Nodes {
 }
 
 impl Nodes {
-    /// One more, on the finest level and this process's own.
-    pub(crate) fn push(&mut self, domain: Domain) {
-        self.domain.push(domain);
-        self.level.push(0);
-        self.owner.push(0);
+    /// One more block, on the finest level and this process's own.
+    pub(crate) fn push(&mut self, domain: Domain, count: usize) {
+        if count == 0 {
+            return;
+        }
+        let nodes = self.len()..self.len() + count;
+        self.domain.resize(nodes.end, domain);
+        self.level.resize(nodes.end, 0);
+        self.owner.resize(nodes.end, 0);
+        self.blocks.push(Block { domain, nodes });
     }
 
     /// Number of all.

@@ -5,25 +5,51 @@ use tremolite_kernels::Lines;
 use tremolite_kernels::part::Kept;
 use tremolite_laws::{Octet, Row};
 
-/// The books of the energy balance \[J\], sums since the start.
+/// The books of the energy balance \[J\]: sums since the start, kept by who books and added where somebody looks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ledger {
-    /// Of the lines that are booked step by step, and of what the run started with.
+    /// What the run started with, by line.
     pub lines: Lines,
-    /// Sum of the positive increments of what is put in and of what was held at the start: what the guard measures
-    /// against.
+    /// What was put in when a row was looked at last, and the sum of its positive increments from row to row and of what was held
+    /// at the start: what the guard measures against.
+    pub put_in: f64,
     pub supplied: f64,
-    /// By account ([`crate::Assembly::accounts`]): work on the elements less what artificial viscosity took of it, and what
-    /// they held and had lost at the start.
+    /// By account ([`crate::Assembly::accounts`]): what its elements held and had lost at the start.
     pub bodies: Vec<f64>,
     /// What each account held and had lost when the shaking began from rest under load.
     pub rest: Vec<Lines>,
+    /// By member: the work that it booked.
+    pub members: Vec<Lines>,
+    /// By block of nodes ([`crate::Nodes::blocks`]): what its nodes booked, [`Ledger::width`] numbers each.
+    pub blocks: Vec<f64>,
 }
 
+/// What a block of nodes books before the work on the elements of each account: work against Rayleigh's damping, the dashpots of
+/// the base and of the sides, and the work of the dashpots of free-field sides.
+pub const OF_NODES: usize = 4;
+
 impl Ledger {
-    /// Empty books for so many accounts.
-    pub fn new(accounts: usize) -> Self {
-        Ledger { bodies: vec![0.0; accounts], rest: vec![Lines::default(); accounts], ..Ledger::default() }
+    /// Empty books for so many accounts, members and blocks.
+    pub fn new(accounts: usize, members: usize, blocks: usize) -> Self {
+        Ledger {
+            bodies: vec![0.0; accounts],
+            rest: vec![Lines::default(); accounts],
+            members: vec![Lines::default(); members],
+            blocks: vec![0.0; (OF_NODES + accounts) * blocks],
+            ..Ledger::default()
+        }
+    }
+
+    /// Numbers that each block books.
+    pub fn width(&self) -> usize {
+        OF_NODES + self.bodies.len()
+    }
+
+    /// Empty books of the same size.
+    #[must_use]
+    pub fn cleared(&self) -> Self {
+        let accounts = self.bodies.len();
+        Ledger::new(accounts, self.members.len(), self.blocks.len() / self.width())
     }
 }
 
@@ -145,9 +171,10 @@ impl State {
 
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
-        let Ledger { lines, supplied, bodies, rest } = &mut self.ledger;
+        let Ledger { lines, put_in, supplied, bodies, rest, members, blocks } = &mut self.ledger;
         let Relaxing { cycle, damping, work, damped, most, freed } = &mut self.relaxing;
-        let ledger = lines.values_mut().chain([supplied]).collect();
+        let ledger = lines.values_mut().chain([put_in, supplied]).collect();
+        let members = members.iter_mut().flat_map(Lines::values_mut).collect();
         let rest = rest.iter_mut().flat_map(Lines::values_mut).collect();
         let mut columns = vec![
             ("step".to_owned(), "1", Column::Count(&mut self.step)),
@@ -173,6 +200,8 @@ impl State {
             ("ledger".to_owned(), "J", Column::Scalars(ledger)),
             ("bodies".to_owned(), "J", Column::Numbers(bodies)),
             ("bodies at rest".to_owned(), "J", Column::Scalars(rest)),
+            ("books of parts".to_owned(), "J", Column::Scalars(members)),
+            ("books of nodes".to_owned(), "J", Column::Numbers(blocks)),
         ];
         for (name, values) in &mut self.observers {
             columns.push((format!("observer {name}"), "observer", Column::Numbers(values)));

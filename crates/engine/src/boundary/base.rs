@@ -5,6 +5,7 @@
 //! ([`crate::engine`]); this part gives the other two terms. Vertical incidence in homogeneous ground below the base.
 
 use crate::parts::{Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
+use std::sync::Arc;
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::Row;
 use tremolite_motion::Motion as Record;
@@ -56,12 +57,12 @@ pub struct BasePart {
     nodes: Vec<u32>,
     pushed: Vec<BaseNode>,
     /// Velocity of the up-going wave, already factored for the kind of motion; none for a base at rest.
-    incident: Option<(Record, f64)>,
+    incident: Option<(Arc<Record>, f64)>,
 }
 
 impl BasePart {
     /// The part; `incident` is a record and the factor from its kind of motion to the up-going wave.
-    pub fn new(pushed: Vec<BaseNode>, incident: Option<(Record, f64)>) -> Self {
+    pub fn new(pushed: Vec<BaseNode>, incident: Option<(Arc<Record>, f64)>) -> Self {
         BasePart { nodes: pushed.iter().map(|b| b.node).collect(), pushed, incident }
     }
 }

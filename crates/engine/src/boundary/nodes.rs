@@ -3,10 +3,12 @@
 use super::base::{BaseNode, BasePart};
 use super::far_field::{along_slab, between_corners};
 use super::{Base, Surroundings, nodal_matrices, quarter};
+use crate::assembly::PIECE;
 use crate::error::ModelError;
 use crate::hexahedra::centroid;
 use crate::life::{Life, Stage};
 use crate::member::{Kind, Member};
+use std::sync::Arc;
 use tremolite_kernels::Line;
 use tremolite_mesh::Face;
 
@@ -30,10 +32,10 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
     let outside = out.base.iter().filter(|node| !node.counted).cloned().collect();
     let all: [(_, Vec<BaseNode>, _); 2] =
         [("springs of the base", counted, true), ("base of the free field", outside, false)];
+    let incident = around.incident.map(|i| (Arc::new(i.motion.clone()), i.factor));
     for (name, nodes, counted) in all {
-        if !nodes.is_empty() {
-            let incident = around.incident.map(|i| (i.motion.clone(), i.factor));
-            let part = Box::new(BasePart::new(nodes, incident));
+        for nodes in nodes.chunks(PIECE) {
+            let part = Box::new(BasePart::new(nodes.to_vec(), incident.clone()));
             let line = Some(Line::Springs);
             let member = Member::of(Kind::Boundary, name, part);
             out.members.push(Member { life: Life::SHAKING, line, counted, ..member });

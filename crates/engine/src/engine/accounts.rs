@@ -9,14 +9,16 @@ use tremolite_laws::Row;
 pub(super) struct Accounts<'a> {
     phase: &'a Phase,
     contributions: &'a [Row],
-    sums: Vec<f64>,
+    /// By account.
+    sums: &'a mut [f64],
     current: u16,
     sum: f64,
 }
 
 impl<'a> Accounts<'a> {
-    pub fn new(phase: &'a Phase, contributions: &'a [Row], accounts: usize) -> Self {
-        Accounts { phase, contributions, sums: vec![0.0; accounts], current: NO_ACCOUNT, sum: 0.0 }
+    /// Books onto these sums.
+    pub fn new(phase: &'a Phase, contributions: &'a [Row], sums: &'a mut [f64]) -> Self {
+        Accounts { phase, contributions, sums, current: NO_ACCOUNT, sum: 0.0 }
     }
 
     /// Books half the work of `twice`, two increments, against the parts' force at a node.
@@ -64,8 +66,7 @@ impl<'a> Accounts<'a> {
         }
     }
 
-    pub fn close(mut self) -> Vec<f64> {
+    pub fn close(mut self) {
         self.turn(NO_ACCOUNT);
-        self.sums
     }
 }

@@ -1,24 +1,44 @@
 //! The energy balance: what is booked step by step, and what it says where somebody looks.
+//!
+//! Parts and blocks of nodes keep their own books, which are added by a fixed tree when somebody looks.
 
-use super::evaluation::{Forces, Probed, Works};
-use super::nodes::NodeSums;
+use super::evaluation::{Forces, Probed};
+use super::nodes::Measured;
 use super::{BodyBooks, Engine, Snapshot, guard, nodes};
 use crate::parts::{ElementEnergy, Kept, Motion};
-use crate::state::{Ledger, State};
+use crate::state::{Ledger, OF_NODES, State};
+use crate::sums::tree;
 use tremolite_kernels::{Booked, Line, Lines};
 
+/// Books added up \[J\].
+struct Totals {
+    /// Work of parts by line, and against dampings.
+    lines: Lines,
+    /// Work on the elements of each account, less what artificial viscosity took of it.
+    bodies: Vec<f64>,
+}
+
 impl Engine {
+    /// Energies of members added up: `own` of their elements, which go into accounts, and `more`.
+    pub(super) fn added(&self, of: impl Iterator<Item = (u32, Lines, Lines)>) -> (Lines, Vec<Lines>) {
+        let mut accounts = vec![Vec::new(); self.assembly.accounts.len()];
+        let mut all = Vec::new();
+        for (m, own, more) in of {
+            if let Some(account) = self.assembly.account[m as usize] {
+                accounts[account as usize].push(own);
+            }
+            all.push(own + more);
+        }
+        let plus = |a: Lines, b: Lines| a + b;
+        (tree(all, plus), accounts.into_iter().map(|own| tree(own, plus)).collect())
+    }
+
     /// What the counted parts hold, have dissipated and created, by line: by element, and what else they report; and of the
     /// elements of each account.
     pub(super) fn held(&self, state: &State, kept: Kept, energy: &[ElementEnergy]) -> (Lines, Vec<Lines>) {
-        let mut held = Lines::default();
-        let mut bodies = vec![Lines::default(); self.assembly.accounts.len()];
-        let motion = Motion { u: &state.u, du: &state.du };
-        for &m in &self.phase.active {
+        let counted = self.phase.active.iter().filter(|&&m| self.assembly.members[m as usize].counted);
+        self.added(counted.map(|&m| {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
-            if !member.counted {
-                continue;
-            }
             let mut own = Lines::default();
             for element in &energy[slices.elements.clone()] {
                 own[Line::Strain] += element.strain;
@@ -27,33 +47,62 @@ impl Engine {
                 own[Line::Created] += element.created;
                 own[Line::Band] += element.band;
             }
-            if let Some(account) = self.assembly.account[m as usize] {
-                let body = &mut bodies[account as usize];
-                *body = *body + own;
+            let (u, du) = (self.named(member, &state.u), self.named(member, &state.du));
+            let motion = Motion { u: &u, du: &du };
+            (m, own, member.part.energy(&motion, slices.kept(&kept)))
+        }))
+    }
+
+    /// What parts and blocks of nodes booked, by line as it enters the balance.
+    fn booked(&self, members: &[Lines], blocks: &[f64]) -> Totals {
+        let width = OF_NODES + self.assembly.accounts.len();
+        let rows = blocks.chunks_exact(width).map(<[f64]>::to_vec).collect();
+        let mut nodes = tree(rows, |mut a: Vec<f64>, b| {
+            a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+            a
+        });
+        nodes.resize(width, 0.0);
+        let of = (0u32..).zip(members).map(|(m, &work)| {
+            // Of what parts book that are not counted only that on the model's nodes is in a balance.
+            if self.assembly.members[m as usize].counted {
+                return (m, work, Lines::default());
             }
-            held = held + own + member.part.energy(&motion, slices.kept(&kept));
+            let mut on_sides = Lines::default();
+            on_sides[Line::FreeField] = work[Line::FreeField];
+            (m, Lines::default(), on_sides)
+        });
+        let (mut works, accounts) = self.added(of);
+        let [rayleigh, base, sides, free_field] = [0, 1, 2, 3].map(|k| nodes[k]);
+        works[Line::FreeField] -= free_field;
+        let mut lines = Lines::default();
+        for &line in Line::ALL.iter().filter(|line| line.booked() == Booked::Work) {
+            lines[line] = line.sign() * works[line];
         }
-        (held, bodies)
+        lines[Line::Rayleigh] = rayleigh;
+        lines[Line::BaseDashpots] = base;
+        lines[Line::SideDashpots] = sides;
+        let on_elements = nodes[OF_NODES..].iter().zip(accounts);
+        Totals { lines, bodies: on_elements.map(|(work, own)| work - own[Line::Viscosity]).collect() }
     }
 
     /// What is seen at a state, from the forces just evaluated there, what parts remember and what was probed.
     pub(super) fn snapshot(&self, state: &State, kept: Kept, probed: Probed) -> Snapshot {
-        let Forces { contributions, rates, works: work, .. } = &self.forces;
-        let (sums, velocity, acceleration) =
+        let Forces { contributions, rates, works, .. } = &self.forces;
+        let Measured { kinetic, scheme, books, velocity, acceleration } =
             nodes::measure(&self.model, &self.phase, contributions, &rates.products, state);
+        let ledger = &state.ledger;
+        let (before, now) = (self.booked(&ledger.members, &ledger.blocks), self.booked(works, &books));
         let (held, bodies) = self.held(state, kept, &probed.energy);
         let (given, given_bodies) = self.given(state);
-        let taken = sums.dampings();
-        let mut put_in = work.lines;
-        put_in[Line::FreeField] -= sums.free_field;
-        let (ledger, mut balance) = (&state.ledger, Lines::default());
+        let mut balance = Lines::default();
         for &line in Line::ALL {
+            let booked = ledger.lines[line] + before.lines[line] + now.lines[line];
             balance[line] = match line.booked() {
-                Booked::Motion => sums.kinetic,
+                Booked::Motion => kinetic,
                 Booked::Stored => held[line] - ledger.lines[line] - given[line],
                 Booked::Spent => held[line] - ledger.lines[line],
-                Booked::Damping => ledger.lines[line] + taken[line],
-                Booked::Work => ledger.lines[line] + line.sign() * (put_in[line] - given[line]),
+                Booked::Damping => booked,
+                Booked::Work => booked - line.sign() * given[line],
                 Booked::Start => ledger.lines[line],
                 Booked::Rest => 0.0,
             };
@@ -63,14 +112,14 @@ impl Engine {
             .into_iter()
             .enumerate()
             .map(|(k, mut held)| {
-                let work = ledger.bodies[k] + sums.bodies[k] - work.viscosity[k] - given_bodies[k].sum();
+                let work = ledger.bodies[k] + before.bodies[k] + now.bodies[k] - given_bodies[k].sum();
                 for &line in Line::ALL {
                     held[line] -= ledger.rest[k][line] + given_bodies[k][line];
                 }
                 BodyBooks { work, held }
             })
             .collect();
-        let kinetic = guard::kinetic(&self.model, &self.phase, state);
+        let moving = guard::kinetic(&self.model, &self.phase, state);
         let stored = Line::ALL.iter().filter(|line| line.booked() == Booked::Stored);
         Snapshot {
             step: state.steps(),
@@ -80,30 +129,31 @@ impl Engine {
             acceleration,
             stress: probed.stress,
             energy: probed.energy,
-            scheme: sums.scheme,
-            held: kinetic + stored.map(|&line| balance[line]).sum::<f64>(),
-            supplied: ledger.supplied + work.supplied(),
+            scheme,
+            held: moving + stored.map(|&line| balance[line]).sum::<f64>(),
+            supplied: ledger.supplied + (put_in(&balance) - ledger.put_in).max(0.0),
             balance,
             bodies,
         }
     }
 }
 
+/// What came in since the start \[J\]: lines of work that have a minus in the sum of what is found.
+fn put_in(balance: &Lines) -> f64 {
+    let lines = Line::ALL.iter().filter(|line| line.booked() == Booked::Work && line.sign() < 0.0);
+    lines.map(|&line| balance[line]).sum()
+}
+
 impl Ledger {
-    /// Books a step: the parts' own work, and what the node pass found.
-    pub(super) fn book(&mut self, work: &Works, sums: &NodeSums) {
-        let taken = sums.dampings();
-        for &line in Line::ALL {
-            match line.booked() {
-                Booked::Work => self.lines[line] += line.sign() * work.lines[line],
-                Booked::Damping => self.lines[line] += taken[line],
-                Booked::Motion | Booked::Stored | Booked::Spent | Booked::Start | Booked::Rest => {}
-            }
+    /// Books the work of the parts over a step.
+    pub(super) fn book(&mut self, works: &[Lines]) {
+        for (own, &work) in self.members.iter_mut().zip(works) {
+            *own = *own + work;
         }
-        self.lines[Line::FreeField] += sums.free_field;
-        self.supplied += work.supplied() + sums.free_field.max(0.0);
-        for ((own, more), viscosity) in self.bodies.iter_mut().zip(&sums.bodies).zip(&work.viscosity) {
-            *own += more - viscosity;
-        }
+    }
+
+    /// Keeps what was put in until a row.
+    pub(super) fn close_row(&mut self, seen: &Snapshot) {
+        (self.put_in, self.supplied) = (put_in(&seen.balance), seen.supplied);
     }
 }

@@ -8,7 +8,9 @@ use super::relax::{Relaxed, Release, Rest, Watch};
 use crate::contacts::LoadedPair;
 use crate::phase::Phase;
 use crate::state::{Relaxing, State};
+use crate::sums::over_nodes;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use tremolite_laws::Row;
 use tremolite_mesh::pairs::tangents;
 
@@ -45,14 +47,19 @@ impl Engine {
     /// Σ|R| over Σ|contributions| of the forces last evaluated, with nothing held.
     fn out_of_balance(&self) -> f64 {
         let Engine { phase, forces: Forces { contributions, .. }, .. } = self;
-        let (mut unbalanced, mut whole) = (0.0, 0.0);
-        for node in 0..phase.master.len() {
-            let force = force(phase, contributions, node);
-            let free = phase.inverse_mass[node].0.map(|w| f64::from(u8::from(w > 0.0)));
-            unbalanced += length(Row([0, 1, 2, 3].map(|i| free[i] * force.0[i])));
-            let slots = phase.start[node] as usize..phase.start[node + 1] as usize;
-            whole += phase.slot[slots].iter().map(|&slot| length(contributions[slot as usize])).sum::<f64>();
-        }
+        let one = |nodes: Range<usize>| {
+            let mut sums = [0.0; 2];
+            for node in nodes {
+                let force = force(phase, contributions, node);
+                let free = phase.inverse_mass[node].0.map(|w| f64::from(u8::from(w > 0.0)));
+                sums[0] += length(Row([0, 1, 2, 3].map(|i| free[i] * force.0[i])));
+                let slots = phase.start[node] as usize..phase.start[node + 1] as usize;
+                let all = phase.slot[slots].iter().map(|&slot| length(contributions[slot as usize]));
+                sums[1] += all.sum::<f64>();
+            }
+            sums
+        };
+        let [unbalanced, whole] = over_nodes(&self.model.nodes, one, |a, b| [a[0] + b[0], a[1] + b[1]]);
         if whole > 0.0 { unbalanced / whole } else { 0.0 }
     }
 

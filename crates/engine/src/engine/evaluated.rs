@@ -1,8 +1,7 @@
 //! A state whose parts have been evaluated, and the step on from there.
 
 use super::evaluation::{Forces, Probed};
-use super::guard::GUARD;
-use super::{Engine, Halt, Snapshot, nodes};
+use super::{Engine, Snapshot, nodes};
 use crate::model::Model;
 use crate::parts::Kept;
 use crate::phase::Phase;
@@ -43,6 +42,15 @@ impl Evaluated {
     }
 }
 
+/// What is to be seen as a state is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum See {
+    Nothing,
+    Look,
+    /// A look that is a row of the books as well: what was put in until then counts as supplied for good.
+    Row,
+}
+
 /// What observers are shown of an evaluated state.
 pub struct Seen<'e> {
     pub snapshot: &'e Snapshot,
@@ -63,39 +71,32 @@ pub struct Look {
 }
 
 impl Engine {
-    /// Evaluates all active parts at a state; what they hold and its balance are `seen` as well if so wished.
-    pub fn evaluate(&mut self, mut state: State, seen: bool) -> Evaluated {
-        let mut probed = seen.then(Probed::default);
+    /// Evaluates all active parts at a state, and sees what is wished of it.
+    pub fn evaluate(&mut self, mut state: State, see: See) -> Evaluated {
+        let mut probed = (see != See::Nothing).then(Probed::default);
         self.evaluate_at(&mut state, probed.as_mut());
         let snapshot = probed.map(|probed| self.snapshot(&state, state.kept(), probed));
+        if let (See::Row, Some(seen)) = (see, &snapshot) {
+            state.ledger.close_row(seen);
+        }
         let (model, phase) = (self.model.clone(), self.phase.clone());
         Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot }
     }
 
     /// Goes on from u^n to u^{n+1}.
-    ///
-    /// # Errors
-    /// [`Halt::Energy`] if energy appeared; the state is then that of the failed step.
-    pub fn advance(&mut self, evaluated: Evaluated) -> (State, Result<(), Halt>) {
+    pub fn advance(&mut self, evaluated: Evaluated) -> State {
         let Evaluated { model, phase, mut state, mut forces, .. } = evaluated;
-        let time = state.time();
         let Forces { contributions, rates, leads, works } = &mut forces;
-        let sums = nodes::advance(&model, &phase, contributions, &rates.products, leads, &mut state);
-        state.ledger.book(works, &sums);
+        nodes::advance(&model, &phase, contributions, &rates.products, leads, &mut state);
+        state.ledger.book(works);
         state.step += 1;
         self.forces = forces;
-        let supplied = state.ledger.supplied;
-        // Written so that a kinetic energy that is not a number halts as well.
-        let stepped = match sums.kinetic <= GUARD * (supplied + self.noise) {
-            true => Ok(()),
-            false => Err(Halt::Energy { kinetic: sums.kinetic, supplied, step: state.steps(), time }),
-        };
-        (state, stepped)
+        state
     }
 
     /// What is seen at the end of a run: what its parts remember is then that of its displacements, and no step goes on from it.
     pub fn finish(&mut self, state: &mut State) -> Snapshot {
-        let mut evaluated = self.evaluate(std::mem::take(state), true);
+        let mut evaluated = self.evaluate(std::mem::take(state), See::Row);
         let snapshot = evaluated.snapshot.take().unwrap_or_default();
         *state = evaluated.state;
         snapshot

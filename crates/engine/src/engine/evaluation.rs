@@ -13,7 +13,7 @@ use crate::state::State;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::cell::RefCell;
-use tremolite_kernels::{Booked, Line, Lines};
+use tremolite_kernels::Lines;
 use tremolite_laws::{Octet, Row};
 
 /// Forces at a state, and room for the next.
@@ -24,7 +24,8 @@ pub(super) struct Forces {
     pub rates: Rates,
     /// Velocities that leaders leave to those who follow them.
     pub leads: Vec<Lead>,
-    pub works: Works,
+    /// Work that each part books \[J\].
+    pub works: Vec<Lines>,
 }
 
 impl Forces {
@@ -33,42 +34,8 @@ impl Forces {
             contributions: vec![Row::ZERO; assembly.totals().contributions.end],
             rates: Rates::new(model, assembly),
             leads: vec![Lead::default(); phase.leaders.len()],
-            works: Works::default(),
+            works: vec![Lines::default(); assembly.members.len()],
         }
-    }
-}
-
-/// Work that parts book themselves \[J\].
-#[derive(Clone, Debug, Default)]
-pub(super) struct Works {
-    pub lines: Lines,
-    /// What artificial viscosity took, by account.
-    pub viscosity: Vec<f64>,
-}
-
-impl Works {
-    fn of(assembly: &Assembly, phase: &Phase, all: Vec<Lines>) -> Self {
-        let mut viscosity = vec![0.0; assembly.accounts.len()];
-        for (work, &m) in all.iter().zip(&phase.active) {
-            if let Some(account) = assembly.account[m as usize] {
-                viscosity[account as usize] += work[Line::Viscosity];
-            }
-        }
-        // Of what parts book that are not counted only that on the model's nodes is in a balance.
-        let lines = all.into_iter().zip(&phase.active).fold(Lines::default(), |mut sum, (work, &m)| {
-            if assembly.members[m as usize].counted {
-                return sum + work;
-            }
-            sum[Line::FreeField] += work[Line::FreeField];
-            sum
-        });
-        Works { lines, viscosity }
-    }
-
-    /// What came in: positive work by lines of what is put in, which have a minus in the sum of what is found.
-    pub fn supplied(&self) -> f64 {
-        let put_in = |line: &&Line| line.booked() == Booked::Work && line.sign() < 0.0;
-        Line::ALL.iter().filter(put_in).map(|&line| (line.sign() * self.lines[line]).max(0.0)).sum()
     }
 }
 
@@ -247,7 +214,10 @@ impl Engine {
             .with_max_len(1)
             .map(|job| ROOM.with_borrow_mut(|room| evaluate(job, &tick, &motion, room, poisoned)))
             .collect();
-        forces.works = Works::of(assembly, phase, works);
+        forces.works.fill(Lines::default());
+        for (&m, work) in phase.active.iter().zip(works) {
+            forces.works[m as usize] = work;
+        }
     }
 }
 

@@ -2,23 +2,25 @@
 
 use super::{Engine, Snapshot};
 use crate::model::Model;
-use crate::node_table::Domain;
 use crate::phase::Phase;
 use crate::state::State;
+use crate::sums::over_nodes;
+use std::ops::Range;
 
-/// Why a step could not be taken.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Halt {
-    /// More kinetic energy than was ever supplied, or numbers that are not finite.
-    Energy { kinetic: f64, supplied: f64, step: u64, time: f64 },
-    /// More energy held by elements and motion than was ever supplied.
-    Held { held: f64, supplied: f64, step: u64, time: f64 },
+/// Why a run cannot go on: more energy is held by motion and elements than was ever supplied, or numbers are not finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Halt {
+    /// J
+    pub held: f64,
+    pub supplied: f64,
+    /// Where that was seen.
+    pub step: u64,
+    pub time: f64,
 }
 
-/// Kinetic energy beyond this multiple of all energy ever supplied stops a run. In a stable run the discrete energy
-/// bounds it: at most 2 where all energy sits at the mesh's highest frequency, near 1 for waves the mesh carries. Whoever
-/// looks also compares all energy held.
-pub(super) const GUARD: f64 = 3.0;
+/// Energy held beyond this multiple of all that was ever supplied stops a run. In a stable run the discrete energy bounds it: at
+/// most 2 where all energy sits at the mesh's highest frequency, near 1 for waves that the mesh carries.
+const GUARD: f64 = 3.0;
 /// What counts as supplied before the wave comes, as a share of the kinetic energy of a model that moves as fast as the wave does at
 /// its peak. A record may begin with noise that changes its sign within a few steps: it moves the base before its work is booked,
 /// and that work may be negative.
@@ -29,26 +31,32 @@ pub(super) fn noise(model: &Model, phase: &Phase) -> f64 {
     let Some(incident) = &model.incident else { return 0.0 };
     let largest = |v: &Vec<f64>| v.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let square: f64 = incident.motion.velocity.iter().map(|v| (incident.factor * largest(v)).powi(2)).sum();
-    let counted = phase.mass.iter().zip(&model.nodes.domain).filter(|(_, d)| **d == Domain::Model);
-    NOISE * 0.5 * counted.map(|(mass, _)| mass).sum::<f64>() * square
+    let one = |nodes: Range<usize>| -> f64 {
+        nodes.filter(|&n| model.nodes.counts(n)).map(|n| phase.mass[n]).sum()
+    };
+    NOISE * 0.5 * over_nodes(&model.nodes, one, |a, b| a + b) * square
 }
 
 /// ½v⁻ᵀMv⁻ \[J\]. That of v̂ has in it what the forces are about to do, which is not supplied yet.
 pub(super) fn kinetic(model: &Model, phase: &Phase, state: &State) -> f64 {
     let square = |n: usize| state.du[n].0.iter().map(|d| d * d).sum::<f64>() / (state.dt * state.dt);
-    model.nodes.of(Domain::Model).map(|n| 0.5 * phase.mass[n] * square(n)).sum()
+    let one = |nodes: Range<usize>| -> f64 {
+        nodes.filter(|&n| model.nodes.counts(n)).map(|n| 0.5 * phase.mass[n] * square(n)).sum()
+    };
+    over_nodes(&model.nodes, one, |a, b| a + b)
 }
 
 impl Engine {
-    /// Whether more energy is held than was ever supplied: what the guard cannot see in every step.
+    /// Whether a run may go on from what is seen.
     ///
     /// # Errors
-    /// [`Halt::Held`] if so.
+    /// The halt, if not.
     pub fn guard(&self, seen: &Snapshot) -> Result<(), Halt> {
         let &Snapshot { held, supplied, step, time, .. } = seen;
+        // Written so that what is not a number halts as well.
         if held <= GUARD * (supplied + self.noise) {
             return Ok(());
         }
-        Err(Halt::Held { held, supplied, step, time })
+        Err(Halt { held, supplied, step, time })
     }
 }

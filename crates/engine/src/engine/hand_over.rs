@@ -9,7 +9,7 @@ use super::evaluation::Probed;
 use super::gather::{dot, force};
 use crate::bolts::BoltSet;
 use crate::parts::{Entry, Motion, Scratch};
-use crate::state::{Ledger, State};
+use crate::state::State;
 use std::collections::HashMap;
 use tremolite_kernels::{Booked, Line, Lines};
 use tremolite_laws::Row;
@@ -25,7 +25,7 @@ impl Engine {
         state.carried = Vec::new();
         state.carried_hourglass = Vec::new();
         state.datum = state.u.clone();
-        state.ledger = Ledger::new(self.assembly.accounts.len());
+        state.ledger = state.ledger.cleared();
         self.quiet = true;
         self.free_pairs(state);
         self.enter(state);
@@ -35,7 +35,7 @@ impl Engine {
         state.carried_hourglass = self.stabilisation(&probed.stress);
         state.carried = self.forces.contributions.clone();
         let (held, bodies) = self.held(state, state.kept(), &probed.energy);
-        let mut ledger = Ledger::new(self.assembly.accounts.len());
+        let mut ledger = state.ledger.cleared();
         for &line in Line::ALL {
             match line.booked() {
                 Booked::Stored => {
@@ -80,16 +80,12 @@ impl Engine {
 
     /// Work \[J\] of what is held since the hand-over by the line of the part that does so much less, and by account.
     pub(super) fn given(&self, state: &State) -> (Lines, Vec<Lines>) {
-        let mut lines = Lines::default();
-        let mut bodies = vec![Lines::default(); self.assembly.accounts.len()];
         if state.carried.is_empty() {
-            return (lines, bodies);
+            return self.added(std::iter::empty());
         }
-        for &m in &self.phase.active {
+        let counted = self.phase.active.iter().filter(|&&m| self.assembly.members[m as usize].counted);
+        self.added(counted.map(|&m| {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
-            if !member.counted {
-                continue;
-            }
             let work = |carried: &[Row]| -> f64 {
                 let own = carried[slices.contributions.clone()].iter().zip(member.part.nodes());
                 own.map(|(&force, &node)| dot(force, state.shown(node as usize))).sum()
@@ -101,13 +97,8 @@ impl Engine {
             } else if let Some(line) = member.line {
                 own[line] = work(&state.carried);
             }
-            if let Some(account) = self.assembly.account[m as usize] {
-                let body = &mut bodies[account as usize];
-                *body = *body + own;
-            }
-            lines = lines + own;
-        }
-        (lines, bodies)
+            (m, own, Lines::default())
+        }))
     }
 
     /// Steps of the shaking without motion on a copy of a state: the largest displacement \[m\] that comes of it.
@@ -115,8 +106,7 @@ impl Engine {
         let mut copy = state.clone();
         self.quiet = true;
         for _ in 0..steps {
-            // It has no more energy than round-off, by which a step may halt: it is made all the same.
-            let _ = self.step(&mut copy);
+            self.step(&mut copy);
         }
         self.quiet = false;
         let moved = copy.u.iter().zip(&state.u).map(|(a, b)| {

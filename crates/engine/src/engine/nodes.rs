@@ -6,110 +6,90 @@ use super::node_step::{Damping, Dashpots, Lead, NodeStep, Products, damping, nod
 use super::split::split;
 use crate::model::Model;
 use crate::phase::Phase;
-use crate::phase::passes::{BLOCK, Block};
-use crate::state::State;
+use crate::phase::passes::{Pass, Turn};
+use crate::state::{OF_NODES, State};
+use crate::sums::tree;
 use rayon::prelude::*;
-use tremolite_kernels::{Line, Lines};
 use tremolite_laws::{Isa, Row};
 
-/// What a pass adds up over the nodes that count \[J\].
-#[derive(Clone, Debug, Default)]
-pub struct NodeSums {
-    /// Of v⁻ when advancing, of v̂ when measuring.
-    pub kinetic: f64,
-    /// Work against each damping over the half-steps that meet at u^n; only the first of them when measuring.
-    pub rayleigh: f64,
-    pub base_dashpots: f64,
-    pub side_dashpots: f64,
-    /// Work of the dashpots of free-field sides on the nodes, likewise.
-    pub free_field: f64,
-    /// Work against the forces of elements by account, likewise.
-    pub bodies: Vec<f64>,
-    /// ⅛Δt²aᵀMa when measuring: by so much ½v̂ᵀMv̂ exceeds the kinetic energy that the scheme conserves.
-    pub scheme: f64,
+/// Work against the dampings of a block's nodes over the half-steps that meet at u^n \[J\], and of the dashpots of free-field sides
+/// on them; only the first half when measuring.
+#[derive(Default)]
+struct Damped {
+    rayleigh: f64,
+    base: f64,
+    sides: f64,
+    free_field: f64,
 }
 
-impl NodeSums {
-    /// Work against the dampings, by line.
-    pub fn dampings(&self) -> Lines {
-        let mut taken = Lines::default();
-        taken[Line::Rayleigh] = self.rayleigh;
-        taken[Line::BaseDashpots] = self.base_dashpots;
-        taken[Line::SideDashpots] = self.side_dashpots;
-        taken
-    }
-
-    fn plus(mut self, o: NodeSums) -> NodeSums {
-        self.kinetic += o.kinetic;
-        self.rayleigh += o.rayleigh;
-        self.base_dashpots += o.base_dashpots;
-        self.side_dashpots += o.side_dashpots;
-        self.free_field += o.free_field;
-        self.scheme += o.scheme;
-        self.bodies.resize(o.bodies.len(), 0.0);
-        for (own, more) in self.bodies.iter_mut().zip(o.bodies) {
-            *own += more;
-        }
-        self
-    }
-}
-
-impl NodeSums {
+impl Damped {
     /// Books the work of a node's dampings over an increment.
     #[inline(always)]
     fn book(&mut self, step: &NodeStep, du: Row) {
         self.rayleigh += 0.5 * dot(step.rayleigh, du);
-        self.base_dashpots += 0.5 * dot(step.base, du);
-        self.side_dashpots += 0.5 * dot(step.sides, du);
+        self.base += 0.5 * dot(step.base, du);
+        self.sides += 0.5 * dot(step.sides, du);
         self.free_field += 0.5 * dot(step.free_field, du);
+    }
+
+    fn onto(self, books: &mut [f64]) {
+        for (book, more) in books.iter_mut().zip([self.rayleigh, self.base, self.sides, self.free_field]) {
+            *book += more;
+        }
     }
 }
 
 /// Leaders that one thread advances: so few that another barrier would cost more.
-const FEW: usize = BLOCK;
+const FEW: usize = 2048;
 
-/// Nodes that one thread works on, with two columns of their rows.
+/// A block of nodes that one thread works on, with two columns of their rows.
 struct Chunk<'c> {
-    block: &'c Block,
+    turn: &'c Turn,
     rows: [&'c mut [Row]; 2],
     /// Those of them that others follow, and where to leave their velocities.
     leaders: &'c [u32],
     own: &'c mut [Lead],
     /// Velocities of those that were advanced before.
     before: &'c [Lead],
+    /// What it books.
+    books: &'c mut [f64],
 }
 
-/// Works on two columns of rows pass by pass, and adds up by blocks in ascending order.
-fn by_passes(
+/// Works on two columns of rows pass by pass, block by block. What `one` gives back comes with the block's number.
+fn by_passes<T: Send>(
     phase: &Phase,
     leads: &mut [Lead],
     [a, b]: [&mut [Row]; 2],
-    one: impl Fn(Chunk) -> NodeSums + Sync,
-) -> NodeSums {
-    let mut total = NodeSums::default();
-    for pass in &phase.passes {
-        let first = pass.blocks.first().map_or(0, |block| block.leaders.start);
+    (books, width): (&mut [f64], usize),
+    one: impl Fn(Chunk) -> T + Sync,
+) -> Vec<(usize, T)> {
+    let mut found = Vec::new();
+    for Pass { turns } in &phase.passes {
+        let first = turns.first().map_or(0, |turn| turn.leaders.start);
         let (before, own) = leads.split_at_mut(first);
         let before = &*before;
-        let nodes = |block: &Block| block.nodes.clone();
-        let rows = split(a, &pass.blocks, nodes).into_iter().zip(split(b, &pass.blocks, nodes));
-        let own = split(own, &pass.blocks, |block| block.leaders.start - first..block.leaders.end - first);
-        let leads_on = own.iter().any(|own| !own.is_empty());
-        let chunks = pass.blocks.iter().zip(rows).zip(own).map(|((block, (a, b)), own)| {
-            let leaders = &phase.leaders[block.leaders.clone()];
-            Chunk { block, rows: [a, b], leaders, own, before }
-        });
-        let sums: Vec<NodeSums> = if leads_on && pass.nodes() <= FEW {
-            chunks.map(&one).collect()
+        let nodes = |turn: &Turn| turn.nodes.clone();
+        let rows = split(a, turns, nodes).into_iter().zip(split(b, turns, nodes));
+        let own = split(own, turns, |turn| turn.leaders.start - first..turn.leaders.end - first);
+        let books = split(books, turns, |turn| width * turn.block..width * (turn.block + 1));
+        let few = turns.iter().any(|turn| !turn.leaders.is_empty())
+            && turns.iter().map(|turn| turn.nodes.len()).sum::<usize>() <= FEW;
+        let chunks =
+            turns.iter().zip(rows).zip(own.into_iter().zip(books)).map(|((turn, (a, b)), (own, books))| {
+                let leaders = &phase.leaders[turn.leaders.clone()];
+                Chunk { turn, rows: [a, b], leaders, own, before, books }
+            });
+        let one = |chunk: Chunk| (chunk.turn.block, one(chunk));
+        if few {
+            found.extend(chunks.map(one));
         } else {
-            chunks.collect::<Vec<_>>().into_par_iter().with_max_len(1).map(&one).collect()
-        };
-        total = sums.into_iter().fold(total, NodeSums::plus);
+            found.par_extend(chunks.collect::<Vec<_>>().into_par_iter().map(one));
+        }
     }
-    total
+    found
 }
 
-/// u^n to u^{n+1}; `leads` is room for what leaders leave.
+/// u^n to u^{n+1}, with room for what leaders leave. Blocks book onto the state's ledger.
 pub fn advance(
     model: &Model,
     phase: &Phase,
@@ -117,13 +97,13 @@ pub fn advance(
     products: &Products,
     leads: &mut [Lead],
     state: &mut State,
-) -> NodeSums {
+) {
     let damping = damping(model, state);
-    let accounts = state.ledger.bodies.len();
-    let State { u, du, held, .. } = state;
+    let width = state.ledger.width();
+    let State { u, du, held, ledger, .. } = state;
     let wide = Isa::Avx2.available();
-    let pass = Advance { phase, contributions, held, products, damping, accounts, wide };
-    let mut sums = by_passes(phase, leads, [u, du], |chunk| pass.chunk(chunk));
+    let pass = Advance { phase, contributions, held, products, damping, wide };
+    by_passes(phase, leads, [u, du], (&mut ledger.blocks, width), |chunk| pass.chunk(chunk));
     for &(node, master) in &phase.tied {
         let next = state.du[master as usize];
         for i in 0..4 {
@@ -131,8 +111,6 @@ pub fn advance(
         }
         state.du[node as usize] = next;
     }
-    sums.kinetic /= state.dt * state.dt;
-    sums
 }
 
 /// What a chunk's advance needs besides its rows.
@@ -142,17 +120,16 @@ struct Advance<'a> {
     held: &'a [Row],
     products: &'a Products,
     damping: Damping,
-    accounts: usize,
     /// Whether the processor has AVX2. No operation is fused, so the bits are the same without it.
     wide: bool,
 }
 
 impl Advance<'_> {
-    fn chunk(&self, chunk: Chunk) -> NodeSums {
+    fn chunk(&self, chunk: Chunk) {
         #[cfg(target_arch = "x86_64")]
         if self.wide {
             #[target_feature(enable = "avx2")]
-            unsafe fn wide(pass: &Advance, chunk: Chunk) -> NodeSums {
+            unsafe fn wide(pass: &Advance, chunk: Chunk) {
                 pass.nodes(chunk)
             }
             // SAFETY: `wide` says that the processor has AVX2.
@@ -163,7 +140,7 @@ impl Advance<'_> {
     }
 
     #[inline(always)]
-    fn nodes(&self, chunk: Chunk) -> NodeSums {
+    fn nodes(&self, chunk: Chunk) {
         match chunk.own.is_empty() {
             true => self.nodes_of::<false>(chunk),
             false => self.nodes_of::<true>(chunk),
@@ -172,15 +149,16 @@ impl Advance<'_> {
 
     /// With `LEADS` the nodes leave their velocities to those who follow.
     #[inline(always)]
-    fn nodes_of<const LEADS: bool>(&self, chunk: Chunk) -> NodeSums {
-        let Chunk { block, rows: [u, du], leaders, own, before } = chunk;
-        let (first, counts) = (block.nodes.start, block.counts);
+    fn nodes_of<const LEADS: bool>(&self, chunk: Chunk) {
+        let Chunk { turn, rows: [u, du], leaders, own, before, books } = chunk;
+        let (first, counts) = (turn.nodes.start, turn.counts);
+        let (books, of_accounts) = books.split_at_mut(OF_NODES);
         let mut leaders = leaders.iter().zip(own).peekable();
         let Advance { phase, contributions, held, products, damping, .. } = self;
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let mut dashpots = Dashpots::from(phase, first);
-        let mut sums = NodeSums::default();
-        let mut accounts = Accounts::new(phase, contributions, self.accounts);
+        let mut sums = Damped::default();
+        let mut accounts = Accounts::new(phase, contributions, of_accounts);
         // Without dashpots and ξ the step is Δu ← keep Δu + push a, and v̂ = (fade Δu/Δt) + ½Δt a.
         let fade = 1.0 - 0.5 * omega * dt;
         let (keep, push) = (1.0 - omega * dt * fade, dt * dt * fade);
@@ -229,39 +207,57 @@ impl Advance<'_> {
                 let twice = Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i]));
                 accounts.book(node, force, twice);
             }
-            sums.kinetic += 0.5 * mass * dot(*du, *du);
             for i in 0..4 {
                 u.0[i] += next.0[i];
             }
             *du = next;
         }
-        NodeSums { bodies: accounts.close(), ..sums }
+        accounts.close();
+        sums.onto(books);
     }
 }
 
-/// v̂ and dv/dt by engine node at u^n; the state is left alone.
+/// What is measured over the nodes that count.
+#[derive(Default)]
+pub struct Measured {
+    /// Of v̂ \[J\].
+    pub kinetic: f64,
+    /// ⅛Δt²aᵀMa: by so much ½v̂ᵀMv̂ exceeds the kinetic energy that the scheme conserves.
+    pub scheme: f64,
+    /// What the first half of the step at u^n would book, as [`crate::state::Ledger::blocks`] does.
+    pub books: Vec<f64>,
+    /// v̂ and dv/dt by engine node.
+    pub velocity: Vec<Row>,
+    pub acceleration: Vec<Row>,
+}
+
+/// Measures a state, which is left alone.
 pub fn measure(
     model: &Model,
     phase: &Phase,
     contributions: &[Row],
     products: &Products,
     state: &State,
-) -> (NodeSums, Vec<Row>, Vec<Row>) {
+) -> Measured {
     let damping = damping(model, state);
-    let accounts = state.ledger.bodies.len();
     let mut velocity = vec![Row::ZERO; state.u.len()];
     let mut acceleration = vec![Row::ZERO; state.u.len()];
     let mut leads = vec![Lead::default(); phase.leaders.len()];
-    let sums = by_passes(
+    let mut books = vec![0.0; state.ledger.blocks.len()];
+    let width = state.ledger.width();
+    let mut energies = by_passes(
         phase,
         &mut leads,
         [&mut velocity, &mut acceleration],
-        |Chunk { block, rows: [velocity, acceleration], leaders, own: leading, before }| {
-            let first = block.nodes.start;
-            let mut leaders = leaders.iter().zip(leading).peekable();
+        (&mut books, width),
+        |Chunk { turn, rows: [velocity, acceleration], leaders, own, before, books }| {
+            let first = turn.nodes.start;
+            let (books, of_accounts) = books.split_at_mut(OF_NODES);
+            let mut leaders = leaders.iter().zip(own).peekable();
             let mut dashpots = Dashpots::from(phase, first);
-            let mut sums = NodeSums::default();
-            let mut own = Accounts::new(phase, contributions, accounts);
+            let mut sums = Damped::default();
+            let mut energies = [0.0; 2];
+            let mut accounts = Accounts::new(phase, contributions, of_accounts);
             for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
                 let node = first + k;
                 let dashpot = dashpots.take(node);
@@ -277,23 +273,28 @@ pub fn measure(
                 if let Some(lead) = lead {
                     *lead = Lead { mean: step.mean, hat: step.velocity };
                 }
-                if block.counts {
+                if turn.counts {
                     let mass = phase.mass[node];
-                    sums.kinetic += 0.5 * mass * dot(step.velocity, step.velocity);
-                    sums.scheme +=
+                    energies[0] += 0.5 * mass * dot(step.velocity, step.velocity);
+                    energies[1] +=
                         0.125 * state.dt * state.dt * mass * dot(step.acceleration, step.acceleration);
                     sums.book(&step, du);
-                    own.book(node, force, du);
+                    accounts.book(node, force, du);
                 }
                 *velocity = step.velocity;
                 *acceleration = step.acceleration;
             }
-            NodeSums { bodies: own.close(), ..sums }
+            accounts.close();
+            sums.onto(books);
+            energies
         },
     );
     for &(node, master) in &phase.tied {
         velocity[node as usize] = velocity[master as usize];
         acceleration[node as usize] = acceleration[master as usize];
     }
-    (sums, velocity, acceleration)
+    energies.sort_unstable_by_key(|(block, _)| *block);
+    let energies = energies.into_iter().map(|(_, energies)| energies).collect();
+    let [kinetic, scheme] = tree(energies, |a: [f64; 2], b| [a[0] + b[0], a[1] + b[1]]);
+    Measured { kinetic, scheme, books, velocity, acceleration }
 }

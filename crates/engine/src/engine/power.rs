@@ -12,8 +12,9 @@ use crate::member::Member;
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Scratch};
 use crate::phase::Phase;
-use crate::phase::passes::BLOCK as CHUNK;
+use crate::sums::over_nodes;
 use rayon::prelude::*;
+use std::ops::Range;
 use tremolite_laws::Row;
 
 /// What bounds the step.
@@ -100,7 +101,7 @@ const CONVERGED: f64 = 1e-5;
 /// or after 300 times. Callers keep a margin ([`crate::problem::TimeStep::safety`], 0.9 by default).
 pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableStep {
     let mut w = start(phase);
-    let Power { lambda, change, iterations } = highest(assembly, phase, Product::Stiffness, &mut w);
+    let Power { lambda, change, iterations } = highest(model, assembly, phase, Product::Stiffness, &mut w);
     let undamped = 2.0 / lambda.sqrt();
     let share = model.viscosity[..model.user_elements].iter().copied().fold(0.0, f64::max);
     let mut dt_stiffness = undamped;
@@ -109,7 +110,7 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
         let mut mode = w.clone();
         dt_stiffness = undamped * viscous_share(share);
         for _ in 0..VISCOUS_ROUNDS {
-            let with = highest(assembly, phase, Product::Viscous(2.0 / dt_stiffness), &mut mode);
+            let with = highest(model, assembly, phase, Product::Viscous(2.0 / dt_stiffness), &mut mode);
             dt_stiffness = 2.0 / with.lambda.sqrt();
         }
         w = mode;
@@ -146,24 +147,21 @@ struct Power {
 }
 
 /// The largest λ of M⁻¹ times a product, with its mode in `w`, from which the iteration starts.
-fn highest(assembly: &Assembly, phase: &Phase, product: Product, w: &mut [Row]) -> Power {
+fn highest(model: &Model, assembly: &Assembly, phase: &Phase, product: Product, w: &mut [Row]) -> Power {
     let mut contributions = vec![Row::ZERO; assembly.totals().contributions.end];
     let mut kw = vec![Row::ZERO; w.len()];
     let (mut lambda, mut change, mut iterations) = (0.0, f64::INFINITY, 0);
     while iterations < ITERATIONS && change > CONVERGED {
         product::times(assembly, phase, product, w, &mut contributions, &mut kw);
-        let [wkw, wmw] = products(phase, w, &kw);
+        let [wkw, wmw] = products(model, phase, w, &kw);
         let quotient = wkw / wmw;
         change = ((quotient - lambda) / quotient).abs();
         lambda = quotient;
         iterations += 1;
         let scale = 1.0 / (wmw.sqrt() * quotient);
-        w.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, w)| {
-            for (k, w) in w.iter_mut().enumerate() {
-                let n = chunk * CHUNK + k;
-                for i in 0..3 {
-                    w.0[i] = kw[n].0[i] * phase.inverse_mass[n].0[i] * scale;
-                }
+        w.par_iter_mut().zip(&kw).zip(&phase.inverse_mass).for_each(|((w, kw), inverse)| {
+            for i in 0..3 {
+                w.0[i] = kw.0[i] * inverse.0[i] * scale;
             }
         });
         follow(phase, w);
@@ -171,24 +169,19 @@ fn highest(assembly: &Assembly, phase: &Phase, product: Product, w: &mut [Row]) 
     Power { lambda, change, iterations }
 }
 
-/// wᵀKw and wᵀMw, by chunks in ascending order: the same bits on any number of threads.
-fn products(phase: &Phase, w: &[Row], kw: &[Row]) -> [f64; 2] {
-    let sums: Vec<[f64; 2]> = w
-        .par_chunks(CHUNK)
-        .zip(kw.par_chunks(CHUNK))
-        .enumerate()
-        .map(|(chunk, (w, kw))| {
-            let mut sums = [0.0; 2];
-            for (k, (w, kw)) in w.iter().zip(kw).enumerate() {
-                // A tied node's mass and force are its master's; its own are zero.
-                let mass = phase.mass[chunk * CHUNK + k];
-                sums[0] += w.0[0] * kw.0[0] + w.0[1] * kw.0[1] + w.0[2] * kw.0[2];
-                sums[1] += mass * (w.0[0] * w.0[0] + w.0[1] * w.0[1] + w.0[2] * w.0[2]);
-            }
-            sums
-        })
-        .collect();
-    sums.into_iter().fold([0.0; 2], |sum, more| [sum[0] + more[0], sum[1] + more[1]])
+/// wᵀKw and wᵀMw.
+fn products(model: &Model, phase: &Phase, w: &[Row], kw: &[Row]) -> [f64; 2] {
+    let one = |nodes: Range<usize>| {
+        let mut sums = [0.0; 2];
+        for n in nodes {
+            let (w, kw) = (&w[n], &kw[n]);
+            // A tied node's mass and force are its master's; its own are zero.
+            sums[0] += w.0[0] * kw.0[0] + w.0[1] * kw.0[1] + w.0[2] * kw.0[2];
+            sums[1] += phase.mass[n] * (w.0[0] * w.0[0] + w.0[1] * w.0[1] + w.0[2] * w.0[2]);
+        }
+        sums
+    };
+    over_nodes(&model.nodes, one, |a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
 /// Where the mode `w` stores most energy: an element of the mesh, or a node of a part without elements.

@@ -52,8 +52,7 @@ impl Rates {
         let damping = Product::Damping(&state.u, kept);
         product::times(assembly, phase, damping, velocity, own, &mut products.minus);
         // Tied nodes move as their masters, of which alone v̂ is worked out.
-        let (_, hat, _) = measure(model, phase, contributions, products, state);
-        *velocity = hat;
+        *velocity = measure(model, phase, contributions, products, state).velocity;
         product::times(assembly, phase, damping, velocity, own, &mut products.hat);
     }
 }

@@ -23,14 +23,16 @@
 use super::Engine;
 use super::evaluation::Forces;
 use super::gather::{dot, force};
+use super::split::split;
 use super::strained;
 use crate::assembly::Assembly;
 use crate::hexahedra::hex;
 use crate::life::Stage;
 use crate::model::Model;
+use crate::node_table::Domain;
 use crate::phase::Phase;
-use crate::phase::passes::BLOCK;
 use crate::state::{Relaxing, State};
+use crate::sums::tree;
 use rayon::prelude::*;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::element_frequencies;
@@ -290,15 +292,22 @@ impl Engine {
         let c = state.relaxing.damping;
         let (keep, push) = ((1.0 - 0.5 * c) / (1.0 + 0.5 * c), 1.0 / (1.0 + 0.5 * c));
         let (held, start) = (&state.held, &state.start);
-        let sums: Vec<Sums> = state
-            .u
-            .par_chunks_mut(BLOCK)
-            .zip(state.du.par_chunks_mut(BLOCK))
-            .enumerate()
-            .map(|(chunk, (u, du))| {
+        let blocks = &self.model.nodes.blocks;
+        let rows = split(&mut state.u, blocks, |block| block.nodes.clone()).into_iter().zip(split(
+            &mut state.du,
+            blocks,
+            |block| block.nodes.clone(),
+        ));
+        let sums: Vec<Sums> = blocks
+            .iter()
+            .zip(rows)
+            .collect::<Vec<_>>()
+            .into_par_iter()
+            .map(|(block, (u, du))| {
+                let counts = block.domain == Domain::Model;
                 let mut sums = Sums::default();
                 for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
-                    let node = chunk * BLOCK + k;
+                    let node = block.nodes.start + k;
                     let slots = phase.start[node] as usize..phase.start[node + 1] as usize;
                     if slots.is_empty() {
                         continue;
@@ -323,7 +332,7 @@ impl Engine {
                     let mean = Row([0, 1, 2, 3].map(|i| 0.5 * free[i] * (du.0[i] + next.0[i])));
                     sums.damped += c * masses[node] * dot(mean, mean);
                     // The reference column is at rest with what is out of balance.
-                    if self.model.nodes.counts(node) {
+                    if counts {
                         let step = length(*du);
                         if step > sums.step {
                             (sums.step, sums.fastest) = (step, node as u32);
@@ -347,7 +356,7 @@ impl Engine {
             }
             state.du[node as usize] = next;
         }
-        let mut sums = sums.into_iter().fold(Sums::default(), Sums::plus);
+        let mut sums = tree(sums, Sums::plus);
         sums.next_work += moved;
         sums
     }

@@ -1,7 +1,7 @@
 //! A state with motion to begin with.
 
 use super::{Engine, guard};
-use crate::state::{Ledger, State};
+use crate::state::State;
 use tremolite_kernels::{Booked, Line};
 use tremolite_laws::Row;
 
@@ -12,7 +12,7 @@ impl Engine {
     pub fn start(&mut self, state: &mut State, u: Vec<Row>, v: &[Row]) {
         let dt = state.dt;
         // What was booked before belongs to another balance.
-        state.ledger = Ledger::new(self.assembly.accounts.len());
+        state.ledger = state.ledger.cleared();
         state.u = u;
         state.du = v.iter().map(|v| Row(v.0.map(|x| x * dt))).collect();
         for &(node, master) in &self.phase.tied {
@@ -32,7 +32,7 @@ impl Engine {
         // The guard compares with the kinetic energy of v⁻, which may exceed that of v⁰.
         let minus = guard::kinetic(&self.model, &self.phase, state);
         let (held, _) = self.held(state, state.kept(), &snapshot.energy);
-        let mut ledger = Ledger::new(self.assembly.accounts.len());
+        let mut ledger = state.ledger.cleared();
         let mut stored = 0.0;
         for &line in Line::ALL {
             match line.booked() {

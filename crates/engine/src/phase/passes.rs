@@ -5,14 +5,13 @@ use crate::node_table::Domain;
 use crate::phase::Dashpot;
 use std::ops::Range;
 
-/// Nodes a block: the unit of threads and of sums, whatever the number of threads.
-pub const BLOCK: usize = 2048;
-
-/// Nodes that one thread advances.
+/// A block ([`crate::node_table::Block`]) as it is advanced.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Block {
+pub struct Turn {
+    /// Its number among the model's.
+    pub block: usize,
     pub nodes: Range<usize>,
-    /// Whether they are the model's own, so that their energy is in the balance.
+    /// Whether its nodes are the model's own, so that their energy is in the balance.
     pub counts: bool,
     /// Which of [`Phase::leaders`](crate::Phase::leaders) are among them.
     pub leaders: Range<usize>,
@@ -22,13 +21,13 @@ pub struct Block {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pass {
     /// Ascending.
-    pub blocks: Vec<Block>,
+    pub turns: Vec<Turn>,
 }
 
 impl Pass {
     /// Number of its nodes.
     pub fn nodes(&self) -> usize {
-        self.blocks.iter().map(|block| block.nodes.len()).sum()
+        self.turns.iter().map(|turn| turn.nodes.len()).sum()
     }
 }
 
@@ -48,30 +47,21 @@ pub fn passes<'d>(model: &Model, dashpots: impl Iterator<Item = &'d Dashpot>) ->
     let mut next = 0;
     for domains in order {
         let mut pass = Pass::default();
-        for &domain in *domains {
-            for nodes in blocks(&mut model.nodes.of(domain)) {
-                let count = leaders[next..].iter().take_while(|&&n| nodes.contains(&(n as usize))).count();
-                pass.blocks.push(Block {
-                    nodes,
-                    counts: domain == Domain::Model,
-                    leaders: next..next + count,
-                });
-                next += count;
+        for (block, of) in model.nodes.blocks.iter().enumerate() {
+            if !domains.contains(&of.domain) {
+                continue;
             }
+            let led = |n: &&u32| of.nodes.contains(&(**n as usize));
+            let count = leaders[next..].iter().take_while(led).count();
+            pass.turns.push(Turn {
+                block,
+                nodes: of.nodes.clone(),
+                counts: of.domain == Domain::Model,
+                leaders: next..next + count,
+            });
+            next += count;
         }
         passes.push(pass);
     }
     (leaders, passes)
-}
-
-/// Ascending nodes cut where their numbers jump, and into blocks.
-fn blocks(nodes: &mut dyn Iterator<Item = usize>) -> Vec<Range<usize>> {
-    let mut blocks: Vec<Range<usize>> = Vec::new();
-    for node in nodes {
-        match blocks.last_mut() {
-            Some(last) if last.end == node && last.len() < BLOCK => last.end += 1,
-            _ => blocks.push(node..node + 1),
-        }
-    }
-    blocks
 }

@@ -63,6 +63,11 @@ impl Schedule {
     }
 }
 
+/// The schedule of the rows of histories.
+pub fn rows(steps: Steps) -> Schedule {
+    Schedule { every: steps.histories, last: Some(steps.total) }
+}
+
 /// What an observer sees at u^n: numbers of that time, wherever the state itself is kept.
 #[derive(Clone, Copy)]
 pub struct View<'a> {
@@ -129,7 +134,7 @@ pub struct Setting<'a> {
 impl Setting<'_> {
     /// The schedule of the rows of histories.
     pub fn rows(&self) -> Schedule {
-        Schedule { every: self.steps.histories, last: Some(self.steps.total) }
+        rows(self.steps)
     }
 }
 

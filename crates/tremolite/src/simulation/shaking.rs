@@ -6,13 +6,13 @@ use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
 use crate::motion_table;
-use crate::observers::{Depth, OBSERVERS, Observer, SectionForces, Setting, Stepped, View};
+use crate::observers::{Depth, OBSERVERS, Observer, SectionForces, Setting, Stepped, View, rows};
 use crate::places;
 use crate::spectra;
 use crate::transfer_table;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use tremolite_engine::engine::{BodyBooks, Evaluated, Look, Seen};
+use tremolite_engine::engine::{BodyBooks, Evaluated, Look, See, Seen};
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
@@ -138,9 +138,13 @@ impl Simulation {
             return Ok(ended.clone());
         }
         let step = self.state.steps();
-        let due = shaking.observers.iter().any(|observer| observer.schedule().due(step));
+        let see = match shaking.observers.iter().any(|observer| observer.schedule().due(step)) {
+            _ if rows(self.steps).due(step) => See::Row,
+            true => See::Look,
+            false => See::Nothing,
+        };
         let begin = Instant::now();
-        let mut evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), due);
+        let mut evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), see);
         if let Some(seen) = evaluated.seen() {
             let told = self.tell(shaking, seen, step);
             shaking.looking += begin.elapsed();
@@ -156,15 +160,7 @@ impl Simulation {
         if step >= self.steps.total {
             return Ok(self.end(shaking, evaluated, Stepping::Done));
         }
-        let stepped;
-        (self.state, stepped) = shaking.engine.advance(evaluated);
-        if let Err(halt) = stepped {
-            let seen = shaking.engine.look(&self.state).snapshot;
-            let place = hottest_element(&self.model, &self.phase, &seen);
-            let failed = Stepping::Failed { halt, place };
-            shaking.ended = Some((failed.clone(), seen));
-            return Ok(failed);
-        }
+        self.state = shaking.engine.advance(evaluated);
         let State { u, du, datum, dt, observers: memory, .. } = &mut self.state;
         let stepped = Stepped { model: &self.model, plan: &self.plan, u, datum, du, dt: *dt };
         shaking.observers.iter_mut().for_each(|observer| observer.stepped(&stepped, memory));
@@ -179,7 +175,9 @@ impl Simulation {
         shaking.bodies.clone_from(&snapshot.bodies);
         let history = History { assembly, octets: history };
         let view = View { model, assembly, phase, plan, snapshot, history, numbers };
-        for observer in shaking.observers.iter_mut().filter(|observer| observer.schedule().due(step)) {
+        // A row of what is not a number would spoil tables that are good until there.
+        let observers = shaking.observers.iter_mut().filter(|_| snapshot.held.is_finite());
+        for observer in observers.filter(|observer| observer.schedule().due(step)) {
             observer.see(&view, memory)?;
         }
         Ok(match shaking.engine.guard(snapshot) {

@@ -59,7 +59,7 @@ fn every_column_of_every_point_is_found_in_both_quadratures_and_padded_octets() 
     let mut state = ready.rest(0.9);
     let mut engine = ready.engine();
     while state.time() < 0.15 {
-        engine.step(&mut state).unwrap();
+        engine.step(&mut state);
     }
     let snapshot = engine.finish(&mut state);
     let history = History { assembly: &ready.assembly, octets: &state.history };

@@ -49,9 +49,10 @@ impl Way {
         for step in 0..self.steps {
             if step % 10 == 9 {
                 let look = engine.look(&state);
+                engine.guard(&look.snapshot).ok()?;
                 seen.push((look.snapshot.balance, look.snapshot.stress, look.snapshot.velocity));
             }
-            engine.step(&mut state).ok()?;
+            engine.step(&mut state);
         }
         Some(format!("{state:?} {seen:?}"))
     }

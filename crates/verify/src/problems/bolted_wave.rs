@@ -10,6 +10,7 @@
 //!   segments those of the bond between; ∫F ds less what the bond stores is what friction took. The balance must close as before.
 //! - The model's mirror image moves as its mirror image, sliding and yielding included.
 
+use tremolite::Snapshot;
 use tremolite::Domain;
 use crate::bolted::{AREA, Watched, bolts};
 use crate::convergence::order;
@@ -88,9 +89,9 @@ fn shake(kind: Option<Bolts>, along: [f64; 3], steps: u64, dt: f64) -> Result<Ou
     let mut state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);
     let (mut out, mut supplied) = (Outcome::default(), 0.0_f64);
     for _ in 0..steps {
-        engine.step(&mut state)?;
-        let balance = engine.look(&state).snapshot.balance;
-        supplied = supplied.max(state.ledger.supplied);
+        engine.step(&mut state);
+        let Snapshot { balance, supplied: so_far, .. } = engine.look(&state).snapshot;
+        supplied = supplied.max(so_far);
         out.error = out.error.max(balance[Line::Error].abs());
         (out.friction, out.plastic) = (balance[Line::BoltFriction], balance[Line::BoltPlastic]);
         for (b, watched) in watched.iter_mut().enumerate() {

@@ -79,7 +79,7 @@ fn strip(quadrature: Quadrature) -> Result<[f64; 2], VerifyError> {
     for _ in 0..100 {
         q.push(state.u[tip[0]].0[2]);
         for _ in 0..every {
-            engine.step(&mut state)?;
+            engine.step(&mut state);
         }
     }
     let frequency = Oscillation::fit_undamped(&q).angle() / (every as f64 * dt);
