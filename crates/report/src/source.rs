@@ -5,7 +5,6 @@ pub mod monitor_pairs;
 
 use std::path::Path;
 
-use indexmap::IndexMap;
 use tremolite_results::{
     BoltRow, FreeField, ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_bolts, read_sections,
 };
@@ -14,7 +13,6 @@ use crate::language::{Language, say};
 use crate::quantities::scale::Scale;
 use crate::quantities::units::{Kind, Units};
 use crate::source::field_files::FieldFiles;
-use crate::source::monitor_pairs::is_pair;
 
 /// The content of a result folder; for each file that could not be read, a sentence that says why.
 pub struct Source {
@@ -210,9 +208,7 @@ fn complete(summary: &mut Summary, monitors: &Table) {
     if !summary.monitors.is_empty() {
         return;
     }
-    let all = peaks_by_monitor(monitors);
-    let names: Vec<String> = all.keys().cloned().collect();
-    let (pairs, single): (IndexMap<_, _>, _) = all.into_iter().partition(|(name, _)| is_pair(name, &names));
+    let [single, pairs] = peaks_by_monitor(monitors);
     summary.monitors = single;
     if summary.relative.is_empty() {
         summary.relative = pairs;

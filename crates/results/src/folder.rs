@@ -2,11 +2,11 @@
 //! write into one folder at a time.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::Error;
+use crate::{Error, columns};
 
 /// What stages leave beside a checkpoint for other runs to begin with: the run itself does not go on from it.
 pub const HAND_OVER: &str = "hand-over.bin";
@@ -172,6 +172,9 @@ impl ResultFolder {
             self.report(),
         ] {
             remove(&file, |path| fs::remove_file(path))?;
+            if file.extension().is_some_and(|x| x == "csv") {
+                remove(&columns::beside(&file), |path| fs::remove_file(path))?;
+            }
         }
         remove(&self.checkpoint(), |path| fs::remove_dir_all(path))?;
         for (folder, extension) in [
@@ -328,28 +331,6 @@ impl ResultFolder {
     pub fn log(&self) -> PathBuf {
         self.root.join("log.txt")
     }
-}
-
-/// Replaces a file whole: writes a neighbour, then renames it. A reader, and a machine that
-/// loses power, sees the old content or the new.
-///
-/// # Errors
-/// [`Error::Io`]; the old file is then untouched.
-pub fn replace_file(path: &Path, content: &[u8]) -> Result<(), Error> {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.part", std::process::id()));
-    let part = path.with_file_name(name);
-    let written = (|| {
-        let mut file = fs::File::create(&part)?;
-        file.write_all(content)?;
-        file.sync_all()?;
-        fs::rename(&part, path)
-    })();
-    written.map_err(|e| {
-        // The rename may have failed for good (a folder of that name): leave no litter behind.
-        let _ = fs::remove_file(&part);
-        Error::io(path, "write this file")(e)
-    })
 }
 
 /// `parent/<case name>`, `parent/<case name>-2` …

@@ -4,15 +4,13 @@
 
 use std::path::Path;
 
-use crate::{Error, Table};
+use crate::{Error, Subject, Table};
 
 /// The axes of the model, in the order of all arrays here.
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// What stands behind the component of a velocity that theory predicts.
 const THEORY: &str = "_theory";
 
-/// What stands before the name of a corner of the model.
-const CORNER: &str = "model.";
 /// What stands before the component of a velocity at the place of a record.
 const RECORD: &str = "record.free_field.v";
 
@@ -83,11 +81,11 @@ impl FreeField {
         Table::read(path).map(Self::of)
     }
 
-    /// What a table holds of the free field: columns `COLUMN.top.vx`, `COLUMN.top.vx_theory`, `COLUMN.base.vx` …,
-    /// `model.surface.vx`, `model.base.vx` …, `model.xmin-ymin.surface.vx` …, and `record.free_field.vx` ….
+    /// What a table holds of the free field: `top.vx`, `top.vx_theory`, `base.vx` … of columns, `surface.vx`, `base.vx` … of the
+    /// model and its edges, and `record.free_field.vx` ….
     pub fn of(table: Table) -> Self {
         let mut found = FreeField { cut: table.cut, ..FreeField::default() };
-        let mut stations: Vec<Station> = Vec::new();
+        let mut model = Vec::new();
         for (column, values) in table.columns.iter().zip(table.values) {
             if column.name == "time" {
                 found.time = values;
@@ -97,7 +95,13 @@ impl FreeField {
                 found.record[axis] = values;
                 continue;
             }
-            let Some((name, at_top, axis, of_theory)) = place(&column.name) else { continue };
+            let (stations, name) = match &column.subject {
+                Subject::Column(name) => (&mut found.columns, name.as_str()),
+                Subject::Edge(name) => (&mut found.corners, name.as_str()),
+                Subject::Model => (&mut model, "model"),
+                _ => continue,
+            };
+            let Some((at_top, axis, of_theory)) = place(&column.quantity) else { continue };
             let known = stations.iter().position(|station| station.name == name).unwrap_or(stations.len());
             if known == stations.len() {
                 stations.push(Station { name: name.into(), ..Station::default() });
@@ -110,47 +114,36 @@ impl FreeField {
                 velocities.theory[axis] = values;
             }
         }
-        let model = stations.iter().position(|station| station.name == "model");
-        found.model = model.map(|k| stations.remove(k));
-        for mut station in stations {
-            match station.name.strip_prefix(CORNER) {
-                Some(corner) => {
-                    station.name = corner.to_owned();
-                    found.corners.push(station);
-                }
-                None => found.columns.push(station),
-            }
-        }
+        found.model = model.pop();
         found
     }
 }
 
-/// Whose velocity a column of the file is, whether at the surface, along which axis, and whether by theory.
-fn place(header: &str) -> Option<(&str, bool, usize, bool)> {
-    let (rest, quantity) = header.rsplit_once('.')?;
-    let (name, place) = rest.rsplit_once('.')?;
+/// Whether a velocity is that at the surface, along which axis, and whether by theory.
+fn place(quantity: &str) -> Option<(bool, usize, bool)> {
+    let (place, component) = quantity.split_once('.')?;
     let at_top = match place {
         "top" | "surface" => true,
         "base" => false,
         _ => return None,
     };
-    let component = quantity.strip_suffix(THEORY);
-    let axis = component.unwrap_or(quantity).strip_prefix('v')?;
+    let measured = component.strip_suffix(THEORY);
+    let axis = measured.unwrap_or(component).strip_prefix('v')?;
     let axis = AXES.iter().position(|known| *known == axis)?;
-    Some((name, at_top, axis, component.is_some()))
+    Some((at_top, axis, measured.is_some()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Column;
+    use crate::{Column, by_name};
 
+    /// Of columns as old files have them.
     fn of(columns: &[(&str, &[f64])]) -> FreeField {
-        FreeField::of(Table {
-            columns: columns.iter().map(|(name, _)| Column::new(*name, "m/s")).collect(),
-            values: columns.iter().map(|(_, values)| values.to_vec()).collect(),
-            cut: false,
-        })
+        let values = columns.iter().map(|(_, values)| values.to_vec()).collect();
+        let mut columns: Vec<Column> = columns.iter().map(|(name, _)| Column::new(*name, "m/s")).collect();
+        by_name::complete("free_field", &mut columns);
+        FreeField::of(Table { columns, values, cut: false })
     }
 
     #[test]

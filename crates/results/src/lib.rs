@@ -8,6 +8,7 @@
 //! | `summary.json` | [`summary`] | verdict, facts of the model, peaks, trust lines |
 //! | `monitors.csv`, `energy.csv`, `damage.csv` | [`table`] | histories; headers are `name [unit]` |
 //! | `interfaces.csv` | [`table`] | the same of interfaces |
+//! | `monitors.columns.json` … | [`columns`] | whose the columns of a table are, and which quantity |
 //! | `motion.csv` | [`table`] | the given motion and the incident wave |
 //! | `free_field.csv` | [`free_field`] | velocities of the free field, predicted and measured, and the model's beside them |
 //! | `spectra.csv` | [`table`] | response spectra of the motion, the free field and the monitors |
@@ -28,6 +29,9 @@ mod arrays;
 pub mod bolt_group;
 pub mod bolt_lines;
 pub mod bolts;
+mod by_name;
+mod column;
+pub mod columns;
 pub mod cut;
 pub mod damage;
 pub mod error;
@@ -41,6 +45,7 @@ pub mod materials;
 pub mod number;
 pub mod peaks;
 pub mod pvd;
+mod replace;
 pub mod said;
 pub mod sections;
 pub mod skin;
@@ -56,17 +61,19 @@ pub mod trust;
 pub use bolt_group::{BoltPeak, BoltPlace, BoltSummary};
 pub use bolt_lines::{BoltLine, BoltLines};
 pub use bolts::{BoltRow, BoltWriter, EARTHQUAKE, read_bolts};
+pub use column::{Column, Subject};
 pub use cut::{Cut, CutCell};
 pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;
 pub use field_file::{FieldCell, FieldFile, Scalar};
 pub use fields::Fields;
-pub use folder::{HAND_OVER, ResultFolder, replace_file};
+pub use folder::{HAND_OVER, ResultFolder};
 pub use free_field::{FreeField, Station, Velocities};
 pub use interface::{InterfaceSummary, PairPeak, PairPlace};
 pub use materials::{MaterialFacts, MaterialGroup, MaterialValue, Origin};
-pub use peaks::{Peaks, peaks_by_monitor};
+pub use peaks::{Peaks, PeaksByName, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};
+pub use replace::replace_file;
 pub use said::{Said, Slot};
 pub use sections::{SectionRow, read_sections, write_sections};
 pub use skin::Skin;
@@ -77,6 +84,6 @@ pub use summary::{
     Deconvolved, Defaulted, Input, ModelFacts, MotionFacts, PageWish, RunFacts, Status, Summary, Synchrony,
 };
 pub use surface::{ElementGroups, PairSurface};
-pub use table::{Column, Table};
+pub use table::Table;
 pub use table_writer::TableWriter;
 pub use trust::{Bound, Fact, TrustLine, snake, tell_apart};

@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::{Table, number};
+use crate::{Subject, Table, number};
 
 /// The extremes of one history and what remains at its end. Values in the history's SI unit, times in s.
 ///
@@ -70,17 +70,21 @@ impl Peaks {
     }
 }
 
-/// Peaks of every column `monitor.quantity` of a table with a column `time`, in the table's order. The
-/// last dot separates the two, so a monitor's name may hold dots. Empty without `time`.
-pub fn peaks_by_monitor(table: &Table) -> IndexMap<String, IndexMap<String, Peaks>> {
-    let mut all: IndexMap<String, IndexMap<String, Peaks>> = IndexMap::new();
-    let Some(time) = table.column("time") else { return all };
+/// Quantity → peaks of what a table's columns belong to, by name, in the table's order.
+pub type PeaksByName = IndexMap<String, IndexMap<String, Peaks>>;
+
+/// Peaks of every column of a monitor, on interfaces and bolts as well, and of every column of a pair of monitors, in a table
+/// with a column `time`. Empty without it.
+pub fn peaks_by_monitor(table: &Table) -> [PeaksByName; 2] {
+    let mut found = [PeaksByName::new(), PeaksByName::new()];
+    let Some(time) = table.column("time") else { return found };
     for (column, values) in table.columns.iter().zip(&table.values) {
-        if let Some((monitor, quantity)) = column.name.rsplit_once('.') {
-            all.entry(monitor.into()).or_default().insert(quantity.into(), Peaks::of(time, values));
-        }
+        let Some(name) = column.subject.name() else { continue };
+        let of = usize::from(matches!(column.subject, Subject::Relative(_)));
+        let peaks = Peaks::of(time, values);
+        found[of].entry(name).or_default().insert(column.quantity.clone(), peaks);
     }
-    all
+    found
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Stages before the earthquake: what changed in each, and how the model came to rest.
 
-use crate::{Column, Error, Said, number, replace_file};
+use crate::{Column, Error, Said, Subject, columns, number, replace_file};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -62,22 +62,22 @@ const OWN: [(&str, &str); 7] = [
     ("plastic_volume", "m3"),
 ];
 
-/// Writes stages.csv whole: a row a stage, then `MONITOR.QUANTITY` for each of the columns, then `NAME.QUANTITY` of what is moved.
+/// Writes stages.csv whole: a row a stage, its own columns, those of the monitors, then `NAME.QUANTITY` of what is moved; and
+/// beside it whose they are ([`columns`]).
 ///
 /// # Errors
 /// [`Error::Io`].
-pub fn write_stages(path: &Path, columns: &[Column], stages: &[StageSummary]) -> Result<(), Error> {
+pub fn write_stages(path: &Path, monitors: &[Column], stages: &[StageSummary]) -> Result<(), Error> {
     let mut out = csv::Writer::from_writer(Vec::new());
-    let own = OWN.iter().map(|(name, unit)| Column::new(*name, *unit).header());
     let moved = stages.first().map(|first| &first.moved).into_iter().flatten();
-    let moved: Vec<(&String, &String)> =
-        moved.flat_map(|(name, of)| of.keys().map(move |quantity| (name, quantity))).collect();
     let unit = |quantity: &str| if quantity.starts_with('u') { "m" } else { "N" };
-    let of_moved = moved
-        .iter()
-        .map(|(name, quantity)| Column::new(format!("{name}.{quantity}"), unit(quantity)).header());
-    let mut rows =
-        vec![own.chain(columns.iter().map(Column::header)).chain(of_moved).collect::<Vec<String>>()];
+    let moved = moved.flat_map(|(name, of)| {
+        of.keys().map(|quantity| Column::of(Subject::Moved(name.clone()), quantity, unit(quantity)))
+    });
+    let moved: Vec<Column> = moved.collect();
+    let own = OWN.map(|(name, unit)| Column::new(name, unit));
+    let all = [&own[..], monitors, &moved].concat();
+    let mut rows = vec![all.iter().map(Column::header).collect::<Vec<String>>()];
     for (k, stage) in stages.iter().enumerate() {
         let mut row = vec![k.to_string(), stage.name.clone(), stage.cycles.to_string()];
         let mut push = |x: f64| {
@@ -88,17 +88,19 @@ pub fn write_stages(path: &Path, columns: &[Column], stages: &[StageSummary]) ->
         [stage.ratio, stage.motion_left, stage.largest_motion, stage.plastic_volume]
             .into_iter()
             .for_each(&mut push);
-        for column in columns {
-            let (monitor, quantity) = column.name.rsplit_once('.').unwrap_or((&column.name, ""));
-            let value = stage.monitors.get(monitor).and_then(|of| of.get(quantity).copied().flatten());
+        for column in monitors {
+            let of = column.subject.name().and_then(|name| stage.monitors.get(&name));
+            let value = of.and_then(|of| of.get(&column.quantity).copied().flatten());
             push(value.unwrap_or(f64::NAN));
         }
-        for (name, quantity) in &moved {
-            push(stage.moved.get(*name).and_then(|of| of.get(*quantity).copied()).unwrap_or(f64::NAN));
+        for column in &moved {
+            let of = column.subject.name().and_then(|name| stage.moved.get(&name));
+            push(of.and_then(|of| of.get(&column.quantity).copied()).unwrap_or(f64::NAN));
         }
         rows.push(row);
     }
     write_rows(&mut out, rows);
+    columns::write(path, &all)?;
     replace_file(path, &out.into_inner().unwrap_or_default())
 }
 

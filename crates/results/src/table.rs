@@ -3,35 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::Error;
-
-/// Name and unit of a column, `time [s]` or `A.ux [m]` in the file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
-    /// The first word of the header: monitor name, dot, quantity; or a line of the balance.
-    pub name: String,
-    /// SI unit; empty for a pure number.
-    pub unit: String,
-}
-
-impl Column {
-    /// A column with a name and a unit.
-    pub fn new(name: impl Into<String>, unit: impl Into<String>) -> Self {
-        Column { name: name.into(), unit: unit.into() }
-    }
-
-    /// `name [unit]`, or the name alone where there is no unit.
-    pub fn header(&self) -> String {
-        if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
-    }
-
-    fn parse(header: &str) -> Self {
-        let header = header.trim();
-        let (name, rest) = header.split_once(char::is_whitespace).unwrap_or((header, ""));
-        let unit = rest.trim().trim_start_matches('[').trim_end_matches(']').trim();
-        Column::new(name, unit)
-    }
-}
+use crate::{Column, Error, columns};
 
 /// Whether a monitor, or another thing that heads a column, may have this name: one word without
 /// comma, quote, square bracket or control character. Letters of any script are welcome.
@@ -55,11 +27,11 @@ impl Table {
     /// Reads a table of comma-separated numbers under one line of headers.
     ///
     /// A last line without its line end is left out (`cut`): its last number may lack digits.
-    /// NaN and infinities are read as such. Of columns with equal names, [`Table::column`] finds the first.
+    /// NaN and infinities are read as such. Whose columns are is read from the file beside it ([`columns`]). Of columns with equal names, [`Table::column`] finds the first.
     ///
     /// # Errors
     /// [`Error::Io`]; [`Error::Format`] with the line for an empty file, a row of another length
-    /// than the header, or a field that is not a number.
+    /// than the header, or a field that is not a number; those of the file of columns.
     pub fn read(path: &Path) -> Result<Self, Error> {
         let bytes = fs::read(path).map_err(Error::io(path, "read this file"))?;
         let text = str::from_utf8(&bytes).map_err(|e| {
@@ -79,8 +51,9 @@ impl Table {
         let Some((_, header)) = lines.next().filter(|(_, header)| !header.trim().is_empty()) else {
             return Err(Error::format(path, Some(1), "no line of headers; the run wrote nothing here yet"));
         };
-        let columns: Vec<Column> =
+        let mut columns: Vec<Column> =
             header.trim_start_matches('\u{feff}').split(',').map(Column::parse).collect();
+        columns::complete(path, &mut columns)?;
         let mut values = vec![Vec::new(); columns.len()];
         for (number, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
             let fault = |what: String| Error::format(path, Some(number + 1), what);

@@ -6,7 +6,7 @@ use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use crate::table::is_name;
-use crate::{Column, Error, number};
+use crate::{Column, Error, columns, number};
 
 /// Writes a table row by row. Numbers are printed as [`number::push`] does it: no digit is lost,
 /// and equal runs give equal bytes.
@@ -20,13 +20,15 @@ pub struct TableWriter {
 }
 
 impl TableWriter {
-    /// Starts a table, replacing a file of that name, and writes the headers.
+    /// Starts a table, replacing a file of that name, and writes the headers, and beside it whose columns they are
+    /// ([`columns`]).
     ///
     /// # Errors
     /// [`Error::Format`] for a column whose name is not one plain word (see [`is_name`]), a unit with a
     /// comma or a line end, two columns of one name, or no column; [`Error::Io`].
     pub fn create(path: &Path, columns: &[Column]) -> Result<Self, Error> {
         let header = header(path, columns)?;
+        columns::write(path, columns)?;
         let file = fs::File::create(path).map_err(Error::io(path, "write this file"))?;
         let mut writer =
             TableWriter { file, path: path.to_owned(), columns: columns.len(), bytes: 0, text: header };
@@ -128,7 +130,7 @@ pub(crate) fn reopen(path: &Path, header: &str, bytes: u64) -> Result<fs::File, 
 fn header(path: &Path, columns: &[Column]) -> Result<String, Error> {
     let mut seen = HashSet::new();
     for column in columns {
-        let Column { name, unit } = column;
+        let Column { name, unit, .. } = column;
         if !is_name(name) {
             let what = format!(
                 "'{}' cannot head a column; give a name without blanks, commas, quotes and square brackets",

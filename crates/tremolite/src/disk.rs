@@ -1,9 +1,9 @@
 //! What the results of a run will take on disk.
 
 use crate::groups::groups;
-use crate::observers::{BoltGrid, Depth, bolt_rows};
+use crate::observers::{BoltGrid, Depth, bolt_rows, cells};
 use crate::plan::{Plan, Steps};
-use crate::quantities::{BOLT, Field, INTERFACE, MEASURES, MONITOR, PAIR, RELATIVE};
+use crate::quantities::{Field, INTERFACE, MEASURES};
 use crate::spectra;
 use crate::transfer_table;
 use std::collections::BTreeSet;
@@ -116,11 +116,7 @@ fn bolt_file(grid: &BoltGrid) -> u64 {
 
 /// Columns of all tables.
 fn columns(model: &Model, plan: &Plan) -> u64 {
-    let monitors = 1
-        + MONITOR.len() * plan.monitors.len()
-        + RELATIVE.len() * plan.relatives.len()
-        + PAIR.len() * plan.pairs.len()
-        + BOLT.len() * plan.bolts.len();
+    let monitors = 1 + cells(plan).len();
     let interfaces =
         if model.user_seams().is_empty() { 0 } else { 1 + INTERFACE.len() * model.user_seams().len() };
     let damage: usize = groups(model)

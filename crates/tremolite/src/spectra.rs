@@ -13,7 +13,7 @@ use crate::observers::chosen;
 use crate::plan::Plan;
 use tremolite_engine::Model;
 use tremolite_motion::{default_periods, pseudo_acceleration};
-use tremolite_results::{Column, ResultFolder, Table, TableWriter};
+use tremolite_results::{Column, ResultFolder, Subject, Table, TableWriter};
 
 /// Share of critical damping.
 pub const DAMPING: f64 = 0.05;
@@ -21,24 +21,39 @@ pub const DAMPING: f64 = 0.05;
 const ROWS_A_PERIOD: f64 = 5.0;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Names of the points at which there are spectra, in the order of the file, each with three columns.
-pub fn points(plan: &Plan, free_field: bool) -> Vec<String> {
-    let mut points: Vec<String> = ["given", "incident"].map(Into::into).into();
-    if free_field {
-        points.extend(["free_field.surface", "free_field.base"].map(Into::into));
-    }
-    for monitor in &plan.monitors {
-        // A file has no two columns of one name, and these are taken.
-        let taken = points.contains(&monitor.name);
-        points.extend((!taken).then(|| monitor.name.clone()));
-        points.extend(free_field.then(|| beside(&monitor.name)));
-    }
-    points
+/// A point at which there are spectra: whose, and what stands before its acceleration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    subject: Subject,
+    place: &'static str,
 }
 
+const GIVEN: &str = "given.";
+const INCIDENT: &str = "incident.";
+const SURFACE: &str = "free_field.surface.";
+const BASE: &str = "free_field.base.";
 /// The free field at the level of a monitor.
-fn beside(monitor: &str) -> String {
-    format!("{monitor}.free_field")
+const BESIDE: &str = "free_field.";
+
+impl Point {
+    fn column(&self, axis: &str) -> Column {
+        Column::of(self.subject.clone(), format!("{}a{axis}", self.place), "m/s2")
+    }
+}
+
+/// The points, in the order of the file, each with three columns.
+pub fn points(plan: &Plan, free_field: bool) -> Vec<Point> {
+    let of_ground = if free_field { &[GIVEN, INCIDENT, SURFACE, BASE][..] } else { &[GIVEN, INCIDENT] };
+    let nobodys = |place: &&'static str| Point { subject: Subject::None, place };
+    let mut points: Vec<Point> = of_ground.iter().map(nobodys).collect();
+    for monitor in &plan.monitors {
+        let of = |place| Point { subject: Subject::Monitor(monitor.name.clone()), place };
+        // A file has no two columns of one name, and these are taken.
+        let taken = points.iter().any(|point| point.column("x").name == of("").column("x").name);
+        points.extend((!taken).then(|| of("")));
+        points.extend(free_field.then(|| of(BESIDE)));
+    }
+    points
 }
 
 /// A history with its step \[s\].
@@ -107,14 +122,12 @@ pub fn write(folder: &ResultFolder, model: &Model, plan: &Plan) -> Result<(), Ru
         [folder.motion(), folder.monitors(), folder.free_field()].map(|path| Table::read(&path));
     let (motion, monitors, free_field) = (motion?, monitors?, free_field?);
     let end = monitors.column("time").and_then(|time| time.last()).copied().unwrap_or(f64::INFINITY);
-    let history = |point: &str, axis: &str| match (point, column) {
-        ("given" | "incident", _) => of_motion(&motion, &format!("{point}.a{axis}"), end),
-        ("free_field.surface", Some(column)) => between_rows(&free_field, &format!("{column}.top.v{axis}")),
-        ("free_field.base", Some(column)) => between_rows(&free_field, &format!("{column}.base.v{axis}")),
-        _ if plan.monitors.iter().any(|monitor| beside(&monitor.name) == point) => {
-            between_rows(&free_field, &format!("{point}.v{axis}"))
-        }
-        _ => of_rows(&monitors, &format!("{point}.a{axis}")),
+    let history = |point: &Point, axis: &str| match (&point.subject, point.place, column) {
+        (_, GIVEN | INCIDENT, _) => of_motion(&motion, &point.column(axis).name, end),
+        (_, SURFACE, Some(column)) => between_rows(&free_field, &format!("{column}.top.v{axis}")),
+        (_, BASE, Some(column)) => between_rows(&free_field, &format!("{column}.base.v{axis}")),
+        (Subject::Monitor(name), BESIDE, _) => between_rows(&free_field, &format!("{name}.{BESIDE}v{axis}")),
+        _ => of_rows(&monitors, &point.column(axis).name),
     };
     let periods = default_periods();
     let mut columns = vec![Column::new("period", "s")];
@@ -122,7 +135,7 @@ pub fn write(folder: &ResultFolder, model: &Model, plan: &Plan) -> Result<(), Ru
     for point in points(plan, column.is_some()) {
         for axis in AXES {
             let Some(history) = history(&point, axis) else { continue };
-            columns.push(Column::new(format!("{point}.a{axis}"), "m/s2"));
+            columns.push(point.column(axis));
             spectra.push(history.spectrum(&periods));
         }
     }

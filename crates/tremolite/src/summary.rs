@@ -21,20 +21,13 @@ use tremolite_results::{
 /// The summary of a run that ended.
 pub fn summary(evidence: Evidence) -> Summary {
     let Evidence { model, assembly, phase, plan, motion, survey, outcome, histories, .. } = evidence;
-    let mut all = peaks_by_monitor(histories);
-    for (monitor, quantities) in &mut all {
+    let [mut monitors, relative] = peaks_by_monitor(histories);
+    for (monitor, quantities) in &mut monitors {
         for (quantity, peaks) in quantities {
             let extremes = Extremes::of(&outcome.state.observers, plan, monitor, quantity);
             (peaks.step_max, peaks.step_min) = (extremes.map(|e| e.max), extremes.map(|e| e.min));
         }
     }
-    let is_pair = |name: &str| {
-        plan.relatives
-            .iter()
-            .any(|[a, b]| name == format!("{}-{}", plan.monitors[*a].name, plan.monitors[*b].name))
-    };
-    let (relative, monitors): (IndexMap<_, _>, IndexMap<_, _>) =
-        all.into_iter().partition(|(n, _)| is_pair(n));
     let (_, loose) = on_broken_elements(&evidence);
     let held = plan.monitors.iter().map(|monitor| monitor.name.as_str()).filter(|name| !loose.contains(name));
     let synchrony = synchrony(histories, held);

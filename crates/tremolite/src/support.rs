@@ -4,6 +4,7 @@ mod told;
 
 pub use told::{bolts, findings, monitors, together, warnings};
 
+use crate::quantities::over_yield;
 use tremolite_engine::bolts::{Bolt, BoltSet, SegmentSeen, SegmentState};
 use tremolite_engine::{Assembly, Stage};
 
@@ -51,11 +52,6 @@ pub struct BoltSeen {
     pub broken: bool,
     /// m
     pub cut_off: f64,
-}
-
-/// Size of a force over that at which a segment yields; 0 where it never does.
-pub fn over_yield(force: f64, seen: &SegmentSeen) -> f64 {
-    if seen.yields_at.is_finite() && seen.yields_at > 0.0 { force.abs() / seen.yields_at } else { 0.0 }
 }
 
 impl BoltSeen {

@@ -157,17 +157,17 @@ fn boundaries() {
 }
 
 fn quantities() {
-    let table = |heading: &str, quantities: &[Quantity]| {
+    fn table<V>(heading: &str, quantities: &[Quantity<V>]) {
         print(heading);
         for q in quantities {
             print(&format!("    {:18} {:6} {}", q.name, q.unit, q.doc));
         }
-    };
-    table("monitors.csv, NAME.quantity", &MONITOR);
-    table("monitors.csv, NAME.quantity of monitors with `interface`", &PAIR);
-    table("monitors.csv, NAME.quantity of monitors with `bolt`", &BOLT);
-    table("monitors.csv, pairs FIRST-SECOND.quantity", &RELATIVE);
-    table("interfaces.csv, NAME.quantity of interfaces that are not tied", &INTERFACE);
+    }
+    table("monitors.csv, NAME.quantity", MONITOR);
+    table("monitors.csv, NAME.quantity of monitors with `interface`", PAIR);
+    table("monitors.csv, NAME.quantity of monitors with `bolt`", BOLT);
+    table("monitors.csv, pairs FIRST-SECOND.quantity", RELATIVE);
+    table("interfaces.csv, NAME.quantity of interfaces that are not tied", INTERFACE);
     table(
         "bolts.csv, behind bolt (its number in the group, from 1) and name (the group's), a row each",
         &BOLTS,

@@ -15,7 +15,7 @@ fn run(root: &Path, size: f64, interval: f64, case: &str) -> PathBuf {
         let t = interval * f64::from(k);
         table.write(&[t, size * (1.5 * t).sin(), 1e6]).unwrap();
     }
-    let monitors = peaks_by_monitor(&Table::read(&folder.monitors()).unwrap());
+    let [monitors, _] = peaks_by_monitor(&Table::read(&folder.monitors()).unwrap());
     let summary = Summary { title: "A run".into(), status: Status::Done, monitors, ..Summary::default() };
     summary.write(&folder.summary()).unwrap();
     fs::write(folder.root().join("case.toml"), case).unwrap();

@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod columns;
 mod cut;
 mod fields;
 mod folder;

@@ -161,7 +161,8 @@ fn peaks_come_from_the_table_by_monitor_and_quantity() {
     let temp = tempfile::tempdir().unwrap();
     let path = temp.path().join("monitors.csv");
     fs::write(&path, "time [s],B.ux [m],hall.2.s1 [Pa],B.uz [m]\n0,0,5,1\n1,2,4,NaN\n2,-3,9,0.5\n").unwrap();
-    let peaks = peaks_by_monitor(&Table::read(&path).unwrap());
+    let [peaks, relative] = peaks_by_monitor(&Table::read(&path).unwrap());
+    assert!(relative.is_empty());
     assert_eq!(peaks.keys().collect::<Vec<_>>(), ["B", "hall.2"]);
     assert_eq!(
         peaks["B"]["ux"],

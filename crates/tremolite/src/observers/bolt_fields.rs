@@ -2,7 +2,8 @@
 
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
-use crate::support::{Look, look, over_yield};
+use crate::quantities::over_yield;
+use crate::support::{Look, look};
 use std::path::{Path, PathBuf};
 use tremolite_engine::Stage;
 use tremolite_engine::bolts::{BoltPoint, BoltSet, SegmentSeen};

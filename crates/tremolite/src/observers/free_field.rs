@@ -28,12 +28,14 @@ use tremolite_engine::column::{Column as Ground, corner_name};
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
-use tremolite_results::{Column, TableWriter};
+use tremolite_results::{Column, Subject, TableWriter};
 
 /// Compares and writes velocities at the rows of the histories.
 pub struct FreeField {
     schedule: Schedule,
     table: TableWriter,
+    /// Behind the time.
+    cells: Vec<Cell>,
     columns: Vec<Watched>,
     /// Of each column, which of the predictions.
     theory: Vec<Option<usize>>,
@@ -41,8 +43,8 @@ pub struct FreeField {
     predictions: Vec<Predicted>,
     /// Engine nodes of the model itself, by [`ENDS`] and corner.
     edges: [[usize; 4]; 2],
-    /// The free field at the level of each monitor; empty without columns.
-    beside: Vec<(String, Height)>,
+    /// The free field at the level of each monitor, and of the place of a record; empty without columns.
+    beside: Vec<(Subject, Height)>,
 }
 
 /// What theory says of a column.
@@ -56,8 +58,6 @@ struct Predicted {
     peak: f64,
 }
 
-/// What stands for the place of a record that was deconvolved, as if it were a monitor.
-const RECORD: &str = "record";
 /// Samples of the prediction between two of the motion: between them it is linear.
 pub const REFINEMENT: f64 = 8.0;
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -86,20 +86,34 @@ impl FreeField {
                 })
             })
             .collect();
-        let named = |monitor: &Monitor| Some((monitor.name.clone(), height(model, monitor)?));
-        let mut beside: Vec<(String, Height)> = setting.plan.monitors.iter().filter_map(named).collect();
+        let monitors = setting.plan.monitors.iter();
+        let of_monitor =
+            |monitor: &Monitor| Some((Subject::Monitor(monitor.name.clone()), height(model, monitor)?));
+        let mut beside: Vec<(Subject, Height)> = monitors.filter_map(of_monitor).collect();
         // A file has no two columns of one name.
         let record = super::recorded::place(model, setting.plan)
-            .filter(|_| beside.iter().all(|(monitor, _)| monitor != RECORD));
-        beside.extend(record.map(|height| (RECORD.to_owned(), height)));
-        let (path, header) = (setting.folder.free_field(), header(&columns, &theory, &beside));
+            .filter(|_| beside.iter().all(|(of, _)| of.name() != Subject::Record.name()));
+        beside.extend(record.map(|height| (Subject::Record, height)));
+        let cells = cells(&columns, &theory, &beside);
+        let of_cells = cells.iter().map(|cell| cell.column.clone());
+        let header: Vec<Column> = std::iter::once(Column::new("time", "s")).chain(of_cells).collect();
+        let path = setting.folder.free_field();
         let names = columns.iter().map(|column| column.name.clone());
         let table = match FreeFieldSeen::named(setting.memory, names) {
             Some(seen) => TableWriter::resume(&path, &header, seen.bytes)?,
             None => TableWriter::create(&path, &header)?,
         };
         let edges = edges(model, &columns);
-        Ok(Some(FreeField { schedule: setting.rows(), table, columns, theory, predictions, edges, beside }))
+        Ok(Some(FreeField {
+            schedule: setting.rows(),
+            table,
+            cells,
+            columns,
+            theory,
+            predictions,
+            edges,
+            beside,
+        }))
     }
 }
 
@@ -122,29 +136,54 @@ pub fn chosen(model: &Model, plan: &Plan) -> Option<(usize, usize)> {
     levels::nearest(model, [mean(0), mean(1)])
 }
 
-/// The columns of free_field.csv.
-fn header(columns: &[Watched], theory: &[Option<usize>], beside: &[(String, Height)]) -> Vec<Column> {
-    let mut header = vec![Column::new("time", "s")];
-    for (column, theory) in columns.iter().zip(theory) {
-        for end in ENDS {
-            for axis in AXES {
-                header.push(Column::new(format!("{}.{end}.v{axis}", column.name), "m/s"));
+/// A column of free_field.csv, and whose velocity along which axis stands in it.
+struct Cell {
+    column: Column,
+    whose: Whose,
+    axis: usize,
+}
+
+/// Whose velocity, by number; ends as in [`ENDS`].
+#[derive(Clone, Copy)]
+enum Whose {
+    Column { column: usize, end: usize },
+    Theory { column: usize, end: usize },
+    Mean { end: usize },
+    Edge { corner: usize, end: usize },
+    Beside(usize),
+}
+
+/// The cells of free_field.csv behind the time.
+fn cells(columns: &[Watched], theory: &[Option<usize>], beside: &[(Subject, Height)]) -> Vec<Cell> {
+    let mut cells = Vec::new();
+    let mut add = |subject: &Subject, place: &str, behind: &str, axis: usize, whose: Whose| {
+        let quantity = format!("{place}.v{}{behind}", AXES[axis]);
+        cells.push(Cell { column: Column::of(subject.clone(), quantity, "m/s"), whose, axis });
+    };
+    for (column, (watched, theory)) in columns.iter().zip(theory).enumerate() {
+        let subject = Subject::Column(watched.name.clone());
+        for (end, place) in ENDS.into_iter().enumerate() {
+            for axis in 0..AXES.len() {
+                add(&subject, place, "", axis, Whose::Column { column, end });
                 if theory.is_some() {
-                    header.push(Column::new(format!("{}.{end}.v{axis}_theory", column.name), "m/s"));
+                    add(&subject, place, "_theory", axis, Whose::Theory { column, end });
                 }
             }
         }
     }
-    let corners = (0..4).map(|corner| format!("model.{}", corner_name(corner)));
-    for place in std::iter::once("model".to_owned()).chain(corners) {
-        for end in ["surface", "base"] {
-            header.extend(AXES.map(|axis| Column::new(format!("{place}.{end}.v{axis}"), "m/s")));
+    let means = (Subject::Model, [0, 1].map(|end| Whose::Mean { end }));
+    let edges = (0..4).map(|corner| {
+        (Subject::Edge(corner_name(corner).into()), [0, 1].map(|end| Whose::Edge { corner, end }))
+    });
+    for (subject, ends) in std::iter::once(means).chain(edges) {
+        for (place, whose) in ["surface", "base"].into_iter().zip(ends) {
+            (0..AXES.len()).for_each(|axis| add(&subject, place, "", axis, whose));
         }
     }
-    for (monitor, _) in beside {
-        header.extend(AXES.map(|axis| Column::new(format!("{monitor}.free_field.v{axis}"), "m/s")));
+    for (k, (subject, _)) in beside.iter().enumerate() {
+        (0..AXES.len()).for_each(|axis| add(subject, "free_field", "", axis, Whose::Beside(k)));
     }
-    header
+    cells
 }
 
 /// A column's layers as waves along x, y and z see them; none where an interface parts it.
@@ -213,36 +252,36 @@ impl Observer for FreeField {
             columns: names().map(|name| ColumnSeen { name, ..ColumnSeen::default() }).collect(),
         });
         let velocity = |node: usize| view.snapshot.velocity[node].xyz();
-        let mut row = vec![view.snapshot.time];
-        for ((column, theory), seen) in self.columns.iter().zip(&self.theory).zip(&mut seen.columns) {
+        // By column, end and axis; not a number where the rock has yielded.
+        let mut exact = vec![[[f64::NAN; 3]; 2]; self.columns.len()];
+        let of_columns = self.columns.iter().zip(&self.theory).zip(&mut seen.columns).zip(&mut exact);
+        for (((column, theory), seen), exact) in of_columns {
             seen.damaged |= is_damaged(view, &column.bodies);
-            let predicted = theory.map(|k| &self.predictions[k]);
-            if let Some(predicted) = predicted {
-                seen.theory.get_or_insert(Theory { peak: predicted.peak, ..Theory::default() });
+            let Some(predicted) = theory.map(|k| &self.predictions[k]) else { continue };
+            let theory = seen.theory.get_or_insert(Theory { peak: predicted.peak, ..Theory::default() });
+            if seen.damaged {
+                continue;
             }
             for (end, node) in column.ends.into_iter().enumerate() {
                 for (axis, found) in velocity(node).into_iter().enumerate() {
-                    row.push(found);
-                    let (Some(predicted), Some(theory)) = (predicted, &mut seen.theory) else { continue };
-                    if seen.damaged {
-                        row.push(f64::NAN);
-                        continue;
-                    }
-                    let exact = predicted.at(axis, end, view.snapshot.time);
-                    row.push(exact);
-                    theory.difference[end] = most(theory.difference[end], (found - exact).abs());
-                    theory.seen = theory.seen.max(exact.abs());
+                    let value = predicted.at(axis, end, view.snapshot.time);
+                    exact[end][axis] = value;
+                    theory.difference[end] = most(theory.difference[end], (found - value).abs());
+                    theory.seen = theory.seen.max(value.abs());
                 }
             }
         }
-        for nodes in &self.edges {
-            let mean = |i: usize| nodes.iter().map(|&node| velocity(node)[i]).sum::<f64>() / 4.0;
-            row.extend([0, 1, 2].map(mean));
-        }
-        for corner in 0..4 {
-            row.extend(self.edges.iter().flat_map(|nodes| velocity(nodes[corner])));
-        }
-        row.extend(self.beside.iter().flat_map(|(_, height)| height.at(&view.snapshot.velocity)));
+        let value = |cell: &Cell| match cell.whose {
+            Whose::Column { column, end } => velocity(self.columns[column].ends[end])[cell.axis],
+            Whose::Theory { column, end } => exact[column][end][cell.axis],
+            Whose::Mean { end } => {
+                self.edges[end].iter().map(|&node| velocity(node)[cell.axis]).sum::<f64>() / 4.0
+            }
+            Whose::Edge { corner, end } => velocity(self.edges[end][corner])[cell.axis],
+            Whose::Beside(k) => self.beside[k].1.at(&view.snapshot.velocity)[cell.axis],
+        };
+        let mut row = vec![view.snapshot.time];
+        row.extend(self.cells.iter().map(value));
         self.table.write(&row)?;
         seen.bytes = self.table.bytes_written();
         seen.keep(memory);

@@ -10,7 +10,7 @@ use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
 use tremolite_laws::{Column as Kept, Role};
-use tremolite_results::{Column, TableWriter};
+use tremolite_results::{Column, Subject, TableWriter};
 
 /// Key of what this observer remembers: the bytes written.
 const MEMORY: &str = "growth";
@@ -55,10 +55,11 @@ impl Growth {
                 .name
                 .replace(", ", "+")
                 .replace(|c: char| c.is_whitespace() || ",\"'[]".contains(c), "_");
-            let share = |c: &Kept| Column::new(format!("{name}.{}", c.name), SHARE_OF_VOLUME);
+            let subject = Subject::Group(name);
+            let share = |c: &Kept| Column::of(subject.clone(), c.name, SHARE_OF_VOLUME);
             columns.extend(part.measures.iter().map(|(c, _)| share(c)));
             if part.cracks {
-                columns.push(Column::new(format!("{name}.crack_opening"), "m"));
+                columns.push(Column::of(subject, "crack_opening", "m"));
             }
         }
         if parts.is_empty() {

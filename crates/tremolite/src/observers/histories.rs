@@ -1,14 +1,16 @@
-//! monitors.csv: histories of points, and of pairs of them.
+//! monitors.csv: histories of points, and of pairs of them; and what the same monitors see at the end of a stage.
 //!
 //! Acceleration is that between rows: one step's value out of many would be a sample of what rings far above the rows' own
 //! Nyquist frequency, and alias.
 
+use super::rows::{Cell, Seen, cells};
 use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::plan::{BoltMonitor, Monitor, PairMonitor, Plan};
 use crate::point_stress::{nearest_stress, stress_at};
-use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE};
-use crate::support::{look, over_yield};
+use crate::quantities::{MonitorSeen, Moved};
+use crate::support::look;
+use tremolite_engine::bolts::SegmentSeen;
 use tremolite_engine::hexahedra::{hex, hex_nodes};
 use tremolite_engine::model::Model;
 use tremolite_engine::state::{Memory, State};
@@ -28,29 +30,11 @@ const MEMORY: &str = "histories";
 pub struct Histories {
     schedule: Schedule,
     table: TableWriter,
-    /// Interface and pair of each of the plan's.
-    pairs: Vec<(usize, usize)>,
+    cells: Vec<Cell>,
+    /// The pair of each monitor on an interface.
+    pairs: Vec<usize>,
     /// Bolt and segment of each of the plan's; none where its group has no bolt.
     bolts: Vec<Option<(usize, usize)>>,
-}
-
-/// The columns of monitors.csv.
-pub fn columns(plan: &Plan) -> Vec<Column> {
-    let mut columns = vec![Column::new("time", "s")];
-    for monitor in &plan.monitors {
-        columns.extend(MONITOR.iter().map(|q| Column::new(format!("{}.{}", monitor.name, q.name), q.unit)));
-    }
-    for [a, b] in &plan.relatives {
-        let pair = format!("{}-{}", plan.monitors[*a].name, plan.monitors[*b].name);
-        columns.extend(RELATIVE.iter().map(|q| Column::new(format!("{pair}.{}", q.name), q.unit)));
-    }
-    for pair in &plan.pairs {
-        columns.extend(PAIR.iter().map(|q| Column::new(format!("{}.{}", pair.name, q.name), q.unit)));
-    }
-    for bolt in &plan.bolts {
-        columns.extend(BOLT.iter().map(|q| Column::new(format!("{}.{}", bolt.name, q.name), q.unit)));
-    }
-    columns
 }
 
 impl Histories {
@@ -59,17 +43,16 @@ impl Histories {
     /// # Errors
     /// If the file cannot be written, or is shorter than the state remembers.
     pub fn new(setting: &Setting) -> Result<Self, RunError> {
-        let (path, columns) = (setting.folder.monitors(), columns(setting.plan));
+        let (path, cells) = (setting.folder.monitors(), cells(setting.plan));
+        let of_cells = cells.iter().map(|cell| cell.column.clone());
+        let columns: Vec<Column> = std::iter::once(Column::new("time", "s")).chain(of_cells).collect();
         let table = match setting.memory.get(MEMORY) {
             Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
             None => TableWriter::create(&path, &columns)?,
         };
-        let nearest = |pair: &PairMonitor| {
-            (pair.interface, setting.model.seams[pair.interface].nearest(&setting.model.mesh, pair.point))
-        };
-        let pairs = setting.plan.pairs.iter().map(nearest).collect();
+        let pairs = setting.plan.pairs.iter().map(|pair| nearest(setting.model, pair)).collect();
         let bolts = setting.plan.bolts.iter().map(|bolt| segment(setting.model, bolt)).collect();
-        Ok(Histories { schedule: setting.rows(), table, pairs, bolts })
+        Ok(Histories { schedule: setting.rows(), table, cells, pairs, bolts })
     }
 }
 
@@ -86,58 +69,55 @@ pub(super) fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f6
     sum
 }
 
-/// A row of all columns but the time for a model at rest before the shaking: displacements since the initial equilibrium, of
-/// elements that begin with a stage since then; not a number where nothing stands.
-pub fn at_rest(view: &View, state: &State) -> Vec<f64> {
-    let View { model, assembly, phase, plan, history, .. } = *view;
-    let mut row = Vec::new();
-    let mut displacements = Vec::with_capacity(plan.monitors.len());
-    for monitor in &plan.monitors {
-        let standing = model.standing_at(monitor.location.element as usize, phase.stage);
-        let slot = standing.and_then(|element| Some((element, phase.element_slot[element]?)));
-        let Some((element, slot)) = slot else {
-            displacements.push([f64::NAN; 3]);
-            row.extend([f64::NAN; MONITOR.len()]);
-            continue;
-        };
-        let member = &assembly.members[slot.member as usize];
-        // What takes over from another material does not begin anew.
-        let takes_over = model.patches[slot.patch as usize].takes_over;
-        let reference = &state.reference[assembly.slices[slot.member as usize].reference.clone()];
-        let mut u = [0.0; 3];
-        for (&node, weight) in model.mesh.elements[element].nodes().iter().zip(monitor.location.weights) {
-            let node = model.engine_node[node as usize];
-            let mut own = state.shown(node as usize).xyz();
-            if !reference.is_empty() && !takes_over {
-                let place = member.part.nodes().iter().position(|n| *n == node);
-                let zero = place.map_or([0.0; 3], |k| reference[k].xyz());
-                own = [0, 1, 2].map(|i| state.u[node as usize].0[i] - zero[i]);
-            }
-            (0..3).for_each(|i| u[i] += weight * own[i]);
+/// What monitors see of a model at rest before the shaking: displacements since the initial equilibrium, of elements that begin
+/// with a stage since then.
+pub fn at_rest(view: &View, state: &State) -> Seen {
+    let View { model, plan, .. } = *view;
+    let of_bolt = |bolt: &BoltMonitor| segment_seen(view, bolt, segment(model, bolt));
+    let of_pair = |pair: &PairMonitor| pair_seen(view, pair, nearest(model, pair));
+    Seen {
+        monitors: plan.monitors.iter().map(|monitor| still(view, state, monitor)).collect(),
+        pairs: plan.pairs.iter().map(of_pair).collect(),
+        bolts: plan.bolts.iter().map(of_bolt).collect(),
+    }
+}
+
+/// A monitor of a model at rest.
+fn still(view: &View, state: &State, monitor: &Monitor) -> Option<MonitorSeen> {
+    let View { model, assembly, phase, .. } = *view;
+    let element = model.standing_at(monitor.location.element as usize, phase.stage)?;
+    let slot = phase.element_slot[element]?;
+    let member = &assembly.members[slot.member as usize];
+    // What takes over from another material does not begin anew.
+    let takes_over = model.patches[slot.patch as usize].takes_over;
+    let reference = &state.reference[assembly.slices[slot.member as usize].reference.clone()];
+    let mut u = [0.0; 3];
+    for (&node, weight) in model.mesh.elements[element].nodes().iter().zip(monitor.location.weights) {
+        let node = model.engine_node[node as usize];
+        let mut own = state.shown(node as usize).xyz();
+        if !reference.is_empty() && !takes_over {
+            let place = member.part.nodes().iter().position(|n| *n == node);
+            let zero = place.map_or([0.0; 3], |k| reference[k].xyz());
+            own = [0, 1, 2].map(|i| state.u[node as usize].0[i] - zero[i]);
         }
-        displacements.push(u);
-        row.extend(u);
-        // Velocity and acceleration.
-        row.extend([0.0; 6]);
-        let stress = stress(view, monitor, element);
-        row.extend(stress);
-        row.extend(principal_values(&stress));
-        row.push(principal_values(&stress)[0]);
+        (0..3).for_each(|i| u[i] += weight * own[i]);
     }
-    row.extend(differences(plan, &displacements));
-    for pair in &plan.pairs {
-        let seam = &model.seams[pair.interface];
-        let nearest = seam.nearest(&model.mesh, pair.point);
-        if seam.lives[nearest].holds(phase.stage) {
-            row.extend(of_pair(assembly.contacts[pair.interface].seen(history.octets, nearest)));
-        } else {
-            row.extend([f64::NAN; PAIR.len()]);
-        }
-    }
-    for monitor in &plan.bolts {
-        row.extend(of_bolt(view, monitor, segment(model, monitor)));
-    }
-    row
+    let stress = stress(view, monitor, element);
+    let principal = principal_values(&stress);
+    let moved = Moved { u, v: [0.0; 3], a: [0.0; 3], s1_elastic: principal[0] };
+    Some(MonitorSeen { moved, stress, principal })
+}
+
+/// The pair that a monitor looks at.
+fn nearest(model: &Model, pair: &PairMonitor) -> usize {
+    model.seams[pair.interface].nearest(&model.mesh, pair.point)
+}
+
+/// What a pair does; nothing where it is not there.
+fn pair_seen(view: &View, pair: &PairMonitor, nearest: usize) -> Option<PairSeen> {
+    let View { model, assembly, phase, history, .. } = *view;
+    let there = model.seams[pair.interface].lives[nearest].holds(phase.stage);
+    there.then(|| assembly.contacts[pair.interface].seen(history.octets, nearest))
 }
 
 /// The bolt and the segment that a monitor looks at.
@@ -145,30 +125,11 @@ fn segment(model: &Model, monitor: &BoltMonitor) -> Option<(usize, usize)> {
     model.bolts[monitor.set].nearest(monitor.point)
 }
 
-/// The columns of a segment; not a number where none is placed yet.
-fn of_bolt(view: &View, monitor: &BoltMonitor, segment: Option<(usize, usize)>) -> [f64; BOLT.len()] {
+/// What a segment does; nothing where none is placed yet.
+fn segment_seen(view: &View, monitor: &BoltMonitor, segment: Option<(usize, usize)>) -> Option<SegmentSeen> {
     let placed = view.model.bolts[monitor.set].kind.born <= view.phase.stage;
-    let seen = segment.filter(|_| placed).and_then(|(bolt, segment)| {
-        look(view.assembly, view.numbers)(monitor.set, bolt).get(segment).copied()
-    });
-    seen.map_or([f64::NAN; BOLT.len()], |seen| {
-        [seen.force, over_yield(seen.force, &seen), seen.slip, f64::from(seen.state as u8)]
-    })
-}
-
-/// The columns of pairs of monitors.
-fn differences(plan: &Plan, displacements: &[[f64; 3]]) -> Vec<f64> {
-    let of = |[a, b]: &[usize; 2]| {
-        let d = [0, 1, 2].map(|i| displacements[*a][i] - displacements[*b][i]);
-        [d[0], d[1], d[2], (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()]
-    };
-    plan.relatives.iter().flat_map(of).collect()
-}
-
-/// The columns of a pair.
-fn of_pair(seen: PairSeen) -> [f64; 7] {
-    let ([slip1, slip2], [shear1, shear2]) = (seen.slip, seen.shear.map(|t| -t));
-    [seen.gap, slip1, slip2, seen.pressure, shear1, shear2, f64::from(seen.state)]
+    let (bolt, segment) = segment.filter(|_| placed)?;
+    look(view.assembly, view.numbers)(monitor.set, bolt).get(segment).copied()
 }
 
 /// A monitor's natural coordinates in an element as a hexahedron: those of other shapes are not the collapsed one's.
@@ -222,43 +183,37 @@ impl Observer for Histories {
     }
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let View { model, assembly, plan, snapshot, history, .. } = *view;
+        let View { model, plan, snapshot, .. } = *view;
         let last = memory.get(MEMORY).cloned();
         let mut kept = vec![0.0, snapshot.time];
-        let mut row = vec![snapshot.time];
-        let mut displacements = Vec::with_capacity(plan.monitors.len());
+        let mut seen = Seen::default();
         let mut first = Vec::with_capacity(6 * plan.monitors.len());
         for (k, monitor) in plan.monitors.iter().enumerate() {
             let u = interpolate(model, monitor, &snapshot.displacement);
             let v = interpolate(model, monitor, &snapshot.velocity);
-            displacements.push(u);
-            row.extend(u);
-            row.extend(v);
-            row.extend([0, 1, 2].map(|i| match &last {
+            let a = [0, 1, 2].map(|i| match &last {
                 Some(last) => (v[i] - last[2 + 3 * k + i]) / (snapshot.time - last[1]),
                 None => 0.0,
-            }));
+            });
             kept.extend(v);
             let stress = stress(view, monitor, monitor.location.element as usize);
-            row.extend(stress);
-            row.extend(principal_values(&stress));
             let start = match &last {
                 Some(last) => [0, 1, 2, 3, 4, 5].map(|c| last[2 + 3 * plan.monitors.len() + 6 * k + c]),
                 None => stress,
             };
             first.extend(start);
             let change = elastic_change(model, monitor, |n| snapshot.displacement[n].xyz());
-            row.push(principal_values(&[0, 1, 2, 3, 4, 5].map(|c| start[c] + change[c]))[0]);
+            let s1_elastic = principal_values(&[0, 1, 2, 3, 4, 5].map(|c| start[c] + change[c]))[0];
+            let (principal, moved) = (principal_values(&stress), Moved { u, v, a, s1_elastic });
+            seen.monitors.push(Some(MonitorSeen { moved, stress, principal }));
         }
         kept.extend(first);
-        row.extend(differences(plan, &displacements));
-        for (pair, &(seam, nearest)) in plan.pairs.iter().zip(&self.pairs) {
-            debug_assert_eq!(pair.interface, seam);
-            row.extend(of_pair(assembly.contacts[seam].seen(history.octets, nearest)));
-        }
-        for (monitor, segment) in plan.bolts.iter().zip(&self.bolts) {
-            row.extend(of_bolt(view, monitor, *segment));
-        }
+        let pairs = plan.pairs.iter().zip(&self.pairs);
+        seen.pairs = pairs.map(|(pair, nearest)| pair_seen(view, pair, *nearest)).collect();
+        let bolts = plan.bolts.iter().zip(&self.bolts);
+        seen.bolts = bolts.map(|(monitor, segment)| segment_seen(view, monitor, *segment)).collect();
+        let values = self.cells.iter().map(|cell| cell.value(&seen));
+        let row: Vec<f64> = std::iter::once(snapshot.time).chain(values).collect();
         self.table.write(&row)?;
         kept[0] = self.table.bytes_written() as f64;
         memory.insert(MEMORY.into(), kept);

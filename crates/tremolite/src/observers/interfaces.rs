@@ -11,7 +11,7 @@ use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
 use tremolite_mesh::pairs::tangents;
 use tremolite_mesh::vtu::{Array, Grid, Values};
-use tremolite_results::{Column, Pvd, TableWriter};
+use tremolite_results::{Column, Pvd, Subject, TableWriter};
 
 /// Key of what this observer remembers: the bytes written, and for each interface the largest size of its impact gain \[J\].
 const MEMORY: &str = "interfaces";
@@ -26,7 +26,8 @@ pub struct Interfaces {
 pub fn columns(model: &Model) -> Vec<Column> {
     let mut columns = vec![Column::new("time", "s")];
     for seam in model.user_seams() {
-        columns.extend(INTERFACE.iter().map(|q| Column::new(format!("{}.{}", seam.name, q.name), q.unit)));
+        let subject = Subject::Interface(seam.name.clone());
+        columns.extend(INTERFACE.iter().map(|q| Column::of(subject.clone(), q.name, q.unit)));
     }
     columns
 }
@@ -64,8 +65,7 @@ impl Observer for Interfaces {
         let (mut row, mut gains) = (vec![snapshot.time], Vec::new());
         for (seam, contacts) in model.user_seams().iter().zip(&assembly.contacts) {
             let totals = contacts.totals(seam, history.octets);
-            row.extend([totals.sliding, totals.open, totals.ever_slid, totals.ever_opened]);
-            row.extend([totals.largest_gap, totals.largest_slip, totals.impact_gain]);
+            row.extend(INTERFACE.iter().map(|q| (q.value)(&totals)));
             gains.push(totals.impact_gain.abs());
         }
         self.table.write(&row)?;

@@ -15,6 +15,7 @@ mod interfaces;
 mod onsets;
 pub mod recorded;
 mod ringing;
+mod rows;
 mod section_forces;
 mod steps;
 
@@ -28,10 +29,11 @@ pub use fibres::Fibres;
 pub use fields::{FieldGrid, Fields};
 pub use free_field::{ColumnSeen, FreeField, FreeFieldSeen, Theory, chosen};
 pub use growth::Growth;
-pub use histories::{Histories, at_rest, columns};
+pub use histories::{Histories, at_rest};
 pub use interfaces::{InterfaceFields, InterfaceGrid, Interfaces};
 pub use onsets::{Onsets, memory_key as onset_memory};
 pub use ringing::{Ringing, Rings};
+pub use rows::{Cell, Seen, cells};
 pub use section_forces::SectionForces;
 pub use steps::{Extremes, StepPeaks};
 

@@ -4,10 +4,9 @@
 //! monitors, of which nothing is known in the stages.
 
 use super::moved;
-use crate::observers::{View, columns};
+use crate::observers::{Cell, Seen, View, cells};
 use crate::plan::Plan;
 use crate::point_stress::mean;
-use crate::quantities::{BOLT, MONITOR, PAIR, RELATIVE};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 use tremolite_engine::Model;
@@ -25,8 +24,8 @@ pub(super) struct Rested<'a> {
     pub rest: &'a Rest,
     /// ∫Γ dV \[m³\].
     pub plastic_volume: f64,
-    /// Of the monitors, in the order of monitors.csv without the time.
-    pub monitors: Vec<f64>,
+    /// What the monitors see.
+    pub monitors: Seen,
     /// Motion \[m\] since the initial equilibrium at each of [`walls`].
     pub walls: Vec<[f64; 3]>,
 }
@@ -42,29 +41,17 @@ impl Rested<'_> {
 pub(super) fn remember(model: &Model, plan: &Plan, memory: &mut Memory, rested: &Rested) {
     let mut add = |key: String, values: &[f64]| memory.entry(key).or_default().extend(values);
     add(MEMORY.into(), &rested.own());
-    for (key, value) in keys(plan).into_iter().zip(&rested.monitors) {
-        add(key, &[*value]);
+    for cell in cells(plan) {
+        add(key(&cell), &[cell.value(&rested.monitors)]);
     }
     for ((name, _), motion) in walls(model).into_iter().zip(&rested.walls) {
         add(wall_key(name), motion);
     }
 }
 
-/// Where the numbers of each monitor's columns are kept, in the order of monitors.csv without the time.
-fn keys(plan: &Plan) -> Vec<String> {
-    let at = |k: usize| plan.monitors[k].point;
-    let of_monitors = (0..plan.monitors.len()).map(|k| (format!("{:?}", at(k)), MONITOR.len()));
-    let of_relatives =
-        plan.relatives.iter().map(|[a, b]| (format!("{:?} {:?}", at(*a), at(*b)), RELATIVE.len()));
-    let of_pairs = plan.pairs.iter().map(|pair| (format!("{:?} {}", pair.point, pair.interface), PAIR.len()));
-    let of_bolts = plan.bolts.iter().map(|bolt| (format!("{:?} bolts {}", bolt.point, bolt.set), BOLT.len()));
-    let places = of_monitors
-        .chain(of_relatives)
-        .chain(of_pairs)
-        .chain(of_bolts)
-        .flat_map(|(place, count)| std::iter::repeat_n(place, count));
-    let columns = &columns(plan)[1..];
-    columns.iter().zip(places).map(|(column, place)| format!("{MEMORY} {} {place}", column.name)).collect()
+/// Where the numbers of a monitor's column are kept.
+fn key(cell: &Cell) -> String {
+    format!("{MEMORY} {} {}", cell.column.name, cell.place)
 }
 
 fn wall_key(name: &str) -> String {
@@ -94,18 +81,17 @@ pub(super) fn walls(model: &Model) -> Vec<(&str, usize)> {
 
 /// The stages that are done, from what is remembered of them.
 pub(super) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<StageSummary> {
-    let (columns, keys, walls) = (columns(plan), keys(plan), walls(model));
+    let (cells, walls) = (cells(plan), walls(model));
     let rows = memory.get(MEMORY).map_or(&[][..], Vec::as_slice);
     rows.chunks_exact(OWN)
         .zip(&plan.stages)
         .enumerate()
         .map(|(k, (row, planned))| {
             let mut monitors: IndexMap<String, IndexMap<String, Option<f64>>> = IndexMap::new();
-            for (column, key) in columns[1..].iter().zip(&keys) {
-                let (monitor, quantity) = column.name.rsplit_once('.').unwrap_or((&column.name, ""));
-                let value = memory.get(key).and_then(|values| values.get(k).copied());
-                let of = monitors.entry(monitor.to_owned()).or_default();
-                of.insert(quantity.to_owned(), value.filter(|v| v.is_finite()));
+            for cell in &cells {
+                let value = memory.get(&key(cell)).and_then(|values| values.get(k).copied());
+                let of = monitors.entry(cell.column.subject.name().unwrap_or_default()).or_default();
+                of.insert(cell.column.quantity.clone(), value.filter(|v| v.is_finite()));
             }
             let motion = |name: &str| Some(*memory.get(&wall_key(name))?.as_chunks::<3>().0.get(k)?);
             StageSummary {

@@ -7,9 +7,7 @@ use super::moved::MovedNodes;
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
-use crate::observers::{
-    BoltForces, BoltGrid, FieldGrid, InterfaceGrid, SectionForces, View, at_rest, columns,
-};
+use crate::observers::{BoltForces, BoltGrid, FieldGrid, InterfaceGrid, SectionForces, View, at_rest, cells};
 use crate::places;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
@@ -273,7 +271,8 @@ impl Simulation {
 
     fn write_tables(&self, state: &State) -> Result<(), RunError> {
         let Simulation { model, plan, folder, .. } = self;
-        write_stages(&folder.stages(), &columns(plan)[1..], &kept::summaries(model, plan, &state.observers))?;
+        let columns: Vec<Column> = cells(plan).into_iter().map(|cell| cell.column).collect();
+        write_stages(&folder.stages(), &columns, &kept::summaries(model, plan, &state.observers))?;
         let columns = [("stage", ""), ("cycle", ""), ("ratio", ""), ("motion_left", "m"), ("motion", "m")];
         let columns = columns.map(|(name, unit)| Column::new(name, unit));
         let mut table = TableWriter::create(&folder.relaxation(), &columns)?;
