@@ -1,8 +1,11 @@
 //! The case as a whole.
 
+mod reading;
+
 use std::path::{Path, PathBuf};
 
 use crate::bolts::{BoltPlace, Bolts};
+use crate::change::{Change, Changed};
 use crate::check::Checker;
 use crate::consistency;
 use crate::defaulted::Defaulted;
@@ -21,7 +24,7 @@ use crate::page::{Page, REPORT};
 use crate::region::{REGION, Region};
 use crate::reinforcement::{REINFORCEMENT, Reinforcement};
 use crate::stage::{STAGE, Stage, Written, in_steps};
-use crate::{Problem, Report, Spanned, syntax};
+use crate::{Problem, Report, Spanned, report, syntax};
 
 pub(crate) static CASE: Table = Table {
     path: "",
@@ -86,8 +89,10 @@ pub struct Case {
     pub path: PathBuf,
     /// The folder that relative paths of the case start from.
     pub directory: PathBuf,
-    /// Its text, unchanged.
+    /// Its text, with the changes that it was read with.
     pub source: String,
+    /// The same with the file's own text.
+    changed: Changed,
     /// What the study is about.
     pub title: Spanned<String>,
     /// Where the mesh comes from.
@@ -123,41 +128,35 @@ pub struct Case {
 }
 
 impl Case {
-    /// Reads and checks a case file. `laws` are those that it may name, usually
-    /// [`MATERIALS`](tremolite_laws::materials::MATERIALS), which brings the interface laws along; see [`Laws`].
-    ///
-    /// # Errors
-    /// All problems of the file at once, files that it names and that are not there included.
-    pub fn read<'a>(path: &Path, laws: impl Into<Laws<'a>>) -> Result<Case, Report> {
-        Case::read_in(path, path.parent().unwrap_or(Path::new("")), laws)
-    }
-
-    /// The same where relative paths start from another folder than the file's: a result folder's case names its files as
-    /// they were named beside the original.
-    ///
-    /// # Errors
-    /// As [`Case::read`].
-    pub fn read_in<'a>(path: &Path, directory: &Path, laws: impl Into<Laws<'a>>) -> Result<Case, Report> {
-        let source = syntax::read(path, "case file")?;
-        let case = Case { directory: directory.to_owned(), ..Case::parse(path, &source, laws)? };
-        let missing = case.missing_files();
-        if missing.is_empty() { Ok(case) } else { Err(case.report(missing)) }
-    }
-
     /// Checks the text of a case. Touches no files; `path` names the case in messages, and its directory is where
     /// the files of the case are.
     ///
     /// # Errors
     /// All problems of the text at once: of its syntax, or else of its content.
     pub fn parse<'a>(path: &Path, source: &str, laws: impl Into<Laws<'a>>) -> Result<Case, Report> {
-        let report = |problems| Report::new(path, source, problems);
-        let document = syntax::parse(source).map_err(report)?;
+        Case::parse_changed(path, source, &[], laws)
+    }
+
+    /// The same with other values at some keys, one change after the other.
+    ///
+    /// # Errors
+    /// All problems at once: of the syntax, or else of the changes and of the content.
+    pub fn parse_changed<'a>(
+        path: &Path,
+        source: &str,
+        changes: &[Change],
+        laws: impl Into<Laws<'a>>,
+    ) -> Result<Case, Report> {
+        let (changed, mut problems) = Changed::new(source, changes);
+        let report = |problems| Report::new(path, source, changed.placed(problems));
+        let document = syntax::parse(&changed.text).map_err(report)?;
         let mut checker = Checker::new(&CASE, laws.into());
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
-        let Checker { mut problems, mut defaulted, .. } = checker;
-        let (found, warnings) = consistency::check(&written, &Written::of(document.get_ref()));
+        let Checker { problems: of_values, mut defaulted, .. } = checker;
+        problems.extend(of_values);
+        let (found, mut warnings) = consistency::check(&written, &Written::of(document.get_ref()));
         problems.extend(found);
-        let case = Case::assemble(path, source, &written);
+        let case = Case::assemble(path, &changed, &written);
         match case {
             Some(mut case) if problems.is_empty() => {
                 if case.interfaces.iter().any(|i| i.contact.is_some()) {
@@ -170,6 +169,7 @@ impl Case {
                     let of_shaking = |key: &str| key.starts_with("dynamic.") || OF_SHAKING.contains(&key);
                     defaulted.retain(|d| !of_shaking(&d.key));
                 }
+                report::find_keys(&case.source, &mut warnings);
                 Ok(Case { warnings, defaulted, ..case })
             }
             None if problems.is_empty() => {
@@ -182,7 +182,7 @@ impl Case {
     }
 
     /// Puts the parts together; nothing where one of them was refused, which has been reported.
-    fn assemble(path: &Path, source: &str, case: &Fields) -> Option<Case> {
+    fn assemble(path: &Path, changed: &Changed, case: &Fields) -> Option<Case> {
         let initial = case.table("initial").and_then(Initial::read)?;
         let written = consistency::materials(case);
         let names: Vec<&str> = written.iter().map(|m| m.name.value.as_str()).collect();
@@ -207,7 +207,8 @@ impl Case {
         Some(Case {
             path: path.to_owned(),
             directory: path.parent().unwrap_or(Path::new("")).to_owned(),
-            source: source.to_owned(),
+            source: changed.text.clone(),
+            changed: changed.clone(),
             title: case.text("title")?,
             mesh: case.table("mesh").and_then(Mesh::read)?,
             materials: written
@@ -242,7 +243,13 @@ impl Case {
 
     /// A report of problems found later, to be shown in this case's text.
     pub fn report(&self, problems: Vec<Problem>) -> Report {
-        Report::new(&self.path, &self.source, problems)
+        Report::new(&self.path, &self.changed.original, self.changed.placed(problems))
+    }
+
+    /// Problems found later in this case's text, with the paths of their keys.
+    pub fn keyed(&self, mut problems: Vec<Problem>) -> Vec<Problem> {
+        report::find_keys(&self.source, &mut problems);
+        problems
     }
 
     /// The directory that relative paths of the case start from.
@@ -266,21 +273,6 @@ impl Case {
             _ => None,
         }));
         files
-    }
-
-    fn missing_files(&self) -> Vec<Problem> {
-        let missing = self.files().into_iter().filter(|f| !self.resolve(&f.value).is_file());
-        let problem = |f: &Spanned<PathBuf>| {
-            let looked = self.resolve(&f.value);
-            let written = self.source.get(f.span.clone()).unwrap_or("").trim_matches(['"', '\'']);
-            let remedy = syntax::forward_slashes(written).unwrap_or_else(|| {
-                format!("paths start from the folder of the case; looked for {}", looked.display())
-            });
-            // A path may hold escapes that were not meant, `\t` for one.
-            let name = f.value.display().to_string().escape_debug().to_string();
-            Problem::at(f, format!("there is no file {name}"), remedy)
-        };
-        missing.map(problem).collect()
     }
 }
 

@@ -120,7 +120,7 @@ impl<'a> Checker<'a> {
             }
             Need::Required | Need::RequiredBeside(..) => {
                 let message = format!("`{}` is missing in {}", key.name, place(table));
-                self.problem(span, message, suggest::missing(key));
+                self.problems.push(Problem::new(span, message, suggest::missing(key)).missing(key.name));
                 None
             }
             Need::Default(text) => self.default(key, text, span, &path),

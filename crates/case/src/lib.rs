@@ -4,6 +4,9 @@
 //! tables are the one source of what may be written: they drive the checks, the defaults, the suggestions and the
 //! JSON [`schema`]. All problems of a file are reported at once, each at its place ([`Report`]).
 //!
+//! A case can be changed by the paths of its keys before it is checked ([`Change`]); its text is changed, so that it stays a
+//! case file.
+//!
 //! The crate knows no meshes and no records: whether a group or a point exists, or a step of processing can be
 //! read, is found by the builder of the model, which reports it at the same place through [`Case::report`].
 //!
@@ -14,6 +17,7 @@ pub mod units;
 
 mod bolts;
 mod case;
+mod change;
 mod check;
 mod consistency;
 mod defaulted;
@@ -21,6 +25,8 @@ mod dynamic;
 mod fields;
 mod initial;
 mod interface;
+mod key_path;
+mod keyed;
 mod keys;
 mod law_file;
 mod law_key;
@@ -46,6 +52,7 @@ mod value;
 
 pub use bolts::{BoltBond, BoltPattern, BoltPlace, BoltedFaces, Bolts, Plate};
 pub use case::Case;
+pub use change::Change;
 pub use defaulted::Defaulted;
 pub use dynamic::{BandDamping, Base, BaseKind, Dynamic, Rayleigh, Side, Top};
 pub use initial::{BaseHold, Initial, InitialStress, MeasuredStress, SideHold, StressField};

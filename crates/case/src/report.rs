@@ -3,29 +3,58 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
-use crate::Spanned;
+use crate::{Spanned, key_path, keyed};
 
 /// One thing that is wrong, where it stands, and the way out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
     /// Bytes of the source text to underline.
     pub span: Range<usize>,
+    /// The path of the key or table that it is about, as a [`Change`](crate::Change) takes it: `material.rock.young`,
+    /// `stage[1].release`. Found by the span ([`Case::keyed`](crate::Case::keyed)); empty where it is about the whole file.
+    pub key: String,
+    /// The change that it comes from and not the file; the span is then where the file would have it.
+    pub set: Option<Box<str>>,
     /// What is wrong.
     pub message: String,
     /// What to do about it.
     pub remedy: String,
+    /// The key of the table there that is missing.
+    missing: Option<&'static str>,
 }
 
 impl Problem {
     pub fn new(span: Range<usize>, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Problem { span, message: message.into(), remedy: remedy.into() }
+        let (message, remedy) = (message.into(), remedy.into());
+        Problem { span, key: String::new(), set: None, message, remedy, missing: None }
+    }
+
+    /// The same about a key that the table at its place does not have.
+    pub(crate) fn missing(self, key: &'static str) -> Self {
+        Problem { missing: Some(key), ..self }
     }
 
     /// A problem with a value of the case.
     pub fn at<T>(value: &Spanned<T>, message: impl Into<String>, remedy: impl Into<String>) -> Self {
         Problem::new(value.span.clone(), message, remedy)
+    }
+}
+
+/// Gives the problems in a text the paths of their keys, but for those that have one.
+pub(crate) fn find_keys(source: &str, problems: &mut [Problem]) {
+    if problems.iter().all(|problem| !problem.key.is_empty()) {
+        return;
+    }
+    let places: Vec<Range<usize>> = problems.iter().map(|problem| problem.span.clone()).collect();
+    for (problem, path) in problems.iter_mut().zip(keyed::paths(source, &places)) {
+        if problem.key.is_empty() {
+            problem.key = match problem.missing {
+                Some(key) => key_path::below(&path, key),
+                None => path,
+            };
+        }
     }
 }
 
@@ -44,7 +73,7 @@ pub enum Severity {
 /// All problems found in one case file, in the order of the file.
 ///
 /// `Display` and [`Report::render`] print each with `file:line:column`, the line itself, the place underlined, and
-/// the remedy.
+/// the remedy; one that comes from a change with the change in place of the line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The file as the user named it.
@@ -58,10 +87,12 @@ pub struct Report {
 }
 
 impl Report {
-    /// A report of errors; sorts the problems by their place.
+    /// A report of errors; sorts the problems by their place and finds their keys.
     pub fn new(file: impl Into<PathBuf>, source: impl Into<String>, mut problems: Vec<Problem>) -> Self {
+        let source = source.into();
         problems.sort_by_key(|p| p.span.start);
-        Report { file: file.into(), source: source.into(), severity: Severity::Error, problems }
+        find_keys(&source, &mut problems);
+        Report { file: file.into(), source, severity: Severity::Error, problems }
     }
 
     /// The same as warnings.
@@ -102,7 +133,9 @@ impl Report {
         };
         let file = self.file.display().to_string();
         let mut group = Group::with_title(level.primary_title(problem.message.as_str()));
-        if !self.source.is_empty() {
+        if let Some(set) = &problem.set {
+            group = group.element(Origin::path(&**set));
+        } else if !self.source.is_empty() {
             let mark = AnnotationKind::Primary.span(self.clamp(&problem.span));
             group = group.element(Snippet::source(self.source.as_str()).path(file.as_str()).annotation(mark));
         }

@@ -1,5 +1,6 @@
 //! The way out, in words: what a key or a value should have been.
 
+use toml::de::DeValue;
 use tremolite_laws::parameter::Dimension;
 
 use crate::keys::{Key, Kind, Limit, Need, Table};
@@ -111,6 +112,20 @@ pub(crate) fn unit_of_stiffness(key: &Key) -> Option<&'static str> {
         Kind::Number(Dimension::PRESSURE, _) if key.doc.contains("modulus") => Some("Pa"),
         Kind::Number(Dimension::STIFFNESS, _) if key.name.contains("stiffness") => Some("Pa/m"),
         _ => None,
+    }
+}
+
+/// What a value is in words.
+pub(crate) fn found(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(text) if text.trim().is_empty() => "an empty text",
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) => "a whole number",
+        DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date or time of day",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
     }
 }
 

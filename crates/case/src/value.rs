@@ -11,7 +11,7 @@ use crate::check::{Checker, given};
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Limit};
 use crate::law_key::{self, COLUMNS};
-use crate::{Spanned, suggest, units};
+use crate::{Spanned, key_path, suggest, units};
 
 impl Checker<'_> {
     /// Checks a value; nothing if it is refused, and then the problem is kept.
@@ -262,16 +262,6 @@ impl Checker<'_> {
     }
 
     fn wrong<T>(&mut self, kind: &Kind, value: &DeValue<'_>, span: &Range<usize>, path: &str) -> Option<T> {
-        let found = match value {
-            DeValue::String(text) if text.trim().is_empty() => "an empty text",
-            DeValue::String(_) => "a text",
-            DeValue::Integer(_) => "a whole number",
-            DeValue::Float(_) => "a number",
-            DeValue::Boolean(_) => "true or false",
-            DeValue::Datetime(_) => "a date or time of day",
-            DeValue::Array(_) => "a list",
-            DeValue::Table(_) => "a table",
-        };
         let found = match (value, kind) {
             (
                 DeValue::Array(a),
@@ -280,7 +270,7 @@ impl Checker<'_> {
                 format!("a list of {}", a.len())
             }
             (DeValue::Integer(n), Kind::Count(_)) => n.to_string(),
-            _ => found.to_owned(),
+            _ => suggest::found(value).to_owned(),
         };
         let message = format!("should be {}, not {found}", suggest::describe(last(path), kind));
         self.refuse(span, path, &message, &format!("write {}", suggest::sample(last(path), kind)))
@@ -307,11 +297,11 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
     }
 }
 
-/// How an entry of a list of tables is called in a path: by its name, else by its number from 1.
+/// How an entry of a list of tables is called in a path: by its name, else by its number from 0.
 fn label(table: &DeTable<'_>, index: usize) -> String {
     match table.get("name").and_then(|v| v.get_ref().as_str()) {
-        Some(name) if name.len() < 60 => name.to_owned(),
-        _ => (index + 1).to_string(),
+        Some(name) if name.len() < 60 => key_path::entry(name),
+        _ => index.to_string(),
     }
 }
 

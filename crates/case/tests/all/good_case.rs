@@ -26,10 +26,10 @@ fn every_value_arrives_in_si() {
             "mesh.caverns.cavern[transformer].benches",
             "mesh.caverns.cavern[transformer].lining",
             "mesh.caverns.cavern[transformer].shotcrete",
-            "reinforcement[2].face",
-            "reinforcement[2].young",
+            "reinforcement[1].face",
+            "reinforcement[1].young",
+            "reinforcement[1].yield",
             "reinforcement[2].yield",
-            "reinforcement[3].yield",
             "monitor[free].body",
         ]
     );

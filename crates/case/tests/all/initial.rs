@@ -169,8 +169,8 @@ const BAD: &[Bad] = &[
     // Measured
     bad(LATERAL, "measured = []", "[]", "should be a list of tables, not a list of 0", "[[initial.measured]]"),
     bad(LATERAL, "measured = { at = [0, 0, 0] }", "{ at", "should be a list of tables, not a table", "[[initial.measured]]"),
-    bad(LATERAL, "measured = [{ at = [0, 0, 0], xx = 1, yy = 1, zz = 1, xy = 1, yz = 1 }]", "{ at", "`zx` is missing in `initial.measured[1]`", "zx = \"… MPa\""),
-    bad(LATERAL, "measured = [{ xx = 1, yy = 1, zz = 1, xy = 1, yz = 1, zx = 1 }]", "{ xx", "`at` is missing in `initial.measured[1]`", "where it was measured"),
+    bad(LATERAL, "measured = [{ at = [0, 0, 0], xx = 1, yy = 1, zz = 1, xy = 1, yz = 1 }]", "{ at", "`zx` is missing in `initial.measured[0]`", "zx = \"… MPa\""),
+    bad(LATERAL, "measured = [{ xx = 1, yy = 1, zz = 1, xy = 1, yz = 1, zx = 1 }]", "{ xx", "`at` is missing in `initial.measured[0]`", "where it was measured"),
 ];
 
 #[test]

@@ -119,7 +119,7 @@ fn fields_that_are_left_out_hold_those_of_interfaces_where_there_are_any() {
 #[rustfmt::skip]
 const BAD: &[Bad] = &[
     // Keys
-    bad("name = \"lining-rock\"\n", "", "[[interface]]", "`name` is missing in `interface[1]`", "add name"),
+    bad("name = \"lining-rock\"\n", "", "[[interface]]", "`name` is missing in `interface[0]`", "add name"),
     bad("between = [[\"*.lining\"], [\"rock\", \"*.gallery\"]]\n", "", "[[interface]]", "`between` is missing in `interface[lining-rock]`", "groups on the first side"),
     bad("law = \"tied\"\n", "", "[[interface]]\nname = \"bench\"", "`law` is missing in `interface[bench]`", "\"tied\""),
     bad("max_closure = \"2 mm\"\n", "", "[[interface]]", "`max_closure` is missing in `interface[lining-rock]`", "max_closure = \"… m\""),

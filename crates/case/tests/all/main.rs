@@ -1,6 +1,7 @@
 //! The tests of this crate, one binary.
 
 mod bolts;
+mod change;
 mod displacement;
 mod files;
 mod good_case;

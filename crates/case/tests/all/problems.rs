@@ -196,7 +196,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
         [
             (line("120 MPa"), "`near` is a stress or modulus (`MPa`), a length is expected"),
             (line("poisson = 0.7"), "`poisson` must be at least 0 and below 0.5"),
-            (line("elemnt"), "`elemnt` is no key of `region[1]`"),
+            (line("elemnt"), "`elemnt` is no key of `region[0]`"),
             (line("[motion]"), "`kind` is missing in `motion`"),
             (line("safety"), "`safety` must be above 0 and at most 1"),
             (line("\"Q\""), "there is no monitor `Q`"),

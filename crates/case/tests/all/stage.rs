@@ -149,7 +149,7 @@ const PRESSURE: &str = "{ \"*.lining\" = \"0.2 MPa\", top = 1000 }";
 #[rustfmt::skip]
 const BAD: &[Bad] = &[
     // Keys
-    bad("name = \"tunnel filled\"\n", "", "[[stage]]", "`name` is missing in `stage[2]`", "add name"),
+    bad("name = \"tunnel filled\"\n", "", "[[stage]]", "`name` is missing in `stage[1]`", "add name"),
     bad("name = \"tunnel filled\"", "name = \" \"", "\" \"", "an empty text", "name"),
     bad("name = \"tunnel filled\"", "name = \"bench 1, with its lining\"", "\"bench 1", "stage `bench 1, with its lining` is named twice", "its own name"),
     bad("release = 0.6", "relase = 0.6\nrelease = 0.6", "relase", "no key of `stage[bench 1, with its lining]`", "did you mean `release`?"),

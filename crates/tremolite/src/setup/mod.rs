@@ -219,6 +219,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
     let inputs = inputs::inputs(case);
+    let warnings = case.keyed(warnings);
     Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, base_without_springs, warnings })
 }
 
