@@ -34,6 +34,9 @@ use tremolite_results::{BoltPlace, BoltSummary, Defaulted, InterfaceSummary, Mat
 pub struct Args {
     /// The case file
     case: PathBuf,
+    /// Put another value at a key: material.rock.young="25 GPa", stage[*].release=0.5; as often as wanted
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
     /// Threads to estimate for (all by default)
     #[arg(long)]
     threads: Option<usize>,
@@ -126,7 +129,7 @@ impl Checked<'_> {
 
 pub fn run(args: &Args) -> Outcome {
     let isa = machine::isa(args.isa.as_deref())?;
-    let (case, setup) = load(&args.case, isa)?;
+    let (case, setup) = load(&args.case, &args.set, isa)?;
     let pool = pool(args.threads)?;
     pool.install(|| {
         let groups = setup.problem.mesh.groups.iter();

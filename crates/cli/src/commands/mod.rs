@@ -22,16 +22,19 @@ use tremolite::setup::{Laws, Setup, changed, original_folder, setup};
 use tremolite::support;
 use tremolite::survey::{Survey, step_in_words};
 use tremolite::{Assembly, Model, ModelError, StableStep, Stage, laws};
-use tremolite_case::{Case, Fill, Problem, Side, units};
+use tremolite_case::{Case, Change, Fill, Problem, Side, units};
 use tremolite_laws::{Dimension, Isa, LawInfo};
 use tremolite_results::BoltPlace;
 
-/// Reads a case and builds what it asks for; warnings go to the terminal.
-pub fn load(path: &Path, isa: Isa) -> Result<(Case, Setup), Failure> {
+/// Reads a case, with the values of `set` (KEY=VALUE) at their keys, and builds what it asks for; warnings go to the
+/// terminal.
+pub fn load(path: &Path, set: &[String], isa: Isa) -> Result<(Case, Setup), Failure> {
     let laws = Laws::default();
+    let change = |text: &String| Change::of_option("--set", text);
+    let changes: Vec<Change> = set.iter().map(change).collect::<Result<_, _>>().map_err(Failure::input)?;
     let original = original_folder(path);
     let directory = original.as_deref().or(path.parent()).unwrap_or(Path::new(""));
-    let case = Case::read_in(path, directory, &infos()).map_err(|r| Failure::case(&r))?;
+    let case = Case::read_changed(path, directory, &changes, &infos()).map_err(|r| Failure::case(&r))?;
     if !case.warnings.is_empty() {
         let report = case.report(case.warnings.clone()).as_warnings();
         crate::terminal::say(&report.render(crate::terminal::colour()));

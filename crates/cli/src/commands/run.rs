@@ -28,6 +28,9 @@ use tremolite_results::{ResultFolder, RunFacts, Summary, Table, replace_file};
 pub struct Args {
     /// The case file
     case: PathBuf,
+    /// Put another value at a key: material.rock.young="25 GPa", stage[*].release=0.5; as often as wanted
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
     /// Where to put the results (results/<case name> by default)
     #[arg(long)]
     out: Option<PathBuf>,
@@ -86,7 +89,7 @@ pub fn run(args: &Args) -> Outcome {
     let begin = Instant::now();
     let isa = machine::isa(args.isa.as_deref())?;
     let pool = pool(args.threads)?;
-    let (case, setup) = load(&args.case, isa)?;
+    let (case, setup) = load(&args.case, &args.set, isa)?;
     pool.install(|| {
         let (motion, plan) = (setup.motion, setup.plan);
         if let (Some(from), true) = (&args.from, plan.stages.is_empty()) {

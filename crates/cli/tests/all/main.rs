@@ -22,6 +22,7 @@ mod motion_told;
 mod references;
 mod rims;
 mod ringing;
+mod set;
 mod shipped_cases;
 mod shotcrete;
 mod sides;

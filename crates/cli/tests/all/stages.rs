@@ -115,7 +115,7 @@ fn check_lists_stages_lives_stand_ins_stress_and_bare_walls() {
 
 /// Time within which every file of this test is there, on a machine under load.
 #[cfg(unix)]
-fn wait_for(path: &Path, child: &mut std::process::Child) {
+pub fn wait_for(path: &Path, child: &mut std::process::Child) {
     for _ in 0..6000 {
         if path.exists() {
             return;

@@ -4,7 +4,7 @@ use super::Checked;
 use serde_json::{Map, Value, json};
 use tremolite::column::corner_name;
 use tremolite::setup::SiteFacts;
-use tremolite_case::Mesh;
+use tremolite_case::{Mesh, Problem};
 
 impl Checked<'_> {
     pub(super) fn json(&self) -> Value {
@@ -95,12 +95,16 @@ impl Checked<'_> {
         }
     }
 
-    /// What is allowed but hardly meant, each at its line of the case.
+    /// What is allowed but hardly meant, each at its key and its line of the case; what comes from `--set` has none.
     fn findings(&self) -> Vec<Value> {
         let report = self.case.report(self.warnings.clone());
-        let finding = |problem| {
-            let (line, column) = report.position(problem);
-            json!({ "line": line, "column": column, "message": problem.message, "remedy": problem.remedy })
+        let finding = |problem: &Problem| {
+            let place = problem.set.is_none().then(|| report.position(problem));
+            let (line, column) = place.unzip();
+            json!({
+                "key": problem.key, "line": line, "column": column, "set": problem.set,
+                "message": problem.message, "remedy": problem.remedy,
+            })
         };
         report.problems.iter().map(finding).collect()
     }
