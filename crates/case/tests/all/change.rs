@@ -173,6 +173,7 @@ fn a_bad_value_gets_the_message_of_the_file() {
         ("material.rock.poisson", "0.7", "poisson = 0.25", "poisson = 0.7"),
         ("material.rock.law", "elastik", "\"elastic\"", "\"elastik\""),
         ("stage[0].release", "1.5", "name = \"rest\"", "name = \"rest\"\nrelease = 1.5"),
+        ("stage[*].release", "1.5", "name = \"rest\"", "name = \"rest\"\nrelease = 1.5"),
         ("initail.lateral", "1", "# of a kind", "\ninitail.lateral = 1"),
         ("stage[1].name", "rest", "\"again\"", "\"rest\""),
     ] {
