@@ -65,25 +65,24 @@ pub struct StableStep {
     pub change: f64,
 }
 
-/// A fixed start without symmetry, so that no mode is missed.
-fn start(phase: &Phase) -> Vec<Row> {
-    let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
-    let mut random = || {
-        seed ^= seed << 13;
-        seed ^= seed >> 7;
-        seed ^= seed << 17;
-        (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+/// A fixed start without symmetry, so that no mode is missed: by node of the mesh, whatever its number in the engine and whoever
+/// has it.
+fn start(model: &Model, phase: &Phase) -> Vec<Row> {
+    let one = |(node, inverse): (&u32, &Row)| {
+        let random = |i: u64| (hash(4 * u64::from(*node) + i) >> 11) as f64 / (1u64 << 53) as f64 - 0.5;
+        Row([0, 1, 2, 3].map(|i| if inverse.0[i as usize] > 0.0 { random(i) } else { 0.0 }))
     };
-    let mut w: Vec<Row> = phase
-        .inverse_mass
-        .iter()
-        .map(|inverse| {
-            let r = Row::new([random(), random(), random()]);
-            Row([0, 1, 2, 3].map(|i| if inverse.0[i] > 0.0 { r.0[i] } else { 0.0 }))
-        })
-        .collect();
+    let mut w: Vec<Row> = model.mesh_node.iter().zip(&phase.inverse_mass).map(one).collect();
     follow(phase, &mut w);
     w
+}
+
+/// The finaliser of SplitMix64 (`steele2014`).
+fn hash(x: u64) -> u64 {
+    let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
 }
 
 fn follow(phase: &Phase, w: &mut [Row]) {
@@ -100,7 +99,7 @@ const CONVERGED: f64 = 1e-5;
 /// The Rayleigh quotient approaches λmax from below; the iteration stops when it rises by less than 10⁻⁵ a time,
 /// or after 300 times. Callers keep a margin ([`crate::problem::TimeStep::safety`], 0.9 by default).
 pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableStep {
-    let mut w = start(phase);
+    let mut w = start(model, phase);
     let Power { lambda, change, iterations } = highest(model, assembly, phase, Product::Stiffness, &mut w);
     let undamped = 2.0 / lambda.sqrt();
     let share = model.viscosity[..model.user_elements].iter().copied().fold(0.0, f64::max);
