@@ -54,7 +54,7 @@ impl Engine {
     }
 
     /// What parts and blocks of nodes booked, by line as it enters the balance.
-    fn booked(&self, members: &[Lines], blocks: &[f64]) -> Totals {
+    fn booked(&self, members: impl Iterator<Item = (u32, Lines)>, blocks: &[f64]) -> Totals {
         let width = OF_NODES + self.assembly.accounts.len();
         let rows = blocks.chunks_exact(width).map(<[f64]>::to_vec).collect();
         let mut nodes = tree(rows, |mut a: Vec<f64>, b| {
@@ -62,7 +62,7 @@ impl Engine {
             a
         });
         nodes.resize(width, 0.0);
-        let of = (0u32..).zip(members).map(|(m, &work)| {
+        let of = members.map(|(m, work)| {
             // Of what parts book that are not counted only that on the model's nodes is in a balance.
             if self.assembly.members[m as usize].counted {
                 return (m, work, Lines::default());
@@ -91,7 +91,9 @@ impl Engine {
         let Measured { kinetic, scheme, books, velocity, acceleration } =
             nodes::measure(&self.model, &self.phase, contributions, &rates.products, state);
         let ledger = &state.ledger;
-        let (before, now) = (self.booked(&ledger.members, &ledger.blocks), self.booked(works, &books));
+        let before = self.booked((0..).zip(ledger.members.iter().copied()), &ledger.blocks);
+        let active = self.phase.active.iter().copied();
+        let now = self.booked(active.zip(works.iter().copied()), &books);
         let (held, bodies) = self.held(state, kept, &probed.energy);
         let (given, given_bodies) = self.given(state);
         let mut balance = Lines::default();
@@ -146,8 +148,9 @@ fn put_in(balance: &Lines) -> f64 {
 
 impl Ledger {
     /// Books the work of the parts over a step.
-    pub(super) fn book(&mut self, works: &[Lines]) {
-        for (own, &work) in self.members.iter_mut().zip(works) {
+    pub(super) fn book(&mut self, active: &[u32], works: &[Lines]) {
+        for (&m, &work) in active.iter().zip(works) {
+            let own = &mut self.members[m as usize];
             *own = *own + work;
         }
     }

@@ -88,7 +88,7 @@ impl Engine {
         let Evaluated { model, phase, mut state, mut forces, .. } = evaluated;
         let Forces { contributions, rates, leads, works } = &mut forces;
         nodes::advance(&model, &phase, contributions, &rates.products, leads, &mut state);
-        state.ledger.book(works);
+        state.ledger.book(&phase.active, works);
         state.step += 1;
         self.forces = forces;
         state

@@ -24,7 +24,7 @@ pub(super) struct Forces {
     pub rates: Rates,
     /// Velocities that leaders leave to those who follow them.
     pub leads: Vec<Lead>,
-    /// Work that each part books \[J\].
+    /// Work that each active part books \[J\].
     pub works: Vec<Lines>,
 }
 
@@ -34,7 +34,7 @@ impl Forces {
             contributions: vec![Row::ZERO; assembly.totals().contributions.end],
             rates: Rates::new(model, assembly),
             leads: vec![Lead::default(); phase.leaders.len()],
-            works: vec![Lines::default(); assembly.members.len()],
+            works: Vec::new(),
         }
     }
 }
@@ -214,10 +214,7 @@ impl Engine {
             .with_max_len(1)
             .map(|job| ROOM.with_borrow_mut(|room| evaluate(job, &tick, &motion, room, poisoned)))
             .collect();
-        forces.works.fill(Lines::default());
-        for (&m, work) in phase.active.iter().zip(works) {
-            forces.works[m as usize] = work;
-        }
+        forces.works = works;
     }
 }
 

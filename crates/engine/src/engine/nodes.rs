@@ -10,6 +10,7 @@ use crate::phase::passes::{Pass, Turn};
 use crate::state::{OF_NODES, State};
 use crate::sums::tree;
 use rayon::prelude::*;
+use std::ops::Range;
 use tremolite_laws::{Isa, Row};
 
 /// Work against the dampings of a block's nodes over the half-steps that meet at u^n \[J\], and of the dashpots of free-field sides
@@ -42,48 +43,107 @@ impl Damped {
 /// Leaders that one thread advances: so few that another barrier would cost more.
 const FEW: usize = 2048;
 
-/// A block of nodes that one thread works on, with two columns of their rows.
-struct Chunk<'c> {
-    turn: &'c Turn,
+/// Blocks of nodes that one thread works on, with two columns of their rows.
+struct Share<'c> {
+    turns: &'c [Turn],
     rows: [&'c mut [Row]; 2],
     /// Those of them that others follow, and where to leave their velocities.
     leaders: &'c [u32],
     own: &'c mut [Lead],
     /// Velocities of those that were advanced before.
     before: &'c [Lead],
-    /// What it books.
+    /// What they book, so many numbers each.
+    books: &'c mut [f64],
+    width: usize,
+}
+
+/// One of them.
+struct Chunk<'c> {
+    turn: &'c Turn,
+    rows: [&'c mut [Row]; 2],
+    leaders: &'c [u32],
+    own: &'c mut [Lead],
+    before: &'c [Lead],
     books: &'c mut [f64],
 }
 
-/// Works on two columns of rows pass by pass, block by block. What `one` gives back comes with the block's number.
+impl<'c> Share<'c> {
+    /// The next of its blocks.
+    #[inline(always)]
+    fn next(&mut self) -> Option<Chunk<'c>> {
+        let (turn, turns) = self.turns.split_first()?;
+        self.turns = turns;
+        let rows = self.rows.each_mut().map(|rows| take(rows, turn.nodes.len()));
+        let (leaders, rest) = self.leaders.split_at(turn.leaders.len());
+        self.leaders = rest;
+        let own = take(&mut self.own, leaders.len());
+        Some(Chunk {
+            turn,
+            rows,
+            leaders,
+            own,
+            before: self.before,
+            books: take(&mut self.books, self.width),
+        })
+    }
+}
+
+/// Takes the first of some.
+#[inline(always)]
+fn take<'t, T>(all: &mut &'t mut [T], count: usize) -> &'t mut [T] {
+    let (first, rest) = std::mem::take(all).split_at_mut(count);
+    *all = rest;
+    first
+}
+
+/// Works on two columns of rows pass by pass, share by share; what `one` finds comes in that order.
 fn by_passes<T: Send>(
     phase: &Phase,
     leads: &mut [Lead],
     [a, b]: [&mut [Row]; 2],
     (books, width): (&mut [f64], usize),
-    one: impl Fn(Chunk) -> T + Sync,
-) -> Vec<(usize, T)> {
+    one: impl Fn(Share) -> T + Sync,
+) -> Vec<T> {
     let mut found = Vec::new();
-    for Pass { turns } in &phase.passes {
+    for pass @ Pass { turns, shares } in &phase.passes {
         let first = turns.first().map_or(0, |turn| turn.leaders.start);
         let (before, own) = leads.split_at_mut(first);
         let before = &*before;
-        let nodes = |turn: &Turn| turn.nodes.clone();
-        let rows = split(a, turns, nodes).into_iter().zip(split(b, turns, nodes));
-        let own = split(own, turns, |turn| turn.leaders.start - first..turn.leaders.end - first);
-        let books = split(books, turns, |turn| width * turn.block..width * (turn.block + 1));
-        let few = turns.iter().any(|turn| !turn.leaders.is_empty())
-            && turns.iter().map(|turn| turn.nodes.len()).sum::<usize>() <= FEW;
-        let chunks =
-            turns.iter().zip(rows).zip(own.into_iter().zip(books)).map(|((turn, (a, b)), (own, books))| {
-                let leaders = &phase.leaders[turn.leaders.clone()];
-                Chunk { turn, rows: [a, b], leaders, own, before, books }
+        let ends = |share: &Range<usize>| (&turns[share.start], &turns[share.end - 1]);
+        let nodes = |share: &Range<usize>| {
+            let (first, last) = ends(share);
+            first.nodes.start..last.nodes.end
+        };
+        let leaders = |share: &Range<usize>| {
+            let (first, last) = ends(share);
+            first.leaders.start..last.leaders.end
+        };
+        let rows = split(a, shares, nodes).into_iter().zip(split(b, shares, nodes));
+        let own = split(own, shares, |share| {
+            let leaders = leaders(share);
+            leaders.start - first..leaders.end - first
+        });
+        let books = split(books, shares, |share| {
+            let (first, last) = ends(share);
+            width * first.block..width * (last.block + 1)
+        });
+        let all =
+            shares.iter().zip(rows).zip(own.into_iter().zip(books)).map(|((share, (a, b)), (own, books))| {
+                Share {
+                    turns: &turns[share.clone()],
+                    rows: [a, b],
+                    leaders: &phase.leaders[leaders(share)],
+                    own,
+                    before,
+                    books,
+                    width,
+                }
             });
-        let one = |chunk: Chunk| (chunk.turn.block, one(chunk));
-        if few {
-            found.extend(chunks.map(one));
+        let leads_on = turns.iter().any(|turn| !turn.leaders.is_empty());
+        if leads_on && pass.nodes() <= FEW {
+            found.extend(all.map(&one));
         } else {
-            found.par_extend(chunks.collect::<Vec<_>>().into_par_iter().map(one));
+            found.par_extend(all.collect::<Vec<_>>().into_par_iter().with_max_len(1).map(&one));
         }
     }
     found
@@ -103,7 +163,7 @@ pub fn advance(
     let State { u, du, held, ledger, .. } = state;
     let wide = Isa::Avx2.available();
     let pass = Advance { phase, contributions, held, products, damping, wide };
-    by_passes(phase, leads, [u, du], (&mut ledger.blocks, width), |chunk| pass.chunk(chunk));
+    by_passes(phase, leads, [u, du], (&mut ledger.blocks, width), |share| pass.share(share));
     for &(node, master) in &phase.tied {
         let next = state.du[master as usize];
         for i in 0..4 {
@@ -125,25 +185,27 @@ struct Advance<'a> {
 }
 
 impl Advance<'_> {
-    fn chunk(&self, chunk: Chunk) {
+    fn share(&self, share: Share) {
         #[cfg(target_arch = "x86_64")]
         if self.wide {
             #[target_feature(enable = "avx2")]
-            unsafe fn wide(pass: &Advance, chunk: Chunk) {
-                pass.nodes(chunk)
+            unsafe fn wide(pass: &Advance, share: Share) {
+                pass.nodes(share)
             }
             // SAFETY: `wide` says that the processor has AVX2.
-            return unsafe { wide(self, chunk) };
+            return unsafe { wide(self, share) };
         }
         let _ = self.wide;
-        self.nodes(chunk)
+        self.nodes(share)
     }
 
     #[inline(always)]
-    fn nodes(&self, chunk: Chunk) {
-        match chunk.own.is_empty() {
-            true => self.nodes_of::<false>(chunk),
-            false => self.nodes_of::<true>(chunk),
+    fn nodes(&self, mut share: Share) {
+        while let Some(chunk) = share.next() {
+            match chunk.own.is_empty() {
+                true => self.nodes_of::<false>(chunk),
+                false => self.nodes_of::<true>(chunk),
+            }
         }
     }
 
@@ -245,54 +307,55 @@ pub fn measure(
     let mut leads = vec![Lead::default(); phase.leaders.len()];
     let mut books = vec![0.0; state.ledger.blocks.len()];
     let width = state.ledger.width();
-    let mut energies = by_passes(
+    let one = |Chunk { turn, rows: [velocity, acceleration], leaders, own, before, books }: Chunk| {
+        let first = turn.nodes.start;
+        let (books, of_accounts) = books.split_at_mut(OF_NODES);
+        let mut leaders = leaders.iter().zip(own).peekable();
+        let mut dashpots = Dashpots::from(phase, first);
+        let mut sums = Damped::default();
+        let mut energies = [0.0; 2];
+        let mut accounts = Accounts::new(phase, contributions, of_accounts);
+        for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
+            let node = first + k;
+            let dashpot = dashpots.take(node);
+            let lead = leaders.next_if(|(leader, _)| **leader as usize == node).map(|(_, lead)| lead);
+            // As when advancing: nodes that no part pushes stay.
+            if phase.start[node] == phase.start[node + 1] {
+                continue;
+            }
+            let du = state.du[node];
+            let force = force(phase, contributions, node);
+            let net = net(&state.held, node, force);
+            let step = node_step(&damping, phase, products, before, dashpot, node, net, du);
+            if let Some(lead) = lead {
+                *lead = Lead { mean: step.mean, hat: step.velocity };
+            }
+            if turn.counts {
+                let mass = phase.mass[node];
+                energies[0] += 0.5 * mass * dot(step.velocity, step.velocity);
+                energies[1] += 0.125 * state.dt * state.dt * mass * dot(step.acceleration, step.acceleration);
+                sums.book(&step, du);
+                accounts.book(node, force, du);
+            }
+            *velocity = step.velocity;
+            *acceleration = step.acceleration;
+        }
+        accounts.close();
+        sums.onto(books);
+        (turn.block, energies)
+    };
+    let found = by_passes(
         phase,
         &mut leads,
         [&mut velocity, &mut acceleration],
         (&mut books, width),
-        |Chunk { turn, rows: [velocity, acceleration], leaders, own, before, books }| {
-            let first = turn.nodes.start;
-            let (books, of_accounts) = books.split_at_mut(OF_NODES);
-            let mut leaders = leaders.iter().zip(own).peekable();
-            let mut dashpots = Dashpots::from(phase, first);
-            let mut sums = Damped::default();
-            let mut energies = [0.0; 2];
-            let mut accounts = Accounts::new(phase, contributions, of_accounts);
-            for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
-                let node = first + k;
-                let dashpot = dashpots.take(node);
-                let lead = leaders.next_if(|(leader, _)| **leader as usize == node).map(|(_, lead)| lead);
-                // As when advancing: nodes that no part pushes stay.
-                if phase.start[node] == phase.start[node + 1] {
-                    continue;
-                }
-                let du = state.du[node];
-                let force = force(phase, contributions, node);
-                let net = net(&state.held, node, force);
-                let step = node_step(&damping, phase, products, before, dashpot, node, net, du);
-                if let Some(lead) = lead {
-                    *lead = Lead { mean: step.mean, hat: step.velocity };
-                }
-                if turn.counts {
-                    let mass = phase.mass[node];
-                    energies[0] += 0.5 * mass * dot(step.velocity, step.velocity);
-                    energies[1] +=
-                        0.125 * state.dt * state.dt * mass * dot(step.acceleration, step.acceleration);
-                    sums.book(&step, du);
-                    accounts.book(node, force, du);
-                }
-                *velocity = step.velocity;
-                *acceleration = step.acceleration;
-            }
-            accounts.close();
-            sums.onto(books);
-            energies
-        },
+        |mut share| -> Vec<_> { std::iter::from_fn(|| share.next()).map(one).collect() },
     );
     for &(node, master) in &phase.tied {
         velocity[node as usize] = velocity[master as usize];
         acceleration[node as usize] = acceleration[master as usize];
     }
+    let mut energies: Vec<(usize, [f64; 2])> = found.into_iter().flatten().collect();
     energies.sort_unstable_by_key(|(block, _)| *block);
     let energies = energies.into_iter().map(|(_, energies)| energies).collect();
     let [kinetic, scheme] = tree(energies, |a: [f64; 2], b| [a[0] + b[0], a[1] + b[1]]);

@@ -22,12 +22,31 @@ pub struct Turn {
 pub struct Pass {
     /// Ascending.
     pub turns: Vec<Turn>,
+    /// Which of them a thread takes together: blocks and nodes without a gap.
+    pub shares: Vec<Range<usize>>,
 }
+
+/// Nodes that a thread takes together, unless one block has more: less would not be worth handing over.
+const SHARE: usize = 1024;
 
 impl Pass {
     /// Number of its nodes.
     pub fn nodes(&self) -> usize {
         self.turns.iter().map(|turn| turn.nodes.len()).sum()
+    }
+
+    fn push(&mut self, turn: Turn) {
+        let at = self.turns.len();
+        let fits = |share: &&mut Range<usize>| {
+            let (first, last) = (&self.turns[share.start], &self.turns[share.end - 1]);
+            (last.block + 1, last.nodes.end) == (turn.block, turn.nodes.start)
+                && turn.nodes.end - first.nodes.start <= SHARE
+        };
+        match self.shares.last_mut().filter(fits) {
+            Some(share) => share.end = at + 1,
+            None => self.shares.push(at..at + 1),
+        }
+        self.turns.push(turn);
     }
 }
 
@@ -53,7 +72,7 @@ pub fn passes<'d>(model: &Model, dashpots: impl Iterator<Item = &'d Dashpot>) ->
             }
             let led = |n: &&u32| of.nodes.contains(&(**n as usize));
             let count = leaders[next..].iter().take_while(led).count();
-            pass.turns.push(Turn {
+            pass.push(Turn {
                 block,
                 nodes: of.nodes.clone(),
                 counts: of.domain == Domain::Model,
