@@ -134,15 +134,13 @@ fn add(model: &Model, assembly: &mut Assembly) -> Result<(), ModelError> {
         let mut places = vec![(0, 0); seam.pairs.len()];
         let centres: Vec<[f64; 3]> = (0..seam.pairs.len()).map(|k| seam.place(&model.mesh, k)).collect();
         let order = hilbert_order(&centres);
-        let mut count = 0;
         let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
         order.into_iter().for_each(|pair| of_life.entry(seam.lives[pair as usize]).or_default().push(pair));
-        for (life, chunk) in of_life.iter().flat_map(|(life, own)| own.chunks(CHUNK).map(move |c| (*life, c)))
-        {
+        let chunks = of_life.iter().flat_map(|(life, own)| own.chunks(CHUNK).map(move |c| (*life, c)));
+        for (count, (life, chunk)) in (0u32..).zip(chunks) {
             for (place, &pair) in chunk.iter().enumerate() {
                 places[pair as usize] = (count, place as u32);
             }
-            count += 1;
             let (nodes, pairs) = part(model, seam, chunk);
             let springs = pairs.iter().flat_map(|pair| {
                 let stiffness = pair.area * stiffest[s];

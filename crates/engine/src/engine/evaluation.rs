@@ -212,7 +212,13 @@ impl Engine {
         let works: Vec<Lines> = jobs
             .into_par_iter()
             .with_max_len(1)
-            .map(|job| ROOM.with_borrow_mut(|room| evaluate(job, &tick, &motion, room, poisoned)))
+            .map(|job| {
+                // Taken, not borrowed: a part that goes parallel itself may be given another on this very thread.
+                let mut room = ROOM.take();
+                let work = evaluate(job, &tick, &motion, &mut room, poisoned);
+                ROOM.set(room);
+                work
+            })
             .collect();
         forces.works = works;
     }
