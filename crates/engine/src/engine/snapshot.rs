@@ -27,7 +27,7 @@ pub struct Snapshot {
     pub supplied: f64,
     /// ⅛Δt²aᵀMa \[J\]: the part of the balance's error that belongs to the scheme and shrinks with Δt².
     pub scheme: f64,
-    /// The balance of each account ([`Assembly::accounts`]).
+    /// The balance of each account ([`Assembly::accounts`](crate::Assembly::accounts)).
     pub bodies: Vec<BodyBooks>,
 }
 
