@@ -9,13 +9,12 @@ mod stress;
 
 use std::borrow::Cow;
 
-use tremolite_results::Table;
+use tremolite_results::{Subject, Table};
 
 use crate::chapter::figure::Section;
 use crate::drawing::chart::{Line, Mark, Panel, Stroke};
 use crate::histories::largest_of_steps::with_steps;
 use crate::histories::legible::Titles;
-use crate::interfaces::monitors::is_on_interface;
 use crate::language::{Language, say};
 use crate::quantities::units::Kind;
 use crate::source::Source;
@@ -53,9 +52,14 @@ type Histories<'a> = Vec<(String, Cow<'a, [f64]>)>;
 pub struct Recorded<'a> {
     source: &'a Source,
     table: &'a Table,
-    /// Those on interfaces and bolts apart, which have figures of their own.
+    /// Those on interfaces apart, which have figures of their own.
     monitors: Vec<String>,
     pairs: Vec<String>,
+}
+
+/// Whose histories are drawn here one by one.
+fn is_monitor(subject: &Subject) -> bool {
+    matches!(subject, Subject::Monitor(_) | Subject::Bolt(_))
 }
 
 fn components(
@@ -77,10 +81,8 @@ impl<'a> Recorded<'a> {
             .monitors
             .as_ref()
             .map_err(|why| Section::left_out(&say!(source.language, "Histories of the monitors"), why))?;
-        let names = names(table);
-        let (pairs, monitors): (Vec<String>, Vec<String>) =
-            names.iter().cloned().partition(|name| is_pair(name, &names));
-        let monitors = monitors.into_iter().filter(|name| !is_on_interface(table, name)).collect();
+        let pairs = names(table, is_pair);
+        let monitors = names(table, is_monitor);
         let known = source.facts().relative;
         let mut all: Vec<String> = known.keys().cloned().collect();
         all.extend(pairs.into_iter().filter(|pair| !known.contains_key(pair)));
@@ -125,11 +127,14 @@ impl<'a> Recorded<'a> {
         let known = |quantity: &str| FAMILIES.iter().any(|names| names.contains(&quantity));
         let mut figures_of: Vec<Vec<(&str, Histories<'_>)>> = vec![Vec::new(); TOGETHER.len()];
         for (column, values) in self.table.columns.iter().zip(&self.table.values) {
-            let Some((monitor, quantity)) = column.name.rsplit_once('.') else { continue };
-            if known(quantity) || !self.monitors.iter().any(|name| name == monitor) {
+            let quantity = column.quantity.as_str();
+            let Some(monitor) = column.subject.name().filter(|_| is_monitor(&column.subject)) else {
+                continue;
+            };
+            if known(quantity) {
                 continue;
             }
-            let history = (monitor.to_owned(), Cow::from(values.as_slice()));
+            let history = (monitor, Cow::from(values.as_slice()));
             match figures_of.iter_mut().flatten().find(|(name, _)| *name == quantity) {
                 Some((_, histories)) => histories.push(history),
                 None => {
@@ -163,8 +168,7 @@ impl<'a> Recorded<'a> {
     }
 
     fn unit(&self, quantity: &str) -> &'a str {
-        let is = |name: &str| name.rsplit_once('.').is_some_and(|(_, q)| q == quantity);
-        self.table.columns.iter().find(|column| is(&column.name)).map_or("", |column| &column.unit)
+        self.table.columns.iter().find(|column| column.quantity == quantity).map_or("", |column| &column.unit)
     }
 
     fn panel<'h>(&self, quantity: &str, title: String, mark: Mark, histories: Histories<'h>) -> Panel<'h> {

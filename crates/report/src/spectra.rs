@@ -2,7 +2,7 @@
 
 mod figure;
 
-use tremolite_results::Table;
+use tremolite_results::{Subject, Table};
 
 use crate::chapter::figure::{Block, Chapter, Figure, Section};
 use crate::chapter::text_table::{Cell, Head, TextTable};
@@ -17,14 +17,13 @@ use crate::spectra::figure::{AXES, DrawnSpectra, SpectraRow, SpectrumPlace, figu
 const ROWS: usize = 6;
 /// From this many rows a period on an oscillator's peak is at most 1 − cos π/10 above its rows'.
 const ROWS_A_PERIOD: f64 = 10.0;
-/// What stands behind the name of a monitor where the free field at its level is meant.
-const BESIDE: &str = ".free_field";
-
 /// The names of the monitors, in the order of the file.
 fn monitors(table: &Table) -> Vec<&str> {
-    let taken = ["given", "incident", "free_field.surface", "free_field.base"];
-    let stems = table.columns.iter().filter_map(|column| column.name.strip_suffix(".ax"));
-    stems.filter(|stem| !taken.contains(stem) && !stem.ends_with(BESIDE)).collect()
+    let own = table.columns.iter().filter_map(|column| match &column.subject {
+        Subject::Monitor(name) if column.quantity == "ax" => Some(name.as_str()),
+        _ => None,
+    });
+    own.collect()
 }
 
 /// Spectra of the motion given, of the wave that comes in, and of the free field; nothing without them.
@@ -77,8 +76,9 @@ pub fn section(source: &Source) -> Option<Section> {
         None => return None,
     };
     let periods = table.column("period").unwrap_or(&[]);
-    let of =
-        |name: &str| (SpectrumPlace::of(table, name), SpectrumPlace::of(table, &format!("{name}{BESIDE}")));
+    let of = |name: &str| {
+        (SpectrumPlace::of(table, name), SpectrumPlace::of(table, &format!("{name}.free_field")))
+    };
     let points: Vec<(SpectrumPlace, SpectrumPlace)> =
         monitors(table).into_iter().map(of).filter(|(own, _)| own.is_known()).collect();
     let own: Vec<&SpectrumPlace> = points.iter().map(|(own, _)| own).collect();

@@ -15,7 +15,6 @@ use crate::language::{Language, say};
 use crate::quantities::scale::{count, figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::source::monitor_pairs::is_pair;
 use crate::stages::names::{called, name};
 
 /// A sum over the sum of the sizes of its parts, or a value over the largest of its kind, below this is round-off.
@@ -158,14 +157,14 @@ fn monitors(source: &Source, facts: &Summary) -> Option<Block> {
         columns.iter().any(|&i| of.contains_key(quantities[i].0))
     };
     let rows = last.monitors.iter().filter(|(_, of)| has(of)).map(row).collect();
-    let names: Vec<String> = last.monitors.keys().cloned().collect();
     let mut text = say!(
         language,
         "After {stage}. Displacements since the initial equilibrium, of a lining since its installation; tension is positive. \
              All stages are in stages.csv.",
         stage = called(language, k, last)
     );
-    if names.iter().any(|name| is_pair(name, &names)) {
+    // A pair alone has the length of its displacement.
+    if last.monitors.values().any(|of| of.contains_key("u")) {
         text.push_str(&say!(
             language,
             " A pair shows how much more the first monitor moved than the second."

@@ -326,7 +326,7 @@ fn opening(source: &Source, value: f64) -> String {
 
 /// The pair of monitors that moved apart most, of those that did not come loose.
 fn relative(source: &Source, facts: &Summary) -> Option<VerdictLine> {
-    let (held, loose) = held(facts);
+    let (held, loose) = held(source, facts);
     let lengths = held.into_iter().filter_map(|(pair, of)| Some((pair, of.get("u")?)));
     let (pair, most) =
         lengths.filter(|(_, p)| p.max.is_finite()).max_by(|a, b| a.1.max.total_cmp(&b.1.max))?;

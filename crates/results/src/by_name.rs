@@ -28,10 +28,8 @@ pub(crate) fn complete(table: &str, columns: &mut [Column]) {
 
 /// What a name of monitors.csv is, among all names with their quantities.
 fn monitored(name: &str, all: &[(String, String)]) -> Subject {
-    let known = |name: &str| all.iter().any(|(other, _)| other == name);
-    let joins = name.match_indices('-').map(|(i, _)| (&name[..i], &name[i + 1..]));
-    if let Some((first, second)) = joins.into_iter().find(|(first, second)| known(first) && known(second)) {
-        return Subject::Relative([first.into(), second.into()]);
+    if let Some(pair) = halves(name, |name| all.iter().any(|(other, _)| other == name)) {
+        return Subject::Relative(pair.map(str::to_owned));
     }
     let has = |quantity: &&str| all.iter().any(|(other, q)| other == name && q == quantity);
     if ["gap", "pressure", "shear1"].iter().all(has) {
@@ -41,6 +39,12 @@ fn monitored(name: &str, all: &[(String, String)]) -> Subject {
     } else {
         Subject::Monitor(name.into())
     }
+}
+
+/// The two known names that a pair's joins with a hyphen, of a pair that no table has.
+pub fn halves(pair: &str, known: impl Fn(&str) -> bool) -> Option<[&str; 2]> {
+    let joins = pair.match_indices('-').map(|(i, _)| [&pair[..i], &pair[i + 1..]]);
+    joins.into_iter().find(|halves| halves.iter().all(|half| known(half)))
 }
 
 fn spectrum(name: String, quantity: String) -> (Subject, String) {

@@ -64,7 +64,7 @@ fn of_monitor<'a>(tables: &[Option<&'a Table>], monitor: &str) -> Vec<History<'a
 fn monitors(runs: &[Run]) -> (Vec<Option<&Table>>, Vec<String>) {
     let tables: Vec<Option<&Table>> = runs.iter().map(|run| run.source.monitors.as_ref().ok()).collect();
     let mut all: Vec<String> = Vec::new();
-    for name in tables.iter().flatten().flat_map(|table| names(table)) {
+    for name in tables.iter().flatten().flat_map(|table| names(table, |_| true)) {
         if !all.contains(&name) {
             all.push(name);
         }

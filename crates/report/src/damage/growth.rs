@@ -1,6 +1,6 @@
 //! Figure of how damage grew over the run.
 
-use tremolite_results::Table;
+use tremolite_results::{Subject, Table};
 
 use crate::chapter::figure::Section;
 use crate::damage::crack_widths::width_by_mesh;
@@ -41,7 +41,7 @@ fn panels<'a>(source: &Source, table: &'a Table) -> Vec<Panel<'a>> {
     let mut groups: Vec<&str> = Vec::new();
     let mut panels: Vec<(&str, Panel)> = Vec::new();
     for (column, values) in table.columns.iter().zip(&table.values) {
-        let Some((group, measure)) = column.name.rsplit_once('.') else { continue };
+        let (Subject::Group(group), measure) = (&column.subject, column.quantity.as_str()) else { continue };
         let most = values.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
         // D_b repeats what D⁺ and D⁻ show.
         if measure == "d_b_max" || most == 0.0 {

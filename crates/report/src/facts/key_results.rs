@@ -47,7 +47,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
             ));
         }
     }
-    let (held, loose) = held(&facts);
+    let (held, loose) = held(source, &facts);
     if let Some((pair, _, peaks)) = extreme(held, |name| name == "u", |p| p.max) {
         let note = say!(language, "{pair} at {time}, its length", pair = pair, time = at(peaks.t_max));
         let label = say!(language, "Largest relative displacement");

@@ -117,9 +117,9 @@ impl Recorded<'_> {
              follow."
         );
         let names = ["ux", "uy", "uz"];
-        let of_pair = |name: &str, quantity: &str| difference(self.table, &self.monitors, name, quantity);
         let facts = self.source.facts();
-        let (_, loose) = held(&facts);
+        let of_pair = |name: &str, quantity: &str| difference(self.table, &facts, name, quantity);
+        let (_, loose) = held(self.source, &facts);
         let size = |name: &str| {
             let each = names.iter().filter_map(|quantity| of_pair(name, quantity));
             each.map(|values| largest_of(&values)).fold(0.0, f64::max)

@@ -1,8 +1,7 @@
 //! Values of monitors that are no number where there should be one: a run that went wrong, or a damaged file.
 
-use tremolite_results::Table;
+use tremolite_results::{Column, Subject};
 
-use crate::interfaces::monitors::is_on_interface;
 use crate::language::say;
 use crate::quantities::scale::moment;
 use crate::source::Source;
@@ -12,15 +11,12 @@ use crate::source::Source;
 pub fn told(source: &Source) -> Option<String> {
     let table = source.monitors.as_ref().ok()?;
     let times = table.column("time")?;
-    let should = |name: &str| {
-        name.rsplit_once('.')
-            .is_some_and(|(monitor, _)| !is_on_interface(table, monitor) && !is_on_bolt(table, monitor))
-    };
+    let should = |column: &Column| matches!(column.subject, Subject::Monitor(_) | Subject::Relative(_));
     let gap = |values: &Vec<f64>| {
         let row = values.iter().position(|x| !x.is_finite())?;
         values.iter().any(|x| x.is_finite()).then_some(row)
     };
-    let columns = table.columns.iter().zip(&table.values).filter(|(column, _)| should(&column.name));
+    let columns = table.columns.iter().zip(&table.values).filter(|(column, _)| should(column));
     let gaps = columns.filter_map(|(column, values)| Some((gap(values)?, &column.name)));
     let (row, name) = gaps.min_by_key(|(row, _)| *row)?;
     Some(say!(
@@ -31,8 +27,4 @@ pub fn told(source: &Source) -> Option<String> {
         time = moment(times[row], source.duration()),
         column = name
     ))
-}
-
-fn is_on_bolt(table: &Table, monitor: &str) -> bool {
-    table.column(&format!("{monitor}.force_over_yield")).is_some()
 }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use tremolite_results::Table;
+use tremolite_results::{Subject, Table};
 
 use crate::chapter::figure::{Figure, Section};
 use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
@@ -11,6 +11,7 @@ use crate::quantities::scale::{Scale, quantity};
 use crate::quantities::units::Kind;
 use crate::script::curves::Curves;
 use crate::source::Source;
+use crate::source::monitor_pairs;
 
 /// A column, its name, and which colour.
 type Wanted = (&'static str, String, usize);
@@ -37,11 +38,10 @@ pub fn names(source: &Source) -> Vec<String> {
     if !known.is_empty() {
         return known;
     }
-    let columns = source.interfaces.iter().flatten().flat_map(|table| &table.columns);
-    let names = columns.filter_map(|c| c.name.rsplit_once('.')).map(|(name, _)| name.to_owned());
-    let mut names: Vec<String> = names.collect();
-    names.dedup();
-    names
+    let tables = source.interfaces.iter().flatten();
+    tables
+        .flat_map(|table| monitor_pairs::names(table, |subject| matches!(subject, Subject::Interface(_))))
+        .collect()
 }
 
 /// The section of the page; nothing for a run without interfaces.

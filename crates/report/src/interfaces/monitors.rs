@@ -1,6 +1,6 @@
 //! Figures of monitors on interfaces: gap and slip, pressure and shear, and the path of one over the other.
 
-use tremolite_results::Table;
+use tremolite_results::{Subject, Table};
 
 use crate::chapter::figure::{Figure, Section};
 use crate::drawing::loops::{Course, Loops, Quantity, Track};
@@ -9,6 +9,7 @@ use crate::interfaces::shear_path::Path;
 use crate::language::{Language, say};
 use crate::quantities::units::Kind;
 use crate::source::Source;
+use crate::source::monitor_pairs::names;
 
 /// The columns of such a monitor.
 pub const QUANTITIES: [&str; 7] = ["gap", "slip1", "slip2", "pressure", "shear1", "shear2", "state"];
@@ -25,21 +26,15 @@ fn states(language: Language) -> [String; 4] {
     ]
 }
 
-/// Whether a monitor lies on an interface.
-pub fn is_on_interface(table: &Table, monitor: &str) -> bool {
-    ["gap", "pressure", "shear1"].iter().all(|q| table.column(&format!("{monitor}.{q}")).is_some())
-}
-
 /// The section of the page; nothing where no monitor lies on an interface.
 pub fn section(source: &Source) -> Option<Section> {
     let table = source.monitors.as_ref().ok()?;
-    let monitors =
-        crate::source::monitor_pairs::names(table).into_iter().filter(|name| is_on_interface(table, name));
+    let monitors = names(table, |subject| matches!(subject, Subject::Pair(_)));
     let both = |(k, name): (usize, String)| {
         let file = |what: &str| format!("interface-{what}-{}.svg", k + 1);
         [figure(source, table, &name, file("monitor")), path(source, table, &name, file("path"))]
     };
-    let figures: Vec<Figure> = monitors.enumerate().flat_map(both).collect();
+    let figures: Vec<Figure> = monitors.into_iter().enumerate().flat_map(both).collect();
     (!figures.is_empty()).then_some(Section::Drawn(figures))
 }
 

@@ -82,7 +82,7 @@ fn strained_most(source: &Source) -> Option<(String, f64, f64)> {
         let parts = ["ux", "uy", "uz"].iter().filter_map(of).max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         whole.or(parts)
     };
-    let all = held(&facts).0.into_iter().filter_map(|(pair, peaks)| {
+    let all = held(source, &facts).0.into_iter().filter_map(|(pair, peaks)| {
         let (time, size) = largest(peaks)?;
         (time.is_finite() && size.is_finite()).then(|| (pair.to_owned(), time, size.abs()))
     });
@@ -97,7 +97,7 @@ fn widest_seen<'a>(source: &Source, snapshots: &'a Snapshots) -> Option<(&'a Sna
     let step = times.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
     let facts = source.facts();
     let mut widest: Option<(&Snapshot, String, f64)> = None;
-    for (pair, _) in held(&facts).0 {
+    for (pair, _) in held(source, &facts).0 {
         let parts = ["ux", "uy", "uz"].map(|name| table.column(&format!("{pair}.{name}")));
         let parts: Vec<&[f64]> = parts.into_iter().flatten().collect();
         for snapshot in snapshots.all().iter().filter(|_| !parts.is_empty()) {

@@ -1,63 +1,65 @@
-//! Pairs of monitors: how the names in a table's headers tell them from monitors, and what their columns are.
+//! Pairs of monitors, and whose columns a table has.
 
 use std::borrow::Cow;
 
 use indexmap::IndexMap;
-use tremolite_results::{Peaks, Summary, Table};
+use tremolite_results::{Peaks, Subject, Summary, Table, halves};
 
-/// Monitors, or pairs, that have columns, in the table's order.
-pub fn names(table: &Table) -> Vec<String> {
+use crate::source::Source;
+
+/// Names of those of which `wanted` is true that have columns, in the table's order.
+pub fn names(table: &Table, wanted: impl Fn(&Subject) -> bool) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
-    for (name, _) in table.columns.iter().filter_map(|column| column.name.rsplit_once('.')) {
-        if !names.iter().any(|known| known == name) {
-            names.push(name.into());
+    let subjects = table.columns.iter().map(|column| &column.subject);
+    for name in subjects.filter(|subject| wanted(subject)).filter_map(Subject::name) {
+        if !names.contains(&name) {
+            names.push(name);
         }
     }
     names
 }
 
-/// The two names that `pair` joins with a hyphen; names may hold hyphens themselves.
-fn halves<'a>(pair: &'a str, names: &[String]) -> Option<(&'a str, &'a str)> {
-    let known = |half: &str| names.iter().any(|name| name == half);
-    pair.match_indices('-')
-        .map(|(i, _)| (&pair[..i], &pair[i + 1..]))
-        .find(|(first, second)| known(first) && known(second))
-}
-
-/// Whether a name in the headers is that of a pair of two other names.
-pub fn is_pair(name: &str, names: &[String]) -> bool {
-    halves(name, names).is_some()
+pub fn is_pair(subject: &Subject) -> bool {
+    matches!(subject, Subject::Relative(_))
 }
 
 /// A pair with the peaks of its quantities.
 pub type PairPeaks<'a> = (&'a str, &'a IndexMap<String, Peaks>);
 
-/// The pairs of a run of which no monitor came loose, and the names of the others. What a loose piece does is no strain of the
-/// lining.
-pub fn held(facts: &Summary) -> (Vec<PairPeaks<'_>>, Vec<&str>) {
-    let names: Vec<String> = facts.monitors.keys().cloned().collect();
-    let is_loose = |monitor: &str| facts.monitors_on_broken_elements.iter().any(|name| name == monitor);
-    let (mut held, mut loose) = (Vec::new(), Vec::new());
-    for (pair, peaks) in &facts.relative {
-        match halves(pair, &names) {
-            Some((first, second)) if is_loose(first) || is_loose(second) => loose.push(pair.as_str()),
-            _ => held.push((pair.as_str(), peaks)),
-        }
+/// The monitors of a pair: as its columns say or, in files of older versions that have none, its name.
+fn monitors_of(table: Option<&Table>, facts: &Summary, pair: &str) -> Option<[String; 2]> {
+    let subjects = table.into_iter().flat_map(|table| &table.columns).map(|column| &column.subject);
+    let told =
+        subjects.filter(|subject| is_pair(subject)).find(|subject| subject.name().as_deref() == Some(pair));
+    match told {
+        Some(Subject::Relative(monitors)) => Some(monitors.clone()),
+        _ => Some(halves(pair, |name| facts.monitors.contains_key(name))?.map(str::to_owned)),
     }
-    (held, loose)
 }
 
-/// The column of a pair or, without one, the difference of its monitors' columns.
+/// The pairs of a run of which no monitor came loose, and the names of the others. What a loose piece does is no strain of the
+/// lining.
+pub fn held<'a>(source: &Source, facts: &'a Summary) -> (Vec<PairPeaks<'a>>, Vec<&'a str>) {
+    let came_loose = |monitor: &String| facts.monitors_on_broken_elements.contains(monitor);
+    let is_loose = |pair: &str| {
+        monitors_of(source.monitors.as_ref().ok(), facts, pair).is_some_and(|of| of.iter().any(came_loose))
+    };
+    let pairs = facts.relative.iter().map(|(pair, peaks)| (pair.as_str(), peaks));
+    let (loose, held): (Vec<_>, Vec<_>) = pairs.partition(|(pair, _)| is_loose(pair));
+    (held, loose.into_iter().map(|(pair, _)| pair).collect())
+}
+
+/// The column of a pair or, in files of older versions that have none, the difference of its monitors'.
 pub fn difference<'a>(
     table: &'a Table,
-    monitors: &[String],
+    facts: &Summary,
     pair: &str,
     quantity: &str,
 ) -> Option<Cow<'a, [f64]>> {
     if let Some(column) = table.column(&format!("{pair}.{quantity}")) {
         return Some(column.into());
     }
-    let (first, second) = halves(pair, monitors)?;
+    let [first, second] = monitors_of(Some(table), facts, pair)?;
     let first = table.column(&format!("{first}.{quantity}"))?;
     let second = table.column(&format!("{second}.{quantity}"))?;
     Some(first.iter().zip(second).map(|(a, b)| a - b).collect::<Vec<_>>().into())

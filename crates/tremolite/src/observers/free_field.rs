@@ -172,9 +172,8 @@ fn cells(columns: &[Watched], theory: &[Option<usize>], beside: &[(Subject, Heig
         }
     }
     let means = (Subject::Model, [0, 1].map(|end| Whose::Mean { end }));
-    let edges = (0..4).map(|corner| {
-        (Subject::Edge(corner_name(corner)), [0, 1].map(|end| Whose::Edge { corner, end }))
-    });
+    let edges = (0..4)
+        .map(|corner| (Subject::Edge(corner_name(corner)), [0, 1].map(|end| Whose::Edge { corner, end })));
     for (subject, ends) in std::iter::once(means).chain(edges) {
         for (place, whose) in ["surface", "base"].into_iter().zip(ends) {
             (0..AXES.len()).for_each(|axis| add(&subject, place, "", axis, whose));

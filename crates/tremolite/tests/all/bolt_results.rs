@@ -4,13 +4,14 @@ use crate::block::block;
 use crate::ready::Ready;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
-use tremolite::plan::{BoltMonitor, Plan};
-use tremolite::quantities::BOLT;
+use tremolite::plan::{BoltMonitor, Monitor, Plan};
+use tremolite::quantities::{BOLT, MONITOR, RELATIVE};
 use tremolite::run::{Control, Progress, run};
 use tremolite::simulation::{Ending, Outcome, Simulation, Start};
 use tremolite::stages::PlannedStage;
 use tremolite::{Bar, Bolts, Problem, Stage};
-use tremolite_results::{BoltLines, EARTHQUAKE, Pvd, ResultFolder, Table, read_bolts};
+use tremolite_mesh::locate::Locator;
+use tremolite_results::{BoltLines, Column, EARTHQUAKE, Pvd, ResultFolder, Table, columns, read_bolts};
 
 /// Two bolts of 4 m that a stage places, and one for the shaking alone.
 pub fn bolted() -> Problem {
@@ -39,6 +40,13 @@ pub fn bolted() -> Problem {
 pub fn plan() -> Plan {
     let monitor =
         |name: &str, x: f64, set: usize| BoltMonitor { name: name.into(), point: [x, 5.1, 7.0], set };
+    let mesh = bolted().mesh;
+    let locator = Locator::new(&mesh, None);
+    let at = |name: &str, point: [f64; 3]| Monitor {
+        name: name.into(),
+        point,
+        location: locator.locate(point, 1e-6).unwrap(),
+    };
     Plan {
         page: tremolite_results::PageWish::default(),
         title: "bolts".into(),
@@ -49,10 +57,10 @@ pub fn plan() -> Plan {
         snapshots: Some(0.02),
         fields: Vec::new(),
         checkpoint: None,
-        monitors: Vec::new(),
+        monitors: vec![at("a.b-c", [6.0, 5.0, 8.0]), at("d.ux", [6.0, 5.0, 2.0])],
         pairs: Vec::new(),
         bolts: vec![monitor("B", 6.2, 0), monitor("L", 9.2, 1)],
-        relatives: Vec::new(),
+        relatives: vec![[0, 1]],
     }
 }
 
@@ -107,7 +115,7 @@ fn bolts_are_written_as_they_stand_and_a_stopped_run_resumes_to_the_same_bytes()
 
     // What a monitor sees is what the files hold of its segment.
     let table = Table::read(&results.monitors()).unwrap();
-    assert_eq!(table.columns.len(), 1 + 2 * BOLT.len());
+    assert_eq!(table.columns.len(), 1 + 2 * (MONITOR.len() + BOLT.len()) + RELATIVE.len());
     let force = table.column("B.force").unwrap();
     let last = *force.last().unwrap() as f32;
     let of_bolt = lines.lines.iter().filter(|line| line.group == 0 && line.bolt == 2);
@@ -118,6 +126,18 @@ fn bolts_are_written_as_they_stand_and_a_stopped_run_resumes_to_the_same_bytes()
         |row: usize| stages.lines().nth(row).unwrap().rsplit(',').map(str::to_owned).collect::<Vec<_>>();
     assert!(fields(2)[..BOLT.len()].iter().all(|x| x == "NaN"), "L is not placed in the stages: {stages}");
     assert!(fields(2)[BOLT.len()..2 * BOLT.len()].iter().all(|x| x != "NaN"), "{stages}");
+
+    // The monitors' columns are the same in both tables, in headers and in what is told of them.
+    let told = |table: &Path| -> Vec<Column> {
+        serde_json::from_slice(&std::fs::read(columns::beside(table)).unwrap()).unwrap()
+    };
+    let (of_stages, of_shaking) = (told(&results.stages()), told(&results.monitors()));
+    assert_eq!((of_shaking.len(), of_stages.len()), (table.columns.len(), fields(0).len()));
+    assert_eq!(of_stages[of_stages.len() - of_shaking.len() + 1..], of_shaking[1..]);
+    let mut headers = fields(0);
+    headers.reverse();
+    assert_eq!(headers, of_stages.iter().map(Column::header).collect::<Vec<_>>());
+    assert!(headers.contains(&"a.b-c-d.ux.u [m]".to_owned()), "{headers:?}");
 
     assert_eq!(go(&parts, false, true).ending, Ending::Stopped);
     assert_eq!(go(&parts, true, false).ending, Ending::Done);
