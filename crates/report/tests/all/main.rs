@@ -11,6 +11,7 @@ mod interface_results;
 mod interfaces;
 mod maps;
 mod numbers;
+mod odd_names;
 mod one_unit;
 mod page;
 mod report;
