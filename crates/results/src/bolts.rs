@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 
 use crate::stages::write_rows;
 use crate::table_writer::reopen;
-use crate::{Error, number};
+use crate::{Column, Error, number};
 
 /// What stands in the column `stage` in the shaking.
 pub const EARTHQUAKE: &str = "earthquake";
 
 /// A bolt at one time: the whole of it, but for what was cut off it by an excavation.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct BoltRow {
     /// Its number in its group, from 1, in the order in which they were given.
     pub bolt: u32,
@@ -38,20 +38,106 @@ pub struct BoltRow {
     pub cut_off: f64,
 }
 
-const HEADERS: [&str; 13] = [
-    "bolt",
-    "name",
-    "time [s]",
-    "max_force [N]",
-    "force_over_yield [1]",
-    "max_slip [m]",
-    "state",
-    "stage",
-    "x [m]",
-    "y [m]",
-    "z [m]",
-    "largest_force [N]",
-    "cut_off [m]",
+/// A column of the file.
+#[derive(Clone, Copy, Debug)]
+pub struct BoltColumn {
+    pub name: &'static str,
+    pub unit: &'static str,
+    pub doc: &'static str,
+    text: fn(&BoltRow) -> String,
+    /// Nothing where the text is not of its form.
+    read: fn(&mut BoltRow, &str) -> Option<()>,
+}
+
+/// A column of numbers.
+macro_rules! number {
+    ($name:literal, $unit:literal, $doc:literal, |$row:ident| $place:expr) => {
+        BoltColumn {
+            name: $name,
+            unit: $unit,
+            doc: $doc,
+            text: |$row| {
+                let mut text = String::new();
+                number::push(&mut text, $place);
+                text
+            },
+            read: |$row, text| {
+                $place = text.parse().ok()?;
+                Some(())
+            },
+        }
+    };
+}
+
+/// A column of words.
+macro_rules! words {
+    ($name:literal, $doc:literal, $field:ident) => {
+        BoltColumn {
+            name: $name,
+            unit: "",
+            doc: $doc,
+            text: |row| row.$field.clone(),
+            read: |row, text| {
+                row.$field = text.to_owned();
+                Some(())
+            },
+        }
+    };
+}
+
+/// The columns of the file, in its order.
+pub const BOLT_COLUMNS: &[BoltColumn] = &[
+    BoltColumn {
+        name: "bolt",
+        unit: "",
+        doc: "its number in the group, from 1",
+        text: |row| row.bolt.to_string(),
+        read: |row, text| {
+            row.bolt = text.parse().ok()?;
+            Some(())
+        },
+    },
+    words!("name", "the group's", name),
+    number!(
+        "time",
+        "s",
+        "in the earthquake, when field files are written; NaN at the end of a stage",
+        |row| row.time
+    ),
+    number!("max_force", "N", "force of largest size along the bolt, tension positive", |row| row.max_force),
+    number!(
+        "force_over_yield",
+        "1",
+        "size of the force over what its segment yields at, at most along the bolt; 0 where it never does",
+        |row| row.force_over_yield
+    ),
+    number!(
+        "max_slip",
+        "m",
+        "largest size of the slip along the bolt in any step since it was placed",
+        |row| row.max_slip
+    ),
+    words!(
+        "state",
+        "elastic, slid, yielded or broken: the worst of what is left of the bolt; cut-off where an excavation left nothing",
+        state
+    ),
+    words!("stage", "the stage at whose end it is so, or earthquake", stage),
+    number!("x", "m", "where max_force is: the middle of its segment", |row| row.place[0]),
+    number!("y", "m", "the same along y", |row| row.place[1]),
+    number!("z", "m", "the same along z", |row| row.place[2]),
+    number!(
+        "largest_force",
+        "N",
+        "largest size of the force along the bolt in any step since the stage, or the earthquake, began",
+        |row| row.largest_force
+    ),
+    number!(
+        "cut_off",
+        "m",
+        "length of the bolt that excavations have taken; it counts in no other column",
+        |row| row.cut_off
+    ),
 ];
 
 fn lines(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
@@ -61,31 +147,11 @@ fn lines(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
 }
 
 fn line(row: &BoltRow) -> Vec<String> {
-    let text = |x: f64| {
-        let mut text = String::new();
-        number::push(&mut text, x);
-        text
-    };
-    let [x, y, z] = row.place.map(text);
-    vec![
-        row.bolt.to_string(),
-        row.name.clone(),
-        text(row.time),
-        text(row.max_force),
-        text(row.force_over_yield),
-        text(row.max_slip),
-        row.state.clone(),
-        row.stage.clone(),
-        x,
-        y,
-        z,
-        text(row.largest_force),
-        text(row.cut_off),
-    ]
+    BOLT_COLUMNS.iter().map(|column| (column.text)(row)).collect()
 }
 
 fn header() -> Vec<u8> {
-    lines([HEADERS.map(str::to_owned).to_vec()])
+    lines([BOLT_COLUMNS.iter().map(|column| Column::new(column.name, column.unit).header()).collect()])
 }
 
 /// Writes the file; it grows while the ground shakes.
@@ -151,23 +217,13 @@ pub fn read_bolts(path: &Path) -> Result<Vec<BoltRow>, Error> {
     for (k, record) in reader.records().enumerate() {
         let fault = |what: String| Error::format(path, Some(k + 2), what);
         let record = record.map_err(|e| fault(e.to_string()))?;
-        let field = |i: usize| record.get(i).ok_or_else(|| fault(format!("'{}' is missing", HEADERS[i])));
-        let value = |i: usize| -> Result<f64, Error> {
-            field(i)?.parse().map_err(|_| fault(format!("'{}' is not a number", HEADERS[i])))
-        };
-        rows.push(BoltRow {
-            bolt: field(0)?.parse().map_err(|_| fault("'bolt' is not a number".into()))?,
-            name: field(1)?.to_owned(),
-            time: value(2)?,
-            max_force: value(3)?,
-            force_over_yield: value(4)?,
-            max_slip: value(5)?,
-            state: field(6)?.to_owned(),
-            stage: field(7)?.to_owned(),
-            place: [value(8)?, value(9)?, value(10)?],
-            largest_force: value(11)?,
-            cut_off: value(12)?,
-        });
+        let mut row = BoltRow::default();
+        for (k, column) in BOLT_COLUMNS.iter().enumerate() {
+            let text = record.get(k).ok_or_else(|| fault(format!("'{}' is missing", column.name)))?;
+            (column.read)(&mut row, text)
+                .ok_or_else(|| fault(format!("'{}' is not a number", column.name)))?;
+        }
+        rows.push(row);
     }
     Ok(rows)
 }

@@ -60,7 +60,7 @@ pub mod trust;
 
 pub use bolt_group::{BoltPeak, BoltPlace, BoltSummary};
 pub use bolt_lines::{BoltLine, BoltLines};
-pub use bolts::{BoltRow, BoltWriter, EARTHQUAKE, read_bolts};
+pub use bolts::{BOLT_COLUMNS, BoltColumn, BoltRow, BoltWriter, EARTHQUAKE, read_bolts};
 pub use by_name::halves;
 pub use column::{Column, Subject};
 pub use cut::{Cut, CutCell};

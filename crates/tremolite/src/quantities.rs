@@ -6,7 +6,7 @@ mod interface;
 mod measures;
 mod monitored;
 
-pub use bolts::{BOLT_LINES, BOLTS};
+pub use bolts::BOLT_LINES;
 pub use fields::{CELLS, Field, field_name, of_element};
 pub use interface::INTERFACE;
 pub use measures::{MEASURES, Measure, SHARE_OF_VOLUME, YIELDED, threshold};

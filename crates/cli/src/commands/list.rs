@@ -3,7 +3,7 @@
 use crate::exit::{Code, Outcome};
 use crate::terminal::print;
 use tremolite::quantities::{
-    BOLT, BOLT_LINES, BOLTS, CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE,
+    BOLT, BOLT_LINES, CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE,
     SHARE_OF_VOLUME,
 };
 use tremolite_case::{
@@ -12,6 +12,7 @@ use tremolite_case::{
 use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, LawInfo, Need, PairState, Parameter};
+use tremolite_results::BOLT_COLUMNS;
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -168,10 +169,10 @@ fn quantities() {
     table("monitors.csv, NAME.quantity of monitors with `bolt`", BOLT);
     table("monitors.csv, pairs FIRST-SECOND.quantity", RELATIVE);
     table("interfaces.csv, NAME.quantity of interfaces that are not tied", INTERFACE);
-    table(
-        "bolts.csv, behind bolt (its number in the group, from 1) and name (the group's), a row each",
-        &BOLTS,
-    );
+    print("bolts.csv, a row for each bolt of a group and time");
+    for column in BOLT_COLUMNS {
+        print(&format!("    {:18} {:6} {}", column.name, column.unit, column.doc));
+    }
     print("damage.csv, GROUP.quantity, of groups that are no part of another and whose law keeps it");
     for measure in &MEASURES {
         for name in names(measure) {

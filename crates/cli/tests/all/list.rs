@@ -57,7 +57,7 @@ fn list_names_the_keys_of_every_interface_and_the_states() {
         "interfaces.csv",
         "    ever_slid          m2 ",
         "monitors with `bolt`\n    force              N ",
-        "bolts.csv, behind bolt",
+        "bolts.csv, a row for each bolt",
         "    from_head          m ",
     ] {
         assert!(quantities.contains(line), "{line}:\n{quantities}");
