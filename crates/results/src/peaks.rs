@@ -73,8 +73,8 @@ impl Peaks {
 /// Quantity → peaks of what a table's columns belong to, by name, in the table's order.
 pub type PeaksByName = IndexMap<String, IndexMap<String, Peaks>>;
 
-/// Peaks of every column of a monitor, on interfaces and bolts as well, and of every column of a pair of monitors, in a table
-/// with a column `time`. Empty without it.
+/// Peaks of every column of the monitors, those on interfaces and bolts included, then of the pairs of monitors, in a table with
+/// a column `time`. Empty without it.
 pub fn peaks_by_monitor(table: &Table) -> [PeaksByName; 2] {
     let mut found = [PeaksByName::new(), PeaksByName::new()];
     let Some(time) = table.column("time") else { return found };
