@@ -55,12 +55,11 @@ fn in_good_order(evidence: &Evidence) -> Said {
 /// Why a run was ended whose energy grew out of nothing, of which laws of materials created so much \[J\].
 fn failed(halt: &Halt, place: &Said, time: f64, created: f64) -> Vec<Said> {
     let (time, joule) = (format!("{time:.4}"), |x: &f64| format!("{x:.3e}"));
-    let Halt { held, supplied, .. } = halt;
+    let Halt { found, supplied, .. } = halt;
     let why = said!(
-        "The run became unstable and was stopped at {time} s: the energy held by motion and elements of {energy} J exceeds \
-         all the energy supplied, {supplied} J.",
+        "The run became unstable and was stopped at {time} s: energy of {energy} J was found where {supplied} J were supplied.",
         time = time,
-        energy = joule(held),
+        energy = joule(found),
         supplied = joule(supplied),
     );
     let remedy = if created > *supplied {
@@ -185,7 +184,7 @@ mod tests {
 
     #[test]
     fn the_remedy_is_for_what_made_the_energy() {
-        let halt = Halt { held: 4e10, supplied: 1e10, step: 9, time: 1.0 };
+        let halt = Halt { found: 4e10, supplied: 1e10, step: 9, time: 1.0 };
         let told = |created| {
             let told = failed(&halt, &Said::plain("element 7"), 1.0, created);
             told.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")

@@ -14,8 +14,8 @@ pub const TEXTS: Texts = &[
     ),
     ("The run was stopped at {time} s; go on with --resume.", "计算在 {time} s 被停止；可用 --resume 继续。"),
     (
-        "The run became unstable and was stopped at {time} s: the energy held by motion and elements of {energy} J exceeds all the energy supplied, {supplied} J.",
-        "计算失稳，在 {time} s 停止：运动与单元持有的能量 {energy} J 超过全部输入能量 {supplied} J。",
+        "The run became unstable and was stopped at {time} s: energy of {energy} J was found where {supplied} J were supplied.",
+        "计算失稳，在 {time} s 停止：发现能量 {energy} J，而输入的能量为 {supplied} J。",
     ),
     ("Most of it is in {place}.", "其大部分位于{place}。"),
     ("Use a smaller time_step or safety.", "请减小 time_step 或 safety。"),

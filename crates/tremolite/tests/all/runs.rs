@@ -176,8 +176,8 @@ fn a_step_thirty_per_cent_too_large_is_stopped_by_the_guard_with_the_element_nam
     let Ending::Failed { halt, place } = &outcome.ending else {
         panic!("the run must be stopped, not {:?}", outcome.ending);
     };
-    let Halt { held, supplied, step, .. } = halt;
-    assert!(held > supplied);
+    let Halt { found, supplied, step, .. } = halt;
+    assert!(found > supplied);
     let place = place.to_string();
     assert!(place.starts_with("element ") && place.contains("of '"), "{place}");
     assert!(*step < outcome.steps.total);

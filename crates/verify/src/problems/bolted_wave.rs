@@ -11,6 +11,7 @@
 //! - The model's mirror image moves as its mirror image, sliding and yielding included.
 
 use tremolite::Snapshot;
+use tremolite::engine::See;
 use tremolite::Domain;
 use crate::bolted::{AREA, Watched, bolts};
 use crate::convergence::order;
@@ -88,15 +89,18 @@ fn shake(kind: Option<Bolts>, along: [f64; 3], steps: u64, dt: f64) -> Result<Ou
     let mut engine = simulation.engine();
     let mut state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);
     let (mut out, mut supplied) = (Outcome::default(), 0.0_f64);
+    engine.step(&mut state);
     for _ in 0..steps {
-        engine.step(&mut state);
-        let Snapshot { balance, supplied: so_far, .. } = engine.look(&state).snapshot;
+        // What the bolts remember is that of the same displacements.
+        let evaluated = engine.evaluate(state, See::Row);
+        let Some(&Snapshot { balance, supplied: so_far, .. }) = evaluated.snapshot() else { break };
         supplied = supplied.max(so_far);
         out.error = out.error.max(balance[Line::Error].abs());
         (out.friction, out.plastic) = (balance[Line::BoltFriction], balance[Line::BoltPlastic]);
         for (b, watched) in watched.iter_mut().enumerate() {
-            out.force = out.force.max(watched.look(&simulation, &state, b));
+            out.force = out.force.max(watched.look(&simulation, evaluated.state(), b));
         }
+        state = engine.advance(evaluated);
     }
     out.error /= supplied;
     let sum = |of: fn(&Watched) -> f64| watched.iter().map(of).sum();
