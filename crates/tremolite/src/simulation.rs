@@ -140,9 +140,10 @@ impl Simulation {
     /// # Errors
     /// If there is none, or it is damaged or of another model or plan.
     pub fn restore(&mut self) -> Result<(), RunError> {
-        self.state = self.at_rest();
-        self.shaking = None;
-        Ok(checkpoint::read(&self.folder.checkpoint(), &mut self.state, self.fingerprint)?)
+        let mut state = self.at_rest();
+        checkpoint::read(&self.folder.checkpoint(), &mut state, self.fingerprint)?;
+        (self.state, self.shaking) = (state, None);
+        Ok(())
     }
 
     /// The step \[s\], and the plan in steps.

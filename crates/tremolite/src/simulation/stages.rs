@@ -80,8 +80,12 @@ impl Simulation {
         let relaxed = self.relax_state(stage, &mut engine, &mut state, watch);
         let end = relaxed.and_then(|relaxed| self.end_stage(stage, relaxed, &phase, &mut engine, &mut state));
         self.state = state;
-        self.hand_over_begins()?;
-        end
+        let end = end?;
+        // A last stage that failed is nothing to begin with.
+        if matches!(end, StageEnd::AtRest(_)) {
+            self.hand_over_begins()?;
+        }
+        Ok(end)
     }
 
     /// Keeps the state that the shaking begins with, once all stages are done.
