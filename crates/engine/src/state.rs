@@ -10,8 +10,8 @@ use tremolite_laws::{Octet, Row};
 pub struct Ledger {
     /// What the run started with, by line.
     pub lines: Lines,
-    /// What was put in when a row was looked at last, and the sum of its positive increments from row to row and of what was held
-    /// at the start: what the guard measures against.
+    /// What was put in when the guard last [watched](crate::Engine::watches), and the sum of its positive increments from one such
+    /// time to the next and of what was held at the start: what the guard measures against.
     pub put_in: f64,
     pub supplied: f64,
     /// By account ([`crate::Assembly::accounts`]): what its elements held and had lost at the start.

@@ -21,4 +21,6 @@ pub enum RunError {
     StageLeft(String),
     #[error("no stage is left to bring to rest; go on with steps")]
     NoStageLeft,
+    #[error("what looks at the run failed in step {0}; go back to its checkpoint")]
+    Spoiled(u64),
 }

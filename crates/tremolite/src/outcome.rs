@@ -56,12 +56,18 @@ fn in_good_order(evidence: &Evidence) -> Said {
 fn failed(halt: &Halt, place: &Said, time: f64, created: f64) -> Vec<Said> {
     let (time, joule) = (format!("{time:.4}"), |x: &f64| format!("{x:.3e}"));
     let Halt { found, supplied, .. } = halt;
-    let why = said!(
-        "The run became unstable and was stopped at {time} s: energy of {energy} J was found where {supplied} J were supplied.",
-        time = time,
-        energy = joule(found),
-        supplied = joule(supplied),
-    );
+    let why = match found.is_finite() {
+        true => said!(
+            "The run became unstable and was stopped at {time} s: energy of {energy} J was found where {supplied} J were supplied.",
+            time = time,
+            energy = joule(found),
+            supplied = joule(supplied),
+        ),
+        false => said!(
+            "The run became unstable and was stopped at {time} s: its motion had grown beyond all numbers.",
+            time = time,
+        ),
+    };
     let remedy = if created > *supplied {
         said!(
             "Laws of materials gave out {created} J (created_by_law in energy.csv), more than was supplied, which no smaller step \

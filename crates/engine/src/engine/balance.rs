@@ -85,6 +85,16 @@ impl Engine {
         Totals { lines, bodies: on_elements.map(|(work, own)| work - own[Line::Viscosity]).collect() }
     }
 
+    /// Counts what came in since this was last done as supplied for good.
+    pub(super) fn close_books(&self, state: &mut State) {
+        let ledger = &state.ledger;
+        let booked = self.booked((0..).zip(ledger.members.iter().copied()), &ledger.blocks).lines;
+        let (given, _) = self.given(state, |line| lines_in().any(|one| one == line));
+        let now = lines_in().map(|line| ledger.lines[line] + booked[line] - line.sign() * given[line]).sum();
+        let supplied = ledger.supplied + gain(ledger.put_in, now);
+        (state.ledger.put_in, state.ledger.supplied) = (now, supplied);
+    }
+
     /// What is seen at a state, from the forces just evaluated there, what parts remember and what was probed.
     pub(super) fn snapshot(&self, state: &State, kept: Kept, probed: Probed) -> Snapshot {
         let Forces { contributions, rates, works, .. } = &self.forces;
@@ -95,7 +105,7 @@ impl Engine {
         let active = self.phase.active.iter().copied();
         let now = self.booked(active.zip(works.iter().copied()), &books);
         let (held, bodies) = self.held(state, kept, &probed.energy);
-        let (given, given_bodies) = self.given(state);
+        let (given, given_bodies) = self.given(state, |_| true);
         let mut balance = Lines::default();
         for &line in Line::ALL {
             let booked = ledger.lines[line] + before.lines[line] + now.lines[line];
@@ -133,7 +143,7 @@ impl Engine {
             energy: probed.energy,
             scheme,
             held: moving + stored.map(|&line| balance[line]).sum::<f64>(),
-            supplied: ledger.supplied + (put_in(&balance) - ledger.put_in).max(0.0),
+            supplied: ledger.supplied + gain(ledger.put_in, put_in(&balance)),
             balance,
             bodies,
         }
@@ -142,8 +152,16 @@ impl Engine {
 
 /// What came in since the start \[J\]: lines of work that have a minus in the sum of what is found.
 fn put_in(balance: &Lines) -> f64 {
-    let lines = Line::ALL.iter().filter(|line| line.booked() == Booked::Work && line.sign() < 0.0);
-    lines.map(|&line| balance[line]).sum()
+    lines_in().map(|line| balance[line]).sum()
+}
+
+fn lines_in() -> impl Iterator<Item = Line> {
+    Line::ALL.iter().copied().filter(|line| line.booked() == Booked::Work && line.sign() < 0.0)
+}
+
+/// By how much more came in \[J\], at least nothing; not a number where that is none.
+fn gain(before: f64, now: f64) -> f64 {
+    if now < before { 0.0 } else { now - before }
 }
 
 impl Ledger {
@@ -153,10 +171,5 @@ impl Ledger {
             let own = &mut self.members[m as usize];
             *own = *own + work;
         }
-    }
-
-    /// Keeps what was put in until a row.
-    pub(super) fn close_row(&mut self, seen: &Snapshot) {
-        (self.put_in, self.supplied) = (put_in(&seen.balance), seen.supplied);
     }
 }

@@ -47,8 +47,6 @@ impl Evaluated {
 pub enum See {
     Nothing,
     Look,
-    /// A look that is a row of the books as well: what was put in until then counts as supplied for good.
-    Row,
 }
 
 /// What observers are shown of an evaluated state.
@@ -76,9 +74,6 @@ impl Engine {
         let mut probed = (see != See::Nothing).then(Probed::default);
         self.evaluate_at(&mut state, probed.as_mut());
         let snapshot = probed.map(|probed| self.snapshot(&state, state.kept(), probed));
-        if let (See::Row, Some(seen)) = (see, &snapshot) {
-            state.ledger.close_row(seen);
-        }
         let (model, phase) = (self.model.clone(), self.phase.clone());
         Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot }
     }
@@ -91,12 +86,15 @@ impl Engine {
         state.ledger.book(&phase.active, works);
         state.step += 1;
         self.forces = forces;
+        if self.watches(&state) {
+            self.close_books(&mut state);
+        }
         state
     }
 
     /// What is seen at the end of a run: what its parts remember is then that of its displacements, and no step goes on from it.
     pub fn finish(&mut self, state: &mut State) -> Snapshot {
-        let mut evaluated = self.evaluate(std::mem::take(state), See::Row);
+        let mut evaluated = self.evaluate(std::mem::take(state), See::Look);
         let snapshot = evaluated.snapshot.take().unwrap_or_default();
         *state = evaluated.state;
         snapshot

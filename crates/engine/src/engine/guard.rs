@@ -20,6 +20,8 @@ pub struct Halt {
     pub time: f64,
 }
 
+/// Steps between looks of the guard. In so many, motion that is unstable by a hundredth of the step grows some tenfold.
+const EVERY: u64 = 8;
 /// Energy held beyond this multiple of all that was ever supplied stops a run. In a stable run the discrete energy bounds it: at
 /// most 2 where all energy sits at the mesh's highest frequency, near 1 for waves that the mesh carries.
 const GUARD: f64 = 3.0;
@@ -49,6 +51,26 @@ pub(super) fn kinetic(model: &Model, phase: &Phase, state: &State) -> f64 {
 }
 
 impl Engine {
+    /// Whether the guard watches a state: every few steps, whatever is looked at and when.
+    pub fn watches(&self, state: &State) -> bool {
+        state.steps().is_multiple_of(EVERY)
+    }
+
+    /// Whether a run may go on from a state that the guard [watches](Engine::watches): its motion has less than three times all
+    /// energy supplied. What is unstable at a few nodes grows within a few steps, while little was supplied; later it may be no
+    /// more than a strong earthquake brings.
+    ///
+    /// # Errors
+    /// The halt, if not.
+    pub fn watch(&self, state: &State) -> Result<(), Halt> {
+        let (found, supplied) = (kinetic(&self.model, &self.phase, state), state.ledger.supplied);
+        // Written so that what is not a number halts as well.
+        match found <= GUARD * (supplied + self.noise) {
+            true => Ok(()),
+            false => Err(Halt { found, supplied, step: state.steps(), time: state.time() }),
+        }
+    }
+
     /// Whether a run may go on from what is seen: less than three times all energy supplied is held, and no more than that is in no
     /// line of the balance. The second tells what is unstable at a few nodes: sides then give energy with which it is let go again.
     ///

@@ -78,8 +78,9 @@ impl Engine {
         }
     }
 
-    /// Work \[J\] of what is held since the hand-over by the line of the part that does so much less, and by account.
-    pub(super) fn given(&self, state: &State) -> (Lines, Vec<Lines>) {
+    /// Work \[J\] of what is held since the hand-over by the line of the part that does so much less, of those lines that are
+    /// `wanted`, and by account.
+    pub(super) fn given(&self, state: &State, wanted: impl Fn(Line) -> bool) -> (Lines, Vec<Lines>) {
         if state.carried.is_empty() {
             return self.added(std::iter::empty());
         }
@@ -92,9 +93,12 @@ impl Engine {
             };
             let mut own = Lines::default();
             if member.part.elements().0 > 0 {
+                if !wanted(Line::Strain) {
+                    return (m, own, Lines::default());
+                }
                 own[Line::Hourglass] = work(&state.carried_hourglass);
                 own[Line::Strain] = work(&state.carried) - own[Line::Hourglass];
-            } else if let Some(line) = member.line {
+            } else if let Some(line) = member.line.filter(|&line| wanted(line)) {
                 own[line] = work(&state.carried);
             }
             (m, own, Lines::default())

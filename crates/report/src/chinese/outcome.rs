@@ -17,6 +17,10 @@ pub const TEXTS: Texts = &[
         "The run became unstable and was stopped at {time} s: energy of {energy} J was found where {supplied} J were supplied.",
         "计算失稳，在 {time} s 停止：发现能量 {energy} J，而输入的能量为 {supplied} J。",
     ),
+    (
+        "The run became unstable and was stopped at {time} s: its motion had grown beyond all numbers.",
+        "计算失稳，在 {time} s 停止：运动已超出一切数值范围。",
+    ),
     ("Most of it is in {place}.", "其大部分位于{place}。"),
     ("Use a smaller time_step or safety.", "请减小 time_step 或 safety。"),
     (

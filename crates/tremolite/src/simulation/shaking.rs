@@ -6,7 +6,7 @@ use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
 use crate::motion_table;
-use crate::observers::{Depth, OBSERVERS, Observer, SectionForces, Setting, Stepped, View, rows};
+use crate::observers::{Depth, OBSERVERS, Observer, SectionForces, Setting, Stepped, View};
 use crate::places;
 use crate::spectra;
 use crate::transfer_table;
@@ -18,7 +18,7 @@ use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
 use tremolite_engine::{Engine, Halt, Snapshot};
 use tremolite_kernels::Lines;
-use tremolite_results::Said;
+use tremolite_results::{Said, said};
 
 /// Steps of the quiet run.
 const QUIET: u64 = 100;
@@ -45,11 +45,17 @@ pub(super) struct Shaking {
     /// The balance when it was last looked at.
     balance: Lines,
     bodies: Vec<BodyBooks>,
-    /// How it ended, with what was seen there.
-    ended: Option<(Stepping, Snapshot)>,
+    ended: Option<End>,
     /// Wall time of the steps, and what of it went into looks.
     spent: Duration,
     looking: Duration,
+}
+
+/// The end of a shaking.
+struct End {
+    /// None where an observer failed: its tables are then short of the state, which cannot go on.
+    how: Option<Stepping>,
+    seen: Snapshot,
 }
 
 impl Simulation {
@@ -57,7 +63,7 @@ impl Simulation {
     /// last step with the call after it.
     ///
     /// # Errors
-    /// If a stage is left, or a file cannot be written.
+    /// If a stage is left, or a file cannot be written; nothing goes on then but from a checkpoint.
     pub fn step(&mut self, steps: u64) -> Result<Stepping, RunError> {
         if let Some(stage) = self.stage() {
             return Err(RunError::StageLeft(self.plan.stages[stage].name.clone()));
@@ -134,64 +140,77 @@ impl Simulation {
 
     /// Looks where something is due, and goes on by a step.
     fn one_step(&mut self, shaking: &mut Shaking) -> Result<Stepping, RunError> {
-        if let Some((ended, _)) = &shaking.ended {
-            return Ok(ended.clone());
+        if let Some(End { how, .. }) = &shaking.ended {
+            return how.clone().ok_or(RunError::Spoiled(self.state.steps()));
         }
         let step = self.state.steps();
         let see = match shaking.observers.iter().any(|observer| observer.schedule().due(step)) {
-            _ if rows(self.steps).due(step) => See::Row,
             true => See::Look,
             false => See::Nothing,
         };
         let begin = Instant::now();
         let mut evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), see);
+        // A row of what is no motion would spoil tables that are good until there.
+        let halt = evaluated.snapshot().and_then(|seen| shaking.engine.guard(seen).err());
+        if let Some(halt) = halt {
+            return Ok(self.fail(shaking, evaluated, halt));
+        }
         if let Some(seen) = evaluated.seen() {
             let told = self.tell(shaking, seen, step);
             shaking.looking += begin.elapsed();
-            match told {
-                Ok(Stepping::On) => {}
-                Ok(failed) => return Ok(self.end(shaking, evaluated, failed)),
-                Err(error) => {
-                    self.end(shaking, evaluated, Stepping::Done);
-                    return Err(error);
-                }
+            if let Err(error) = told {
+                self.end(shaking, evaluated, None);
+                return Err(error);
             }
         }
         if step >= self.steps.total {
-            return Ok(self.end(shaking, evaluated, Stepping::Done));
+            self.end(shaking, evaluated, Some(Stepping::Done));
+            return Ok(Stepping::Done);
         }
         self.state = shaking.engine.advance(evaluated);
         let State { u, du, datum, dt, observers: memory, .. } = &mut self.state;
         let stepped = Stepped { model: &self.model, plan: &self.plan, u, datum, du, dt: *dt };
         shaking.observers.iter_mut().for_each(|observer| observer.stepped(&stepped, memory));
+        if shaking.engine.watches(&self.state)
+            && let Err(halt) = shaking.engine.watch(&self.state)
+        {
+            let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
+            return Ok(self.fail(shaking, evaluated, halt));
+        }
         Ok(Stepping::On)
     }
 
-    /// Shows observers what is due, and asks the guard.
-    fn tell(&self, shaking: &mut Shaking, seen: Seen, step: u64) -> Result<Stepping, RunError> {
+    /// Shows observers what is due.
+    fn tell(&self, shaking: &mut Shaking, seen: Seen, step: u64) -> Result<(), RunError> {
         let Simulation { model, assembly, phase, plan, .. } = self;
         let Seen { snapshot, history, numbers, memory } = seen;
         shaking.balance = snapshot.balance;
         shaking.bodies.clone_from(&snapshot.bodies);
         let history = History { assembly, octets: history };
         let view = View { model, assembly, phase, plan, snapshot, history, numbers };
-        // A row of what is not a number would spoil tables that are good until there.
-        let observers = shaking.observers.iter_mut().filter(|_| snapshot.held.is_finite());
-        for observer in observers.filter(|observer| observer.schedule().due(step)) {
+        for observer in shaking.observers.iter_mut().filter(|observer| observer.schedule().due(step)) {
             observer.see(&view, memory)?;
         }
-        Ok(match shaking.engine.guard(snapshot) {
-            Ok(()) => Stepping::On,
-            Err(halt) => Stepping::Failed { halt, place: hottest_element(model, phase, snapshot) },
-        })
+        Ok(())
     }
 
-    /// Ends with a state whose parts have seen it.
-    fn end(&mut self, shaking: &mut Shaking, evaluated: Evaluated, how: Stepping) -> Stepping {
+    /// Ends where the guard found energy.
+    fn fail(&mut self, shaking: &mut Shaking, evaluated: Evaluated, halt: Halt) -> Stepping {
+        let place = match evaluated.snapshot() {
+            Some(seen) => hottest_element(&self.model, &self.phase, seen),
+            None => said!("no element"),
+        };
+        let failed = Stepping::Failed { halt, place };
+        self.end(shaking, evaluated, Some(failed.clone()));
+        failed
+    }
+
+    /// Ends with a state whose parts have seen it; `how` is none where an observer could not look at it.
+    fn end(&mut self, shaking: &mut Shaking, evaluated: Evaluated, how: Option<Stepping>) {
         let seen = evaluated.snapshot().cloned().unwrap_or_default();
+        (shaking.balance, shaking.bodies) = (seen.balance, seen.bodies.clone());
         self.state = evaluated.end();
-        shaking.ended = Some((how.clone(), seen));
-        how
+        shaking.ended = Some(End { how, seen });
     }
 
     /// Element updates a second of the steps made in this process, without looks; 0 before the first.
@@ -208,32 +227,30 @@ impl Simulation {
     /// # Errors
     /// If there is no phase of that stage.
     pub fn look(&mut self) -> Result<(Arc<Phase>, Look), RunError> {
-        let ended = |(_, snapshot): &(Stepping, Snapshot)| Look {
-            snapshot: snapshot.clone(),
-            history: self.state.history.clone(),
-            numbers: self.state.numbers.clone(),
+        let Simulation { model, assembly, phase, state, shaking, .. } = self;
+        let look = match shaking {
+            Some(Shaking { ended: Some(End { seen, .. }), .. }) => {
+                Look { snapshot: seen.clone(), history: state.history.clone(), numbers: state.numbers.clone() }
+            }
+            Some(shaking) => shaking.engine.look(state),
+            // Gone back to, and not gone on with yet.
+            None if state.steps() > 0 => Engine::new(model, assembly, phase).look(state),
+            None => return self.look_at_stage(),
         };
-        match &mut self.shaking {
-            Some(shaking) => Ok((
-                self.phase.clone(),
-                match &shaking.ended {
-                    Some(end) => ended(end),
-                    None => shaking.engine.look(&self.state),
-                },
-            )),
-            None => self.look_at_stage(),
-        }
+        Ok((phase.clone(), look))
     }
 
     /// Writes a checkpoint of where the simulation stands, if its guard lets it pass; else the halt, and the element where most
     /// energy is. One that has ended keeps the checkpoint that it has.
     ///
     /// # Errors
-    /// If the file cannot be written; an older one is then untouched.
+    /// If the file cannot be written, or an observer failed before; an older one is then untouched.
     pub fn checkpoint(&mut self) -> Result<Option<(Halt, Said)>, RunError> {
         if let Some(shaking) = &mut self.shaking {
-            if shaking.ended.is_some() {
-                return Ok(None);
+            match &shaking.ended {
+                Some(End { how: Some(_), .. }) => return Ok(None),
+                Some(End { how: None, .. }) => return Err(RunError::Spoiled(self.state.steps())),
+                None => {}
             }
             let seen = shaking.engine.look(&self.state).snapshot;
             if let Err(halt) = shaking.engine.guard(&seen) {
@@ -249,6 +266,9 @@ impl Simulation {
     /// # Errors
     /// If a file cannot be written.
     pub fn finish(mut self, ending: Ending, stage_seconds: f64) -> Result<Outcome, RunError> {
+        if self.shaking.is_none() && self.state.steps() > 0 {
+            self.shaking = Some(self.begin()?);
+        }
         if self.shaking.as_ref().is_some_and(|shaking| shaking.ended.is_none()) {
             let snapshot = self.look()?.1.snapshot;
             if let Some(shaking) = &mut self.shaking {

@@ -92,7 +92,7 @@ fn shake(kind: Option<Bolts>, along: [f64; 3], steps: u64, dt: f64) -> Result<Ou
     engine.step(&mut state);
     for _ in 0..steps {
         // What the bolts remember is that of the same displacements.
-        let evaluated = engine.evaluate(state, See::Row);
+        let evaluated = engine.evaluate(state, See::Look);
         let Some(&Snapshot { balance, supplied: so_far, .. }) = evaluated.snapshot() else { break };
         supplied = supplied.max(so_far);
         out.error = out.error.max(balance[Line::Error].abs());
