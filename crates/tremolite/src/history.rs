@@ -41,18 +41,30 @@ impl<'a> History<'a> {
         })
     }
 
+    /// Where all columns of an element lie: an octet, and its place there.
+    pub(crate) fn places(&self, slot: &ElementSlot) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let (first, lane) = self.first(slot);
+        let count = self.columns(slot).len() * slot.points as usize;
+        (first..first + count).map(move |octet| (octet, lane))
+    }
+
+    /// The octet of an element's first column at its first point, and its place in that: the layout that Part::columns describes.
+    fn first(&self, slot: &ElementSlot) -> (usize, usize) {
+        let slices = &self.assembly.slices[slot.member as usize];
+        let element = slot.element as usize - slices.elements.start;
+        let octets = slot.points as usize * self.columns(slot).len();
+        (slices.history.start + element / 8 * octets, element % 8)
+    }
+
     /// One column at all points of an element, in the order of points.
     pub fn values(
         &self,
         slot: &ElementSlot,
         column: usize,
     ) -> impl ExactSizeIterator<Item = f64> + 'a + use<'a> {
-        let slices = &self.assembly.slices[slot.member as usize];
         let (points, count) = (slot.points as usize, self.columns(slot).len());
-        let element = slot.element as usize - slices.elements.start;
-        // The layout that Part::columns describes.
-        let first = slices.history.start + element / 8 * points * count + column;
+        let (first, lane) = self.first(slot);
         let octets = self.octets;
-        (0..points).map(move |p| octets[first + p * count].0[element % 8])
+        (0..points).map(move |p| octets[first + column + p * count].0[lane])
     }
 }

@@ -16,6 +16,7 @@ pub mod history;
 pub mod interfaces;
 pub mod layered_column;
 mod motion_table;
+mod moved;
 pub mod near_sides;
 pub mod observers;
 mod outcome;

@@ -3,16 +3,10 @@
 //! It owns the state and shares the model, and nothing outside ever sees a state within a step. Whoever drives it decides when to
 //! go on; results do not depend on how. Files are written by its observers as it goes, so that what is done stays done.
 
-mod beside;
-mod kept;
-mod moved;
 mod outcome;
 mod shaking;
 mod stages;
 
-pub(crate) use beside::Beside;
-pub(crate) use kept::{Beginning, uneven};
-pub(crate) use moved::{damped, first_step, let_go};
 pub use outcome::{Ending, Outcome};
 pub use shaking::Stepping;
 pub use stages::{Cycle, Go, StageEnd};
@@ -20,7 +14,7 @@ pub use stages::{Cycle, Go, StageEnd};
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;
-use crate::observers::OwnObservers;
+use crate::observers::{Audience, Event, OwnObservers, Setting, observers};
 use crate::plan::{Plan, Steps};
 use shaking::Shaking;
 use std::sync::Arc;
@@ -29,7 +23,7 @@ pub use tremolite_engine::engine::Look;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
-use tremolite_engine::{StableStep, stable_step};
+use tremolite_engine::{Engine, StableStep, Stage, stable_step};
 use tremolite_results::ResultFolder;
 
 /// The step a model runs with and the plan in steps.
@@ -73,8 +67,9 @@ pub struct Simulation {
     /// Of the shaking.
     phase: Arc<Phase>,
     folder: ResultFolder,
-    /// Observers of the program's own.
-    own: OwnObservers,
+    /// Makers of all observers, and whether what these and parts do not name is not a number to them.
+    observers: OwnObservers,
+    poisoned: bool,
     stable: StableStep,
     dt: f64,
     steps: Steps,
@@ -85,7 +80,8 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// A simulation of a plan on a model, which writes its files into a folder. `phase` is that of the shaking.
+    /// A simulation of a plan on a model, which writes its files into a folder. `phase` is that of the shaking; `own` are observers
+    /// of a program's own, which are told behind those of the program.
     ///
     /// # Errors
     /// If there is no checkpoint to start from, or it is of another model or plan.
@@ -107,7 +103,8 @@ impl Simulation {
             plan: Arc::new(plan.clone()),
             phase: phase.clone(),
             folder: folder.clone(),
-            own,
+            observers: observers().into_iter().chain(own).collect(),
+            poisoned: false,
             stable,
             dt,
             steps,
@@ -122,11 +119,57 @@ impl Simulation {
                 simulation.state = simulation.at_rest();
                 checkpoint::read_hand_over(&other.checkpoint(), &mut simulation.state, fingerprint)?;
                 simulation.state.dt = dt;
-                simulation.write_stages()?;
+                simulation.take_stages()?;
                 simulation.hand_over_begins()?;
             }
         }
         Ok(simulation)
+    }
+
+    /// From now on what a part does not name and an observer does not want is not a number to it: a mode for tests, slower, with the
+    /// same files where all name what they see.
+    #[must_use]
+    pub fn poisoned(mut self) -> Self {
+        self.poisoned = true;
+        self
+    }
+
+    /// Takes other observers than the program's and its own.
+    #[must_use]
+    pub fn observed_by(mut self, observers: OwnObservers) -> Self {
+        self.observers = observers;
+        self
+    }
+
+    fn engine(&self, phase: &Arc<Phase>) -> Engine {
+        let engine = Engine::new(&self.model, &self.assembly, phase);
+        if self.poisoned { engine.poisoned() } else { engine }
+    }
+
+    /// The observers of a phase, which goes on from a state.
+    fn audience(&self, phase: &Arc<Phase>, state: &State) -> Result<Audience, RunError> {
+        let Simulation { folder, model, assembly, plan, .. } = self;
+        let setting = Setting {
+            folder,
+            model,
+            assembly,
+            phase,
+            plan,
+            steps: self.steps,
+            memory: &state.observers,
+            step: state.steps(),
+            time: state.time(),
+            dt: self.dt,
+        };
+        Audience::of(&self.observers, &setting, self.poisoned)
+    }
+
+    /// Tells observers that another run's stages were taken over.
+    fn take_stages(&mut self) -> Result<(), RunError> {
+        let Some(last) = self.plan.stages.len().checked_sub(1) else { return Ok(()) };
+        let phase = Phase::of(&self.model, &self.assembly, Stage::Before(last as u16))?;
+        let mut audience = self.audience(&phase, &self.state)?;
+        audience.tell(&Event::StagesTaken, &mut self.state.observers)
     }
 
     fn at_rest(&self) -> State {

@@ -9,9 +9,7 @@
 //! so the motion of a run that was stopped counts as far as the run came.
 
 use crate::error::RunError;
-use crate::observers::chosen;
 use crate::plan::Plan;
-use tremolite_engine::Model;
 use tremolite_motion::{default_periods, pseudo_acceleration};
 use tremolite_results::{Column, ResultFolder, Subject, Table, TableWriter};
 
@@ -112,12 +110,11 @@ fn between_rows(table: &Table, name: &str) -> Option<History> {
     Some(History { dt, acceleration, shortest: ROWS_A_PERIOD * dt })
 }
 
-/// Writes the file from what the run has written so far.
+/// Writes the file from what the run has written so far; `column` is the one that stands for the free field.
 ///
 /// # Errors
 /// If a file cannot be read or this one not be written.
-pub fn write(folder: &ResultFolder, model: &Model, plan: &Plan) -> Result<(), RunError> {
-    let column = chosen(model, plan).map(|(column, _)| model.columns[column].name.as_str());
+pub(crate) fn write(folder: &ResultFolder, plan: &Plan, column: Option<&str>) -> Result<(), RunError> {
     let [motion, monitors, free_field] =
         [folder.motion(), folder.monitors(), folder.free_field()].map(|path| Table::read(&path));
     let (motion, monitors, free_field) = (motion?, monitors?, free_field?);

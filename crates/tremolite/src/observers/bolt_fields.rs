@@ -1,6 +1,7 @@
 //! bolts/*.vtu with bolts.pvd: the segments of all bolts as lines.
 
-use super::{Observer, Schedule, Setting, View};
+use super::bolts::bolts;
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::quantities::over_yield;
 use crate::support::{Look, look};
@@ -14,6 +15,8 @@ use tremolite_results::Pvd;
 /// Writes the bolts when field files are written.
 pub struct BoltFields {
     schedule: Schedule,
+    nodes: Which,
+    bolts: Which,
     folder: PathBuf,
     list: Pvd,
     grid: BoltGrid,
@@ -37,15 +40,33 @@ impl BoltFields {
         let files = folder.bolt_fields();
         std::fs::create_dir_all(&files).map_err(|source| RunError::Io { path: files.clone(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
-        Ok(Some(BoltFields { schedule, folder: files, list, grid }))
+        let points = model.bolts.iter().flat_map(|set| &set.bolts).flat_map(|bolt| &bolt.points);
+        let nodes = points.flat_map(|point| &point.weights);
+        Ok(Some(BoltFields {
+            schedule,
+            nodes: Which::some(nodes.map(|(node, _)| model.engine_node[*node as usize] as usize)),
+            bolts: bolts(setting.assembly),
+            folder: files,
+            list,
+            grid,
+        }))
     }
 }
 
 impl Observer for BoltFields {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { nodes: self.nodes.clone(), members: self.bolts.clone(), ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl BoltFields {
     fn see(&mut self, view: &View, _: &mut Memory) -> Result<(), RunError> {
         let View { snapshot, .. } = *view;
         let name = format!("{:06}.vtu", snapshot.step.div_ceil(self.schedule.every));

@@ -1,10 +1,13 @@
 //! bolts.csv: what bolts carry at the end of each stage, and as the ground shakes.
 
-use super::{Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Schedule, Setting, StageSeen, View, Wants, Which};
 use crate::error::RunError;
 use crate::plan::Plan;
 use crate::support::{BoltSeen, look, seen, word};
+use std::sync::Arc;
+use tremolite_engine::assembly::Assembly;
 use tremolite_engine::bolts::{BoltSet, SegmentState};
+use tremolite_engine::member::Kind;
 use tremolite_engine::state::Memory;
 use tremolite_engine::{Model, Stage};
 use tremolite_results::{BoltPeak, BoltRow, BoltWriter, EARTHQUAKE, ResultFolder};
@@ -27,6 +30,7 @@ pub const MOST: usize = 4000;
 /// Looks at all bolts with the rows of histories, and writes them with field files.
 pub struct BoltForces {
     schedule: Schedule,
+    bolts: Which,
     written: Schedule,
     table: BoltWriter,
 }
@@ -46,36 +50,7 @@ impl BoltForces {
             None => BoltWriter::create(&folder.bolts(), &rows_of_stages(&model.bolts, plan, memory))?,
         };
         let written = Schedule { every: steps.snapshots.unwrap_or(steps.total), last: Some(steps.total) };
-        Ok(Some(BoltForces { schedule: setting.rows(), written, table }))
-    }
-
-    /// What all bolts do in a stage.
-    pub fn at(view: &View) -> Vec<Vec<BoltSeen>> {
-        seen(&view.model.bolts, view.phase.stage, &look(view.assembly, view.numbers))
-    }
-
-    /// Keeps what they do at its end.
-    pub fn remember(memory: &mut Memory, stage: usize, seen: &[Vec<BoltSeen>]) {
-        if seen.is_empty() {
-            return;
-        }
-        let rows = memory.entry(STAGES.into()).or_default();
-        for row in rows_of(seen) {
-            rows.push(stage as f64);
-            rows.extend(row);
-        }
-        follow(seen, stage as f64, f64::NAN, memory);
-    }
-
-    /// Writes the rows of the stages whole from what is remembered; nothing without bolts.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub fn write(model: &Model, folder: &ResultFolder, plan: &Plan, memory: &Memory) -> Result<(), RunError> {
-        if !model.bolts.is_empty() {
-            BoltWriter::create(&folder.bolts(), &rows_of_stages(&model.bolts, plan, memory))?;
-        }
-        Ok(())
+        Ok(Some(BoltForces { schedule: setting.rows(), bolts: bolts(setting.assembly), written, table }))
     }
 
     /// Of each group the largest force so far, and the largest share of yield.
@@ -98,6 +73,67 @@ impl BoltForces {
         let all = if kept.len() == PEAK * sets.len() { kept.to_vec() } else { nothing() };
         sets.iter().zip(all.chunks_exact(PEAK)).map(of).collect()
     }
+}
+
+/// Keeps what bolts do at the end of each stage, and writes it.
+pub struct BoltsOfStages {
+    bolts: Which,
+    folder: ResultFolder,
+    model: Arc<Model>,
+    plan: Arc<Plan>,
+}
+
+impl BoltsOfStages {
+    /// Nothing without bolts.
+    pub fn new(setting: &Setting) -> Option<Self> {
+        let Setting { folder, model, assembly, plan, .. } = *setting;
+        let found = || BoltsOfStages {
+            bolts: bolts(assembly),
+            folder: folder.clone(),
+            model: model.clone(),
+            plan: plan.clone(),
+        };
+        (!model.bolts.is_empty()).then(found)
+    }
+
+    fn remember(memory: &mut Memory, stage: usize, seen: &[Vec<BoltSeen>]) {
+        let rows = memory.entry(STAGES.into()).or_default();
+        for row in rows_of(seen) {
+            rows.push(stage as f64);
+            rows.extend(row);
+        }
+        follow(seen, stage as f64, f64::NAN, memory);
+    }
+}
+
+impl Observer for BoltsOfStages {
+    fn wants(&self) -> Wants {
+        Wants { members: self.bolts.clone(), ..Wants::default() }
+    }
+
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::StageEnds(StageSeen { stage, at_rest, view, .. }) => {
+                if *at_rest {
+                    BoltsOfStages::remember(memory, *stage, &at(view));
+                }
+            }
+            Event::StagesTaken => {}
+            _ => return Ok(()),
+        }
+        BoltWriter::create(&self.folder.bolts(), &rows_of_stages(&self.model.bolts, &self.plan, memory))?;
+        Ok(())
+    }
+}
+
+/// The members that bolts are in.
+pub(super) fn bolts(assembly: &Assembly) -> Which {
+    Which::members(assembly, |kind| matches!(kind, Kind::Bolts(_)))
+}
+
+/// What all bolts do.
+fn at(view: &View) -> Vec<Vec<BoltSeen>> {
+    seen(&view.model.bolts, view.phase.stage, &look(view.assembly, view.numbers))
 }
 
 /// −1 stands for the shaking.
@@ -190,13 +226,22 @@ fn told(sets: &[BoltSet], row: &[f64], stage: &str, time: f64) -> Option<BoltRow
 }
 
 impl Observer for BoltForces {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { members: self.bolts.clone(), ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl BoltForces {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, snapshot, .. } = *view;
-        let seen = BoltForces::at(view);
+        let seen = at(view);
         follow(&seen, -1.0, snapshot.time, memory);
         if self.written.due(snapshot.step) {
             let row = |row: [f64; EACH]| told(&model.bolts, &row, EARTHQUAKE, snapshot.time);

@@ -1,6 +1,6 @@
 //! How far cracks have opened.
 
-use super::{Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
@@ -32,10 +32,19 @@ impl Cracks {
 }
 
 impl Observer for Cracks {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { elements: Which::All, ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Cracks {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { phase, history, snapshot, .. } = *view;
         let elements = snapshot.energy.len();

@@ -7,13 +7,14 @@
 //! free_field.csv has it at top and base: none where an interface parts the column or its rock has yielded.
 
 use super::free_field::{FreeFieldSeen, REFINEMENT, chosen, layered, levels};
-use super::{Observer, Schedule, Setting, Stepped, View};
+use super::observer::{Event, Observer, Schedule, Setting, Stepped, View, Wants, Which};
 use crate::error::RunError;
 use crate::layered_column::LayeredColumn;
 use crate::plan::Plan;
 use levels::Level;
+use std::sync::Arc;
 use tremolite_engine::model::Model;
-use tremolite_engine::state::{Memory, State};
+use tremolite_engine::state::Memory;
 use tremolite_results::{Column, ResultFolder, TableWriter};
 
 /// Key of what this observer remembers: the time of the last row \[s\], then [`EACH`] numbers by level, upwards: of the column,
@@ -48,8 +49,16 @@ const MOTION: usize = 9;
 type Peaks = [f64; PEAKS];
 
 /// Follows a column and the model's edge beside it.
-pub struct Depth {
+pub struct DepthPeaks {
     schedule: Schedule,
+    folder: ResultFolder,
+    model: Arc<Model>,
+    plan: Arc<Plan>,
+    depth: Depth,
+}
+
+/// What is followed.
+pub struct Depth {
     /// Which of the model's columns.
     column: usize,
     /// Upwards.
@@ -59,18 +68,13 @@ pub struct Depth {
 }
 
 impl Depth {
-    /// Nothing where no wave comes in or no column stands.
-    pub fn observer(setting: &Setting) -> Option<Self> {
-        Some(Depth { schedule: setting.rows(), ..Depth::of(setting.model, setting.plan)? })
-    }
-
-    /// Finds what is to be followed.
+    /// Finds it: nothing where no wave comes in or no column stands.
     pub fn of(model: &Model, plan: &Plan) -> Option<Self> {
         model.incident.as_ref()?;
         let (column, corner) = chosen(model, plan)?;
         let levels = levels::levels(model, &model.columns[column]);
         let edge = levels::beside(model, corner, &levels);
-        Some(Depth { schedule: Schedule { every: 1, last: None }, column, levels, edge })
+        Some(Depth { column, levels, edge })
     }
 
     /// What is followed: the levels of the column, then those of the edge.
@@ -96,17 +100,18 @@ impl Depth {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn write(
+    fn write(
         &self,
         folder: &ResultFolder,
         model: &Model,
         plan: &Plan,
-        state: &State,
+        time: f64,
+        memory: &Memory,
     ) -> Result<(), RunError> {
-        let kept = state.observers.get(MEMORY).map_or(&[][..], |kept| &kept[1..]);
+        let kept = memory.get(MEMORY).map_or(&[][..], |kept| &kept[1..]);
         let peaks =
             |line: usize| kept.chunks_exact(EACH).skip(line * self.levels.len()).map(|kept| &kept[3..]);
-        let theory = self.theory(model, plan, state);
+        let theory = self.theory(model, plan, time, memory);
         let mut columns = vec![Column::new("z", "m"), Column::new("depth", "m")];
         for (name, unit) in QUANTITIES {
             columns.push(Column::new(format!("free_field.{name}"), unit));
@@ -139,8 +144,8 @@ impl Depth {
     }
 
     /// Peaks by theory of the time so far, level by level upwards.
-    fn theory(&self, model: &Model, plan: &Plan, state: &State) -> Option<Vec<Peaks>> {
-        let seen = FreeFieldSeen::of(model, &state.observers)?;
+    fn theory(&self, model: &Model, plan: &Plan, time: f64, memory: &Memory) -> Option<Vec<Peaks>> {
+        let seen = FreeFieldSeen::of(model, memory)?;
         if seen.columns.get(self.column)?.damaged {
             return None;
         }
@@ -151,7 +156,7 @@ impl Depth {
         let mut peaks = vec![[0.0; PEAKS]; heights.len()];
         for (axis, column) in columns.iter().enumerate() {
             let wave = |t| incident.factor * incident.motion.at(t).v[axis];
-            let found = Predicted::of(column, &heights, wave, dt, state.time());
+            let found = Predicted::of(column, &heights, wave, dt, time);
             found.fill(&mut peaks, axis, &heights, plan.histories);
         }
         Some(peaks)
@@ -209,17 +214,42 @@ impl Predicted {
     }
 }
 
-impl Observer for Depth {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+impl DepthPeaks {
+    /// Nothing where nothing is to be followed.
+    pub fn new(setting: &Setting) -> Option<Self> {
+        let Setting { model, plan, folder, .. } = *setting;
+        let (model, plan, folder) = (model.clone(), plan.clone(), folder.clone());
+        let depth = Depth::of(&model, &plan)?;
+        Some(DepthPeaks { schedule: setting.rows(), folder, model, plan, depth })
+    }
+}
+
+impl Observer for DepthPeaks {
+    fn wants(&self) -> Wants {
+        let nodes = Which::some(self.depth.nodes());
+        Wants { steps: nodes.clone(), nodes, ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            Event::Step(step) => {
+                self.stepped(step, memory);
+                Ok(())
+            }
+            Event::End { time } => self.depth.write(&self.folder, &self.model, &self.plan, *time, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl DepthPeaks {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let (time, last) = (view.snapshot.time, self.kept(memory)[0]);
+        let (time, last) = (view.snapshot.time, self.depth.kept(memory)[0]);
         // A last row that comes early says less of an acceleration than the others.
         let whole = view.snapshot.step.is_multiple_of(self.schedule.every);
-        let nodes: Vec<usize> = self.nodes().collect();
-        for (node, kept) in nodes.into_iter().zip(self.kept(memory)[1..].chunks_exact_mut(EACH)) {
+        let nodes: Vec<usize> = self.depth.nodes().collect();
+        for (node, kept) in nodes.into_iter().zip(self.depth.kept(memory)[1..].chunks_exact_mut(EACH)) {
             let v = view.snapshot.velocity[node].xyz();
             for i in 0..3 {
                 // Before the first row there is none.
@@ -233,7 +263,7 @@ impl Observer for Depth {
                 kept[i] = v[i];
             }
         }
-        self.kept(memory)[0] = time;
+        self.depth.kept(memory)[0] = time;
         Ok(())
     }
 
@@ -242,16 +272,16 @@ impl Observer for Depth {
             let u = step.u[node].xyz();
             if step.datum.is_empty() { u } else { less(u, step.datum[node].xyz()) }
         };
-        let count = self.levels.len();
-        let nodes: Vec<usize> = self.nodes().collect();
-        for (k, kept) in self.kept(memory)[1..].chunks_exact_mut(EACH).enumerate() {
+        let count = self.depth.levels.len();
+        let nodes: Vec<usize> = self.depth.nodes().collect();
+        for (k, kept) in self.depth.kept(memory)[1..].chunks_exact_mut(EACH).enumerate() {
             let (node, level) = (nodes[k], k % count);
             let u = moved(node);
             let v = step.du[node].xyz().map(|d| d / step.dt);
             let strain = match level {
                 0 => [0.0; 3],
                 _ => {
-                    let height = self.levels[level].z - self.levels[level - 1].z;
+                    let height = self.depth.levels[level].z - self.depth.levels[level - 1].z;
                     less(u, moved(nodes[k - 1])).map(|d| d / height)
                 }
             };

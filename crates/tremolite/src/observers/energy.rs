@@ -1,6 +1,6 @@
 //! energy.csv: the balance over time.
 
-use super::{Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants};
 use crate::error::RunError;
 use tremolite_engine::Body;
 use tremolite_engine::state::Memory;
@@ -37,10 +37,19 @@ impl Energy {
 }
 
 impl Observer for Energy {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants::looks(self.schedule)
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Energy {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let balance = &view.snapshot.balance;
         let mut row = vec![view.snapshot.time];

@@ -1,6 +1,6 @@
 //! Extremes over time, by node and element.
 
-use super::{Observer, Schedule, View};
+use super::observer::{Event, Observer, Schedule, View, Wants, Which};
 use crate::error::RunError;
 use crate::point_stress::fibre_extremes;
 use crate::quantities::length;
@@ -28,10 +28,19 @@ fn column<'m>(memory: &'m mut Memory, name: &str, length: usize, start: f64) -> 
 }
 
 impl Observer for Envelopes {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { nodes: Which::All, elements: Which::All, ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Envelopes {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let lengths: Vec<f64> = view.snapshot.displacement.iter().map(length).collect();
         let most = column(memory, Self::DISPLACEMENT, lengths.len(), 0.0);

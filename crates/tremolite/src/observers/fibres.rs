@@ -1,6 +1,6 @@
 //! How far the fibres of linings are beyond what their material bears while their elements are intact.
 
-use super::{Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::point_stress::stress_at;
 use crate::stacks::stacks;
@@ -29,6 +29,7 @@ struct Cell {
 /// where Maxwell bodies stand beside one, it is that of the first row, when these carry nothing, and what the strain since then adds.
 pub struct Fibres {
     schedule: Schedule,
+    nodes: Which,
     cells: Vec<Cell>,
     bodies: usize,
 }
@@ -42,7 +43,8 @@ impl Fibres {
     pub fn new(setting: &Setting) -> Option<Self> {
         let cells = cells(setting.model, setting.phase);
         let bodies = setting.model.user_bodies().len();
-        (!cells.is_empty()).then(|| Fibres { schedule: setting.rows(), cells, bodies })
+        let nodes = Which::corners(setting.model, cells.iter().map(|cell| cell.element));
+        (!cells.is_empty()).then(|| Fibres { schedule: setting.rows(), nodes, cells, bodies })
     }
 
     fn first(&self, view: &View) -> Vec<f64> {
@@ -80,10 +82,23 @@ fn cells(model: &Model, phase: &Phase) -> Vec<Cell> {
 }
 
 impl Observer for Fibres {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants {
+            nodes: self.nodes.clone(),
+            elements: Which::some(self.cells.iter().map(|cell| cell.element as usize)),
+            ..Wants::looks(self.schedule)
+        }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Fibres {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, phase, snapshot, history, .. } = *view;
         let mut kept = memory.remove(Self::MEMORY).unwrap_or_else(|| vec![0.0; 3 * self.bodies]);

@@ -1,6 +1,7 @@
 //! fields/*.vtu and fields.pvd: the whole model at some times.
 
-use super::{Cracks, Envelopes, Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants};
+use super::{Cracks, Envelopes};
 use crate::error::RunError;
 use crate::point_stress::{extremes, mean};
 use crate::quantities::{Field, field_name, of_element};
@@ -173,10 +174,19 @@ fn groups(model: &Model, active: &[u32]) -> Vec<Array> {
 }
 
 impl Observer for Fields {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants::fields(self.schedule)
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Fields {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let name = format!("{:06}.vtu", view.snapshot.step.div_ceil(self.schedule.every));
         self.grid.write(&self.folder.join(&name), view.snapshot.time, view, memory, &[])?;

@@ -15,7 +15,7 @@ mod seen;
 
 pub use seen::{ColumnSeen, FreeFieldSeen, Theory};
 
-use super::{Observer, Schedule, Setting, Stepped, View};
+use super::observer::{Event, Observer, Setting, Stepped, View, Wants, Which};
 use crate::error::RunError;
 use crate::layered_column::{Layer, LayeredColumn};
 use crate::plan::{Monitor, Plan};
@@ -32,7 +32,7 @@ use tremolite_results::{Column, Subject, TableWriter};
 
 /// Compares and writes velocities at the rows of the histories.
 pub struct FreeField {
-    schedule: Schedule,
+    wants: Wants,
     table: TableWriter,
     /// Behind the time.
     cells: Vec<Cell>,
@@ -104,16 +104,17 @@ impl FreeField {
             None => TableWriter::create(&path, &header)?,
         };
         let edges = edges(model, &columns);
-        Ok(Some(FreeField {
-            schedule: setting.rows(),
-            table,
-            cells,
-            columns,
-            theory,
-            predictions,
-            edges,
-            beside,
-        }))
+        let ends = || columns.iter().flat_map(|column: &Watched| column.ends);
+        let corners = columns.iter().flat_map(|column| column.corners.iter().flatten().copied());
+        let heights = beside.iter().flat_map(|(_, height)| height.nodes());
+        let bodies = |patch: usize| columns.iter().any(|c| c.bodies.contains(&model.patches[patch].body));
+        let wants = Wants {
+            nodes: Which::some(ends().chain(edges.iter().flatten().copied()).chain(heights)),
+            members: Which::members(setting.assembly, |kind| kind.patch().is_some_and(bodies)),
+            steps: Which::some(ends().chain(corners)),
+            ..Wants::looks(setting.rows())
+        };
+        Ok(Some(FreeField { wants, table, cells, columns, theory, predictions, edges, beside }))
     }
 }
 
@@ -240,10 +241,23 @@ fn is_damaged(view: &View, bodies: &Range<usize>) -> bool {
 }
 
 impl Observer for FreeField {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        self.wants.clone()
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            Event::Step(step) => {
+                self.stepped(step, memory);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl FreeField {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let names = || self.columns.iter().map(|column| column.name.clone());
         let mut seen = FreeFieldSeen::named(memory, names()).unwrap_or_else(|| FreeFieldSeen {

@@ -1,6 +1,7 @@
 //! damage.csv: how damage grows, group by group.
 
-use super::{Cracks, Observer, Schedule, Setting, View};
+use super::Cracks;
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::groups::{Group, groups};
 use crate::quantities::{MEASURES, Measure, SHARE_OF_VOLUME};
@@ -34,6 +35,7 @@ struct Part {
 /// the value that counts, and the widest crack so far.
 pub struct Growth {
     schedule: Schedule,
+    elements: Which,
     table: TableWriter,
     parts: Vec<Part>,
 }
@@ -70,7 +72,8 @@ impl Growth {
             Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
             None => TableWriter::create(&path, &columns)?,
         };
-        Ok(Some(Growth { schedule: setting.rows(), table, parts }))
+        let elements = Which::some(whole.iter().flat_map(|group| &group.elements).map(|&e| e as usize));
+        Ok(Some(Growth { schedule: setting.rows(), elements, table, parts }))
     }
 }
 
@@ -96,10 +99,19 @@ fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
 }
 
 impl Observer for Growth {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { elements: self.elements.clone(), ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Growth {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { history, snapshot, .. } = *view;
         let mut row = vec![snapshot.time];

@@ -3,17 +3,19 @@
 //! Acceleration is that between rows: one step's value out of many would be a sample of what rings far above the rows' own
 //! Nyquist frequency, and alias.
 
+use super::observer::{Event, Observer, Schedule, Setting, StageSeen, View, Wants, Which};
 use super::rows::{Cell, Seen, cells};
-use super::{Observer, Schedule, Setting, View};
 use crate::error::RunError;
 use crate::plan::{BoltMonitor, Monitor, PairMonitor, Plan};
 use crate::point_stress::{nearest_stress, stress_at};
 use crate::quantities::{MonitorSeen, Moved};
 use crate::support::look;
+use tremolite_engine::assembly::Assembly;
 use tremolite_engine::bolts::SegmentSeen;
 use tremolite_engine::hexahedra::{hex, hex_nodes};
+use tremolite_engine::member::Kind;
 use tremolite_engine::model::Model;
-use tremolite_engine::state::{Memory, State};
+use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
 use tremolite_kernels::{Points, Quadrature};
 use tremolite_laws::Row;
@@ -29,6 +31,7 @@ const MEMORY: &str = "histories";
 /// Writes a row for all monitors.
 pub struct Histories {
     schedule: Schedule,
+    sees: Wants,
     table: TableWriter,
     cells: Vec<Cell>,
     /// The pair of each monitor on an interface.
@@ -52,7 +55,9 @@ impl Histories {
         };
         let pairs = setting.plan.pairs.iter().map(|pair| nearest(setting.model, pair)).collect();
         let bolts = setting.plan.bolts.iter().map(|bolt| segment(setting.model, bolt)).collect();
-        Ok(Histories { schedule: setting.rows(), table, cells, pairs, bolts })
+        let standing = |monitor: &Monitor| Some(monitor.location.element as usize);
+        let sees = monitored(setting.model, setting.assembly, setting.plan, standing);
+        Ok(Histories { schedule: setting.rows(), sees, table, cells, pairs, bolts })
     }
 }
 
@@ -69,36 +74,59 @@ pub(super) fn interpolate(model: &Model, monitor: &Monitor, rows: &[Row]) -> [f6
     sum
 }
 
+/// What all monitors see, each of the element that stands where it is; none where nothing does.
+pub(super) fn monitored(
+    model: &Model,
+    assembly: &Assembly,
+    plan: &Plan,
+    standing: impl Fn(&Monitor) -> Option<usize>,
+) -> Wants {
+    let elements: Vec<usize> = plan.monitors.iter().filter_map(standing).collect();
+    let seen = |kind: Kind| match kind {
+        Kind::Pairs(seam) => plan.pairs.iter().any(|pair| pair.interface == seam as usize),
+        Kind::Bolts(set) => plan.bolts.iter().any(|bolt| bolt.set == set as usize),
+        _ => false,
+    };
+    Wants {
+        nodes: Which::corners(model, elements.iter().map(|&e| e as u32)),
+        elements: Which::some(elements),
+        members: Which::members(assembly, seen),
+        ..Wants::default()
+    }
+}
+
 /// What monitors see of a model at rest before the shaking: displacements since the initial equilibrium, of elements that begin
 /// with a stage since then.
-pub fn at_rest(view: &View, state: &State) -> Seen {
+pub(super) fn at_rest(seen: &StageSeen) -> Seen {
+    let view = &seen.view;
     let View { model, plan, .. } = *view;
     let of_bolt = |bolt: &BoltMonitor| segment_seen(view, bolt, segment(model, bolt));
     let of_pair = |pair: &PairMonitor| pair_seen(view, pair, nearest(model, pair));
     Seen {
-        monitors: plan.monitors.iter().map(|monitor| still(view, state, monitor)).collect(),
+        monitors: plan.monitors.iter().map(|monitor| still(seen, monitor)).collect(),
         pairs: plan.pairs.iter().map(of_pair).collect(),
         bolts: plan.bolts.iter().map(of_bolt).collect(),
     }
 }
 
 /// A monitor of a model at rest.
-fn still(view: &View, state: &State, monitor: &Monitor) -> Option<MonitorSeen> {
-    let View { model, assembly, phase, .. } = *view;
+fn still(seen: &StageSeen, monitor: &Monitor) -> Option<MonitorSeen> {
+    let view = &seen.view;
+    let View { model, assembly, phase, snapshot, .. } = *view;
     let element = model.standing_at(monitor.location.element as usize, phase.stage)?;
     let slot = phase.element_slot[element]?;
     let member = &assembly.members[slot.member as usize];
     // What takes over from another material does not begin anew.
     let takes_over = model.patches[slot.patch as usize].takes_over;
-    let reference = &state.reference[assembly.slices[slot.member as usize].reference.clone()];
+    let reference = &seen.reference[assembly.slices[slot.member as usize].reference.clone()];
     let mut u = [0.0; 3];
     for (&node, weight) in model.mesh.elements[element].nodes().iter().zip(monitor.location.weights) {
         let node = model.engine_node[node as usize];
-        let mut own = state.shown(node as usize).xyz();
+        let mut own = snapshot.displacement[node as usize].xyz();
         if !reference.is_empty() && !takes_over {
             let place = member.part.nodes().iter().position(|n| *n == node);
             let zero = place.map_or([0.0; 3], |k| reference[k].xyz());
-            own = [0, 1, 2].map(|i| state.u[node as usize].0[i] - zero[i]);
+            own = [0, 1, 2].map(|i| seen.u[node as usize].0[i] - zero[i]);
         }
         (0..3).for_each(|i| u[i] += weight * own[i]);
     }
@@ -178,10 +206,19 @@ fn stress(view: &View, monitor: &Monitor, element: usize) -> [f64; 6] {
 }
 
 impl Observer for Histories {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { looks: Some(self.schedule), ..self.sees.clone() }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Histories {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, plan, snapshot, .. } = *view;
         let last = memory.get(MEMORY).cloned();

@@ -1,11 +1,13 @@
 //! interfaces.csv, and interfaces/*.vtu with interfaces.pvd: what opens and slides.
 
-use super::{Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::quantities::{Field, INTERFACE};
 use std::collections::BTreeMap;
 use std::path::Path;
 use tremolite_engine::Stage;
+use tremolite_engine::assembly::Assembly;
+use tremolite_engine::member::Kind;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
@@ -19,7 +21,13 @@ const MEMORY: &str = "interfaces";
 /// Writes a row for all interfaces.
 pub struct Interfaces {
     schedule: Schedule,
+    pairs: Which,
     table: TableWriter,
+}
+
+/// The members that pairs are in.
+pub(super) fn pairs(assembly: &Assembly) -> Which {
+    Which::members(assembly, |kind| matches!(kind, Kind::Pairs(_)))
 }
 
 /// The columns of interfaces.csv.
@@ -46,7 +54,7 @@ impl Interfaces {
             Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
             None => TableWriter::create(&path, &columns)?,
         };
-        Ok(Some(Interfaces { schedule: setting.rows(), table }))
+        Ok(Some(Interfaces { schedule: setting.rows(), pairs: pairs(setting.assembly), table }))
     }
 
     /// The largest size \[J\] of what impacts of an interface found or lost, over all rows.
@@ -56,10 +64,19 @@ impl Interfaces {
 }
 
 impl Observer for Interfaces {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { members: self.pairs.clone(), ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Interfaces {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, assembly, snapshot, history, .. } = *view;
         let (mut row, mut gains) = (vec![snapshot.time], Vec::new());
@@ -82,6 +99,7 @@ impl Observer for Interfaces {
 /// Writes the pairs of all interfaces at some times.
 pub struct InterfaceFields {
     schedule: Schedule,
+    pairs: Which,
     folder: std::path::PathBuf,
     list: Pvd,
     grid: InterfaceGrid,
@@ -107,6 +125,7 @@ impl InterfaceFields {
         let schedule = Schedule { every, last: Some(steps.total) };
         Ok(Some(InterfaceFields {
             schedule,
+            pairs: pairs(setting.assembly),
             folder: files,
             list,
             grid: InterfaceGrid::of(model, Stage::Shaking),
@@ -237,10 +256,19 @@ fn grid(model: &Model, stage: Stage) -> (Grid, usize) {
 }
 
 impl Observer for InterfaceFields {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { members: self.pairs.clone(), ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl InterfaceFields {
     fn see(&mut self, view: &View, _: &mut Memory) -> Result<(), RunError> {
         let View { snapshot, .. } = *view;
         let name = format!("{:06}.vtu", snapshot.step.div_ceil(self.schedule.every));

@@ -1,5 +1,6 @@
-//! What looks at a run: when (a schedule in steps) is apart from what (an observer).
+//! What looks at a run: what an observer wants to be shown and when is apart from what it does with it.
 
+mod audience;
 mod bolt_fields;
 mod bolts;
 mod cracks;
@@ -12,165 +13,97 @@ mod free_field;
 mod growth;
 mod histories;
 mod interfaces;
+mod observer;
 mod onsets;
 pub mod recorded;
 mod ringing;
 mod rows;
 mod section_forces;
+mod spectra;
+mod stages;
 mod steps;
+mod unseen;
 
+pub(crate) use audience::Audience;
 pub use bolt_fields::{BoltFields, BoltGrid};
-pub use bolts::{BoltForces, count as bolt_rows};
+pub use bolts::{BoltForces, BoltsOfStages, count as bolt_rows};
 pub use cracks::Cracks;
-pub use depth::Depth;
+pub use depth::{Depth, DepthPeaks};
 pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
 pub use fibres::Fibres;
-pub use fields::{FieldGrid, Fields};
+pub use fields::Fields;
 pub use free_field::{ColumnSeen, FreeField, FreeFieldSeen, Theory, chosen};
 pub use growth::Growth;
-pub use histories::{Histories, at_rest};
-pub use interfaces::{InterfaceFields, InterfaceGrid, Interfaces};
+pub use histories::Histories;
+pub use interfaces::{InterfaceFields, Interfaces};
+pub use observer::{
+    CycleMade, Event, MakeObserver, Observer, OwnObservers, Schedule, Setting, StageSeen, Stepped, View,
+    Wants, Which,
+};
 pub use onsets::{Onsets, memory_key as onset_memory};
 pub use ringing::{Ringing, Rings};
 pub use rows::{Cell, Seen, cells};
-pub use section_forces::SectionForces;
+pub use section_forces::{SectionForces, SectionTable};
+pub use spectra::Spectra;
+pub use stages::{Beginning, Beside, summaries, uneven};
 pub use steps::{Extremes, StepPeaks};
 
 use crate::error::RunError;
-use crate::history::History;
-use crate::plan::{Plan, Steps};
+use stages::{Begins, BesidePlanes, Relaxation, StageGrids, StageRows};
 use std::sync::Arc;
-use tremolite_engine::Snapshot;
-use tremolite_engine::assembly::{Assembly, Slices};
-use tremolite_engine::model::Model;
-use tremolite_engine::phase::Phase;
-use tremolite_engine::state::Memory;
-use tremolite_laws::Row;
-use tremolite_results::ResultFolder;
 
-/// When an observer looks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Schedule {
-    /// Every so many steps.
-    pub every: u64,
-    /// At the last step as well, whatever its number.
-    pub last: Option<u64>,
+/// What an entry of the lists makes.
+type Made = Result<Option<Box<dyn Observer>>, RunError>;
+
+/// Boxes an observer that may be none.
+fn boxed<O: Observer + 'static>(observer: Option<O>) -> Made {
+    Ok(observer.map(|observer| Box::new(observer) as Box<dyn Observer>))
 }
 
-impl Schedule {
-    /// Whether to look at this step.
-    pub fn due(&self, step: u64) -> bool {
-        step.is_multiple_of(self.every) || Some(step) == self.last
-    }
-}
-
-/// The schedule of the rows of histories.
-pub fn rows(steps: Steps) -> Schedule {
-    Schedule { every: steps.histories, last: Some(steps.total) }
-}
-
-/// What an observer sees at u^n: numbers of that time, wherever the state itself is kept.
-#[derive(Clone, Copy)]
-pub struct View<'a> {
-    pub model: &'a Model,
-    pub assembly: &'a Assembly,
-    pub phase: &'a Phase,
-    pub plan: &'a Plan,
-    pub snapshot: &'a Snapshot,
-    /// What laws remember at points.
-    pub history: History<'a>,
-    /// What other parts remember.
-    pub numbers: &'a [f64],
-}
-
-impl<'a> View<'a> {
-    /// What a part remembers beside histories of points.
-    pub fn numbers_of(&self, slices: &Slices) -> &'a [f64] {
-        &self.numbers[slices.numbers.clone()]
-    }
-}
-
-/// Something that looks at a run now and then. All it remembers from one look to the next is in the memory that it is
-/// given, which is part of the state, so a resumed run goes on as if it had never stopped.
-pub trait Observer: Send {
-    fn schedule(&self) -> Schedule;
-    /// Looks, and writes or remembers.
-    ///
-    /// # Errors
-    /// If a result file cannot be written.
-    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError>;
-    /// Told of every step as it is made, whatever the schedule: for what must not be missed and costs next to nothing.
-    fn stepped(&mut self, _: &Stepped, _: &mut Memory) {}
-}
-
-/// A step just made.
-#[derive(Clone, Copy)]
-pub struct Stepped<'a> {
-    pub model: &'a Model,
-    pub plan: &'a Plan,
-    /// u^{n+1} and u^{n+1} − u^n by engine node \[m\], and the step \[s\].
-    pub u: &'a [Row],
-    /// What u was at t = 0 \[m\]; empty where that was nothing.
-    pub datum: &'a [Row],
-    pub du: &'a [Row],
-    pub dt: f64,
-}
-
-/// What observers are made from, when a run starts or goes on.
-pub struct Setting<'a> {
-    pub folder: &'a ResultFolder,
-    pub model: &'a Model,
-    pub assembly: &'a Assembly,
-    pub phase: &'a Phase,
-    pub plan: &'a Plan,
-    pub steps: Steps,
-    /// What was remembered before; empty at the start.
-    pub memory: &'a Memory,
-    /// Step and time \[s\] since t = 0 from which the run goes on, and the step \[s\].
-    pub step: u64,
-    pub time: f64,
-    pub dt: f64,
-}
-
-impl Setting<'_> {
-    /// The schedule of the rows of histories.
-    pub fn rows(&self) -> Schedule {
-        rows(self.steps)
-    }
-}
-
-/// Makes an observer, or nothing where it would have nothing to see.
-///
-/// # Errors
-/// If a file of its cannot be written or gone on with.
-pub type MakeObserver = dyn Fn(&Setting) -> Result<Option<Box<dyn Observer>>, RunError> + Send + Sync;
-
-/// One entry of [`OBSERVERS`].
-type Make = fn(&Setting) -> Result<Option<Box<dyn Observer>>, RunError>;
-
-/// The program's own observers, in the order in which they look.
-pub const OBSERVERS: &[Make] = &[
-    |s| Ok(Some(Box::new(Histories::new(s)?))),
-    |s| Ok(Some(Box::new(StepPeaks::new(s)))),
-    |s| Ok(Some(Box::new(Energy::new(s)?))),
-    |s| Ok(Some(Box::new(Envelopes { schedule: s.rows() }))),
-    |s| Ok(FreeField::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(recorded::AtRecord::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(Depth::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(Onsets::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(Cracks::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(Fibres::new(s).map(|o| Box::new(o) as Box<dyn Observer>)),
-    // Behind the cracks, whose widths it writes.
-    |s| Ok(Growth::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(Fields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(SectionForces::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(Interfaces::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(Rings::observer(s).map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(InterfaceFields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(BoltForces::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
-    |s| Ok(BoltFields::new(s)?.map(|o| Box::new(o) as Box<dyn Observer>)),
+/// The program's own observers of a stage, in the order in which they are told.
+const OF_STAGES: &[fn(&Setting) -> Made] = &[
+    |s| boxed(Some(StageGrids::new(s))),
+    |s| boxed(Some(StageRows::new(s))),
+    |s| boxed(Some(Relaxation::new(s))),
+    |s| boxed(Some(Begins::new(s))),
+    |s| boxed(BesidePlanes::new(s)),
+    |s| boxed(BoltsOfStages::new(s)),
+    |s| boxed(SectionTable::new(s)),
 ];
 
-/// Observers of a program's own, which look behind those of [`OBSERVERS`].
-pub type OwnObservers = Vec<Arc<MakeObserver>>;
+/// Those of the shaking.
+const OF_SHAKING: &[fn(&Setting) -> Made] = &[
+    |s| boxed(Some(Histories::new(s)?)),
+    |s| boxed(Some(StepPeaks::new(s))),
+    |s| boxed(Some(Energy::new(s)?)),
+    |s| boxed(Some(Envelopes { schedule: s.rows() })),
+    |s| boxed(FreeField::new(s)?),
+    |s| boxed(recorded::AtRecord::new(s)),
+    |s| boxed(DepthPeaks::new(s)),
+    |s| boxed(Onsets::new(s)),
+    |s| boxed(Cracks::new(s)),
+    |s| boxed(Fibres::new(s)),
+    // Behind the cracks, whose widths it writes.
+    |s| boxed(Growth::new(s)?),
+    |s| boxed(Fields::new(s)?),
+    |s| boxed(SectionTable::new(s)),
+    |s| boxed(Interfaces::new(s)?),
+    |s| boxed(Rings::new(s)),
+    |s| boxed(InterfaceFields::new(s)?),
+    |s| boxed(BoltForces::new(s)?),
+    |s| boxed(BoltFields::new(s)?),
+    // Behind the histories, which it reads.
+    |s| boxed(Spectra::new(s)),
+];
+
+/// The program's own observers.
+pub fn observers() -> OwnObservers {
+    let of_stages = OF_STAGES.iter().map(|&make| -> Arc<MakeObserver> {
+        Arc::new(move |setting: &Setting| if setting.shakes() { Ok(None) } else { make(setting) })
+    });
+    let of_shaking = OF_SHAKING.iter().map(|&make| -> Arc<MakeObserver> {
+        Arc::new(move |setting: &Setting| if setting.shakes() { make(setting) } else { Ok(None) })
+    });
+    of_stages.chain(of_shaking).collect()
+}

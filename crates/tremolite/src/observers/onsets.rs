@@ -1,6 +1,6 @@
 //! When each element was first damaged or yielded.
 
-use super::{Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::quantities::{MEASURES, Measure};
 use crate::state::Memory;
@@ -31,10 +31,19 @@ impl Onsets {
 }
 
 impl Observer for Onsets {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { elements: Which::All, ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Onsets {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { history, snapshot, .. } = *view;
         for measure in &self.measures {

@@ -6,7 +6,7 @@
 
 use super::free_field::levels::{self, Height};
 use super::free_field::most;
-use super::{Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::plan::{Plan, Recorded};
 use tremolite_engine::model::Model;
@@ -38,16 +38,25 @@ pub struct AtRecord {
 
 impl AtRecord {
     /// Nothing where no record was deconvolved through the model's own ground.
-    pub fn observer(setting: &Setting) -> Option<Self> {
+    pub fn new(setting: &Setting) -> Option<Self> {
         Some(AtRecord { schedule: setting.rows(), height: place(setting.model, setting.plan)? })
     }
 }
 
 impl Observer for AtRecord {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { nodes: Which::some(self.height.nodes()), ..Wants::looks(self.schedule) }
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl AtRecord {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let Some(recorded) = &view.plan.recorded else { return Ok(()) };
         let (found, given) =

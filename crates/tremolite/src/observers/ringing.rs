@@ -6,7 +6,8 @@
 //! at a pair that slides at an end of it, where it and those beside it are closed at both ends, between elements that have not cracked:
 //! what hits and what breaks rings as well.
 
-use super::{Observer, Schedule, Setting, Stepped, View};
+use super::interfaces::pairs;
+use super::observer::{Event, Observer, Setting, Stepped, View, Wants, Which};
 use crate::error::RunError;
 use crate::setup::facts::ENERGY_SHARE;
 use std::collections::{BTreeMap, BTreeSet};
@@ -76,7 +77,7 @@ struct Followed {
 
 /// Follows pairs of interfaces through every step.
 pub struct Rings {
-    schedule: Schedule,
+    wants: Wants,
     sections: Vec<Section>,
     followed: Vec<Followed>,
     /// By interface, which of them are its own.
@@ -85,7 +86,7 @@ pub struct Rings {
 
 impl Rings {
     /// Nothing without interfaces, where no wave comes in, or where steps are too long for the band.
-    pub fn observer(setting: &Setting) -> Option<Self> {
+    pub fn new(setting: &Setting) -> Option<Self> {
         let Setting { model, dt, .. } = *setting;
         if model.user_seams().is_empty() {
             return None;
@@ -121,7 +122,13 @@ impl Rings {
             }));
             of.push(first..followed.len());
         }
-        Some(Rings { schedule: setting.rows(), sections: filter.sections().to_vec(), followed, of })
+        let wants = Wants {
+            elements: Which::some(followed.iter().flat_map(|f| &f.elements).map(|&e| e as usize)),
+            members: pairs(setting.assembly),
+            steps: Which::some(followed.iter().flat_map(|f| f.nodes)),
+            ..Wants::looks(setting.rows())
+        };
+        Some(Rings { wants, sections: filter.sections().to_vec(), followed, of })
     }
 
     /// What is remembered of interfaces, and of pairs.
@@ -153,10 +160,23 @@ impl Rings {
 }
 
 impl Observer for Rings {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        self.wants.clone()
     }
 
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Look(view) => self.see(view, memory),
+            Event::Step(step) => {
+                self.stepped(step, memory);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Rings {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { assembly, history, phase, .. } = *view;
         let cracked = |element: &u32| {

@@ -1,12 +1,15 @@
 //! Thrust, moment and shear of linings: what stages leave, and the extremes over the shaking.
 
-use super::{Observer, Schedule, Setting, View};
+use super::observer::{Event, Observer, Setting, StageSeen, View, Wants, Which};
 use crate::error::RunError;
 use crate::groups::all_groups;
 use crate::plan::Plan;
 use crate::sections::{Station, Steel, forces, stations};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+use tremolite_engine::assembly::Assembly;
 use tremolite_engine::bolts::SegmentSeen;
+use tremolite_engine::member::Kind;
 use tremolite_engine::phase::ElementSlot;
 use tremolite_engine::state::Memory;
 use tremolite_engine::{Model, Stage};
@@ -20,47 +23,84 @@ const EXTREMES: &str = "section forces";
 /// the smallest.
 const BESIDE: &str = "thrust and moment beside each other's extremes";
 
-/// The stations of a model's linings, followed row by row. Their forces are those of the concrete and of bars in it that move
-/// with it.
+/// The stations of a model's linings. Their forces are those of the concrete and of bars in it that move with it.
 pub struct SectionForces {
-    schedule: Schedule,
     /// Each with the group that it is in.
     stations: Vec<(String, Station)>,
     /// The bars in each.
     steel: Vec<Vec<Steel>>,
 }
 
-impl SectionForces {
-    /// Nothing where there are none.
-    pub fn observer(setting: &Setting) -> Option<Self> {
-        let found = SectionForces { schedule: setting.rows(), ..SectionForces::of(setting.model) };
-        (!found.is_empty()).then_some(found)
-    }
+/// Keeps the forces of stations at the end of stages and their extremes in the shaking, and writes them.
+pub struct SectionTable {
+    wants: Wants,
+    folder: ResultFolder,
+    plan: Arc<Plan>,
+    sections: SectionForces,
+}
 
-    /// Finds them: of whole groups that damage, or that begin with a stage.
-    pub fn of(model: &Model) -> Self {
-        let standing: Vec<bool> =
-            (0..model.mesh.elements.len()).map(|e| model.stands(e, Stage::Shaking)).collect();
-        let mut all = Vec::new();
-        for group in all_groups(model) {
-            let later = group.elements.iter().any(|&e| model.lives[e as usize].is_later());
-            if group.whole && (later || group.body.material.info().damages) {
-                let found = stations(&model.mesh, &group.elements, &standing);
-                all.extend(found.into_iter().map(|station| (group.name.to_owned(), station)));
-            }
+impl SectionTable {
+    /// Nothing where there are no stations.
+    pub fn new(setting: &Setting) -> Option<Self> {
+        let Setting { model, assembly, plan, folder, .. } = *setting;
+        let sections = SectionForces::of(model);
+        if sections.stations.is_empty() {
+            return None;
         }
-        let steel = steel(model, &all);
-        SectionForces { schedule: Schedule { every: 1, last: None }, stations: all, steel }
+        let looks = setting.shakes().then(|| setting.rows());
+        let wants = Wants { looks, ..sections.wants(model, assembly) };
+        Some(SectionTable { wants, folder: folder.clone(), plan: plan.clone(), sections })
+    }
+}
+
+impl Observer for SectionTable {
+    fn wants(&self) -> Wants {
+        self.wants.clone()
     }
 
-    /// Whether there are any.
-    pub fn is_empty(&self) -> bool {
-        self.stations.is_empty()
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        let SectionTable { folder, plan, sections, .. } = self;
+        match event {
+            Event::Look(view) => {
+                sections.follow(memory, view.snapshot.time, &sections.at(view));
+                Ok(())
+            }
+            Event::StageEnds(StageSeen { at_rest, view, .. }) => {
+                if *at_rest {
+                    memory.entry(STAGES.into()).or_default().extend(sections.at(view).into_iter().flatten());
+                }
+                sections.write(folder, plan, memory)
+            }
+            Event::StagesTaken | Event::End { .. } => sections.write(folder, plan, memory),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl SectionForces {
+    /// Finds the stations: of whole groups that damage, or that begin with a stage.
+    pub fn of(model: &Model) -> Self {
+        let stations = lined(model);
+        SectionForces { steel: steel(model, &stations), stations }
     }
 
     /// Middle of the mid-surface of every station \[m\].
     pub fn places(&self) -> impl Iterator<Item = [f64; 3]> {
         self.stations.iter().map(|(_, station)| station.place)
+    }
+
+    /// What the forces are made of: elements, or what these were before their material changed, and bars.
+    fn wants(&self, model: &Model, assembly: &Assembly) -> Wants {
+        let earlier = |e: &u32| model.successors.get(e).copied();
+        let stacked = self.stations.iter().flat_map(|(_, station)| &station.stack);
+        let elements = stacked.flat_map(|&(e, _)| std::iter::successors(Some(e), earlier));
+        let sets: HashSet<usize> = self.steel.iter().flatten().map(|bar| bar.segment[0]).collect();
+        let barred = |kind| matches!(kind, Kind::Bolts(set) if sets.contains(&(set as usize)));
+        Wants {
+            elements: Which::some(elements.map(|e| e as usize)),
+            members: Which::members(assembly, barred),
+            ..Wants::default()
+        }
     }
 
     /// Forces of every station at a time, in the order of the stations; not a number where it does not stand.
@@ -92,13 +132,6 @@ impl SectionForces {
         self.stations.iter().zip(&self.steel).map(both).collect()
     }
 
-    /// Keeps the forces at the end of a stage.
-    pub fn remember(&self, memory: &mut Memory, forces: Vec<[f64; 3]>) {
-        if !self.is_empty() {
-            memory.entry(STAGES.into()).or_default().extend(forces.into_iter().flatten());
-        }
-    }
-
     /// Follows the extremes of the shaking.
     fn follow(&self, memory: &mut Memory, time: f64, forces: &[[f64; 3]]) {
         let start = || [f64::NEG_INFINITY, 0.0, f64::INFINITY, 0.0].repeat(3 * self.stations.len());
@@ -123,14 +156,8 @@ impl SectionForces {
         beside.into_iter().for_each(|(at, value)| kept[at] = value);
     }
 
-    /// Writes sections.csv whole from what is remembered; nothing without stations.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub fn write(&self, folder: &ResultFolder, plan: &Plan, memory: &Memory) -> Result<(), RunError> {
-        if self.is_empty() {
-            return Ok(());
-        }
+    /// Writes sections.csv whole from what is remembered.
+    fn write(&self, folder: &ResultFolder, plan: &Plan, memory: &Memory) -> Result<(), RunError> {
         let mut rows = Vec::new();
         let mut number = HashMap::<&str, u32>::new();
         let row =
@@ -183,6 +210,21 @@ impl SectionForces {
     }
 }
 
+/// The stations of whole groups that damage, or that begin with a stage, each with the name of its group.
+fn lined(model: &Model) -> Vec<(String, Station)> {
+    let standing: Vec<bool> =
+        (0..model.mesh.elements.len()).map(|e| model.stands(e, Stage::Shaking)).collect();
+    let mut all = Vec::new();
+    for group in all_groups(model) {
+        let later = group.elements.iter().any(|&e| model.lives[e as usize].is_later());
+        if group.whole && (later || group.body.material.info().damages) {
+            let found = stations(&model.mesh, &group.elements, &standing);
+            all.extend(found.into_iter().map(|station| (group.name.to_owned(), station)));
+        }
+    }
+    all
+}
+
 /// Segments of bars that move with what they lie in, by the station they lie in.
 fn steel(model: &Model, stations: &[(String, Station)]) -> Vec<Vec<Steel>> {
     let mut found = vec![Vec::new(); stations.len()];
@@ -222,17 +264,6 @@ fn slot_of<'v>(view: &View<'v>, element: u32) -> Option<&'v ElementSlot> {
     std::iter::successors(Some(element), earlier).find_map(|e| view.phase.element_slot[e as usize].as_ref())
 }
 
-impl Observer for SectionForces {
-    fn schedule(&self) -> Schedule {
-        self.schedule
-    }
-
-    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        self.follow(memory, view.snapshot.time, &self.at(view));
-        Ok(())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -253,11 +284,7 @@ mod tests {
     #[test]
     fn the_thrust_of_the_largest_moment_is_that_of_its_time() {
         let stations = [1.0, 2.0].map(|x| ("hall".to_owned(), station(x))).to_vec();
-        let all = SectionForces {
-            schedule: Schedule { every: 1, last: None },
-            stations,
-            steel: vec![Vec::new(); 2],
-        };
+        let all = SectionForces { stations, steel: vec![Vec::new(); 2] };
         let mut memory = Memory::new();
         // N, M, Q of both stations at three times; the second station's moments swing the other way.
         let rows = [

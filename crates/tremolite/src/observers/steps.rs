@@ -1,7 +1,7 @@
 //! Extremes of the monitors' motion over all steps: rows hold one step in many.
 
 use super::histories::{elastic_change, first_stress, interpolate};
-use super::{Observer, Schedule, Setting, Stepped, View};
+use super::observer::{Event, Observer, Setting, Stepped, Wants, Which};
 use crate::error::RunError;
 use crate::plan::Plan;
 use crate::quantities::{MONITOR, Moved, Of, OfMonitor};
@@ -28,24 +28,33 @@ fn each() -> usize {
 
 /// Follows the monitors through every step. The velocity is that between two steps, the acceleration its change.
 pub struct StepPeaks {
-    schedule: Schedule,
+    nodes: Which,
 }
 
 impl StepPeaks {
     pub fn new(setting: &Setting) -> Self {
-        StepPeaks { schedule: setting.rows() }
+        let elements = setting.plan.monitors.iter().map(|monitor| monitor.location.element);
+        StepPeaks { nodes: Which::corners(setting.model, elements) }
     }
 }
 
 impl Observer for StepPeaks {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { steps: self.nodes.clone(), ..Wants::default() }
     }
 
-    fn see(&mut self, _: &View, _: &mut Memory) -> Result<(), RunError> {
-        Ok(())
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            Event::Step(step) => {
+                self.stepped(step, memory);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
     }
+}
 
+impl StepPeaks {
     fn stepped(&mut self, step: &Stepped, memory: &mut Memory) {
         let Stepped { model, plan, u, datum, du, dt } = *step;
         if !memory.contains_key(MEMORY) {

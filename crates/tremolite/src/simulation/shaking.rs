@@ -1,14 +1,13 @@
 //! The shaking, step by step.
 
+use super::Simulation;
 use super::outcome::{Ending, Outcome};
-use super::{Simulation, kept};
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
 use crate::motion_table;
-use crate::observers::{Depth, OBSERVERS, Observer, SectionForces, Setting, Stepped, View};
+use crate::observers::{Audience, Event, Stepped, View, summaries};
 use crate::places;
-use crate::spectra;
 use crate::transfer_table;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -39,7 +38,7 @@ pub enum Stepping {
 /// A simulation in the shaking.
 pub(super) struct Shaking {
     engine: Engine,
-    observers: Vec<Box<dyn Observer>>,
+    audience: Audience,
     /// The step from which this process went on.
     first: u64,
     /// The balance when it was last looked at.
@@ -90,8 +89,8 @@ impl Simulation {
 
     /// From the state where the stages ended, or from the step at which it was stopped.
     fn begin(&mut self) -> Result<Shaking, RunError> {
-        let Simulation { model, assembly, phase, plan, folder, state, .. } = self;
-        let mut engine = Engine::new(model, assembly, phase);
+        let mut engine = self.engine(&self.phase);
+        let Simulation { model, plan, folder, state, .. } = self;
         if !plan.stages.is_empty() && state.carried.is_empty() {
             engine.hand_over(state, self.dt);
             let drift = engine.quiet_run(state, QUIET);
@@ -107,28 +106,10 @@ impl Simulation {
                 transfer_table::write(folder, recorded)?;
             }
         }
-        let setting = Setting {
-            folder,
-            model,
-            assembly,
-            phase,
-            plan,
-            steps: self.steps,
-            memory: &state.observers,
-            step: first,
-            time: state.time(),
-            dt: self.dt,
-        };
-        let mut observers: Vec<Box<dyn Observer>> = Vec::new();
-        for make in OBSERVERS {
-            observers.extend(make(&setting)?);
-        }
-        for make in &self.own {
-            observers.extend(make(&setting)?);
-        }
+        let audience = self.audience(&self.phase, &self.state)?;
         Ok(Shaking {
             engine,
-            observers,
+            audience,
             first,
             balance: Lines::default(),
             bodies: Vec::new(),
@@ -144,7 +125,7 @@ impl Simulation {
             return how.clone().ok_or(RunError::Spoiled(self.state.steps()));
         }
         let step = self.state.steps();
-        let see = match shaking.observers.iter().any(|observer| observer.schedule().due(step)) {
+        let see = match shaking.audience.is_due(step) {
             true => See::Look,
             false => See::Nothing,
         };
@@ -156,7 +137,7 @@ impl Simulation {
             return Ok(self.fail(shaking, evaluated, halt));
         }
         if let Some(seen) = evaluated.seen() {
-            let told = self.tell(shaking, seen, step);
+            let told = self.show(shaking, seen, step);
             shaking.looking += begin.elapsed();
             if let Err(error) = told {
                 self.end(shaking, evaluated, None);
@@ -170,7 +151,7 @@ impl Simulation {
         self.state = shaking.engine.advance(evaluated);
         let State { u, du, datum, dt, observers: memory, .. } = &mut self.state;
         let stepped = Stepped { model: &self.model, plan: &self.plan, u, datum, du, dt: *dt };
-        shaking.observers.iter_mut().for_each(|observer| observer.stepped(&stepped, memory));
+        shaking.audience.stepped(&stepped, memory)?;
         if shaking.engine.watches(&self.state)
             && let Err(halt) = shaking.engine.watch(&self.state)
         {
@@ -181,17 +162,14 @@ impl Simulation {
     }
 
     /// Shows observers what is due.
-    fn tell(&self, shaking: &mut Shaking, seen: Seen, step: u64) -> Result<(), RunError> {
+    fn show(&self, shaking: &mut Shaking, seen: Seen, step: u64) -> Result<(), RunError> {
         let Simulation { model, assembly, phase, plan, .. } = self;
         let Seen { snapshot, history, numbers, memory } = seen;
         shaking.balance = snapshot.balance;
         shaking.bodies.clone_from(&snapshot.bodies);
         let history = History { assembly, octets: history };
         let view = View { model, assembly, phase, plan, snapshot, history, numbers };
-        for observer in shaking.observers.iter_mut().filter(|observer| observer.schedule().due(step)) {
-            observer.see(&view, memory)?;
-        }
-        Ok(())
+        shaking.audience.look(step, &view, memory)
     }
 
     /// Ends where the guard found energy.
@@ -227,17 +205,20 @@ impl Simulation {
     /// # Errors
     /// If there is no phase of that stage.
     pub fn look(&mut self) -> Result<(Arc<Phase>, Look), RunError> {
-        let Simulation { model, assembly, phase, state, shaking, .. } = self;
+        let Simulation { phase, state, shaking, .. } = self;
+        let phase = phase.clone();
         let look = match shaking {
-            Some(Shaking { ended: Some(End { seen, .. }), .. }) => {
-                Look { snapshot: seen.clone(), history: state.history.clone(), numbers: state.numbers.clone() }
-            }
+            Some(Shaking { ended: Some(End { seen, .. }), .. }) => Look {
+                snapshot: seen.clone(),
+                history: state.history.clone(),
+                numbers: state.numbers.clone(),
+            },
             Some(shaking) => shaking.engine.look(state),
             // Gone back to, and not gone on with yet.
-            None if state.steps() > 0 => Engine::new(model, assembly, phase).look(state),
+            None if state.steps() > 0 => self.engine(&self.phase).look(&self.state),
             None => return self.look_at_stage(),
         };
-        Ok((phase.clone(), look))
+        Ok((phase, look))
     }
 
     /// Writes a checkpoint of where the simulation stands, if its guard lets it pass; else the halt, and the element where most
@@ -275,16 +256,11 @@ impl Simulation {
                 (shaking.balance, shaking.bodies) = (snapshot.balance, snapshot.bodies);
             }
         }
-        let Simulation { model, plan, folder, state, shaking, steps, dt, stable, .. } = self;
-        if shaking.is_some() {
-            SectionForces::of(&model).write(&folder, &plan, &state.observers)?;
-            if model.incident.is_some() {
-                spectra::write(&folder, &model, &plan)?;
-            }
-            if let Some(depth) = Depth::of(&model, &plan) {
-                depth.write(&folder, &model, &plan, &state)?;
-            }
+        let time = self.time();
+        if let Some(shaking) = &mut self.shaking {
+            shaking.audience.tell(&Event::End { time }, &mut self.state.observers)?;
         }
+        let Simulation { model, plan, state, shaking, steps, dt, stable, .. } = self;
         let taken = if shaking.is_some() { state.steps() } else { 0 };
         let seconds = |of: fn(&Shaking) -> Duration| shaking.as_ref().map_or(0.0, |s| of(s).as_secs_f64());
         Ok(Outcome {
@@ -296,7 +272,7 @@ impl Simulation {
             stable,
             loop_seconds: seconds(|shaking| shaking.spent),
             step_seconds: seconds(|shaking| shaking.spent.saturating_sub(shaking.looking)),
-            stages: kept::summaries(&model, &plan, &state.observers),
+            stages: summaries(&model, &plan, &state.observers),
             shaken: shaking.is_some(),
             stage_seconds,
             quiet: state.observers.get(DRIFT).and_then(|drift| drift.first().copied()),

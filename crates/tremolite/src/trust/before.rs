@@ -1,8 +1,8 @@
 //! Checks of what came before the earthquake.
 
 use crate::evidence::Evidence;
+use crate::observers::{Beginning, uneven};
 use crate::places;
-use crate::simulation::{Beginning, uneven};
 use tremolite_results::{Fact, Said, TrustLine, said};
 
 /// What is held besides weight, loads and reactions when the shaking begins, over all contributions: ten times what stages

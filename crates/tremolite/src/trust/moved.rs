@@ -1,7 +1,7 @@
 //! Check of tests that stages drive: whether nodes were moved slowly enough.
 
 use crate::evidence::Evidence;
-use crate::simulation::{damped, first_step, let_go};
+use crate::moved::{damped, first_step, let_go};
 use tremolite_results::{TrustLine, said};
 
 /// Work that the damping takes on the way to rest, over that of what is moved. Largest force of the L-shaped panel, 14 steps to twice the

@@ -2,7 +2,7 @@
 
 use crate::evidence::Evidence;
 use crate::near_sides::NearSide;
-use crate::simulation::Beside;
+use crate::observers::Beside;
 use tremolite_results::{Said, TrustLine, said};
 
 /// What stages change at the boundary, over the stress along the opening before. Around a hall of 10 × 10 m, with sides and base at

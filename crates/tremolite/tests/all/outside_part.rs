@@ -5,7 +5,8 @@ use crate::ready::Ready;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use tremolite::observers::{Observer, OwnObservers, Schedule, Setting, View};
+use tremolite::member::Kind;
+use tremolite::observers::{Event, Observer, OwnObservers, Schedule, Setting, Wants, Which};
 use tremolite::parts::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
 use tremolite::plan::Plan;
 use tremolite::run::{Control, run};
@@ -121,6 +122,7 @@ fn springs_that_set_the_step_are_named_by_their_part() {
 /// Writes how far the springs were stretched: a result and a file of its own.
 struct Stretched {
     schedule: Schedule,
+    springs: Which,
     table: TableWriter,
 }
 
@@ -136,16 +138,18 @@ impl Stretched {
             Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
             None => TableWriter::create(&path, &columns)?,
         };
-        Ok(Stretched { schedule: setting.rows(), table })
+        let springs = Which::members(setting.assembly, |kind| kind == Kind::Own);
+        Ok(Stretched { schedule: setting.rows(), springs, table })
     }
 }
 
 impl Observer for Stretched {
-    fn schedule(&self) -> Schedule {
-        self.schedule
+    fn wants(&self) -> Wants {
+        Wants { members: self.springs.clone(), ..Wants::looks(self.schedule) }
     }
 
-    fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        let Event::Look(view) = event else { return Ok(()) };
         let Some((_, slices)) = view.assembly.named(NAME) else { return Ok(()) };
         let most = view.numbers_of(slices).last().copied().unwrap_or(0.0);
         self.table.write(&[view.snapshot.time, most])?;

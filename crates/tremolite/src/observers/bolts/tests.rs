@@ -16,7 +16,7 @@ fn rows_of_stages_are_those_of_bolts_that_are_there_and_come_whole_from_what_is_
     let plan = plan(&["initial", "bench 1", "bench, 2"]);
     let mut memory = Memory::new();
     for (k, force) in [1e4, 2e4, 1.5e4].into_iter().enumerate() {
-        BoltForces::remember(&mut memory, k, &seen(&sets, Stage::Before(k as u16), &look_at(force)));
+        BoltsOfStages::remember(&mut memory, k, &seen(&sets, Stage::Before(k as u16), &look_at(force)));
     }
     let rows = rows_of_stages(&sets, &plan, &memory);
     let told: Vec<_> = rows
@@ -51,7 +51,7 @@ fn the_largest_force_is_kept_with_its_stage_and_in_the_earthquake_with_its_time(
     let nothing = BoltForces::peaks(&sets, &plan, &memory);
     assert_eq!((nothing[0].0.bolt, nothing[0].0.force, nothing[0].1), (0, 0.0, 0.0));
     for (k, force) in [0.0, 5e4, 3e4].into_iter().enumerate() {
-        BoltForces::remember(&mut memory, k, &seen(&sets, Stage::Before(k as u16), &look_at(force)));
+        BoltsOfStages::remember(&mut memory, k, &seen(&sets, Stage::Before(k as u16), &look_at(force)));
     }
     let (peak, over) = BoltForces::peaks(&sets, &plan, &memory).swap_remove(0);
     assert_eq!((peak.stage.as_str(), peak.force, peak.bolt), ("bench 1", 50001.0, 2));
@@ -83,7 +83,7 @@ fn numbers_that_stand_for_nothing_leave_no_nan_but_the_time_of_stages() {
         vec![tremolite_engine::bolts::SegmentSeen { yields_at: f64::INFINITY, state, ..under(1e5) }; 3]
     };
     let mut memory = Memory::new();
-    BoltForces::remember(&mut memory, 0, &seen(&sets, Stage::Before(0), &free));
+    BoltsOfStages::remember(&mut memory, 0, &seen(&sets, Stage::Before(0), &free));
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("bolts.csv");
     BoltWriter::create(&path, &rows_of_stages(&sets, &plan(&["initial"]), &memory)).unwrap();

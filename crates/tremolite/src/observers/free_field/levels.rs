@@ -98,6 +98,11 @@ impl Height {
         Some(Height { nodes: [below.node, above.node], upper })
     }
 
+    /// Engine nodes that it lies between.
+    pub fn nodes(&self) -> [usize; 2] {
+        self.nodes
+    }
+
     /// What rows by engine node have there, linear between levels as in the column's elements.
     pub fn at(&self, rows: &[Row]) -> [f64; 3] {
         let [below, above] = self.nodes.map(|n| rows[n].xyz());

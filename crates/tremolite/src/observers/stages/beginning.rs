@@ -1,122 +1,51 @@
-//! What a run remembers of the stages that are done.
-//!
-//! Each column has a key of its own that also says where its monitor is: a run that begins with another's rest may have other
-//! monitors, of which nothing is known in the stages.
+//! What the initial stress does before anything is excavated, and where stages move unevenly.
 
-use super::moved;
-use crate::observers::{Cell, Seen, View, cells};
-use crate::plan::Plan;
+use super::super::interfaces::pairs;
+use super::super::observer::{CycleMade, Event, Observer, Setting, StageSeen, View, Wants, Which};
+use crate::error::RunError;
 use crate::point_stress::mean;
-use indexmap::IndexMap;
-use std::collections::BTreeSet;
-use tremolite_engine::Model;
-use tremolite_engine::engine::Rest;
 use tremolite_engine::hexahedra::hex;
-use tremolite_engine::state::{Memory, State};
-use tremolite_results::{Said, StageSummary};
+use tremolite_engine::state::Memory;
 
-/// Numbers of each stage, one behind the other: those of [`Rested::own`].
-const MEMORY: &str = "stages";
-const OWN: usize = 6;
-
-/// A stage that came to rest.
-pub(super) struct Rested<'a> {
-    pub rest: &'a Rest,
-    /// ∫Γ dV \[m³\].
-    pub plastic_volume: f64,
-    /// What the monitors see.
-    pub monitors: Seen,
-    /// Motion \[m\] since the initial equilibrium at each of [`walls`].
-    pub walls: Vec<[f64; 3]>,
+/// Keeps it.
+pub struct Begins {
+    pairs: Which,
 }
 
-impl Rested<'_> {
-    fn own(&self) -> [f64; OWN] {
-        let Rested { rest, plastic_volume, .. } = self;
-        [rest.cycles as f64, rest.ratio, rest.left, rest.motion, *plastic_volume, rest.unreleased]
+impl Begins {
+    pub fn new(setting: &Setting) -> Self {
+        Begins { pairs: pairs(setting.assembly) }
     }
 }
 
-/// Remembers how a stage ended.
-pub(super) fn remember(model: &Model, plan: &Plan, memory: &mut Memory, rested: &Rested) {
-    let mut add = |key: String, values: &[f64]| memory.entry(key).or_default().extend(values);
-    add(MEMORY.into(), &rested.own());
-    for cell in cells(plan) {
-        add(key(&cell), &[cell.value(&rested.monitors)]);
+impl Observer for Begins {
+    fn wants(&self) -> Wants {
+        Wants {
+            cycles: Some(1),
+            nodes: Which::All,
+            elements: Which::All,
+            members: self.pairs.clone(),
+            ..Wants::default()
+        }
     }
-    for ((name, _), motion) in walls(model).into_iter().zip(&rested.walls) {
-        add(wall_key(name), motion);
-    }
-}
 
-/// Where the numbers of a monitor's column are kept.
-fn key(cell: &Cell) -> String {
-    format!("{MEMORY} {} {}", cell.column.name, cell.place)
-}
-
-fn wall_key(name: &str) -> String {
-    format!("{MEMORY} wall {name}")
-}
-
-/// The mesh's named points, each with the nearest engine node of what stands from the start to the end.
-pub(super) fn walls(model: &Model) -> Vec<(&str, usize)> {
-    let throughout = (0..model.user_elements).filter(|&e| {
-        model.body_of[e].is_some() && !model.lives[e].is_later() && model.lives[e].gone.is_none()
-    });
-    let nodes: BTreeSet<u32> = throughout.flat_map(|e| model.mesh.elements[e].nodes().to_vec()).collect();
-    let nearest = |at: &[f64; 3]| {
-        let square = |n: &u32| -> f64 {
-            let x = model.mesh.nodes[*n as usize];
-            (0..3).map(|i| (x[i] - at[i]).powi(2)).sum()
-        };
-        nodes.iter().min_by(|a, b| square(a).total_cmp(&square(b))).copied()
-    };
-    model
-        .mesh
-        .points
-        .iter()
-        .filter_map(|(name, at)| Some((name.as_str(), model.engine_node[nearest(at)? as usize] as usize)))
-        .collect()
-}
-
-/// The stages that are done, from what is remembered of them.
-pub(super) fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<StageSummary> {
-    let (cells, walls) = (cells(plan), walls(model));
-    let rows = memory.get(MEMORY).map_or(&[][..], Vec::as_slice);
-    rows.chunks_exact(OWN)
-        .zip(&plan.stages)
-        .enumerate()
-        .map(|(k, (row, planned))| {
-            let mut monitors: IndexMap<String, IndexMap<String, Option<f64>>> = IndexMap::new();
-            for cell in &cells {
-                let value = memory.get(&key(cell)).and_then(|values| values.get(k).copied());
-                let of = monitors.entry(cell.column.subject.name().unwrap_or_default()).or_default();
-                of.insert(cell.column.quantity.clone(), value.filter(|v| v.is_finite()));
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        match event {
+            // Before anything has moved.
+            Event::Cycle(CycleMade { stage: 0, rest, freed: false }) if rest.cycles == 1 => {
+                memory.insert(IMBALANCE.into(), vec![rest.unreleased]);
             }
-            let motion = |name: &str| Some(*memory.get(&wall_key(name))?.as_chunks::<3>().0.get(k)?);
-            StageSummary {
-                name: planned.name.clone(),
-                excavated: planned.excavated.clone(),
-                installed: planned.installed.clone(),
-                changed: planned.changed.iter().map(Said::to_string).collect(),
-                changed_said: planned.changed.clone(),
-                release: planned.release.share,
-                tolerance: planned.release.tolerance[0],
-                cycles: row[0] as u64,
-                ratio: row[1],
-                motion_left: row[2],
-                largest_motion: row[3],
-                plastic_volume: row[4],
-                held: row[5],
-                monitors,
-                moved: moved::recall(model, memory, k),
-                walls: walls
-                    .iter()
-                    .filter_map(|(name, _)| Some(((*name).to_owned(), motion(name)?)))
-                    .collect(),
+            Event::StageEnds(seen) if seen.at_rest => {
+                let uneven = Uneven::of(seen);
+                if seen.stage == 0 {
+                    Beginning::of(&seen.view, uneven).remember(memory);
+                }
+                uneven.remember(memory);
             }
-        })
-        .collect()
+            _ => {}
+        }
+        Ok(())
+    }
 }
 
 /// What the initial stress does before anything is excavated.
@@ -139,30 +68,26 @@ pub struct Beginning {
 const BEGINNING: &str = "initial equilibrium";
 const IMBALANCE: &str = "imbalance of the initial stress";
 
-/// Remembers what is out of balance before anything moves.
-pub(super) fn remember_imbalance(memory: &mut Memory, ratio: f64) {
-    memory.insert(IMBALANCE.into(), vec![ratio]);
-}
-
 /// Key of the largest difference of motion \[m\] across an element or a pair, stage by stage.
 const UNEVEN: &str = "uneven motion of stages";
 
 /// Where motion differs most over a short way.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Uneven {
+struct Uneven {
     /// Between two corners of an element, or the two nodes of a pair \[m\].
-    pub difference: f64,
+    difference: f64,
     /// That element, or one beside that pair.
-    pub element: u32,
+    element: u32,
 }
 
 impl Uneven {
     /// Of what a stage moved.
-    pub fn of(view: &View, state: &State) -> Self {
+    fn of(seen: &StageSeen) -> Self {
+        let StageSeen { view, u, start, .. } = seen;
         let model = view.model;
         let moved = |node: u32| {
             let node = model.engine_node[node as usize] as usize;
-            let (now, before) = (state.u[node], state.start[node]);
+            let (now, before) = (u[node], start[node]);
             [0, 1, 2].map(|i| now.0[i] - before.0[i])
         };
         let apart = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
@@ -192,19 +117,19 @@ impl Uneven {
         most
     }
 
-    pub fn remember(&self, memory: &mut Memory) {
+    fn remember(&self, memory: &mut Memory) {
         memory.entry(UNEVEN.into()).or_default().push(self.difference);
     }
 }
 
 /// The largest difference of motion \[m\] over a short way, of the initial equilibrium and of the stages behind it.
-pub(crate) fn uneven(memory: &Memory) -> Option<(f64, f64)> {
+pub fn uneven(memory: &Memory) -> Option<(f64, f64)> {
     let (first, others) = memory.get(UNEVEN)?.split_first()?;
     Some((*first, others.iter().copied().fold(0.0, f64::max)))
 }
 
 impl Beginning {
-    pub(super) fn of(view: &View, uneven: Uneven) -> Self {
+    fn of(view: &View, uneven: Uneven) -> Self {
         let (mut pairs, mut beyond) = (0, 0);
         for (seam, contacts) in view.model.user_seams().iter().zip(&view.assembly.contacts) {
             for pair in (0..seam.pairs.len()).filter(|&k| !seam.lives[k].is_later()) {
@@ -238,7 +163,7 @@ impl Beginning {
         }
     }
 
-    pub(super) fn remember(&self, memory: &mut Memory) {
+    fn remember(&self, memory: &mut Memory) {
         let Beginning { pairs, beyond, change, largest_change: (largest, at), uneven_at, .. } = *self;
         let row = [pairs as f64, beyond as f64, change, largest, f64::from(at), f64::from(uneven_at)];
         memory.insert(BEGINNING.into(), row.to_vec());

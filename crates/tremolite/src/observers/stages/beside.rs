@@ -1,7 +1,8 @@
 //! What stages change of the stress beside the outer planes, where ground goes on that is not in the model.
 
+use super::super::observer::{Event, Observer, Setting, View, Wants, Which};
+use crate::error::RunError;
 use crate::near_sides::openings;
-use crate::observers::View;
 use crate::point_stress::mean;
 use tremolite_engine::Stage;
 use tremolite_engine::state::Memory;
@@ -10,6 +11,31 @@ use tremolite_engine::state::Memory;
 /// largest change of it so far; behind these the mean size of that stress along the openings.
 const BEFORE: &str = "stress beside the outer planes";
 const CHANGE: &str = "change of stress beside the outer planes";
+
+/// Follows the stress beside the outer planes and at the openings' walls.
+pub struct BesidePlanes;
+
+impl BesidePlanes {
+    /// Nothing without initial stress.
+    pub fn new(setting: &Setting) -> Option<Self> {
+        (!setting.model.initial.is_empty()).then_some(BesidePlanes)
+    }
+}
+
+impl Observer for BesidePlanes {
+    fn wants(&self) -> Wants {
+        Wants { elements: Which::All, ..Wants::default() }
+    }
+
+    fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
+        if let Event::StageEnds(seen) = event
+            && seen.at_rest
+        {
+            memory.extend(Beside::of(&seen.view, memory, seen.stage == 0));
+        }
+        Ok(())
+    }
+}
 
 /// Change of stress beside the outer planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,16 +49,13 @@ pub struct Beside {
 impl Beside {
     /// What is to be remembered of a stage that came to rest, by its keys. The first of them begins with the initial equilibrium, or
     /// with the stress that was given where an opening is there from the start.
-    pub(super) fn of(view: &View, memory: &Memory, first: bool) -> Vec<(&'static str, Vec<f64>)> {
-        if view.model.initial.is_empty() {
-            return Vec::new();
-        }
+    fn of(view: &View, memory: &Memory, first: bool) -> Vec<(String, Vec<f64>)> {
         if !first {
             let (Some(before), Some(kept)) = (memory.get(BEFORE), memory.get(CHANGE)) else {
                 return Vec::new();
             };
             return vec![(
-                CHANGE,
+                CHANGE.to_owned(),
                 largest(view, before).into_iter().chain(kept[6..].iter().copied()).collect(),
             )];
         }
@@ -54,7 +77,7 @@ impl Beside {
         let sizes: Vec<f64> = walls.map(place).filter_map(before).map(size).collect();
         let initial = sizes.iter().sum::<f64>() / sizes.len() as f64;
         let change = largest(view, &beside).into_iter().chain([initial]).collect();
-        vec![(BEFORE, beside), (CHANGE, change)]
+        vec![(BEFORE.to_owned(), beside), (CHANGE.to_owned(), change)]
     }
 
     /// What was remembered; none without initial stress or before the initial equilibrium.

@@ -45,11 +45,11 @@ pub(crate) fn damped(memory: &Memory) -> Option<(f64, f64)> {
 }
 
 /// The quantities of a name, with their units.
-pub(super) const QUANTITIES: [(&str, &str); EACH] =
+pub(crate) const QUANTITIES: [(&str, &str); EACH] =
     [("ux", "m"), ("uy", "m"), ("uz", "m"), ("reaction_x", "N"), ("reaction_y", "N"), ("reaction_z", "N")];
 
 /// What is moved in a stage, where it is at rest.
-pub(super) struct MovedNodes {
+pub(crate) struct MovedNodes {
     /// By name: way \[m\] and force \[N\]; not a number along what is free.
     each: Vec<(String, [f64; EACH])>,
     /// What elements hold, and what laws have dissipated since the start \[J\].
@@ -148,7 +148,7 @@ fn of_stage(memory: &Memory, name: &str, stage: usize) -> Option<[f64; EACH]> {
 }
 
 /// What is remembered of a stage: name → quantity → value, of what is not free.
-pub(super) fn recall(
+pub(crate) fn recall(
     model: &Model,
     memory: &Memory,
     stage: usize,
