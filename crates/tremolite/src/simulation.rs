@@ -23,7 +23,7 @@ pub use tremolite_engine::engine::Look;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
-use tremolite_engine::{Engine, StableStep, Stage, stable_step};
+use tremolite_engine::{StableStep, Stage, stable_step};
 use tremolite_results::ResultFolder;
 
 /// The step a model runs with and the plan in steps.
@@ -67,7 +67,7 @@ pub struct Simulation {
     /// Of the shaking.
     phase: Arc<Phase>,
     folder: ResultFolder,
-    /// Makers of all observers, and whether what these and parts do not name is not a number to them.
+    /// Makers of all observers, and whether what these do not want is not a number to them.
     observers: OwnObservers,
     poisoned: bool,
     stable: StableStep,
@@ -126,8 +126,8 @@ impl Simulation {
         Ok(simulation)
     }
 
-    /// From now on what a part does not name and an observer does not want is not a number to it: a mode for tests, slower, with the
-    /// same files where all name what they see.
+    /// From now on what an observer does not want is not a number to it: a mode for tests, slower, with the same files where every
+    /// observer names what it sees.
     #[must_use]
     pub fn poisoned(mut self) -> Self {
         self.poisoned = true;
@@ -139,11 +139,6 @@ impl Simulation {
     pub fn observed_by(mut self, observers: OwnObservers) -> Self {
         self.observers = observers;
         self
-    }
-
-    fn engine(&self, phase: &Arc<Phase>) -> Engine {
-        let engine = Engine::new(&self.model, &self.assembly, phase);
-        if self.poisoned { engine.poisoned() } else { engine }
     }
 
     /// The observers of a phase, which goes on from a state.

@@ -43,7 +43,9 @@ impl Fibres {
     pub fn new(setting: &Setting) -> Option<Self> {
         let cells = cells(setting.model, setting.phase);
         let bodies = setting.model.user_bodies().len();
-        let nodes = Which::corners(setting.model, cells.iter().map(|cell| cell.element));
+        // Only of these is the change since the first row told from motion.
+        let banded = cells.iter().filter(|cell| setting.model.bodies[cell.body].material.band().is_some());
+        let nodes = Which::corners(setting.model, banded.map(|cell| cell.element));
         (!cells.is_empty()).then(|| Fibres { schedule: setting.rows(), nodes, cells, bodies })
     }
 

@@ -1,6 +1,6 @@
 //! fields/*.vtu and fields.pvd: the whole model at some times.
 
-use super::observer::{Event, Observer, Schedule, Setting, View, Wants};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use super::{Cracks, Envelopes};
 use crate::error::RunError;
 use crate::point_stress::{extremes, mean};
@@ -175,7 +175,7 @@ fn groups(model: &Model, active: &[u32]) -> Vec<Array> {
 
 impl Observer for Fields {
     fn wants(&self) -> Wants {
-        Wants::fields(self.schedule)
+        Wants { nodes: Which::All, elements: Which::All, ..Wants::looks(self.schedule) }
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {

@@ -97,11 +97,6 @@ impl Wants {
     pub fn looks(schedule: Schedule) -> Self {
         Wants { looks: Some(schedule), ..Wants::default() }
     }
-
-    /// Looks by a schedule at all there is.
-    pub fn fields(schedule: Schedule) -> Self {
-        Wants { nodes: Which::All, elements: Which::All, members: Which::All, ..Wants::looks(schedule) }
-    }
 }
 
 /// What happened, in this order.

@@ -89,7 +89,7 @@ impl Simulation {
 
     /// From the state where the stages ended, or from the step at which it was stopped.
     fn begin(&mut self) -> Result<Shaking, RunError> {
-        let mut engine = self.engine(&self.phase);
+        let mut engine = Engine::new(&self.model, &self.assembly, &self.phase);
         let Simulation { model, plan, folder, state, .. } = self;
         if !plan.stages.is_empty() && state.carried.is_empty() {
             engine.hand_over(state, self.dt);
@@ -215,7 +215,9 @@ impl Simulation {
             },
             Some(shaking) => shaking.engine.look(state),
             // Gone back to, and not gone on with yet.
-            None if state.steps() > 0 => self.engine(&self.phase).look(&self.state),
+            None if state.steps() > 0 => {
+                Engine::new(&self.model, &self.assembly, &self.phase).look(&self.state)
+            }
             None => return self.look_at_stage(),
         };
         Ok((phase, look))

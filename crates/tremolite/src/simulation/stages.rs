@@ -63,7 +63,7 @@ impl Simulation {
     pub fn relax(&mut self, watch: &mut dyn FnMut(&Cycle) -> Go) -> Result<StageEnd, RunError> {
         let stage = self.stage().ok_or(RunError::NoStageLeft)?;
         let phase = Phase::of(&self.model, &self.assembly, Stage::Before(stage as u16))?;
-        let mut engine = self.engine(&phase);
+        let mut engine = Engine::new(&self.model, &self.assembly, &phase);
         let mut audience = self.audience(&phase, &self.state)?;
         let mut state = std::mem::take(&mut self.state);
         let relaxed = self.relax_state(stage, &mut engine, &mut audience, &mut state, watch);
@@ -174,7 +174,7 @@ impl Simulation {
         let now = if self.state.relaxing.cycle > 0 { next } else { next.saturating_sub(1) };
         let stage = if self.plan.stages.is_empty() { Stage::Shaking } else { Stage::Before(now as u16) };
         let phase = Phase::of(&self.model, &self.assembly, stage)?;
-        let look = still(&mut self.engine(&phase), &self.state);
+        let look = still(&mut Engine::new(&self.model, &self.assembly, &phase), &self.state);
         Ok((phase, look))
     }
 }

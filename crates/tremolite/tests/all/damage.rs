@@ -25,7 +25,23 @@ fn hall() -> Problem {
     hall_of(0.6e6, "effective")
 }
 
-fn hall_of(strength: f64, split: &str) -> Problem {
+/// Concrete of a tensile strength \[Pa\].
+pub fn concrete(strength: f64, split: &str) -> Arc<dyn AnyMaterial> {
+    let mut values = Values::default()
+        .with("young", 25e9)
+        .with("poisson", 0.17)
+        .with("tensile_strength", strength)
+        .with("cohesion", f64::max(2e6, 10.0 * strength))
+        .with("friction_angle", 0.8)
+        .with("fracture_energy", 130.0);
+    for (key, word) in [("evolution", "residual"), ("split", split)] {
+        values.0.insert(key.into(), tremolite_laws::parameter::Value::Word(word.into()));
+    }
+    let law = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
+    (law.build)(&values).unwrap()
+}
+
+pub fn hall_of(strength: f64, split: &str) -> Problem {
     let mut mesh = BoxSpec::uniform([0.0; 3], [16.0, 3.0, 14.0], [16, 3, 14]).mesh().unwrap();
     mesh.groups.clear();
     for e in 0..mesh.elements.len() as u32 {
@@ -41,17 +57,6 @@ fn hall_of(strength: f64, split: &str) -> Problem {
             add("rock");
         }
     }
-    let mut values = Values::default()
-        .with("young", 25e9)
-        .with("poisson", 0.17)
-        .with("tensile_strength", strength)
-        .with("cohesion", f64::max(2e6, 10.0 * strength))
-        .with("friction_angle", 0.8)
-        .with("fracture_energy", 130.0);
-    for (key, word) in [("evolution", "residual"), ("split", split)] {
-        values.0.insert(key.into(), tremolite_laws::parameter::Value::Word(word.into()));
-    }
-    let concrete = laws().into_iter().find(|l| l.info.name == "concrete-damage").unwrap();
     let rock = elastic(Moduli::from_young_poisson(10e9, 0.25));
     let body = |name: &str, group: &str, material: Arc<dyn AnyMaterial>, quadrature, viscosity| Body {
         name: name.into(),
@@ -63,7 +68,7 @@ fn hall_of(strength: f64, split: &str) -> Problem {
     };
     let bodies = vec![
         body("rock", "rock", rock, Quadrature::OnePoint, 0.0),
-        body("*.lining", "hall.lining", (concrete.build)(&values).unwrap(), Quadrature::Full, 0.06),
+        body("*.lining", "hall.lining", concrete(strength, split), Quadrature::Full, 0.06),
     ];
     let mut problem = Problem::new(mesh, bodies);
     problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: None };

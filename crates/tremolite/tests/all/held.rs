@@ -11,7 +11,7 @@ use tremolite::quantities::Field;
 use tremolite::run::{Control, run};
 use tremolite::simulation::{Ending, Go, Simulation, StageEnd, Start, Stepping};
 use tremolite::{Problem, RunError, Side};
-use tremolite_results::ResultFolder;
+use tremolite_results::{ResultFolder, Table};
 
 /// Two bodies with a weak joint between them, bolts from the second stage on, free-field sides, two stages, then a pulse.
 fn problem() -> Problem {
@@ -43,7 +43,7 @@ fn simulation(folder: &Path, start: Start) -> Simulation {
 }
 
 /// All files of a folder but checkpoints, which hold wall-clock chances.
-fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+pub fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut files = BTreeMap::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(next) = folders.pop() {
@@ -152,9 +152,12 @@ fn however_it_is_driven_a_simulation_writes_the_bytes_of_a_run() {
     through_stages(&mut back, &mut |_| {});
     assert_eq!(back.step(333).unwrap(), Stepping::On);
     assert_eq!(back.checkpoint().unwrap(), None);
+    let there = back.look().unwrap().1.snapshot;
     assert_eq!(back.step(444).unwrap(), Stepping::On);
     back.restore().unwrap();
     assert_eq!(back.taken(), 333);
+    let again = back.look().unwrap().1.snapshot;
+    assert!(there.velocity == again.velocity && there.balance == again.balance, "what was seen there");
     assert_eq!(back.step(100).unwrap(), Stepping::On);
     drop(back);
     let mut resumed = simulation(&folder("back"), Start::Resume);
@@ -200,4 +203,33 @@ fn a_state_that_the_guard_does_not_pass_is_in_no_checkpoint() {
     let mut resumed =
         Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Resume, Vec::new()).unwrap();
     assert!(resumed.taken() < held.taken() && resumed.look().is_ok());
+}
+
+/// What is unstable at a few nodes grows while little was supplied; rows are too few to see that.
+#[test]
+fn the_guard_watches_whatever_rows_are_written() {
+    let halts = [1, 10].map(|rows| {
+        let Ready { model, assembly, phase } = Ready::new({
+            let mut problem = problem();
+            problem.time_step.given = Some(1.6 * Ready::new(self::problem()).stable());
+            problem
+        });
+        let folder = tempfile::tempdir().unwrap();
+        let results = ResultFolder::create(Some(folder.path()), "unstable", true).unwrap();
+        let plan = Plan { histories: 0.03 / f64::from(rows), ..held_plan() };
+        let mut held =
+            Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, Vec::new()).unwrap();
+        through_stages(&mut held, &mut |_| {});
+        match held.step(u64::MAX).unwrap() {
+            Stepping::Failed { halt, .. } => {
+                assert!(halt.found > halt.supplied && halt.found.is_finite(), "{halt:?}");
+                let table = Table::read(&results.energy()).unwrap();
+                let error = table.column("error").unwrap();
+                assert!(error.iter().all(|e| e.abs() < halt.found), "{error:?} {halt:?}");
+                halt.time
+            }
+            ended => panic!("{ended:?}"),
+        }
+    });
+    assert!(halts.iter().all(|time| *time < 0.02), "long before the end, where the one row is: {halts:?}");
 }

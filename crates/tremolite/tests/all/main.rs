@@ -18,6 +18,7 @@ mod ground;
 mod held;
 mod history;
 mod layered;
+mod observers;
 mod outside_law;
 mod outside_part;
 mod poison;

@@ -7,6 +7,7 @@ use super::super::observer::{Event, Observer, Setting, StageSeen, Wants, Which};
 use crate::error::RunError;
 use crate::quantities::Field;
 use std::path::Path;
+use tremolite_engine::member::Kind;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
 use tremolite_results::{Pvd, ResultFolder};
@@ -16,12 +17,18 @@ const INITIAL_MOTION: &str = "initial_motion";
 
 /// Writes what stands at the end of a stage, with the motion of the last cycle where it was given up, which shows what falls.
 pub struct StageGrids {
+    /// Members that pairs and bolts are in.
+    beside_elements: Which,
     folder: ResultFolder,
 }
 
 impl StageGrids {
     pub fn new(setting: &Setting) -> Self {
-        StageGrids { folder: setting.folder.clone() }
+        let linked = |kind| matches!(kind, Kind::Pairs(_) | Kind::Bolts(_));
+        StageGrids {
+            beside_elements: Which::members(setting.assembly, linked),
+            folder: setting.folder.clone(),
+        }
     }
 
     fn write(&self, seen: &StageSeen, memory: &Memory) -> Result<(), RunError> {
@@ -56,7 +63,12 @@ impl StageGrids {
 
 impl Observer for StageGrids {
     fn wants(&self) -> Wants {
-        Wants { nodes: Which::All, elements: Which::All, members: Which::All, ..Wants::default() }
+        Wants {
+            nodes: Which::All,
+            elements: Which::All,
+            members: self.beside_elements.clone(),
+            ..Wants::default()
+        }
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
