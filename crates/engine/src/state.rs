@@ -122,24 +122,13 @@ pub enum Column<'a> {
     Count(&'a mut u64),
     Numbers(&'a mut Vec<f64>),
     Rows(&'a mut Vec<Row>),
+    /// Rows that may not be there yet.
+    SomeRows(&'a mut Vec<Row>),
     Octets(&'a mut Vec<Octet>),
     Scalars(Vec<&'a mut f64>),
 }
 
 impl State {
-    /// Makes room in a column that may be empty, of so many numbers.
-    pub fn make_room(&mut self, name: &str, values: usize) {
-        let rows = match name {
-            "datum" => &mut self.datum,
-            "held" => &mut self.held,
-            "start" => &mut self.start,
-            "carried" => &mut self.carried,
-            "carried_hourglass" => &mut self.carried_hourglass,
-            _ => return,
-        };
-        rows.resize(values / 4, Row::ZERO);
-    }
-
     /// Displacement \[m\] of an engine node as results count it.
     pub fn shown(&self, node: usize) -> Row {
         let zero = self.datum.get(node).copied().unwrap_or(Row::ZERO);
@@ -171,39 +160,59 @@ impl State {
 
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
     pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
-        let Ledger { lines, put_in, supplied, bodies, rest, members, blocks } = &mut self.ledger;
-        let Relaxing { cycle, damping, work, damped, most, freed } = &mut self.relaxing;
+        let State {
+            step,
+            origin,
+            dt,
+            u,
+            du,
+            history,
+            overstress,
+            numbers,
+            reference,
+            initial,
+            stage,
+            datum,
+            held,
+            start,
+            relaxing: Relaxing { cycle, damping, work, damped, most, freed },
+            moved,
+            carried,
+            carried_hourglass,
+            ledger: Ledger { lines, put_in, supplied, bodies, rest, members, blocks },
+            observers,
+        } = self;
         let ledger = lines.values_mut().chain([put_in, supplied]).collect();
         let members = members.iter_mut().flat_map(Lines::values_mut).collect();
         let rest = rest.iter_mut().flat_map(Lines::values_mut).collect();
         let mut columns = vec![
-            ("step".to_owned(), "1", Column::Count(&mut self.step)),
-            ("origin".to_owned(), "1", Column::Count(&mut self.origin)),
-            ("dt".to_owned(), "s", Column::Scalars(vec![&mut self.dt])),
-            ("displacement".to_owned(), "m", Column::Rows(&mut self.u)),
-            ("increment".to_owned(), "m", Column::Rows(&mut self.du)),
-            ("history".to_owned(), "law", Column::Octets(&mut self.history)),
-            ("overstress".to_owned(), "1", Column::Octets(&mut self.overstress)),
-            ("numbers".to_owned(), "part", Column::Numbers(&mut self.numbers)),
-            ("reference".to_owned(), "m", Column::Rows(&mut self.reference)),
-            ("initial".to_owned(), "1", Column::Octets(&mut self.initial)),
-            ("stage".to_owned(), "1", Column::Count(&mut self.stage)),
-            ("datum".to_owned(), "m", Column::Rows(&mut self.datum)),
-            ("held".to_owned(), "N", Column::Rows(&mut self.held)),
-            ("start".to_owned(), "m", Column::Rows(&mut self.start)),
+            ("step".to_owned(), "1", Column::Count(step)),
+            ("origin".to_owned(), "1", Column::Count(origin)),
+            ("dt".to_owned(), "s", Column::Scalars(vec![dt])),
+            ("displacement".to_owned(), "m", Column::Rows(u)),
+            ("increment".to_owned(), "m", Column::Rows(du)),
+            ("history".to_owned(), "law", Column::Octets(history)),
+            ("overstress".to_owned(), "1", Column::Octets(overstress)),
+            ("numbers".to_owned(), "part", Column::Numbers(numbers)),
+            ("reference".to_owned(), "m", Column::Rows(reference)),
+            ("initial".to_owned(), "1", Column::Octets(initial)),
+            ("stage".to_owned(), "1", Column::Count(stage)),
+            ("datum".to_owned(), "m", Column::SomeRows(datum)),
+            ("held".to_owned(), "N", Column::SomeRows(held)),
+            ("start".to_owned(), "m", Column::SomeRows(start)),
             ("cycle".to_owned(), "1", Column::Count(cycle)),
             ("freed".to_owned(), "1", Column::Count(freed)),
             ("relaxation".to_owned(), "1, J, N", Column::Scalars(vec![damping, work, damped, most])),
-            ("moved".to_owned(), "m", Column::Scalars(vec![&mut self.moved])),
-            ("carried".to_owned(), "N", Column::Rows(&mut self.carried)),
-            ("carried_hourglass".to_owned(), "N", Column::Rows(&mut self.carried_hourglass)),
+            ("moved".to_owned(), "m", Column::Scalars(vec![moved])),
+            ("carried".to_owned(), "N", Column::SomeRows(carried)),
+            ("carried_hourglass".to_owned(), "N", Column::SomeRows(carried_hourglass)),
             ("ledger".to_owned(), "J", Column::Scalars(ledger)),
             ("bodies".to_owned(), "J", Column::Numbers(bodies)),
             ("bodies at rest".to_owned(), "J", Column::Scalars(rest)),
             ("books of parts".to_owned(), "J", Column::Scalars(members)),
             ("books of nodes".to_owned(), "J", Column::Numbers(blocks)),
         ];
-        for (name, values) in &mut self.observers {
+        for (name, values) in observers {
             columns.push((format!("observer {name}"), "observer", Column::Numbers(values)));
         }
         columns

@@ -56,7 +56,7 @@ fn values(column: &Column) -> usize {
         Column::Count(_) => 1,
         Column::Scalars(s) => s.len(),
         Column::Numbers(n) => n.len(),
-        Column::Rows(r) => 4 * r.len(),
+        Column::Rows(r) | Column::SomeRows(r) => 4 * r.len(),
         Column::Octets(o) => 8 * o.len(),
     }
 }
@@ -66,7 +66,7 @@ fn append(column: &Column, out: &mut Vec<u8>) {
     match column {
         Column::Scalars(s) => s.iter().for_each(|x| put(**x)),
         Column::Numbers(n) => n.iter().for_each(|&x| put(x)),
-        Column::Rows(r) => r.iter().flat_map(|r| r.0).for_each(put),
+        Column::Rows(r) | Column::SomeRows(r) => r.iter().flat_map(|r| r.0).for_each(put),
         Column::Octets(o) => o.iter().flat_map(|o| o.0).for_each(put),
         Column::Count(c) => out.extend(c.to_le_bytes()),
     }
@@ -78,7 +78,9 @@ fn restore(column: Column, words: &mut impl Iterator<Item = u64>) {
     match column {
         Column::Scalars(s) => s.into_iter().for_each(|x| *x = number()),
         Column::Numbers(n) => n.iter_mut().for_each(|x| *x = number()),
-        Column::Rows(r) => r.iter_mut().flat_map(|Row(r)| r).for_each(|x| *x = number()),
+        Column::Rows(r) | Column::SomeRows(r) => {
+            r.iter_mut().flat_map(|Row(r)| r).for_each(|x| *x = number())
+        }
         Column::Octets(o) => o.iter_mut().flat_map(|Octet(o)| o).for_each(|x| *x = number()),
         Column::Count(c) => *c = take(),
     }
@@ -197,8 +199,12 @@ fn read_file(path: PathBuf, state: &mut State, fingerprint: u64) -> Result<(), C
         .iter()
         .filter_map(|e| Some((e.name.strip_prefix("observer ")?.to_owned(), vec![0.0; e.values])))
         .collect();
-    header.columns.iter().for_each(|e| state.make_room(&e.name, e.values));
-    let columns = state.columns();
+    let mut columns = state.columns();
+    for ((_, _, column), entry) in columns.iter_mut().zip(&header.columns) {
+        if let Column::SomeRows(rows) = column {
+            rows.resize(entry.values / 4, Row::ZERO);
+        }
+    }
     let fits = columns.len() == header.columns.len()
         && columns
             .iter()

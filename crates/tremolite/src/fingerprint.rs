@@ -29,27 +29,90 @@ impl Hasher {
     }
 }
 
-/// Two sums over everything that defines a run: of space, and of what happens in it.
+/// Two sums over everything that defines a run: of space, and of what happens in it. What a model or a plan gains does not compile
+/// before it is said here whether it counts.
 pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f64) -> u64 {
+    let Model {
+        mesh,
+        bodies,
+        lives,
+        stand_ins,
+        viscosity,
+        initial,
+        gravity,
+        tractions,
+        seams,
+        bolts,
+        base,
+        sides,
+        top,
+        bed,
+        prescribed,
+        held,
+        ties,
+        incident,
+        rayleigh,
+        loads,
+        // Follow from these, or are what the members below are made of.
+        user_nodes: _,
+        user_elements: _,
+        user_bodies: _,
+        body_of: _,
+        successors: _,
+        patches: _,
+        mesh_node: _,
+        engine_node: _,
+        nodes: _,
+        faces: _,
+        places: _,
+        joints: _,
+        slabs: _,
+        columns: _,
+        no_column: _,
+        parents: _,
+        thickness: _,
+        parts: _,
+        // Its step is `dt`.
+        time_step: _,
+        // The bits are the same.
+        isa: _,
+    } = model;
+    let Plan {
+        stages,
+        duration,
+        histories,
+        snapshots,
+        monitors,
+        pairs,
+        bolts: bolt_monitors,
+        relatives,
+        // The wave follows from it.
+        recorded: _,
+        // Change nothing that is remembered.
+        title: _,
+        page: _,
+        fields: _,
+        checkpoint: _,
+    } = plan;
     let mut space = Hasher(crc32fast::Hasher::new());
-    space.numbers(model.mesh.nodes.iter().flatten());
-    for element in &model.mesh.elements {
+    space.numbers(mesh.nodes.iter().flatten());
+    for element in &mesh.elements {
         space.indices(&element.nodes);
     }
-    for body in &model.bodies {
+    for body in bodies {
         space.shown(&(&body.name, body.quadrature, body.density));
         space.shown(&(body.material.info().name, body.material.values(), body.material.band()));
         space.indices(&body.elements);
     }
-    space.shown(&(model.base, model.sides, &model.held, &model.ties));
-    for (seam, contacts) in model.seams.iter().zip(&assembly.contacts) {
+    space.shown(&(base, sides, held, ties));
+    for (seam, contacts) in seams.iter().zip(&assembly.contacts) {
         space.shown(&(&seam.name, contacts.law.info().name, contacts.law.values(), contacts.frequency));
         for pair in &seam.pairs {
             space.indices(&pair.nodes);
             space.numbers(pair.normal.iter().chain([&pair.normal_area]));
         }
     }
-    for set in &model.bolts {
+    for set in bolts {
         space.shown(&set.kind);
         for bolt in &set.bolts {
             space.shown(&bolt.segments);
@@ -61,36 +124,35 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         space.indices(member.part.nodes());
         space.numbers(&member.masses);
     }
-
-    space.shown(&(&plan.stages, model.gravity, &model.stand_ins, &model.tractions));
-    space.shown(&model.lives);
-    space.numbers(model.initial.iter().flatten());
+    space.shown(&(stages, gravity, stand_ins, tractions, bed, prescribed));
+    space.shown(lives);
+    space.numbers(initial.iter().flatten());
 
     let mut time = Hasher(crc32fast::Hasher::new());
-    time.shown(&(dt, plan.duration, plan.histories, plan.snapshots, model.rayleigh, model.top));
+    time.shown(&(dt, duration, histories, snapshots, rayleigh, top));
     // While time stands still before the shaking these do nothing.
-    time.numbers(&model.viscosity);
-    time.shown(&model.seams.iter().map(|seam| seam.damping).collect::<Vec<_>>());
-    if let Some(incident) = &model.incident {
+    time.numbers(viscosity);
+    time.shown(&seams.iter().map(|seam| seam.damping).collect::<Vec<_>>());
+    if let Some(incident) = incident {
         time.number(incident.factor);
         time.number(incident.motion.dt);
         time.numbers(incident.motion.acceleration.iter().flatten());
     }
-    for load in &model.loads {
+    for load in loads {
         time.shown(&load.forces);
         for k in 0..=LOOKS {
-            time.number((load.factor)(plan.duration * f64::from(k) / f64::from(LOOKS)));
+            time.number((load.factor)(duration * f64::from(k) / f64::from(LOOKS)));
         }
     }
-    for monitor in &plan.monitors {
+    for monitor in monitors {
         time.shown(&(&monitor.name, monitor.point));
     }
-    for pair in &plan.pairs {
+    for pair in pairs {
         time.shown(&(&pair.name, pair.point, pair.interface));
     }
-    for bolt in &plan.bolts {
+    for bolt in bolt_monitors {
         time.shown(&(&bolt.name, bolt.point, bolt.set));
     }
-    time.shown(&plan.relatives);
+    time.shown(relatives);
     u64::from(space.0.finalize()) << 32 | u64::from(time.0.finalize())
 }

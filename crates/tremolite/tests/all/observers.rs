@@ -208,10 +208,10 @@ fn what_observers_want_is_all_that_they_see_and_none_does_without_what_it_wants(
                     }
                     let less = move |mut wants: Wants| {
                         match of(&mut wants) {
-                            Which::Some(all) if one && first => {
-                                drop((!all.is_empty()).then(|| all.remove(0)))
+                            Which::Some(all) if one => {
+                                let end = if first { 0 } else { all.len().saturating_sub(1) };
+                                all.drain(end..(end + 1).min(all.len()));
                             }
-                            Which::Some(all) if one => drop(all.pop()),
                             all => *all = Which::Nothing,
                         }
                         wants

@@ -12,7 +12,7 @@ use tremolite::plan::{Monitor, PairMonitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, run};
 use tremolite::simulation::{Ending, Outcome, Simulation, Start};
-use tremolite::{Base, Halt, Line, Problem, Side, elastic};
+use tremolite::{Base, Bed, Halt, Life, Line, Prescribed, Problem, Side, Stage, elastic};
 use tremolite_laws::{Isa, Moduli};
 use tremolite_mesh::locate::Locator;
 use tremolite_results::{Pvd, ResultFolder, Table};
@@ -109,7 +109,7 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
     }
     // The checkpoint of another model is refused, whatever it differs in.
     type Change = (&'static str, fn(&mut Problem));
-    let changes: [Change; 8] = [
+    let changes: [Change; 10] = [
         ("damping", |p| p.rayleigh.mass = 0.5),
         ("a law's parameter", |p| p.bodies[1].material = elastic(Moduli::from_young_poisson(5e9, 0.18))),
         ("viscosity", |p| p.bodies[1].viscosity = 0.01),
@@ -117,6 +117,12 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
         ("springs", |p| p.base = Base::ViscousSpring { normal: 1.3, tangential: 0.67, distance: Some(20.0) }),
         ("ties", |p| p.ties.push((0, 1))),
         ("the record's step", |p| p.incident.as_mut().unwrap().motion.dt *= 1.3),
+        ("what holds it before", |p| p.bed = Bed::NONE),
+        ("what is moved before", |p| {
+            let life = Life { born: Stage::Before(0), gone: Some(Stage::Shaking) };
+            let corners = vec![(0, 1)];
+            p.prescribed.push(Prescribed { name: "pushed".into(), corners, to: [Some(1e-3); 3], life });
+        }),
         ("a load", |p| {
             let factor = Arc::new(|t: f64| t);
             p.loads.push(Load { forces: vec![(0, [1.0, 0.0, 0.0])], factor });

@@ -16,7 +16,7 @@ fn layout(state: &mut State) -> Vec<(String, usize)> {
     let length = |column: &Column| match column {
         Column::Count(_) => 1,
         Column::Numbers(values) => values.len(),
-        Column::Rows(rows) => rows.len(),
+        Column::Rows(rows) | Column::SomeRows(rows) => rows.len(),
         Column::Octets(octets) => octets.len(),
         Column::Scalars(values) => values.len(),
     };
