@@ -4,6 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 
 use proc_macro2::{TokenStream, TokenTree};
@@ -69,13 +70,26 @@ fn patterns() -> BTreeMap<String, String> {
     patterns
 }
 
+/// Set by the checks before a release.
+const RELEASE: &str = "TREMOLITE_RELEASE";
+
+/// Warns of what has no Chinese yet, which stands in English on the page; only before a release nothing may lack it.
+pub fn lacking(missing: &[String]) {
+    let text = missing.join("\n");
+    assert!(missing.is_empty() || std::env::var_os(RELEASE).is_none(), "{text}");
+    if !missing.is_empty() {
+        // Not by eprintln, which tests that pass keep to themselves.
+        writeln!(std::io::stderr(), "warning: {text}").unwrap();
+    }
+}
+
 #[test]
 fn every_text_has_a_chinese_one_with_the_same_slots() {
     let chinese: BTreeMap<&str, &str> = TABLES.iter().flat_map(|table| table.iter().copied()).collect();
-    let mut faults = Vec::new();
+    let (mut faults, mut missing) = (Vec::new(), Vec::new());
     for (pattern, file) in patterns() {
         match chinese.get(pattern.as_str()) {
-            None => faults.push(format!("{file}: no Chinese for \"{pattern}\"")),
+            None => missing.push(format!("{file}: no Chinese for \"{pattern}\"")),
             Some(text) if slots(text) != slots(&pattern) => {
                 faults.push(format!("{file}: other slots in \"{pattern}\" and \"{text}\""));
             }
@@ -83,6 +97,7 @@ fn every_text_has_a_chinese_one_with_the_same_slots() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+    lacking(&missing);
 }
 
 #[test]
