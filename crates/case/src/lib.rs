@@ -68,8 +68,8 @@ pub use mesh::{
 pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
 pub use motion::{
-    Column, Component, Corner, Direction, Motion, MotionKind, Record, RecordUnit, Records, Site, SiteLayer,
-    Window,
+    Component, Corner, Direction, Motion, MotionKind, Record, RecordUnit, Records, Site, SiteLayer,
+    TextColumn, Window,
 };
 pub use output::Output;
 pub use page::{Language, Page};

@@ -10,7 +10,7 @@ use tremolite_laws::materials::MATERIALS;
 use tremolite_report::loops::{Curve, Loops, Named, Plane, Quantity};
 use tremolite_verify::VerifyError;
 use tremolite_verify::box_size::{DISTANCES, FAR, FREQUENCIES, Ground as Kind, shake};
-use tremolite_verify::reflection::{Boundary, Ground, Reflection, Solid, Wave, of_base};
+use tremolite_verify::reflection::{Boundary, Medium, Reflection, Solid, Wave, of_base};
 
 fn main() -> std::io::Result<()> {
     let folder = File::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/boundaries");
@@ -35,7 +35,7 @@ const DISTANCE: f64 = 100.0;
 
 /// Ground and its boundary.
 struct Edge {
-    ground: Ground,
+    ground: Medium,
     boundary: Boundary,
 }
 
@@ -43,7 +43,7 @@ impl Edge {
     fn new(poisson: f64, base: Base) -> Edge {
         let solid = Solid::from_shear_speed(1200.0, poisson, 2700.0);
         let boundary = of_base(solid, base).unwrap_or_else(|e| panic!("{e}"));
-        Edge { ground: Ground::of(solid), boundary }
+        Edge { ground: Medium::of(solid), boundary }
     }
 
     /// What is sent back of a wave at so many degrees from the normal, at a frequency given as ωR/c_s.

@@ -118,7 +118,7 @@ pub struct State {
 }
 
 /// A column of the state, for writing and reading.
-pub enum Column<'a> {
+pub enum StateColumn<'a> {
     Count(&'a mut u64),
     Numbers(&'a mut Vec<f64>),
     Rows(&'a mut Vec<Row>),
@@ -159,7 +159,7 @@ impl State {
     }
 
     /// Every column with its name and unit: the one list that checkpoints and exchanges go by.
-    pub fn columns(&mut self) -> Vec<(String, &'static str, Column<'_>)> {
+    pub fn columns(&mut self) -> Vec<(String, &'static str, StateColumn<'_>)> {
         let State {
             step,
             origin,
@@ -186,34 +186,34 @@ impl State {
         let members = members.iter_mut().flat_map(Lines::values_mut).collect();
         let rest = rest.iter_mut().flat_map(Lines::values_mut).collect();
         let mut columns = vec![
-            ("step".to_owned(), "1", Column::Count(step)),
-            ("origin".to_owned(), "1", Column::Count(origin)),
-            ("dt".to_owned(), "s", Column::Scalars(vec![dt])),
-            ("displacement".to_owned(), "m", Column::Rows(u)),
-            ("increment".to_owned(), "m", Column::Rows(du)),
-            ("history".to_owned(), "law", Column::Octets(history)),
-            ("overstress".to_owned(), "1", Column::Octets(overstress)),
-            ("numbers".to_owned(), "part", Column::Numbers(numbers)),
-            ("reference".to_owned(), "m", Column::Rows(reference)),
-            ("initial".to_owned(), "1", Column::Octets(initial)),
-            ("stage".to_owned(), "1", Column::Count(stage)),
-            ("datum".to_owned(), "m", Column::SomeRows(datum)),
-            ("held".to_owned(), "N", Column::SomeRows(held)),
-            ("start".to_owned(), "m", Column::SomeRows(start)),
-            ("cycle".to_owned(), "1", Column::Count(cycle)),
-            ("freed".to_owned(), "1", Column::Count(freed)),
-            ("relaxation".to_owned(), "1, J, N", Column::Scalars(vec![damping, work, damped, most])),
-            ("moved".to_owned(), "m", Column::Scalars(vec![moved])),
-            ("carried".to_owned(), "N", Column::SomeRows(carried)),
-            ("carried_hourglass".to_owned(), "N", Column::SomeRows(carried_hourglass)),
-            ("ledger".to_owned(), "J", Column::Scalars(ledger)),
-            ("bodies".to_owned(), "J", Column::Numbers(bodies)),
-            ("bodies at rest".to_owned(), "J", Column::Scalars(rest)),
-            ("books of parts".to_owned(), "J", Column::Scalars(members)),
-            ("books of nodes".to_owned(), "J", Column::Numbers(blocks)),
+            ("step".to_owned(), "1", StateColumn::Count(step)),
+            ("origin".to_owned(), "1", StateColumn::Count(origin)),
+            ("dt".to_owned(), "s", StateColumn::Scalars(vec![dt])),
+            ("displacement".to_owned(), "m", StateColumn::Rows(u)),
+            ("increment".to_owned(), "m", StateColumn::Rows(du)),
+            ("history".to_owned(), "law", StateColumn::Octets(history)),
+            ("overstress".to_owned(), "1", StateColumn::Octets(overstress)),
+            ("numbers".to_owned(), "part", StateColumn::Numbers(numbers)),
+            ("reference".to_owned(), "m", StateColumn::Rows(reference)),
+            ("initial".to_owned(), "1", StateColumn::Octets(initial)),
+            ("stage".to_owned(), "1", StateColumn::Count(stage)),
+            ("datum".to_owned(), "m", StateColumn::SomeRows(datum)),
+            ("held".to_owned(), "N", StateColumn::SomeRows(held)),
+            ("start".to_owned(), "m", StateColumn::SomeRows(start)),
+            ("cycle".to_owned(), "1", StateColumn::Count(cycle)),
+            ("freed".to_owned(), "1", StateColumn::Count(freed)),
+            ("relaxation".to_owned(), "1, J, N", StateColumn::Scalars(vec![damping, work, damped, most])),
+            ("moved".to_owned(), "m", StateColumn::Scalars(vec![moved])),
+            ("carried".to_owned(), "N", StateColumn::SomeRows(carried)),
+            ("carried_hourglass".to_owned(), "N", StateColumn::SomeRows(carried_hourglass)),
+            ("ledger".to_owned(), "J", StateColumn::Scalars(ledger)),
+            ("bodies".to_owned(), "J", StateColumn::Numbers(bodies)),
+            ("bodies at rest".to_owned(), "J", StateColumn::Scalars(rest)),
+            ("books of parts".to_owned(), "J", StateColumn::Scalars(members)),
+            ("books of nodes".to_owned(), "J", StateColumn::Numbers(blocks)),
         ];
         for (name, values) in observers {
-            columns.push((format!("observer {name}"), "observer", Column::Numbers(values)));
+            columns.push((format!("observer {name}"), "observer", StateColumn::Numbers(values)));
         }
         columns
     }

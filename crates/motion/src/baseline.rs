@@ -2,7 +2,7 @@
 
 /// A straight line through the samples of a record, in their unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
+pub struct Trend {
     /// Value at the first sample.
     pub intercept: f64,
     /// Change from one sample to the next.
@@ -11,9 +11,9 @@ pub struct Line {
 
 /// The straight line that fits the samples best (least squares), as `scipy.signal.detrend(type="linear")`
 /// subtracts. Fewer than two samples have slope 0.
-pub fn linear_trend(values: &[f64]) -> Line {
+pub fn linear_trend(values: &[f64]) -> Trend {
     if values.is_empty() {
-        return Line { intercept: 0.0, slope: 0.0 };
+        return Trend { intercept: 0.0, slope: 0.0 };
     }
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -22,7 +22,7 @@ pub fn linear_trend(values: &[f64]) -> Line {
     let moment: f64 = values.iter().enumerate().map(|(i, v)| (i as f64 - centre) * (v - mean)).sum();
     let inertia = count * (count * count - 1.0) / 12.0;
     let slope = if inertia > 0.0 { moment / inertia } else { 0.0 };
-    Line { intercept: mean - slope * centre, slope }
+    Trend { intercept: mean - slope * centre, slope }
 }
 
 /// Takes the straight line of best fit off the samples.

@@ -54,7 +54,7 @@ mod transfer;
 mod units;
 mod write;
 
-pub use baseline::{Line, linear_trend};
+pub use baseline::{Trend, linear_trend};
 pub use butterworth::{Band, Filter, Section};
 pub use channel::{Channel, align};
 pub use error::Error;
@@ -67,7 +67,7 @@ pub use motion::{Motion, Sample};
 pub use orientation::Orientation;
 pub use process::{Process, lowest_lowpass, process};
 pub use pulse::{Scalar, ricker_velocity};
-pub use read::{Column, FORMATS, Format, ReadOptions, read, read_bytes};
+pub use read::{FORMATS, Format, ReadOptions, TextColumn, read, read_bytes};
 pub use realfft::num_complex::Complex64;
 pub use sensitivity::Sensitivity;
 pub use spectrum::{default_periods, pseudo_acceleration};

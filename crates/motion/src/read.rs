@@ -32,7 +32,7 @@ pub struct ReadOptions {
     /// Units of the numbers.
     pub units: Option<Units>,
     /// What each column holds, for text. By default one column is acceleration, two are time and acceleration.
-    pub columns: Option<Vec<Column>>,
+    pub columns: Option<Vec<TextColumn>>,
     /// Sampling interval (s).
     pub dt: Option<f64>,
     /// What turns counts into acceleration, for formats that hold counts.
@@ -41,7 +41,7 @@ pub struct ReadOptions {
 
 /// What a column of text holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Column {
+pub enum TextColumn {
     /// Time (s).
     Time,
     /// Acceleration, with its direction if it is known.
@@ -50,17 +50,17 @@ pub enum Column {
     Skip,
 }
 
-impl FromStr for Column {
+impl FromStr for TextColumn {
     type Err = String;
 
     /// Reads `time`, `acceleration`, `skip`, or a direction (`east`, `north`, `up`, `N28W`, `332`, see
     /// [`Orientation::parse`]) for an acceleration in that direction.
-    fn from_str(word: &str) -> Result<Column, String> {
+    fn from_str(word: &str) -> Result<TextColumn, String> {
         match word.trim() {
-            "time" => Ok(Column::Time),
-            "acceleration" => Ok(Column::Acceleration(None)),
-            "skip" => Ok(Column::Skip),
-            other => Orientation::parse(other).map(|o| Column::Acceleration(Some(o))).ok_or_else(|| {
+            "time" => Ok(TextColumn::Time),
+            "acceleration" => Ok(TextColumn::Acceleration(None)),
+            "skip" => Ok(TextColumn::Skip),
+            other => Orientation::parse(other).map(|o| TextColumn::Acceleration(Some(o))).ok_or_else(|| {
                 format!(
                     "'{}' is not something a column can hold; use time, acceleration, east, north, up, an \
                      azimuth such as N28W or 332, or skip",

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use tremolite_results::Table;
 
 use crate::chapter::figure::Section;
-use crate::drawing::chart::{Line, Mark, Panel, Stroke};
+use crate::drawing::chart::{Curve, Mark, Panel, Stroke};
 use crate::histories::legible::{self, Titles};
 use crate::language::{Language, say};
 use crate::quantities::scale::figures;
@@ -165,7 +165,7 @@ fn join(language: Language, first: &str, second: &str) -> String {
     say!(language, "{first} {second}", first = first, second = second)
 }
 
-fn panel<'a>(source: &Source, title: String, lines: Vec<Line<'a>>) -> Panel<'a> {
+fn panel<'a>(source: &Source, title: String, lines: Vec<Curve<'a>>) -> Panel<'a> {
     Panel { title, scale: source.scale(Kind::Energy), lines, mark: Mark::Largest }
 }
 
@@ -188,7 +188,7 @@ pub fn section(source: &Source) -> Section {
         drawn.into_iter().partition(|(name, _)| OF_INTERFACES.contains(name));
     let (bolts, drawn): (Vec<_>, Vec<_>) = drawn.into_iter().partition(|(name, _)| OF_BOLTS.contains(name));
     let mut colours = (0..).filter(|k| *k != ERROR_COLOUR);
-    let line = |name: &str, values, colour| Line {
+    let line = |name: &str, values, colour| Curve {
         name: words(name, table, language),
         values: Cow::Borrowed(values),
         colour,
@@ -201,7 +201,7 @@ pub fn section(source: &Source) -> Section {
         (say!(language, "energy of bolts"), bolts),
     ] {
         let own = own.into_iter().zip(colours.by_ref());
-        let own: Vec<Line> = own.map(|((name, values), colour)| line(name, values, colour)).collect();
+        let own: Vec<Curve> = own.map(|((name, values), colour)| line(name, values, colour)).collect();
         if !own.is_empty() {
             panels.push(panel(source, title, own));
         }

@@ -10,7 +10,7 @@ mod words;
 use tremolite_results::Station;
 
 use crate::chapter::figure::{Block, Chapter, Figure, Section};
-use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::drawing::chart::{Chart, Curve, Mark, Panel, Stroke};
 use crate::free_field::at_corners::DrawnCorner;
 use crate::free_field::numbers::{AXES, Wave, largest, places};
 use crate::free_field::tables::{of_columns, of_corners};
@@ -119,7 +119,7 @@ fn panels<'a>(
         for &axis in moving {
             let line = |name: String, values: &'a [f64], colour, stroke| {
                 let known = values.iter().any(|x| x.is_finite());
-                known.then(|| Line { name, values: values.into(), colour, stroke })
+                known.then(|| Curve { name, values: values.into(), colour, stroke })
             };
             let column = drawn.column.map(|column| (&column.name, column.places()[k]));
             let of_theory = || {
@@ -144,7 +144,7 @@ fn panels<'a>(
                 of_column(),
                 of_model(),
             ];
-            let lines: Vec<Line> = lines.into_iter().flatten().collect();
+            let lines: Vec<Curve> = lines.into_iter().flatten().collect();
             if !lines.is_empty() {
                 let title =
                     say!(language, "{place}, velocity along {axis}", place = place, axis = AXES[axis]);

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use tremolite_results::{Subject, Table};
 
 use crate::chapter::figure::Section;
-use crate::drawing::chart::{Line, Mark, Panel, Stroke};
+use crate::drawing::chart::{Curve, Mark, Panel, Stroke};
 use crate::histories::largest_of_steps::with_steps;
 use crate::histories::legible::Titles;
 use crate::language::{Language, say};
@@ -174,7 +174,7 @@ impl<'a> Recorded<'a> {
     fn panel<'h>(&self, quantity: &str, title: String, mark: Mark, histories: Histories<'h>) -> Panel<'h> {
         let scale = self.source.units.suiting(self.unit(quantity), largest(&histories));
         let lines = histories.into_iter().enumerate();
-        let line = |(colour, (name, values))| Line { name, values, colour, stroke: Stroke::Thin };
+        let line = |(colour, (name, values))| Curve { name, values, colour, stroke: Stroke::Thin };
         Panel { title, scale, lines: lines.map(line).collect(), mark }
     }
 

@@ -9,7 +9,7 @@ use tremolite_results::Table;
 
 use crate::chapter::figure::{Block, Chapter, Figure, Section};
 use crate::chapter::results_text::kind_of_motion;
-use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::drawing::chart::{Chart, Curve, Mark, Panel, Stroke};
 use crate::language::say;
 use crate::quantities::scale::figures;
 use crate::quantities::units::Kind;
@@ -40,8 +40,8 @@ fn still(table: &Table, moving: &[(usize, &[f64])]) -> Vec<&'static str> {
     still.filter(known).map(|axis| AXES[axis]).collect()
 }
 
-fn line((axis, values): (usize, &[f64])) -> Line<'_> {
-    Line { name: AXES[axis].to_owned(), values: values.into(), colour: axis, stroke: Stroke::Thin }
+fn line((axis, values): (usize, &[f64])) -> Curve<'_> {
+    Curve { name: AXES[axis].to_owned(), values: values.into(), colour: axis, stroke: Stroke::Thin }
 }
 
 /// The section of the page; nothing where the run wrote no motion.csv.

@@ -38,7 +38,7 @@ pub fn of_input(source: &Source) -> Option<Figure> {
         say!(language, "free field, surface"),
         say!(language, "free field, base"),
     ];
-    let pens = [(3, Pen::Line), (2, Pen::Line), (0, Pen::Dashed), (1, Pen::Dashed)];
+    let pens = [(3, Pen::Curve), (2, Pen::Curve), (0, Pen::Dashed), (1, Pen::Dashed)];
     let known: Vec<&SpectrumPlace> = points.iter().filter(|point| point.is_known()).collect();
     let axes_of = moving(&known);
     if axes_of.is_empty() {
@@ -129,7 +129,7 @@ fn row<'a>((own, beside): &'a (SpectrumPlace<'a>, SpectrumPlace<'a>), language: 
         let name = say!(language, "free field at the monitor's level");
         drawn.push(DrawnSpectra { name, point: beside, colour: 3, pen: Pen::Dashed });
     }
-    drawn.push(DrawnSpectra { name: say!(language, "monitor"), point: own, colour: 0, pen: Pen::Line });
+    drawn.push(DrawnSpectra { name: say!(language, "monitor"), point: own, colour: 0, pen: Pen::Curve });
     SpectraRow { name: &own.name, drawn }
 }
 

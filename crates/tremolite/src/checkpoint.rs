@@ -6,7 +6,7 @@
 use serde::{Deserialize, Serialize};
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use tremolite_engine::state::{Column, State};
+use tremolite_engine::state::{State, StateColumn};
 use tremolite_laws::{Octet, Row};
 use tremolite_results::HAND_OVER;
 
@@ -51,38 +51,38 @@ struct Entry {
     values: usize,
 }
 
-fn values(column: &Column) -> usize {
+fn values(column: &StateColumn) -> usize {
     match column {
-        Column::Count(_) => 1,
-        Column::Scalars(s) => s.len(),
-        Column::Numbers(n) => n.len(),
-        Column::Rows(r) | Column::SomeRows(r) => 4 * r.len(),
-        Column::Octets(o) => 8 * o.len(),
+        StateColumn::Count(_) => 1,
+        StateColumn::Scalars(s) => s.len(),
+        StateColumn::Numbers(n) => n.len(),
+        StateColumn::Rows(r) | StateColumn::SomeRows(r) => 4 * r.len(),
+        StateColumn::Octets(o) => 8 * o.len(),
     }
 }
 
-fn append(column: &Column, out: &mut Vec<u8>) {
+fn append(column: &StateColumn, out: &mut Vec<u8>) {
     let mut put = |x: f64| out.extend(x.to_bits().to_le_bytes());
     match column {
-        Column::Scalars(s) => s.iter().for_each(|x| put(**x)),
-        Column::Numbers(n) => n.iter().for_each(|&x| put(x)),
-        Column::Rows(r) | Column::SomeRows(r) => r.iter().flat_map(|r| r.0).for_each(put),
-        Column::Octets(o) => o.iter().flat_map(|o| o.0).for_each(put),
-        Column::Count(c) => out.extend(c.to_le_bytes()),
+        StateColumn::Scalars(s) => s.iter().for_each(|x| put(**x)),
+        StateColumn::Numbers(n) => n.iter().for_each(|&x| put(x)),
+        StateColumn::Rows(r) | StateColumn::SomeRows(r) => r.iter().flat_map(|r| r.0).for_each(put),
+        StateColumn::Octets(o) => o.iter().flat_map(|o| o.0).for_each(put),
+        StateColumn::Count(c) => out.extend(c.to_le_bytes()),
     }
 }
 
-fn restore(column: Column, words: &mut impl Iterator<Item = u64>) {
+fn restore(column: StateColumn, words: &mut impl Iterator<Item = u64>) {
     let mut take = || words.next().unwrap_or(0);
     let mut number = || f64::from_bits(take());
     match column {
-        Column::Scalars(s) => s.into_iter().for_each(|x| *x = number()),
-        Column::Numbers(n) => n.iter_mut().for_each(|x| *x = number()),
-        Column::Rows(r) | Column::SomeRows(r) => {
+        StateColumn::Scalars(s) => s.into_iter().for_each(|x| *x = number()),
+        StateColumn::Numbers(n) => n.iter_mut().for_each(|x| *x = number()),
+        StateColumn::Rows(r) | StateColumn::SomeRows(r) => {
             r.iter_mut().flat_map(|Row(r)| r).for_each(|x| *x = number())
         }
-        Column::Octets(o) => o.iter_mut().flat_map(|Octet(o)| o).for_each(|x| *x = number()),
-        Column::Count(c) => *c = take(),
+        StateColumn::Octets(o) => o.iter_mut().flat_map(|Octet(o)| o).for_each(|x| *x = number()),
+        StateColumn::Count(c) => *c = take(),
     }
 }
 
@@ -201,7 +201,7 @@ fn read_file(path: PathBuf, state: &mut State, fingerprint: u64) -> Result<(), C
         .collect();
     let mut columns = state.columns();
     for ((_, _, column), entry) in columns.iter_mut().zip(&header.columns) {
-        if let Column::SomeRows(rows) = column {
+        if let StateColumn::SomeRows(rows) = column {
             rows.resize(entry.values / 4, Row::ZERO);
         }
     }

@@ -34,7 +34,7 @@ pub enum Wave {
 
 /// Homogeneous ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ground {
+pub struct Medium {
     /// c_p and c_s \[m/s\].
     pub speeds: (f64, f64),
     /// kg/m³
@@ -55,9 +55,9 @@ pub struct Reflection {
     pub absorbed: f64,
 }
 
-impl Ground {
+impl Medium {
     pub fn of(solid: Solid) -> Self {
-        Ground { speeds: solid.speeds(), density: solid.density }
+        Medium { speeds: solid.speeds(), density: solid.density }
     }
 
     /// The angle \[rad\] of an SV wave beyond which no P wave runs back.
@@ -90,8 +90,8 @@ impl Ground {
         let (slowness, own) = (angle.sin() / c, Complex64::from(angle.cos() / c));
         let p = Complex64::from(slowness);
         let (q_p, q_s) = match wave {
-            Wave::P => (own, Ground::across(c_s, slowness)),
-            Wave::Sv => (Ground::across(c_p, slowness), own),
+            Wave::P => (own, Medium::across(c_s, slowness)),
+            Wave::Sv => (Medium::across(c_p, slowness), own),
         };
         // Displacements along the boundary and along the outward normal, and the slowness along the normal.
         let down_p = ([p * c_p, -q_p * c_p], -q_p);
@@ -203,7 +203,7 @@ mod tests {
     fn dashpots_send_nothing_back_of_a_wave_along_the_normal() {
         for (wave, poisson) in WAVES.into_iter().flat_map(|w| [(w, 0.0), (w, 0.25), (w, 0.4)]) {
             let boundary = of_viscous_side(solid(poisson)).unwrap();
-            let back = Ground::of(solid(poisson)).reflection(&boundary, wave, 0.0, 10.0);
+            let back = Medium::of(solid(poisson)).reflection(&boundary, wave, 0.0, 10.0);
             assert!(back.p.norm() < 1e-14 && back.sv.norm() < 1e-14 && back.energy < 1e-28, "{back:?}");
         }
     }
@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn what_does_not_run_back_is_what_the_dashpots_take() {
         for poisson in [0.1, 0.25, 0.4] {
-            let ground = Ground::of(solid(poisson));
+            let ground = Medium::of(solid(poisson));
             for base in [Base::Viscous, springs(100.0)] {
                 let boundary = of_base(solid(poisson), base).unwrap();
                 for (wave, angle) in WAVES.into_iter().flat_map(|w| angles().map(move |a| (w, a))) {
@@ -229,7 +229,7 @@ mod tests {
     #[test]
     fn a_grazing_wave_is_sent_back_whole() {
         for (wave, poisson) in WAVES.into_iter().flat_map(|w| [(w, 0.25), (w, 0.4)]) {
-            let ground = Ground::of(solid(poisson));
+            let ground = Medium::of(solid(poisson));
             let boundary = of_viscous_side(solid(poisson)).unwrap();
             let lost = [1e-3, 1e-4].map(|short| {
                 let angle = std::f64::consts::FRAC_PI_2 - short;
@@ -246,7 +246,7 @@ mod tests {
     /// The free surface, whose coefficients stand in any book (`graff1975`, chapter 6).
     #[test]
     fn without_dashpots_the_coefficients_are_those_of_a_free_surface() {
-        let ground = Ground::of(solid(0.25));
+        let ground = Medium::of(solid(0.25));
         let (c_p, c_s) = ground.speeds;
         let ratio = c_p / c_s;
         for degrees in [5.0, 20.0, 34.0, 35.0, 50.0, 75.0] {
@@ -266,7 +266,7 @@ mod tests {
 
     #[test]
     fn beyond_the_critical_angle_sv_alone_carries_energy_back() {
-        let ground = Ground::of(solid(0.25));
+        let ground = Medium::of(solid(0.25));
         let boundary = of_viscous_side(solid(0.25)).unwrap();
         for over in [0.01, 0.2, 0.5] {
             let back = ground.reflection(&boundary, Wave::Sv, ground.critical() + over, 10.0);
@@ -279,7 +279,7 @@ mod tests {
 
     #[test]
     fn springs_hold_slow_waves_and_fast_ones_do_not_feel_them() {
-        let (ground, boundary) = (Ground::of(solid(0.25)), of_base(solid(0.25), springs(100.0)).unwrap());
+        let (ground, boundary) = (Medium::of(solid(0.25)), of_base(solid(0.25), springs(100.0)).unwrap());
         let bare = of_viscous_side(solid(0.25)).unwrap();
         for (wave, angle) in WAVES.into_iter().flat_map(|w| [(w, 0.0), (w, 0.3), (w, 0.9)]) {
             let energy = |omega: f64| ground.reflection(&boundary, wave, angle, omega).energy;

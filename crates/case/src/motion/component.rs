@@ -28,7 +28,7 @@ pub(super) static COMPONENT: Table = Table {
         .when(When::Beside("file")),
         Key::optional(
             "columns",
-            Kind::List(&Kind::Word(Column::WORDS), 1, 100),
+            Kind::List(&Kind::Word(TextColumn::WORDS), 1, 100),
             "",
             "What the columns of a plain text file hold, from the left",
         )
@@ -57,7 +57,7 @@ words! {
 
 words! {
     /// What a column of a plain text record holds.
-    Column {
+    TextColumn {
         /// Time, s.
         Time = "time",
         /// Acceleration, in `units`.
@@ -100,7 +100,7 @@ pub struct Record {
     /// The file's unit.
     pub units: Option<Spanned<RecordUnit>>,
     /// What the columns of a plain text file hold; empty: not said.
-    pub columns: Vec<Spanned<Column>>,
+    pub columns: Vec<Spanned<TextColumn>>,
     /// Time between figures, s.
     pub dt: Option<Spanned<f64>>,
     /// What a count of the file is, as written; read by the motion crate.
@@ -129,7 +129,7 @@ impl Component {
         let sensitivity = f.text("sensitivity");
         let columns = f.list("columns").iter().filter_map(|n| {
             let word = n.text()?;
-            Some(Spanned::new(Column::from_word(&word)?, word.span))
+            Some(Spanned::new(TextColumn::from_word(&word)?, word.span))
         });
         let columns = columns.collect();
         let (from, factor) = (f.word("from", Direction::from_word), f.number("factor"));
@@ -156,9 +156,9 @@ pub(super) fn check(component: &Fields, motion: &Fields, problems: &mut Vec<Prob
         }
     }
     let columns = component.texts("columns");
-    let all = |what: Column| columns.iter().filter(move |c| c.value == what.word());
+    let all = |what: TextColumn| columns.iter().filter(move |c| c.value == what.word());
     if let Some(first) = columns.first()
-        && all(Column::Acceleration).count() != 1
+        && all(TextColumn::Acceleration).count() != 1
     {
         problems.push(Problem::at(
             first,
@@ -166,10 +166,10 @@ pub(super) fn check(component: &Fields, motion: &Fields, problems: &mut Vec<Prob
             "write columns = [\"time\", \"acceleration\"], with \"skip\" for the others",
         ));
     }
-    if let Some(time) = all(Column::Time).nth(1) {
+    if let Some(time) = all(TextColumn::Time).nth(1) {
         problems.push(Problem::at(time, "two columns are the time", "write \"skip\" for one of them"));
     }
-    if let (Some(dt), Some(_)) = (component.number("dt"), all(Column::Time).next()) {
+    if let (Some(dt), Some(_)) = (component.number("dt"), all(TextColumn::Time).next()) {
         problems.push(Problem::at(
             &dt,
             "`dt` beside a column of times",

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use tremolite_laws::parameter::Dimension;
 
-pub use component::{Column, Component, Direction, Record, RecordUnit};
+pub use component::{Component, Direction, Record, RecordUnit, TextColumn};
 pub(crate) use site::unit_weights;
 pub use site::{Corner, Site, SiteLayer};
 

@@ -139,8 +139,8 @@ fn the_motion_arrives_with_its_records_and_the_places_of_its_steps() {
     let sensitivity = east.sensitivity.as_ref().map(|s| s.value.as_str());
     assert_eq!((sensitivity, &motion.sensitivity), (Some("4e5 counts/(m/s2)"), &None));
     assert_eq!(east.channel.as_ref().map(|c| c.value.as_str()), Some("EW"));
-    let columns: Vec<Column> = north.columns.iter().map(|c| c.value).collect();
-    assert_eq!(columns, [Column::Time, Column::Acceleration]);
+    let columns: Vec<TextColumn> = north.columns.iter().map(|c| c.value).collect();
+    assert_eq!(columns, [TextColumn::Time, TextColumn::Acceleration]);
     let Component::Scaled { from, factor } = up else { panic!("scaled") };
     assert_eq!((from.value, factor.value), (Direction::East, 0.667));
 }

@@ -11,7 +11,7 @@ const DEEPEST: usize = 20;
 
 /// What the current line is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Line {
+pub(super) enum LineKind {
     Keyword,
     Data,
 }
@@ -109,13 +109,13 @@ impl<'i, 'a> Deck<'i, 'a> {
     }
 
     /// The next line that is no comment; none at the end. A keyword line comes with its continuations.
-    pub(super) fn advance(&mut self) -> Result<Option<Line>, Fault> {
+    pub(super) fn advance(&mut self) -> Result<Option<LineKind>, Fault> {
         loop {
             if !self.line()? {
                 return Ok(None);
             }
             if !self.text.starts_with(b"*") {
-                return Ok(Some(Line::Data));
+                return Ok(Some(LineKind::Data));
             }
             let mut all = std::mem::take(&mut self.text);
             while all.ends_with(b",") && self.line()? {
@@ -127,9 +127,9 @@ impl<'i, 'a> Deck<'i, 'a> {
                 "INCLUDE" => self.open()?,
                 "NODE" | "ELEMENT" | "NSET" | "ELSET" if self.keyword.has("INPUT") => {
                     self.open()?;
-                    return Ok(Some(Line::Keyword));
+                    return Ok(Some(LineKind::Keyword));
                 }
-                _ => return Ok(Some(Line::Keyword)),
+                _ => return Ok(Some(LineKind::Keyword)),
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::deck::{Deck, Label, Line};
+use super::deck::{Deck, Label, LineKind};
 use super::entries::{members, surface_entry};
 use super::kinds::{Kind, kind};
 use super::part::{Instance, Part, set};
@@ -88,11 +88,11 @@ impl Model {
         let mut model = Model::default();
         while let Some(line) = deck.advance()? {
             match line {
-                Line::Keyword => {
+                LineKind::Keyword => {
                     model.complete(deck)?;
                     model.section = model.keyword(deck)?;
                 }
-                Line::Data => model.data(deck)?,
+                LineKind::Data => model.data(deck)?,
             }
         }
         model.complete(deck)?;

@@ -6,14 +6,14 @@
 //! (azimuth in degrees, or `up`) as the positive direction of the one column of acceleration.
 
 use super::source::{Source, number};
-use super::{Column, ReadOptions};
+use super::{ReadOptions, TextColumn};
 use crate::shown::shown;
 use crate::{Channel, Error, Orientation, Units};
 
 /// The numbers of a file.
 struct Table {
     /// What each column holds.
-    columns: Vec<Column>,
+    columns: Vec<TextColumn>,
     /// One vector a column, equally long, with at least two numbers each.
     data: Vec<Vec<f64>>,
     /// Line index of each row, for messages.
@@ -25,7 +25,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Reads the numbers, the same count on every line.
-fn table(source: &Source, declared: Option<&[Column]>) -> Result<Table, Error> {
+fn table(source: &Source, declared: Option<&[TextColumn]>) -> Result<Table, Error> {
     let mut columns = Vec::new();
     let mut data: Vec<Vec<f64>> = Vec::new();
     let mut rows = Vec::new();
@@ -74,14 +74,14 @@ fn table(source: &Source, declared: Option<&[Column]>) -> Result<Table, Error> {
 }
 
 /// What `found` columns hold: as declared, else acceleration, or time and acceleration.
-fn columns_of(found: usize, declared: Option<&[Column]>) -> Result<Vec<Column>, String> {
+fn columns_of(found: usize, declared: Option<&[TextColumn]>) -> Result<Vec<TextColumn>, String> {
     match (declared, found) {
         (Some(columns), _) if columns.len() == found => Ok(columns.to_vec()),
         (Some(columns), _) => {
             Err(format!("the file has {found} columns, but {} were declared", columns.len()))
         }
-        (None, 1) => Ok(vec![Column::Acceleration(None)]),
-        (None, 2) => Ok(vec![Column::Time, Column::Acceleration(None)]),
+        (None, 1) => Ok(vec![TextColumn::Acceleration(None)]),
+        (None, 2) => Ok(vec![TextColumn::Time, TextColumn::Acceleration(None)]),
         (None, _) => Err(format!("the file has {found} columns and does not say what they hold")),
     }
 }
@@ -91,7 +91,7 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
     let Table { columns, data, rows } = table(source, options.columns.as_deref())?;
     let first = rows[0];
 
-    let times = columns.iter().zip(&data).filter(|(c, _)| **c == Column::Time).map(|(_, d)| d);
+    let times = columns.iter().zip(&data).filter(|(c, _)| **c == TextColumn::Time).map(|(_, d)| d);
     let times: Vec<&Vec<f64>> = times.collect();
     let (start, dt) = match (&times[..], dt) {
         ([times], dt) => time_base(source, &rows, times, dt)?,
@@ -114,14 +114,14 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
             "declare them, for example units = \"cm/s2\" (or g, m/s2, mm/s2, counts); on the command line --units cm/s2",
         ));
     };
-    let wanted = columns.iter().filter(|c| matches!(c, Column::Acceleration(_))).count();
+    let wanted = columns.iter().filter(|c| matches!(c, TextColumn::Acceleration(_))).count();
     if wanted == 0 {
         return Err(source.error(first, "no column holds acceleration", "declare one as \"acceleration\""));
     }
     let stated = if wanted == 1 { direction(source) } else { None };
     let mut channels = Vec::new();
     for (i, (column, values)) in columns.iter().zip(data).enumerate() {
-        if let Column::Acceleration(declared) = *column {
+        if let TextColumn::Acceleration(declared) = *column {
             let orientation = declared.or(stated);
             let label = (wanted > 1).then(|| label(orientation, i));
             let channel = Channel { start, orientation, ..source.channel(label.as_deref(), dt, values) };

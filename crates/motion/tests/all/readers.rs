@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use tremolite_motion::{
-    Channel, Column, Error, Orientation, ReadOptions, Sensitivity, Units, read, read_bytes, write_text,
+    Channel, Error, Orientation, ReadOptions, Sensitivity, TextColumn, Units, read, read_bytes, write_text,
 };
 
 fn parse(text: &str, options: &ReadOptions) -> Result<Vec<Channel>, Error> {
@@ -129,27 +129,27 @@ fn two_columns_are_time_and_acceleration() {
 
 #[test]
 fn columns_can_be_declared_and_carry_directions() {
-    let columns = ["skip", "time", "N28W", "up"].map(|c| c.parse::<Column>().unwrap());
+    let columns = ["skip", "time", "N28W", "up"].map(|c| c.parse::<TextColumn>().unwrap());
     let options = ReadOptions { columns: Some(columns.to_vec()), ..gal() };
     let channels = parse("7 0.0 1 4\n7 0.1 2 5\n7 0.2 3 6\n", &options).unwrap();
     assert_eq!(channels.len(), 2);
     assert_eq!(channels[0].orientation, Some(Orientation::from_degrees(332.0)));
     assert_eq!(channels[1].name, "small up");
     assert_eq!(channels[1].acceleration, [0.04, 0.05, 0.06]);
-    assert!("sideways".parse::<Column>().is_err());
+    assert!("sideways".parse::<TextColumn>().is_err());
 }
 
 #[test]
 fn a_direction_in_a_comment_is_that_of_the_only_acceleration() {
     let text = "# direction = unknown\n# direction = \"up\"\n0 1\n0.1 2\n";
     assert_eq!(one(text, &gal()).orientation, Some(Orientation::Up));
-    let columns = ["east", "north"].map(|c| c.parse::<Column>().unwrap());
+    let columns = ["east", "north"].map(|c| c.parse::<TextColumn>().unwrap());
     let options = ReadOptions { columns: Some(columns.to_vec()), dt: Some(0.1), ..gal() };
     let channels = parse(text, &options).unwrap();
     assert_eq!(channels[1].orientation, Some(Orientation::NORTH));
-    let only = ReadOptions { columns: Some(vec![columns[0], Column::Skip]), dt: Some(0.1), ..gal() };
+    let only = ReadOptions { columns: Some(vec![columns[0], TextColumn::Skip]), dt: Some(0.1), ..gal() };
     assert_eq!(one(text, &only).orientation, Some(Orientation::EAST), "what is declared goes before");
-    let none = ReadOptions { columns: Some(vec![Column::Acceleration(None); 2]), dt: Some(0.1), ..gal() };
+    let none = ReadOptions { columns: Some(vec![TextColumn::Acceleration(None); 2]), dt: Some(0.1), ..gal() };
     assert!(parse(text, &none).unwrap().iter().all(|c| c.orientation.is_none()));
 }
 

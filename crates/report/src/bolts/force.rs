@@ -71,7 +71,7 @@ fn figure(
     let (mut curves, mut named) = (Vec::new(), Vec::new());
     for (colour, Worst { name, bolt, own }) in family.iter().enumerate() {
         let label = say!(language, "{group}, bolt {bolt}", group = name, bolt = bolt);
-        curves.push(PlotCurve::new(label, colour, Pen::Line, steps(own, |line| line.force)));
+        curves.push(PlotCurve::new(label, colour, Pen::Curve, steps(own, |line| line.force)));
         curves.push(PlotCurve::new("", colour, Pen::Dashed, steps(own, |line| line.force_max)));
         let yields = facts.bolts.get(*name).map(|group| group.yield_force).filter(|force| force.is_finite());
         let named_at = |force| {

@@ -89,7 +89,7 @@ fn answering(runs: &[Run], monitor: &str, histories: &[History]) -> Curves {
         let scale = Scale::suiting(history.unit, history.largest());
         let curve = |(run, time, values): &(usize, &[f64], &[f64])| {
             let points = time.iter().zip(values.iter()).map(|(t, x)| (*t, x * scale.factor));
-            PlotCurve::new(&runs[*run].name, *run, Pen::Line, points.collect())
+            PlotCurve::new(&runs[*run].name, *run, Pen::Curve, points.collect())
         };
         history.of.iter().map(curve).collect::<Vec<_>>()
     };
@@ -110,7 +110,7 @@ fn figure(runs: &[Run], monitor: &str, histories: &[History], language: Language
         .iter()
         .enumerate()
         .filter(|(run, _)| histories.iter().any(|h| h.of.iter().any(|(r, ..)| r == run)))
-        .map(|(run, named)| PlotCurve::new(&named.name, run, Pen::Line, Vec::new()))
+        .map(|(run, named)| PlotCurve::new(&named.name, run, Pen::Curve, Vec::new()))
         .collect();
     let mut top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, monitor, &legend);
     let times = histories.iter().flat_map(|h| &h.of).flat_map(|(_, time, _)| [time.first(), time.last()]);

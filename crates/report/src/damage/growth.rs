@@ -5,7 +5,7 @@ use tremolite_results::{Subject, Table};
 use crate::chapter::figure::Section;
 use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::heading;
-use crate::drawing::chart::{Line, Mark, Panel, Stroke};
+use crate::drawing::chart::{Curve, Mark, Panel, Stroke};
 use crate::histories::legible::{self, Titles};
 use crate::language::say;
 use crate::quantities::scale::Scale;
@@ -51,7 +51,7 @@ fn panels<'a>(source: &Source, table: &'a Table) -> Vec<Panel<'a>> {
             groups.push(group);
             groups.len() - 1
         });
-        let line = Line { name: group.into(), values: values.into(), colour, stroke: Stroke::Thin };
+        let line = Curve { name: group.into(), values: values.into(), colour, stroke: Stroke::Thin };
         let scale = if column.unit == "m" {
             source.scale(Kind::Opening)
         } else {

@@ -41,7 +41,7 @@ impl Stroke {
 }
 
 /// One line of a panel.
-pub struct Line<'a> {
+pub struct Curve<'a> {
     pub name: String,
     /// In SI, one value for each time.
     pub values: Cow<'a, [f64]>,
@@ -72,7 +72,7 @@ impl Mark {
     }
 
     /// Time and value of the point of a line that is marked; of equal ones the first.
-    pub fn of(self, time: &[f64], line: &Line<'_>) -> Option<(f64, f64)> {
+    pub fn of(self, time: &[f64], line: &Curve<'_>) -> Option<(f64, f64)> {
         if self == Mark::Nothing {
             return None;
         }
@@ -86,7 +86,7 @@ impl Mark {
 pub struct Panel<'a> {
     pub title: String,
     pub scale: Scale,
-    pub lines: Vec<Line<'a>>,
+    pub lines: Vec<Curve<'a>>,
     pub mark: Mark,
 }
 
@@ -100,7 +100,7 @@ pub struct Chart<'a> {
 
 /// The marked point: line, time, value.
 pub struct Peak<'a> {
-    pub line: &'a Line<'a>,
+    pub line: &'a Curve<'a>,
     pub time: f64,
     pub value: f64,
 }

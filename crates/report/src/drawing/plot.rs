@@ -15,7 +15,7 @@ const ROW: f64 = 19.0;
 /// How a curve is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pen {
-    Line,
+    Curve,
     /// A line of many that lie close.
     Thin,
     Dashed,

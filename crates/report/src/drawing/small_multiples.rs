@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::drawing::axes::{Axes, drawable};
-use crate::drawing::chart::{Line, Panel};
+use crate::drawing::chart::{Curve, Panel};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
@@ -24,7 +24,7 @@ const CELL: f64 = 57.0;
 const INK: usize = 3;
 
 /// A cell: which panel's axes and range, and the line.
-pub type PanelLine<'a> = (&'a Panel<'a>, &'a Line<'a>);
+pub type PanelLine<'a> = (&'a Panel<'a>, &'a Curve<'a>);
 
 /// A figure of cells in rows.
 pub struct Multiples<'a> {

@@ -155,8 +155,8 @@ fn draw(
         };
         let dots = if quantity.of_monitors { monitors(table, facts, column, scale) } else { Vec::new() };
         let mut curves = vec![
-            PlotCurve::new(&names[2], 1, Pen::Line, line(&format!("model.{column}"))),
-            PlotCurve::new(&names[1], 0, Pen::Line, line(&format!("free_field.{column}"))),
+            PlotCurve::new(&names[2], 1, Pen::Curve, line(&format!("model.{column}"))),
+            PlotCurve::new(&names[1], 0, Pen::Curve, line(&format!("free_field.{column}"))),
             PlotCurve::new(&names[0], 3, Pen::Dashed, line(&format!("free_field.{column}_theory"))),
             PlotCurve::new(&names[3], 4, Pen::Dots, dots),
         ];

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::chapter::figure::Figure;
-use crate::drawing::chart::{Chart, Line, Panel};
+use crate::drawing::chart::{Chart, Curve, Panel};
 use crate::drawing::small_multiples::{Multiples, PanelLine};
 use crate::language::Language;
 use crate::script::curves::Curves;
@@ -57,9 +57,9 @@ pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Ve
 /// The panels with those of their lines that stand in these rows.
 fn together<'a>(panels: &'a [Panel<'a>], rows: &[Vec<Option<PanelLine<'a>>>]) -> Vec<Panel<'a>> {
     let stands =
-        |line: &Line<'_>| rows.iter().flatten().flatten().any(|(_, other)| std::ptr::eq(*other, line));
+        |line: &Curve<'_>| rows.iter().flatten().flatten().any(|(_, other)| std::ptr::eq(*other, line));
     let of = |panel: &'a Panel<'a>| {
-        let lines = panel.lines.iter().filter(|line| stands(line)).map(|line| Line {
+        let lines = panel.lines.iter().filter(|line| stands(line)).map(|line| Curve {
             name: line.name.clone(),
             values: Cow::Borrowed(&line.values[..]),
             colour: line.colour,
@@ -79,7 +79,7 @@ fn together<'a>(panels: &'a [Panel<'a>], rows: &[Vec<Option<PanelLine<'a>>>]) ->
 /// panel's lines abreast.
 fn rows<'a>(panels: &'a [Panel<'a>]) -> Vec<Vec<Option<PanelLine<'a>>>> {
     let of = |panel: &'a Panel<'a>, name: &str| -> Option<PanelLine<'a>> {
-        let line: Option<&Line> = panel.lines.iter().find(|line| line.name == name);
+        let line: Option<&Curve> = panel.lines.iter().find(|line| line.name == name);
         Some((panel, line?))
     };
     let shared = panels.iter().enumerate().any(|(k, panel)| {

@@ -1,7 +1,7 @@
 //! Figure of a record that was deconvolved beside what the run made of it at its place.
 
 use crate::chapter::figure::Figure;
-use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::drawing::chart::{Chart, Curve, Mark, Panel, Stroke};
 use crate::free_field::numbers::{AXES, interpolated, percent};
 use crate::language::say;
 use crate::quantities::units::Kind;
@@ -25,13 +25,13 @@ pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
             title: say!(language, "velocity along {axis}", axis = AXES[axis]),
             scale: source.scale(Kind::Velocity),
             lines: vec![
-                Line {
+                Curve {
                     name: say!(language, "record"),
                     values: interpolated(time, values, &found.time).into(),
                     colour: 5,
                     stroke: Stroke::Broad,
                 },
-                Line {
+                Curve {
                     name: say!(language, "free field where it was taken"),
                     values: own.into(),
                     colour: 0,

@@ -75,7 +75,7 @@ fn components(language: Language, table: &Table, hertz: &[f64], moving: &[usize]
         let points: Vec<(f64, f64)> = hertz.iter().copied().zip(values.iter().copied()).collect();
         match curves.iter_mut().find(|curve| curve.pieces[0] == points) {
             Some(same) => same.name = say!(language, "{a} and {b}", a = same.name, b = AXES[axis]),
-            None => curves.push(PlotCurve::new(AXES[axis], axis, Pen::Line, points)),
+            None => curves.push(PlotCurve::new(AXES[axis], axis, Pen::Curve, points)),
         }
     }
     curves

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use tremolite_results::{Subject, Table};
 
 use crate::chapter::figure::{Figure, Section};
-use crate::drawing::chart::{Chart, Line, Mark, Panel, Stroke};
+use crate::drawing::chart::{Chart, Curve, Mark, Panel, Stroke};
 use crate::language::{Language, say};
 use crate::quantities::scale::{Scale, quantity};
 use crate::quantities::units::Kind;
@@ -85,9 +85,9 @@ fn figure(source: &Source, table: &Table, name: &str, area: f64) -> Option<Figur
     let most = |values: &[f64]| values.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     let line = |(quantity, name, colour): Wanted| {
         let values = column(quantity).filter(|values| most(values) > 0.0)?;
-        Some(Line { name, values: Cow::from(values), colour, stroke: Stroke::Thin })
+        Some(Curve { name, values: Cow::from(values), colour, stroke: Stroke::Thin })
     };
-    let areas: Vec<Line> = areas(language).into_iter().filter_map(line).collect();
+    let areas: Vec<Curve> = areas(language).into_iter().filter_map(line).collect();
     if areas.is_empty() {
         return None;
     }
@@ -97,7 +97,7 @@ fn figure(source: &Source, table: &Table, name: &str, area: f64) -> Option<Figur
         Scale { factor: 1.0, unit: "m²".into() }
     };
     let mut panels = vec![Panel { title: say!(language, "area"), scale, lines: areas, mark: Mark::Highest }];
-    let lengths: Vec<Line> = lengths(language).into_iter().filter_map(line).collect();
+    let lengths: Vec<Curve> = lengths(language).into_iter().filter_map(line).collect();
     if !lengths.is_empty() {
         let scale = source.scale(Kind::Opening);
         panels.push(Panel { title: say!(language, "slip, gap"), scale, lines: lengths, mark: Mark::Highest });

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use indexmap::IndexMap;
 use serde::Serialize;
 
-use crate::drawing::chart::{Chart, Line, Panel, Stroke};
+use crate::drawing::chart::{Chart, Curve, Panel, Stroke};
 use crate::language::Language;
 use crate::script::blocks::{Blocks, json_element};
 
@@ -137,7 +137,7 @@ impl Curves {
                 let line = panel.lines.iter().position(|line| std::ptr::eq(line, peak.line))?;
                 Some(CurveMark { line, across: peak.time, value: peak.value * factor })
             });
-            let line = |line: &Line<'_>| CurveLine {
+            let line = |line: &Curve<'_>| CurveLine {
                 name: line.name.clone(),
                 colour: line.colour,
                 stroke: line.stroke,

@@ -94,8 +94,8 @@ mod tests {
         };
         let [coarse, fine] = [history(0.5, 4), history(0.2, 6)];
         let merged = of(&[
-            PlotCurve::new("coarse", 0, Pen::Line, coarse.clone()),
-            PlotCurve::new("fine", 1, Pen::Line, fine.clone()),
+            PlotCurve::new("coarse", 0, Pen::Curve, coarse.clone()),
+            PlotCurve::new("fine", 1, Pen::Curve, fine.clone()),
         ]);
         let across = &merged.across.values;
         assert!(across.windows(2).all(|pair| pair[0] < pair[1]), "{across:?}");
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn a_time_that_a_resumed_run_repeats_is_passed_over() {
         let points = vec![(0.0, 1.0), (0.1, 2.0), (0.2, 3.0), (0.1, 9.0), (0.2, 9.0), (0.3, 4.0)];
-        let curves = of(&[PlotCurve::new("", 0, Pen::Line, points)]);
+        let curves = of(&[PlotCurve::new("", 0, Pen::Curve, points)]);
         assert_eq!(curves.across.values, [0.0, 0.1, 0.2, 0.3]);
         assert_eq!(curves.panels[0].lines[0].values, [1.0, 2.0, 3.0, 4.0]);
     }

@@ -126,7 +126,7 @@ fn curves(
                 piece.push((along[n], of(station) * KILO));
             }
         }
-        let pen = if k == 0 { Pen::Marked } else { Pen::Line };
+        let pen = if k == 0 { Pen::Marked } else { Pen::Curve };
         PlotCurve { name, colour: COLOURS[k], pen, pieces }
     };
     let drawn = |curve: &PlotCurve| curve.pieces.iter().flatten().any(|p| p.1.is_finite());

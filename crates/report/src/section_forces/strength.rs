@@ -100,7 +100,7 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
         PlotCurve::new(
             say!(language, "elastic section: a fibre reaches f_t or f_c"),
             1,
-            Pen::Line,
+            Pen::Curve,
             strength.elastic(),
         ),
         PlotCurve::new(

@@ -113,7 +113,7 @@ fn curve(name: &str, colour: usize, spans: &[Span], cycle: &[f64], values: &[f64
     let positive = |x: f64| if x > 0.0 { x } else { f64::NAN };
     let piece =
         |span: &Span| span.rows.clone().map(|row| (span.shift + cycle[row], positive(values[row]))).collect();
-    PlotCurve { name: name.into(), colour, pen: Pen::Line, pieces: spans.iter().map(piece).collect() }
+    PlotCurve { name: name.into(), colour, pen: Pen::Curve, pieces: spans.iter().map(piece).collect() }
 }
 
 /// An axis of powers of ten.

@@ -5,8 +5,8 @@ use tremolite_case::{
     self as case, Case, Component, Direction, Problem, RecordUnit, Records, Spanned, Window,
 };
 use tremolite_motion::{
-    Channel, Column, Geographic, Orientation, ReadOptions, Sensitivity, Units, align, common_time_base, read,
-    strongest_window,
+    Channel, Geographic, Orientation, ReadOptions, Sensitivity, TextColumn, Units, align, common_time_base,
+    read, strongest_window,
 };
 
 /// A component whose file states another direction, by more than this \[deg\], is warned of: no network turns its sensors
@@ -251,13 +251,13 @@ fn record_channel(
             known.into_iter().find(|k| k.factor().is_some_and(|factor| (factor / value - 1.0).abs() < 1e-9))
         }
     });
-    let columns: Vec<Column> = record
+    let columns: Vec<TextColumn> = record
         .columns
         .iter()
         .map(|c| match c.value {
-            case::Column::Time => Column::Time,
-            case::Column::Acceleration => Column::Acceleration(None),
-            case::Column::Skip => Column::Skip,
+            case::TextColumn::Time => TextColumn::Time,
+            case::TextColumn::Acceleration => TextColumn::Acceleration(None),
+            case::TextColumn::Skip => TextColumn::Skip,
         })
         .collect();
     let options = ReadOptions {

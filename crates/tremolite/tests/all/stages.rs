@@ -12,13 +12,13 @@ const BEFORE: Stage = Stage::Before(0);
 
 /// Names and lengths of the state's columns.
 fn layout(state: &mut State) -> Vec<(String, usize)> {
-    use tremolite::state::Column;
-    let length = |column: &Column| match column {
-        Column::Count(_) => 1,
-        Column::Numbers(values) => values.len(),
-        Column::Rows(rows) | Column::SomeRows(rows) => rows.len(),
-        Column::Octets(octets) => octets.len(),
-        Column::Scalars(values) => values.len(),
+    use tremolite::state::StateColumn;
+    let length = |column: &StateColumn| match column {
+        StateColumn::Count(_) => 1,
+        StateColumn::Numbers(values) => values.len(),
+        StateColumn::Rows(rows) | StateColumn::SomeRows(rows) => rows.len(),
+        StateColumn::Octets(octets) => octets.len(),
+        StateColumn::Scalars(values) => values.len(),
     };
     state.columns().iter().map(|(name, _, column)| (name.clone(), length(column))).collect()
 }
