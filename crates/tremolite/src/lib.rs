@@ -14,6 +14,7 @@ mod fingerprint;
 mod groups;
 pub mod history;
 pub mod interfaces;
+pub mod job;
 pub mod layered_column;
 mod motion_table;
 pub mod near_sides;

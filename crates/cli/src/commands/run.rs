@@ -1,27 +1,20 @@
 //! `tremolite run`: the main job.
 
-use super::defaulted::{Known, defaulted};
-use super::near::{check_near, mirrored};
-use super::pieces::check_pieces;
-use super::{check_bolts, check_length, check_pairs, check_step, check_waves, load, pool, refused};
+use super::{load, modelled, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
-use crate::terminal::{ProgressLine, bytes, duration, say};
+use crate::terminal::{ProgressLine, bytes, duration, say, tell};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use tremolite::evidence::Evidence;
-use tremolite::near_sides::near_sides;
-use tremolite::outlook::outlook;
+use tremolite::job::Job;
 use tremolite::run::{Control, Progress};
-use tremolite::setup::changed;
-use tremolite::simulation::{Ending, Simulation, Start, check_rest, choose_step};
+use tremolite::simulation::{Ending, Simulation, Start, check_rest};
 use tremolite::summary::summary;
-use tremolite::survey::{impacts_in_words, limit_in_words, survey};
-use tremolite::{Assembly, Model, Phase, Stage, stable_step};
-use tremolite_case::Problem;
+use tremolite::survey::{impacts_in_words, limit_in_words};
 use tremolite_results::{ResultFolder, RunFacts, Summary, Table, replace_file};
 
 #[derive(clap::Args)]
@@ -54,14 +47,6 @@ pub struct Args {
     strict: bool,
 }
 
-/// The name of a case: its folder's if the file is called case.toml, else the file's.
-fn case_name(path: &Path) -> String {
-    let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    let folder = whole.parent().and_then(Path::file_name).map(|s| s.to_string_lossy().into_owned());
-    if stem == "case" { folder.unwrap_or(stem) } else { stem }
-}
-
 /// Messages to the terminal and to log.txt.
 struct Log {
     file: Option<std::fs::File>,
@@ -89,47 +74,28 @@ pub fn run(args: &Args) -> Outcome {
     let begin = Instant::now();
     let isa = machine::isa(args.isa.as_deref())?;
     let pool = pool(args.threads)?;
-    let (case, setup) = load(&args.case, &args.set, isa)?;
+    let loaded = load(&args.case, &args.set, isa)?;
     pool.install(|| {
-        let (motion, plan) = (setup.motion, setup.plan);
-        if let (Some(from), true) = (&args.from, plan.stages.is_empty()) {
+        if let (Some(from), true) = (&args.from, loaded.setup.plan.stages.is_empty()) {
             return Err(Failure::input(format!(
                 "--from {} has nothing to begin with: the case has no stages and no initial stress",
                 from.display()
             )));
         }
-        if args.from.is_some() && motion.is_none() {
+        if args.from.is_some() && loaded.setup.motion.is_none() {
             return Err(Failure::input("--from leaves nothing to do: the case has no [motion]"));
         }
-        let model = Model::new(setup.problem).map_err(|e| refused(&case, &e))?;
-        let assembly = Assembly::new(&model).map_err(|e| refused(&case, &e))?;
-        let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(|e| refused(&case, &e))?;
-        // Without an earthquake every wave is long.
-        let highest = motion.as_ref().map_or(0.0, |motion| motion.highest_frequency);
-        let survey = survey(&model, &assembly, highest).map_err(Failure::input)?;
-        let stable = stable_step(&model, &assembly, &phase);
-        let mut warnings = [case.warnings.clone(), setup.warnings.clone()].concat();
-        if !plan.stages.is_empty() {
-            let outlook = outlook(&model, &assembly, &plan).map_err(|e| refused(&case, &e))?;
-            warnings.extend(check_pieces(&case, &outlook));
-        }
-        warnings.extend(check_step(&case, &stable));
-        warnings.extend(check_waves(&case, &model, &survey));
-        let near = near_sides(&model, mirrored(&case));
-        warnings.extend(check_near(&case, &near));
-        warnings.extend(check_pairs(&case, &model, &plan));
-        warnings.extend(check_bolts(&case, &model, &plan));
-        let sentence = |p: &Problem| format!("{}; {}", p.message, p.remedy);
-        let mut said: Vec<String> = warnings.iter().map(sentence).collect();
-        said.extend(changed(&args.case, &setup.inputs));
+        let job = modelled(loaded)?;
+        tell(&job.remarks());
+        let said = job.said();
         let warned = !said.is_empty();
-        let (dt, steps) = choose_step(&model, &plan, &stable);
-        check_length(&model, &assembly, &stable, steps)?;
+        let Job { case, model, assembly, phase, plan, motion, survey, stable, dt, steps, .. } = &job;
+        let dt = *dt;
 
         let other = match &args.from {
             Some(from) => {
                 let other = ResultFolder::open_existing(from).map_err(Failure::input)?;
-                check_rest(&model, &assembly, &plan, dt, &other).map_err(Failure::input)?;
+                check_rest(model, assembly, plan, dt, &other).map_err(Failure::input)?;
                 let whole = |path: &Path| path.canonicalize().ok();
                 if args.out.as_deref().is_some_and(|out| whole(out).is_some_and(|out| Some(out) == whole(from))) {
                     return Err(Failure::input(format!(
@@ -141,7 +107,7 @@ pub fn run(args: &Args) -> Outcome {
             }
             None => None,
         };
-        let name = case_name(&args.case);
+        let name = job.name();
         let folder = if args.resume {
             ResultFolder::resume(args.out.as_deref(), &name)
         } else {
@@ -177,13 +143,13 @@ pub fn run(args: &Args) -> Outcome {
             log.say(&format!(
                 "  the stable step is {:.3e} s, set by {}",
                 stable.dt,
-                limit_in_words(&model, &assembly, &stable)
+                limit_in_words(model, assembly, stable)
             ));
-            if let Some(impacts) = impacts_in_words(&model, &stable) {
+            if let Some(impacts) = impacts_in_words(model, stable) {
                 log.say(&format!("  {impacts}"));
             }
         }
-        if let Some(motion) = &motion {
+        if let Some(motion) = motion {
             log.say(&format!("  motion: kind = {}, so {}", motion.kind, motion.entering().join("; ")));
         }
 
@@ -215,7 +181,7 @@ pub fn run(args: &Args) -> Outcome {
             None if args.resume => Start::Resume,
             None => Start::Rest,
         };
-        let outcome = Simulation::new(&model, &assembly, &phase, &plan, &folder, start, Vec::new())
+        let outcome = Simulation::new(model, assembly, phase, plan, &folder, start, Vec::new())
             .and_then(|simulation| tremolite::run::run(simulation, &mut control))
             .map_err(Failure::failed);
         line.end();
@@ -228,25 +194,14 @@ pub fn run(args: &Args) -> Outcome {
         };
         let (histories, energy) = (table(&folder.monitors())?, table(&folder.energy())?);
         let (earlier, resumed) = before.map_or((0.0, 0), |s| (s.wall_seconds, s.run.resumed + 1));
-        let defaulted = defaulted(&Known {
-            case: &case,
-            model: &model,
-            assembly: &assembly,
-            plan: &plan,
-            motion: motion.as_ref(),
-            materials: &setup.materials,
-            reference: setup.reference,
-            base_without_springs: setup.base_without_springs.as_deref(),
-            dt,
-        });
         let summary = summary(Evidence {
-            model: &model,
-            assembly: &assembly,
-            phase: &phase,
-            plan: &plan,
+            model,
+            assembly,
+            phase,
+            plan,
             motion: motion.as_ref(),
-            survey: &survey,
-            near,
+            survey,
+            near: job.near.clone(),
             outcome: &outcome,
             histories: &histories,
             energy: &energy,
@@ -258,10 +213,10 @@ pub fn run(args: &Args) -> Outcome {
                 instruction_set: isa.name().into(),
                 resumed,
             },
-            inputs: setup.inputs.clone(),
+            inputs: job.inputs.clone(),
             before: said,
-            materials: setup.materials.clone(),
-            defaulted,
+            materials: job.materials.clone(),
+            defaulted: job.defaulted(),
             wall_seconds: begin.elapsed().as_secs_f64() + if earlier.is_finite() { earlier } else { 0.0 },
         });
         summary.write(&folder.summary()).map_err(Failure::failed)?;
