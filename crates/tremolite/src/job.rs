@@ -3,12 +3,14 @@
 //! Nothing here talks to a terminal. What is unusual are [`Remark`]s, in the order in which they are to be told; what cannot be
 //! run is a [`Fault`], which carries those found before.
 
+mod begun;
 mod checked;
 pub mod defaulted;
 mod fault;
 mod loaded;
 pub mod warnings;
 
+pub use begun::{Begun, Caller};
 pub use checked::{Checked, Relaxed};
 pub use fault::{Fault, Remark, Why};
 pub use loaded::{Given, Loaded};
