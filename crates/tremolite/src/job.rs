@@ -10,6 +10,7 @@ mod fault;
 mod loaded;
 pub mod warnings;
 
+pub use crate::setup::Inputs;
 pub use begun::{Begun, Caller};
 pub use checked::{Checked, Relaxed};
 pub use fault::{Fault, Remark, Why};
@@ -76,6 +77,22 @@ impl Job {
     /// If the case cannot be read, built or run.
     pub fn read(path: &Path, given: &Given) -> Result<Job, Fault> {
         Job::of_loaded(Loaded::read(path, given)?)
+    }
+
+    /// The job of a case's text. Relative paths start from `directory`, in which messages look for the case as `case.toml`.
+    ///
+    /// # Errors
+    /// As [`Job::read`].
+    pub fn of_text(text: &str, directory: &Path, given: &Given) -> Result<Job, Fault> {
+        Job::of_loaded(Loaded::of_text(text, &directory.join("case.toml"), directory, given)?)
+    }
+
+    /// The job of a case.
+    ///
+    /// # Errors
+    /// As [`Job::read`].
+    pub fn of(case: &Case, given: &Given) -> Result<Job, Fault> {
+        Job::of_loaded(Loaded::of(case, given)?)
     }
 
     /// The job of a case whose files have been read.

@@ -1,9 +1,9 @@
 //! A case with all that it names read, before it is a model.
 
 use super::fault::{Fault, Remark};
-use crate::setup::{Laws, Setup, changed, original_folder, setup};
+use crate::setup::{Inputs, Laws, Setup, changed, original_folder, setup_of};
 use std::path::{Path, PathBuf};
-use tremolite_case::{self as case, Case, Change};
+use tremolite_case::{self as case, Case, Change, Problem};
 use tremolite_laws::{Isa, LawInfo};
 
 /// What a program gives beside a case.
@@ -11,6 +11,8 @@ use tremolite_laws::{Isa, LawInfo};
 pub struct Given {
     /// Other values at some keys, one after the other.
     pub changes: Vec<Change>,
+    /// What the case names and is in memory.
+    pub inputs: Inputs,
     /// The laws that the case may name.
     pub laws: Laws,
     /// The instruction set of the kernels; results do not depend on it.
@@ -20,7 +22,7 @@ pub struct Given {
 impl Default for Given {
     /// No changes, the laws of the house, the best instruction set that the processor has.
     fn default() -> Self {
-        Given { changes: Vec::new(), laws: Laws::default(), isa: Isa::best() }
+        Given { changes: Vec::new(), inputs: Inputs::default(), laws: Laws::default(), isa: Isa::best() }
     }
 }
 
@@ -42,18 +44,52 @@ impl Loaded {
     pub fn read(path: &Path, given: &Given) -> Result<Loaded, Fault> {
         let original = original_folder(path);
         let directory = original.as_deref().or(path.parent()).unwrap_or(Path::new(""));
-        let [materials, interfaces] = infos(&given.laws);
-        let laws = case::Laws { materials: &materials, interfaces: &interfaces };
-        let case = Case::read_changed(path, directory, &given.changes, laws).map_err(refused)?;
-        let mut loaded = Loaded::build(case, given)?;
+        let text = Case::text_of(path).map_err(refused)?;
+        let mut loaded = Loaded::of_text(&text, path, directory, given)?;
         loaded.changed = changed(path, &loaded.setup.inputs);
         loaded.original = original;
         Ok(loaded)
     }
 
+    /// Reads the text of a case and what it names: relative paths start from `directory`. Messages call it by `path`, which need
+    /// not be there.
+    ///
+    /// # Errors
+    /// As [`Loaded::read`].
+    pub fn of_text(text: &str, path: &Path, directory: &Path, given: &Given) -> Result<Loaded, Fault> {
+        let [materials, interfaces] = infos(&given.laws);
+        let laws = case::Laws { materials: &materials, interfaces: &interfaces };
+        let case = Case::parse_in(path, directory, text, &given.changes, laws).map_err(refused)?;
+        Loaded::build(case, given)
+    }
+
+    /// Reads what a case names.
+    ///
+    /// # Errors
+    /// As [`Loaded::read`].
+    pub fn of(case: &Case, given: &Given) -> Result<Loaded, Fault> {
+        let [materials, interfaces] = infos(&given.laws);
+        let laws = case::Laws { materials: &materials, interfaces: &interfaces };
+        let case = case.parse_with(&given.changes, laws).map_err(refused)?;
+        Loaded::build(case, given)
+    }
+
     /// Builds what a case asks for, whose changes have been made.
     fn build(case: Case, given: &Given) -> Result<Loaded, Fault> {
-        let setup = setup(&case, &given.laws, given.isa).map_err(|report| Fault {
+        let mut problems = case.missing_files(|file| given.inputs.has(file));
+        problems.extend(given.inputs.not_named(&case).into_iter().map(|name| {
+            let named: Vec<String> =
+                case.files().iter().map(|file| file.value.display().to_string()).collect();
+            let remedy = match named.is_empty() {
+                true => "the case names none; write path = \"…\" or file = \"…\" with that name".to_owned(),
+                false => format!("the case names {}", named.join(", ")),
+            };
+            Problem::new(0..0, format!("'{name}' is in memory, but no key of the case asks for it"), remedy)
+        }));
+        if !problems.is_empty() {
+            return Err(refused(case.report(problems)));
+        }
+        let setup = setup_of(&case, &given.inputs, &given.laws, given.isa).map_err(|report| Fault {
             remarks: Remark::of(&case, &case.warnings).into_iter().collect(),
             why: report.into(),
         })?;

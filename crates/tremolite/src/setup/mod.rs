@@ -9,6 +9,7 @@ mod initial;
 mod inputs;
 mod interfaces;
 mod materials;
+mod memory;
 mod mesh;
 mod monitors;
 mod motion;
@@ -22,6 +23,7 @@ mod warnings;
 
 pub use facts::{MotionFacts, SiteFacts};
 pub use inputs::{changed, original_folder};
+pub use memory::Inputs;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
@@ -63,7 +65,8 @@ pub fn mesh_of(
     directory: &Path,
 ) -> Result<(tremolite_mesh::Mesh, Vec<case::Problem>), Vec<case::Problem>> {
     let mut problems = Vec::new();
-    let Some(mesh::Built { mesh, mut warnings, doubled }) = mesh::build(mesh, directory, &mut problems)
+    let Some(mesh::Built { mesh, mut warnings, doubled }) =
+        mesh::build(mesh, directory, &Inputs::default(), &mut problems)
     else {
         return Err(problems);
     };
@@ -78,7 +81,8 @@ pub fn mesh_of(
 pub fn bodies_of(case: &Case, mesh: &tremolite_mesh::Mesh, laws: &[Law]) -> Result<Vec<Body>, Report> {
     let mut problems = Vec::new();
     // Only damping over a band asks for the motion.
-    let motion = case.dynamic.band.as_ref().and_then(|_| motion::build(case, &mut problems));
+    let motion =
+        case.dynamic.band.as_ref().and_then(|_| motion::build(case, &Inputs::default(), &mut problems));
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let bodies = regions::build(case, mesh, laws, band, &mut problems);
@@ -103,9 +107,17 @@ impl Default for Laws {
 /// # Errors
 /// All problems found in the mesh, the records and what refers to them, at their places in the case.
 pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
+    setup_of(case, &Inputs::default(), laws, isa)
+}
+
+/// The same where some of what the case names is in memory.
+///
+/// # Errors
+/// As [`setup`]; and what in memory cannot be used, at its name in the case.
+pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problems = Vec::new();
-    let motion = motion::build(case, &mut problems);
-    let mesh = mesh::build(&case.mesh, case.directory(), &mut problems);
+    let motion = motion::build(case, held, &mut problems);
+    let mesh = mesh::build(&case.mesh, case.directory(), held, &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
     let Some(mesh::Built { mut mesh, mut warnings, doubled }) = mesh else {
@@ -120,7 +132,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let mut bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
     let staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
-    let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, &mut problems);
+    let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, held, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
     stages::check_moved(case, &mesh, &staged.solid(), &mut problems);
     let lasting = staged.lasting(&bodies);
@@ -218,7 +230,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         bolts: at_bolts,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
-    let inputs = inputs::inputs(case);
+    let inputs = inputs::inputs(case, held);
     let warnings = case.keyed(warnings);
     Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, base_without_springs, warnings })
 }

@@ -1,0 +1,162 @@
+//! What a case names and a program holds in memory.
+
+use indexmap::IndexMap;
+use sha2::{Digest, Sha256};
+use std::path::Path;
+use tremolite_case::Case;
+use tremolite_mesh::Mesh;
+use tremolite_motion::Channel;
+
+/// Meshes, records and bolts in memory, each under the name that the case has where it would name a file. What is not here is read
+/// from the file.
+#[derive(Clone, Debug, Default)]
+pub struct Inputs {
+    /// For `mesh.file.path`, as a file would hold them: `mesh.file.unit` and `rotate` apply to them.
+    pub meshes: IndexMap<String, Mesh>,
+    /// For `motion.file`, by the orientation of each channel, or for `file` of a component: samples in m/s² as a file would hold
+    /// them, before `motion.process`. What the case says of how a file is written (`units`, `columns`, `sensitivity`) has no
+    /// meaning for them; a `dt` must agree.
+    pub records: IndexMap<String, Vec<Channel>>,
+    /// For `file` of bolts: head and other end \[m\].
+    pub bolts: IndexMap<String, Vec<[[f64; 3]; 2]>>,
+}
+
+impl Inputs {
+    pub(super) fn mesh(&self, file: &Path) -> Option<&Mesh> {
+        self.meshes.get(&*file.to_string_lossy())
+    }
+
+    pub(super) fn record(&self, file: &Path) -> Option<&[Channel]> {
+        Some(self.records.get(&*file.to_string_lossy())?)
+    }
+
+    pub(super) fn bolts(&self, file: &Path) -> Option<&[[[f64; 3]; 2]]> {
+        Some(self.bolts.get(&*file.to_string_lossy())?)
+    }
+
+    /// Whether something in memory has the name by which the case calls a file.
+    pub fn has(&self, file: &Path) -> bool {
+        self.names().any(|name| *name == file.to_string_lossy())
+    }
+
+    /// Names of what no key of the case asks for: slips of the pen, for else a file may be read in their place.
+    pub fn not_named<'a>(&'a self, case: &Case) -> Vec<&'a str> {
+        let files = case.files();
+        let asked = |name: &str| files.iter().any(|file| file.value.to_string_lossy() == name);
+        self.names().map(String::as_str).filter(|name| !asked(name)).collect()
+    }
+
+    fn names(&self) -> impl Iterator<Item = &String> {
+        self.meshes.keys().chain(self.records.keys()).chain(self.bolts.keys())
+    }
+
+    /// The contents of all that has a name: numbers by their bytes, low end first, texts and lists behind their length.
+    pub(super) fn contents(&self, file: &Path) -> Option<Sha256> {
+        let mut contents = Contents(Sha256::new());
+        if let Some(mesh) = self.mesh(file) {
+            contents.mesh(mesh);
+        }
+        for channel in self.record(file).unwrap_or_default() {
+            contents.channel(channel);
+        }
+        contents.numbers(self.bolts(file).unwrap_or_default().iter().flatten().flatten());
+        self.has(file).then_some(contents.0)
+    }
+}
+
+struct Contents(Sha256);
+
+impl Contents {
+    fn count(&mut self, n: u64) {
+        self.0.update(n.to_le_bytes());
+    }
+
+    fn text(&mut self, text: &str) {
+        self.count(text.len() as u64);
+        self.0.update(text);
+    }
+
+    fn numbers<'x>(&mut self, numbers: impl IntoIterator<Item = &'x f64>) {
+        numbers.into_iter().for_each(|x| self.0.update(x.to_bits().to_le_bytes()));
+    }
+
+    fn mesh(&mut self, mesh: &Mesh) {
+        self.count(mesh.nodes.len() as u64);
+        self.numbers(mesh.nodes.iter().flatten());
+        self.count(mesh.elements.len() as u64);
+        for element in &mesh.elements {
+            self.text(element.shape.name());
+            element.nodes().iter().for_each(|&n| self.count(n.into()));
+        }
+        for (name, list) in &mesh.groups {
+            self.text(name);
+            self.count(list.len() as u64);
+            list.iter().for_each(|&e| self.count(e.into()));
+        }
+        for (name, list) in &mesh.faces {
+            self.text(name);
+            self.count(list.len() as u64);
+            list.iter().for_each(|face| self.count(u64::from(face.element) << 8 | u64::from(face.side)));
+        }
+        for (name, point) in &mesh.points {
+            self.text(name);
+            self.numbers(point);
+        }
+        for numbers in [&mesh.node_ids, &mesh.element_ids] {
+            self.count(numbers.len() as u64);
+            numbers.iter().for_each(|&n| self.count(n));
+        }
+    }
+
+    fn channel(&mut self, channel: &Channel) {
+        self.text(&channel.name);
+        self.text(&channel.orientation.map_or(String::new(), |o| o.to_string()));
+        self.numbers([&channel.dt, &channel.start, &channel.clock.unwrap_or(f64::NAN)]);
+        self.count(channel.acceleration.len() as u64);
+        self.numbers(&channel.acceleration);
+    }
+}
+
+/// What is wrong with something in memory, with its way out behind a semicolon as what is wrong with a file has it.
+pub(super) fn in_memory(file: &Path, fault: &str) -> String {
+    format!("{} in memory: {fault}", file.display())
+}
+
+/// The channels of a record in memory, where they are such as a reader hands out; `declared` is the interval \[s\] that the case
+/// states.
+///
+/// # Errors
+/// What is wrong, and what to do about it.
+pub(super) fn checked(
+    file: &Path,
+    channels: &[Channel],
+    declared: Option<f64>,
+) -> Result<Vec<Channel>, (String, String)> {
+    let fault = |what: String, remedy: &str| Err((in_memory(file, &what), remedy.to_owned()));
+    if channels.is_empty() {
+        return fault("there are no channels".into(), "give one and more");
+    }
+    for Channel { name, dt, start, acceleration, raw, .. } in channels {
+        if *raw {
+            return fault(format!("'{name}' is in counts"), "give samples in m/s2");
+        }
+        if !(*dt > 0.0 && dt.is_finite() && start.is_finite()) {
+            let what = format!("'{name}' begins at {start} s with an interval of {dt} s");
+            return fault(what, "give an interval above 0");
+        }
+        if acceleration.len() < 2 || acceleration.iter().any(|a| !a.is_finite()) {
+            return fault(
+                format!("'{name}' has less than two samples, or some that are not finite"),
+                "mend them",
+            );
+        }
+        // A thousandth, as for what a file states.
+        if let Some(declared) = declared.filter(|declared| !((declared - dt).abs() <= 1e-3 * dt)) {
+            return fault(
+                format!("'{name}' has an interval of {dt} s, but dt = \"{declared} s\" was declared"),
+                "remove the declaration, or correct whichever is wrong",
+            );
+        }
+    }
+    Ok(channels.to_vec())
+}
