@@ -34,6 +34,56 @@ use tremolite_results::{Defaulted, Input, MaterialFacts};
 const MOST_STEPS: u64 = 100_000_000_000;
 
 /// A case that can be run.
+///
+/// ```
+/// use std::{path::Path, sync::atomic::AtomicBool};
+/// use tremolite::{job::{Caller, Given, Inputs, Job}, run::Control, simulation::Start};
+/// use tremolite_motion::Channel;
+/// use tremolite_results::{ResultFolder, Status};
+///
+/// let case = r#"
+/// title = "a column under a pulse"
+/// [mesh.box]
+/// group = "rock"
+/// x = { from = "0 m", to = "2 m", elements = 1 }
+/// y = { from = "0 m", to = "2 m", elements = 1 }
+/// z = { from = "-20 m", to = "0 m", elements = 10 }
+/// [material.rock]
+/// law = "elastic"
+/// young = "2 GPa"
+/// poisson = 0.25
+/// density = "2500 kg/m3"
+/// [[region]]
+/// groups = ["rock"]
+/// material = "rock"
+/// element = "one-point"
+/// [motion]
+/// kind = "incident"
+/// east = { file = "pulse" }
+/// [dynamic]
+/// base = "viscous"
+/// sides = "periodic"
+/// [[monitor]]
+/// name = "top"
+/// at = ["1 m", "1 m", "-1 m"]
+/// "#;
+/// // There is no file of the name "pulse": the record is in memory.
+/// let pulse = (0..100).map(|k| (-(0.2 * f64::from(k - 40)).powi(2)).exp() * (0.4 * f64::from(k - 40)).sin());
+/// let pulse = Channel::new("pulse", 0.01, pulse.collect());
+/// let inputs = Inputs { records: [("pulse".to_owned(), vec![pulse])].into(), ..Inputs::default() };
+/// let job = Job::of_text(case, Path::new("."), &Given { inputs, ..Given::default() })?;
+/// for warning in job.warnings() {
+///     println!("{}: {}; {}", warning.key, warning.message, warning.remedy);
+/// }
+///
+/// let parent = tempfile::tempdir()?;
+/// let folder = ResultFolder::create(Some(&parent.path().join("column")), "column", false)?;
+/// let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
+/// let (_, summary) = job.run(&folder, Start::Rest, &Caller::new("example"), &mut control)?;
+/// assert_eq!(summary.status, Status::Done);
+/// assert!(summary.monitors["top"]["ux"].max > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Job {
     pub case: Case,
     pub plan: Plan,
@@ -79,7 +129,7 @@ impl Job {
         Job::of_loaded(Loaded::read(path, given)?)
     }
 
-    /// The job of a case's text. Relative paths start from `directory`, in which messages look for the case as `case.toml`.
+    /// The job of a case's text. Relative paths start from `directory`; messages call the case as if it were `case.toml` there.
     ///
     /// # Errors
     /// As [`Job::read`].

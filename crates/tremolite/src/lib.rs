@@ -2,7 +2,7 @@
 //!
 //! [`setup`] makes a [`Problem`] and a [`plan::Plan`] of a case; a [`simulation::Simulation`] takes them through the engine
 //! ([`tremolite_engine`], whose modules are passed on here) and lets [`observers`] look, [`run`] drives it to its end, and
-//! [`summary`] says what came out.
+//! [`summary`] says what came out. A [`job::Job`] holds all of that for a case.
 
 pub mod checkpoint;
 pub mod damage;

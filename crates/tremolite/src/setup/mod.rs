@@ -55,18 +55,18 @@ pub struct Setup {
     pub warnings: Vec<case::Problem>,
 }
 
-/// The mesh of a case, or of a mesh's own description, in this folder: in metres, and what is worth knowing of it, at its
-/// place in the file.
+/// The mesh of a case, or of a mesh's own description, in this folder or `held` in memory: in metres, and what is worth knowing of
+/// it, at its place in the file.
 ///
 /// # Errors
 /// Why it cannot be generated or read, at its place in the file.
 pub fn mesh_of(
     mesh: &case::Mesh,
     directory: &Path,
+    held: &Inputs,
 ) -> Result<(tremolite_mesh::Mesh, Vec<case::Problem>), Vec<case::Problem>> {
     let mut problems = Vec::new();
-    let Some(mesh::Built { mesh, mut warnings, doubled }) =
-        mesh::build(mesh, directory, &Inputs::default(), &mut problems)
+    let Some(mesh::Built { mesh, mut warnings, doubled }) = mesh::build(mesh, directory, held, &mut problems)
     else {
         return Err(problems);
     };
@@ -74,15 +74,20 @@ pub fn mesh_of(
     Ok((mesh, warnings))
 }
 
-/// What a case makes of a mesh, which need not be its own: a body for each region that is not void.
+/// What a case makes of a mesh, which need not be its own: a body for each region that is not void. Records may be `held` in
+/// memory.
 ///
 /// # Errors
 /// Regions that do not fit the mesh or leave elements out, at their places in the case.
-pub fn bodies_of(case: &Case, mesh: &tremolite_mesh::Mesh, laws: &[Law]) -> Result<Vec<Body>, Report> {
+pub fn bodies_of(
+    case: &Case,
+    mesh: &tremolite_mesh::Mesh,
+    held: &Inputs,
+    laws: &[Law],
+) -> Result<Vec<Body>, Report> {
     let mut problems = Vec::new();
     // Only damping over a band asks for the motion.
-    let motion =
-        case.dynamic.band.as_ref().and_then(|_| motion::build(case, &Inputs::default(), &mut problems));
+    let motion = case.dynamic.band.as_ref().and_then(|_| motion::build(case, held, &mut problems));
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let bodies = regions::build(case, mesh, laws, band, &mut problems);
