@@ -79,7 +79,8 @@ mod tests {
     #[test]
     fn what_does_not_fit_is_refused_and_what_can_be_mended_is() {
         let good = BoxSpec::uniform([0.0; 3], [2.0, 1.0, 1.0], [2, 1, 1]).mesh().unwrap();
-        let spoil: [(&str, fn(&mut Mesh)); 7] = [
+        type Spoil = fn(&mut Mesh);
+        let spoil: [(&str, Spoil); 7] = [
             ("not finite", |mesh| mesh.nodes[3][1] = f64::NAN),
             ("node of index 99", |mesh| mesh.elements[1].nodes[2] = 99),
             ("group 'a' has the element of index 2", |mesh| drop(mesh.groups.insert("a".into(), vec![2]))),

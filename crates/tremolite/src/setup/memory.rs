@@ -136,22 +136,17 @@ pub(super) fn checked(
     if channels.is_empty() {
         return fault("there are no channels".into(), "give one and more");
     }
-    for Channel { name, dt, start, acceleration, raw, .. } in channels {
+    for channel in channels {
+        if let Err(e) = channel.sound() {
+            let (what, remedy) = e.message_and_remedy();
+            return fault(what, &remedy);
+        }
+        let Channel { name, dt, raw, .. } = channel;
         if *raw {
             return fault(format!("'{name}' is in counts"), "give samples in m/s2");
         }
-        if !(*dt > 0.0 && dt.is_finite() && start.is_finite()) {
-            let what = format!("'{name}' begins at {start} s with an interval of {dt} s");
-            return fault(what, "give an interval above 0");
-        }
-        if acceleration.len() < 2 || acceleration.iter().any(|a| !a.is_finite()) {
-            return fault(
-                format!("'{name}' has less than two samples, or some that are not finite"),
-                "mend them",
-            );
-        }
         // A thousandth, as for what a file states.
-        if let Some(declared) = declared.filter(|declared| !((declared - dt).abs() <= 1e-3 * dt)) {
+        if let Some(declared) = declared.filter(|declared| (declared - dt).abs() > 1e-3 * dt) {
             return fault(
                 format!("'{name}' has an interval of {dt} s, but dt = \"{declared} s\" was declared"),
                 "remove the declaration, or correct whichever is wrong",

@@ -296,12 +296,15 @@ fn what_is_in_memory_and_cannot_be_used_is_refused_where_the_case_names_it() {
     let mesh = |inputs: &mut Inputs, spoil: &dyn Fn(&mut Mesh)| spoil(&mut inputs.meshes["hall.msh"]);
     let record =
         |inputs: &mut Inputs, spoil: &dyn Fn(&mut Channel)| spoil(&mut inputs.records["pulse.txt"][0]);
-    let spoils: [(&str, &str, &dyn Fn(&mut Inputs)); 8] = [
+    type Spoil<'a> = &'a dyn Fn(&mut Inputs);
+    let spoils: [(&str, &str, Spoil); 10] = [
         ("mesh.file.path", "node of index 999", &|i| mesh(i, &|m| m.elements[3].nodes[5] = 999)),
         ("mesh.file.path", "there is no file hall.msh", &|i| i.meshes.clear()),
-        ("motion.east.file", "not finite", &|i| record(i, &|c| c.acceleration[5] = f64::NAN)),
+        ("motion.east.file", "sample 6 of 'pulse' is NaN", &|i| record(i, &|c| c.acceleration[5] = f64::NAN)),
         ("motion.east.file", "dt = \"0.01 s\" was declared", &|i| record(i, &|c| c.dt = 0.02)),
         ("motion.east.file", "interval of 0 s", &|i| record(i, &|c| c.dt = 0.0)),
+        ("motion.east.file", "has 1 samples", &|i| record(i, &|c| c.acceleration.truncate(1))),
+        ("motion.east.file", "is in counts", &|i| record(i, &|c| c.raw = true)),
         ("motion.east.file", "no channels", &|i| i.records["pulse.txt"].clear()),
         ("stage[0].bolts[0].file", "one place", &|i| i.bolts["bolts.csv"][0][1] = BOLT[0]),
         ("", "'pulse2.txt' is in memory, but no key", &|i| {
