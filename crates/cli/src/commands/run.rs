@@ -103,12 +103,12 @@ pub fn run(args: &Args) -> Outcome {
             line.show(p.share, &progress(&job.plan, &p));
         };
         let mut control = Control { stop: &stop, progress: &mut tell };
-        let simulation = begun.simulation(Vec::new());
+        let simulation = begun.simulation(&job, Vec::new());
         let outcome = simulation.and_then(|simulation| tremolite::run::run(simulation, &mut control));
         line.end();
         let outcome = outcome.map_err(Failure::failed)?;
 
-        let summary = begun.end(&outcome, &caller).map_err(Failure::failed)?;
+        let summary = begun.end(&job, &outcome, &caller).map_err(Failure::failed)?;
         let page = tremolite_report::write(folder.root()).map_err(Failure::failed)?;
         after(&mut log, &job, &outcome, &summary);
         log.say(&format!("Results are in {}; open {}", folder.root().display(), page.display()));

@@ -38,13 +38,20 @@ impl Caller {
     }
 }
 
-/// A job that has its folder, which keeps the case as it is run.
-pub struct Begun<'a> {
-    job: &'a Job,
+/// A run of a job that has its folder, which keeps the case as it is run. It borrows nothing, so that a program can hold it beside
+/// the job.
+pub struct Begun {
     folder: ResultFolder,
-    start: Start<'a>,
+    start: Beginning,
     /// Wall time before this run was resumed \[s\], and how often it was.
     earlier: (f64, u64),
+}
+
+/// A [`Start`] that holds its folder.
+enum Beginning {
+    Rest,
+    Resume,
+    From(ResultFolder),
 }
 
 /// Whether there is something that another run's rest could be the beginning of.
@@ -82,7 +89,7 @@ impl Job {
     ///
     /// # Errors
     /// If the run that is to be resumed is of another case, or the folder cannot be written.
-    pub fn begin<'a>(&'a self, folder: &ResultFolder, start: Start<'a>) -> Result<Begun<'a>, RunError> {
+    pub fn begin(&self, folder: &ResultFolder, start: Start) -> Result<Begun, RunError> {
         let source = self.case.source.as_bytes();
         let mut earlier = (0.0, 0);
         if let Start::Resume = start {
@@ -94,7 +101,12 @@ impl Job {
             }
         }
         replace_file(&folder.case(), source)?;
-        Ok(Begun { job: self, folder: folder.clone(), start, earlier })
+        let start = match start {
+            Start::Rest => Beginning::Rest,
+            Start::Resume => Beginning::Resume,
+            Start::From(other) => Beginning::From(other.clone()),
+        };
+        Ok(Begun { folder: folder.clone(), start, earlier })
     }
 
     /// Runs it in a folder until it ends or is stopped, on the rayon pool that this is called from. The figures and the page are made
@@ -112,29 +124,33 @@ impl Job {
     ) -> Result<(Outcome, Summary), RunError> {
         self.check_start(start)?;
         let begun = self.begin(folder, start)?;
-        let outcome = run(begun.simulation(Vec::new())?, control)?;
-        let summary = begun.end(&outcome, caller)?;
+        let outcome = run(begun.simulation(self, Vec::new())?, control)?;
+        let summary = begun.end(self, &outcome, caller)?;
         Ok((outcome, summary))
     }
 }
 
-impl Begun<'_> {
-    /// The simulation, which can be driven by [`run`](crate::run::run) or in any other way; `own` are observers of the program's
+impl Begun {
+    /// The simulation of the job that was begun, which can be driven by [`run`](crate::run::run) or in any other way; `own` are observers of the program's
     /// own.
     ///
     /// # Errors
     /// If there is no checkpoint to start from, or it is of another model or plan.
-    pub fn simulation(&self, own: OwnObservers) -> Result<Simulation, RunError> {
-        let Job { model, assembly, phase, plan, .. } = self.job;
-        Simulation::new(model, assembly, phase, plan, &self.folder, self.start, own)
+    pub fn simulation(&self, job: &Job, own: OwnObservers) -> Result<Simulation, RunError> {
+        let start = match &self.start {
+            Beginning::Rest => Start::Rest,
+            Beginning::Resume => Start::Resume,
+            Beginning::From(other) => Start::From(other),
+        };
+        Simulation::new(&job.model, &job.assembly, &job.phase, &job.plan, &self.folder, start, own)
     }
 
-    /// The summary of how it ended, which is written into the folder.
+    /// The summary of how the job that was begun ended, which is written into the folder.
     ///
     /// # Errors
     /// If tables of the run cannot be read, or the summary not be written.
-    pub fn end(&self, outcome: &Outcome, caller: &Caller) -> Result<Summary, RunError> {
-        let Begun { job, folder, earlier: (earlier, resumed), .. } = self;
+    pub fn end(&self, job: &Job, outcome: &Outcome, caller: &Caller) -> Result<Summary, RunError> {
+        let Begun { folder, earlier: (earlier, resumed), .. } = self;
         // Before the earthquake there are none.
         let table = |path: &Path| match outcome.shaken {
             true => Table::read(path),

@@ -77,14 +77,18 @@ impl Loaded {
     /// Builds what a case asks for, whose changes have been made.
     fn build(case: Case, given: &Given) -> Result<Loaded, Fault> {
         let mut problems = case.missing_files(|file| given.inputs.has(file));
-        problems.extend(given.inputs.not_named(&case).into_iter().map(|name| {
+        problems.extend(given.inputs.not_named(&case).into_iter().map(|(kind, name)| {
             let named: Vec<String> =
                 case.files().iter().map(|file| file.value.display().to_string()).collect();
             let remedy = match named.is_empty() {
                 true => "the case names none; write path = \"…\" or file = \"…\" with that name".to_owned(),
                 false => format!("the case names {}", named.join(", ")),
             };
-            Problem::new(0..0, format!("'{name}' is in memory, but no key of the case asks for it"), remedy)
+            Problem::new(
+                0..0,
+                format!("'{name}' is in memory among {kind}, but no key of the case asks for it there"),
+                remedy,
+            )
         }));
         if !problems.is_empty() {
             return Err(refused(case.report(problems)));

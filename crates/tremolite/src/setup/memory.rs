@@ -2,10 +2,14 @@
 
 use indexmap::IndexMap;
 use sha2::{Digest, Sha256};
-use std::path::Path;
-use tremolite_case::Case;
+use std::path::{Path, PathBuf};
+use tremolite_case::{self as case, BoltPlace, Case, Spanned};
 use tremolite_mesh::Mesh;
 use tremolite_motion::Channel;
+
+const MESHES: &str = "meshes";
+const RECORDS: &str = "records";
+const BOLTS: &str = "bolts";
 
 /// Meshes, records and bolts in memory, each under the name that the case has where it would name a file. What is not here is read
 /// from the file.
@@ -36,18 +40,36 @@ impl Inputs {
 
     /// Whether something in memory has the name by which the case calls a file.
     pub fn has(&self, file: &Path) -> bool {
-        self.names().any(|name| *name == file.to_string_lossy())
+        self.names().any(|(_, name)| name == file.to_string_lossy())
     }
 
-    /// Names of what no key of the case asks for: slips of the pen, for else a file may be read in their place.
-    pub fn not_named<'a>(&'a self, case: &Case) -> Vec<&'a str> {
-        let files = case.files();
-        let asked = |name: &str| files.iter().any(|file| file.value.to_string_lossy() == name);
-        self.names().map(String::as_str).filter(|name| !asked(name)).collect()
+    /// The kind and the name of what no key of the case asks for: slips of the pen, for else a file may be read in its place.
+    pub fn not_named(&self, case: &Case) -> Vec<(&'static str, &str)> {
+        let mesh = match &case.mesh {
+            case::Mesh::File(file) => Some(&file.path),
+            _ => None,
+        };
+        let bolts = case.bolts().filter_map(|(_, bolts)| match &bolts.place {
+            BoltPlace::File(file) => Some(file),
+            _ => None,
+        });
+        let others: Vec<&Spanned<PathBuf>> = mesh.into_iter().chain(bolts).collect();
+        let kind = |file: &Spanned<PathBuf>| match others.iter().position(|other| other.span == file.span) {
+            None => RECORDS,
+            Some(0) if mesh.is_some() => MESHES,
+            Some(_) => BOLTS,
+        };
+        let asked: Vec<_> =
+            case.files().into_iter().map(|file| (kind(file), file.value.to_string_lossy())).collect();
+        self.names().filter(|of| asked.iter().all(|(kind, name)| (*kind, &**name) != *of)).collect()
     }
 
-    fn names(&self) -> impl Iterator<Item = &String> {
-        self.meshes.keys().chain(self.records.keys()).chain(self.bolts.keys())
+    /// All names, each with its kind.
+    fn names(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        let meshes = self.meshes.keys().map(|name| (MESHES, name.as_str()));
+        let records = self.records.keys().map(|name| (RECORDS, name.as_str()));
+        let bolts = self.bolts.keys().map(|name| (BOLTS, name.as_str()));
+        meshes.chain(records).chain(bolts)
     }
 
     /// The contents of all that has a name: numbers by their bytes, low end first, texts and lists behind their length.

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use tremolite::RunError;
-use tremolite::job::{Caller, Given, Inputs, Job, Loaded, Remark, Why};
+use tremolite::job::{Begun, Caller, Given, Inputs, Job, Loaded, Remark, Why};
 use tremolite::laws;
 use tremolite::run::Control;
 use tremolite::simulation::{Ending, Go, Start, Stepping};
@@ -190,6 +190,7 @@ fn a_job_can_be_handed_to_another_thread() {
     fn whole<T: Send + Sync>() {}
     whole::<Job>();
     whole::<Given>();
+    whole::<Begun>();
 }
 
 #[test]
@@ -242,7 +243,7 @@ fn a_run_in_two_halves_is_one() {
     // Stopped half way through the shaking, by a program that drives it by itself.
     let halves = make(parent, "halves");
     let begun = job.begin(&halves, Start::Rest).unwrap();
-    let mut simulation = begun.simulation(Vec::new()).unwrap();
+    let mut simulation = begun.simulation(&job, Vec::new()).unwrap();
     while simulation.stage().is_some() {
         simulation.relax(&mut |_| Go::On).unwrap();
     }
@@ -250,7 +251,7 @@ fn a_run_in_two_halves_is_one() {
     assert!(matches!(simulation.step(half).unwrap(), Stepping::On));
     assert!(simulation.checkpoint().unwrap().is_none());
     let outcome = simulation.finish(Ending::Stopped, 0.0).unwrap();
-    let stopped = begun.end(&outcome, &Caller::new("test")).unwrap();
+    let stopped = begun.end(&job, &outcome, &Caller::new("test")).unwrap();
     assert_eq!((stopped.status, stopped.model.steps), (Status::Stopped, half));
     assert_ne!(tables(whole.root()), tables(halves.root()), "half of it is not all of it");
     drop((begun, halves));
@@ -297,7 +298,7 @@ fn what_is_in_memory_and_cannot_be_used_is_refused_where_the_case_names_it() {
     let record =
         |inputs: &mut Inputs, spoil: &dyn Fn(&mut Channel)| spoil(&mut inputs.records["pulse.txt"][0]);
     type Spoil<'a> = &'a dyn Fn(&mut Inputs);
-    let spoils: [(&str, &str, Spoil); 10] = [
+    let spoils: [(&str, &str, Spoil); 11] = [
         ("mesh.file.path", "node of index 999", &|i| mesh(i, &|m| m.elements[3].nodes[5] = 999)),
         ("mesh.file.path", "there is no file hall.msh", &|i| i.meshes.clear()),
         ("motion.east.file", "sample 6 of 'pulse' is NaN", &|i| record(i, &|c| c.acceleration[5] = f64::NAN)),
@@ -307,7 +308,10 @@ fn what_is_in_memory_and_cannot_be_used_is_refused_where_the_case_names_it() {
         ("motion.east.file", "is in counts", &|i| record(i, &|c| c.raw = true)),
         ("motion.east.file", "no channels", &|i| i.records["pulse.txt"].clear()),
         ("stage[0].bolts[0].file", "one place", &|i| i.bolts["bolts.csv"][0][1] = BOLT[0]),
-        ("", "'pulse2.txt' is in memory, but no key", &|i| {
+        ("", "'hall.msh' is in memory among bolts, but no key", &|i| {
+            i.bolts.insert("hall.msh".into(), vec![BOLT]);
+        }),
+        ("", "'pulse2.txt' is in memory among records, but no key", &|i| {
             i.records.insert("pulse2.txt".into(), Vec::new());
         }),
     ];
