@@ -231,6 +231,21 @@ fn a_refusal_carries_what_was_found_unusual_before_in_its_order() {
 }
 
 #[test]
+fn a_check_foretells_what_the_run_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = Job::of_text(CASE, folder.path(), &in_memory(held())).unwrap_or_else(|fault| panic!("{fault}"));
+    let checked = serde_json::to_value(job.check()).unwrap();
+    let summary = run(&job, &make(folder.path(), "out"), Start::Rest).unwrap();
+    assert_eq!(checked["time_step"]["steps"], summary.model.steps);
+    assert_eq!(checked["time_step"]["used"], summary.model.time_step);
+    assert_eq!(checked["elements"], summary.model.elements);
+    assert_eq!(checked["stages"].as_array().unwrap().len(), summary.stages.len());
+    assert_eq!(checked["defaulted"], serde_json::to_value(&summary.defaulted).unwrap());
+    assert_eq!(checked["findings"].as_array().unwrap().len(), summary.before.len());
+    assert_eq!(checked["findings"][0]["key"], "material.spare");
+}
+
+#[test]
 fn a_run_in_two_halves_is_one() {
     let folder = tempfile::tempdir().unwrap();
     let parent = folder.path();
