@@ -2,6 +2,7 @@
 
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
+use tremolite::job::Remark;
 
 /// Whether messages may be coloured.
 pub fn colour() -> bool {
@@ -11,6 +12,11 @@ pub fn colour() -> bool {
 /// A message. A closed standard error is no reason to stop.
 pub fn say(message: &str) {
     let _ = writeln!(std::io::stderr(), "{message}");
+}
+
+/// What is unusual of a case.
+pub fn tell(remarks: &[Remark]) {
+    remarks.iter().for_each(|remark| say(&remark.render(colour())));
 }
 
 /// A line of data. A closed pipe (`| head`) ends the output quietly.

@@ -41,6 +41,11 @@ pub(crate) struct Draft {
 }
 
 impl Draft {
+    /// One of a mesh whose indices are good.
+    pub(crate) fn of(mesh: Mesh) -> Self {
+        Draft { mesh, ..Draft::default() }
+    }
+
     /// Counts an element of `nodes` nodes, of which only the corners are kept.
     pub(crate) fn reduce(&mut self, nodes: usize, shape: Shape) {
         if nodes != shape.nodes() {

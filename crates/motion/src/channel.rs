@@ -5,6 +5,11 @@ use std::path::PathBuf;
 use crate::shown::rounded;
 use crate::{Error, Orientation, Units};
 
+/// Sampling intervals of records \[s\], those of slow channels of seismometers among them.
+pub(crate) const INTERVALS: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
+/// No sample is larger, in m/s² or counts: the squares of a long record stay numbers.
+pub(crate) const LARGEST: f64 = 1e12;
+
 /// One component of a recorded acceleration, equally spaced in time.
 ///
 /// Readers hand out channels with at least two samples, all finite, and `dt > 0`.
@@ -65,6 +70,36 @@ impl Channel {
     /// Time from the first to the last sample (s).
     pub fn duration(&self) -> f64 {
         self.acceleration.len().saturating_sub(1) as f64 * self.dt
+    }
+
+    /// Refuses a channel that was put together in memory and is not such as readers hand out.
+    ///
+    /// # Errors
+    /// [`Error::Unsuitable`] if there are less than two samples, if one is not finite or larger than any acceleration, or if its
+    /// times are not those of a record.
+    pub fn sound(&self) -> Result<(), Error> {
+        let Channel { name, dt, start, acceleration, .. } = self;
+        if !INTERVALS.contains(dt) || !start.is_finite() {
+            return Err(Error::unsuitable(
+                format!(
+                    "'{name}' begins at {start} s with a sampling interval of {dt} s, which is none of a record"
+                ),
+                "correct the interval: 0.001 s to 0.05 s are usual",
+            ));
+        }
+        if acceleration.len() < 2 {
+            return Err(Error::unsuitable(
+                format!("'{name}' has {} samples", acceleration.len()),
+                "give two and more",
+            ));
+        }
+        match acceleration.iter().position(|a| a.is_nan() || a.abs() > LARGEST) {
+            Some(k) => Err(Error::unsuitable(
+                format!("sample {} of '{name}' is {}, which is no acceleration", k + 1, acceleration[k]),
+                "correct the value",
+            )),
+            None => Ok(()),
+        }
     }
 
     /// Refuses samples of a sensor that does not record acceleration: no sensitivity makes acceleration of them.

@@ -19,6 +19,12 @@ pub enum RunError {
     Model(#[from] ModelError),
     #[error("the stage '{0}' comes before the earthquake; bring it to rest before the first step")]
     StageLeft(String),
+    #[error("{} differs from {}, from which the run was started", case.display(), kept.display())]
+    OtherCase { case: PathBuf, kept: PathBuf },
+    #[error("no rest of another run can be the beginning: the case has no stages and no initial stress")]
+    NoRest,
+    #[error("behind another run's rest nothing is left to do: the case has no [motion]")]
+    RestAlone,
     #[error("no stage is left to bring to rest; go on with steps")]
     NoStageLeft,
     #[error("what looks at the run failed in step {0}; go back to its checkpoint")]

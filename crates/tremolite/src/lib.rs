@@ -2,7 +2,7 @@
 //!
 //! [`setup`] makes a [`Problem`] and a [`plan::Plan`] of a case; a [`simulation::Simulation`] takes them through the engine
 //! ([`tremolite_engine`], whose modules are passed on here) and lets [`observers`] look, [`run`] drives it to its end, and
-//! [`summary`] says what came out.
+//! [`summary`] says what came out. A [`job::Job`] holds all of that for a case.
 
 pub mod checkpoint;
 pub mod damage;
@@ -14,6 +14,7 @@ mod fingerprint;
 mod groups;
 pub mod history;
 pub mod interfaces;
+pub mod job;
 pub mod layered_column;
 mod motion_table;
 mod moved;

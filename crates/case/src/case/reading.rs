@@ -36,7 +36,30 @@ impl Case {
         changes: &[Change],
         laws: impl Into<Laws<'a>>,
     ) -> Result<Case, Report> {
-        Case::among_files(path, directory, &syntax::read(path, "case file")?, changes, laws)
+        Case::parse_in(path, directory, &Case::text_of(path)?, changes, laws)?.with_files()
+    }
+
+    /// The text of a case file, unchecked.
+    ///
+    /// # Errors
+    /// Why it cannot be read.
+    pub fn text_of(path: &Path) -> Result<String, Report> {
+        syntax::read(path, "case file")
+    }
+
+    /// Checks the text of a case whose relative paths start from `directory`, with other values at some keys. Touches no files.
+    ///
+    /// # Errors
+    /// As [`Case::parse_changed`].
+    pub fn parse_in<'a>(
+        path: &Path,
+        directory: &Path,
+        source: &str,
+        changes: &[Change],
+        laws: impl Into<Laws<'a>>,
+    ) -> Result<Case, Report> {
+        let case = Case::parse_changed(path, source, changes, laws)?;
+        Ok(Case { directory: directory.to_owned(), ..case })
     }
 
     /// This case with other values at some keys, in addition to the changes that it was read with. The file is not read again.
@@ -44,25 +67,29 @@ impl Case {
     /// # Errors
     /// As [`Case::read_changed`].
     pub fn with<'a>(&self, changes: &[Change], laws: impl Into<Laws<'a>>) -> Result<Case, Report> {
+        self.parse_with(changes, laws)?.with_files()
+    }
+
+    /// As [`Case::with`], without a look at the files that it names.
+    ///
+    /// # Errors
+    /// As [`Case::parse_changed`].
+    pub fn parse_with<'a>(&self, changes: &[Change], laws: impl Into<Laws<'a>>) -> Result<Case, Report> {
         let changes = [&self.changed.changes, changes].concat();
-        Case::among_files(&self.path, &self.directory, &self.changed.original, &changes, laws)
+        Case::parse_in(&self.path, &self.directory, &self.changed.original, &changes, laws)
     }
 
-    fn among_files<'a>(
-        path: &Path,
-        directory: &Path,
-        source: &str,
-        changes: &[Change],
-        laws: impl Into<Laws<'a>>,
-    ) -> Result<Case, Report> {
-        let case =
-            Case { directory: directory.to_owned(), ..Case::parse_changed(path, source, changes, laws)? };
-        let missing = case.missing_files();
-        if missing.is_empty() { Ok(case) } else { Err(case.report(missing)) }
+    /// The case, if all files that it names are there.
+    fn with_files(self) -> Result<Case, Report> {
+        let missing = self.missing_files(|_| false);
+        if missing.is_empty() { Ok(self) } else { Err(self.report(missing)) }
     }
 
-    fn missing_files(&self) -> Vec<Problem> {
-        let missing = self.files().into_iter().filter(|f| !self.resolve(&f.value).is_file());
+    /// The files that it names and that are not there, but for those that are `held` elsewhere, each at its place; `held` is asked
+    /// for the name as it is written.
+    pub fn missing_files(&self, held: impl Fn(&Path) -> bool) -> Vec<Problem> {
+        let missing = |f: &&Spanned<PathBuf>| !held(&f.value) && !self.resolve(&f.value).is_file();
+        let missing = self.files().into_iter().filter(missing);
         let problem = |f: &Spanned<PathBuf>| {
             let looked = self.resolve(&f.value);
             let written = self.source.get(f.span.clone()).unwrap_or("").trim_matches(['"', '\'']);

@@ -9,7 +9,7 @@ use super::infos;
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::{print, say};
 use std::path::{Path, PathBuf};
-use tremolite::setup::mesh_of;
+use tremolite::setup::{Inputs, mesh_of};
 use tremolite_case::{Case, MeshAlone};
 use tremolite_mesh::cavern::CavernSpec;
 use tremolite_mesh::merge::merge_nodes;
@@ -60,11 +60,14 @@ fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
         let (made, case) = match MeshAlone::read(file).map_err(|r| Failure::case(&r))? {
             Some(alone) => {
                 let directory = file.parent().unwrap_or(Path::new(""));
-                (mesh_of(&alone.mesh, directory).map_err(|p| alone.report(p)), None)
+                (mesh_of(&alone.mesh, directory, &Inputs::default()).map_err(|p| alone.report(p)), None)
             }
             None => {
                 let case = Case::read(file, &infos()).map_err(|r| Failure::case(&r))?;
-                (mesh_of(&case.mesh, case.directory()).map_err(|p| case.report(p)), Some(case))
+                (
+                    mesh_of(&case.mesh, case.directory(), &Inputs::default()).map_err(|p| case.report(p)),
+                    Some(case),
+                )
             }
         };
         let (mesh, warnings) = made.map_err(|r| Failure::case(&r))?;

@@ -2,13 +2,9 @@
 
 use std::path::Path;
 
+use crate::channel::{INTERVALS, LARGEST};
 use crate::shown::shown;
 use crate::{Channel, Error, ReadOptions, Sensitivity, Units};
-
-/// Sampling intervals of records \[s\], those of slow channels of seismometers among them.
-const INTERVALS: std::ops::RangeInclusive<f64> = 1e-6..=1e3;
-/// No sample is larger, in m/s² or counts: the squares of a long record stay numbers.
-const LARGEST: f64 = 1e12;
 
 /// A file, unpacked, as bytes and as lines of text. Line indices count from 0 here, from 1 in messages.
 pub(crate) struct Source<'a> {

@@ -10,6 +10,7 @@ mod wall;
 
 use super::changes::before;
 use super::groups::nothing_fits;
+use super::memory::Inputs;
 use super::stages::Staged;
 use crate::plan::BoltMonitor;
 use heads::Heads;
@@ -39,9 +40,16 @@ pub struct Placed {
 }
 
 /// Makes the bolts of a case. Those that cannot be placed are among the problems.
-pub fn build(case: &Case, mesh: &Mesh, staged: &Staged, problems: &mut Vec<Problem>) -> Placed {
+pub fn build(
+    case: &Case,
+    mesh: &Mesh,
+    staged: &Staged,
+    held: &Inputs,
+    problems: &mut Vec<Problem>,
+) -> Placed {
     let mut placed = Placed { bolts: Vec::new(), warnings: Vec::new() };
-    let listed: Vec<Vec<Listed>> = case.bolts().map(|(_, bolts)| listed(case, bolts, problems)).collect();
+    let listed: Vec<Vec<Listed>> =
+        case.bolts().map(|(_, bolts)| listed(case, bolts, held, problems)).collect();
     let patterns = case.bolts().filter_map(|(_, bolts)| match &bolts.place {
         BoltPlace::Pattern(pattern) => Some(pattern),
         _ => None,
@@ -189,7 +197,7 @@ fn patterned(
 }
 
 /// The bolts that a case or its file lists, those of a pattern not among them.
-fn listed(case: &Case, written: &case::Bolts, problems: &mut Vec<Problem>) -> Vec<Listed> {
+fn listed(case: &Case, written: &case::Bolts, held: &Inputs, problems: &mut Vec<Problem>) -> Vec<Listed> {
     match &written.place {
         BoltPlace::Pattern(_) => Vec::new(),
         BoltPlace::Points(points) => points
@@ -197,7 +205,7 @@ fn listed(case: &Case, written: &case::Bolts, problems: &mut Vec<Problem>) -> Ve
             .enumerate()
             .map(|(k, ends)| Listed { name: format!("bolt {}", k + 1), ends: ends.value })
             .collect(),
-        BoltPlace::File(file) => match read(&case.resolve(&file.value), &file.value) {
+        BoltPlace::File(file) => match of_file(case, &file.value, held) {
             Ok(bolts) => bolts,
             Err(message) => {
                 let remedy = "a bolt a row: x1,y1,z1,x2,y2,z2 in m, its head at the wall first";
@@ -208,9 +216,13 @@ fn listed(case: &Case, written: &case::Bolts, problems: &mut Vec<Problem>) -> Ve
     }
 }
 
-fn read(path: &Path, file: &Path) -> Result<Vec<Listed>, String> {
+fn of_file(case: &Case, file: &Path, held: &Inputs) -> Result<Vec<Listed>, String> {
     let name = file.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|e| format!("{name} cannot be read: {e}"))?;
+    if let Some(bolts) = held.bolts(file) {
+        return listed::of_ends(&name, bolts);
+    }
+    let text =
+        std::fs::read_to_string(case.resolve(file)).map_err(|e| format!("{name} cannot be read: {e}"))?;
     listed::parse(&name, &text)
 }
 

@@ -1,5 +1,6 @@
 //! The mesh of a case: generated or read.
 
+use super::memory::{Inputs, in_memory};
 use std::ops::Range;
 use std::path::Path;
 use tremolite_case::{self as case, Problem};
@@ -9,7 +10,7 @@ use tremolite_mesh::cavern::{
 };
 use tremolite_mesh::note::Note;
 use tremolite_mesh::placement::Placement;
-use tremolite_mesh::{Mesh, read_with_notes};
+use tremolite_mesh::{Mesh, read_with_notes, sound};
 
 /// A mesh in metres, and what its user should know of it.
 pub struct Built {
@@ -20,8 +21,13 @@ pub struct Built {
 }
 
 /// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems. Paths
-/// of mesh files start from `directory`.
-pub fn build(mesh: &case::Mesh, directory: &Path, problems: &mut Vec<Problem>) -> Option<Built> {
+/// of mesh files start from `directory`; what is `held` in memory is not looked for there.
+pub fn build(
+    mesh: &case::Mesh,
+    directory: &Path,
+    held: &Inputs,
+    problems: &mut Vec<Problem>,
+) -> Option<Built> {
     let (made, span, remedy) = match mesh {
         case::Mesh::Caverns(caverns) => {
             let made = spec(caverns).mesh_with_notes();
@@ -33,7 +39,10 @@ pub fn build(mesh: &case::Mesh, directory: &Path, problems: &mut Vec<Problem>) -
             (made.map_err(|e| (bricks.span.clone(), e)), &bricks.span, "")
         }
         case::Mesh::File(file) => {
-            let made = read_with_notes(directory.join(&file.path.value));
+            let made = match held.mesh(&file.path.value) {
+                Some(mesh) => sound(mesh.clone()).map_err(|e| in_memory(&file.path.value, &e)),
+                None => read_with_notes(directory.join(&file.path.value)).map_err(|e| e.to_string()),
+            };
             let placement =
                 Placement { scale: [file.unit.value; 3], rotation: file.rotate.value, ..Placement::AS_IT_IS };
             let made = made.map(|(mut mesh, notes)| {
@@ -41,7 +50,7 @@ pub fn build(mesh: &case::Mesh, directory: &Path, problems: &mut Vec<Problem>) -
                 (mesh, notes)
             });
             let span = &file.path.span;
-            (made.map_err(|e| (span.clone(), e.to_string())), span, "change the file if this is not meant")
+            (made.map_err(|e| (span.clone(), e)), span, "change the file if this is not meant")
         }
     };
     match made {
@@ -246,7 +255,7 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
             let alone = MeshAlone::parse(Path::new("mesh.toml"), &source);
             let alone = alone.unwrap_or_else(|e| panic!("{e}")).expect("it has no other table");
             let mut problems = Vec::new();
-            assert!(build(&alone.mesh, Path::new(""), &mut problems).is_none());
+            assert!(build(&alone.mesh, Path::new(""), &Inputs::default(), &mut problems).is_none());
             let [problem] = &problems[..] else { panic!("{problems:?}") };
             assert!(source[problem.span.clone()].starts_with(marked), "{}", &source[problem.span.clone()]);
             assert!(problem.remedy.contains(remedy), "{problem:?}");

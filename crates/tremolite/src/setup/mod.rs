@@ -9,6 +9,7 @@ mod initial;
 mod inputs;
 mod interfaces;
 mod materials;
+mod memory;
 mod mesh;
 mod monitors;
 mod motion;
@@ -22,6 +23,7 @@ mod warnings;
 
 pub use facts::{MotionFacts, SiteFacts};
 pub use inputs::{changed, original_folder};
+pub use memory::Inputs;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
@@ -53,17 +55,18 @@ pub struct Setup {
     pub warnings: Vec<case::Problem>,
 }
 
-/// The mesh of a case, or of a mesh's own description, in this folder: in metres, and what is worth knowing of it, at its
-/// place in the file.
+/// The mesh of a case, or of a mesh's own description, in this folder or `held` in memory: in metres, and what is worth knowing of
+/// it, at its place in the file.
 ///
 /// # Errors
 /// Why it cannot be generated or read, at its place in the file.
 pub fn mesh_of(
     mesh: &case::Mesh,
     directory: &Path,
+    held: &Inputs,
 ) -> Result<(tremolite_mesh::Mesh, Vec<case::Problem>), Vec<case::Problem>> {
     let mut problems = Vec::new();
-    let Some(mesh::Built { mesh, mut warnings, doubled }) = mesh::build(mesh, directory, &mut problems)
+    let Some(mesh::Built { mesh, mut warnings, doubled }) = mesh::build(mesh, directory, held, &mut problems)
     else {
         return Err(problems);
     };
@@ -71,14 +74,20 @@ pub fn mesh_of(
     Ok((mesh, warnings))
 }
 
-/// What a case makes of a mesh, which need not be its own: a body for each region that is not void.
+/// What a case makes of a mesh, which need not be its own: a body for each region that is not void. Records may be `held` in
+/// memory.
 ///
 /// # Errors
 /// Regions that do not fit the mesh or leave elements out, at their places in the case.
-pub fn bodies_of(case: &Case, mesh: &tremolite_mesh::Mesh, laws: &[Law]) -> Result<Vec<Body>, Report> {
+pub fn bodies_of(
+    case: &Case,
+    mesh: &tremolite_mesh::Mesh,
+    held: &Inputs,
+    laws: &[Law],
+) -> Result<Vec<Body>, Report> {
     let mut problems = Vec::new();
     // Only damping over a band asks for the motion.
-    let motion = case.dynamic.band.as_ref().and_then(|_| motion::build(case, &mut problems));
+    let motion = case.dynamic.band.as_ref().and_then(|_| motion::build(case, held, &mut problems));
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let bodies = regions::build(case, mesh, laws, band, &mut problems);
@@ -103,9 +112,17 @@ impl Default for Laws {
 /// # Errors
 /// All problems found in the mesh, the records and what refers to them, at their places in the case.
 pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
+    setup_of(case, &Inputs::default(), laws, isa)
+}
+
+/// The same where some of what the case names is in memory.
+///
+/// # Errors
+/// As [`setup`]; and what in memory cannot be used, at its name in the case.
+pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problems = Vec::new();
-    let motion = motion::build(case, &mut problems);
-    let mesh = mesh::build(&case.mesh, case.directory(), &mut problems);
+    let motion = motion::build(case, held, &mut problems);
+    let mesh = mesh::build(&case.mesh, case.directory(), held, &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
     let Some(mesh::Built { mut mesh, mut warnings, doubled }) = mesh else {
@@ -120,7 +137,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let mut bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
     let staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
-    let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, &mut problems);
+    let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, held, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
     stages::check_moved(case, &mesh, &staged.solid(), &mut problems);
     let lasting = staged.lasting(&bodies);
@@ -218,7 +235,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
         bolts: at_bolts,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
-    let inputs = inputs::inputs(case);
+    let inputs = inputs::inputs(case, held);
     let warnings = case.keyed(warnings);
     Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, base_without_springs, warnings })
 }

@@ -2,12 +2,13 @@
 
 use super::doubts;
 use super::facts::{ENERGY_SHARE, MotionFacts, largest};
+use super::memory::Inputs;
 use super::records;
 use tremolite_case::{self as case, Case, Problem};
 use tremolite_motion::{Intensity, Kind, Motion, Process, highest_frequency};
 
 /// The given motion in the model's axes, and what to report of it; nothing if there is none or it was refused.
-pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, MotionFacts)> {
+pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Problem>) -> Option<(Motion, MotionFacts)> {
     let motion = case.motion.as_ref()?;
     let before = problems.len();
     let steps = steps(motion, problems);
@@ -18,7 +19,7 @@ pub fn build(case: &Case, problems: &mut Vec<Problem>) -> Option<(Motion, Motion
         case::MotionKind::Surface => Kind::Surface,
     };
     let factor = kind.incident_factor();
-    let (mut channels, mut warnings) = records::of(case, motion, problems)?;
+    let (mut channels, mut warnings) = records::of(case, motion, held, problems)?;
     let whole = channels.clone();
     if let Some(window) = &motion.window
         && let Err(e) = channels.cut(window.value)

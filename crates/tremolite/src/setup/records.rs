@@ -1,6 +1,8 @@
 //! The records of a case: read, put on one time base, and looked at for what they say of themselves.
 
+use super::memory::{Inputs, checked};
 use std::ops::Range;
+use std::path::Path;
 use tremolite_case::{
     self as case, Case, Component, Direction, Problem, RecordUnit, Records, Spanned, Window,
 };
@@ -17,6 +19,7 @@ const LARGEST_TURN: f64 = 30.0;
 pub fn of(
     case: &Case,
     motion: &case::Motion,
+    held: &Inputs,
     problems: &mut Vec<Problem>,
 ) -> Option<(Channels, Vec<Problem>)> {
     let mut warnings = Vec::new();
@@ -25,9 +28,8 @@ pub fn of(
         Records::File(file) => {
             let sensitivity = sensitivity(motion.sensitivity.as_ref(), problems)?;
             let options = ReadOptions { sensitivity, ..ReadOptions::default() };
-            let all = read(&case.resolve(&file.value), &options)
-                .map_err(|e| {
-                    let (message, mut remedy) = e.message_and_remedy();
+            let all = channels(case, &file.value, held, &options)
+                .map_err(|(message, mut remedy)| {
                     if ["units =", "columns =", "dt ="].iter().any(|key| remedy.contains(key)) {
                         remedy +=
                             "; such files go in as components, east = { file = \"…\", units = \"cm/s2\" }";
@@ -39,7 +41,7 @@ pub fn of(
             (Channels::Oriented(all), places)
         }
         Records::Components(components) => {
-            let found = components_of(case, components, problems)?;
+            let found = components_of(case, components, held, problems)?;
             let place = |component: &Option<Component>| match component {
                 Some(Component::Record(record)) => Some(record.file.span.clone()),
                 Some(Component::Scaled { from, .. }) => Some(from.span.clone()),
@@ -208,13 +210,14 @@ impl Channels {
 fn components_of(
     case: &Case,
     components: &[Option<Component>; 3],
+    held: &Inputs,
     problems: &mut Vec<Problem>,
 ) -> Option<[Option<Channel>; 3]> {
     let before = problems.len();
     let mut found: [Option<Channel>; 3] = [None, None, None];
     for (axis, component) in components.iter().enumerate() {
         if let Some(Component::Record(record)) = component {
-            found[axis] = record_channel(case, record, axis, problems);
+            found[axis] = record_channel(case, record, axis, held, problems);
         }
     }
     for (axis, component) in components.iter().enumerate() {
@@ -237,10 +240,24 @@ fn components_of(
     (problems.len() == before).then_some(found)
 }
 
+/// The channels of a file, or of what is in memory by its name; else what is wrong and what to do about it.
+fn channels(
+    case: &Case,
+    file: &Path,
+    held: &Inputs,
+    options: &ReadOptions,
+) -> Result<Vec<Channel>, (String, String)> {
+    match held.record(file) {
+        Some(channels) => checked(file, channels, options.dt),
+        None => read(&case.resolve(file), options).map_err(|e| e.message_and_remedy()),
+    }
+}
+
 fn record_channel(
     case: &Case,
     record: &case::Record,
     axis: usize,
+    held: &Inputs,
     problems: &mut Vec<Problem>,
 ) -> Option<Channel> {
     let units = record.units.as_ref().and_then(|u| match u.value {
@@ -266,10 +283,9 @@ fn record_channel(
         dt: record.dt.as_ref().map(|d| d.value),
         sensitivity: sensitivity(record.sensitivity.as_ref(), problems)?,
     };
-    let channels = match read(&case.resolve(&record.file.value), &options) {
+    let channels = match channels(case, &record.file.value, held, &options) {
         Ok(channels) => channels,
-        Err(e) => {
-            let (message, remedy) = e.message_and_remedy();
+        Err((message, remedy)) => {
             problems.push(Problem::at(&record.file, message, remedy));
             return None;
         }

@@ -1,9 +1,9 @@
 //! What is said of bolts, for people.
 
-use super::Checked;
 use crate::terminal::print;
 use std::path::Path;
 use tremolite::bolts::BoltSet;
+use tremolite::job::Checked;
 use tremolite_results::{BoltSummary, EARTHQUAKE};
 
 /// Writes the straight bolts of each group, as they were cut: x1,y1,z1,x2,y2,z2 in m to a
@@ -30,22 +30,20 @@ pub(super) fn write(folder: &Path, sets: &[BoltSet]) -> Result<(), String> {
     Ok(())
 }
 
-impl Checked<'_> {
-    pub(super) fn print_bolts(&self) {
-        if self.bolts.is_empty() {
-            return;
-        }
-        print("\nBolts");
-        for (name, group) in &self.bolts {
-            group_in_words(name, group).iter().for_each(|line| print(line));
-        }
-        for (name, bolt) in &self.bolt_monitors {
-            let [x, y, z] = bolt.at;
-            print(&format!(
-                "           monitor {name}: bolt {} of {}, {:.2} m from its head, at ({x:.2}, {y:.2}, {z:.2}) m",
-                bolt.bolt, bolt.group, bolt.from_head
-            ));
-        }
+pub(super) fn print_bolts(checked: &Checked) {
+    if checked.bolts.is_empty() {
+        return;
+    }
+    print("\nBolts");
+    for (name, group) in &checked.bolts {
+        group_in_words(name, group).iter().for_each(|line| print(line));
+    }
+    for (name, bolt) in &checked.bolt_monitors {
+        let [x, y, z] = bolt.at;
+        print(&format!(
+            "           monitor {name}: bolt {} of {}, {:.2} m from its head, at ({x:.2}, {y:.2}, {z:.2}) m",
+            bolt.bolt, bolt.group, bolt.from_head
+        ));
     }
 }
 

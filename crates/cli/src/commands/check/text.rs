@@ -1,8 +1,10 @@
 //! What is said of a case, for people.
 
-use super::Checked;
-use crate::commands::defaulted::text;
+use super::bolts::print_bolts;
+use super::stages::print_stages;
 use crate::terminal::{bytes, duration, print};
+use tremolite::job::Checked;
+use tremolite::job::defaulted::text;
 use tremolite::setup::MotionFacts;
 use tremolite::survey::Survey;
 use tremolite_case::{Dynamic, Mesh, units};
@@ -14,208 +16,205 @@ fn rounded(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }
 
-impl Checked<'_> {
-    pub(super) fn print(&self) {
-        let survey = &self.survey;
-        print(&self.case.title.value);
-        print(&format!(
-            "\nMesh       {} elements ({} excavated), {} nodes",
-            survey.active_elements, survey.void_elements, survey.nodes
-        ));
-        for (name, elements) in &self.groups {
-            print(&format!("           {name:28} {elements:>8}"));
-        }
-        self.print_rotation();
-        self.print_materials();
-        self.print_interfaces();
-        self.print_pairs();
-        self.print_bolts();
-        self.print_stages();
-        if let Some(motion) = self.motion {
-            self.print_boundaries();
-            self.print_shaking(motion);
-        }
-        self.print_estimate();
-        if !self.left_out.is_empty() {
-            print("\nLeft out, and taken as");
-            self.left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
-        }
+pub(super) fn print_all(checked: &Checked) {
+    let survey = &checked.job.survey;
+    print(&checked.job.case.title.value);
+    print(&format!(
+        "\nMesh       {} elements ({} excavated), {} nodes",
+        survey.active_elements, survey.void_elements, survey.nodes
+    ));
+    for (name, elements) in &checked.job.groups {
+        print(&format!("           {name:28} {elements:>8}"));
     }
-
-    fn print_rotation(&self) {
-        if let Mesh::File(file) = &self.case.mesh
-            && file.rotate.value != 0.0
-        {
-            // With the digits that it was written with.
-            let angle = self.case.source[file.rotate.span.clone()].trim_matches(['"', '\'']);
-            print(&format!(
-                "           turned by {angle} about z; coordinates, stresses, results and model_x_azimuth are in the axes after it"
-            ));
-        }
+    print_rotation(checked);
+    print_materials(checked);
+    print_interfaces(checked);
+    print_pairs(checked);
+    print_bolts(checked);
+    print_stages(checked);
+    if let Some(motion) = &checked.job.motion {
+        print_boundaries(checked);
+        print_shaking(checked, motion);
     }
-
-    fn print_boundaries(&self) {
-        let Dynamic { base, sides: [x, y], top, .. } = &self.case.dynamic;
-        print("\nBoundaries in the earthquake");
-        print(&format!(
-            "           base {}; sides across x {}, across y {}; top {}",
-            base.value.word(),
-            x.value.word(),
-            y.value.word(),
-            top.value.word()
-        ));
-        let Survey { slab_elements: slabs, column_elements: columns, active_elements, .. } = self.survey;
-        if slabs > 0 {
-            let share = 100.0 * (slabs + columns) as f64 / active_elements as f64;
-            print(&format!(
-                "           outside the free-field sides stand {slabs} elements of slabs and {columns} of columns, {share:.1} % of the model's"
-            ));
-        }
+    print_estimate(checked);
+    if !checked.left_out.is_empty() {
+        print("\nLeft out, and taken as");
+        checked.left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
     }
+}
 
-    fn print_shaking(&self, motion: &MotionFacts) {
-        let survey = &self.survey;
-        print("\nMotion");
-        print(&format!("           {}", motion.source));
-        let [from, to] = motion.window;
-        print(&format!("           {from:.2} to {to:.2} s of the record are used"));
-        for (k, line) in motion.entering().iter().enumerate() {
-            let kind = if k == 0 { format!("kind = {}: ", motion.kind) } else { String::new() };
-            print(&format!("           {kind}{line}"));
-        }
-        for (m, name) in motion.intensity.iter().zip(["x", "y", "z"]) {
-            let peaks = match m.pga > 0.0 {
-                true => format!("{} m/s2, {} m/s, {} m", figures(m.pga), figures(m.pgv), figures(m.pgd)),
-                false => "none".to_owned(),
-            };
-            print(&format!("           given peaks along {name}: {peaks}"));
-        }
-        let [x, y, z] = motion.incident_peak.map(figures);
-        print(&format!("           incident wave: {x}, {y}, {z} m/s2 along x, y, z"));
-        if let Some(coarsest) = survey.coarsest() {
-            print(&format!(
-                "           99.9 % of its energy lies below {:.1} Hz: {:.1} elements a shear wave there (8 or more is good); fewest in {}",
-                motion.highest_frequency, coarsest.per_wavelength, self.coarsest
-            ));
-        }
-        print("\nTime step");
-        print(&format!("           {:.4e} s stable, set by {}", self.stable, self.set_by));
-        if let Some(impacts) = &self.impacts {
-            print(&format!("           {impacts}"));
-        }
+fn print_rotation(checked: &Checked) {
+    if let Mesh::File(file) = &checked.job.case.mesh
+        && file.rotate.value != 0.0
+    {
+        // With the digits that it was written with.
+        let angle = checked.job.case.source[file.rotate.span.clone()].trim_matches(['"', '\'']);
         print(&format!(
-            "           {:.4e} s used, {} steps for {:.2} s",
-            self.dt, self.steps.total, self.duration
+            "           turned by {angle} about z; coordinates, stresses, results and model_x_azimuth are in the axes after it"
         ));
     }
+}
 
-    fn print_estimate(&self) {
-        print("\nEstimate");
+fn print_boundaries(checked: &Checked) {
+    let Dynamic { base, sides: [x, y], top, .. } = &checked.job.case.dynamic;
+    print("\nBoundaries in the earthquake");
+    print(&format!(
+        "           base {}; sides across x {}, across y {}; top {}",
+        base.value.word(),
+        x.value.word(),
+        y.value.word(),
+        top.value.word()
+    ));
+    let Survey { slab_elements: slabs, column_elements: columns, active_elements, .. } = checked.job.survey;
+    if slabs > 0 {
+        let share = 100.0 * (slabs + columns) as f64 / active_elements as f64;
         print(&format!(
-            "           about {} with {} threads and {} ({:.1} million element updates a second), {} of memory",
-            duration(self.seconds()),
-            self.threads,
-            self.isa.name(),
-            self.updates_per_second() / 1e6,
-            bytes(self.survey.bytes)
-        ));
-        if self.cycles() > 0 {
-            let rest = if self.motion.is_some() {
-                format!(" of them {}", duration(self.stage_seconds()))
-            } else {
-                String::new()
-            };
-            print(&format!(
-                "          {rest} for the stages, if they take {} cycles as models of this size did",
-                self.cycles()
-            ));
-        }
-        self.print_disk();
-    }
-
-    fn print_disk(&self) {
-        let disk = self.disk;
-        let bytes = |n: u64| bytes(usize::try_from(n).unwrap_or(usize::MAX));
-        print(&format!(
-            "           at most {} on disk: {} field files of {}, histories of {}{}, a checkpoint of {} while it runs",
-            bytes(disk.total()),
-            disk.field_files + disk.stage_files,
-            bytes(disk.field_file),
-            bytes(disk.histories),
-            if disk.bolts > 0 { format!(", bolts {}", bytes(disk.bolts)) } else { String::new() },
-            bytes(disk.checkpoint)
+            "           outside the free-field sides stand {slabs} elements of slabs and {columns} of columns, {share:.1} % of the model's"
         ));
     }
+}
 
-    fn print_interfaces(&self) {
-        if self.interfaces.is_empty() {
-            return;
-        }
-        print("\nInterfaces");
-        let stiffness = |k: f64| match k {
-            k if k >= 1e8 => format!("{} GPa/m", rounded(k / 1e9)),
-            k => format!("{} MPa/m", rounded(k / 1e6)),
+fn print_shaking(checked: &Checked, motion: &MotionFacts) {
+    let survey = &checked.job.survey;
+    print("\nMotion");
+    print(&format!("           {}", motion.source));
+    let [from, to] = motion.window;
+    print(&format!("           {from:.2} to {to:.2} s of the record are used"));
+    for (k, line) in motion.entering().iter().enumerate() {
+        let kind = if k == 0 { format!("kind = {}: ", motion.kind) } else { String::new() };
+        print(&format!("           {kind}{line}"));
+    }
+    for (m, name) in motion.intensity.iter().zip(["x", "y", "z"]) {
+        let peaks = match m.pga > 0.0 {
+            true => format!("{} m/s2, {} m/s, {} m", figures(m.pga), figures(m.pgv), figures(m.pgd)),
+            false => "none".to_owned(),
         };
-        let pressure = |p: f64| units::format(rounded(p), Dimension::PRESSURE);
-        for (name, interface) in &self.interfaces {
-            let ends = match interface.ends {
-                0 => "no ends inside the model".to_owned(),
-                n => format!("ends inside the model at {n} nodes, closed there"),
-            };
-            print(&format!(
-                "           {name}: {}, {} pairs over {:.1} m2, {ends}",
-                interface.law, interface.pairs, interface.area
-            ));
-            let chosen = match (interface.chosen, self.motion) {
-                (true, Some(_)) => ", chosen so that impacts do not set the step",
-                (true, None) => ", chosen",
-                (false, _) => "",
-            };
-            let straight = if interface.straight_from.is_nan() {
-                String::new()
-            } else {
-                format!(", straight from {}", pressure(interface.straight_from))
-            };
-            print(&format!(
-                "             normal stiffness {}{chosen}; closes by {} mm at 1 MPa{straight}",
-                stiffness(interface.normal_stiffness),
-                rounded(1e3 * interface.closure_at_1_mpa)
-            ));
-        }
+        print(&format!("           given peaks along {name}: {peaks}"));
     }
-
-    fn print_pairs(&self) {
-        for (name, pair) in &self.pairs {
-            let [x, y, z] = pair.at;
-            let [mx, my, mz] = pair.normal;
-            print(&format!(
-                "           monitor {name}: the pair at node {} at ({x:.2}, {y:.2}, {z:.2}) m of {}, m = ({mx:.3}, {my:.3}, {mz:.3})",
-                pair.node, pair.interface
-            ));
-        }
+    let [x, y, z] = motion.incident_peak.map(figures);
+    print(&format!("           incident wave: {x}, {y}, {z} m/s2 along x, y, z"));
+    if let Some(coarsest) = survey.coarsest() {
+        print(&format!(
+            "           99.9 % of its energy lies below {:.1} Hz: {:.1} elements a shear wave there (8 or more is good); fewest in {}",
+            motion.highest_frequency, coarsest.per_wavelength, checked.coarsest
+        ));
     }
+    print("\nTime step");
+    print(&format!("           {:.4e} s stable, set by {}", checked.job.stable.dt, checked.set_by));
+    if let Some(impacts) = &checked.impacts {
+        print(&format!("           {impacts}"));
+    }
+    print(&format!(
+        "           {:.4e} s used, {} steps for {:.2} s",
+        checked.job.dt, checked.job.steps.total, checked.job.plan.duration
+    ));
+}
 
-    fn print_materials(&self) {
-        print("\nMaterials");
-        for (name, facts) in self.materials {
-            print(&format!("           {name}: {}, {}", facts.law, facts.summary));
-            for group in &facts.groups {
-                let body = self.survey.bodies.iter().find(|b| b.name == group.names);
-                let shaken = body.filter(|_| self.motion.is_some());
-                let step =
-                    shaken.map_or(String::new(), |b| format!(", could run at {:.3e} s", b.element_step));
-                print(&format!("             {} {} in {}{step}", group.elements, group.element, group.names));
-            }
-            let MaterialFacts { density, wave_speed_p: p, wave_speed_s: s, damping, .. } = facts;
-            let waves = format!(", c_p {p:.0} m/s, c_s {s:.0} m/s; damping: {damping}");
-            let waves = if self.motion.is_some() { waves } else { String::new() };
-            print(&format!("             {density:.0} kg/m3{waves}"));
-            for (words, derived) in [("given", false), ("derived", true)] {
-                let values = facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived);
-                let values: Vec<String> = values.map(|v| format!("{} {}", v.name, text(v))).collect();
-                if !values.is_empty() {
-                    print(&format!("             {words}: {}", values.join(", ")));
-                }
+fn print_estimate(checked: &Checked) {
+    print("\nEstimate");
+    print(&format!(
+        "           about {} with {} threads and {} ({:.1} million element updates a second), {} of memory",
+        duration(checked.seconds()),
+        checked.threads,
+        checked.job.model.isa.name(),
+        checked.updates_per_second() / 1e6,
+        bytes(checked.job.survey.bytes)
+    ));
+    if checked.cycles() > 0 {
+        let rest = if checked.job.motion.is_some() {
+            format!(" of them {}", duration(checked.stage_seconds()))
+        } else {
+            String::new()
+        };
+        print(&format!(
+            "          {rest} for the stages, if they take {} cycles as models of this size did",
+            checked.cycles()
+        ));
+    }
+    print_disk(checked);
+}
+
+fn print_disk(checked: &Checked) {
+    let disk = checked.disk;
+    let bytes = |n: u64| bytes(usize::try_from(n).unwrap_or(usize::MAX));
+    print(&format!(
+        "           at most {} on disk: {} field files of {}, histories of {}{}, a checkpoint of {} while it runs",
+        bytes(disk.total()),
+        disk.field_files + disk.stage_files,
+        bytes(disk.field_file),
+        bytes(disk.histories),
+        if disk.bolts > 0 { format!(", bolts {}", bytes(disk.bolts)) } else { String::new() },
+        bytes(disk.checkpoint)
+    ));
+}
+
+fn print_interfaces(checked: &Checked) {
+    if checked.interfaces.is_empty() {
+        return;
+    }
+    print("\nInterfaces");
+    let stiffness = |k: f64| match k {
+        k if k >= 1e8 => format!("{} GPa/m", rounded(k / 1e9)),
+        k => format!("{} MPa/m", rounded(k / 1e6)),
+    };
+    let pressure = |p: f64| units::format(rounded(p), Dimension::PRESSURE);
+    for (name, interface) in &checked.interfaces {
+        let ends = match interface.ends {
+            0 => "no ends inside the model".to_owned(),
+            n => format!("ends inside the model at {n} nodes, closed there"),
+        };
+        print(&format!(
+            "           {name}: {}, {} pairs over {:.1} m2, {ends}",
+            interface.law, interface.pairs, interface.area
+        ));
+        let chosen = match (interface.chosen, &checked.job.motion) {
+            (true, Some(_)) => ", chosen so that impacts do not set the step",
+            (true, None) => ", chosen",
+            (false, _) => "",
+        };
+        let straight = if interface.straight_from.is_nan() {
+            String::new()
+        } else {
+            format!(", straight from {}", pressure(interface.straight_from))
+        };
+        print(&format!(
+            "             normal stiffness {}{chosen}; closes by {} mm at 1 MPa{straight}",
+            stiffness(interface.normal_stiffness),
+            rounded(1e3 * interface.closure_at_1_mpa)
+        ));
+    }
+}
+
+fn print_pairs(checked: &Checked) {
+    for (name, pair) in &checked.pairs {
+        let [x, y, z] = pair.at;
+        let [mx, my, mz] = pair.normal;
+        print(&format!(
+            "           monitor {name}: the pair at node {} at ({x:.2}, {y:.2}, {z:.2}) m of {}, m = ({mx:.3}, {my:.3}, {mz:.3})",
+            pair.node, pair.interface
+        ));
+    }
+}
+
+fn print_materials(checked: &Checked) {
+    print("\nMaterials");
+    for (name, facts) in &checked.job.materials {
+        print(&format!("           {name}: {}, {}", facts.law, facts.summary));
+        for group in &facts.groups {
+            let body = checked.job.survey.bodies.iter().find(|b| b.name == group.names);
+            let shaken = body.filter(|_| checked.job.motion.is_some());
+            let step = shaken.map_or(String::new(), |b| format!(", could run at {:.3e} s", b.element_step));
+            print(&format!("             {} {} in {}{step}", group.elements, group.element, group.names));
+        }
+        let MaterialFacts { density, wave_speed_p: p, wave_speed_s: s, damping, .. } = facts;
+        let waves = format!(", c_p {p:.0} m/s, c_s {s:.0} m/s; damping: {damping}");
+        let waves = if checked.job.motion.is_some() { waves } else { String::new() };
+        print(&format!("             {density:.0} kg/m3{waves}"));
+        for (words, derived) in [("given", false), ("derived", true)] {
+            let values = facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived);
+            let values: Vec<String> = values.map(|v| format!("{} {}", v.name, text(v))).collect();
+            if !values.is_empty() {
+                print(&format!("             {words}: {}", values.join(", ")));
             }
         }
     }

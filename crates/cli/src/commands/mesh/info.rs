@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Path, PathBuf};
 use tremolite::laws;
 use tremolite::outer_faces::NEAR;
-use tremolite::setup::bodies_of;
+use tremolite::setup::{Inputs, bodies_of};
 use tremolite_case::{Case, pattern};
 use tremolite_mesh::merge::{coincident_nodes, shortest_edge};
 use tremolite_mesh::picture::{section, view, window_of};
@@ -131,11 +131,11 @@ fn made(args: &Args, mesh: &Mesh, case: Option<&Case>) -> Result<Option<Vec<Made
     }
     if let Some(path) = &args.materials {
         let case = Case::read(path, &infos()).map_err(|r| Failure::case(&r))?;
-        let bodies = bodies_of(&case, mesh, &laws()).map_err(|r| Failure::case(&r))?;
+        let bodies = bodies_of(&case, mesh, &Inputs::default(), &laws()).map_err(|r| Failure::case(&r))?;
         return Ok(Some(bodies.iter().map(MadeOf::body).collect()));
     }
     let Some(case) = case else { return Ok(None) };
-    match bodies_of(case, mesh, &laws()) {
+    match bodies_of(case, mesh, &Inputs::default(), &laws()) {
         Ok(bodies) => Ok(Some(bodies.iter().map(MadeOf::body).collect())),
         // The mesh is there to be seen while its regions are still being written.
         Err(report) => {

@@ -53,6 +53,22 @@ pub fn parse(file: &str, text: &str) -> Result<Vec<Listed>, String> {
     if bolts.is_empty() { Err(format!("{file} holds no bolts")) } else { Ok(bolts) }
 }
 
+/// The bolts of a list in memory, or what is wrong with which; they count from 1.
+pub fn of_ends(name: &str, ends: &[[Vector; 2]]) -> Result<Vec<Listed>, String> {
+    let one = |(k, ends): (usize, &[Vector; 2])| {
+        let fault = |what: &str| Err(format!("{name} in memory, bolt {}: {what}", k + 1));
+        if ends.iter().flatten().any(|x| !x.is_finite()) {
+            return fault("its points are not finite");
+        }
+        if norm(minus(ends[1], ends[0])) < SHORTEST {
+            return fault("the two points of the bolt are one place");
+        }
+        Ok(Listed { name: format!("bolt {} of {name}", k + 1), ends: *ends })
+    };
+    let bolts: Vec<Listed> = ends.iter().enumerate().map(one).collect::<Result<_, _>>()?;
+    if bolts.is_empty() { Err(format!("{name} in memory holds no bolts")) } else { Ok(bolts) }
+}
+
 /// Refuses names of columns that are not the expected ones, in m, in their order.
 fn header(fields: &[&str]) -> Result<(), String> {
     let good = |(field, column): (&&str, &str)| {

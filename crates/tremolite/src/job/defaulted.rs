@@ -1,10 +1,10 @@
 //! What a case left out, with the values that the run used in its place.
 
+use crate::plan::Plan;
+use crate::setup::MotionFacts;
 use indexmap::IndexMap;
-use tremolite::plan::Plan;
-use tremolite::setup::MotionFacts;
-use tremolite::{Assembly, Model};
 use tremolite_case::{Case, Mesh, units};
+use tremolite_engine::{Assembly, Model};
 use tremolite_laws::{Dimension, Kind};
 use tremolite_results::{Defaulted, MaterialFacts, MaterialValue};
 

@@ -1,23 +1,24 @@
 //! What is said of a case, as one JSON object. Numbers are in SI.
 
 use super::Checked;
+use crate::setup::SiteFacts;
 use serde_json::{Map, Value, json};
-use tremolite::column::corner_name;
-use tremolite::setup::SiteFacts;
 use tremolite_case::{Mesh, Problem};
+use tremolite_engine::column::corner_name;
 
 impl Checked<'_> {
     pub(super) fn json(&self) -> Value {
-        let Checked { survey, motion, disk, .. } = self;
+        let Checked { job, disk, .. } = self;
+        let (survey, steps) = (&job.survey, job.steps);
         let groups: Map<String, Value> =
-            self.groups.iter().map(|(name, elements)| (name.clone(), json!(elements))).collect();
+            job.groups.iter().map(|(name, elements)| (name.clone(), json!(elements))).collect();
         let regions = survey.bodies.iter().map(|body| {
             json!({
                 "groups": body.name, "law": body.law, "elements": body.elements,
                 "could_run_at": body.element_step, "elements_per_wavelength": body.per_wavelength,
             })
         });
-        let motion = motion.map(|motion| {
+        let motion = job.motion.as_ref().map(|motion| {
             let peaks: Map<String, Value> = ["x", "y", "z"]
                 .into_iter()
                 .zip(&motion.intensity)
@@ -35,18 +36,18 @@ impl Checked<'_> {
                 "coarsest": self.coarsest,
             })
         });
-        let time_step = self.motion.map(|_| {
+        let time_step = job.motion.as_ref().map(|_| {
             json!({
-                "stable": self.stable,
+                "stable": job.stable.dt,
                 "set_by": self.set_by,
                 "impacts": self.impacts,
-                "used": self.dt,
-                "steps": self.steps.total,
-                "duration": self.duration,
+                "used": job.dt,
+                "steps": steps.total,
+                "duration": job.plan.duration,
             })
         });
         json!({
-            "title": self.case.title.value,
+            "title": job.case.title.value,
             "elements": survey.active_elements,
             "excavated": survey.void_elements,
             "nodes": survey.nodes,
@@ -55,7 +56,7 @@ impl Checked<'_> {
             "groups": groups,
             "mesh_rotation": self.rotation(),
             "regions": regions.collect::<Vec<_>>(),
-            "materials": self.materials,
+            "materials": job.materials,
             "interfaces": self.interfaces,
             "pairs": self.pairs,
             "bolts": self.bolts,
@@ -71,7 +72,7 @@ impl Checked<'_> {
                 "stage_seconds": self.stage_seconds(),
                 "stage_cycles": self.cycles(),
                 "threads": self.threads,
-                "isa": self.isa.name(),
+                "isa": job.model.isa.name(),
                 "element_updates_per_second": self.updates_per_second(),
                 "memory_bytes": survey.bytes,
                 "disk_bytes": disk.total(),
@@ -89,7 +90,7 @@ impl Checked<'_> {
 
     /// By which a mesh from a file is turned \[rad\].
     fn rotation(&self) -> Option<f64> {
-        match &self.case.mesh {
+        match &self.job.case.mesh {
             Mesh::File(file) => Some(file.rotate.value),
             _ => None,
         }
@@ -97,7 +98,7 @@ impl Checked<'_> {
 
     /// What is allowed but hardly meant, each at its key and its line of the case; what comes from `--set` has none.
     fn findings(&self) -> Vec<Value> {
-        let report = self.case.report(self.warnings.clone());
+        let report = self.job.case.report(self.job.warnings().cloned().collect());
         let finding = |problem: &Problem| {
             let place = problem.set.is_none().then(|| report.position(problem));
             let (line, column) = place.unzip();

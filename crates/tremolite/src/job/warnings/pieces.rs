@@ -1,11 +1,11 @@
 //! What a stage leaves without support, before it comes down.
 
-use tremolite::outlook::{Hold, Outlook, Piece};
+use crate::outlook::{Hold, Outlook, Piece};
 use tremolite_case::{Case, Problem};
 use tremolite_laws::Dimension;
 
-/// Warns of pieces that nothing holds up, at the stage that leaves them so. Returns what it said.
-pub fn check_pieces(case: &Case, outlook: &Outlook) -> Vec<Problem> {
+/// Of pieces that nothing holds up, at the stage that leaves them so.
+pub fn of_pieces(case: &Case, outlook: &Outlook) -> Vec<Problem> {
     let mut problems = Vec::new();
     for (k, stage) in outlook.stages.iter().enumerate() {
         // The initial equilibrium stands in the case as what it begins with.
@@ -17,10 +17,6 @@ pub fn check_pieces(case: &Case, outlook: &Outlook) -> Vec<Problem> {
         for piece in &stage.pieces {
             problems.push(warning(span.clone(), &stage.name, piece));
         }
-    }
-    if !problems.is_empty() {
-        let report = case.report(problems.clone()).as_warnings();
-        crate::terminal::say(&report.render(crate::terminal::colour()));
     }
     problems
 }

@@ -1,6 +1,6 @@
 //! What sides, base and top that stand near an opening change of the stress around it.
 
-use tremolite::near_sides::{MOST, NearSide};
+use crate::near_sides::{MOST, NearSide};
 use tremolite_case::{Case, Problem, Side};
 
 /// Across x and y, whether a side stands for a mirror.
@@ -8,8 +8,8 @@ pub fn mirrored(case: &Case) -> [bool; 2] {
     case.dynamic.sides.each_ref().map(|side| side.value == Side::Symmetry)
 }
 
-/// Warns of boundaries that stand too near an opening, the worst of each axis. Returns what it said.
-pub fn check_near(case: &Case, near: &[NearSide]) -> Vec<Problem> {
+/// Of boundaries that stand too near an opening, the worst of each axis.
+pub fn of_near(case: &Case, near: &[NearSide]) -> Vec<Problem> {
     let mut worst: Vec<&NearSide> = Vec::new();
     for near in near.iter().filter(|near| near.share() > MOST) {
         match worst.iter_mut().find(|other| other.axis == near.axis) {
@@ -18,12 +18,7 @@ pub fn check_near(case: &Case, near: &[NearSide]) -> Vec<Problem> {
             None => worst.push(near),
         }
     }
-    let problems: Vec<Problem> = worst.into_iter().map(|near| warning(case, near)).collect();
-    if !problems.is_empty() {
-        let report = case.report(problems.clone()).as_warnings();
-        crate::terminal::say(&report.render(crate::terminal::colour()));
-    }
-    problems
+    worst.into_iter().map(|near| warning(case, near)).collect()
 }
 
 fn warning(case: &Case, near: &NearSide) -> Problem {

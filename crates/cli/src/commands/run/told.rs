@@ -1,0 +1,119 @@
+//! What a run says, to the terminal and to log.txt.
+
+use crate::terminal::{bytes, duration, say};
+use std::io::Write;
+use tremolite::job::Job;
+use tremolite::plan::Plan;
+use tremolite::run::Progress;
+use tremolite::simulation::Outcome;
+use tremolite::survey::{impacts_in_words, limit_in_words};
+use tremolite_results::{ResultFolder, Summary};
+
+/// Messages to the terminal and to log.txt.
+pub(super) struct Log {
+    file: Option<std::fs::File>,
+}
+
+impl Log {
+    pub(super) fn open(folder: &ResultFolder) -> Log {
+        Log { file: std::fs::OpenOptions::new().create(true).append(true).open(folder.log()).ok() }
+    }
+
+    pub(super) fn keep(&mut self, message: &str) {
+        // The results matter more than their log: a full disk is reported by them.
+        if let Some(file) = &mut self.file {
+            let _ = writeln!(file, "{} {message}", jiff::Timestamp::now());
+        }
+    }
+
+    pub(super) fn say(&mut self, message: &str) {
+        say(message);
+        self.keep(message.trim());
+    }
+}
+
+/// What will be run.
+pub(super) fn before(log: &mut Log, job: &Job) {
+    let Job { model, assembly, plan, motion, survey, stable, dt, steps, .. } = job;
+    log.say(&plan.title);
+    let shaken = motion.is_some();
+    let steps_in_words =
+        if shaken { format!("{} steps of {dt:.3e} s, ", steps.total) } else { String::new() };
+    log.say(&format!(
+        "  {} elements, {} nodes, {steps_in_words}{} threads, {}, about {}",
+        survey.active_elements,
+        survey.nodes,
+        rayon::current_num_threads(),
+        model.isa.name(),
+        bytes(survey.bytes)
+    ));
+    if shaken {
+        log.say(&format!(
+            "  the stable step is {:.3e} s, set by {}",
+            stable.dt,
+            limit_in_words(model, assembly, stable)
+        ));
+        if let Some(impacts) = impacts_in_words(model, stable) {
+            log.say(&format!("  {impacts}"));
+        }
+    }
+    if let Some(motion) = motion {
+        log.say(&format!("  motion: kind = {}, so {}", motion.kind, motion.entering().join("; ")));
+    }
+}
+
+/// How far it is.
+pub(super) fn progress(plan: &Plan, p: &Progress) -> String {
+    match p.stage {
+        Some(stage) => {
+            let name = &plan.stages[stage].name;
+            format!("{name}: cycle {}, {:.1e} out of balance", p.cycle, p.ratio)
+        }
+        None => format!("{:.2} s of {:.2} s  {:.1} M/s", p.time, plan.duration, p.updates_per_second / 1e6),
+    }
+}
+
+/// What came out.
+pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summary) {
+    for line in &summary.trust {
+        // Each with its reason, where it does not bury the others.
+        if line.not_applicable {
+            log.keep(&format!("--   {}: not applicable, {}", line.name, line.note));
+            continue;
+        }
+        let mark = if line.pass { "ok  " } else { "LOOK" };
+        // What cannot be told says why.
+        let found = match line.value.is_nan() {
+            true => line.note.clone(),
+            false => format!("{} (limit {})", short(line.value), line.limit),
+        };
+        log.say(&format!("  {mark} {}: {found}", line.name));
+    }
+    let idle = summary.trust.iter().filter(|line| line.not_applicable).count();
+    if idle > 0 {
+        log.say(&format!("  --   {idle} more checks do not apply; log.txt and the page say why"));
+    }
+    let elements = job.phase.counted_elements;
+    if !job.plan.stages.is_empty() {
+        log.say(&format!(
+            "  {} for {} of {} stages",
+            duration(outcome.stage_seconds),
+            outcome.stages.len(),
+            job.plan.stages.len()
+        ));
+    }
+    if outcome.shaken {
+        log.say(&format!(
+            "  {} for {} steps: {:.1} million element updates a second",
+            duration(outcome.loop_seconds),
+            outcome.taken_here,
+            outcome.updates_per_second(elements) / 1e6
+        ));
+    }
+    log.say(&summary.verdict);
+}
+
+/// Three significant digits.
+fn short(x: f64) -> String {
+    if x != 0.0 && x.abs() < 1e-3 { format!("{x:.1e}") } else { format!("{x:.3}") }
+}

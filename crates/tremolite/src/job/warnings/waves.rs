@@ -1,0 +1,61 @@
+//! Whether the step is stable and the mesh fine enough for what comes in.
+
+use crate::places::element;
+use crate::survey::Survey;
+use tremolite_case::{Case, Fill, Problem, units};
+use tremolite_engine::{Model, StableStep};
+use tremolite_laws::Dimension;
+
+/// Of a given time step above the stable one: the run will be stopped as soon as energy appears.
+pub fn of_step(case: &Case, stable: &StableStep) -> Option<Problem> {
+    case.motion.as_ref()?;
+    let impacts = stable.contact.map_or(f64::INFINITY, |contact| contact.dt);
+    if let Some(given) = &case.dynamic.time_step
+        && given.value <= stable.dt
+        && given.value > impacts
+    {
+        return Some(Problem::at(
+            given,
+            format!(
+                "{} is longer than impacts at interfaces allow, {}: they may gain energy",
+                units::format(given.value, Dimension::TIME),
+                units::format(impacts, Dimension::TIME)
+            ),
+            "give a shorter one, a softer `normal_stiffness`, or a larger `contact_limit` if that is meant",
+        ));
+    }
+    let given = case.dynamic.time_step.as_ref().filter(|given| given.value > stable.dt)?;
+    let step = |t: f64| units::format(t, Dimension::TIME);
+    Some(Problem::at(
+        given,
+        format!(
+            "{} is above the stable step of {}: the run will become unstable and be stopped",
+            step(given.value),
+            step(stable.dt)
+        ),
+        format!("give {} or less, or leave time_step out", step(0.9 * stable.dt)),
+    ))
+}
+
+/// Elements a wavelength below which waves are not carried but distorted.
+const FEWEST: f64 = 5.0;
+
+/// Of regions too coarse for the motion's waves.
+pub fn of_waves(case: &Case, model: &Model, survey: &Survey) -> Vec<Problem> {
+    let solid = case.regions.iter().filter(|region| matches!(region.fill, Fill::Solid { .. }));
+    solid
+        .zip(&survey.bodies)
+        .filter(|(_, body)| body.per_wavelength < FEWEST)
+        .map(|(region, body)| {
+            Problem::new(
+                region.span.clone(),
+                format!(
+                    "a shear wave of the motion's highest frequency has {:.1} elements in {}: it will not arrive as it was",
+                    body.per_wavelength,
+                    element(model, body.coarsest as usize)
+                ),
+                "make elements smaller, or take the highest frequencies out with \"lowpass\"; 8 elements and more are good",
+            )
+        })
+        .collect()
+}
