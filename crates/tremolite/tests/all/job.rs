@@ -183,6 +183,22 @@ fn files_texts_and_cases_with_all_in_memory_give_the_same_bytes() {
         assert!(here.path.is_empty() && here.hash.len() == 64, "{here:?}");
         assert_eq!(here.hash == there.hash, name != "pulse.txt", "{name}");
     }
+    // The cases that the folders keep say what is not as it was then.
+    let kept = |name: &str, given: &Given| -> Vec<String> {
+        let job = Job::read(&parent.join(name).join("case.toml"), given).unwrap_or_else(|f| panic!("{f}"));
+        job.said().into_iter().skip(job.warnings().count()).collect()
+    };
+    assert!(kept("file", &Given::default()).is_empty());
+    assert!(kept("case", &in_memory(held())).is_empty());
+    assert_eq!(
+        kept("other", &in_memory(held())),
+        ["pulse.txt is not what that run had in memory: its contents have changed"]
+    );
+    let told = kept("file", &in_memory(held()));
+    assert!(
+        told.len() == 3 && told.iter().all(|what| what.ends_with("may not be what that run read")),
+        "{told:?}"
+    );
 }
 
 #[test]
