@@ -31,6 +31,25 @@ pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Ste
     plan.steps(model.time_step.given.unwrap_or_else(|| stable.to_run(model.time_step.safety)))
 }
 
+/// What a simulation shares with whoever made it: a model, its parts, those that are active as the ground shakes, and the stable step,
+/// which takes hundreds of products to find.
+#[derive(Clone)]
+pub struct Built {
+    pub model: Arc<Model>,
+    pub assembly: Arc<Assembly>,
+    /// Of the shaking.
+    pub phase: Arc<Phase>,
+    pub stable: StableStep,
+}
+
+impl Built {
+    /// Finds the stable step.
+    pub fn of(model: &Arc<Model>, assembly: &Arc<Assembly>, phase: &Arc<Phase>) -> Self {
+        let stable = stable_step(model, assembly, phase);
+        Built { model: model.clone(), assembly: assembly.clone(), phase: phase.clone(), stable }
+    }
+}
+
 /// What a run begins with.
 #[derive(Clone, Copy, Debug)]
 pub enum Start<'a> {
@@ -80,28 +99,26 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// A simulation of a plan on a model, which writes its files into a folder. `phase` is that of the shaking; `own` are observers
-    /// of a program's own, which are told behind those of the program.
+    /// A simulation of a plan on a model, which writes its files into a folder. `own` are observers of a program's own, which are told
+    /// behind those of the program.
     ///
     /// # Errors
     /// If there is no checkpoint to start from, or it is of another model or plan.
     pub fn new(
-        model: &Arc<Model>,
-        assembly: &Arc<Assembly>,
-        phase: &Arc<Phase>,
+        built: &Built,
         plan: &Plan,
         folder: &ResultFolder,
         start: Start,
         own: OwnObservers,
     ) -> Result<Self, RunError> {
-        let stable = stable_step(model, assembly, phase);
-        let (dt, steps) = choose_step(model, plan, &stable);
-        let fingerprint = fingerprint(model, assembly, plan, dt);
+        let Built { model, assembly, phase, stable } = built.clone();
+        let (dt, steps) = choose_step(&model, plan, &stable);
+        let fingerprint = fingerprint(&model, &assembly, plan, dt);
         let mut simulation = Simulation {
-            model: model.clone(),
-            assembly: assembly.clone(),
+            model,
+            assembly,
             plan: Arc::new(plan.clone()),
-            phase: phase.clone(),
+            phase,
             folder: folder.clone(),
             observers: observers().into_iter().chain(own).collect(),
             poisoned: false,

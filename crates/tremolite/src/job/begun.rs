@@ -7,7 +7,7 @@ use crate::observers::OwnObservers;
 use crate::plan::Plan;
 use crate::run::{Control, run};
 use crate::setup::MotionFacts;
-use crate::simulation::{Outcome, Simulation, Start, check_rest};
+use crate::simulation::{Built, Outcome, Simulation, Start, check_rest};
 use crate::summary::summary;
 use std::path::Path;
 use std::time::Instant;
@@ -142,7 +142,10 @@ impl Begun {
             Beginning::Resume => Start::Resume,
             Beginning::From(other) => Start::From(other),
         };
-        Simulation::new(&job.model, &job.assembly, &job.phase, &job.plan, &self.folder, start, own)
+        let Job { model, assembly, phase, stable, .. } = job;
+        let (model, assembly, phase) = (model.clone(), assembly.clone(), phase.clone());
+        let built = Built { model, assembly, phase, stable: stable.clone() };
+        Simulation::new(&built, &job.plan, &self.folder, start, own)
     }
 
     /// The summary of how the job that was begun ended, which is written into the folder.

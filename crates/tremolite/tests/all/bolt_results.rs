@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::plan::{BoltMonitor, Monitor, Plan};
 use tremolite::quantities::{BOLT, MONITOR, RELATIVE};
 use tremolite::run::{Control, Progress, run};
-use tremolite::simulation::{Ending, Outcome, Simulation, Start};
+use tremolite::simulation::{Built, Ending, Outcome, Simulation, Start};
 use tremolite::stages::PlannedStage;
 use tremolite::{Bar, Bolts, Problem, Stage};
 use tremolite_mesh::locate::Locator;
@@ -78,7 +78,7 @@ fn go(folder: &Path, resume: bool, stop: bool) -> Outcome {
     };
     let mut control = Control { stop: &stopped, progress: &mut tell };
     let start = if resume { Start::Resume } else { Start::Rest };
-    Simulation::new(&model, &assembly, &phase, &plan(), &results, start, Vec::new())
+    Simulation::new(&Built::of(&model, &assembly, &phase), &plan(), &results, start, Vec::new())
         .and_then(|simulation| run(simulation, &mut control))
         .unwrap()
 }

@@ -10,7 +10,7 @@ use tremolite::disk::field_bytes;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, run};
-use tremolite::simulation::{Ending, Outcome, Simulation, Start};
+use tremolite::simulation::{Built, Ending, Outcome, Simulation, Start};
 use tremolite::{
     AnyMaterial, Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, elastic, hexahedra, laws,
 };
@@ -119,9 +119,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
         let mut tell = |p: tremolite::run::Progress| stop.store(p.time > stop_after, Ordering::Relaxed);
         let mut control = Control { stop: &stop, progress: &mut tell };
         let outcome = Simulation::new(
-            &ready.model,
-            &ready.assembly,
-            &ready.phase,
+            &Built::of(&ready.model, &ready.assembly, &ready.phase),
             &plan,
             &results,
             if resume { Start::Resume } else { Start::Rest },

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use tremolite::observers::Extremes;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::run::{Control, run};
-use tremolite::simulation::{Outcome, Simulation, Start};
+use tremolite::simulation::{Built, Outcome, Simulation, Start};
 use tremolite::{Base, Body, Incident, Problem, Quadrature, Side, elastic, laws};
 use tremolite_laws::{Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
@@ -88,9 +88,10 @@ pub fn shaken(problem: Problem, plan: &Plan, folder: &Path) -> (ResultFolder, Ou
     let results = ResultFolder::create(Some(folder), "ground", true).unwrap();
     let stop = AtomicBool::new(false);
     let mut control = Control { stop: &stop, progress: &mut |_| {} };
-    let outcome = Simulation::new(&model, &assembly, &phase, plan, &results, Start::Rest, Vec::new())
-        .and_then(|simulation| run(simulation, &mut control))
-        .unwrap();
+    let outcome =
+        Simulation::new(&Built::of(&model, &assembly, &phase), plan, &results, Start::Rest, Vec::new())
+            .and_then(|simulation| run(simulation, &mut control))
+            .unwrap();
     (results, outcome)
 }
 

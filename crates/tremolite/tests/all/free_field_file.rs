@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use tremolite::observers::FreeFieldSeen;
 use tremolite::plan::Plan;
 use tremolite::run::{Control, run};
-use tremolite::simulation::{Simulation, Start};
+use tremolite::simulation::{Built, Simulation, Start};
 use tremolite::{AnyMaterial, Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, Top, elastic, laws};
 use tremolite_laws::band::Band;
 use tremolite_laws::{Moduli, Values};
@@ -65,9 +65,10 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
     let results = ResultFolder::create(Some(folder), "ground", true).unwrap();
     let stop = AtomicBool::new(false);
     let mut control = Control { stop: &stop, progress: &mut |_| {} };
-    let outcome = Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, Vec::new())
-        .and_then(|simulation| run(simulation, &mut control))
-        .unwrap();
+    let outcome =
+        Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, Vec::new())
+            .and_then(|simulation| run(simulation, &mut control))
+            .unwrap();
     let seen = FreeFieldSeen::of(&model, &outcome.state.observers).unwrap();
     (Table::read(&results.free_field()).unwrap(), seen)
 }

@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 use tremolite::plan::{PairMonitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, run};
-use tremolite::simulation::{Ending, Go, Simulation, StageEnd, Start, Stepping};
+use tremolite::simulation::{Built, Ending, Go, Simulation, StageEnd, Start, Stepping};
 use tremolite::{Problem, RunError, Side};
 use tremolite_results::{ResultFolder, Table};
 
@@ -39,7 +39,7 @@ fn simulation(folder: &Path, start: Start) -> Simulation {
         Start::Rest => ResultFolder::create(Some(folder), "held", true).unwrap(),
         _ => ResultFolder::open_existing(folder).unwrap(),
     };
-    Simulation::new(&model, &assembly, &phase, &held_plan(), &results, start, Vec::new()).unwrap()
+    Simulation::new(&Built::of(&model, &assembly, &phase), &held_plan(), &results, start, Vec::new()).unwrap()
 }
 
 /// All files of a folder but checkpoints, which hold wall-clock chances.
@@ -181,7 +181,8 @@ fn a_state_that_the_guard_does_not_pass_is_in_no_checkpoint() {
     let results = ResultFolder::create(Some(&folder), "unstable", true).unwrap();
     let plan = held_plan();
     let mut held =
-        Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, Vec::new()).unwrap();
+        Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, Vec::new())
+            .unwrap();
     through_stages(&mut held, &mut |_| {});
     assert_eq!(held.step(1).unwrap(), Stepping::On);
     assert_eq!(held.checkpoint().unwrap(), None);
@@ -201,7 +202,8 @@ fn a_state_that_the_guard_does_not_pass_is_in_no_checkpoint() {
     assert_eq!(held.step(5).unwrap(), failed, "it has ended");
     assert!(std::fs::read(&file).unwrap() != before, "those that pass are written");
     let mut resumed =
-        Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Resume, Vec::new()).unwrap();
+        Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Resume, Vec::new())
+            .unwrap();
     assert!(resumed.taken() < held.taken() && resumed.look().is_ok());
 }
 
@@ -218,7 +220,8 @@ fn the_guard_watches_whatever_rows_are_written() {
         let results = ResultFolder::create(Some(folder.path()), "unstable", true).unwrap();
         let plan = Plan { histories: 0.03 / f64::from(rows), ..held_plan() };
         let mut held =
-            Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, Vec::new()).unwrap();
+            Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, Vec::new())
+                .unwrap();
         through_stages(&mut held, &mut |_| {});
         match held.step(u64::MAX).unwrap() {
             Stepping::Failed { halt, .. } => {

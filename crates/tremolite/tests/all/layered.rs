@@ -7,7 +7,7 @@ use tremolite::observers::Fibres;
 use tremolite::parts::loads::Load;
 use tremolite::plan::Plan;
 use tremolite::run::{Control, run};
-use tremolite::simulation::{Simulation, Start};
+use tremolite::simulation::{Built, Simulation, Start};
 use tremolite::{
     AnyMaterial, Base, Body, Layers, Line, Model, ModelError, Problem, Quadrature, Rayleigh, Side, elastic,
     laws,
@@ -312,9 +312,7 @@ fn most_used(quadrature: Quadrature) -> f64 {
     let results = ResultFolder::create(Some(folder.path()), "cantilever", true).unwrap();
     let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
     let outcome = Simulation::new(
-        &ready.model,
-        &ready.assembly,
-        &ready.phase,
+        &Built::of(&ready.model, &ready.assembly, &ready.phase),
         &plan,
         &results,
         Start::Rest,

@@ -15,7 +15,7 @@ use tremolite::observers::{
 };
 use tremolite::plan::{BoltMonitor, Monitor, PairMonitor, Plan};
 use tremolite::quantities::Field;
-use tremolite::simulation::{Ending, Go, Simulation, StageEnd, Start, Stepping};
+use tremolite::simulation::{Built, Ending, Go, Simulation, StageEnd, Start, Stepping};
 use tremolite::stages::PlannedStage;
 use tremolite::state::Memory;
 use tremolite::{Base, Incident, Interface, Problem, RunError, Side};
@@ -114,7 +114,7 @@ fn run(ready: &Ready, plan: &Plan, observers: OwnObservers, poisoned: bool) -> L
     let results = ResultFolder::create(Some(folder.path()), "observed", true).unwrap();
     let Ready { model, assembly, phase } = ready;
     let simulation =
-        Simulation::new(model, assembly, phase, plan, &results, Start::Rest, Vec::new()).unwrap();
+        Simulation::new(&Built::of(model, assembly, phase), plan, &results, Start::Rest, Vec::new()).unwrap();
     let simulation = simulation.observed_by(observers);
     let memory = through(if poisoned { simulation.poisoned() } else { simulation });
     (files(folder.path()), format!("{memory:?}"))
@@ -291,7 +291,9 @@ fn an_observer_from_outside_sees_stages_and_shaking_and_its_memory_outlives_stop
         let own: OwnObservers = vec![Arc::new(|setting: &Setting| {
             Ok(Some(Box::new(Counts::new(setting)?) as Box<dyn Observer>))
         })];
-        Simulation::new(&model, &assembly, &phase, &plan, &results, start, own).unwrap().poisoned()
+        Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, start, own)
+            .unwrap()
+            .poisoned()
     };
     let [whole, parts] = [0; 2].map(|_| tempfile::tempdir().unwrap());
     let memory = through(held(whole.path(), Start::Rest));
@@ -353,7 +355,8 @@ fn where_an_observer_fails_nothing_goes_on_but_from_a_checkpoint() {
     let results = ResultFolder::create(Some(folder.path()), "observed", true).unwrap();
     let fails = Arc::new(|_: &Setting| Ok(Some(Box::new(Full(30)) as Box<dyn Observer>)));
     let mut held =
-        Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, vec![fails]).unwrap();
+        Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, vec![fails])
+            .unwrap();
     assert_eq!(held.step(20).unwrap(), Stepping::On);
     assert_eq!(held.checkpoint().unwrap(), None);
     assert!(matches!(held.step(20), Err(RunError::Io { .. })));

@@ -8,7 +8,7 @@ use tremolite::evidence::Evidence;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::run::{Control, run};
 use tremolite::setup::MotionFacts;
-use tremolite::simulation::{Simulation, Start};
+use tremolite::simulation::{Built, Simulation, Start};
 use tremolite::summary::summary;
 use tremolite::survey::survey;
 use tremolite::{Engine, Law, Phase, Problem, Stage};
@@ -244,9 +244,10 @@ fn told(problem: Problem) -> Summary {
     let Ready { model, assembly, phase } = Ready::new(problem);
     let results = ResultFolder::create(Some(folder.path()), "metal", true).unwrap();
     let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
-    let outcome = Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, Vec::new())
-        .and_then(|simulation| run(simulation, &mut control))
-        .unwrap();
+    let outcome =
+        Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, Vec::new())
+            .and_then(|simulation| run(simulation, &mut control))
+            .unwrap();
     let facts = MotionFacts {
         kind: MotionKind::Outcrop,
         factor: Some(0.5),

@@ -10,7 +10,7 @@ use tremolite::observers::{Event, Observer, OwnObservers, Schedule, Setting, Wan
 use tremolite::parts::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
 use tremolite::plan::Plan;
 use tremolite::run::{Control, run};
-use tremolite::simulation::{Ending, Simulation, Start};
+use tremolite::simulation::{Built, Ending, Simulation, Start};
 use tremolite::state::Memory;
 use tremolite::{Base, Limit, Line, Lines, Member, Problem, RunError, Side};
 use tremolite_laws::Row;
@@ -184,7 +184,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
     let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
     let own: OwnObservers =
         vec![Arc::new(|setting: &Setting| Ok(Some(Box::new(Stretched::new(setting)?) as Box<dyn Observer>)))];
-    let outcome = Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, own)
+    let outcome = Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, own)
         .and_then(|simulation| run(simulation, &mut control))
         .unwrap();
     assert_eq!(outcome.ending, Ending::Done);

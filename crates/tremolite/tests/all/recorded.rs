@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use tremolite::laws;
 use tremolite::run::{Control, run};
 use tremolite::setup::{Laws, Setup, setup};
-use tremolite::simulation::{Simulation, Start};
+use tremolite::simulation::{Built, Simulation, Start};
 use tremolite_case::Case;
 use tremolite_laws::{Isa, LawInfo};
 use tremolite_mesh::boxes::BoxSpec;
@@ -130,7 +130,7 @@ histories = "5 ms"
         let parent = tempfile::tempdir().unwrap();
         let results = ResultFolder::create(Some(&parent.path().join("out")), "ground", false).unwrap();
         let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
-        Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Rest, Vec::new())
+        Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, Vec::new())
             .and_then(|simulation| run(simulation, &mut control))
             .unwrap();
         [results.motion(), results.free_field()].map(|path| Table::read(&path).unwrap())

@@ -11,7 +11,7 @@ use tremolite::parts::loads::Load;
 use tremolite::plan::{Monitor, PairMonitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, run};
-use tremolite::simulation::{Ending, Outcome, Simulation, Start};
+use tremolite::simulation::{Built, Ending, Outcome, Simulation, Start};
 use tremolite::{Base, Bed, Halt, Life, Line, Prescribed, Problem, Side, Stage, elastic};
 use tremolite_laws::{Isa, Moduli};
 use tremolite_mesh::locate::Locator;
@@ -61,9 +61,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_at: Op
         };
         let mut control = Control { stop: &stop, progress: &mut tell };
         Simulation::new(
-            &model,
-            &assembly,
-            &phase,
+            &Built::of(&model, &assembly, &phase),
             &plan,
             &results,
             if resume { Start::Resume } else { Start::Rest },
@@ -136,8 +134,14 @@ fn a_stopped_run_resumes_to_the_same_bytes_with_other_threads() {
         let stop = AtomicBool::new(false);
         let mut control = Control { stop: &stop, progress: &mut |_| {} };
         let results = ResultFolder::open_existing(&parts).unwrap();
-        let refused = Simulation::new(&model, &assembly, &phase, &plan, &results, Start::Resume, Vec::new())
-            .and_then(|simulation| run(simulation, &mut control));
+        let refused = Simulation::new(
+            &Built::of(&model, &assembly, &phase),
+            &plan,
+            &results,
+            Start::Resume,
+            Vec::new(),
+        )
+        .and_then(|simulation| run(simulation, &mut control));
         assert!(refused.is_err_and(|e| e.to_string().contains("another model or plan")), "{what}");
     }
 }
