@@ -24,7 +24,7 @@ use crate::page::{Page, REPORT};
 use crate::region::{REGION, Region};
 use crate::reinforcement::{REINFORCEMENT, Reinforcement};
 use crate::stage::{STAGE, Stage, Written, in_steps};
-use crate::{Problem, Report, Spanned, report, syntax};
+use crate::{Diagnostic, Report, Spanned, report, syntax};
 
 pub(crate) static CASE: Table = Table {
     path: "",
@@ -122,7 +122,7 @@ pub struct Case {
     /// How the page of the run is set.
     pub page: Page,
     /// What is allowed but hardly meant.
-    pub warnings: Vec<Problem>,
+    pub warnings: Vec<Diagnostic>,
     /// Keys that were left out, with what is used instead.
     pub defaulted: Vec<Defaulted>,
 }
@@ -175,7 +175,7 @@ impl Case {
             None if problems.is_empty() => {
                 // Every part that cannot be read has been reported, so this is not reached; but a run must not start.
                 let remedy = "compare it with the example cases";
-                Err(report(vec![Problem::new(0..0, "the case is not complete", remedy)]))
+                Err(report(vec![Diagnostic::new(0..0, "the case is not complete", remedy)]))
             }
             _ => Err(report(problems)),
         }
@@ -242,12 +242,12 @@ impl Case {
     }
 
     /// A report of problems found later, to be shown in this case's text.
-    pub fn report(&self, problems: Vec<Problem>) -> Report {
+    pub fn report(&self, problems: Vec<Diagnostic>) -> Report {
         Report::new(&self.path, &self.changed.original, self.changed.placed(problems))
     }
 
     /// Problems found later in this case's text, with the paths of their keys.
-    pub fn keyed(&self, mut problems: Vec<Problem>) -> Vec<Problem> {
+    pub fn keyed(&self, mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
         report::find_keys(&self.source, &mut problems);
         problems
     }

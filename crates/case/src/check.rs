@@ -10,7 +10,7 @@ use crate::defaulted::Defaulted;
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Need, Table, When};
 use crate::laws::Laws;
-use crate::{Problem, suggest, units};
+use crate::{Diagnostic, suggest, units};
 
 /// The keys of one table as they are written, with the place of the key and the value.
 pub(crate) type Given<'a> = BTreeMap<&'a str, (Range<usize>, &'a Located<DeValue<'a>>)>;
@@ -20,7 +20,7 @@ pub(crate) struct Checker<'a> {
     /// The table of all tables of a case, where a misplaced key may belong.
     case: &'static Table,
     pub laws: Laws<'a>,
-    pub problems: Vec<Problem>,
+    pub problems: Vec<Diagnostic>,
     pub defaulted: Vec<Defaulted>,
     /// The table in whose place defaults are read: their text is not part of the file.
     stand_in: Option<Range<usize>>,
@@ -32,7 +32,7 @@ impl<'a> Checker<'a> {
     }
 
     pub fn problem(&mut self, span: Range<usize>, message: impl Into<String>, remedy: impl Into<String>) {
-        self.problems.push(Problem::new(span, message, remedy));
+        self.problems.push(Diagnostic::new(span, message, remedy));
     }
 
     /// Checks a table. `more` are keys beyond those of the table; nothing: further keys cannot be judged.
@@ -120,7 +120,7 @@ impl<'a> Checker<'a> {
             }
             Need::Required | Need::RequiredBeside(..) => {
                 let message = format!("`{}` is missing in {}", key.name, place(table));
-                self.problems.push(Problem::new(span, message, suggest::missing(key)).missing(key.name));
+                self.problems.push(Diagnostic::new(span, message, suggest::missing(key)).missing(key.name));
                 None
             }
             Need::Default(text) => self.default(key, text, span, &path),

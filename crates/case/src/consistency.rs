@@ -10,7 +10,7 @@ use crate::material::VOID;
 use crate::mesh::Mesh;
 use crate::motion::{self, Motion};
 use crate::stage::{Stage, Written};
-use crate::{Problem, Spanned, suggest, units};
+use crate::{Diagnostic, Spanned, suggest, units};
 use tremolite_laws::parameter::Dimension;
 
 /// The materials of a checked case, also those with problems.
@@ -25,7 +25,7 @@ pub(crate) fn materials(case: &Fields) -> &[Material] {
 ///
 /// Works on the checked tables rather than on the finished parts, so that a problem in one part hides nothing here; `written`
 /// tells of parts that were refused.
-pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Problem>, Vec<Problem>) {
+pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
     let (mut problems, mut warnings) = (Vec::new(), Vec::new());
     if let Some(mesh) = case.table("mesh") {
         Mesh::check(mesh, &mut problems);
@@ -37,7 +37,7 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Problem>, Vec<Prob
         Initial::check(initial, &mut problems);
     }
     if !(written.motion || written.equilibrium) {
-        problems.push(Problem::new(
+        problems.push(Diagnostic::new(
             case.span.clone(),
             "there is nothing to compute: no [motion], no [[stage]] and no initial stress",
             "add [motion] (the earthquake), [[stage]], or initial.lateral (the weight of the ground)",
@@ -62,7 +62,7 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Problem>, Vec<Prob
         && *base == "free"
         && written.motion
     {
-        warnings.push(Problem::at(
+        warnings.push(Diagnostic::at(
             &base,
             "no motion enters through a free base",
             "write base = \"viscous-spring\", unless the model is to stay at rest",
@@ -71,7 +71,7 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Problem>, Vec<Prob
     (problems, warnings)
 }
 
-fn regions(case: &Fields, problems: &mut Vec<Problem>, warnings: &mut Vec<Problem>) {
+fn regions(case: &Fields, problems: &mut Vec<Diagnostic>, warnings: &mut Vec<Diagnostic>) {
     let materials = materials(case);
     let regions: Vec<&Fields> = case.tables("region").collect();
     let mut used: Vec<Spanned<String>> = regions.iter().filter_map(|r| r.text("material")).collect();
@@ -87,12 +87,12 @@ fn regions(case: &Fields, problems: &mut Vec<Problem>, warnings: &mut Vec<Proble
     }
     for name in later.iter().filter(|n| n.value == VOID) {
         let remedy = "name the groups in the `excavate` of the stage";
-        problems.push(Problem::at(name, "a stage makes nothing of no material", remedy));
+        problems.push(Diagnostic::at(name, "a stage makes nothing of no material", remedy));
     }
     used.extend(before.into_iter().chain(later));
     for material in materials {
         if !used.iter().any(|n| n.value == material.name.value) {
-            warnings.push(Problem::at(
+            warnings.push(Diagnostic::at(
                 &material.name,
                 format!("no region is made of `{}`", material.name.value),
                 "name it in a [[region]], or remove it",
@@ -104,7 +104,7 @@ fn regions(case: &Fields, problems: &mut Vec<Problem>, warnings: &mut Vec<Proble
 }
 
 /// The problem of a name that no material has; `or` is another way out.
-fn unknown_material(name: &Spanned<String>, materials: &[Material], or: &str) -> Option<Problem> {
+fn unknown_material(name: &Spanned<String>, materials: &[Material], or: &str) -> Option<Diagnostic> {
     if name.value == VOID || materials.iter().any(|m| m.name.value == name.value) {
         return None;
     }
@@ -113,10 +113,10 @@ fn unknown_material(name: &Spanned<String>, materials: &[Material], or: &str) ->
         Some(meant) => format!("did you mean \"{meant}\"?"),
         None => format!("add [material.{}]{or}", name.value),
     };
-    Some(Problem::at(name, format!("there is no material `{}`", name.value), remedy))
+    Some(Diagnostic::at(name, format!("there is no material `{}`", name.value), remedy))
 }
 
-fn stages(case: &Fields, problems: &mut Vec<Problem>) {
+fn stages(case: &Fields, problems: &mut Vec<Diagnostic>) {
     let names = case.tables("stage").filter_map(|s| s.text("name")).collect();
     unique(names, "stage", "give each stage its own name", problems);
     for stage in case.tables("stage") {
@@ -128,14 +128,14 @@ fn stages(case: &Fields, problems: &mut Vec<Problem>) {
 }
 
 /// Refuses unit weights that gravity does not turn into densities.
-fn weights(case: &Fields, problems: &mut Vec<Problem>) {
+fn weights(case: &Fields, problems: &mut Vec<Diagnostic>) {
     let Some(gravity) = case.table("initial").and_then(|f| f.number("gravity")) else { return };
     let weights = materials(case).iter().filter_map(|m| m.fields.number("unit_weight"));
     let of_site = case.table("motion").map_or_else(Vec::new, motion::unit_weights);
     let weights = weights.chain(of_site);
     for weight in weights.filter(|w| !(w.value / gravity.value).is_normal()) {
         let gravity = units::format(gravity.value, Dimension::ACCELERATION);
-        problems.push(Problem::at(
+        problems.push(Diagnostic::at(
             &weight,
             format!("a gravity of {gravity} turns no unit weight into a density"),
             "give density = \"… kg/m3\" instead",
@@ -144,10 +144,10 @@ fn weights(case: &Fields, problems: &mut Vec<Problem>) {
 }
 
 /// With damping over a band moduli go by the frequency, and what comes before the earthquake is computed at rest.
-fn reference(case: &Fields, written: &Written, problems: &mut Vec<Problem>) {
+fn reference(case: &Fields, written: &Written, problems: &mut Vec<Diagnostic>) {
     let Some(damping) = case.table("dynamic").and_then(|d| d.table("damping")) else { return };
     if let (Some(band), true, false) = (damping.get("band"), written.equilibrium, written.reference) {
-        problems.push(Problem::new(
+        problems.push(Diagnostic::new(
             band.span.clone(),
             "`reference` is missing: with initial stress or stages it must be known at which frequency Young's moduli are meant",
             "add reference = \"0 Hz\" where they are meant at rest, as for the stages, or the frequency they were measured at",
@@ -155,13 +155,13 @@ fn reference(case: &Fields, written: &Written, problems: &mut Vec<Problem>) {
     }
 }
 
-fn interfaces(case: &Fields, problems: &mut Vec<Problem>) {
+fn interfaces(case: &Fields, problems: &mut Vec<Diagnostic>) {
     let mut before: Vec<([BTreeSet<String>; 2], String)> = Vec::new();
     for (k, f) in case.tables("interface").enumerate() {
         let Some([first, second]) = interface::sides(f) else { continue };
         for pattern in &second {
             if first.iter().any(|p| p.value == pattern.value) {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     pattern,
                     format!("group `{}` is on both sides", pattern.value),
                     "give what lies on each side, such as between = [\"*.lining\", \"rock\"]",
@@ -176,7 +176,7 @@ fn interfaces(case: &Fields, problems: &mut Vec<Problem>) {
         sides.sort();
         let name = f.text("name").map_or_else(|| (k + 1).to_string(), |n| n.value);
         match before.iter().find(|(other, _)| *other == sides) {
-            Some((_, other)) => problems.push(Problem::new(
+            Some((_, other)) => problems.push(Diagnostic::new(
                 f.get("between").map_or_else(|| f.span.clone(), |n| n.span.clone()),
                 format!("interface `{name}` is between the groups of interface `{other}`"),
                 "keep one of the two",
@@ -189,7 +189,7 @@ fn interfaces(case: &Fields, problems: &mut Vec<Problem>) {
 }
 
 /// `bolts` are the names of bolts, `all_bolts` whether they are those of all.
-fn monitors(case: &Fields, bolts: &[Spanned<String>], all_bolts: bool, problems: &mut Vec<Problem>) {
+fn monitors(case: &Fields, bolts: &[Spanned<String>], all_bolts: bool, problems: &mut Vec<Diagnostic>) {
     let (names, all_known) = names(case, "monitor");
     let with = |key: &'static str| -> BTreeSet<String> {
         let monitors = case.tables("monitor").filter(|m| m.text(key).is_some());
@@ -206,13 +206,13 @@ fn monitors(case: &Fields, bolts: &[Spanned<String>], all_bolts: bool, problems:
         let between = relative.texts("between");
         for name in &between {
             if at_interface.contains(&name.value) {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     name,
                     format!("monitor `{}` keeps gap and slip of an interface, no displacement", name.value),
                     "name two monitors without `interface`",
                 ));
             } else if at_bolt.contains(&name.value) {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     name,
                     format!("monitor `{}` keeps the force of a bolt, no displacement", name.value),
                     "name two monitors without `bolt`",
@@ -224,20 +224,24 @@ fn monitors(case: &Fields, bolts: &[Spanned<String>], all_bolts: bool, problems:
         if let [a, b] = &between[..]
             && a.value == b.value
         {
-            problems.push(Problem::at(b, "a monitor does not move against itself", "name another monitor"));
+            problems.push(Diagnostic::at(
+                b,
+                "a monitor does not move against itself",
+                "name another monitor",
+            ));
         }
     }
     unique(names, "monitor", "give each monitor its own name", problems);
 }
 
 /// Checks the interfaces that monitors name.
-fn looked_at(case: &Fields, problems: &mut Vec<Problem>) {
+fn looked_at(case: &Fields, problems: &mut Vec<Diagnostic>) {
     let (names, all_known) = names(case, "interface");
     for name in case.tables("monitor").filter_map(|m| m.text("interface")) {
         let named = |i: &&Fields| i.text("name").is_some_and(|n| n.value == name.value);
         match case.tables("interface").find(named) {
             Some(interface) if interface.text("law").is_some_and(|law| *law == TIED) => {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     &name,
                     format!("interface `{}` is tied: it has no gap and no slip", name.value),
                     "name an interface with a law, or leave `interface` out",
@@ -250,14 +254,14 @@ fn looked_at(case: &Fields, problems: &mut Vec<Problem>) {
 }
 
 /// The problem of a name that no bolts have.
-fn no_bolts(name: &Spanned<String>, bolts: &[Spanned<String>]) -> Problem {
+fn no_bolts(name: &Spanned<String>, bolts: &[Spanned<String>]) -> Diagnostic {
     let known = || bolts.iter().map(|b| b.value.as_str());
     let remedy = match suggest::nearest(name, known()) {
         Some(meant) => format!("did you mean \"{meant}\"?"),
         None if bolts.is_empty() => "add [[stage.bolts]] of that name to a stage".to_owned(),
         None => format!("known bolts: {}", known().collect::<Vec<_>>().join(", ")),
     };
-    Problem::at(name, format!("there are no bolts `{}`", name.value), remedy)
+    Diagnostic::at(name, format!("there are no bolts `{}`", name.value), remedy)
 }
 
 /// The names of the entries of a list of tables, and whether all have one. One that was refused may be the one that is
@@ -269,22 +273,22 @@ fn names(case: &Fields, list: &'static str) -> (Vec<Spanned<String>>, bool) {
 }
 
 /// The problem of a name that no entry of a list of tables has.
-fn unknown(list: &str, name: &Spanned<String>, names: &[Spanned<String>]) -> Problem {
+fn unknown(list: &str, name: &Spanned<String>, names: &[Spanned<String>]) -> Diagnostic {
     let known = || names.iter().map(|n| n.value.as_str());
     let remedy = match suggest::nearest(name, known()) {
         Some(meant) => format!("did you mean \"{meant}\"?"),
         None if names.is_empty() => format!("add a [[{list}]] of that name"),
         None => format!("known {list}s: {}", known().collect::<Vec<_>>().join(", ")),
     };
-    Problem::at(name, format!("there is no {list} `{}`", name.value), remedy)
+    Diagnostic::at(name, format!("there is no {list} `{}`", name.value), remedy)
 }
 
 /// Reports every text that has stood before.
-fn unique(texts: Vec<Spanned<String>>, what: &str, remedy: &str, problems: &mut Vec<Problem>) {
+fn unique(texts: Vec<Spanned<String>>, what: &str, remedy: &str, problems: &mut Vec<Diagnostic>) {
     let mut seen = BTreeSet::new();
     for text in texts {
         if !seen.insert(text.value.clone()) {
-            problems.push(Problem::at(&text, format!("{what} `{}` is named twice", text.value), remedy));
+            problems.push(Diagnostic::at(&text, format!("{what} `{}` is named twice", text.value), remedy));
         }
     }
 }

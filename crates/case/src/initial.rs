@@ -7,7 +7,7 @@ use tremolite_laws::parameter::Dimension;
 use crate::defaulted::Defaulted;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table, When, words};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 const COORDINATE: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
 const STRESS: Kind = Kind::Number(Dimension::PRESSURE, Limit::Any);
@@ -313,20 +313,20 @@ impl Initial {
     }
 
     /// What lies between keys; looks at each value that is good, whatever the others are.
-    pub(crate) fn check(f: &Fields, problems: &mut Vec<Problem>) {
+    pub(crate) fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
         if let (Some(release), Some(most)) = (f.count("release_cycles"), f.count("max_cycles"))
             && *most <= *release
         {
             // A default stands for the whole table: what was written is what is wrong.
             let at = if most.span == f.span { &release } else { &most };
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 at,
                 format!("{} cycles at most end before {} have let go what is held", *most, *release),
                 "give `max_cycles` above `release_cycles`; 20000 and 200 are usual",
             ));
         }
         if let Some(first) = f.tables("measured").nth(MOST_MEASURED) {
-            problems.push(Problem::new(
+            problems.push(Diagnostic::new(
                 first.span.clone(),
                 format!("there are {} measured stresses", f.tables("measured").count()),
                 format!("give at most {MOST_MEASURED}, or their field with `stress`"),

@@ -15,7 +15,7 @@ use crate::keys::{Key, Kind, Limit, Table};
 use crate::law_table::LawTable;
 use crate::laws::Laws;
 use crate::material::MATERIAL;
-use crate::{Problem, Report, Spanned, law_key, syntax};
+use crate::{Diagnostic, Report, Spanned, law_key, syntax};
 
 const SIZE: Key = Key::optional(
     "size",
@@ -111,7 +111,7 @@ impl LawFile {
     }
 
     /// A report of problems found later, to be shown in this file's text.
-    pub fn report(&self, problems: Vec<Problem>) -> Report {
+    pub fn report(&self, problems: Vec<Diagnostic>) -> Report {
         Report::new(&self.path, &self.source, problems)
     }
 }

@@ -9,7 +9,7 @@ use tremolite_laws::parameter::{self, LawInfo, Parameter, Values};
 use crate::check::Checker;
 use crate::fields::{Fields, Node};
 use crate::keys::{Key, Need, Table};
-use crate::{Problem, suggest};
+use crate::{Diagnostic, suggest};
 
 /// Stiffness (Pa or Pa/m) below which a bare number must be a slip: soft soil has as much, rock, concrete and their joints a
 /// thousand times more.
@@ -95,7 +95,7 @@ impl Checker<'_> {
             let node = fields.nodes.get(key);
             let inner = node.and_then(Node::table).and_then(|table| table.nodes.get(column));
             let span = inner.or(node).map_or_else(|| fields.span.clone(), |n| n.span.clone());
-            self.problems.push(Problem::new(span, format!("`{}` {}", bad.name, bad.problem), bad.remedy));
+            self.problems.push(Diagnostic::new(span, format!("`{}` {}", bad.name, bad.problem), bad.remedy));
         }
     }
 }

@@ -75,7 +75,7 @@ pub use output::Output;
 pub use page::{Language, Page};
 pub use region::{Element, Fill, Region};
 pub use reinforcement::{BarDirection, BarFace, Reinforcement};
-pub use report::{Problem, Report, Severity};
+pub use report::{Diagnostic, Report, Severity};
 pub use schema::schema;
 pub use spanned::Spanned;
 pub use stage::{Displacement, Moved, Stage};

@@ -9,7 +9,7 @@ use crate::check::Checker;
 use crate::keys::{Key, Kind, Table};
 use crate::laws::Laws;
 use crate::mesh::{MESH, Mesh};
-use crate::{Problem, Report, syntax};
+use crate::{Diagnostic, Report, syntax};
 
 static MESH_ALONE: Table = Table {
     path: "",
@@ -66,7 +66,7 @@ impl MeshAlone {
     }
 
     /// A report of problems found later, to be shown in this file's text.
-    pub fn report(&self, problems: Vec<Problem>) -> Report {
+    pub fn report(&self, problems: Vec<Diagnostic>) -> Report {
         Report::new(&self.path, &self.source, problems)
     }
 }

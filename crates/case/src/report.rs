@@ -9,7 +9,7 @@ use crate::{Spanned, key_path, keyed};
 
 /// One thing that is wrong, where it stands, and the way out.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Problem {
+pub struct Diagnostic {
     /// Bytes of the source text to underline.
     pub span: Range<usize>,
     /// The path of the key or table that it is about, as a [`Change`](crate::Change) takes it: `material.rock.young`,
@@ -25,25 +25,25 @@ pub struct Problem {
     missing: Option<&'static str>,
 }
 
-impl Problem {
+impl Diagnostic {
     pub fn new(span: Range<usize>, message: impl Into<String>, remedy: impl Into<String>) -> Self {
         let (message, remedy) = (message.into(), remedy.into());
-        Problem { span, key: String::new(), set: None, message, remedy, missing: None }
+        Diagnostic { span, key: String::new(), set: None, message, remedy, missing: None }
     }
 
     /// The same about a key that the table at its place does not have.
     pub(crate) fn missing(self, key: &'static str) -> Self {
-        Problem { missing: Some(key), ..self }
+        Diagnostic { missing: Some(key), ..self }
     }
 
     /// A problem with a value of the case.
     pub fn at<T>(value: &Spanned<T>, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Problem::new(value.span.clone(), message, remedy)
+        Diagnostic::new(value.span.clone(), message, remedy)
     }
 }
 
 /// Gives the problems in a text the paths of their keys, but for those that have one.
-pub(crate) fn find_keys(source: &str, problems: &mut [Problem]) {
+pub(crate) fn find_keys(source: &str, problems: &mut [Diagnostic]) {
     if problems.iter().all(|problem| !problem.key.is_empty()) {
         return;
     }
@@ -83,12 +83,12 @@ pub struct Report {
     /// Of all of them.
     pub severity: Severity,
     /// Sorted by their place.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<Diagnostic>,
 }
 
 impl Report {
     /// A report of errors; sorts the problems by their place and finds their keys.
-    pub fn new(file: impl Into<PathBuf>, source: impl Into<String>, mut problems: Vec<Problem>) -> Self {
+    pub fn new(file: impl Into<PathBuf>, source: impl Into<String>, mut problems: Vec<Diagnostic>) -> Self {
         let source = source.into();
         problems.sort_by_key(|p| p.span.start);
         find_keys(&source, &mut problems);
@@ -102,7 +102,7 @@ impl Report {
     }
 
     /// Line and column of a problem, both from 1; the column counts characters.
-    pub fn position(&self, problem: &Problem) -> (usize, usize) {
+    pub fn position(&self, problem: &Diagnostic) -> (usize, usize) {
         let before = &self.source[..self.clamp(&problem.span).start];
         let line_start = before.rfind('\n').map_or(0, |i| i + 1);
         (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
@@ -126,7 +126,7 @@ impl Report {
         text + &format!("{}: {} {what}{plural}{more}", self.file.display(), self.problems.len())
     }
 
-    fn render_one(&self, renderer: &Renderer, problem: &Problem) -> String {
+    fn render_one(&self, renderer: &Renderer, problem: &Diagnostic) -> String {
         let level = match self.severity {
             Severity::Error => Level::ERROR,
             Severity::Warning => Level::WARNING,

@@ -15,7 +15,7 @@ use crate::fields::Fields;
 use crate::initial::STRESSES;
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::material::VOID;
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 use displacement::DISPLACEMENT_KIND;
 
 const GROUPS: Kind = Kind::List(&Kind::Text, 1, 1000);
@@ -136,7 +136,7 @@ impl Stage {
     }
 
     /// What lies between the stages.
-    pub(crate) fn check(case: &Fields, written: &Written, problems: &mut Vec<Problem>) {
+    pub(crate) fn check(case: &Fields, written: &Written, problems: &mut Vec<Diagnostic>) {
         let steps = |stage: &Fields| {
             stage
                 .tables("displacement")
@@ -147,7 +147,7 @@ impl Stage {
         if total > MOST_STAGES
             && let Some(last) = case.tables("stage").last()
         {
-            problems.push(Problem::new(
+            problems.push(Diagnostic::new(
                 last.span.clone(),
                 format!("there are {total} stages, each step of a displacement being one"),
                 format!("give at most {MOST_STAGES}"),
@@ -157,13 +157,13 @@ impl Stage {
         for region in case.tables("region") {
             let Some(before) = region.text("before") else { continue };
             if *before == VOID {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     &before,
                     "what stands in the place until it is excavated is a material",
                     "name the material, and take it out with the `excavate` of a [[stage]]",
                 ));
             } else if !written.installs {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     &before,
                     "no stage installs anything, so nothing stands there before",
                     "leave `before` out, or add a [[stage]] with install = [\"…\"]",

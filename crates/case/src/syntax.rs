@@ -6,12 +6,12 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, Error};
 
-use crate::{Problem, Report};
+use crate::{Diagnostic, Report};
 
 /// The text of a file; `what` it is called in messages.
 pub(crate) fn read(path: &Path, what: &str) -> Result<String, Report> {
     let unreadable = |fault: String, remedy: String| {
-        Report::new(path, "", vec![Problem::new(0..0, format!("{}: {fault}", path.display()), remedy)])
+        Report::new(path, "", vec![Diagnostic::new(0..0, format!("{}: {fault}", path.display()), remedy)])
     };
     let bytes = std::fs::read(path)
         .map_err(|e| unreadable(format!("cannot be read, {e}"), format!("check the path of the {what}")))?;
@@ -20,19 +20,19 @@ pub(crate) fn read(path: &Path, what: &str) -> Result<String, Report> {
 }
 
 /// Parses the text, or reports every place that is not TOML.
-pub(crate) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, Vec<Problem>> {
+pub(crate) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, Vec<Diagnostic>> {
     let (table, errors) = DeTable::parse_recoverable(source);
     if errors.is_empty() {
         return Ok(table);
     }
-    let mut problems: Vec<Problem> = errors.iter().map(|e| problem(source, e)).collect();
+    let mut problems: Vec<Diagnostic> = errors.iter().map(|e| problem(source, e)).collect();
     // One unclosed bracket can be reported many times over.
     problems.dedup_by(|a, b| a.message == b.message && (a.span == b.span || a.message.contains("nested")));
     Err(problems)
 }
 
 /// Rewords what the parser says for someone who does not know TOML.
-fn problem(source: &str, error: &Error) -> Problem {
+fn problem(source: &str, error: &Error) -> Diagnostic {
     let span = error.span().unwrap_or(0..0);
     let found = source.get(span.clone()).unwrap_or("").trim();
     let (message, remedy): (String, String) = match error.message() {
@@ -61,17 +61,17 @@ fn problem(source: &str, error: &Error) -> Problem {
         }
         m => (m.to_owned(), "see https://toml.io for how TOML is written".into()),
     };
-    Problem::new(span, message, remedy)
+    Diagnostic::new(span, message, remedy)
 }
 
 /// A backslash in double quotes that begins no escape of TOML: nearly always one of a path of Windows. Marks the whole
 /// text, so that further backslashes in it are reported once.
-fn escape(source: &str, span: Range<usize>) -> Problem {
+fn escape(source: &str, span: Range<usize>) -> Diagnostic {
     let start = source.get(..span.start).and_then(|before| before.rfind(['"', '\n'])).unwrap_or(0);
     let inside = source[start..].trim_start_matches(['"', '\n']);
     let inside = &inside[..inside.find(['"', '\n', '\r']).unwrap_or(inside.len())];
     let remedy = forward_slashes(inside).unwrap_or_else(|| "write it twice: \\\\".to_owned());
-    Problem::new(start..start + inside.len() + 2, "a backslash in double quotes begins an escape", remedy)
+    Diagnostic::new(start..start + inside.len() + 2, "a backslash in double quotes begins an escape", remedy)
 }
 
 /// How a path is written whose text in the file, without its quotes, has backslashes.

@@ -26,7 +26,7 @@ use defaulted::{Known, defaulted};
 use indexmap::IndexMap;
 use std::path::Path;
 use std::sync::Arc;
-use tremolite_case::{Case, Problem};
+use tremolite_case::{Case, Diagnostic};
 use tremolite_engine::{Assembly, Model, Phase, StableStep, Stage, stable_step};
 use tremolite_results::{Defaulted, Input, MaterialFacts};
 
@@ -113,9 +113,9 @@ pub struct Job {
     pub dt: f64,
     pub steps: Steps,
     /// What reading the case and building what it asks for found unusual.
-    of_case: Vec<Problem>,
+    of_case: Vec<Diagnostic>,
     /// What looks at the model found unusual, look by look.
-    of_model: Vec<Vec<Problem>>,
+    of_model: Vec<Vec<Diagnostic>>,
     /// What is not as an earlier run read it, a sentence each.
     changed: Vec<String>,
 }
@@ -210,14 +210,14 @@ impl Job {
     }
 
     /// All that is unusual, each at its place in the case.
-    pub fn warnings(&self) -> impl Iterator<Item = &Problem> {
+    pub fn warnings(&self) -> impl Iterator<Item = &Diagnostic> {
         self.of_case.iter().chain(self.of_model.iter().flatten())
     }
 
     /// What was said of the case before the run, a sentence each: what is unusual, and what has changed since a run whose result
     /// folder holds the case.
     pub fn said(&self) -> Vec<String> {
-        let sentence = |p: &Problem| format!("{}; {}", p.message, p.remedy);
+        let sentence = |p: &Diagnostic| format!("{}; {}", p.message, p.remedy);
         self.warnings().map(sentence).chain(self.changed.iter().cloned()).collect()
     }
 

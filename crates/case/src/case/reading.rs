@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::Case;
 use crate::change::Change;
 use crate::laws::Laws;
-use crate::{Problem, Report, Spanned, syntax};
+use crate::{Diagnostic, Report, Spanned, syntax};
 
 impl Case {
     /// Reads and checks a case file. `laws` are those that it may name, usually
@@ -87,7 +87,7 @@ impl Case {
 
     /// The files that it names and that are not there, but for those that are `held` elsewhere, each at its place; `held` is asked
     /// for the name as it is written.
-    pub fn missing_files(&self, held: impl Fn(&Path) -> bool) -> Vec<Problem> {
+    pub fn missing_files(&self, held: impl Fn(&Path) -> bool) -> Vec<Diagnostic> {
         let missing = |f: &&Spanned<PathBuf>| !held(&f.value) && !self.resolve(&f.value).is_file();
         let missing = self.files().into_iter().filter(missing);
         let problem = |f: &Spanned<PathBuf>| {
@@ -98,7 +98,7 @@ impl Case {
             });
             // A path may hold escapes that were not meant, `\t` for one.
             let name = f.value.display().to_string().escape_debug().to_string();
-            Problem::at(f, format!("there is no file {name}"), remedy)
+            Diagnostic::at(f, format!("there is no file {name}"), remedy)
         };
         missing.map(problem).collect()
     }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::Change;
 use super::edit::{self, Edit, Fault};
-use crate::{Problem, report};
+use crate::{Diagnostic, report};
 
 /// A text of which some pieces stand in the file and others come from changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ enum From {
 impl Changed {
     /// The text with the changes made in their order, and the problems of those that cannot be made. A text that is no TOML
     /// stays as it is.
-    pub fn new(original: &str, changes: &[Change]) -> (Changed, Vec<Problem>) {
+    pub fn new(original: &str, changes: &[Change]) -> (Changed, Vec<Diagnostic>) {
         let piece = Piece { length: original.len(), from: From::File(0) };
         let mut changed = Changed {
             original: original.to_owned(),
@@ -47,7 +47,7 @@ impl Changed {
         let mut problems = Vec::new();
         for (number, change) in changes.iter().enumerate() {
             if let Err(Fault { message, remedy }) = changed.make(number, change) {
-                let mut problem = Problem::new(0..0, message, remedy);
+                let mut problem = Diagnostic::new(0..0, message, remedy);
                 problem.key.clone_from(&change.key);
                 problem.set = Some(change.shown().into());
                 problems.push(problem);
@@ -98,7 +98,7 @@ impl Changed {
     }
 
     /// Problems in the changed text as problems of the file and of the changes.
-    pub fn placed(&self, mut problems: Vec<Problem>) -> Vec<Problem> {
+    pub fn placed(&self, mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
         if self.changes.is_empty() {
             return problems;
         }

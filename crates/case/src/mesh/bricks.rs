@@ -7,7 +7,7 @@ use tremolite_laws::parameter::Dimension;
 use super::COORDINATE;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 const RATIO: Kind = Kind::Number(Dimension::NONE, Limit::Positive);
 
@@ -107,19 +107,19 @@ impl MeshBox {
         })
     }
 
-    pub(super) fn check(f: &Fields, problems: &mut Vec<Problem>) {
+    pub(super) fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
         for axis in ["x", "y", "z"].iter().filter_map(|name| f.table(name)) {
             if let (Some(from), Some(to)) = (axis.number("from"), axis.number("to"))
                 && to.value <= from.value
             {
-                problems.push(Problem::at(&to, "`to` must be above `from`", "swap the two, or mend one"));
+                problems.push(Diagnostic::at(&to, "`to` must be above `from`", "swap the two, or mend one"));
             }
         }
         let parts = f.tables("part");
         let ranges =
             parts.flat_map(|part| ["x", "y", "z"].into_iter().filter_map(|axis| part.numbers::<2>(axis)));
         problems.extend(ranges.filter(|range| range.value[0] >= range.value[1]).map(|range| {
-            Problem::at(&range, "the larger coordinate must stand second", "swap the two, or mend one")
+            Diagnostic::at(&range, "the larger coordinate must stand second", "swap the two, or mend one")
         }));
     }
 }

@@ -12,7 +12,7 @@ use tremolite_laws::parameter::Dimension;
 use super::LENGTH;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 pub use cavern::{Cavern, CavernShape, Length, Lining, Shotcrete};
 pub use gallery::Gallery;
@@ -114,11 +114,11 @@ impl Caverns {
         })
     }
 
-    pub(super) fn check(f: &Fields, problems: &mut Vec<Problem>) {
+    pub(super) fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
         if let (Some(near), Some(far)) = (f.number("near"), f.number("far"))
             && near.value > far.value
         {
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 &near,
                 "`near` is larger than `far`",
                 "elements grow from `near` at the caverns to `far`: give `near` the smaller size",
@@ -138,14 +138,14 @@ impl Caverns {
             let unknown = |name: &&Spanned<String>| !doubled && !caverns.contains(&name.value);
             for cavern in gallery.texts("between").iter().filter(unknown) {
                 let message = format!("there is no cavern `{}`", cavern.value);
-                problems.push(Problem::at(cavern, message, "name two caverns of this block"));
+                problems.push(Diagnostic::at(cavern, message, "name two caverns of this block"));
             }
         }
     }
 }
 
 /// Names lead to groups, so no two may be alike.
-fn once(table: &Fields, what: &str, names: &mut BTreeSet<String>, problems: &mut Vec<Problem>) {
+fn once(table: &Fields, what: &str, names: &mut BTreeSet<String>, problems: &mut Vec<Diagnostic>) {
     if let Some(name) = table.text("name")
         && !names.insert(name.value.clone())
     {
@@ -153,6 +153,6 @@ fn once(table: &Fields, what: &str, names: &mut BTreeSet<String>, problems: &mut
             "gallery" => format!("a cavern or another gallery is called `{}`", name.value),
             _ => format!("two {what}s are called `{}`", name.value),
         };
-        problems.push(Problem::at(&name, message, format!("give each {what} its own name")));
+        problems.push(Diagnostic::at(&name, message, format!("give each {what} its own name")));
     }
 }

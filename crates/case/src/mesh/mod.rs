@@ -12,7 +12,7 @@ pub use caverns::{Cavern, CavernShape, Caverns, Gallery, Ground, Length, Lining,
 
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 const LENGTH: Kind = Kind::Number(Dimension::LENGTH, Limit::Positive);
 const COORDINATE: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
@@ -87,7 +87,7 @@ impl Mesh {
     }
 
     /// What lies between keys; looks at each value that is good, whatever the others are.
-    pub(crate) fn check(mesh: &Fields, problems: &mut Vec<Problem>) {
+    pub(crate) fn check(mesh: &Fields, problems: &mut Vec<Diagnostic>) {
         if let Some(caverns) = mesh.table("caverns") {
             Caverns::check(caverns, problems);
         }

@@ -7,7 +7,7 @@ use tremolite_laws::parameter::Dimension;
 use super::DURATION;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table, When, words};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 /// The word in place of a unit for what a digitiser counts.
 const COUNTS: &str = "counts";
@@ -144,11 +144,11 @@ impl Component {
 }
 
 /// What lies between the keys of one component, and between it and the others of the motion.
-pub(super) fn check(component: &Fields, motion: &Fields, problems: &mut Vec<Problem>) {
+pub(super) fn check(component: &Fields, motion: &Fields, problems: &mut Vec<Diagnostic>) {
     if let Some(from) = component.word("from", Direction::from_word) {
         let source = motion.table(from.value.word());
         if source.is_none_or(|s| s.text("file").is_none()) {
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 &from,
                 format!("`{}` is not a record of its own", from.value.word()),
                 "take the component from one that has a `file`",
@@ -160,17 +160,17 @@ pub(super) fn check(component: &Fields, motion: &Fields, problems: &mut Vec<Prob
     if let Some(first) = columns.first()
         && all(TextColumn::Acceleration).count() != 1
     {
-        problems.push(Problem::at(
+        problems.push(Diagnostic::at(
             first,
             "one column must be the acceleration",
             "write columns = [\"time\", \"acceleration\"], with \"skip\" for the others",
         ));
     }
     if let Some(time) = all(TextColumn::Time).nth(1) {
-        problems.push(Problem::at(time, "two columns are the time", "write \"skip\" for one of them"));
+        problems.push(Diagnostic::at(time, "two columns are the time", "write \"skip\" for one of them"));
     }
     if let (Some(dt), Some(_)) = (component.number("dt"), all(TextColumn::Time).next()) {
-        problems.push(Problem::at(
+        problems.push(Diagnostic::at(
             &dt,
             "`dt` beside a column of times",
             "leave `dt` out, or skip the column",

@@ -14,7 +14,7 @@ pub use site::{Corner, Site, SiteLayer};
 
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Limit, Table, When, words};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 const TIME: Kind = Kind::Number(Dimension::TIME, Limit::NotNegative);
 const DURATION: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
@@ -171,12 +171,12 @@ impl Motion {
     }
 
     /// What lies between keys; looks at each value that is good, whatever the others are.
-    pub(crate) fn check(f: &Fields, problems: &mut Vec<Problem>) {
+    pub(crate) fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
         site::check(f, problems);
         if let Some(window) = f.get("window").and_then(Node::numbers::<2>)
             && window.value[1] <= window.value[0]
         {
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 &window,
                 "the window ends before it begins",
                 "write [from, to] with the earlier time first",

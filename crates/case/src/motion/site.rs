@@ -4,7 +4,7 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table, words};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 pub(super) static SITE: Table = Table {
     path: "motion.site",
@@ -139,11 +139,11 @@ impl Site {
 }
 
 /// Refuses ground for records that stand on none.
-pub(super) fn check(motion: &Fields, problems: &mut Vec<Problem>) {
+pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
     if let (Some(site), Some(kind)) = (motion.get("site"), motion.text("kind"))
         && ["outcrop", "incident"].contains(&kind.value.as_str())
     {
-        problems.push(Problem::new(
+        problems.push(Diagnostic::new(
             site.span.clone(),
             format!(
                 "`site` has a meaning only for a record on or within layered ground, not for `{}`",

@@ -7,7 +7,7 @@ use tremolite_laws::parameter::Dimension;
 use super::Stage;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 const LENGTH: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
 /// Smallest and largest coordinate.
@@ -112,7 +112,7 @@ impl Displacement {
     }
 
     /// What lies between keys, and between the stages.
-    pub(crate) fn check(case: &Fields, problems: &mut Vec<Problem>) {
+    pub(crate) fn check(case: &Fields, problems: &mut Vec<Diagnostic>) {
         let mut earlier: Vec<Displacement> = Vec::new();
         let monitors: Vec<Spanned<String>> = case.tables("monitor").filter_map(|m| m.text("name")).collect();
         for stage in case.tables("stage") {
@@ -120,45 +120,47 @@ impl Displacement {
             for f in &tables {
                 if WAYS.iter().all(|way| f.get(way).is_none()) {
                     let remedy = "add uz = \"0.5 mm\", or 0 for a support";
-                    problems.push(Problem::new(f.span.clone(), "nothing says how far it is moved", remedy));
+                    problems.push(Diagnostic::new(
+                        f.span.clone(),
+                        "nothing says how far it is moved",
+                        remedy,
+                    ));
                 }
                 let ranges = AXES.iter().filter_map(|axis| f.table("within")?.numbers::<2>(axis));
-                problems.extend(
-                    ranges.filter(|range| range.value[0] > range.value[1]).map(|range| {
-                        Problem::at(&range, "the larger coordinate stands first", "swap the two")
-                    }),
-                );
+                problems.extend(ranges.filter(|range| range.value[0] > range.value[1]).map(|range| {
+                    Diagnostic::at(&range, "the larger coordinate stands first", "swap the two")
+                }));
             }
             let read: Vec<Displacement> = tables.iter().filter_map(|f| Displacement::read(f)).collect();
             for (k, one) in read.iter().enumerate() {
                 if read[..k].iter().any(|other| other.name == one.name) {
                     let what = format!("'{}' is moved twice in this stage", one.name);
-                    problems.push(Problem::new(one.span.clone(), what, "give each a `name` of its own"));
+                    problems.push(Diagnostic::new(one.span.clone(), what, "give each a `name` of its own"));
                 }
                 if monitors.iter().any(|monitor| monitor.value == one.name) {
                     let what = format!(
                         "a monitor is called '{}' as well, and both have columns of that name",
                         one.name
                     );
-                    problems.push(Problem::new(one.span.clone(), what, "give it another `name`"));
+                    problems.push(Diagnostic::new(one.span.clone(), what, "give it another `name`"));
                 }
                 let told = read[..k].iter().find_map(|other| other.steps);
                 if let (Some(told), Some(steps)) = (told, one.steps)
                     && told != steps
                 {
                     let what = format!("a stage goes in {told} and in {steps} steps");
-                    problems.push(Problem::new(one.span.clone(), what, "say it once"));
+                    problems.push(Diagnostic::new(one.span.clone(), what, "say it once"));
                 }
                 let same = |other: &&Displacement| other.name == one.name;
                 if earlier.iter().find(same).is_some_and(|other| !other.means_nodes_of(one)) {
                     let what = format!("'{}' meant other nodes in an earlier stage", one.name);
-                    problems.push(Problem::new(one.span.clone(), what, "give it another `name`"));
+                    problems.push(Diagnostic::new(one.span.clone(), what, "give it another `name`"));
                 }
             }
             if let (false, Some(release)) = (read.is_empty(), stage.number("release"))
                 && release.value < 1.0
             {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     &release,
                     "a stage that moves nodes lets go of all that is held",
                     "give `release` in a stage of its own",

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tremolite_case::{Case, Problem, Report};
+use tremolite_case::{Case, Diagnostic, Report};
 use tremolite_laws::materials::MATERIALS;
 
 const GOOD: &str = include_str!("../cases/every-key.toml");
@@ -228,8 +228,8 @@ fn problems_found_later_are_shown_in_the_same_way() {
     let case = Case::parse(Path::new("case.toml"), GOOD, MATERIALS).unwrap_or_else(|e| panic!("{e}"));
     let at = &case.monitors[1].at;
     let report = case.report(vec![
-        Problem::at(at, "monitor `free` lies outside the mesh", "move it"),
-        Problem::at(&case.regions[0].groups[0], "the mesh has no group `rock`", "name one that it has"),
+        Diagnostic::at(at, "monitor `free` lies outside the mesh", "move it"),
+        Diagnostic::at(&case.regions[0].groups[0], "the mesh has no group `rock`", "name one that it has"),
     ]);
     let lines: Vec<usize> = report.problems.iter().map(|p| report.position(p).0).collect();
     assert!(lines[0] < lines[1], "sorted by place");

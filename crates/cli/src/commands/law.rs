@@ -15,7 +15,7 @@ use interface::Interface;
 use material::Material;
 use path_file::PathFile;
 use std::path::{Path, PathBuf};
-use tremolite_case::{LawFile, LawKind, Problem};
+use tremolite_case::{Diagnostic, LawFile, LawKind};
 use tremolite_laws::Isa;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::path::PathError;
@@ -143,7 +143,7 @@ fn drive<const N: usize, K: Kind<N>>(args: &Args, law: &LawFile, isa: Isa) -> Ou
         )));
     }
     for warning in K::warnings(law) {
-        let problem = Problem::new(law.span.clone(), warning, "go on only if this is meant");
+        let problem = Diagnostic::new(law.span.clone(), warning, "go on only if this is meant");
         say(&law.report(vec![problem]).as_warnings().render(colour()));
     }
     say_defaults(law);

@@ -1,7 +1,7 @@
 //! What is said of a case before it runs: why it cannot, and what is unusual though it can.
 
 use std::path::PathBuf;
-use tremolite_case::{Case, Problem, Report, Side};
+use tremolite_case::{Case, Diagnostic, Report, Side};
 use tremolite_engine::ModelError;
 
 /// What is unusual of a case that can be run all the same.
@@ -17,7 +17,7 @@ pub enum Remark {
 
 impl Remark {
     /// What one look found; nothing where that was nothing.
-    pub(super) fn of(case: &Case, problems: &[Problem]) -> Option<Remark> {
+    pub(super) fn of(case: &Case, problems: &[Diagnostic]) -> Option<Remark> {
         (!problems.is_empty()).then(|| Remark::Problems(case.report(problems.to_vec()).as_warnings()))
     }
 
@@ -86,6 +86,6 @@ impl Why {
         };
         let text = error.to_string();
         let (message, remedy) = text.split_once("; ").unwrap_or((&text, otherwise));
-        case.report(vec![Problem::new(span, message, remedy)]).into()
+        case.report(vec![Diagnostic::new(span, message, remedy)]).into()
     }
 }

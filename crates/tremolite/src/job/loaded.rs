@@ -3,7 +3,7 @@
 use super::fault::{Fault, Remark};
 use crate::setup::{Inputs, Laws, Setup, changed, original_folder, setup_of};
 use std::path::{Path, PathBuf};
-use tremolite_case::{self as case, Case, Change, Problem};
+use tremolite_case::{self as case, Case, Change, Diagnostic};
 use tremolite_laws::{Isa, LawInfo};
 
 /// What a program gives beside a case.
@@ -84,7 +84,7 @@ impl Loaded {
                 true => "the case names none; write path = \"…\" or file = \"…\" with that name".to_owned(),
                 false => format!("the case names {}", named.join(", ")),
             };
-            Problem::new(
+            Diagnostic::new(
                 0..0,
                 format!("'{name}' is in memory among {kind}, but no key of the case asks for it there"),
                 remedy,

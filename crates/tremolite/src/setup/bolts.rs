@@ -19,7 +19,7 @@ use opening::{Opening, openings};
 use pattern::{Laid, lay};
 use std::f64::consts::PI;
 use std::path::Path;
-use tremolite_case::{self as case, BoltPattern, BoltPlace, Case, Place, Problem, Spanned, units};
+use tremolite_case::{self as case, BoltPattern, BoltPlace, Case, Diagnostic, Place, Spanned, units};
 use tremolite_engine::{Bar, Bolts, Bond, Stage};
 use tremolite_laws::Dimension;
 use tremolite_mesh::Mesh;
@@ -36,7 +36,7 @@ const APART: f64 = 0.5;
 pub struct Placed {
     /// In the order of [`Case::bolts`]; a pattern that found no face has no bars.
     pub bolts: Vec<Bolts>,
-    pub warnings: Vec<Problem>,
+    pub warnings: Vec<Diagnostic>,
 }
 
 /// Makes the bolts of a case. Those that cannot be placed are among the problems.
@@ -45,7 +45,7 @@ pub fn build(
     mesh: &Mesh,
     staged: &Staged,
     held: &Inputs,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Placed {
     let mut placed = Placed { bolts: Vec::new(), warnings: Vec::new() };
     let listed: Vec<Vec<Listed>> =
@@ -98,7 +98,7 @@ pub fn build(
 }
 
 /// Monitors at bolts that could be placed; the others are among the problems.
-pub fn monitors(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) -> Vec<BoltMonitor> {
+pub fn monitors(case: &Case, mesh: &Mesh, problems: &mut Vec<Diagnostic>) -> Vec<BoltMonitor> {
     let mut monitors = Vec::new();
     for monitor in &case.monitors {
         let Some(bolt) = &monitor.bolt else { continue };
@@ -138,8 +138,8 @@ fn patterned(
     pattern: &BoltPattern,
     openings: &[Opening],
     heads: &mut Heads,
-    problems: &mut Vec<Problem>,
-    warnings: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
+    warnings: &mut Vec<Diagnostic>,
 ) -> Vec<[[f64; 3]; 2]> {
     let mut on = vec![pattern.on.is_empty(); mesh.elements.len()];
     for (name, elements) in &mesh.groups {
@@ -150,7 +150,7 @@ fn patterned(
     let [along, around] = pattern.spacing.value;
     let area: f64 = openings.iter().flat_map(|opening| &opening.walls).map(|wall| wall.area).sum();
     if area / along / around > MOST_BOLTS {
-        problems.push(Problem::at(
+        problems.push(Diagnostic::at(
             &pattern.spacing,
             format!("the pattern would place some {:.1e} bolts on {area:.0} m2", area / along / around),
             "look at the unit of the spacing; 1 m to 3 m is usual",
@@ -182,9 +182,9 @@ fn patterned(
                 "take another pattern, or a smaller spacing",
             )
         };
-        warnings.push(Problem::at(&pattern.faces, format!("'{name}': {message}"), remedy));
+        warnings.push(Diagnostic::at(&pattern.faces, format!("'{name}': {message}"), remedy));
     } else if let (true, Some(direction)) = (laid.along > 0, &pattern.direction) {
-        warnings.push(Problem::at(
+        warnings.push(Diagnostic::at(
             direction,
             format!(
                 "{} places have no bolt, since it would run along the wall there, within 5 degrees",
@@ -197,7 +197,7 @@ fn patterned(
 }
 
 /// The bolts that a case or its file lists, those of a pattern not among them.
-fn listed(case: &Case, written: &case::Bolts, held: &Inputs, problems: &mut Vec<Problem>) -> Vec<Listed> {
+fn listed(case: &Case, written: &case::Bolts, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Vec<Listed> {
     match &written.place {
         BoltPlace::Pattern(_) => Vec::new(),
         BoltPlace::Points(points) => points
@@ -209,7 +209,7 @@ fn listed(case: &Case, written: &case::Bolts, held: &Inputs, problems: &mut Vec<
             Ok(bolts) => bolts,
             Err(message) => {
                 let remedy = "a bolt a row: x1,y1,z1,x2,y2,z2 in m, its head at the wall first";
-                problems.push(Problem::at(file, message, remedy));
+                problems.push(Diagnostic::at(file, message, remedy));
                 Vec::new()
             }
         },
@@ -232,7 +232,7 @@ fn pointed(
     written: &case::Bolts,
     stage: &Spanned<String>,
     listed: Vec<Listed>,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Vec<[[f64; 3]; 2]> {
     let free = written.free_length.as_ref().map_or(0.0, |free| free.value);
     let mut bars = Vec::new();
@@ -245,7 +245,7 @@ fn pointed(
         let whole = norm(minus(bolt.ends[1], bolt.ends[0]));
         if free >= whole && !written.plate.value.ends()[1] {
             let length = |x: f64| units::format(x, Dimension::LENGTH);
-            problems.push(Problem::new(
+            problems.push(Diagnostic::new(
                 span,
                 format!(
                     "{} is {} long, all of it free: nothing holds its other end",
@@ -259,7 +259,7 @@ fn pointed(
         let place = |[x, y, z]: [f64; 3]| format!("({x:.3}, {y:.3}, {z:.3}) m");
         match ground.place(bolt.ends, free) {
             Ok(ends) => bars.push(ends),
-            Err(Outside::End(end, at)) => problems.push(Problem::new(
+            Err(Outside::End(end, at)) => problems.push(Diagnostic::new(
                 span,
                 format!(
                     "{}: {end} at {} lies in nothing that stands in '{}'",
@@ -273,7 +273,7 @@ fn pointed(
                     "put it into the rock, or on the wall to a centimetre; what the stage excavates is gone"
                 },
             )),
-            Err(Outside::Leaves(at, distance)) => problems.push(Problem::new(
+            Err(Outside::Leaves(at, distance)) => problems.push(Diagnostic::new(
                 span,
                 format!(
                     "{} leaves what stands in '{}' at {}, {distance:.3} m from its head",
@@ -288,11 +288,11 @@ fn pointed(
     bars
 }
 
-fn too_many(written: &case::Bolts, ends: &[[[f64; 3]; 2]], problems: &mut Vec<Problem>) {
+fn too_many(written: &case::Bolts, ends: &[[[f64; 3]; 2]], problems: &mut Vec<Diagnostic>) {
     let Some(segment) = written.bond.as_ref().and_then(|bond| bond.segment.as_ref()) else { return };
     let length: f64 = ends.iter().map(|[a, b]| norm(minus(*b, *a))).sum();
     if length / segment.value > MOST_SEGMENTS {
-        problems.push(Problem::at(
+        problems.push(Diagnostic::at(
             segment,
             format!("{length:.0} m of bolts would be cut into some {:.1e} segments", length / segment.value),
             "give a longer segment: half of √(EA/stiffness) resolves the bond",

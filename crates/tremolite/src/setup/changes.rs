@@ -3,7 +3,7 @@
 use super::groups::nothing_fits;
 use super::regions;
 use std::collections::BTreeMap;
-use tremolite_case::{Case, Fill, Problem, Region, Spanned, pattern};
+use tremolite_case::{Case, Diagnostic, Fill, Region, Spanned, pattern};
 use tremolite_engine::{Body, Life, Stage};
 use tremolite_kernels::Law;
 use tremolite_laws::band::Band;
@@ -41,7 +41,7 @@ pub fn versions(
     bodies: &mut Vec<Body>,
     body_of: &mut [Option<usize>],
     lives: &mut [Life],
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Vec<Version> {
     let changes = changes(case, mesh, body_of, lives, problems);
     if !problems.is_empty() || changes.is_empty() {
@@ -78,7 +78,7 @@ pub fn versions(
                 bodies.len() - 1
             };
             if let Some(lost) = lost(&bodies[body], &bodies[next]) {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     change.pattern,
                     format!(
                         "'{}' keeps {lost}, which '{}' does not know: it would heal",
@@ -107,7 +107,7 @@ fn changes<'c>(
     mesh: &Mesh,
     body_of: &[Option<usize>],
     lives: &[Life],
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> BTreeMap<u32, Vec<Change<'c>>> {
     let mut all: BTreeMap<u32, Vec<Change>> = BTreeMap::new();
     for (stage, written) in case.stages.iter().enumerate() {
@@ -127,7 +127,7 @@ fn changes<'c>(
                     && lives[e as usize].born < before(stage)
                     && lives[e as usize].gone.is_none_or(|gone| gone > before(stage));
                 if !there {
-                    problems.push(Problem::at(
+                    problems.push(Diagnostic::at(
                         pattern,
                         format!(
                             "element {} does not stand through '{}'",

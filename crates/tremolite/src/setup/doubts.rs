@@ -4,7 +4,7 @@ use super::facts::{SiteFacts, largest};
 use super::records::Channels;
 use crate::trust::{MOST_MASS_DAMPING, MOST_MISSED, NOT_RUN, left_after, mass_damping};
 use std::f64::consts::PI;
-use tremolite_case::{self as case, Problem, Site};
+use tremolite_case::{self as case, Diagnostic, Site};
 use tremolite_motion::{Channel, Motion, Process};
 
 /// A window's displacement over that of the whole record from which on it is doubted.
@@ -35,12 +35,12 @@ pub fn of_window(
     mut whole: Channels,
     windowed: &mut Channels,
     steps: &[Process],
-) -> Option<Problem> {
+) -> Option<Diagnostic> {
     let window = motion.window.as_ref()?;
     tremolite_motion::process(&mut whole.each(), steps).ok()?;
     let [all, part] = [displacement(&whole.each()), displacement(&windowed.each())];
     (part > MADE_BY_THE_WINDOW * all).then(|| {
-        Problem::at(
+        Diagnostic::at(
             window,
             format!(
                 "the window, processed, moves by up to {part:.3} m, and the whole record, processed alike, by {all:.3} m: cut out of its \
@@ -53,14 +53,14 @@ pub fn of_window(
 }
 
 /// A peak that steps behind it change.
-pub fn of_peak(motion: &case::Motion, channels: &mut Channels, steps: &[Process]) -> Option<Problem> {
+pub fn of_peak(motion: &case::Motion, channels: &mut Channels, steps: &[Process]) -> Option<Diagnostic> {
     let (step, word) = steps.iter().zip(&motion.process).rev().find_map(|(step, word)| match step {
         Process::PeakAcceleration { value, units } => Some((value * units.factor()?, word)),
         _ => None,
     })?;
     let found = channels.each().iter().map(|channel| largest(&channel.acceleration)).fold(0.0, f64::max);
     ((found / step - 1.0).abs() > PEAK_KEPT).then(|| {
-        Problem::at(
+        Diagnostic::at(
             word,
             format!(
                 "the peak of {step:.3} m/s2 that is asked for becomes {found:.3} m/s2 by the steps behind it"
@@ -71,11 +71,11 @@ pub fn of_peak(motion: &case::Motion, channels: &mut Channels, steps: &[Process]
 }
 
 /// Samples that lie so far apart that straight lines between them lose of what moves fastest: sinc² of frequency times interval.
-pub fn of_sampling(motion: &case::Motion, dt: f64, highest: f64) -> Option<Problem> {
+pub fn of_sampling(motion: &case::Motion, dt: f64, highest: f64) -> Option<Diagnostic> {
     let x = PI * highest * dt;
     let lost = 1.0 - (x.sin() / x).powi(2);
     (lost > LOST_BETWEEN).then(|| {
-        Problem::new(
+        Diagnostic::new(
             motion.span.clone(),
             format!(
                 "between samples {dt} s apart the acceleration is taken as linear, which leaves {:.0} % of the amplitude at \
@@ -94,10 +94,10 @@ fn fine(hertz: f64) -> f64 {
 }
 
 /// What a deconvolution leaves out, and soil that is strained beyond what linear layers are for.
-pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<Problem> {
+pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<Diagnostic> {
     let mut doubts = Vec::new();
     if site.left_out > LEFT_OUT {
-        doubts.push(Problem::new(
+        doubts.push(Diagnostic::new(
             motion.span.clone(),
             format!(
                 "{:.1} % of the processed record's energy (∫a² dt) lies above {:.2} Hz and does not come in: further up too little of the \
@@ -116,7 +116,7 @@ pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<P
         let strain = |layer: &case::SiteLayer| fastest / layer.shear_wave_velocity.value;
         let softest = layers.iter().max_by(|a, b| strain(a).total_cmp(&strain(b)));
         if let Some(layer) = softest.filter(|layer| strain(layer) > LINEAR) {
-            doubts.push(Problem::at(
+            doubts.push(Diagnostic::at(
                 &layer.shear_wave_velocity,
                 format!(
                     "the record moves by up to {fastest:.3} m/s, which strains this layer by about {:.2} %: the layers are linear, and \
@@ -128,14 +128,14 @@ pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<P
         }
         for layer in layers {
             if !(1000.0..=3500.0).contains(&layer.density.value) {
-                doubts.push(Problem::at(
+                doubts.push(Diagnostic::at(
                     &layer.density,
                     format!("{:.0} kg/m3 is no density of ground", layer.density.value),
                     "soil has 1400 to 2200 kg/m3, rock up to 3000",
                 ));
             }
             if !(40.0..=4500.0).contains(&layer.shear_wave_velocity.value) {
-                doubts.push(Problem::at(
+                doubts.push(Diagnostic::at(
                     &layer.shear_wave_velocity,
                     format!(
                         "{} m/s is no velocity of shear waves in ground",
@@ -150,11 +150,11 @@ pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<P
 }
 
 /// A run that ends before its motion.
-pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Problem> {
+pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Diagnostic> {
     let duration = case.dynamic.duration.as_ref()?;
     let share = left_after(wave, duration.value);
     (share > NOT_RUN).then(|| {
-        Problem::at(
+        Diagnostic::at(
             duration,
             format!(
                 "the motion lasts {:.2} s, and {:.0} % of its energy (∫a² dt) comes after this",
@@ -167,12 +167,12 @@ pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Problem> {
 }
 
 /// Damping in proportion to the mass that takes more of the motion than rock does.
-pub fn of_mass_damping(case: &case::Case, wave: &Motion) -> Option<Problem> {
+pub fn of_mass_damping(case: &case::Case, wave: &Motion) -> Option<Diagnostic> {
     let mass = &case.dynamic.rayleigh.mass;
     let frequency = tremolite_motion::highest_frequency(wave, 0.5)?;
     let ratio = mass_damping(mass.value, frequency);
     (ratio > MOST_MASS_DAMPING).then(|| {
-        Problem::at(
+        Diagnostic::at(
             mass,
             format!(
                 "it damps {:.0} % of critical at {frequency:.2} Hz, below which half of the motion's energy lies, where rock and concrete \
@@ -186,12 +186,12 @@ pub fn of_mass_damping(case: &case::Case, wave: &Motion) -> Option<Problem> {
 
 /// Rows of the histories that lie too far apart for the motion: half an interval beside its peak a wave of its central frequency has lost
 /// 1 − cos πfΔ. In a hall under a pulse of 4 Hz rows 0.02 s apart missed 4.9 % and 0.03 s apart 6 %, where this is 3 and 7 %.
-pub fn of_rows(case: &case::Case, wave: &Motion) -> Option<Problem> {
+pub fn of_rows(case: &case::Case, wave: &Motion) -> Option<Diagnostic> {
     let histories = &case.output.histories;
     let frequency = tremolite_motion::highest_frequency(wave, 0.5)?;
     let missed = 1.0 - (PI * (frequency * histories.value).min(0.5)).cos();
     (missed > MOST_MISSED).then(|| {
-        Problem::at(
+        Diagnostic::at(
             histories,
             format!(
                 "rows {} s apart are {:.1} in a period of {frequency:.2} Hz, below which half of the motion's energy lies: peaks between \

@@ -1,7 +1,7 @@
 //! What of the motion of a case is worth reporting.
 
 use crate::deconvolution::Place;
-use tremolite_case::Problem;
+use tremolite_case::Diagnostic;
 use tremolite_engine::column::corner_name;
 use tremolite_motion::{Intensity, Kind};
 
@@ -30,7 +30,7 @@ pub struct MotionFacts {
     pub lowpass: Option<f64>,
     /// What reading did beside reading, directions that do not fit, and numbers that are not what they seem, at their places in the
     /// case.
-    pub warnings: Vec<Problem>,
+    pub warnings: Vec<Diagnostic>,
 }
 
 impl MotionFacts {

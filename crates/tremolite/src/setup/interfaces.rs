@@ -3,7 +3,7 @@
 use super::groups::nothing_fits;
 use crate::plan::PairMonitor;
 use std::collections::{BTreeMap, BTreeSet};
-use tremolite_case::{Case, Interface as Written, Place, Problem, pattern};
+use tremolite_case::{Case, Diagnostic, Interface as Written, Place, pattern};
 use tremolite_engine::{Body, Interface, Life, Stage};
 use tremolite_kernels::InterfaceLaw;
 use tremolite_laws::Choice;
@@ -25,7 +25,7 @@ pub fn build(
     bodies: &[Body],
     lives: &[Life],
     laws: &[InterfaceLaw],
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Vec<Interface> {
     let mut solid = vec![false; mesh.elements.len()];
     bodies.iter().flat_map(|body| &body.elements).for_each(|&e| solid[e as usize] = true);
@@ -44,7 +44,7 @@ pub fn build(
                 };
                 mesh.groups.iter().find(holds).map_or("?", |(name, _)| name.as_str())
             };
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 &written.between[1][0],
                 format!(
                     "element {} is on both sides of '{}': it is in '{}' and in '{}'",
@@ -83,7 +83,7 @@ fn elements(
     mesh: &Mesh,
     solid: &[bool],
     lives: &[Life],
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Vec<u32>> {
     let mut all: BTreeSet<u32> = BTreeSet::new();
     let before = problems.len();
@@ -103,7 +103,7 @@ fn elements(
     }
     if !all.iter().any(|&e| lives[e as usize].holds(Stage::Shaking)) {
         let names: Vec<&str> = written.between[side].iter().map(|p| p.value.as_str()).collect();
-        problems.push(Problem::new(
+        problems.push(Diagnostic::new(
             written.span.clone(),
             format!(
                 "all elements of {} are excavated, so '{}' has one side",
@@ -129,7 +129,7 @@ fn pressure(bodies: &[Body], sides: [&BTreeSet<u32>; 2]) -> f64 {
 }
 
 /// Joins what a mesh brings parted where a case ties it: nodes of the two sides at one place become one.
-pub fn tie(case: &Case, mesh: &mut Mesh, problems: &mut Vec<Problem>) {
+pub fn tie(case: &Case, mesh: &mut Mesh, problems: &mut Vec<Diagnostic>) {
     for written in case.interfaces.iter().filter(|interface| interface.contact.is_none()) {
         let nodes = [0, 1].map(|side| {
             let groups = mesh.groups.iter().filter(|(name, _)| written.sides_of(name)[side]);
@@ -150,7 +150,7 @@ pub fn tie(case: &Case, mesh: &mut Mesh, problems: &mut Vec<Problem>) {
             }
         }
         if into.is_empty() && nodes[0].is_disjoint(&nodes[1]) {
-            problems.push(Problem::new(
+            problems.push(Diagnostic::new(
                 written.span.clone(),
                 format!("the two sides of '{}' have no node in common or at one place", written.name.value),
                 "name groups that touch, or leave the interface out",
@@ -186,7 +186,7 @@ pub fn explain_doubled(mesh: &Mesh, interfaces: &[Interface]) -> bool {
 }
 
 /// What is unusual about the laws of interfaces though they accept it.
-pub fn warnings(case: &Case, laws: &[InterfaceLaw]) -> Vec<Problem> {
+pub fn warnings(case: &Case, laws: &[InterfaceLaw]) -> Vec<Diagnostic> {
     let mut warnings = Vec::new();
     for written in &case.interfaces {
         let Some(contact) = &written.contact else { continue };
@@ -195,13 +195,14 @@ pub fn warnings(case: &Case, laws: &[InterfaceLaw]) -> Vec<Problem> {
         let choice = Choice { stiffness: STIFF, pressure: Interface::PRESSURE };
         let Ok(built) = (law.build)(&(law.info.chosen)(&contact.parameters, &choice)) else { continue };
         let remedy = "change the interface's parameters if this is not meant";
-        warnings.extend(built.warnings().into_iter().map(|w| Problem::new(written.span.clone(), w, remedy)));
+        warnings
+            .extend(built.warnings().into_iter().map(|w| Diagnostic::new(written.span.clone(), w, remedy)));
     }
     warnings
 }
 
 /// Monitors on interfaces that are not tied; the others are among the problems.
-pub fn monitors(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) -> Vec<PairMonitor> {
+pub fn monitors(case: &Case, mesh: &Mesh, problems: &mut Vec<Diagnostic>) -> Vec<PairMonitor> {
     let mut pairs = Vec::new();
     for monitor in &case.monitors {
         let Some(interface) = &monitor.interface else { continue };

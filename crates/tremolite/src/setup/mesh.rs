@@ -3,7 +3,7 @@
 use super::memory::{Inputs, in_memory};
 use std::ops::Range;
 use std::path::Path;
-use tremolite_case::{self as case, Problem};
+use tremolite_case::{self as case, Diagnostic};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::cavern::{
     Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer, Shotcrete,
@@ -15,9 +15,9 @@ use tremolite_mesh::{Mesh, read_with_notes, sound};
 /// A mesh in metres, and what its user should know of it.
 pub struct Built {
     pub mesh: Mesh,
-    pub warnings: Vec<Problem>,
+    pub warnings: Vec<Diagnostic>,
     /// Of nodes at one place that are not joined, which may be meant.
-    pub doubled: Option<Problem>,
+    pub doubled: Option<Diagnostic>,
 }
 
 /// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems. Paths
@@ -26,7 +26,7 @@ pub fn build(
     mesh: &case::Mesh,
     directory: &Path,
     held: &Inputs,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Built> {
     let (made, span, remedy) = match mesh {
         case::Mesh::Caverns(caverns) => {
@@ -55,7 +55,7 @@ pub fn build(
     };
     match made {
         Ok((mesh, notes)) => {
-            let warning = |note: &Note| Problem::new(span.clone(), note.to_string(), remedy);
+            let warning = |note: &Note| Diagnostic::new(span.clone(), note.to_string(), remedy);
             let (doubled, notes): (Vec<Note>, Vec<Note>) =
                 notes.into_iter().partition(|note| matches!(note, Note::Coincident { .. }));
             let doubled = doubled.first().map(warning);
@@ -64,7 +64,7 @@ pub fn build(
         Err((span, message)) => {
             // Errors of the mesh crate end with the way out.
             let (what, remedy) = message.rsplit_once("; ").unwrap_or((&message, "change the mesh"));
-            problems.push(Problem::new(span, what, remedy));
+            problems.push(Diagnostic::new(span, what, remedy));
             None
         }
     }

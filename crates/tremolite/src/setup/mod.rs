@@ -52,7 +52,7 @@ pub struct Setup {
     /// Why the base is not the one that is usual, where the case leaves it out.
     pub base_without_springs: Option<String>,
     /// What is unusual though it can be run, at its place in the case.
-    pub warnings: Vec<case::Problem>,
+    pub warnings: Vec<case::Diagnostic>,
 }
 
 /// The mesh of a case, or of a mesh's own description, in this folder or `held` in memory: in metres, and what is worth knowing of
@@ -64,7 +64,7 @@ pub fn mesh_of(
     mesh: &case::Mesh,
     directory: &Path,
     held: &Inputs,
-) -> Result<(tremolite_mesh::Mesh, Vec<case::Problem>), Vec<case::Problem>> {
+) -> Result<(tremolite_mesh::Mesh, Vec<case::Diagnostic>), Vec<case::Diagnostic>> {
     let mut problems = Vec::new();
     let Some(mesh::Built { mesh, mut warnings, doubled }) = mesh::build(mesh, directory, held, &mut problems)
     else {
@@ -198,7 +198,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let duration = motion.map_or(0.0, shaking);
     let histories = &case.output.histories;
     if motion.is_some() && histories.value > duration {
-        return Err(case.report(vec![case::Problem::at(
+        return Err(case.report(vec![case::Diagnostic::at(
             histories,
             format!("rows {} s apart leave none within the run of {duration:.3} s", histories.value),
             "choose an interval well below the duration",
@@ -255,19 +255,19 @@ fn reference(case: &Case, motion: Option<&(tremolite_motion::Motion, MotionFacts
 }
 
 /// Damping over a band with moduli meant at `reference` \[Hz\].
-fn band(case: &Case, reference: f64, problems: &mut Vec<case::Problem>) -> Option<Band> {
+fn band(case: &Case, reference: f64, problems: &mut Vec<case::Diagnostic>) -> Option<Band> {
     let given = case.dynamic.band.as_ref()?;
     match Band::fit(given.ratio.value, given.band.value, reference) {
         Ok(band) => Some(band),
         Err(e) => {
             let remedy = "for rock, a ratio of 0.01 to 0.05 over 0.5 Hz to 20 Hz is usual";
-            problems.push(case::Problem::at(&given.ratio, e.to_string(), remedy));
+            problems.push(case::Diagnostic::at(&given.ratio, e.to_string(), remedy));
             None
         }
     }
 }
 
-fn fields(case: &Case, problems: &mut Vec<case::Problem>) -> Vec<Field> {
+fn fields(case: &Case, problems: &mut Vec<case::Diagnostic>) -> Vec<Field> {
     let known: Vec<&str> = Field::ALL.iter().map(|f| f.description().0).collect();
     case.output
         .fields
@@ -276,14 +276,14 @@ fn fields(case: &Case, problems: &mut Vec<case::Problem>) -> Vec<Field> {
             let field = Field::from_word(word);
             if field.is_none() {
                 let message = format!("there is no field '{}'", word.value);
-                problems.push(case::Problem::at(word, message, format!("known are {}", known.join(", "))));
+                problems.push(case::Diagnostic::at(word, message, format!("known are {}", known.join(", "))));
             }
             field
         })
         .collect()
 }
 
-fn base(case: &Case, problems: &mut Vec<case::Problem>) -> Base {
+fn base(case: &Case, problems: &mut Vec<case::Diagnostic>) -> Base {
     let base = &case.dynamic.base;
     match &base.value {
         case::Base::ViscousSpring { normal, tangential, distance } => Base::ViscousSpring {
@@ -295,7 +295,7 @@ fn base(case: &Case, problems: &mut Vec<case::Problem>) -> Base {
         case::Base::Fixed if case.motion.is_none() => Base::Fixed,
         case::Base::Free if case.motion.is_none() => Base::Free,
         case::Base::Fixed | case::Base::Free => {
-            problems.push(case::Problem::at(
+            problems.push(case::Diagnostic::at(
                 base,
                 "the motion cannot enter through this base, so the run would do nothing",
                 "use base = \"viscous-spring\" or \"viscous\"",
@@ -331,7 +331,7 @@ fn springs_or_none(
     interfaces: &[Interface],
     lives: &[Life],
     base: Base,
-    problems: &mut Vec<case::Problem>,
+    problems: &mut Vec<case::Diagnostic>,
 ) -> (Base, Option<String>) {
     // What else is wrong comes first: elements without a material are no ground.
     if !base.has_springs() || !problems.is_empty() {
@@ -345,7 +345,7 @@ fn springs_or_none(
     if case.motion.is_none() || case.defaulted.iter().any(|d| d.key == "dynamic.base") {
         return (Base::Viscous, Some(reason));
     }
-    problems.push(case::Problem::at(
+    problems.push(case::Diagnostic::at(
         &case.dynamic.base,
         format!("the springs of the base act on what differs from columns of the ground at the model's corners, but {reason}"),
         "write base = \"viscous\", or let the ground along the model's vertical edges be whole and stay in all stages",

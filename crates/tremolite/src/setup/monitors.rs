@@ -1,7 +1,7 @@
 //! Where the monitors are.
 
 use crate::plan::Monitor;
-use tremolite_case::{Case, Place, Problem};
+use tremolite_case::{Case, Diagnostic, Place};
 use tremolite_engine::Body;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::locate::Locator;
@@ -20,7 +20,7 @@ pub fn named(
     mesh: &Mesh,
     name: &str,
     span: &std::ops::Range<usize>,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<[f64; 3]> {
     if let Some(point) = mesh.points.get(name) {
         return Some(*point);
@@ -31,12 +31,12 @@ pub fn named(
     } else {
         format!("the mesh has the points {}", known.join(", "))
     };
-    problems.push(Problem::new(span.clone(), format!("there is no point '{name}' in the mesh"), remedy));
+    problems.push(Diagnostic::new(span.clone(), format!("there is no point '{name}' in the mesh"), remedy));
     None
 }
 
 /// All monitors in elements that could be placed; the others are among the problems.
-pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Problem>) -> Vec<Monitor> {
+pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Diagnostic>) -> Vec<Monitor> {
     let mut solid: Vec<u32> = bodies.iter().flat_map(|b| b.elements.iter().copied()).collect();
     solid.sort_unstable();
     let mut monitors = Vec::new();
@@ -55,7 +55,7 @@ pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Probl
         if let (Some(body), true) = (&monitor.body, groups.is_empty()) {
             let known: Vec<&str> = mesh.groups.keys().map(String::as_str).collect();
             let message = format!("no group of the mesh is called '{}' or ends so", body.value);
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 body,
                 message,
                 format!("the mesh has the groups {}", known.join(", ")),
@@ -82,7 +82,7 @@ pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Probl
             None => {
                 let (low, high) = mesh.bounds();
                 let [x, y, z] = [0, 1, 2].map(|i| format!("{} to {}", short(low[i]), short(high[i])));
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     &monitor.at,
                     format!(
                         "monitor {} at ({:.3}, {:.3}, {:.3}) m lies in no element of its body",

@@ -4,11 +4,11 @@ use super::doubts;
 use super::facts::{ENERGY_SHARE, MotionFacts, largest};
 use super::memory::Inputs;
 use super::records;
-use tremolite_case::{self as case, Case, Problem};
+use tremolite_case::{self as case, Case, Diagnostic};
 use tremolite_motion::{Intensity, Kind, Motion, Process, highest_frequency};
 
 /// The given motion in the model's axes, and what to report of it; nothing if there is none or it was refused.
-pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Problem>) -> Option<(Motion, MotionFacts)> {
+pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Option<(Motion, MotionFacts)> {
     let motion = case.motion.as_ref()?;
     let before = problems.len();
     let steps = steps(motion, problems);
@@ -25,12 +25,12 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Problem>) -> Option<
         && let Err(e) = channels.cut(window.value)
     {
         let (message, remedy) = e.message_and_remedy();
-        problems.push(Problem::at(window, message, remedy));
+        problems.push(Diagnostic::at(window, message, remedy));
     }
     for (step, word) in steps.iter().zip(&motion.process) {
         if let Err(e) = step.apply(&mut channels.each()) {
             let (message, remedy) = e.message_and_remedy();
-            problems.push(Problem::at(word, message, remedy));
+            problems.push(Diagnostic::at(word, message, remedy));
         }
     }
     if problems.len() > before {
@@ -46,13 +46,13 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Problem>) -> Option<
         Ok(made) => made,
         Err(e) => {
             let (message, remedy) = e.message_and_remedy();
-            problems.push(Problem::new(motion.span.clone(), message, remedy));
+            problems.push(Diagnostic::new(motion.span.clone(), message, remedy));
             return None;
         }
     };
     let Some(highest_frequency) = highest_frequency(&made, ENERGY_SHARE) else {
         let message = "the motion is zero everywhere, so the run would do nothing";
-        problems.push(Problem::new(
+        problems.push(Diagnostic::new(
             motion.span.clone(),
             message,
             "check the records, the window and the scale",
@@ -87,7 +87,7 @@ pub(super) fn beyond_any_earthquake(
     place: &std::ops::Range<usize>,
     motion: &Motion,
     factor: f64,
-) -> Option<Problem> {
+) -> Option<Diagnostic> {
     let series = [
         ("acceleration", &motion.acceleration),
         ("velocity", &motion.velocity),
@@ -96,7 +96,7 @@ pub(super) fn beyond_any_earthquake(
     for ((what, components), (limit, unit)) in series.into_iter().zip(LIMITS) {
         let peak = factor * components.iter().map(|x| largest(x)).fold(0.0, f64::max);
         if peak > limit {
-            return Some(Problem::new(
+            return Some(Diagnostic::new(
                 place.clone(),
                 format!(
                     "the incident wave reaches {peak:.3} {unit} of {what}, more than any earthquake: the limit is \
@@ -111,7 +111,7 @@ pub(super) fn beyond_any_earthquake(
 }
 
 /// The steps of processing; those that cannot be read are among the problems.
-fn steps(motion: &case::Motion, problems: &mut Vec<Problem>) -> Vec<Process> {
+fn steps(motion: &case::Motion, problems: &mut Vec<Diagnostic>) -> Vec<Process> {
     motion
         .process
         .iter()
@@ -119,7 +119,7 @@ fn steps(motion: &case::Motion, problems: &mut Vec<Problem>) -> Vec<Process> {
             Ok(step) => Some(step),
             Err(message) => {
                 let remedy = "write, say, \"pre-event 5 s\", \"taper 1 s\", \"bandpass 0.1 Hz 20 Hz\", \"pga 0.3 g\" and \"baseline\", each a step of its own";
-                problems.push(Problem::at(word, message, remedy));
+                problems.push(Diagnostic::at(word, message, remedy));
                 None
             }
         })

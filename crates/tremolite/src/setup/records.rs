@@ -4,7 +4,7 @@ use super::memory::{Inputs, checked};
 use std::ops::Range;
 use std::path::Path;
 use tremolite_case::{
-    self as case, Case, Component, Direction, Problem, RecordUnit, Records, Spanned, Window,
+    self as case, Case, Component, Diagnostic, Direction, RecordUnit, Records, Spanned, Window,
 };
 use tremolite_motion::{
     Channel, Geographic, Orientation, ReadOptions, Sensitivity, TextColumn, Units, align, common_time_base,
@@ -20,8 +20,8 @@ pub fn of(
     case: &Case,
     motion: &case::Motion,
     held: &Inputs,
-    problems: &mut Vec<Problem>,
-) -> Option<(Channels, Vec<Problem>)> {
+    problems: &mut Vec<Diagnostic>,
+) -> Option<(Channels, Vec<Diagnostic>)> {
     let mut warnings = Vec::new();
     // Each with the place of its file in the case.
     let (mut channels, places) = match &motion.records {
@@ -34,7 +34,7 @@ pub fn of(
                         remedy +=
                             "; such files go in as components, east = { file = \"…\", units = \"cm/s2\" }";
                     }
-                    problems.push(Problem::at(file, message, remedy));
+                    problems.push(Diagnostic::at(file, message, remedy));
                 })
                 .ok()?;
             let places = vec![file.span.clone(); all.len()];
@@ -58,12 +58,12 @@ pub fn of(
     refuse_what_is_no_acceleration(&mut channels, &places, problems)?;
     if let Err(e) = channels.share_time() {
         let (message, remedy) = e.message_and_remedy();
-        problems.push(Problem::new(motion.span.clone(), message, remedy));
+        problems.push(Diagnostic::new(motion.span.clone(), message, remedy));
         return None;
     }
     for (channel, place) in channels.each().iter().zip(&places) {
         let remark = |remark: &String| {
-            Problem::new(
+            Diagnostic::new(
                 place.clone(),
                 remark.clone(),
                 "nothing, if that is meant; else look at the record's file",
@@ -78,7 +78,7 @@ pub fn of(
 fn refuse_what_is_no_acceleration(
     channels: &mut Channels,
     places: &[Range<usize>],
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<()> {
     let before = problems.len();
     for (channel, place) in channels.each().iter().zip(places) {
@@ -88,9 +88,9 @@ fn refuse_what_is_no_acceleration(
         // First, since for such a sensor there is no sensitivity to ask for.
         if let Err(e) = channel.of_accelerometer() {
             let (message, remedy) = e.message_and_remedy();
-            problems.push(Problem::new(place.clone(), message, remedy));
+            problems.push(Diagnostic::new(place.clone(), message, remedy));
         } else if channel.raw {
-            problems.push(Problem::new(
+            problems.push(Diagnostic::new(
                 place.clone(),
                 format!("'{}' is in counts, and nothing says what a count is", channel.name),
                 "write, beside file, sensitivity = \"427336 counts/(m/s2)\" with the figure that the network's station metadata \
@@ -104,21 +104,21 @@ fn refuse_what_is_no_acceleration(
 /// The sensitivity that is written; none if it cannot be read, which is then among the problems.
 fn sensitivity(
     written: Option<&Spanned<String>>,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Option<Sensitivity>> {
     let Some(written) = written else { return Some(None) };
     match written.value.parse() {
         Ok(sensitivity) => Some(Some(sensitivity)),
         Err(message) => {
             let remedy = "take the figure from the network's station metadata, where it is often called InstrumentSensitivity";
-            problems.push(Problem::at(written, message, remedy));
+            problems.push(Diagnostic::at(written, message, remedy));
             None
         }
     }
 }
 
 /// Warns of a component whose file states a direction that is not the one it is given for.
-fn turned(channel: &Channel, axis: usize, place: Range<usize>) -> Option<Problem> {
+fn turned(channel: &Channel, axis: usize, place: Range<usize>) -> Option<Diagnostic> {
     let stated = channel.orientation?;
     let fits = match (stated, axis) {
         (Orientation::Up, 2) => true,
@@ -131,7 +131,7 @@ fn turned(channel: &Channel, axis: usize, place: Range<usize>) -> Option<Problem
     };
     let word = ["east", "north", "up"][axis];
     (!fits).then(|| {
-        Problem::new(
+        Diagnostic::new(
             place,
             format!("'{}' is given as `{word}`, but its file states its direction as {stated}", channel.name),
             "look whether files or channels are mixed up; a file with all components is turned by its own directions as \
@@ -211,7 +211,7 @@ fn components_of(
     case: &Case,
     components: &[Option<Component>; 3],
     held: &Inputs,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<[Option<Channel>; 3]> {
     let before = problems.len();
     let mut found: [Option<Channel>; 3] = [None, None, None];
@@ -258,7 +258,7 @@ fn record_channel(
     record: &case::Record,
     axis: usize,
     held: &Inputs,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Channel> {
     let units = record.units.as_ref().and_then(|u| match u.value {
         RecordUnit::Counts => Some(Units::Counts),
@@ -286,7 +286,7 @@ fn record_channel(
     let channels = match channels(case, &record.file.value, held, &options) {
         Ok(channels) => channels,
         Err((message, remedy)) => {
-            problems.push(Problem::at(&record.file, message, remedy));
+            problems.push(Diagnostic::at(&record.file, message, remedy));
             return None;
         }
     };
@@ -305,8 +305,8 @@ fn record_channel(
         let message = format!("the channel is not clear: the file has {}", names.join(", "));
         let remedy = "name one with channel = \"…\", or give motion.file to use all by their orientation";
         match &record.channel {
-            Some(wanted) => problems.push(Problem::at(wanted, message, remedy)),
-            None => problems.push(Problem::at(&record.file, message, remedy)),
+            Some(wanted) => problems.push(Diagnostic::at(wanted, message, remedy)),
+            None => problems.push(Diagnostic::at(&record.file, message, remedy)),
         }
     }
     chosen

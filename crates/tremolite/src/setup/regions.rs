@@ -2,7 +2,7 @@
 
 use super::groups::nothing_fits;
 use std::sync::Arc;
-use tremolite_case::{Case, Element, Fill, Material, Problem, Region, Spanned, pattern};
+use tremolite_case::{Case, Diagnostic, Element, Fill, Material, Region, Spanned, pattern};
 use tremolite_engine::Body;
 use tremolite_engine::extent::extents;
 use tremolite_engine::hexahedra::{centroid, hex};
@@ -16,7 +16,7 @@ pub fn build(
     mesh: &Mesh,
     laws: &[Law],
     band: Option<Band>,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Vec<Body> {
     let mut region_of: Vec<Option<usize>> = vec![None; mesh.elements.len()];
     for (r, region) in case.regions.iter().enumerate() {
@@ -31,7 +31,7 @@ pub fn build(
                 if let Some(first) = before {
                     let earlier = case.regions[first].groups.iter().map(|g| g.value.as_str());
                     let earlier: Vec<&str> = earlier.collect();
-                    problems.push(Problem::at(
+                    problems.push(Diagnostic::at(
                         pattern,
                         format!("elements of '{name}' are in the region of {} already", earlier.join(", ")),
                         "let each element be in one region only",
@@ -67,12 +67,12 @@ pub fn body(
     elements: Vec<u32>,
     laws: &[Law],
     band: Option<Band>,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Body> {
     let Fill::Solid { element, through, viscosity, .. } = &region.fill else { return None };
     let law = laws.iter().find(|l| l.info.name == material.law.value)?;
     if let Some(b) = viscosity.as_ref().filter(|b| b.value > MOST_VISCOSITY) {
-        problems.push(Problem::at(
+        problems.push(Diagnostic::at(
             b,
             format!("a viscosity of {} of critical damping is more than any ringing needs", b.value),
             "give at most 0.5; 0.06 is usual",
@@ -81,7 +81,7 @@ pub fn body(
     let element = match element {
         Some(word) => word.value,
         None => generated(case, mesh, region).or_else(|| {
-            problems.push(Problem::new(
+            problems.push(Diagnostic::new(
                 region.span.clone(),
                 "a region that is not of generated linings or shotcrete alone must say how its elements are integrated",
                 "write element = \"one-point\" for rock; \"layered\" for linings one element thick, \"full\" for others",
@@ -116,11 +116,9 @@ pub fn body(
         }
         // The case has checked the values, so this is a law that changes its mind.
         Err(bad) => {
-            problems.extend(
-                bad.into_iter().map(|b| {
-                    Problem::new(material.span.clone(), format!("{} {}", b.name, b.problem), b.remedy)
-                }),
-            );
+            problems.extend(bad.into_iter().map(|b| {
+                Diagnostic::new(material.span.clone(), format!("{} {}", b.name, b.problem), b.remedy)
+            }));
             None
         }
     }
@@ -145,11 +143,11 @@ fn generated(case: &Case, mesh: &Mesh, region: &Region) -> Option<Element> {
 }
 
 /// Points through the thickness, as many as there are rules for.
-fn layers(given: Option<&Spanned<u32>>, problems: &mut Vec<Problem>) -> Layers {
+fn layers(given: Option<&Spanned<u32>>, problems: &mut Vec<Diagnostic>) -> Layers {
     let Some(given) = given else { return Layers::default() };
     Layers::ALL.into_iter().find(|layers| layers.count() == given.value as usize).unwrap_or_else(|| {
         let message = format!("there are no elements with {} points through their thickness", given.value);
-        problems.push(Problem::at(given, message, "write 7, 9 or 13"));
+        problems.push(Diagnostic::at(given, message, "write 7, 9 or 13"));
         Layers::default()
     })
 }
@@ -184,7 +182,7 @@ fn oversized(
     elements: &[u32],
     material: &Material,
     law: &Arc<dyn AnyMaterial>,
-) -> Option<Problem> {
+) -> Option<Diagnostic> {
     let limit = law.size_limit();
     if limit == f64::INFINITY {
         return None;
@@ -214,7 +212,7 @@ fn oversized(
     } else {
         "make the elements finer there, or raise the fracture energy"
     };
-    Some(Problem::new(
+    Some(Diagnostic::new(
         material.span.clone(),
         format!(
             "element {}{place} at ({x:.1}, {y:.1}, {z:.1}) m extends over {extent:.2} m{others}; with this material's \
@@ -226,7 +224,7 @@ fn oversized(
     ))
 }
 
-fn report_unassigned(case: &Case, mesh: &Mesh, region_of: &[Option<usize>], problems: &mut Vec<Problem>) {
+fn report_unassigned(case: &Case, mesh: &Mesh, region_of: &[Option<usize>], problems: &mut Vec<Diagnostic>) {
     let count = region_of.iter().filter(|r| r.is_none()).count();
     if count == 0 {
         return;
@@ -239,7 +237,7 @@ fn report_unassigned(case: &Case, mesh: &Mesh, region_of: &[Option<usize>], prob
         .collect();
     let place = case.regions.last().map_or(case.title.span.clone(), |r| r.span.clone());
     let message = format!("{count} elements belong to no region; they are in {}", groups.join(", "));
-    problems.push(Problem::new(
+    problems.push(Diagnostic::new(
         place,
         message,
         "add a [[region]] with these groups; material = \"void\" if they are excavated",

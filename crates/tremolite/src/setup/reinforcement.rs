@@ -6,7 +6,7 @@ use super::groups::nothing_fits;
 use crate::sections::{Station, stations};
 use doubtful::{Laid, too_much, too_thick, too_thin, twice};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
-use tremolite_case::{BarDirection, BarFace, Case, Problem, Reinforcement, pattern};
+use tremolite_case::{BarDirection, BarFace, Case, Diagnostic, Reinforcement, pattern};
 use tremolite_engine::{Bar, Bolts, Life, Stage};
 use tremolite_mesh::{Mesh, Shape};
 
@@ -26,8 +26,8 @@ pub fn build(
     mesh: &Mesh,
     lives: &[Life],
     solid: &[bool],
-    problems: &mut Vec<Problem>,
-) -> (Vec<Bolts>, Vec<Problem>) {
+    problems: &mut Vec<Diagnostic>,
+) -> (Vec<Bolts>, Vec<Diagnostic>) {
     let standing: Vec<bool> =
         lives.iter().zip(solid).map(|(life, solid)| *solid && life.holds(Stage::Shaking)).collect();
     let (mut all, mut warnings) = (Vec::new(), Vec::new());
@@ -65,7 +65,7 @@ pub fn build(
         if legs.is_empty() {
             let names: Vec<&str> = groups.iter().map(|(name, _)| *name).collect();
             problems.extend(steel.on.first().map(|on| {
-                Problem::at(
+                Diagnostic::at(
                     on,
                     format!("{} has no thickness that bars could lie in", names.join(", ")),
                     "name groups of hexahedra that are thin one way, as linings are",
@@ -74,7 +74,7 @@ pub fn build(
             continue;
         }
         if without > 0 {
-            warnings.push(Problem::new(
+            warnings.push(Diagnostic::new(
                 steel.span.clone(),
                 format!("{without} of {count} elements get no bars: where walls meet there is no thickness"),
                 "give rounder corners, or take it that bars end there",
@@ -130,7 +130,7 @@ fn groups<'m>(
     steel: &Reinforcement,
     mesh: &'m Mesh,
     solid: &[bool],
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Vec<(&'m str, &'m [u32])>> {
     let before = problems.len();
     let mut fitting: Vec<(&str, &[u32], usize)> = Vec::new();
@@ -145,13 +145,13 @@ fn groups<'m>(
             fitting[known..].iter().flat_map(|(name, elements, _)| elements.iter().map(move |e| (name, *e)));
         let refused = found.clone().find(|(_, e)| mesh.elements[*e as usize].shape != Shape::Hex8);
         if let Some((name, e)) = refused {
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 on,
                 format!("element {} of '{name}' is no hexahedron", mesh.element_id(e as usize)),
                 "bars are laid through hexahedra alone: mesh the group with them, or leave it out",
             ));
         } else if let Some((name, e)) = found.clone().find(|(_, e)| !solid[*e as usize]) {
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 on,
                 format!("element {} of '{name}' is void", mesh.element_id(e as usize)),
                 "name groups that are made of a material",
@@ -169,7 +169,7 @@ fn groups<'m>(
             kept.push((name, elements));
         } else if new > 0 {
             let other = elements.iter().find_map(|e| taken.get(e)).copied().unwrap_or_default();
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 &steel.on[k],
                 format!("'{name}' and '{other}' share elements, which would be reinforced twice"),
                 "name groups that do not overlap, or give each a [[reinforcement]] of its own",

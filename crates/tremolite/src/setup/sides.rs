@@ -1,6 +1,6 @@
 //! Sides and top of a case: what they become, and what of them is refused or unusual.
 
-use tremolite_case::{self as case, Case, Problem, units};
+use tremolite_case::{self as case, Case, Diagnostic, units};
 use tremolite_engine::outer_faces::NEAR;
 use tremolite_engine::{Side, Top};
 use tremolite_laws::Dimension;
@@ -31,7 +31,7 @@ pub fn top(top: case::Top) -> Top {
 }
 
 /// Refuses a mesh from a file whose outer sides do not lie along x and y where sides act. Generated meshes stand along them.
-pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
+pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Diagnostic>) {
     let case::Mesh::File(file) = &case.mesh else { return };
     let acts = [0, 1].map(|axis| {
         let side = case.dynamic.sides[axis].value;
@@ -51,7 +51,7 @@ pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
         Err(e) => {
             let remedy = "cut the model along two pairs of parallel vertical planes, or write sides = \"free\", in [initial] as well, \
                           where nothing is to act on them";
-            problems.push(Problem::at(place, e.to_string(), remedy));
+            problems.push(Diagnostic::at(place, e.to_string(), remedy));
             return;
         }
     };
@@ -62,7 +62,7 @@ pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
             "the outer sides are not plane: nodes lie off them by up to {off:.1e} of the model's width, and no boundary acts on \
              faces that are off by more than {NEAR:.0e}"
         );
-        problems.push(Problem::at(
+        problems.push(Diagnostic::at(
             place,
             message,
             "write the mesh with more digits, or make its sides plane",
@@ -80,7 +80,7 @@ pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
              results and motion.model_x_azimuth are then meant in the axes after it",
             degrees(total - 360.0 * (total / 360.0).round())
         );
-        problems.push(Problem::at(place, message, remedy));
+        problems.push(Diagnostic::at(place, message, remedy));
     }
 }
 
@@ -92,7 +92,7 @@ fn degrees(angle: f64) -> String {
 }
 
 /// Refuses sides that hold what the motion moves.
-pub fn check_motion(case: &Case, motion: &Motion, problems: &mut Vec<Problem>) {
+pub fn check_motion(case: &Case, motion: &Motion, problems: &mut Vec<Diagnostic>) {
     let peak = |i: usize| motion.velocity[i].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let largest = (0..3).map(peak).fold(0.0, f64::max);
     let mut found = Vec::new();
@@ -120,7 +120,7 @@ pub fn check_motion(case: &Case, motion: &Motion, problems: &mut Vec<Problem>) {
             ),
             _ => continue,
         };
-        found.push(Problem::at(side, message, remedy));
+        found.push(Diagnostic::at(side, message, remedy));
     }
     // One word for both sides is one mistake.
     found.dedup_by(|a, b| a.span == b.span);
@@ -133,7 +133,7 @@ fn rounded(x: f64) -> f64 {
 }
 
 /// Boundaries that do not let ground move as it would without them, and axes that may not be the motion's.
-pub fn warnings(case: &Case) -> Vec<Problem> {
+pub fn warnings(case: &Case) -> Vec<Diagnostic> {
     let Some(motion) = &case.motion else { return Vec::new() };
     let mut warnings = Vec::new();
     for (axis, side) in case.dynamic.sides.iter().enumerate() {
@@ -147,12 +147,12 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
             "the {word} sides across {name} {what}: in homogeneous ground velocities were wrong by 80 to 130 % of the surface's peak with such sides"
         );
         let remedy = "use \"free-field\"; the check 'model's corners against free field' says what is left";
-        warnings.push(Problem::at(side, message, remedy));
+        warnings.push(Diagnostic::at(side, message, remedy));
     }
     // One word for both sides is one warning.
     warnings.dedup_by(|a, b| a.span == b.span);
     if case.dynamic.top.value == case::Top::Viscous {
-        warnings.push(Problem::at(
+        warnings.push(Diagnostic::at(
             &case.dynamic.top,
             "the top absorbs: the wave that the real surface would send back is missing, so motion there is about half of a \
              surface's",
@@ -164,7 +164,7 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
         && file.rotate.value != 0.0
         && assumed
     {
-        warnings.push(Problem::new(
+        warnings.push(Diagnostic::new(
             motion.span.clone(),
             format!(
                 "the mesh is turned by {}, and its x axis after that is taken to point east",

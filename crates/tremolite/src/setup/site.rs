@@ -6,7 +6,7 @@ use super::motion::beyond_any_earthquake;
 use crate::deconvolution::{Deconvolved, LEAST, Notch, Place};
 use crate::layered_column::{Layer, LayeredColumn};
 use crate::plan::Recorded;
-use tremolite_case::{self as case, Problem, Site, SiteLayer};
+use tremolite_case::{self as case, Diagnostic, Site, SiteLayer};
 use tremolite_engine::column::{Ground, corner_name};
 use tremolite_engine::problem::Rayleigh;
 use tremolite_engine::{Body, Incident, Top};
@@ -36,7 +36,7 @@ pub fn enter<'a>(
     given: Motion,
     facts: &mut MotionFacts,
     around: impl FnOnce() -> Around<'a>,
-    problems: &mut Vec<Problem>,
+    problems: &mut Vec<Diagnostic>,
 ) -> Option<Entering> {
     if let Some(factor) = facts.factor {
         return Some(Entering { incident: Incident { motion: given, factor }, recorded: None });
@@ -73,7 +73,7 @@ fn deconvolved(
     given: &Motion,
     facts: &MotionFacts,
     around: &Around,
-) -> Result<(Motion, Motion, SiteFacts), Problem> {
+) -> Result<(Motion, Motion, SiteFacts), Diagnostic> {
     let (place, corner) = place(motion, around)?;
     let band = match facts.lowpass {
         Some(corner) => corner,
@@ -109,17 +109,17 @@ fn deconvolved(
     };
     let wave = Motion::from_acceleration(given.dt, incident).map_err(|e| {
         let (message, remedy) = e.message_and_remedy();
-        Problem::new(motion.span.clone(), message, remedy)
+        Diagnostic::new(motion.span.clone(), message, remedy)
     })?;
     Ok((wave, late(given, lead), site))
 }
 
-fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notch, band: f64) -> Problem {
+fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notch, band: f64) -> Diagnostic {
     let above = match facts.lowpass {
         Some(_) => "the low-pass of motion.process",
         None => "below which 99.9 % of the record's energy lies",
     };
-    Problem::new(
+    Diagnostic::new(
         motion.span.clone(),
         format!(
             "the record cannot be turned into the wave that comes in: at {at:.2} Hz hardly anything moves where it was taken, \
@@ -139,8 +139,8 @@ fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notc
 }
 
 /// Where the record was taken, and the corner of the model whose ground that is.
-fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>), Problem> {
-    let refuse = |message: String, remedy: &str| Problem::at(&motion.kind, message, remedy);
+fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>), Diagnostic> {
+    let refuse = |message: String, remedy: &str| Diagnostic::at(&motion.kind, message, remedy);
     let kind = motion.kind.value.word();
     let grounds = around.grounds.as_ref().map_err(|reason| {
         refuse(
@@ -216,7 +216,7 @@ fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>
     let columns = own(corner).ok_or_else(none)?;
     let height = columns[0].height() - depth;
     if let Some(depth) = motion.depth.as_ref().filter(|_| height < -1e-6 * columns[0].height()) {
-        return Err(Problem::at(
+        return Err(Diagnostic::at(
             depth,
             format!(
                 "the model's base lies {:.1} m below its surface, above the place of the record",

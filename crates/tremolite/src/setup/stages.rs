@@ -17,11 +17,11 @@ use faces::faces;
 use pressures::{Around, loads, sides};
 use std::collections::HashMap;
 use std::ops::Range;
-use tremolite_case::{self as case, Case, Problem, Spanned, pattern};
+use tremolite_case::{self as case, Case, Diagnostic, Spanned, pattern};
 use tremolite_engine::Traction;
 use tremolite_engine::engine::Release;
 use tremolite_engine::outer_faces::OuterFaces;
-use tremolite_engine::{Base, Bed, Body, Life, Problem as Space, Stage};
+use tremolite_engine::{Base, Bed, Body, Life, Problem, Stage};
 use tremolite_kernels::Law;
 use tremolite_laws::Dimension;
 use tremolite_laws::band::Band;
@@ -51,7 +51,7 @@ pub struct Staged {
     /// The body of each element; none for void.
     body_of: Vec<Option<usize>>,
     /// What is unusual about it.
-    warnings: Vec<Problem>,
+    warnings: Vec<Diagnostic>,
 }
 
 impl Staged {
@@ -62,7 +62,7 @@ impl Staged {
         bodies: &mut Vec<Body>,
         laws: &[Law],
         band: Option<Band>,
-        problems: &mut Vec<Problem>,
+        problems: &mut Vec<Diagnostic>,
     ) -> Staged {
         let count = mesh.elements.len();
         let mut body_of: Vec<Option<usize>> = vec![None; count];
@@ -145,7 +145,7 @@ impl Staged {
     }
 
     /// Puts lives, stand-ins, initial stress and what presses into a problem whose mesh is as it was read. Says what is unusual.
-    pub fn fill(mut self, case: &Case, space: &mut Space) -> Vec<Problem> {
+    pub fn fill(mut self, case: &Case, space: &mut Problem) -> Vec<Diagnostic> {
         let mut warnings = std::mem::take(&mut self.warnings);
         if let Some(stress) = &case.initial.stress {
             let weight =
@@ -239,7 +239,7 @@ impl Staged {
 }
 
 /// Puts an element into a body that stands in the place of another, under that one's number and initial stress.
-fn add(space: &mut Space, of: u32, body: usize, life: Life) -> u32 {
+fn add(space: &mut Problem, of: u32, body: usize, life: Life) -> u32 {
     let e = space.mesh.elements.len();
     if space.mesh.element_ids.is_empty() {
         space.mesh.element_ids = (0..e).map(|e| space.mesh.element_id(e)).collect();
@@ -281,7 +281,7 @@ fn changes(case: &Case, stage: &case::Stage) -> Vec<Said> {
 pub const EQUILIBRIUM: &str = "initial equilibrium";
 
 /// The elements of the groups that a pattern fits.
-fn fitting(written: &Spanned<String>, mesh: &Mesh, problems: &mut Vec<Problem>) -> Option<Vec<u32>> {
+fn fitting(written: &Spanned<String>, mesh: &Mesh, problems: &mut Vec<Diagnostic>) -> Option<Vec<u32>> {
     let groups = mesh.groups.iter().filter(|(name, _)| pattern::matches(written, name));
     let mut elements: Vec<u32> = groups.flat_map(|(_, elements)| elements).copied().collect();
     elements.sort_unstable();
@@ -294,10 +294,10 @@ fn fitting(written: &Spanned<String>, mesh: &Mesh, problems: &mut Vec<Problem>) 
 }
 
 /// What is unusual about a case's stages.
-pub fn warnings(case: &Case) -> Vec<Problem> {
+pub fn warnings(case: &Case) -> Vec<Diagnostic> {
     let mut warnings = Vec::new();
     if let Some(last) = case.stages.last().filter(|stage| stage.release.value < 1.0) {
-        warnings.push(Problem::at(
+        warnings.push(Diagnostic::at(
             &last.release,
             format!(
                 "{:.0} % of what is held is never let go: it stays held in the shaking",
@@ -311,7 +311,7 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
     if let (Some(first), None) = (case.stages.first(), &case.initial.stress)
         && (excavates || !moves)
     {
-        warnings.push(Problem::at(
+        warnings.push(Diagnostic::at(
             &first.name,
             "there is no initial stress, so what is excavated lets nothing go",
             "give [initial] lateral, stress or measured",
@@ -320,7 +320,7 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
     if let Some(case::InitialStress::Lateral { x, y, .. }) = &case.initial.stress
         && let Some(large) = [x, y].into_iter().find(|k| k.value > MOST_LATERAL)
     {
-        warnings.push(Problem::at(
+        warnings.push(Diagnostic::at(
             large,
             format!("the horizontal stress would be {} times the weight above", large.value),
             "give a ratio, 0.3 to 3 is usual; 60 % is 0.6",
@@ -333,7 +333,7 @@ pub fn warnings(case: &Case) -> Vec<Problem> {
         if largest > SCATTER * mean {
             let span: Range<usize> = measured.first().map_or(0..0, |m| m.span.clone());
             let left: Vec<String> = left.iter().map(|x| format!("{:.2}", x / 1e6)).collect();
-            warnings.push(Problem::new(
+            warnings.push(Diagnostic::new(
                 span,
                 format!(
                     "measured stresses lie off a straight line over depth by {} MPa (xx, yy, zz, xy, yz, zx)",

@@ -16,7 +16,7 @@ use tremolite_motion::Process;
 const WAVE_SPEEDS: std::ops::RangeInclusive<f64> = 100.0..=10_000.0;
 
 /// What laws find unusual, and fields that no law can fill.
-pub fn of_laws(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Problem> {
+pub fn of_laws(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Diagnostic> {
     let mut warnings = Vec::new();
     let mut told: Vec<usize> = Vec::new();
     let solid = case.regions.iter().filter_map(|r| match &r.fill {
@@ -32,7 +32,7 @@ pub fn of_laws(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Prob
         let span = &case.materials[material].span;
         let remedy = "change the material's parameters if this is not meant";
         warnings.extend(
-            body.material.warnings().into_iter().map(|w| case::Problem::new(span.clone(), w, remedy)),
+            body.material.warnings().into_iter().map(|w| case::Diagnostic::new(span.clone(), w, remedy)),
         );
         let (pressure, _) = body.material.moduli().wave_speeds(body.density);
         if !WAVE_SPEEDS.contains(&pressure) {
@@ -40,7 +40,7 @@ pub fn of_laws(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Prob
                 "P waves would travel at {pressure:.0} m/s, where rock and concrete have 100 to 10000 m/s"
             );
             let remedy = "look at the units of young and density";
-            warnings.push(case::Problem::new(span.clone(), message, remedy));
+            warnings.push(case::Diagnostic::new(span.clone(), message, remedy));
         }
     }
     let kept =
@@ -49,7 +49,7 @@ pub fn of_laws(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Prob
     for field in words.iter().filter(|f| fields.contains(f) && !kept(f)) {
         let word = field.description().0;
         let message = format!("no material of this case keeps anything for the field '{word}'");
-        warnings.push(case::Problem::new(
+        warnings.push(case::Diagnostic::new(
             case.output.span.clone(),
             message,
             "leave the field out, or change the laws",
@@ -64,7 +64,7 @@ const THICK: f64 = 3.0;
 const THIN: usize = 3;
 
 /// Linings and slabs of one-point elements.
-pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Problem> {
+pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Diagnostic> {
     let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
     let all: usize = bodies.iter().map(|body| body.elements.len()).sum();
     regions
@@ -75,7 +75,7 @@ pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body])
             let length = |&(e, axis): &(u32, usize)| hex(mesh, e as usize).map_or(0.0, |h| 2.0 * h.half_lengths[axis]);
             let thin = stacks(mesh, &body.elements).into_iter().filter(|s| s.iter().map(length).sum::<f64>() < THICK);
             let fewest = thin.map(|stack| stack.len()).min().filter(|&n| n <= THIN)?;
-            Some(case::Problem::new(
+            Some(case::Diagnostic::new(
                 region.span.clone(),
                 format!(
                     "'{}' is {fewest} one-point elements thick: they see no bending through the thickness, and a ring of \
@@ -89,7 +89,7 @@ pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body])
 }
 
 /// Linings of 2×2×2 points in one layer, of a law that cracks.
-pub fn of_single_layers(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Problem> {
+pub fn of_single_layers(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Diagnostic> {
     let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
     let cracks = |body: &Body| position(body.material.info().history, Role::TensionDamage).is_some();
     regions
@@ -97,7 +97,7 @@ pub fn of_single_layers(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body
         .filter(|(_, body)| body.quadrature == Quadrature::Full && cracks(body))
         .filter(|(_, body)| stacks(mesh, &body.elements).iter().any(|stack| stack.len() == 1))
         .map(|(region, body)| {
-            case::Problem::new(
+            case::Diagnostic::new(
                 region.span.clone(),
                 format!(
                     "'{}' is one element thick, and 2×2×2 points lie inside it: in bending its fibre cracks at 1.7 times the \
@@ -112,14 +112,14 @@ pub fn of_single_layers(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body
 
 /// Concrete that drops to a plateau in elements so small that corners are too weak. A crack lies across the middle one of an
 /// element's three extents, or the longest: the shortest is a lining's thickness.
-pub fn of_plateaus(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Problem> {
+pub fn of_plateaus(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Diagnostic> {
     let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
     let of = |(region, body): (&case::Region, &Body)| {
         body.material.corner_strength(1.0)?;
         let middle = |&e: &u32| hex(mesh, e as usize).ok().map(|hex| sizes(&hex)[1]);
         let size = typical_extent(body.elements.iter().filter_map(middle).collect())?;
         let left = body.material.corner_strength(size).filter(|left| *left < LEAST_AT_CORNERS)?;
-        Some(case::Problem::new(
+        Some(case::Diagnostic::new(
             region.span.clone(),
             format!(
                 "'{}' drops to a plateau as it cracks, and half of its elements are {size:.3} m or smaller: at corners and the \
@@ -137,7 +137,7 @@ pub fn of_plateaus(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) ->
 const ABOUT_HALF: std::ops::RangeInclusive<f64> = 0.4..=0.6;
 
 /// A record that is scaled by about ½ and called an outcrop's, of which half comes in.
-fn halved_twice(motion: &case::Motion) -> Option<case::Problem> {
+fn halved_twice(motion: &case::Motion) -> Option<case::Diagnostic> {
     // What comes before a peak that is asked for has no say in how strong the motion is.
     let (mut whole, mut word) = (1.0, None);
     for step in &motion.process {
@@ -149,7 +149,7 @@ fn halved_twice(motion: &case::Motion) -> Option<case::Problem> {
     }
     let word = word.filter(|_| ABOUT_HALF.contains(&whole))?;
     (motion.kind.value == case::MotionKind::Outcrop).then(|| {
-        case::Problem::at(
+        case::Diagnostic::at(
             word,
             format!(
                 "the motion is scaled by {whole}, and half of an outcrop's motion comes in anyway: {} times the record in all",
@@ -166,12 +166,12 @@ pub fn of_motion(
     case: &Case,
     motion: &tremolite_motion::Motion,
     reference: Option<f64>,
-) -> Vec<case::Problem> {
+) -> Vec<case::Diagnostic> {
     let mut warnings = Vec::new();
     warnings.extend(case.motion.as_ref().and_then(halved_twice));
     let drift = motion.drift();
     if drift > DRIFT {
-        warnings.push(case::Problem::new(
+        warnings.push(case::Diagnostic::new(
             case.motion.as_ref().map_or(0..0, |written| written.span.clone()),
             format!("the motion ends at {:.0} % of its largest displacement, which the model follows", 100.0 * drift),
             "put \"baseline\" last in motion.process, behind filter and taper; a high-pass alone may make it worse",
@@ -180,7 +180,7 @@ pub fn of_motion(
     if let (Some(band), Some(reference)) = (&case.dynamic.band, reference)
         && band.reference.is_none()
     {
-        warnings.push(case::Problem::at(
+        warnings.push(case::Diagnostic::at(
             &band.ratio,
             format!(
                 "Young's moduli are taken to be meant at {reference:.2} Hz, the motion's central frequency, and are other \

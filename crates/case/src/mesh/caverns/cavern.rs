@@ -6,7 +6,7 @@ use super::super::{COORDINATE, LENGTH};
 use super::NOT_NEGATIVE;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Table, When, words};
-use crate::{Problem, Spanned};
+use crate::{Diagnostic, Spanned};
 
 pub(super) static CAVERN: Table = Table {
     path: "mesh.caverns.cavern",
@@ -195,11 +195,11 @@ impl Cavern {
     }
 
     /// What lies between its keys, and between them and the length of the block.
-    pub(super) fn check(cavern: &Fields, block: Option<&Spanned<f64>>, problems: &mut Vec<Problem>) {
+    pub(super) fn check(cavern: &Fields, block: Option<&Spanned<f64>>, problems: &mut Vec<Diagnostic>) {
         if let (Some(length), Some(block)) = (cavern.number("length"), block)
             && length.value > block.value
         {
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 &length,
                 "the cavern is longer than the block",
                 "raise `length` of `mesh.caverns`, or leave this one out: the cavern then goes through the block",
@@ -212,12 +212,12 @@ impl Cavern {
                 Some(rise) if shape.value.has_rise() && rise.value == 0.0 => {
                     let message = format!("`arch_rise` must be above 0 where `shape` is \"{word}\"");
                     let remedy = "give the crown's height above the springing, or `shape = \"rectangle\"`";
-                    problems.push(Problem::at(&rise, message, remedy));
+                    problems.push(Diagnostic::at(&rise, message, remedy));
                 }
                 Some(rise) if !shape.value.has_rise() && rise.value > 0.0 => {
                     let message = format!("`arch_rise` has no meaning where `shape` is \"{word}\"");
                     let remedy = "leave it out, or choose the shape \"arch\" or \"ellipse\"";
-                    problems.push(Problem::at(&rise, message, remedy));
+                    problems.push(Diagnostic::at(&rise, message, remedy));
                 }
                 _ => {}
             }
@@ -226,7 +226,7 @@ impl Cavern {
             && shape.is_some_and(|s| s.value == CavernShape::Arch)
             && rise.value > width.value / 2.0
         {
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 &rise,
                 "`arch_rise` is more than half the width",
                 "the crown is an arc: at most a semicircle, `arch_rise` half of `width`",
@@ -235,7 +235,7 @@ impl Cavern {
         if let (Some(rise), Some(height)) = (cavern.number("arch_rise"), cavern.number("height"))
             && rise.value >= height.value
         {
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 &rise,
                 "`arch_rise` must be below `height`",
                 "`height` is measured from the floor to the crown, the arch included",

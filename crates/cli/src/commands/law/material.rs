@@ -10,7 +10,7 @@ use crate::exit::Failure;
 use std::collections::BTreeSet;
 use std::iter::once;
 use std::mem::take;
-use tremolite_case::{LawFile, Problem};
+use tremolite_case::{Diagnostic, LawFile};
 use tremolite_kernels::follow;
 use tremolite_laws::Isa;
 use tremolite_laws::path::{Control, Path, PathError, Response};
@@ -60,13 +60,13 @@ impl Kind<6> for Material {
                         ", or evolution = \"residual\" and ultimate_strain_ratio in place of the energy",
                     )
                 });
-                Problem::new(
+                Diagnostic::new(
                     law.span.clone(),
                     format!("the law goes by a fracture energy{of} and needs the element's extent"),
                     format!("add size = \"… m\"{instead}"),
                 )
             }
-            PathError::Size { limit, .. } => Problem::new(
+            PathError::Size { limit, .. } => Diagnostic::new(
                 law.size.as_ref().map_or_else(|| law.span.clone(), |s| s.span.clone()),
                 format!(
                     "`size` must be below {limit:.3} m, where an element stores as much as a crack dissipates"

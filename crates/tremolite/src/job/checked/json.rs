@@ -3,7 +3,7 @@
 use super::Checked;
 use crate::setup::SiteFacts;
 use serde_json::{Map, Value, json};
-use tremolite_case::{Mesh, Problem};
+use tremolite_case::{Diagnostic, Mesh};
 use tremolite_engine::column::corner_name;
 
 impl Checked<'_> {
@@ -99,7 +99,7 @@ impl Checked<'_> {
     /// What is allowed but hardly meant, each at its key and its line of the case; what comes from `--set` has none.
     fn findings(&self) -> Vec<Value> {
         let report = self.job.case.report(self.job.warnings().cloned().collect());
-        let finding = |problem: &Problem| {
+        let finding = |problem: &Diagnostic| {
             let place = problem.set.is_none().then(|| report.position(problem));
             let (line, column) = place.unzip();
             json!({

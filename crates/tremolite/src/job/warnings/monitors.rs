@@ -2,7 +2,7 @@
 
 use crate::plan::Plan;
 use crate::support;
-use tremolite_case::{Case, Problem};
+use tremolite_case::{Case, Diagnostic};
 use tremolite_engine::{Model, Stage};
 use tremolite_results::BoltPlace;
 
@@ -10,7 +10,7 @@ use tremolite_results::BoltPlace;
 const FAR: f64 = 1.0;
 
 /// Of monitors on interfaces that lie far from them.
-pub fn of_pairs(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
+pub fn of_pairs(case: &Case, model: &Model, plan: &Plan) -> Vec<Diagnostic> {
     let written = case.monitors.iter().filter(|monitor| monitor.interface.is_some());
     written
         .zip(&plan.pairs)
@@ -21,7 +21,7 @@ pub fn of_pairs(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
             let [x, y, z] = at;
             (away > FAR).then(|| {
                 let name = &monitor.name;
-                Problem::at(
+                Diagnostic::at(
                     &written.at,
                     format!("monitor {name} is {away:.1} m from '{}': it takes the pair at ({x:.1}, {y:.1}, {z:.1}) m", seam.name),
                     "give a point on the interface, if another is meant",
@@ -32,7 +32,7 @@ pub fn of_pairs(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
 }
 
 /// Of groups of bolts that are not whole, and of monitors that lie far from their bolt.
-pub fn of_bolts(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
+pub fn of_bolts(case: &Case, model: &Model, plan: &Plan) -> Vec<Diagnostic> {
     // A group is placed by a stage; the first of the model's is the initial equilibrium.
     let stage = |name: &str| {
         let set = model.bolts.iter().find(|set| set.kind.name == name)?;
@@ -46,8 +46,8 @@ pub fn of_bolts(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
     let span = |name: &str| stage(name).unwrap_or_else(|| case.title.span.clone());
     let groups = support::bolts(&model.bolts, plan, None, &|_, _| Vec::new(), &[]);
     let warnings = support::warnings(&groups).into_iter();
-    let mut problems: Vec<Problem> =
-        warnings.map(|(name, message, remedy)| Problem::new(span(&name), message, remedy)).collect();
+    let mut problems: Vec<Diagnostic> =
+        warnings.map(|(name, message, remedy)| Diagnostic::new(span(&name), message, remedy)).collect();
     let places = support::monitors(&model.bolts, plan);
     for monitor in &plan.bolts {
         let Some(written) = case.monitors.iter().find(|written| written.name.value == monitor.name) else {
@@ -75,7 +75,7 @@ pub fn of_bolts(case: &Case, model: &Model, plan: &Plan) -> Vec<Problem> {
                 )
             }
         };
-        problems.push(Problem::at(&written.at, message, remedy));
+        problems.push(Diagnostic::at(&written.at, message, remedy));
     }
     problems
 }

@@ -1,11 +1,11 @@
 //! What a stage leaves without support, before it comes down.
 
 use crate::outlook::{Hold, Outlook, Piece};
-use tremolite_case::{Case, Problem};
+use tremolite_case::{Case, Diagnostic};
 use tremolite_laws::Dimension;
 
 /// Of pieces that nothing holds up, at the stage that leaves them so.
-pub fn of_pieces(case: &Case, outlook: &Outlook) -> Vec<Problem> {
+pub fn of_pieces(case: &Case, outlook: &Outlook) -> Vec<Diagnostic> {
     let mut problems = Vec::new();
     for (k, stage) in outlook.stages.iter().enumerate() {
         // The initial equilibrium stands in the case as what it begins with.
@@ -21,20 +21,20 @@ pub fn of_pieces(case: &Case, outlook: &Outlook) -> Vec<Problem> {
     problems
 }
 
-fn warning(span: std::ops::Range<usize>, stage: &str, piece: &Piece) -> Problem {
+fn warning(span: std::ops::Range<usize>, stage: &str, piece: &Piece) -> Diagnostic {
     let what = format!("after '{stage}' {}", in_words(piece));
     match &piece.held {
-        Hold::Nothing => Problem::new(
+        Hold::Nothing => Diagnostic::new(
             span,
             format!("{what} touches neither the base nor a side that holds it: it will come down"),
             "take it out as well, leave rock that holds it, or give a side \"fixed\"",
         ),
-        Hold::Hangs { interfaces, bolts, .. } if bolts.is_empty() => Problem::new(
+        Hold::Hangs { interfaces, bolts, .. } if bolts.is_empty() => Diagnostic::new(
             span,
             format!("{what} hangs by {} alone: bond and friction there must carry it", interfaces.join(", ")),
             "see that they do; else leave what it rests on, or take it out",
         ),
-        Hold::Hangs { interfaces, bolts, lifted } => Problem::new(
+        Hold::Hangs { interfaces, bolts, lifted } => Diagnostic::new(
             span,
             format!(
                 "{what} hangs by {}: at their strength the bolts lift {:.0} % of its weight",

@@ -2,19 +2,19 @@
 
 use crate::places::element;
 use crate::survey::Survey;
-use tremolite_case::{Case, Fill, Problem, units};
+use tremolite_case::{Case, Diagnostic, Fill, units};
 use tremolite_engine::{Model, StableStep};
 use tremolite_laws::Dimension;
 
 /// Of a given time step above the stable one: the run will be stopped as soon as energy appears.
-pub fn of_step(case: &Case, stable: &StableStep) -> Option<Problem> {
+pub fn of_step(case: &Case, stable: &StableStep) -> Option<Diagnostic> {
     case.motion.as_ref()?;
     let impacts = stable.contact.map_or(f64::INFINITY, |contact| contact.dt);
     if let Some(given) = &case.dynamic.time_step
         && given.value <= stable.dt
         && given.value > impacts
     {
-        return Some(Problem::at(
+        return Some(Diagnostic::at(
             given,
             format!(
                 "{} is longer than impacts at interfaces allow, {}: they may gain energy",
@@ -26,7 +26,7 @@ pub fn of_step(case: &Case, stable: &StableStep) -> Option<Problem> {
     }
     let given = case.dynamic.time_step.as_ref().filter(|given| given.value > stable.dt)?;
     let step = |t: f64| units::format(t, Dimension::TIME);
-    Some(Problem::at(
+    Some(Diagnostic::at(
         given,
         format!(
             "{} is above the stable step of {}: the run will become unstable and be stopped",
@@ -41,13 +41,13 @@ pub fn of_step(case: &Case, stable: &StableStep) -> Option<Problem> {
 const FEWEST: f64 = 5.0;
 
 /// Of regions too coarse for the motion's waves.
-pub fn of_waves(case: &Case, model: &Model, survey: &Survey) -> Vec<Problem> {
+pub fn of_waves(case: &Case, model: &Model, survey: &Survey) -> Vec<Diagnostic> {
     let solid = case.regions.iter().filter(|region| matches!(region.fill, Fill::Solid { .. }));
     solid
         .zip(&survey.bodies)
         .filter(|(_, body)| body.per_wavelength < FEWEST)
         .map(|(region, body)| {
-            Problem::new(
+            Diagnostic::new(
                 region.span.clone(),
                 format!(
                     "a shear wave of the motion's highest frequency has {:.1} elements in {}: it will not arrive as it was",

@@ -2,7 +2,7 @@
 
 use super::listed::Ground;
 use super::wall::{minus, norm};
-use tremolite_case::{self as case, Problem, units};
+use tremolite_case::{self as case, Diagnostic, units};
 use tremolite_laws::Dimension;
 
 /// Length of a segment over that on which the bond passes force on, beyond which ends are not resolved: a chain of such segments
@@ -19,7 +19,7 @@ const LEAST: f64 = 1e3;
 const BEFORE_PLATE: f64 = 0.05;
 
 /// A pretension that the bond cannot hold, of the first bolt with one.
-pub fn pulled_out(written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Problem> {
+pub fn pulled_out(written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Diagnostic> {
     let (bond, pretension) = (written.bond.as_ref()?, written.pretension.as_ref()?);
     let friction = bond.friction_angle.value > 0.0;
     if friction || written.plate.value.ends()[1] {
@@ -29,7 +29,7 @@ pub fn pulled_out(written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Probl
     let held = |ends: &[[f64; 3]; 2]| bond.strength.value * (norm(minus(ends[1], ends[0])) - free).max(0.0);
     let least = ends.iter().map(held).fold(f64::INFINITY, f64::min);
     (least <= pretension.value).then(|| {
-        Problem::at(
+        Diagnostic::at(
             pretension,
             format!(
                 "the bond behind the free length holds {}, no more than the pretension pulls: bolts would be drawn out",
@@ -41,7 +41,7 @@ pub fn pulled_out(written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Probl
 }
 
 /// Numbers that look as if their unit had been forgotten: a bare number is in SI units.
-pub fn units(written: &case::Bolts) -> Vec<Problem> {
+pub fn units(written: &case::Bolts) -> Vec<Diagnostic> {
     let mut warnings = Vec::new();
     let stresses = [
         ("Young's modulus", Some(&written.young), YOUNG),
@@ -51,7 +51,7 @@ pub fn units(written: &case::Bolts) -> Vec<Problem> {
         if let Some(value) = value.filter(|value| !(least..=most).contains(&value.value)) {
             let shown = units::format(value.value, Dimension::PRESSURE);
             let usual = [least, most].map(|x| units::format(x, Dimension::PRESSURE));
-            warnings.push(Problem::at(
+            warnings.push(Diagnostic::at(
                 value,
                 format!("{what} of a bolt is {shown}, which is no steel and no other bar"),
                 format!("look at the unit: a bare number is in Pa; {} to {} is usual", usual[0], usual[1]),
@@ -59,7 +59,7 @@ pub fn units(written: &case::Bolts) -> Vec<Problem> {
         }
     }
     if let Some(pretension) = written.pretension.as_ref().filter(|p| p.value > 0.0 && p.value < LEAST) {
-        warnings.push(Problem::at(
+        warnings.push(Diagnostic::at(
             pretension,
             format!("the pretension is {}", units::format(pretension.value, Dimension::FORCE)),
             "look at the unit: a bare number is in N",
@@ -69,7 +69,7 @@ pub fn units(written: &case::Bolts) -> Vec<Problem> {
 }
 
 /// That the bond passes force on over less than a segment, where ends matter: at plates and behind free lengths.
-pub fn coarse(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Problem> {
+pub fn coarse(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Diagnostic> {
     let bond = written.bond.as_ref()?;
     if written.plate.value.ends() == [false; 2] {
         return None;
@@ -80,7 +80,7 @@ pub fn coarse(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) ->
     let mean = pieces.iter().sum::<f64>() / pieces.len().max(1) as f64;
     let segment = bond.segment.as_ref().map_or(mean, |longest| longest.value.min(mean));
     (segment > COARSE * transfer).then(|| {
-        Problem::at(
+        Diagnostic::at(
             bond.segment.as_ref().unwrap_or(&bond.stiffness),
             format!(
                 "the bond passes force on over {transfer:.2} m, a segment is some {segment:.2} m long: forces near plates and ends \
@@ -100,7 +100,7 @@ pub fn buried(
     written: &case::Bolts,
     ends: &[[[f64; 3]; 2]],
     installed: impl Fn(u32) -> bool,
-) -> Option<Problem> {
+) -> Option<Diagnostic> {
     let plates = written.plate.value.ends();
     let stands = |k: usize, &[head, tail]: &[[f64; 3]; 2]| {
         let [from, to] = if k == 0 { [tail, head] } else { [head, tail] };
@@ -119,7 +119,7 @@ pub fn buried(
     } else {
         "place the bolts in the stage that lays the wall bare, or put the end on the wall"
     };
-    Some(Problem::new(
+    Some(Diagnostic::new(
         written.span.clone(),
         format!(
             "{count} of {} bolts of '{}' have a plate inside what stands, the first at ({x:.2}, {y:.2}, {z:.2}) m",

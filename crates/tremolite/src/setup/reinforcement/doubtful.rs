@@ -2,9 +2,9 @@
 
 use crate::sections::Station;
 use std::collections::HashMap;
-use tremolite_case::{BarDirection, BarFace, Problem, Reinforcement};
+use tremolite_case::{BarDirection, BarFace, Diagnostic, Reinforcement};
 
-pub fn too_thin(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Problem> {
+pub fn too_thin(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Diagnostic> {
     let thinnest = stations.iter().map(|s| s.thickness).min_by(f64::total_cmp)?;
     let (least, why) = match steel.face.value {
         BarFace::Both => {
@@ -13,7 +13,7 @@ pub fn too_thin(steel: &Reinforcement, group: &str, stations: &[Station]) -> Opt
         BarFace::Intrados | BarFace::Extrados => (thinnest, "the thickness, so bars would lie outside"),
     };
     (steel.cover.value >= least).then(|| {
-        Problem::at(
+        Diagnostic::at(
             &steel.cover,
             format!("'{group}' is {thinnest:.3} m thick; a cover of {} m reaches {why}", steel.cover.value),
             format!("give less than {least:.3} m, from the concrete's face to the bars' axis"),
@@ -26,22 +26,22 @@ const THICKEST: f64 = 5.0;
 /// Steel over concrete beyond which a unit is wrong.
 const MOST_STEEL: f64 = 0.1;
 
-pub fn too_thick(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Problem> {
+pub fn too_thick(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Diagnostic> {
     let thickest = stations.iter().map(|s| s.thickness).max_by(f64::total_cmp).filter(|t| *t > THICKEST)?;
     let on = steel.on.first()?;
-    Some(Problem::at(
+    Some(Diagnostic::at(
         on,
         format!("'{group}' is {thickest:.1} m thick in places, so it is no lining"),
         "name the groups of the lining",
     ))
 }
 
-pub fn too_much(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Problem> {
+pub fn too_much(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Diagnostic> {
     let thinnest = stations.iter().map(|s| s.thickness).min_by(f64::total_cmp)?;
     let faces = if steel.face.value == BarFace::Both { 2.0 } else { 1.0 };
     let share = faces * steel.area.value / thinnest;
     (share > MOST_STEEL).then(|| {
-        Problem::at(
+        Diagnostic::at(
             &steel.area,
             format!("'{group}' would be {:.0} % of steel where it is {thinnest:.2} m thick", 100.0 * share),
             "look at the unit: a bare number is in m2/m; \"1570 mm2/m\" is 20 mm every 20 cm",
@@ -53,7 +53,7 @@ pub fn too_much(steel: &Reinforcement, group: &str, stations: &[Station]) -> Opt
 pub type Laid = HashMap<u32, Vec<(BarDirection, BarFace, f64)>>;
 
 /// Bars of one table where those of another lie.
-pub fn twice(steel: &Reinforcement, group: &str, elements: &[u32], laid: &mut Laid) -> Option<Problem> {
+pub fn twice(steel: &Reinforcement, group: &str, elements: &[u32], laid: &mut Laid) -> Option<Diagnostic> {
     let (direction, face, cover) = (steel.direction.value, steel.face.value, steel.cover.value);
     let meets = |&(d, f, c): &(BarDirection, BarFace, f64)| {
         d == direction
@@ -63,7 +63,7 @@ pub fn twice(steel: &Reinforcement, group: &str, elements: &[u32], laid: &mut La
     let again = elements.iter().any(|e| laid.get(e).is_some_and(|known| known.iter().any(meets)));
     elements.iter().for_each(|&e| laid.entry(e).or_default().push((direction, face, cover)));
     again.then(|| {
-        Problem::new(
+        Diagnostic::new(
             steel.span.clone(),
             format!("'{group}' has bars of another [[reinforcement]] at the same place already"),
             "give the whole area once, or another cover or direction",

@@ -3,7 +3,7 @@
 use super::faces::{Faces, faces};
 use super::{Staged, before, fitting};
 use std::collections::{BTreeMap, HashSet};
-use tremolite_case::{Case, Fill, Problem};
+use tremolite_case::{Case, Diagnostic, Fill};
 use tremolite_engine::{Body, Life, Stage};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::reach::nearest_through_faces;
@@ -15,7 +15,7 @@ impl Staged {
         &mut self,
         case: &Case,
         mesh: &Mesh,
-        problems: &mut Vec<Problem>,
+        problems: &mut Vec<Diagnostic>,
     ) -> Vec<Option<usize>> {
         let mut installed: Vec<Option<usize>> = vec![None; mesh.elements.len()];
         for (k, stage) in case.stages.iter().enumerate() {
@@ -23,7 +23,7 @@ impl Staged {
                 let Some(elements) = fitting(written, mesh, problems) else { continue };
                 let void = elements.iter().find(|&&e| self.body_of[e as usize].is_none());
                 if let Some(&e) = void {
-                    problems.push(Problem::at(
+                    problems.push(Diagnostic::at(
                         written,
                         format!("{} is void: nothing can be installed there", name(mesh, e)),
                         "give its group a [[region]] with a material",
@@ -32,7 +32,7 @@ impl Staged {
                 }
                 let twice = |e: &u32| installed[*e as usize].filter(|&first| first != k);
                 if let Some((e, first)) = elements.iter().find_map(|e| Some((*e, twice(e)?))) {
-                    problems.push(Problem::at(
+                    problems.push(Diagnostic::at(
                         written,
                         format!(
                             "{} is installed in '{}' already",
@@ -61,7 +61,7 @@ impl Staged {
         case: &Case,
         mesh: &Mesh,
         installed: &[Option<usize>],
-        problems: &mut Vec<Problem>,
+        problems: &mut Vec<Diagnostic>,
     ) -> Vec<Vec<u32>> {
         let mut of_stage = vec![Vec::new(); case.stages.len()];
         // The stage that takes out what an element is, or what stands in its place.
@@ -76,7 +76,7 @@ impl Staged {
                     let taken =
                         if installed[e].is_some_and(|born| k <= born) { &mut in_place } else { &mut own };
                     let refuse = |what: String, remedy: &str| {
-                        Problem::at(written, format!("{} {what}", name(mesh, e as u32)), remedy)
+                        Diagnostic::at(written, format!("{} {what}", name(mesh, e as u32)), remedy)
                     };
                     if self.body_of[e].is_none() {
                         problems.push(refuse(
@@ -111,7 +111,7 @@ impl Staged {
         case: &Case,
         mesh: &Mesh,
         installed: &[Option<usize>],
-        problems: &mut Vec<Problem>,
+        problems: &mut Vec<Diagnostic>,
     ) {
         let solid = case.regions.iter().filter_map(|region| match &region.fill {
             Fill::Solid { before, .. } => Some((region, before)),
@@ -130,10 +130,10 @@ impl Staged {
             );
             let remedy = "name their groups in the `install` of a stage";
             if let Some(before) = before {
-                problems.push(Problem::at(before, message, remedy));
+                problems.push(Diagnostic::at(before, message, remedy));
             } else if !later.is_empty() {
                 let remedy = format!("{remedy}, or give them a [[region]] of their own if that is meant");
-                self.warnings.push(Problem::new(region.span.clone(), message, remedy));
+                self.warnings.push(Diagnostic::new(region.span.clone(), message, remedy));
             }
         }
     }
@@ -146,7 +146,7 @@ impl Staged {
         bodies: &[Body],
         installed: &[Option<usize>],
         excavated: &[Vec<u32>],
-        problems: &mut Vec<Problem>,
+        problems: &mut Vec<Diagnostic>,
     ) {
         let made = |material: usize| {
             case.regions.iter().any(|region| match &region.fill {
@@ -158,7 +158,7 @@ impl Staged {
             if let Fill::Solid { before: Some(before), .. } = &region.fill
                 && !made(before.value)
             {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     before,
                     format!(
                         "no region is made of '{}', so nothing says which elements stand there before",
@@ -190,7 +190,7 @@ impl Staged {
                     let when = nearest.map_or("for good".to_owned(), |k| {
                         format!("until '{}'", case.stages[k - 1].name.value)
                     });
-                    problems.push(Problem::at(
+                    problems.push(Diagnostic::at(
                         &stage.name,
                         format!(
                             "'{}' installs {}, but rock stands in its place {when}",
@@ -204,7 +204,7 @@ impl Staged {
             };
             let own = self.body_of[e as usize];
             let Some(body) = before_of(case, bodies, own).or_else(|| beside.body(mesh, e)) else {
-                problems.push(Problem::at(
+                problems.push(Diagnostic::at(
                     &case.stages[born].name,
                     format!(
                         "nothing says what is in the place of element {} before",

@@ -1,7 +1,7 @@
 //! The nodes that stages move.
 
 use super::fitting;
-use tremolite_case::{Case, Displacement, Moved, Problem, Spanned, nearest};
+use tremolite_case::{Case, Diagnostic, Displacement, Moved, Spanned, nearest};
 use tremolite_engine::outer_faces::near;
 use tremolite_engine::{Bed, Footing, Life, Prescribed, Stage};
 use tremolite_mesh::Mesh;
@@ -53,7 +53,7 @@ pub(super) fn prescribed(case: &Case, mesh: &Mesh, shown: &[u32]) -> Vec<Prescri
 
 /// What moves nothing, as nothing of it stands in its stage: `standing` are the elements that do in the k-th stage, the initial
 /// equilibrium being none.
-pub(super) fn gone(case: &Case, k: usize, mesh: &Mesh, standing: &[u32], shown: &[u32]) -> Vec<Problem> {
+pub(super) fn gone(case: &Case, k: usize, mesh: &Mesh, standing: &[u32], shown: &[u32]) -> Vec<Diagnostic> {
     let Some(stage) = k.checked_sub(1).map(|k| &case.stages[k]).filter(|stage| stage.moves) else {
         return Vec::new();
     };
@@ -73,7 +73,7 @@ pub(super) fn gone(case: &Case, k: usize, mesh: &Mesh, standing: &[u32], shown: 
             "nothing of '{}' stands in the stage '{}', so nothing is moved",
             one.name, stage.name.value
         );
-        Problem::new(one.span.clone(), what, "name what stands there")
+        Diagnostic::new(one.span.clone(), what, "name what stands there")
     })
     .collect()
 }
@@ -130,7 +130,7 @@ fn plane(face: &Spanned<String>) -> Option<(usize, bool)> {
 const MOST: f64 = 0.1;
 
 /// Ways that are beyond small displacements.
-fn far(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
+fn far(case: &Case, mesh: &Mesh, problems: &mut Vec<Diagnostic>) {
     let (low, high) = mesh.bounds();
     let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
     let moved = case.stages.iter().filter(|stage| stage.moves).flat_map(|stage| &stage.displacements);
@@ -139,7 +139,7 @@ fn far(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
         let most = one.to.iter().flatten().fold(0.0, |most: f64, to| most.max(to.abs()));
         if most > MOST * extent && !told.contains(&one.name.as_str()) {
             told.push(&one.name);
-            problems.push(Problem::new(
+            problems.push(Diagnostic::new(
                 one.span.clone(),
                 format!("'{}' is moved by {most} m, and the mesh is {extent} m large: displacements must be small", one.name),
                 "check the unit, \"0.5 mm\" for one",
@@ -149,7 +149,7 @@ fn far(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
 }
 
 /// Displacements that mean no node, one that another means as well, or go too far; `solid` says which elements are made of something.
-pub fn check_moved(case: &Case, mesh: &Mesh, solid: &[bool], problems: &mut Vec<Problem>) {
+pub fn check_moved(case: &Case, mesh: &Mesh, solid: &[bool], problems: &mut Vec<Diagnostic>) {
     let Some(first) = case.stages.first() else { return };
     far(case, mesh, problems);
     let own: Vec<u32> = (0..mesh.elements.len() as u32).collect();
@@ -170,7 +170,7 @@ pub fn check_moved(case: &Case, mesh: &Mesh, solid: &[bool], problems: &mut Vec<
             let mut all: Vec<&str> = known().collect();
             all.sort_unstable();
             all.dedup();
-            problems.push(Problem::at(
+            problems.push(Diagnostic::at(
                 face,
                 format!("the mesh has no face '{}'", face.value),
                 format!("{meant}there are {}", all.join(", ")),
@@ -193,7 +193,7 @@ pub fn check_moved(case: &Case, mesh: &Mesh, solid: &[bool], problems: &mut Vec<
                 }
             };
             let what = format!("'{}' means no node of what is there", one.name);
-            problems.push(Problem::new(one.span.clone(), what, remedy));
+            problems.push(Diagnostic::new(one.span.clone(), what, remedy));
             continue;
         }
         let ways = |i: &usize| one.to[*i].is_some();
@@ -207,7 +207,7 @@ pub fn check_moved(case: &Case, mesh: &Mesh, solid: &[bool], problems: &mut Vec<
         if let Some((known, node)) = clash {
             let known = &first.displacements[known].name;
             let [x, y, z] = mesh.nodes[node as usize];
-            problems.push(Problem::new(
+            problems.push(Diagnostic::new(
                 one.span.clone(),
                 format!("'{}' and '{known}' move the same component of the node at ({x:.4}, {y:.4}, {z:.4}) m to different places", one.name),
                 "let their nodes differ (`within`), or leave the component out of one",

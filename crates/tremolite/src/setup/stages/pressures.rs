@@ -3,7 +3,7 @@
 use super::faces::Faces;
 use super::fitting;
 use std::collections::{BTreeMap, HashSet};
-use tremolite_case::{Case, Problem, Spanned, pattern};
+use tremolite_case::{Case, Diagnostic, Spanned, pattern};
 use tremolite_engine::outer_faces::OuterFaces;
 use tremolite_engine::{Life, Side, Stage};
 use tremolite_mesh::topology::{exterior_faces, face_key};
@@ -27,7 +27,7 @@ pub(super) fn loads(
     stage: usize,
     around: &Around,
     outer: &OuterFaces,
-    warnings: &mut Vec<Problem>,
+    warnings: &mut Vec<Diagnostic>,
 ) -> Vec<(Face, [f64; 6])> {
     let Around { mesh, standing, shown, places, walls } = *around;
     let tensor = |p: f64| [-p, -p, -p, 0.0, 0.0, 0.0];
@@ -73,7 +73,7 @@ pub(super) fn loads(
         };
         let faces: Vec<Face> = walls_here.iter().copied().filter(is_pressed).collect();
         if let (true, Some(written)) = (faces.is_empty() && p != 0.0, now) {
-            warnings.push(Problem::at(
+            warnings.push(Diagnostic::at(
                 written,
                 format!("'{pattern}' bounds no void in this stage, so nothing is pressed"),
                 "give the pressure in the stage from which on the group stands beside the void, or name what was excavated",
@@ -86,7 +86,7 @@ pub(super) fn loads(
                 && written_in(case, stage, other)
                 && told.insert([other, pattern])
             {
-                warnings.push(Problem::at(
+                warnings.push(Diagnostic::at(
                     at,
                     format!("faces of '{pattern}' are pressed as '{other}' as well: the last word counts"),
                     "give the pressure of a face under one name",
@@ -141,7 +141,7 @@ pub(super) fn sides(
 }
 
 /// The patterns of pressures that no group fits.
-pub fn check_pressures(case: &Case, mesh: &Mesh, problems: &mut Vec<Problem>) {
+pub fn check_pressures(case: &Case, mesh: &Mesh, problems: &mut Vec<Diagnostic>) {
     let written = case.stages.iter().flat_map(|stage| &stage.pressures);
     for (pattern, _) in written.filter(|(pattern, _)| pattern.value != TOP) {
         let _ = fitting(pattern, mesh, problems);
