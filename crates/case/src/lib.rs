@@ -62,8 +62,8 @@ pub use laws::Laws;
 pub use listing::{Listed, ListedValue, bolt_keys, interface_keys};
 pub use material::Material;
 pub use mesh::{
-    Axis, Cavern, CavernShape, Caverns, Gallery, Ground, Length, Lining, Mesh, MeshBox, MeshFile, MeshPart,
-    RockLayer, Shotcrete,
+    Axis, Cavern, CavernShape, Caverns, Gallery, GroundSurface, Length, Lining, Mesh, MeshBox, MeshFile,
+    MeshPart, RockLayer, Shotcrete,
 };
 pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};

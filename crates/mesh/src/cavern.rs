@@ -45,7 +45,7 @@ mod wall;
 
 pub use error::CavernError;
 pub use gallery::Gallery;
-pub use ground::Ground;
+pub use ground::GroundSurface;
 pub use strata::RockLayer;
 
 use crate::mesh::Mesh;
@@ -78,7 +78,7 @@ pub struct CavernSpec {
     /// the caverns' surroundings and the edges of the block where that keeps the growth of elements within 1.3;
     /// elsewhere, and with a dip, each element goes to the layer of its middle.
     pub layers: Vec<RockLayer>,
-    pub ground: Ground,
+    pub ground: GroundSurface,
     /// Across, between caverns.
     pub galleries: Vec<Gallery>,
 }

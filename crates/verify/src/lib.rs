@@ -1,7 +1,7 @@
 //! Verification: problems with exact or published solutions, run through the engine that cases use.
 //!
 //! One problem a file under [`problems`]: the solution and its source, the numerical model, and what is compared.
-//! [`PROBLEMS`] lists them; [`select`] takes some or all, and [`Problem::verify`] gives the [`Check`]s of one.
+//! [`PROBLEMS`] lists them; [`select`] takes some or all, and [`Verification::verify`] gives the [`Check`]s of one.
 //!
 //! A tolerance states what theory or convergence lets one expect, and its note gives the reason. It is never what
 //! happens to pass.
@@ -46,7 +46,7 @@ mod stiffness;
 pub use check::Check;
 pub use effort::Effort;
 pub use error::VerifyError;
-pub use problem::{Problem, Verified};
+pub use problem::{Verification, Verified};
 pub use problems::PROBLEMS;
 pub use select::{UnknownName, select};
 

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 /// One verification problem.
 #[derive(Clone, Copy, Debug)]
-pub struct Problem {
+pub struct Verification {
     /// The word on the command line.
     pub name: &'static str,
     /// One line on what is verified.
@@ -35,7 +35,7 @@ impl Verified {
     }
 }
 
-impl Problem {
+impl Verification {
     /// Runs the problem; one that cannot be run to its end, or has two figures of one id, is a check that is missed.
     pub fn verify(&self, effort: Effort) -> Verified {
         let start = Instant::now();

@@ -1,6 +1,6 @@
 //! Problems by their names.
 
-use crate::{PROBLEMS, Problem};
+use crate::{PROBLEMS, Verification};
 
 /// A name that no problem has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -17,7 +17,7 @@ fn names() -> String {
 ///
 /// # Errors
 /// If a name is not in the list.
-pub fn select(names: &[&str]) -> Result<Vec<&'static Problem>, UnknownName> {
+pub fn select(names: &[&str]) -> Result<Vec<&'static Verification>, UnknownName> {
     if let Some(unknown) = names.iter().find(|name| PROBLEMS.iter().all(|p| p.name != **name)) {
         return Err(UnknownName { name: (*unknown).to_owned() });
     }

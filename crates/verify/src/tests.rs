@@ -50,7 +50,7 @@ fn ids_are_snake_case_and_those_of_one_problem_cannot_be_those_of_another() {
 fn two_figures_of_one_id_are_a_miss_that_names_it() {
     let run =
         |_| Ok(["load, ψ = 0", "load ψ 0"].map(|q| Check::new("x", q, 1.0, 1.0, 0.1, "m", "")).to_vec());
-    let problem = Problem { name: "x", summary: "", source: "", from: Effort::Test, run };
+    let problem = Verification { name: "x", summary: "", source: "", from: Effort::Test, run };
     let verified = problem.verify(Effort::Test);
     assert_eq!(verified.missed(), 1);
     assert!(verified.checks[2].to_string().contains("x_load_psi_0"), "{}", verified.checks[2]);

@@ -16,7 +16,7 @@ use crate::{Diagnostic, Spanned};
 
 pub use cavern::{Cavern, CavernShape, Length, Lining, Shotcrete};
 pub use gallery::Gallery;
-pub use site::{Ground, RockLayer};
+pub use site::{GroundSurface, RockLayer};
 
 const NOT_NEGATIVE: Kind = Kind::Number(Dimension::LENGTH, Limit::NotNegative);
 
@@ -83,7 +83,7 @@ pub struct Caverns {
     /// Across, between caverns.
     pub galleries: Vec<Gallery>,
     /// Nothing: level, at z = 0.
-    pub ground: Option<Ground>,
+    pub ground: Option<GroundSurface>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -94,7 +94,7 @@ impl Caverns {
         let along = f.number("along");
         let layers: Vec<Option<RockLayer>> = f.tables("layer").map(RockLayer::read).collect();
         let galleries: Vec<Option<Gallery>> = f.tables("gallery").map(Gallery::read).collect();
-        let ground = f.table("ground").map(Ground::read);
+        let ground = f.table("ground").map(GroundSurface::read);
         Some(Caverns {
             overburden: f.number("overburden")?,
             below: f.number("below")?,

@@ -8,7 +8,9 @@ use std::path::PathBuf;
 use tremolite_laws::parameter::Dimension;
 
 pub use bricks::{Axis, MeshBox, MeshPart};
-pub use caverns::{Cavern, CavernShape, Caverns, Gallery, Ground, Length, Lining, RockLayer, Shotcrete};
+pub use caverns::{
+    Cavern, CavernShape, Caverns, Gallery, GroundSurface, Length, Lining, RockLayer, Shotcrete,
+};
 
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};

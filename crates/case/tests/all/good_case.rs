@@ -57,7 +57,7 @@ fn every_value_arrives_in_si() {
     let [busbar] = &mesh.galleries[..] else { panic!("a gallery") };
     assert_eq!(busbar.between.each_ref().map(|b| b.value.as_str()), ["powerhouse", "transformer"]);
     assert_eq!((busbar.at.value, busbar.width.value, busbar.height.value), ([5.0, 14.0], 4.0, 3.5));
-    let heights = Ground::Heights { x: vec![-50.0, 50.0], y: vec![0.0], heights: vec![10.0, -5.0] };
+    let heights = GroundSurface::Heights { x: vec![-50.0, 50.0], y: vec![0.0], heights: vec![10.0, -5.0] };
     assert_eq!(mesh.ground, Some(heights));
 
     assert_eq!(case.initial.gravity.value, 10.0);
@@ -180,7 +180,7 @@ fn ground_and_shape_take_their_other_forms() {
     let source =
         source.replace("shape = \"ellipse\"", "shape = \"rectangle\"").replace("arch_rise = \"2.2 m\"\n", "");
     let Mesh::Caverns(mesh) = read(&source).mesh else { panic!("caverns") };
-    let Some(Ground::Slope(slope)) = mesh.ground else { panic!("a slope") };
+    let Some(GroundSurface::Slope(slope)) = mesh.ground else { panic!("a slope") };
     assert_eq!(slope.value, [10_f64.to_radians(), 0.0]);
     assert_eq!((mesh.caverns[1].shape.value, mesh.caverns[1].arch_rise.value), (CavernShape::Rectangle, 0.0));
 }

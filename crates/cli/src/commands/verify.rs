@@ -2,7 +2,7 @@
 
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::print;
-use tremolite_verify::{Check, Effort, Problem, Verified};
+use tremolite_verify::{Check, Effort, Verification, Verified};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -30,7 +30,7 @@ pub fn run(args: &Args) -> Outcome {
             "problem", "quantity", "value", "reference", "tolerance", "order", "seconds"
         ));
     }
-    let mut all: Vec<(&Problem, Verified)> = Vec::new();
+    let mut all: Vec<(&Verification, Verified)> = Vec::new();
     for problem in problems {
         let verified = problem.verify(effort);
         if !args.json {
@@ -63,7 +63,7 @@ fn row(check: &Check, seconds: Option<f64>) -> String {
     row.trim_end().to_owned()
 }
 
-fn conclusion(all: &[(&Problem, Verified)], missed: usize) -> String {
+fn conclusion(all: &[(&Verification, Verified)], missed: usize) -> String {
     let checks = || all.iter().flat_map(|(_, verified)| &verified.checks);
     let beside = checks().filter(|c| c.pass && c.tolerance.is_none()).count();
     let held = checks().count() - beside;

@@ -7,7 +7,7 @@ use super::error::LEAST_JACOBIAN;
 use super::layout::Layout;
 use super::opening;
 use super::section::{Part, Section};
-use super::{Cavern, CavernError, CavernSpec, Ground};
+use super::{Cavern, CavernError, CavernSpec, GroundSurface};
 use crate::note::Note;
 
 /// Good enough not to look for better.
@@ -62,11 +62,11 @@ fn notes(spec: &CavernSpec, layout: &Layout) -> Vec<Note> {
         })
     });
     // Under ground that is not level no plane above the caverns' surroundings stays level either.
-    let (base, top) = (layout.z[0], if spec.ground == Ground::Level { 0.0 } else { f64::INFINITY });
+    let (base, top) = (layout.z[0], if spec.ground == GroundSurface::Level { 0.0 } else { f64::INFINITY });
     let cover = layout.plots.iter().map(|plot| layout.rectangle(plot)[1][1]).fold(base, f64::max);
     let stepped = spec.layers.iter().skip(1).filter(|layer| {
         let plane = -layer.depth;
-        let cut = layout.z.contains(&plane) && (spec.ground == Ground::Level || plane <= cover);
+        let cut = layout.z.contains(&plane) && (spec.ground == GroundSurface::Level || plane <= cover);
         layer.dip == 0.0 && plane > base && plane < top && !cut
     });
     let stepped = stepped.map(|layer| Note::Stepped { layer: layer.name.clone() });

@@ -15,7 +15,7 @@ const LEAST_JACOBIAN: f64 = 0.3;
 ///
 /// Sides that are to match (periodic ones) need the same heights on both.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub enum Ground {
+pub enum GroundSurface {
     /// z = 0 everywhere.
     #[default]
     Level,
@@ -26,13 +26,13 @@ pub enum Ground {
     Table { x: Vec<f64>, y: Vec<f64>, heights: Vec<f64> },
 }
 
-impl Ground {
+impl GroundSurface {
     /// Height above z = 0 \[m\].
     pub fn height(&self, x: f64, y: f64) -> f64 {
         match self {
-            Ground::Level => 0.0,
-            Ground::Inclined { x: along_x, y: along_y } => x * along_x + y * along_y,
-            Ground::Table { x: xs, y: ys, heights } => {
+            GroundSurface::Level => 0.0,
+            GroundSurface::Inclined { x: along_x, y: along_y } => x * along_x + y * along_y,
+            GroundSurface::Table { x: xs, y: ys, heights } => {
                 let ((i, s), (j, t)) = (between(xs, x), between(ys, y));
                 let at = |i: usize, j: usize| heights[j.min(ys.len() - 1) * xs.len() + i.min(xs.len() - 1)];
                 let row = |j: usize| (1.0 - s) * at(i, j) + s * at(i + 1, j);
@@ -49,9 +49,9 @@ impl Ground {
         };
         // Linear between the places of a table along x and along y, it is highest at one of them or at a corner.
         let (xs, ys) = match self {
-            Ground::Level => return 0.0,
-            Ground::Inclined { .. } => (x.to_vec(), y.to_vec()),
-            Ground::Table { x: xs, y: ys, .. } => (inside(xs, x), inside(ys, y)),
+            GroundSurface::Level => return 0.0,
+            GroundSurface::Inclined { .. } => (x.to_vec(), y.to_vec()),
+            GroundSurface::Table { x: xs, y: ys, .. } => (inside(xs, x), inside(ys, y)),
         };
         let heights = ys.iter().flat_map(|&y| xs.iter().map(move |&x| self.height(x, y)));
         heights.fold(0.0, f64::max)
@@ -68,17 +68,17 @@ fn between(list: &[f64], x: f64) -> (usize, f64) {
     }
 }
 
-pub(super) fn check(ground: &Ground) -> Result<(), CavernError> {
+pub(super) fn check(ground: &GroundSurface) -> Result<(), CavernError> {
     match ground {
-        Ground::Level => {}
-        Ground::Inclined { x, y } => {
+        GroundSurface::Level => {}
+        GroundSurface::Inclined { x, y } => {
             for (key, slope) in [("ground.x", *x), ("ground.y", *y)] {
                 if !(-5.0..=5.0).contains(&slope) {
                     return Err(value(key, slope, "a rise of at most 5 m per m"));
                 }
             }
         }
-        Ground::Table { x, y, heights } => {
+        GroundSurface::Table { x, y, heights } => {
             for (key, list) in [("ground.x", x), ("ground.y", y)] {
                 if list.is_empty() || list.len() > MOST {
                     return Err(value(key, list.len() as f64, format!("a list of 1 to {MOST} places")));
@@ -125,12 +125,12 @@ fn stretched(s: f64, factor: f64) -> f64 {
 
 /// Moves the nodes above `cover` in z so that those at the level `top` come to lie on the ground.
 pub(super) fn lift(
-    ground: &Ground,
+    ground: &GroundSurface,
     [cover, top]: [f64; 2],
     near: f64,
     mesh: &mut Mesh,
 ) -> Result<(), CavernError> {
-    if *ground == Ground::Level {
+    if *ground == GroundSurface::Level {
         return Ok(());
     }
     for node in mesh.nodes.iter_mut().filter(|x| x[2] > cover) {

@@ -8,7 +8,7 @@ use super::rows::{Wish, whole_numbers};
 use super::spread::Spread;
 use super::stops::Stops;
 use super::stretch::{End, relax, stretch};
-use super::{Cavern, CavernError, CavernSpec, Ground};
+use super::{Cavern, CavernError, CavernSpec, GroundSurface};
 use crate::boxes::MOST_ELEMENTS;
 
 /// The grid lines along one axis; sets the plots' ranges and the counts that depend on them. `levels`: those of
@@ -127,7 +127,7 @@ fn outside(
         return Ok(vec![to]);
     }
     // Where the ground will bend the rock above the caverns, no line stays level.
-    let level = axis == 1 && (spec.ground == Ground::Level || !last);
+    let level = axis == 1 && (spec.ground == GroundSurface::Level || !last);
     let cuts: Vec<f64> = spec.layers.iter().filter(|l| level && l.dip == 0.0).map(|l| -l.depth).collect();
     let line = ["x", "z"][axis];
     let mut part =

@@ -1,6 +1,6 @@
 //! Sites that are known well enough to start from.
 
-use super::{Cavern, CavernShape, CavernSpec, Ground, Lining, Shotcrete};
+use super::{Cavern, CavernShape, CavernSpec, GroundSurface, Lining, Shotcrete};
 
 impl CavernSpec {
     /// Main powerhouse and transformer cavern of the Yingxiuwan hydropower station, as a coarse mesh of about
@@ -49,7 +49,7 @@ impl CavernSpec {
                 },
             ],
             layers: Vec::new(),
-            ground: Ground::Level,
+            ground: GroundSurface::Level,
             galleries: Vec::new(),
         }
     }

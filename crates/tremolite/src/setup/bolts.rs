@@ -14,7 +14,7 @@ use super::memory::Inputs;
 use super::stages::Staged;
 use crate::plan::BoltMonitor;
 use heads::Heads;
-use listed::{Ground, Listed, Outside};
+use listed::{Listed, Outside, Standing};
 use opening::{Opening, openings};
 use pattern::{Laid, lay};
 use std::f64::consts::PI;
@@ -73,7 +73,7 @@ pub fn build(
             standing = Some((k, Locator::new(mesh, Some(&elements))));
         }
         let Some((_, locator)) = &standing else { continue };
-        let ground = Ground { locator };
+        let ground = Standing { locator };
         let ends = match &written.place {
             BoltPlace::Pattern(pattern) => {
                 if bare.as_ref().is_none_or(|(of, _)| *of != k) {
@@ -228,7 +228,7 @@ fn of_file(case: &Case, file: &Path, held: &Inputs) -> Result<Vec<Listed>, Strin
 
 /// Listed bolts, refused where they lie in nothing that stands.
 fn pointed(
-    ground: &Ground,
+    ground: &Standing,
     written: &case::Bolts,
     stage: &Spanned<String>,
     listed: Vec<Listed>,

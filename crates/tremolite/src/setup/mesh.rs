@@ -6,7 +6,7 @@ use std::path::Path;
 use tremolite_case::{self as case, Diagnostic};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::cavern::{
-    Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer, Shotcrete,
+    Cavern, CavernShape, CavernSpec, Gallery, GroundSurface, Lining, RockLayer, Shotcrete,
 };
 use tremolite_mesh::note::Note;
 use tremolite_mesh::placement::Placement;
@@ -165,14 +165,14 @@ fn spec(c: &case::Caverns) -> CavernSpec {
         height: g.height.value,
     };
     let ground = match &c.ground {
-        None => Ground::Level,
-        Some(case::Ground::Slope(slope)) => {
+        None => GroundSurface::Level,
+        Some(case::GroundSurface::Slope(slope)) => {
             let [x, y] = slope.value.map(f64::tan);
-            Ground::Inclined { x, y }
+            GroundSurface::Inclined { x, y }
         }
-        Some(case::Ground::Heights { x, y, heights }) => {
+        Some(case::GroundSurface::Heights { x, y, heights }) => {
             let y = if y.is_empty() { vec![0.0] } else { y.clone() };
-            Ground::Table { x: x.clone(), y, heights: heights.clone() }
+            GroundSurface::Table { x: x.clone(), y, heights: heights.clone() }
         }
     };
     CavernSpec {

@@ -18,12 +18,12 @@ use crate::specimen::beams::{Beam, HALF_NOTCHED};
 use crate::specimen::l_panel::{self, Lie, MIX};
 use crate::specimen::plate::Plate;
 use crate::specimen::{BAND, Tested};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::Quadrature;
 
 const NAME: &str = "askew_crack";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "cracks askew to the mesh by 20° and 45°: force and work of a notched beam and of the L-shaped panel",
     source: "agreement of meshes of `gregoire2013` and `winkler2001`",

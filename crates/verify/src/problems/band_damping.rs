@@ -8,7 +8,7 @@
 use crate::convergence::Oscillation;
 use crate::models::{Solid, column, law};
 use crate::simulation::Simulation;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::{PI, TAU};
 use tremolite::{Base, Quadrature, Side};
 use tremolite_laws::Material;
@@ -18,7 +18,7 @@ use tremolite_laws::materials::Elastic;
 
 const NAME: &str = "band_damping";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "three Maxwell bodies damp column modes across a band by the target ratio",
     source: "`emmerich1987`, modulus of the generalised Maxwell body",

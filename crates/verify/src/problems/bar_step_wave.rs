@@ -12,13 +12,13 @@
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, nodes_at_level, shared};
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::{Quadrature, Snapshot};
 use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "bar_step_wave";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "step traction on a bar: v = σ₀/(ρc), doubled at a fixed end, cancelled at a free one",
     source: "d'Alembert's solution (Graff 1975, chapter 2)",

@@ -13,13 +13,13 @@ use crate::convergence::order;
 use crate::joints::joint;
 use crate::models::Solid;
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::{Line, Quadrature, stable_step};
 use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "bars_collide";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "two equal bars meet: in contact for 2L/c under ½ρcv, velocities exchanged",
     source: "d'Alembert's solution (Graff 1975, chapter 2)",

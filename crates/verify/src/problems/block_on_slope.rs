@@ -20,7 +20,7 @@ use crate::models::{Solid, material};
 use crate::convergence::order;
 use crate::simulation::whole_steps;
 use crate::staged::release;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use tremolite::stages::{PlannedStage, settle};
 use tremolite::{
@@ -33,7 +33,7 @@ use tremolite_motion::{Motion, Sample};
 
 const NAME: &str = "block_on_slope";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "an elastic block slides on a shaken slope: as far as Newmark's rigid block, whatever mesh and step",
     source: "newmark1965, integrated with the rock's own motion",

@@ -13,7 +13,7 @@ use crate::bolted::{AREA, Bonded, STEEL, bisect, bolts};
 use crate::convergence::order;
 use crate::joints::joint;
 use crate::models::Solid;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::bolts::SegmentSeen;
 use tremolite::hexahedra::centroid;
 use tremolite::{Assembly, Bolts, Engine, Model, Phase, Quadrature, Side, Stage};
@@ -22,7 +22,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "bolt_across_interface";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a bolt across a joint that opens or slides: bonded within and beyond the bond's strength, and without bond",
     source: "two bars pulled out of elastic and perfectly plastic sliders, solved in closed form in `bolted`",

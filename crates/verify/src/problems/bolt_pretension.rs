@@ -19,7 +19,7 @@ use crate::bolted::{AREA, bolts};
 use crate::convergence::order;
 use crate::models::Solid;
 use crate::staged::release;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use tremolite::engine::Release;
 use tremolite::{Assembly, Engine, Model, Phase, Quadrature, Side, Stage, State};
@@ -29,7 +29,7 @@ use tremolite_mesh::locate::Locator;
 
 const NAME: &str = "bolt_pretension";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a pretensioned bar against two forces in a space without end; straight and oblique to the mesh",
     source: "`kelvin1848`",

@@ -19,7 +19,7 @@ use crate::bolted::{AREA, Bonded, STEEL, bolts};
 use crate::convergence::order;
 use crate::models::Solid;
 use crate::staged::{Rested, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::bolts::{SegmentSeen, SegmentState};
 use tremolite::{Engine, Quadrature, Side};
 use tremolite_laws::Row;
@@ -27,7 +27,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "bolt_pull_out";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a bonded bar pulled in held rock: elastic, sliding to a front, yielding, unloaded to what stays",
     source: "the bar on elastic and perfectly plastic sliders, solved in closed form in `bolted`",

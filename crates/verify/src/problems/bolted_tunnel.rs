@@ -17,14 +17,14 @@ use crate::bolted::{STEEL, bolts};
 use crate::convergence::order;
 use crate::models::Solid;
 use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::Traction;
 use tremolite::{Life, Quadrature, Stage};
 
 const NAME: &str = "bolted_tunnel";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a round tunnel with radial bolts as its stress is released: motion of the wall, forces along a bolt",
     source: "the ring with the bolts spread out, its equation integrated in the problem",

@@ -17,14 +17,14 @@ use crate::bolted::{AREA, Watched, bolts};
 use crate::convergence::order;
 use crate::models::{Solid, column};
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::collections::BTreeMap;
 use tremolite::{Base, Bolts, Bond, Incident, Line, Quadrature, Side};
 use tremolite_motion::{Motion, ricker_velocity};
 
 const NAME: &str = "bolted_wave";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "P and S waves through bolted rock: stable step, balance of energy with friction and yield, mirror image",
     source: "the discrete balance of energy; reflection in x",

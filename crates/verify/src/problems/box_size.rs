@@ -6,12 +6,12 @@
 //! so do periodic and viscous sides.
 
 use crate::box_size::{DISTANCES, FAR, FREQUENCIES, Ground, shake};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::Side;
 
 const NAME: &str = "box_size";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a cavern with free-field sides at 1 to 8 widths: what the walls' motion owes to the box",
     source: "a box twice as wide as the widest",

@@ -10,14 +10,14 @@ use crate::convergence::Oscillation;
 use crate::models::{QUADRATURES, Solid, nodes_at_level};
 use crate::simulation::Simulation;
 use crate::stiffness::Assembled;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::TAU;
 use tremolite::Quadrature;
 use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "cantilever_thin";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "lining strip with one element through its thickness: deflection and first frequency",
     source: "Timoshenko and Euler beams; Cowper 1966",

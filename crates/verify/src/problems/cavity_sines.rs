@@ -13,11 +13,11 @@
 use crate::convergence::order;
 use crate::full_space::{BARE, Slice};
 use crate::scattering::Cavity;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 
 const NAME: &str = "cavity_sines";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "round cavity in full space under steady P waves: hoop stress all round in amplitude and phase",
     source: "`pao1973`",

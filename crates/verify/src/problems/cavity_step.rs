@@ -10,11 +10,11 @@
 use crate::convergence::order;
 use crate::full_space::{BARE, LINED, Slice};
 use crate::scattering::Cavity;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 
 const NAME: &str = "cavity_step";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "round cavity in full space, bare and lined, under a step of stress: hoop stress all round until it is nearly static",
     source: "`pao1973`",

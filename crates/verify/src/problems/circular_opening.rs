@@ -29,7 +29,7 @@ pub(super) mod exact;
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, material};
 use crate::simulation::Simulation;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use exact::Exact;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -45,7 +45,7 @@ use tremolite_mesh::topology::vector_areas;
 
 const NAME: &str = "circular_opening";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "circular opening in Mohr–Coulomb rock: plastic radius, stresses, convergence of the wall",
     source: "`salencon1969`",

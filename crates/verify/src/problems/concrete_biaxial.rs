@@ -12,11 +12,11 @@
 //! begin where this ends: the table holds for both.
 
 use crate::concrete::{FT, POISSON, concrete, fc, slope, strength};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 
 const NAME: &str = "concrete_biaxial";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "biaxial strength of concrete: exact envelope, and its distance from Kupfer's tests",
     source: "closed forms of `wang2018` (9), (13)-(14); tests of `kupfer1969`, fit of `kupfer1973`",

@@ -20,7 +20,7 @@
 use crate::concrete::{FT, POISSON, SPLITS, THRESHOLD, YOUNG, values};
 use crate::models::{LAYERED, QUADRATURES, distorted, material};
 use crate::simulation::Simulation;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use tremolite::parts::{Motion, Own, Scratch};
 use tremolite::{Body, Quadrature, State};
@@ -32,7 +32,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "concrete_fracture_energy";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a crack takes the work G_f in elements of 0.1 to 1 m: one element, a bar, a crack askew",
     source: "`bazant1983`; work of nodal forces",

@@ -13,13 +13,13 @@
 
 use crate::concrete::{Random, SPLITS, concrete, cube};
 use crate::convergence::order;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite_laws::Material;
 use tremolite_laws::materials::Concrete;
 
 const NAME: &str = "concrete_loops";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "energy that closed loops at fixed damage create: the paper's split and the compliance split",
     source: "a potential conserves energy exactly; `ladeveze1984`, `laborderie1991` for the split that has one",

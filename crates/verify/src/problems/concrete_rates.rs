@@ -9,13 +9,13 @@
 
 use crate::concrete::{FACTOR_SHEAR, FACTOR_TENSION, POISSON, THRESHOLD, YOUNG, concrete, cube, fc};
 use crate::convergence::order;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite_laws::Material;
 use tremolite_laws::materials::Concrete;
 
 const NAME: &str = "concrete_rates";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "dynamic factors of concrete at 1e-4 to 30 1/s by three codes, and through the filter",
     source: "`wang2018` (12), (16) after CEB; `mc1990`; `mc2010`",

@@ -4,11 +4,11 @@
 //! found by halving, to round-off, without and with an intermediate stress.
 
 use crate::concrete::{SPLITS, concrete, fc, slope, strength};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 
 const NAME: &str = "concrete_triaxial";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "concrete confined by 0 to 20 MPa fails at Mohr–Coulomb, whatever the middle stress",
     source: "`wang2018` (13)-(14): Mohr–Coulomb in compression",

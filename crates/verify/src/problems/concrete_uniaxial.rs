@@ -14,13 +14,13 @@ use crate::concrete::{
     ALPHA, BETA, D_SHEAR, FT, Random, SPLITS, THRESHOLD, YOUNG, concrete, cube, fc, ramp, uniaxial,
 };
 use crate::convergence::order;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite_laws::Material;
 use tremolite_laws::materials::Concrete;
 
 const NAME: &str = "concrete_uniaxial";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "concrete in tension, compression and a cycle that closes a crack; step-size convergence",
     source: "closed forms of `wang2018` (2)-(16) under uniaxial stress",

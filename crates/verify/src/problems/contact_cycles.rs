@@ -17,7 +17,7 @@ use crate::convergence::order;
 use crate::joints::{joint, together};
 use crate::models::Solid;
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
@@ -27,7 +27,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "contact_cycles";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "energy of a hundred impacts, undamped and with the defaults; a cycle of slip that gives out energy",
     source: "the trapezoidal rule's error at an impact, derived in the problem",

@@ -8,13 +8,13 @@
 use crate::convergence::Oscillation;
 use crate::models::{Solid, column};
 use crate::simulation::Simulation;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use tremolite::{Base, Quadrature, Rayleigh, Side};
 
 const NAME: &str = "damping_ratio";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "free decay of column modes gives the ratio ω/(2ω_n) + ½ξω_n",
     source: "modal analysis of C = ωM + ξK, wang2018 (19)",

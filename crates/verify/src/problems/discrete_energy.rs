@@ -8,12 +8,12 @@
 
 use crate::models::{QUADRATURES, Solid, distorted};
 use crate::simulation::Simulation;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::{Base, Engine, Line, Quadrature, State};
 
 const NAME: &str = "discrete_energy";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "½v'Mv + ½u'Ku − ⅛Δt²a'Ma stays constant over 10,000 undamped steps",
     source: "exact invariant of velocity Verlet, from wang2018 (20)-(21) with C = 0",

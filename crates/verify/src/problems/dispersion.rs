@@ -12,13 +12,13 @@
 use crate::convergence::Oscillation;
 use crate::models::{QUADRATURES, Solid, column};
 use crate::simulation::Simulation;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::TAU;
 use tremolite::{Quadrature, Side};
 
 const NAME: &str = "dispersion";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "plane P and S waves obey sin(½ωΔt) = (cΔt/h) sin(½kh)",
     source: "dispersion relation of lumped linear elements and central differences (Hughes 2000, chapter 9)",

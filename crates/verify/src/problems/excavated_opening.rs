@@ -16,7 +16,7 @@ use super::circular_opening::exact::{Exact, GROUND, Ground};
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, material};
 use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::hexahedra::centroid;
 use tremolite::history::History;
@@ -27,7 +27,7 @@ use tremolite_laws::{Material, Role, Values};
 
 const NAME: &str = "excavated_opening";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "circular opening excavated from Mohr–Coulomb rock: plastic radius and convergence of the wall",
     source: "`salencon1969`",

@@ -11,7 +11,7 @@
 
 use crate::models::Solid;
 use crate::staged::{Rested, UNTIL_CHANGE};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::collections::BTreeMap;
 use tremolite::engine::Release;
 use tremolite::{Life, Quadrature};
@@ -20,7 +20,7 @@ use tremolite_mesh::cavern::{Cavern, CavernShape, CavernSpec};
 
 const NAME: &str = "finite_cavern";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "an unlined cavern of finite length excavated in elastic rock: its middle tends to plane strain as it grows longer",
     source: "the same section going through; the decay of a missing line of sources",

@@ -12,7 +12,7 @@ use crate::lined::{Joints, ROCK, slice};
 use crate::models::material;
 use crate::simulation::whole_steps;
 use crate::staged::{SINCE_CHANGE, UNTIL_CHANGE, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::collections::BTreeMap;
 use tremolite::hexahedra::centroid;
 use tremolite::history::History;
@@ -26,7 +26,7 @@ use tremolite_laws::{Material, Role, Values};
 
 const NAME: &str = "free_field_hand_over";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a lined opening that reaches free-field sides: their slabs take over from the rollers, and nothing drifts",
     source: "equilibrium of a model that does not vary along y",

@@ -10,7 +10,7 @@ use crate::concrete;
 use crate::lined::{END, Joints, slice};
 use crate::models::material;
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::collections::BTreeMap;
 use tremolite::history::History;
 use tremolite::phase::ElementSlot;
@@ -20,7 +20,7 @@ use tremolite_laws::{Material, Role, Values};
 
 const NAME: &str = "free_field_tunnel";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a lined tunnel along y: free-field sides, periodic sides and the slab outside move alike",
     source: "a model that does not vary along y",

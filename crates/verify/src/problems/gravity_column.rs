@@ -13,7 +13,7 @@
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, distorted};
 use crate::staged::{Rested, UNTIL_CHANGE, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::hexahedra::centroid;
 use tremolite::Traction;
 use tremolite::{Life, Quadrature};
@@ -21,7 +21,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "gravity_column";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "layers under their weight: at rest with initial stress, settlement without, level ground in a distorted mesh",
     source: "equilibrium of a column",

@@ -17,12 +17,12 @@
 
 use crate::specimen::beams::{Beam, HALF_NOTCHED};
 use crate::specimen::{BAND, Mix, STRESS, Tested, Words, measured, steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::Quadrature;
 
 const NAME: &str = "half_notched_beam";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a notched beam of concrete in bending: largest force and force over the notch's opening, beside tests, by mesh and G_f",
     source: "`gregoire2013`",

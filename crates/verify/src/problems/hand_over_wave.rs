@@ -10,7 +10,7 @@ use crate::lined::{END, Joints, ROCK, slice};
 use crate::models::material;
 use crate::simulation::whole_steps;
 use crate::staged::release;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::hexahedra::centroid;
 use tremolite::stages::{PlannedStage, settle};
 use tremolite::{Assembly, Base, Engine, Incident, Line, Model, Phase, Rayleigh, Snapshot, Stage, stable_step};
@@ -20,7 +20,7 @@ use tremolite_motion::{Motion, ricker_velocity};
 
 const NAME: &str = "hand_over_wave";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a pulse in a lined slice under stress: displacements and every line of the balance as without stress",
     source: "superposition",

@@ -13,13 +13,13 @@
 use crate::convergence::order;
 use crate::models::{SIDES, Solid, column};
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::{Base, Incident, Quadrature, Side};
 use tremolite_motion::{Motion, ricker_velocity};
 
 const NAME: &str = "incident_pulse";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "vertical SV and P pulses: twice the incident motion at the surface, absorbed by the base",
     source: "d'Alembert's solution for a half-space (Kramer 1996, section 7.2); Lysmer & Kuhlemeyer 1969",

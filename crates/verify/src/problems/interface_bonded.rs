@@ -7,11 +7,11 @@
 
 use crate::convergence::order;
 use crate::lined::{Corners, Joints, shake, slice};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 
 const NAME: &str = "interface_bonded";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a bonded stiff joint between lining and rock gives the run with shared nodes, with the order 1 in 1/k",
     source: "the limit of a stiff joint",

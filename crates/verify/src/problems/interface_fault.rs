@@ -8,11 +8,11 @@
 
 use super::interface_bonded::{ALONG, differ, limit};
 use crate::lined::{Corners, Joints, mirrored, shake, slice};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 
 const NAME: &str = "interface_fault";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a fault across a lined opening: shared nodes in the limit, mirror images, twice as long",
     source: "the limit of a stiff joint; symmetry",

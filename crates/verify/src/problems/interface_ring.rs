@@ -15,7 +15,7 @@ use crate::convergence::order;
 use crate::joints::joint;
 use crate::models::Solid;
 use crate::simulation::Simulation;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
@@ -26,7 +26,7 @@ use tremolite_mesh::topology::vector_areas;
 
 const NAME: &str = "interface_ring";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a lining pressed against its hole, in a graded mesh: Lamé's pressure at the joint, even after the lining has turned",
     source: "Lamé's thick cylinders with a joint between them",

@@ -21,14 +21,14 @@ use crate::convergence::order;
 use crate::joints::joint;
 use crate::models::{Solid, column};
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use tremolite::{Interface, Quadrature, Side};
 use tremolite_motion::ricker_velocity;
 
 const NAME: &str = "interface_waves";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "P and S waves through a joint: |T| = 1/√(1 + (ωZ/2k)²), the pulse itself; closed it passes, open it returns",
     source: "d'Alembert's solution on both sides of a spring, derived in the problem",

@@ -12,7 +12,7 @@ use crate::convergence::order;
 use crate::michell::Opening;
 use crate::models::{QUADRATURES, Solid};
 use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::hexahedra::centroid;
 use tremolite::Traction;
@@ -20,7 +20,7 @@ use tremolite::{Life, Quadrature};
 
 const NAME: &str = "kirsch_hole";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a round hole excavated from an elastic block: motion of its wall and stress there",
     source: "`kirsch1898`",

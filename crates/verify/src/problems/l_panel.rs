@@ -24,12 +24,12 @@
 use crate::models::LAYERED;
 use crate::specimen::l_panel::{LEG, Lie, MIX, THICK, crack, plate, ramp, test, ways};
 use crate::specimen::{BAND, PLATEAU, Tested, measured, steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::Quadrature;
 
 const NAME: &str = "l_panel";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "an L-shaped panel of concrete pushed until its crack is open: force, energy and tail beside the test, by mesh and law",
     source: "`winkler2001`",

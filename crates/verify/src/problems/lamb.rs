@@ -18,7 +18,7 @@
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, nodes_at_level};
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
@@ -27,7 +27,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "lamb";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "point load on a half-space: vertical surface motion with P, S and Rayleigh waves",
     source: "Pekeris 1955, PNAS 41:469-480, nu = 1/4",

@@ -15,7 +15,7 @@
 use crate::convergence::order;
 use crate::models::{SIDES, Solid, column, law};
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::TAU;
 use tremolite::{Base, Incident, Quadrature, Rayleigh, Side};
 use tremolite_laws::band::Band;
@@ -25,7 +25,7 @@ use tremolite_motion::{Complex64, Motion, Scalar};
 
 const NAME: &str = "layer_transfer";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "damped layer on rock: transfer to 10 Hz with Rayleigh's damping and with a band",
     source: "closed form of a damped layer on an elastic half-space (Kramer 1996, section 7.2; Roesset 1970)",

@@ -12,7 +12,7 @@
 use crate::convergence::order;
 use crate::models::{SIDES, Solid};
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use tremolite::{Base, Incident, Quadrature, Side};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
@@ -20,7 +20,7 @@ use tremolite_motion::{Motion, Scalar};
 
 const NAME: &str = "layered_column";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "soft layer on rock under an S pulse: the surface motion with all echoes",
     source: "closed form of an undamped layer on an elastic half-space (Kramer 1996, section 7.2)",

@@ -7,12 +7,12 @@
 
 use super::cavity_sines::Series;
 use crate::full_space::{LINED, ROCK};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::TAU;
 
 const NAME: &str = "lined_cavity_sines";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "round cavity with a bonded liner in full space under steady P waves: hoop stress of the liner in amplitude and phase",
     source: "`pao1973`",

@@ -17,14 +17,14 @@ use crate::joints::joint;
 use crate::michell::{Lining, Opening};
 use crate::models::{LAYERED, Solid};
 use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::Traction;
 use tremolite::{Life, Quadrature, Stage};
 
 const NAME: &str = "lined_tunnel";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a lined tunnel, bonded and sliding freely: thrust and moment as the stress is released, wholly and in part",
     source: "Michell's solution for a thick ring; `einstein1979` beside",

@@ -8,7 +8,7 @@
 use crate::joints::joint;
 use crate::models::{QUADRATURES, Solid};
 use crate::staged::{Rings, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::hexahedra::centroid;
 use tremolite::interface::traction;
 use tremolite::Traction;
@@ -19,7 +19,7 @@ use tremolite_mesh::boxes::{BoxSpec, Distortion};
 
 const NAME: &str = "loaded_interface";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "interfaces that begin loaded by a uniform stress with shear: at rest before the shaking and in it",
     source: "equilibrium of a uniform stress",

@@ -19,14 +19,14 @@ use crate::convergence::order;
 use crate::models::{LAYERED, QUADRATURES, Solid, nodes_at_level};
 use crate::simulation::Simulation;
 use crate::stiffness::Assembled;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::Quadrature;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "macneal_harder_beam";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "slender cantilever of six elements: bending both ways and twist, regular and skewed",
     source: "beam theory; `macneal1985`",

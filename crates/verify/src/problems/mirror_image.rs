@@ -8,7 +8,7 @@ use tremolite::Domain;
 use crate::joints::joint;
 use crate::models::Solid;
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::collections::BTreeMap;
 use tremolite::hexahedra::centroid;
 use tremolite::{Base, Incident, Model, Quadrature, Side, Top};
@@ -18,7 +18,7 @@ use tremolite_motion::{Motion, ricker_velocity};
 
 const NAME: &str = "mirror_image";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "uneven ground and its mirror image move alike, with every base and every kind of sides",
     source: "reflection in x",

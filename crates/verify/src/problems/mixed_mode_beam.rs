@@ -15,12 +15,12 @@
 
 use crate::specimen::beams::{Beam, MIXED};
 use crate::specimen::{BAND, measured, steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::Quadrature;
 
 const NAME: &str = "mixed_mode_beam";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a beam of concrete whose notch stands beside the load: largest force beside tests, and how the crack leans",
     source: "`garciaalvarez2012`",

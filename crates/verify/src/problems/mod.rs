@@ -1,6 +1,6 @@
 //! The problems, one a file.
 
-use crate::Problem;
+use crate::Verification;
 
 macro_rules! problems {
     ($($name:ident $effort:ident,)*) => {
@@ -8,7 +8,7 @@ macro_rules! problems {
 
         /// All problems, in the order in which they run: the scheme, waves, boundaries, elements, laws, interfaces,
         /// stages, bolts, tests of specimens.
-        pub const PROBLEMS: &[Problem] = &[$($name::PROBLEM),*];
+        pub const PROBLEMS: &[Verification] = &[$($name::PROBLEM),*];
 
         #[cfg(test)]
         mod tests {

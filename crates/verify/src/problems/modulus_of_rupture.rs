@@ -13,12 +13,12 @@
 use crate::models::LAYERED;
 use crate::specimen::plate::Plate;
 use crate::specimen::{BAND, Grip, Mix, Specimen, steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite_laws::materials::concrete::Grade;
 
 const NAME: &str = "modulus_of_rupture";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "the largest moment of plain sections 0.1 to 0.5 m deep over that of their first crack, beside Model Code's beams",
     source: "plane sections; `mc2010`, 5.1-8a",

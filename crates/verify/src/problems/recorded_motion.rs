@@ -9,7 +9,7 @@
 use crate::convergence::order;
 use crate::models::{Solid, column, law};
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::TAU;
 use tremolite::deconvolution::Place;
 use tremolite::layered_column::{Layer, LayeredColumn};
@@ -21,7 +21,7 @@ use tremolite_motion::{Complex64, Motion, ricker_velocity};
 
 const NAME: &str = "recorded_motion";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a record of the surface, and one of a depth, come out where they were taken, to 10 Hz",
     source: "the record itself; transfer functions of damped layers (Kramer 1996, section 7.2)",

@@ -11,7 +11,7 @@
 
 use crate::models::{Solid, material};
 use crate::staged::{Rested, UNTIL_CHANGE};
-use crate::{Check, Effort, Problem, VerifyError, concrete};
+use crate::{Check, Effort, Verification, VerifyError, concrete};
 use tremolite::engine::Release;
 use tremolite::hexahedra::{centroid, hex};
 use tremolite::history::History;
@@ -24,7 +24,7 @@ use tremolite_mesh::boxes::{Axis, BoxSpec};
 
 const NAME: &str = "release_ramp";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "ramps of 200 and 400 cycles, one bench and two: flow of rock, motion of the wall, damage of a lining",
     source: "agreement of paths to the same end",

@@ -19,14 +19,14 @@
 use crate::models::LAYERED;
 use crate::specimen::plate::Plate;
 use crate::specimen::{BAND, Grip, Mix, Specimen, Tested, steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::{FRAC_PI_2, PI};
 use tremolite::Quadrature;
 use tremolite_laws::materials::concrete::Grade;
 
 const NAME: &str = "ring_line_load";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a plain ring between two line loads: load of the first crack and the largest one, by mesh and points",
     source: "Michell's series for two opposite forces",

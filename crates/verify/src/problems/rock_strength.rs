@@ -10,13 +10,13 @@
 //! - Hoek–Brown (`hoek2002`): σ₁ = σ₃ + σ_ci(m_b σ₃/σ_ci + s)^a with m_b, s, a of GSI, m_i and D, written out here again.
 
 use crate::rock::{Across, POISSON, axial, rock, slope};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite_laws::Material;
 use tremolite_laws::materials::{DruckerPrager, HoekBrown, MohrCoulomb};
 
 const NAME: &str = "rock_strength";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "Mohr–Coulomb, Drucker–Prager and Hoek–Brown rock: triaxial, extension, plane strain, dilation",
     source: "closed forms; `drucker1952` for plane strain, `hoek2002` for the rock mass",

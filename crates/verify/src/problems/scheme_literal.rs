@@ -26,14 +26,14 @@ use crate::dense::{Dense, dot};
 use crate::models::{QUADRATURES, Solid, distorted};
 use crate::simulation::Simulation;
 use crate::stiffness::Assembled;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
 use tremolite::{Base, Quadrature, Rayleigh, Side};
 
 const NAME: &str = "scheme_literal";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "the step equals (20), (21), (25)-(27) as written; the print's K u^n grows",
     source: "wang2018 (20)-(27), with K u^{n+1} in (21) and the dashpots on the mean velocity",

@@ -15,14 +15,14 @@ use crate::convergence::order;
 use crate::michell::{Lining, Opening};
 use crate::models::Solid;
 use crate::staged::{Rested, Rings, UNTIL_CHANGE, growing, release};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::Traction;
 use tremolite::{Life, Quadrature, Stage};
 
 const NAME: &str = "shotcrete_ring";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "shotcrete placed after a part of the release, its modulus changed before the rest: thrust and moment",
     source: "Michell's solution for a thick ring, twice",

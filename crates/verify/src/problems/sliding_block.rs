@@ -18,7 +18,7 @@ use crate::convergence::order;
 use crate::joints::{joint, together};
 use crate::models::Solid;
 use crate::simulation::{Simulation, whole_steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
@@ -27,7 +27,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "sliding_block";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a block slides on a shaken base: pulses of acceleration, and a sine",
     source: "the rigid block's motion in closed form, derived in the problem",

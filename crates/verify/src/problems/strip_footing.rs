@@ -15,7 +15,7 @@
 
 use crate::models::{QUADRATURES, Solid, material};
 use crate::simulation::Simulation;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tremolite::hexahedra::centroid;
@@ -28,7 +28,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "strip_footing";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "rough strip footing on clay: Prandtl's load, neither locked nor carried by hourglass patterns",
     source: "`prandtl1920`",

@@ -17,13 +17,13 @@ use crate::bolted::{STEEL, bolts};
 use crate::models::QUADRATURES;
 use crate::specimen::plate::Plate;
 use crate::specimen::{BAND, Grip, Mix, Specimen, Tested, steps};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::Quadrature;
 use tremolite_laws::materials::concrete::Grade;
 
 const NAME: &str = "tension_stiffening";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "a reinforced strip in tension: force of the first crack, and what concrete carries beside the bars, by mesh",
     source: "bars and concrete in parallel; `en1992`, 7.3.4; `mc1990`, 3.2",

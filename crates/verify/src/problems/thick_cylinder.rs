@@ -10,7 +10,7 @@ use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid};
 use crate::simulation::Simulation;
 use crate::stiffness::Assembled;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::FRAC_PI_2;
 use tremolite::Quadrature;
 use tremolite_mesh::boxes::{Axis, BoxSpec, Distortion};
@@ -18,7 +18,7 @@ use tremolite_mesh::topology::vector_areas;
 
 const NAME: &str = "thick_cylinder";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "thick cylinder at ν = 0.49 to 0.4999: no locking in volume, regular and distorted",
     source: "Lamé's solution; MacNeal & Harder 1985",

@@ -10,12 +10,12 @@ use crate::convergence::order;
 use crate::models::{Solid, distorted};
 use crate::simulation::{Simulation, whole_steps};
 use crate::stiffness::Assembled;
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::{Base, Quadrature, Rayleigh};
 
 const NAME: &str = "time_order";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "order 2 in the time step, undamped and with both Rayleigh terms",
     source: "exact solution of the semi-discrete equations by modes",

@@ -10,7 +10,7 @@
 //! **Twice**: a point along 8,000 steps; and an element whose nodes are moved in 130 stages, free across, with each kind of points.
 
 use crate::models::{LAYERED, QUADRATURES, material};
-use crate::{Check, Effort, Problem, VerifyError};
+use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::engine::Release;
 use tremolite::point_stress::mean;
 use tremolite::{Assembly, Bed, Body, Engine, Life, Model, Phase, Prescribed, Quadrature, Stage};
@@ -21,7 +21,7 @@ use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "willam_rotating_strain";
 
-pub const PROBLEM: Problem = Problem {
+pub const PROBLEM: Verification = Verification {
     name: NAME,
     summary: "concrete whose principal strain turns after it cracks: largest stress, and what is left in the end",
     source: "`willam1987`",

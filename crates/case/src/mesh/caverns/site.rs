@@ -65,7 +65,7 @@ pub struct RockLayer {
 
 /// Surface of the ground above z = 0.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Ground {
+pub enum GroundSurface {
     /// Angles at which it rises along x and along y, rad.
     Slope(Spanned<[f64; 2]>),
     /// Heights at places, m.
@@ -90,14 +90,14 @@ impl RockLayer {
     }
 }
 
-impl Ground {
+impl GroundSurface {
     pub(super) fn read(f: &Fields) -> Option<Self> {
         let places = |key| f.list(key).iter().filter_map(|n| Some(n.number()?.value)).collect::<Vec<f64>>();
         let (x, y, heights) = (places("x"), places("y"), places("heights"));
         match f.numbers("slope") {
-            Some(slope) => Some(Ground::Slope(slope)),
+            Some(slope) => Some(GroundSurface::Slope(slope)),
             None if heights.is_empty() => None,
-            None => Some(Ground::Heights { x, y, heights }),
+            None => Some(GroundSurface::Heights { x, y, heights }),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::blocks::{blocks, gallery, with_galleries};
 use super::{corners, made};
-use crate::cavern::{CavernSpec, Ground, RockLayer, build};
+use crate::cavern::{CavernSpec, GroundSurface, RockLayer, build};
 use crate::mesh::{Face, Mesh};
 
 /// Where a pair of neighbours lies.
@@ -112,8 +112,8 @@ fn check(name: &str, spec: &CavernSpec, grid: f64) {
     // The grid is that under the highest ground.
     let top = build::build(spec).unwrap().block[1][1];
     let flat = match spec.ground {
-        Ground::Level => Ground::Level,
-        _ => Ground::Table { x: vec![0.0], y: vec![0.0], heights: vec![top] },
+        GroundSurface::Level => GroundSurface::Level,
+        _ => GroundSurface::Table { x: vec![0.0], y: vec![0.0], heights: vec![top] },
     };
     let flat = CavernSpec { ground: flat, ..spec.clone() };
     let largest = growth(&mesh, &made(name, &flat), &flat);
@@ -148,6 +148,6 @@ fn elements_grow_slowly_with_layers_and_under_a_slope() {
     let layers = vec![layer("soil", 0.0), layer("weathered", 11.3), layer("sound", 105.7)];
     check("layers", &CavernSpec { layers, ..spec.clone() }, 1.3);
     for (x, grid) in [(0.1, 1.3), (0.3, 1.4)] {
-        check("slope", &CavernSpec { ground: Ground::Inclined { x, y: 0.05 }, ..spec.clone() }, grid);
+        check("slope", &CavernSpec { ground: GroundSurface::Inclined { x, y: 0.05 }, ..spec.clone() }, grid);
     }
 }

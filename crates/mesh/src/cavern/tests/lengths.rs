@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::blocks::{blocks, ending, finite, gallery, with_galleries};
 use super::made;
-use crate::cavern::{CavernSpec, Ground, RockLayer};
+use crate::cavern::{CavernSpec, GroundSurface, RockLayer};
 use crate::mesh::Mesh;
 use crate::quality;
 use crate::topology::exterior_faces;
@@ -157,7 +157,7 @@ fn rock_beyond_the_ends_belongs_to_the_layer_of_its_place() {
     let layer =
         |name: &str, depth: f64, dip: f64| RockLayer { name: name.into(), depth, dip, dip_direction: 0.0 };
     let layers = vec![layer("upper", 0.0, 0.0), layer("lower", 215.0, 0.1)];
-    let spec = CavernSpec { layers, ground: Ground::Inclined { x: 0.1, y: -0.08 }, ..finite() };
+    let spec = CavernSpec { layers, ground: GroundSurface::Inclined { x: 0.1, y: -0.08 }, ..finite() };
     let mesh = made("ends", &spec);
     let mut both = [&mesh.groups["rock.upper"][..], &mesh.groups["rock.lower"]].concat();
     both.sort_unstable();

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::lengths::{extent, planes};
 use super::{corners, is_union};
-use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, Ground, Lining, RockLayer, Shotcrete};
+use crate::cavern::{Cavern, CavernShape, CavernSpec, Gallery, GroundSurface, Lining, RockLayer, Shotcrete};
 use crate::coincident::coincident_nodes;
 use crate::mesh::{Face, Mesh};
 use crate::quality;
@@ -116,13 +116,13 @@ fn random(seed: u64) -> CavernSpec {
         layers.push(RockLayer { name: "lower".to_owned(), depth, dip, dip_direction: dice.real(-3.0, 3.0) });
     }
     let ground = match dice.below(4) {
-        0 => Ground::Inclined { x: dice.real(-0.3, 0.3), y: dice.real(-0.1, 0.1) },
-        1 => Ground::Table {
+        0 => GroundSurface::Inclined { x: dice.real(-0.3, 0.3), y: dice.real(-0.1, 0.1) },
+        1 => GroundSurface::Table {
             x: vec![-30.0, 0.0, 40.0],
             y: vec![0.0],
             heights: (0..3).map(|_| dice.real(-4.0, 15.0)).collect(),
         },
-        _ => Ground::Level,
+        _ => GroundSurface::Level,
     };
     let mut spec = CavernSpec {
         overburden: depth,
@@ -178,7 +178,7 @@ fn check(seed: u64, spec: &CavernSpec, mesh: &Mesh) {
     let parts: f64 =
         groups.iter().filter(|(g, _)| !is_union(g) && !g.starts_with("rock.")).map(|(_, s)| s.volume).sum();
     assert!((parts / whole.volume - 1.0).abs() < 1e-9, "{seed}: {parts} {}", whole.volume);
-    if spec.ground == Ground::Level {
+    if spec.ground == GroundSurface::Level {
         let (low, high) = mesh.bounds();
         let block: f64 = (0..3).map(|c| high[c] - low[c]).product();
         assert!((whole.volume / block - 1.0).abs() < 1e-9, "{seed}: {} {block}", whole.volume);

@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 
 use super::blocks::{block, shaped};
 use super::made;
-use crate::cavern::{CavernError, CavernShape, CavernSpec, Ground, Lining, RockLayer};
+use crate::cavern::{CavernError, CavernShape, CavernSpec, GroundSurface, Lining, RockLayer};
 use crate::mesh::Mesh;
 use crate::quality;
 
@@ -56,12 +56,12 @@ fn dipping_layers_take_elements_by_their_middles() {
 #[test]
 fn the_rock_above_the_caverns_follows_the_ground_and_nothing_else_moves() {
     let level = made("level", &site());
-    let table = Ground::Table {
+    let table = GroundSurface::Table {
         x: vec![-40.0, 0.0, 30.0],
         y: vec![-3.0, 3.0],
         heights: vec![20.0, 0.0, -8.0, 24.0, 1.0, -10.0],
     };
-    for ground in [Ground::Inclined { x: 0.2, y: -0.1 }, table] {
+    for ground in [GroundSurface::Inclined { x: 0.2, y: -0.1 }, table] {
         let mesh = made("ground", &CavernSpec { ground: ground.clone(), ..site() });
         assert!(!mesh.faces["top"].is_empty());
         for n in mesh.faces["top"].iter().flat_map(|&f| mesh.face_nodes(f)) {
@@ -78,13 +78,14 @@ fn the_rock_above_the_caverns_follows_the_ground_and_nothing_else_moves() {
         assert!(highest > 10.0 && quality::summary(&mesh).longest_edge < 7.0 * 1.0_f64.hypot(0.6));
         assert!(quality::summary(&mesh).min_scaled_jacobian > 0.3);
     }
-    let plane = Ground::Inclined { x: 0.2, y: -0.1 };
+    let plane = GroundSurface::Inclined { x: 0.2, y: -0.1 };
     assert_eq!(plane.height(10.0, 5.0), 1.5);
 }
 
 #[test]
 fn a_table_of_heights_is_linear_between_its_places_and_constant_beyond() {
-    let ground = Ground::Table { x: vec![0.0, 10.0], y: vec![0.0, 4.0], heights: vec![0.0, 5.0, 8.0, 1.0] };
+    let ground =
+        GroundSurface::Table { x: vec![0.0, 10.0], y: vec![0.0, 4.0], heights: vec![0.0, 5.0, 8.0, 1.0] };
     for (at, height) in [
         ([5.0, 0.0], 2.5),
         ([0.0, 2.0], 4.0),
@@ -95,17 +96,17 @@ fn a_table_of_heights_is_linear_between_its_places_and_constant_beyond() {
     ] {
         assert!((ground.height(at[0], at[1]) - height).abs() < 1e-12, "{at:?}");
     }
-    let line = Ground::Table { x: vec![0.0, 2.0], y: vec![7.0], heights: vec![1.0, 3.0] };
+    let line = GroundSurface::Table { x: vec![0.0, 2.0], y: vec![7.0], heights: vec![1.0, 3.0] };
     assert_eq!(line.height(1.0, -50.0), 2.0);
 }
 
 #[test]
 fn impossible_ground_and_layers_are_refused_with_the_key() {
-    let with = |ground: Ground| CavernSpec { ground, ..site() }.mesh().unwrap_err();
-    let table = |x: Vec<f64>, y: Vec<f64>, heights: Vec<f64>| with(Ground::Table { x, y, heights });
-    assert!(matches!(with(Ground::Inclined { x: -1.5, y: 0.0 }), CavernError::LowGround { .. }));
+    let with = |ground: GroundSurface| CavernSpec { ground, ..site() }.mesh().unwrap_err();
+    let table = |x: Vec<f64>, y: Vec<f64>, heights: Vec<f64>| with(GroundSurface::Table { x, y, heights });
+    assert!(matches!(with(GroundSurface::Inclined { x: -1.5, y: 0.0 }), CavernError::LowGround { .. }));
     for (error, says) in [
-        (with(Ground::Inclined { x: f64::NAN, y: 0.0 }), "ground.x is NaN"),
+        (with(GroundSurface::Inclined { x: f64::NAN, y: 0.0 }), "ground.x is NaN"),
         (table(vec![], vec![0.0], vec![]), "ground.x is 0"),
         (table(vec![0.0, 0.0], vec![0.0], vec![1.0, 1.0]), "above the place before"),
         (table(vec![0.0, 1.0], vec![0.0], vec![1.0]), "a list of 2 heights"),

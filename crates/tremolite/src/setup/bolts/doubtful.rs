@@ -1,6 +1,6 @@
 //! What of bolts cannot be meant, and what is hardly meant.
 
-use super::listed::Ground;
+use super::listed::Standing;
 use super::wall::{minus, norm};
 use tremolite_case::{self as case, Diagnostic, units};
 use tremolite_laws::Dimension;
@@ -69,7 +69,7 @@ pub fn units(written: &case::Bolts) -> Vec<Diagnostic> {
 }
 
 /// That the bond passes force on over less than a segment, where ends matter: at plates and behind free lengths.
-pub fn coarse(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Diagnostic> {
+pub fn coarse(ground: &Standing, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Diagnostic> {
     let bond = written.bond.as_ref()?;
     if written.plate.value.ends() == [false; 2] {
         return None;
@@ -96,7 +96,7 @@ pub fn coarse(ground: &Ground, written: &case::Bolts, ends: &[[[f64; 3]; 2]]) ->
 
 /// Plates that press on no wall: ground stands in front of them, and nothing that was installed there.
 pub fn buried(
-    ground: &Ground,
+    ground: &Standing,
     written: &case::Bolts,
     ends: &[[[f64; 3]; 2]],
     installed: impl Fn(u32) -> bool,

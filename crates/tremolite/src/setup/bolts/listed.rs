@@ -84,7 +84,7 @@ fn header(fields: &[&str]) -> Result<(), String> {
 }
 
 /// Where a bolt may lie: the elements that stand when it is placed.
-pub struct Ground<'a> {
+pub struct Standing<'a> {
     pub locator: &'a Locator<'a>,
 }
 
@@ -97,7 +97,7 @@ pub enum Outside {
     Leaves(Vector, f64),
 }
 
-impl Ground<'_> {
+impl Standing<'_> {
     /// The bolt's ends within what stands: what is outside by no more than a slip of the tape is cut off.
     pub fn place(&self, ends: [Vector; 2], free: f64) -> Result<[Vector; 2], Outside> {
         let [head, tail] = ends;

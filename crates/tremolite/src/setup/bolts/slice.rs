@@ -12,7 +12,7 @@ const BENDS: f64 = 0.766;
 
 /// Pieces of faces, end to end.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct Polyline {
     /// The face of each piece, by its place among the walls, and the piece's ends.
     pieces: Vec<(usize, [Vector; 2])>,
     closed: bool,
@@ -22,7 +22,7 @@ pub struct Line {
 type Edge = [u32; 2];
 
 /// Lines in which the plane of points x with axis·x = `level` cuts some of the walls. `extent` \[m\] is theirs.
-pub fn cut(walls: &[Wall], of: &[usize], axis: Vector, level: f64, extent: f64) -> Vec<Line> {
+pub fn cut(walls: &[Wall], of: &[usize], axis: Vector, level: f64, extent: f64) -> Vec<Polyline> {
     let mut pieces: Vec<Piece> = Vec::new();
     for &w in of {
         let wall = &walls[w];
@@ -48,7 +48,7 @@ pub fn cut(walls: &[Wall], of: &[usize], axis: Vector, level: f64, extent: f64) 
 type Piece = (usize, [(Edge, Vector); 2]);
 
 /// Joins pieces at the edges that they share: lines with two ends first, then rings.
-fn stitch(pieces: &[Piece]) -> Vec<Line> {
+fn stitch(pieces: &[Piece]) -> Vec<Polyline> {
     let mut at: BTreeMap<Edge, Vec<usize>> = BTreeMap::new();
     for (p, (_, ends)) in pieces.iter().enumerate() {
         ends.iter().for_each(|(edge, _)| at.entry(*edge).or_default().push(p));
@@ -74,9 +74,9 @@ fn walk(
     used: &mut [bool],
     first: usize,
     from: Edge,
-) -> Line {
+) -> Polyline {
     let (mut piece, mut edge) = (first, from);
-    let mut line = Line { pieces: Vec::new(), closed: false };
+    let mut line = Polyline { pieces: Vec::new(), closed: false };
     loop {
         used[piece] = true;
         let (wall, [a, b]) = pieces[piece];
@@ -92,7 +92,7 @@ fn walk(
     line
 }
 
-impl Line {
+impl Polyline {
     /// m
     pub fn length(&self) -> f64 {
         self.pieces.iter().map(|(_, [a, b])| norm(minus(*b, *a))).sum()
@@ -126,7 +126,7 @@ impl Line {
     }
 }
 
-impl Line {
+impl Polyline {
     /// The piece before one, or behind it.
     fn beside(&self, piece: usize, behind: bool) -> Option<usize> {
         let count = self.pieces.len();

@@ -39,7 +39,11 @@ fn steel(on: &str, cover: &str, direction: &str, more: &str) -> String {
 }
 
 /// The bars in a mesh that stands from the start, its benches excavated.
-fn built(steel: &str, mesh: &Mesh, lives: Option<Vec<Life>>) -> (Vec<Bolts>, Vec<Diagnostic>, Vec<Diagnostic>) {
+fn built(
+    steel: &str,
+    mesh: &Mesh,
+    lives: Option<Vec<Life>>,
+) -> (Vec<Bolts>, Vec<Diagnostic>, Vec<Diagnostic>) {
     let lives = lives.unwrap_or_else(|| {
         let mut lives = vec![Life::ALWAYS; mesh.elements.len()];
         let open = mesh.groups.iter().filter(|(name, _)| name.ends_with(".excavation"));
