@@ -2,7 +2,7 @@
 
 mod cut;
 
-pub use cut::{Ground, cut};
+pub use cut::{Hosts, cut};
 
 use crate::life::Stage;
 

@@ -174,7 +174,7 @@ impl Model {
         let bolts = if problem.bolts.is_empty() {
             Vec::new()
         } else {
-            let ground = bolts::Ground {
+            let ground = bolts::Hosts {
                 mesh: &mesh,
                 body_of: &body_of,
                 lives: &lives,

@@ -20,7 +20,7 @@ const REACH: f64 = 0.25;
 const TIP: f64 = 0.05;
 
 /// What bars lie in.
-pub struct Ground<'a> {
+pub struct Hosts<'a> {
     pub mesh: &'a Mesh,
     /// The body of each of the user's elements.
     pub body_of: &'a [Option<usize>],
@@ -31,7 +31,7 @@ pub struct Ground<'a> {
     pub rims: &'a Rims,
 }
 
-impl Ground<'_> {
+impl Hosts<'_> {
     fn standing(&self, stage: Stage) -> Vec<u32> {
         let there = |e: &usize| self.body_of[*e].is_some() && self.lives[*e].holds(stage);
         (0..self.body_of.len()).filter(there).map(|e| e as u32).collect()
@@ -44,7 +44,7 @@ impl Ground<'_> {
 }
 
 /// Cuts the bars of each group.
-pub fn cut(ground: &Ground, all: Vec<Bolts>) -> Vec<BoltSet> {
+pub fn cut(ground: &Hosts, all: Vec<Bolts>) -> Vec<BoltSet> {
     let takers: HashMap<u32, u32> =
         ground.successors.iter().map(|(&later, &earlier)| (earlier, later)).collect();
     let mut standing: BTreeMap<Stage, Vec<u32>> = BTreeMap::new();
@@ -86,7 +86,7 @@ struct Piece {
 }
 
 struct Saw<'a> {
-    ground: &'a Ground<'a>,
+    ground: &'a Hosts<'a>,
     takers: &'a HashMap<u32, u32>,
     locator: &'a Locator<'a>,
     kind: &'a Bolts,
