@@ -5,7 +5,6 @@ use crate::boundary;
 use crate::boundary::base::BaseNode;
 use crate::contacts::Contacts;
 use crate::error::ModelError;
-use crate::free_field::sheets;
 use crate::interface::traction;
 use crate::life::{Life, Stage};
 use crate::member::{Kind, Member};
@@ -14,6 +13,7 @@ use crate::parts::constant::Constant;
 use crate::parts::loads::{Load, Loads};
 use crate::parts::{Entry, Kept, Motion, Own, StateSizes};
 use crate::patch_part::solid;
+use crate::slabs::sheets;
 use crate::state::{Ledger, State};
 use crate::traction::Traction;
 use rayon::prelude::*;
@@ -129,7 +129,8 @@ impl Assembly {
             check(model, &member)?;
             members.push(Member { kind: Kind::Own, ..member });
         }
-        let (nodes, free_field) = (model.mesh_node.len(), !model.slabs.is_empty());
+        let free_field = !model.slabs.is_empty() || model.free_field.is_some();
+        let nodes = model.mesh_node.len();
         let blocks = model.nodes.blocks.len();
         let mut assembly =
             Assembly { members, base, spring_distance, nodes, blocks, free_field, ..Assembly::default() };

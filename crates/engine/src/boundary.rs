@@ -15,13 +15,15 @@ pub use ties::{tie_outside, tie_periodic};
 use crate::body::Body;
 use crate::column::{Column, SIDES, WIDTH};
 use crate::error::ModelError;
-use crate::free_field::{Slab, sheets};
+use crate::free_field::{GivenField, Leader};
 use crate::life::{Life, Stage};
 use crate::outer_faces::{OuterFaces, near, nodes_of};
 use crate::sheet::{Corner, Sheet, corners, faces_on};
+use crate::slabs::{Slab, sheets};
 use base::add;
 use bed::Bed;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use tremolite_mesh::topology::vector_areas;
 use tremolite_mesh::{Face, Mesh};
 use tremolite_motion::Motion;
@@ -120,6 +122,7 @@ pub struct Surroundings<'a> {
     /// Of each element, the one of the user's that it was made of.
     pub parents: &'a [u32],
     pub incident: Option<&'a Incident>,
+    pub free_field: Option<&'a Arc<dyn GivenField>>,
 }
 
 impl Surroundings<'_> {
@@ -180,8 +183,15 @@ pub struct Supports {
     /// Dashpots of absorbing sides and of an absorbing top \[N s/m\].
     pub dashpots: BTreeMap<u32, [f64; 6]>,
     /// Dashpots between a node of a free-field side and the node of the slab outside it, or between that of a slab's end and that
-    /// of the column: (node, leader).
-    pub following: BTreeMap<(u32, u32), [f64; 6]>,
+    /// of the column, or between a node and a given free field: (node, leader).
+    pub following: BTreeMap<(u32, Leader), [f64; 6]>,
+}
+
+impl Supports {
+    /// Puts a dashpot between a node and a leader.
+    pub fn follow(&mut self, node: u32, leader: Leader, matrix: &[f64; 6]) {
+        add(self.following.entry((node, leader)).or_default(), matrix);
+    }
 }
 
 /// Σ A (tangential I + (normal − tangential) n⊗n) by node, over faces with the two factors of each.
@@ -279,12 +289,13 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
         }
     }
     if stage == Stage::Shaking {
-        absorb_at_the_top(around, &mut out)?;
+        if around.free_field.is_none() {
+            absorb_at_the_top(around, &mut out)?;
+        }
         for (face, corner) in around.corners(stage) {
             let matrices = nodal_matrices(mesh, &[face], |face| around.impedance(face));
             if let Some(matrix) = matrices.get(&corner.source) {
-                let pair = (engine(corner.source), engine(corner.front));
-                add(out.following.entry(pair).or_default(), matrix);
+                out.follow(engine(corner.source), Leader::Node(engine(corner.front)), matrix);
             }
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Their bottoms move as u_ff, the free field at the level of the base, on which the springs of the base act. They feel the same
 //! incident wave through dashpots alone. Where all four sides are free field they stand at the ends of the slabs
-//! ([`crate::free_field`]); else the model has reference columns of the ground along its vertical edges, beside it. Models whose
+//! ([`crate::slabs`]); else the model has reference columns of the ground along its vertical edges, beside it. Models whose
 //! base has no springs have them as well, to be compared with.
 
 use crate::body::Body;

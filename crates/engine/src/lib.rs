@@ -33,6 +33,7 @@ pub mod problem;
 pub mod rims;
 mod seams;
 pub mod sheet;
+mod slabs;
 pub mod state;
 mod sums;
 mod thickness;

@@ -6,7 +6,7 @@ use crate::boundary::bed::Bed;
 use crate::boundary::{Base, Incident, Side, Surroundings, Top};
 use crate::column::{self, Column, Reference};
 use crate::error::ModelError;
-use crate::free_field::{FreeField, Ground, Slab};
+use crate::free_field::GivenField;
 use crate::hexahedra::{centroid, hex};
 use crate::interface::{Seam, copies};
 use crate::life::{Life, Stage};
@@ -17,6 +17,7 @@ use crate::prescribed::Prescribed;
 use crate::problem::{MakePart, Problem, Rayleigh, TimeStep};
 use crate::rims::{Joint, Rims};
 use crate::seams::{self, Seams, Standing, place_lives};
+use crate::slabs::{Inside, Slab, Slabs};
 use crate::traction::Traction;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -108,6 +109,8 @@ pub struct Model {
     /// Of each element, the natural axis through its thickness where its body is layered, else 2.
     pub thickness: Vec<u8>,
     pub incident: Option<Incident>,
+    /// Known in advance, in place of slabs and columns.
+    pub free_field: Option<Arc<dyn GivenField>>,
     pub rayleigh: Rayleigh,
     /// Loads on engine nodes.
     pub loads: Vec<Load>,
@@ -137,7 +140,14 @@ impl Model {
         let shaken = shaken(&body_of, &lives);
         let free_field = problem.sides.map(|side| side == Side::FreeField);
         let absorbs = matches!(problem.base, Base::Viscous | Base::ViscousSpring { .. });
-        let grounds = if absorbs && free_field != [true; 2] {
+        if problem.free_field.is_some() && problem.incident.is_some() {
+            let reason =
+                "a free field is given, and a wave that rises beside it; let the field hold all waves";
+            return Err(ModelError::FreeField(reason.into()));
+        }
+        let grounds = if problem.free_field.is_some() {
+            Err("the free field is given".to_owned())
+        } else if absorbs && free_field != [true; 2] {
             column::grounds(&mesh, &bodies, &shaken, &problem.interfaces, &lives)
         } else if free_field == [true; 2] {
             Err("the slabs have columns of their own".to_owned())
@@ -184,8 +194,9 @@ impl Model {
             bolts::cut(&ground, problem.bolts)
         };
 
-        let ground = Ground { bounds, body_of: &body_of, lives: &lives, sides: free_field };
-        let mut outside = FreeField::beside(&mut mesh, &ground)?;
+        let sides = free_field.map(|side| side && problem.free_field.is_none());
+        let inside = Inside { bounds, body_of: &body_of, lives: &lives, sides };
+        let mut outside = Slabs::beside(&mut mesh, &inside)?;
         outside.spread(&mut lives);
         outside.spread(&mut initial);
         outside.spread_pairs(&mut successors);
@@ -215,7 +226,7 @@ impl Model {
         }
         outside.press(&mesh, &mut tractions);
         let slab_bodies = outside.fill(&mesh, &mut bodies, &body_of, &lives);
-        let FreeField { slabs, mut columns, mut parents } = outside;
+        let Slabs { slabs, mut columns, mut parents } = outside;
         let no_column = match grounds {
             Ok(grounds) => {
                 let Reference { columns: more, like } =
@@ -229,7 +240,9 @@ impl Model {
                 columns.extend(more);
                 String::new()
             }
-            Err(reason) if problem.base.has_springs() && free_field != [true; 2] => {
+            Err(reason)
+                if problem.base.has_springs() && free_field != [true; 2] && problem.free_field.is_none() =>
+            {
                 return Err(column::refusal(&reason));
             }
             Err(reason) => reason,
@@ -350,6 +363,7 @@ impl Model {
             parents,
             thickness,
             incident: problem.incident,
+            free_field: problem.free_field,
             rayleigh: problem.rayleigh,
             loads,
             parts: problem.parts,
@@ -389,6 +403,7 @@ impl Model {
             parents: &self.parents,
             top: self.top,
             incident: self.incident.as_ref(),
+            free_field: self.free_field.as_ref(),
         }
     }
 

@@ -10,6 +10,7 @@ use crate::boundary;
 use crate::boundary::base::add;
 use crate::contacts::Contacts;
 use crate::error::ModelError;
+use crate::free_field::Leader;
 use crate::interface::Seam;
 use crate::life::Stage;
 use crate::member::{Kind, Member};
@@ -39,10 +40,10 @@ pub struct Dashpot {
     pub whole: [f64; 6],
 }
 
-/// A dashpot between a node and a leader: an engine node that the scheme advances before it.
+/// A dashpot between a node and a leader, whose velocity is known before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Follow {
-    pub leader: u32,
+    pub leader: Leader,
     /// Its place in [`Phase::leaders`].
     pub place: u32,
     /// N s/m
@@ -114,8 +115,8 @@ pub struct Phase {
     pub tied: Vec<(u32, u32)>,
     /// Ascending by node.
     pub dashpots: Vec<(u32, Dashpot)>,
-    /// Engine nodes that others follow by dashpots, in the order in which they are advanced.
-    pub leaders: Vec<u32>,
+    /// What nodes follow by dashpots: the places of a given free field, then engine nodes in the order in which they are advanced.
+    pub leaders: Vec<Leader>,
     /// All nodes in the order in which the scheme advances them, leaders first.
     pub passes: Vec<Pass>,
     /// Element of the mesh → its slot; for active elements of the user.
@@ -180,7 +181,7 @@ impl Phase {
         boundary::tie_periodic(around, &mut ties)?;
         boundary::tie_outside(around, &mut ties);
         let master = ties.masters(&model.mesh_node, &model.engine_node);
-        let supports = boundary::supports(around, stage)?;
+        let mut supports = boundary::supports(around, stage)?;
 
         let mut mass = vec![0.0; model.mesh_node.len()];
         for Member { part, masses, .. } in active.iter().map(there) {
@@ -211,7 +212,12 @@ impl Phase {
         let mut dashpots: BTreeMap<u32, Dashpot> = BTreeMap::new();
         if stage == Stage::Shaking {
             for base in &assembly.base {
-                add(&mut dashpots.entry(master[base.node as usize]).or_default().base, &base.dashpot);
+                match model.free_field {
+                    None => {
+                        add(&mut dashpots.entry(master[base.node as usize]).or_default().base, &base.dashpot)
+                    }
+                    Some(_) => supports.follow(base.node, Leader::Given(base.node), &base.dashpot),
+                }
             }
         }
         for (&node, matrix) in &supports.dashpots {
@@ -219,7 +225,10 @@ impl Phase {
         }
         for (&(node, leader), matrix) in &supports.following {
             let follows = &mut dashpots.entry(master[node as usize]).or_default().follows;
-            let leader = master[leader as usize];
+            let leader = match leader {
+                Leader::Node(node) => Leader::Node(master[node as usize]),
+                given @ Leader::Given(_) => given,
+            };
             match follows.iter_mut().find(|follow| follow.leader == leader) {
                 Some(known) => add(&mut known.matrix, matrix),
                 None => follows.push(Follow { leader, place: 0, matrix: *matrix }),
@@ -232,7 +241,7 @@ impl Phase {
             follows.iter().for_each(|follow| add(whole, &follow.matrix));
         }
         let (leaders, passes) = passes::passes(model, dashpots.values());
-        let place: HashMap<u32, u32> = leaders.iter().copied().zip(0..).collect();
+        let place: HashMap<Leader, u32> = leaders.iter().copied().zip(0..).collect();
         for follow in dashpots.values_mut().flat_map(|dashpot| &mut dashpot.follows) {
             follow.place = place[&follow.leader];
         }

@@ -4,6 +4,7 @@ use crate::body::Body;
 use crate::bolts::Bolts;
 use crate::boundary::bed::Bed;
 use crate::boundary::{Base, Incident, Side, Top};
+use crate::free_field::GivenField;
 use crate::interface::Interface;
 use crate::life::Life;
 use crate::member::Member;
@@ -70,7 +71,10 @@ pub struct Problem {
     pub bed: Bed,
     /// What is moved before the shaking.
     pub prescribed: Vec<Prescribed>,
+    /// A wave that rises through the base.
     pub incident: Option<Incident>,
+    /// A free field that is known in advance, instead of that wave: base, free-field sides and a viscous top are driven by it.
+    pub free_field: Option<Arc<dyn GivenField>>,
     pub rayleigh: Rayleigh,
     /// Groups of elements that touch without being joined.
     pub interfaces: Vec<Interface>,
@@ -108,6 +112,7 @@ impl Problem {
             bed: Bed::default(),
             prescribed: Vec::new(),
             incident: None,
+            free_field: None,
             rayleigh: Rayleigh::default(),
             interfaces: Vec::new(),
             bolts: Vec::new(),

@@ -71,7 +71,9 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         no_column: _,
         parents: _,
         thickness: _,
+        // Formulas are in no file, as parts are: a program that resumes must give the same again.
         parts: _,
+        free_field: _,
         // Its step is `dt`.
         time_step: _,
         // The bits are the same.

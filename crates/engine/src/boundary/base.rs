@@ -1,16 +1,15 @@
-//! The base: a wave comes in, springs act on the scattered field.
+//! The free field pushes at a boundary, and springs act on what differs from it.
 //!
-//! Traction on the model = 2ρc v_i − ρc v − (αG/R)(u − u_ff), with the incident velocity v_i and the free field u_ff
+//! Traction on the model = σ_ff·n + C (v_ff − v) − K (u − u_ff), at a base into which a wave rises 2ρc v_i − ρc v − (αG/R)(u − u_ff)
 //! (`lysmer1969` for the dashpots, `wang2018` for the springs). The dashpots act on velocity and belong to the step
-//! ([`crate::engine`]); this part gives the other two terms. Vertical incidence in homogeneous ground below the base.
+//! ([`crate::engine`]); this part gives the other terms, of which the [free field](crate::free_field) says what bears its index.
 
+use crate::free_field::{FreeField, Now, Place};
 use crate::parts::{Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
-use std::sync::Arc;
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::Row;
-use tremolite_motion::Motion as Record;
 
-/// What one node of the base carries.
+/// What one node of the base carries; where the free field is [given](FreeField::Given), of free-field sides and a viscous top too.
 #[derive(Clone, Debug)]
 pub struct BaseNode {
     pub node: u32,
@@ -18,21 +17,16 @@ pub struct BaseNode {
     pub dashpot: [f64; 6],
     /// Spring matrix of the same form from α G A / R \[N/m\]; zero without springs.
     pub spring: [f64; 6],
-    /// Bottoms of columns with their weights in the free field at this place; none where no springs act.
-    pub free_field: Vec<(u32, f64)>,
+    /// Where it asks for the free field.
+    pub place: Place,
     /// Whether it is the user's and not a slab's or column's, whose work is in no balance.
     pub counted: bool,
 }
 
 impl BaseNode {
     /// u − u_ff \[m\].
-    fn scattered(&self, u: &[Row]) -> [f64; 3] {
-        let mut scattered = u[self.node as usize].xyz();
-        for &(node, weight) in &self.free_field {
-            let free = u[node as usize].xyz();
-            (0..3).for_each(|i| scattered[i] -= weight * free[i]);
-        }
-        scattered
+    fn scattered(&self, now: &Now, u: &[Row]) -> [f64; 3] {
+        now.scattered(&self.place, u[self.node as usize].xyz(), u)
     }
 }
 
@@ -52,22 +46,20 @@ pub fn add(to: &mut [f64; 6], more: &[f64; 6]) {
     }
 }
 
-/// Incident wave and springs of the base.
+/// Push of the free field, and springs.
 pub struct BasePart {
     nodes: Vec<u32>,
     pushed: Vec<BaseNode>,
-    /// Velocity of the up-going wave, already factored for the kind of motion; none for a base at rest.
-    incident: Option<(Arc<Record>, f64)>,
+    free_field: FreeField,
 }
 
 impl BasePart {
-    /// The part; `incident` is a record and the factor from its kind of motion to the up-going wave.
-    pub fn new(pushed: Vec<BaseNode>, incident: Option<(Arc<Record>, f64)>) -> Self {
-        BasePart { nodes: pushed.iter().map(|b| b.node).collect(), pushed, incident }
+    pub fn new(pushed: Vec<BaseNode>, free_field: FreeField) -> Self {
+        BasePart { nodes: pushed.iter().map(|b| b.node).collect(), pushed, free_field }
     }
 }
 
-/// Numbers remembered per node: the last spring force and the last incident force.
+/// Numbers remembered per node: the last u − u_ff, and the last push as it resists.
 const REMEMBERED: usize = 6;
 
 impl Part for BasePart {
@@ -78,7 +70,7 @@ impl Part for BasePart {
     /// The bottoms of the columns whose motion is the free field.
     fn reads(&self) -> Reads {
         let mut nodes: Vec<u32> =
-            self.pushed.iter().flat_map(|base| &base.free_field).map(|(node, _)| *node).collect();
+            self.pushed.iter().flat_map(|base| &base.place.bottoms).map(|(node, _)| *node).collect();
         nodes.sort_unstable();
         nodes.dedup();
         Reads { nodes, ..Reads::default() }
@@ -89,32 +81,32 @@ impl Part for BasePart {
     }
 
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Lines {
-        let velocity = match &self.incident {
-            Some((record, factor)) => record.at(tick.time).v.map(|v| v * factor),
-            None => [0.0; 3],
-        };
+        let now = self.free_field.now(tick.time);
+        let pushes = self.free_field.line();
         let mut work = Lines::default();
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
         for ((base, out), last) in self.pushed.iter().zip(out).zip(last) {
             let du = x.du[base.node as usize].xyz();
-            let spring = times(&base.spring, base.scattered(x.u));
-            let incident = times(&base.dashpot, velocity.map(|v| -2.0 * v));
+            let scattered = base.scattered(&now, x.u);
+            let spring = times(&base.spring, scattered);
+            let before = times(&base.spring, [last[0], last[1], last[2]]);
+            let push = now.push(&base.place, &base.dashpot).map(|f| -f);
             for i in 0..3 {
-                work[Line::Springs] += 0.5 * (spring[i] + last[i]) * du[i];
-                work[Line::Input] += 0.5 * (incident[i] + last[3 + i]) * du[i];
-                last[i] = spring[i];
-                last[3 + i] = incident[i];
-                out.0[i] = spring[i] + incident[i];
+                work[Line::Springs] += 0.5 * (spring[i] + before[i]) * du[i];
+                work[pushes] += 0.5 * (push[i] + last[3 + i]) * du[i];
+                last[i] = scattered[i];
+                last[3 + i] = push[i];
+                out.0[i] = spring[i] + push[i];
             }
         }
         work
     }
 
     /// ½(u − u_ff)·K(u − u_ff).
-    fn energy(&self, x: &Motion, _: Kept) -> Lines {
+    fn energy(&self, _: &Motion, kept: Kept) -> Lines {
         let mut held = Lines::default();
-        for base in &self.pushed {
-            let d = base.scattered(x.u);
+        for (base, last) in self.pushed.iter().zip(kept.numbers.chunks_exact(REMEMBERED)) {
+            let d = [last[0], last[1], last[2]];
             let force = times(&base.spring, d);
             held[Line::Springs] += 0.5 * (force[0] * d[0] + force[1] * d[1] + force[2] * d[2]);
         }

@@ -2,8 +2,8 @@
 
 use super::Surroundings;
 use crate::column::corner_at;
-use crate::free_field::Slab;
 use crate::sheet::Sheet;
+use crate::slabs::Slab;
 
 /// Shares of the columns in the free field at a place, from shares of the corners; several columns of a corner share evenly.
 fn of_corners(around: Surroundings, shares: impl IntoIterator<Item = (usize, f64)>) -> Vec<(u32, f64)> {

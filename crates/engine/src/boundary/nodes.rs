@@ -1,16 +1,18 @@
 //! The nodes of the base in the shaking: what absorbs there and what holds, of the model and of what stands outside its sides.
 
-use super::base::{BaseNode, BasePart};
+use super::base::{BaseNode, BasePart, add};
 use super::far_field::{along_slab, between_corners};
-use super::{Base, Surroundings, nodal_matrices, quarter};
+use super::{Base, Side, Surroundings, Top, nodal_matrices, quarter};
 use crate::assembly::PIECE;
 use crate::error::ModelError;
+use crate::free_field::{FreeField, Place};
 use crate::hexahedra::centroid;
 use crate::life::{Life, Stage};
 use crate::member::{Kind, Member};
-use std::sync::Arc;
+use std::collections::BTreeMap;
 use tremolite_kernels::Line;
 use tremolite_mesh::Face;
+use tremolite_mesh::topology::vector_areas;
 
 /// Parts of the boundaries, in their order, and what others need to know of them.
 #[derive(Default)]
@@ -32,10 +34,10 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
     let outside = out.base.iter().filter(|node| !node.counted).cloned().collect();
     let all: [(_, Vec<BaseNode>, _); 2] =
         [("springs of the base", counted, true), ("base of the free field", outside, false)];
-    let incident = around.incident.map(|i| (Arc::new(i.motion.clone()), i.factor));
+    let free_field = FreeField::of(around.free_field, around.incident);
     for (name, nodes, counted) in all {
         for nodes in nodes.chunks(PIECE) {
-            let part = Box::new(BasePart::new(nodes.to_vec(), incident.clone()));
+            let part = Box::new(BasePart::new(nodes.to_vec(), free_field.clone()));
             let line = Some(Line::Springs);
             let member = Member::of(Kind::Boundary, name, part);
             out.members.push(Member { life: Life::SHAKING, line, counted, ..member });
@@ -71,43 +73,74 @@ fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
     };
     let dashpots = |faces: &[Face]| nodal_matrices(mesh, faces, |face| around.impedance(face));
     let springs = |faces: &[Face]| nodal_matrices(mesh, faces, spring_of);
-    let none = || (vec![], [0.0; 6]);
     let stiff = springs(faces);
     for (n, dashpot) in dashpots(faces) {
         let spring = stiff.get(&n).copied().unwrap_or_default();
-        let free_field = between_corners(around, mesh.nodes[n as usize]);
-        out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: true });
+        let bottoms = between_corners(around, mesh.nodes[n as usize]);
+        out.base.push(BaseNode { node: engine(n), dashpot, spring, place: below(bottoms), counted: true });
     }
     for slab in around.slabs {
         let faces = around.of_sheet(&slab.sheet, 2, 0, Stage::Shaking);
         let stiff = springs(&faces);
         for (n, dashpot) in dashpots(&faces) {
             let spring = stiff.get(&n).copied().unwrap_or_default();
-            let free_field = along_slab(around, slab, mesh.nodes[n as usize]);
-            out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: false });
+            let place = below(along_slab(around, slab, mesh.nodes[n as usize]));
+            out.base.push(BaseNode { node: engine(n), dashpot, spring, place, counted: false });
         }
         for column in slab.columns.iter().flatten().filter_map(|&c| around.columns[c].sheet.as_ref()) {
-            for (n, dashpot) in dashpots(&around.of_sheet(column, 2, 0, Stage::Shaking)) {
-                let (free_field, spring) = none();
-                out.base.push(BaseNode { node: engine(n), dashpot, spring, free_field, counted: false });
-            }
+            let faces = around.of_sheet(column, 2, 0, Stage::Shaking);
+            out.base.extend(dashpots(&faces).into_iter().map(|(n, dashpot)| alone(engine(n), dashpot)));
         }
     }
     for column in around.columns {
         let (Some(ring), Some(layer)) = (column.rings.first(), column.layers.first()) else { continue };
-        for &n in ring {
-            let dashpot = quarter(&bodies[layer.body]);
-            let node = engine(n);
-            out.base.push(BaseNode {
-                node,
-                dashpot,
-                spring: [0.0; 6],
-                free_field: Vec::new(),
-                counted: false,
-            });
-        }
+        out.base.extend(ring.iter().map(|&n| alone(engine(n), quarter(&bodies[layer.body]))));
+    }
+    if around.free_field.is_some() {
+        given(around, &mut out.base);
     }
     Ok(out)
+}
+
+/// The place of a node above the bottoms of columns.
+fn below(bottoms: Vec<(u32, f64)>) -> Place {
+    Place { bottoms, ..Place::default() }
+}
+
+/// A node outside that has dashpots alone.
+fn alone(node: u32, dashpot: [f64; 6]) -> BaseNode {
+    BaseNode { node, dashpot, spring: [0.0; 6], place: Place::default(), counted: false }
+}
+
+/// Gives the nodes of the base their places in a given free field, and adds those of free-field sides and of a viscous top.
+fn given(around: Surroundings, nodes: &mut Vec<BaseNode>) {
+    let Surroundings { mesh, faces, .. } = around;
+    let mut all: Vec<Face> = (0..2)
+        .filter(|&axis| around.sides[axis] == Side::FreeField)
+        .flat_map(|axis| faces.planes[axis].concat())
+        .collect();
+    if around.top == Top::Viscous {
+        all.extend(&faces.planes[2][1]);
+    }
+    let known: BTreeMap<u32, usize> = nodes.iter().map(|node| node.node).zip(0..).collect();
+    for (n, dashpot) in nodal_matrices(mesh, &all, |face| around.impedance(face)) {
+        let node = around.engine(n);
+        match known.get(&node) {
+            Some(&k) => add(&mut nodes[k].dashpot, &dashpot),
+            None => nodes.push(BaseNode { counted: true, ..alone(node, dashpot) }),
+        }
+    }
+    all.extend(&faces.planes[2][0]);
+    let mut areas: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
+    for (n, area) in vector_areas(mesh, &all) {
+        let sum = areas.entry(around.engine(n)).or_default();
+        (0..3).for_each(|i| sum[i] += area[i]);
+    }
+    let at: BTreeMap<u32, u32> = (0u32..).zip(around.engine_node).map(|(n, &engine)| (engine, n)).collect();
+    for node in nodes {
+        let area = areas.get(&node.node).copied().unwrap_or_default();
+        node.place = Place { at: mesh.nodes[at[&node.node] as usize], area, bottoms: Vec::new() };
+    }
 }
 
 /// From the centre of the excavated elements (of all, if none is) down to the base \[m\].

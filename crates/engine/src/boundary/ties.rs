@@ -3,9 +3,9 @@
 use super::{Side, Surroundings};
 use crate::column::SIDES;
 use crate::error::ModelError;
-use crate::free_field::sheets;
 use crate::outer_faces::near;
 use crate::sheet::{Corner, Sheet, corners};
+use crate::slabs::sheets;
 use crate::ties::Ties;
 use std::collections::BTreeMap;
 use tremolite_mesh::Mesh;

@@ -4,6 +4,7 @@ use super::accounts::Accounts;
 use super::gather::{dot, force, net};
 use super::node_step::{Damping, Dashpots, Lead, NodeStep, Products, damping, node_step};
 use super::split::split;
+use crate::free_field::Leader;
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::phase::passes::{Pass, Turn};
@@ -48,7 +49,7 @@ struct Share<'c> {
     turns: &'c [Turn],
     rows: [&'c mut [Row]; 2],
     /// Those of them that others follow, and where to leave their velocities.
-    leaders: &'c [u32],
+    leaders: &'c [Leader],
     own: &'c mut [Lead],
     /// Velocities of those that were advanced before.
     before: &'c [Lead],
@@ -61,7 +62,7 @@ struct Share<'c> {
 struct Chunk<'c> {
     turn: &'c Turn,
     rows: [&'c mut [Row]; 2],
-    leaders: &'c [u32],
+    leaders: &'c [Leader],
     own: &'c mut [Lead],
     before: &'c [Lead],
     books: &'c mut [f64],
@@ -149,6 +150,17 @@ fn by_passes<T: Send>(
     found
 }
 
+/// Velocities at a time, in a step, that a given free field leaves to those who follow it.
+fn given(model: &Model, phase: &Phase, (time, dt): (f64, f64), leads: &mut [Lead]) {
+    let Some(field) = &model.free_field else { return };
+    for (leader, lead) in phase.leaders.iter().zip(leads) {
+        let Leader::Given(node) = *leader else { break };
+        let at = model.mesh.nodes[model.mesh_node[node as usize] as usize];
+        let velocity = Row::new(field.velocity(at, time, dt));
+        *lead = Lead { mean: velocity, hat: velocity };
+    }
+}
+
 /// u^n to u^{n+1}, with room for what leaders leave. Blocks book onto the state's ledger.
 pub fn advance(
     model: &Model,
@@ -160,9 +172,11 @@ pub fn advance(
 ) {
     let damping = damping(model, state);
     let width = state.ledger.width();
+    let (time, dt) = (state.time(), state.dt);
     let State { u, du, held, ledger, .. } = state;
     let wide = Isa::Avx2.available();
     let pass = Advance { phase, contributions, held, products, damping, wide };
+    given(model, phase, (time, dt), leads);
     by_passes(phase, leads, [u, du], (&mut ledger.blocks, width), |share| pass.share(share));
     for &(node, master) in &phase.tied {
         let next = state.du[master as usize];
@@ -229,7 +243,9 @@ impl Advance<'_> {
             let node = first + k;
             let dashpot = dashpots.take(node);
             let mut lead = match LEADS {
-                true => leaders.next_if(|(leader, _)| **leader as usize == node).map(|(_, lead)| lead),
+                true => {
+                    leaders.next_if(|(leader, _)| **leader == Leader::Node(node as u32)).map(|(_, lead)| lead)
+                }
                 false => None,
             };
             // Tied nodes follow their master; nodes that no part pushes stay.
@@ -305,6 +321,7 @@ pub fn measure(
     let mut velocity = vec![Row::ZERO; state.u.len()];
     let mut acceleration = vec![Row::ZERO; state.u.len()];
     let mut leads = vec![Lead::default(); phase.leaders.len()];
+    given(model, phase, (state.time(), state.dt), &mut leads);
     let mut books = vec![0.0; state.ledger.blocks.len()];
     let width = state.ledger.width();
     let one = |Chunk { turn, rows: [velocity, acceleration], leaders, own, before, books }: Chunk| {
@@ -318,7 +335,8 @@ pub fn measure(
         for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
             let node = first + k;
             let dashpot = dashpots.take(node);
-            let lead = leaders.next_if(|(leader, _)| **leader as usize == node).map(|(_, lead)| lead);
+            let lead =
+                leaders.next_if(|(leader, _)| **leader == Leader::Node(node as u32)).map(|(_, lead)| lead);
             // As when advancing: nodes that no part pushes stay.
             if phase.start[node] == phase.start[node + 1] {
                 continue;

@@ -1,5 +1,6 @@
 //! The order in which the nodes of a phase are advanced.
 
+use crate::free_field::Leader;
 use crate::model::Model;
 use crate::node_table::Domain;
 use crate::phase::Dashpot;
@@ -52,25 +53,29 @@ impl Pass {
 
 /// The leaders that some dashpots follow, in the order in which they are advanced, and the passes of all nodes: columns, slabs,
 /// the model where slabs stand outside it, else all at once.
-pub fn passes<'d>(model: &Model, dashpots: impl Iterator<Item = &'d Dashpot>) -> (Vec<u32>, Vec<Pass>) {
+pub fn passes<'d>(model: &Model, dashpots: impl Iterator<Item = &'d Dashpot>) -> (Vec<Leader>, Vec<Pass>) {
     let order: &[&[Domain]] = match model.slabs.is_empty() {
         true => &[&[Domain::Model, Domain::Column]],
         false => &[&[Domain::Column], &[Domain::Slab], &[Domain::Model]],
     };
-    let rank = |node: u32| order.iter().position(|of| of.contains(&model.nodes.domain[node as usize]));
-    let mut leaders: Vec<u32> =
+    let rank = |leader: Leader| match leader {
+        Leader::Given(_) => None,
+        Leader::Node(node) => order.iter().position(|of| of.contains(&model.nodes.domain[node as usize])),
+    };
+    let mut leaders: Vec<Leader> =
         dashpots.flat_map(|dashpot| &dashpot.follows).map(|follow| follow.leader).collect();
-    leaders.sort_unstable_by_key(|&node| (rank(node), node));
+    leaders.sort_unstable_by_key(|&leader| (rank(leader), leader));
     leaders.dedup();
     let mut passes = Vec::new();
-    let mut next = 0;
+    let mut next = leaders.iter().take_while(|leader| matches!(leader, Leader::Given(_))).count();
     for domains in order {
         let mut pass = Pass::default();
         for (block, of) in model.nodes.blocks.iter().enumerate() {
             if !domains.contains(&of.domain) {
                 continue;
             }
-            let led = |n: &&u32| of.nodes.contains(&(**n as usize));
+            let led =
+                |leader: &&Leader| matches!(leader, Leader::Node(n) if of.nodes.contains(&(*n as usize)));
             let count = leaders[next..].iter().take_while(led).count();
             pass.push(Turn {
                 block,
