@@ -151,7 +151,11 @@ impl Simulation {
         self.state = shaking.engine.advance(evaluated);
         let State { u, du, datum, dt, observers: memory, .. } = &mut self.state;
         let stepped = Stepped { model: &self.model, plan: &self.plan, u, datum, du, dt: *dt };
-        shaking.audience.stepped(&stepped, memory)?;
+        if let Err(error) = shaking.audience.stepped(&stepped, memory) {
+            let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
+            self.end(shaking, evaluated, None);
+            return Err(error);
+        }
         if shaking.engine.watches(&self.state)
             && let Err(halt) = shaking.engine.watch(&self.state)
         {

@@ -329,6 +329,46 @@ fn an_observer_from_outside_sees_stages_and_shaking_and_its_memory_outlives_stop
     }
 }
 
+/// Follows every step, and fails at one.
+struct Stumbles {
+    at: u64,
+    made: u64,
+}
+
+impl Observer for Stumbles {
+    fn wants(&self) -> Wants {
+        Wants { steps: Which::some([0]), ..Wants::default() }
+    }
+
+    fn told(&mut self, event: &Event, _: &mut Memory) -> Result<(), RunError> {
+        self.made += u64::from(matches!(event, Event::Step(_)));
+        match self.made == self.at {
+            true => Err(RunError::Io { path: "table.csv".into(), source: std::io::Error::other("no room") }),
+            false => Ok(()),
+        }
+    }
+}
+
+#[test]
+fn where_an_observer_of_steps_fails_nothing_goes_on_but_from_a_checkpoint() {
+    let (problem, plan) = joint();
+    let Ready { model, assembly, phase } = Ready::new(problem);
+    let folder = tempfile::tempdir().unwrap();
+    let results = ResultFolder::create(Some(folder.path()), "observed", true).unwrap();
+    let fails = Arc::new(|_: &Setting| Ok(Some(Box::new(Stumbles { at: 30, made: 0 }) as Box<dyn Observer>)));
+    let mut held =
+        Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, vec![fails])
+            .unwrap();
+    assert_eq!(held.step(20).unwrap(), Stepping::On);
+    assert_eq!(held.checkpoint().unwrap(), None);
+    assert!(matches!(held.step(20), Err(RunError::Io { .. })));
+    assert!(matches!(held.step(1), Err(RunError::Spoiled(30))));
+    assert!(matches!(held.checkpoint(), Err(RunError::Spoiled(30))));
+    held.restore().unwrap();
+    assert_eq!(held.step(5).unwrap(), Stepping::On);
+    assert_eq!(held.taken(), 25);
+}
+
 /// Fails at a step, as where a disk is full.
 struct Full(u64);
 
