@@ -19,6 +19,7 @@ mod held;
 mod history;
 mod job;
 mod layered;
+mod oblique;
 mod observers;
 mod outside_law;
 mod outside_part;

@@ -1,0 +1,223 @@
+//! A free field that is given in advance: plane waves at an angle go through a box as if it were not there.
+
+use crate::ready::Ready;
+use std::f64::consts::PI;
+use std::sync::Arc;
+use tremolite::free_field::GivenField;
+use tremolite::{Base, Body, Incident, Model, Problem, Quadrature, Side, elastic};
+use tremolite_kernels::Line;
+use tremolite_laws::Moduli;
+use tremolite_mesh::boxes::BoxSpec;
+use tremolite_motion::{Motion, Sample};
+
+const DENSITY: f64 = 2500.0;
+const SHEAR: f64 = 800.0;
+/// Poisson's ratio 1/4: c_p = √3 c_s.
+const PRESSURE: f64 = 1_385.640_646_055_101_7;
+/// m
+const SIZE: [f64; 3] = [40.0, 32.0, 48.0];
+/// Wave length over the speed \[s\].
+const PERIOD: f64 = 0.1;
+
+/// u = a f(t − (x − x₀)·n/c), with a pulse that has three continuous derivatives.
+#[derive(Clone, Copy)]
+struct Wave {
+    direction: [f64; 3],
+    polarisation: [f64; 3],
+    speed: f64,
+    /// Where it is at time 0.
+    start: [f64; 3],
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    v.map(|x| x / dot(v, v).sqrt())
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The pulse and its rate.
+fn pulse(s: f64) -> [f64; 2] {
+    if !(0.0..PERIOD).contains(&s) {
+        return [0.0; 2];
+    }
+    let (sin, cos) = (PI * s / PERIOD).sin_cos();
+    [1e-3 * sin.powi(4), 1e-3 * 4.0 * sin.powi(3) * cos * PI / PERIOD]
+}
+
+impl Wave {
+    /// Up through the corner of the box that it meets first.
+    fn up(direction: [f64; 3], polarisation: [f64; 3], speed: f64) -> Self {
+        let direction = unit(direction);
+        let start = [0, 1, 2].map(|i| if direction[i] > 0.0 { 0.0 } else { SIZE[i] });
+        Wave { direction, polarisation: unit(polarisation), speed, start }
+    }
+
+    /// Sent back by the surface, for motion along it and across the direction (SH).
+    fn reflected(self) -> Self {
+        let mirror = |[x, y, z]: [f64; 3]| [x, y, 2.0 * SIZE[2] - z];
+        let [x, y, z] = self.direction;
+        Wave { direction: [x, y, -z], start: mirror(self.start), ..self }
+    }
+
+    fn pulse(&self, at: [f64; 3], time: f64) -> [f64; 2] {
+        let ahead = [0, 1, 2].map(|i| at[i] - self.start[i]);
+        pulse(time - dot(ahead, self.direction) / self.speed)
+    }
+
+    fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
+        self.polarisation.map(|a| a * self.pulse(at, time)[0])
+    }
+
+    /// λ tr ε + 2 G ε of ε = −f′/c sym(a ⊗ n).
+    fn stress(&self, at: [f64; 3], time: f64) -> [f64; 6] {
+        let rate = -self.pulse(at, time)[1] / self.speed;
+        let [a, n] = [self.polarisation, self.direction];
+        let shear = DENSITY * SHEAR * SHEAR;
+        let lame = DENSITY * PRESSURE * PRESSURE - 2.0 * shear;
+        [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)].map(|(i, j)| {
+            let volume = if i == j { lame * dot(a, n) } else { 0.0 };
+            rate * (volume + shear * (a[i] * n[j] + a[j] * n[i]))
+        })
+    }
+}
+
+/// Some waves, of which a test may leave out what the boundaries ask for.
+#[derive(Clone)]
+struct Waves {
+    waves: Vec<Wave>,
+    displaced: bool,
+    stressed: bool,
+    moving: bool,
+}
+
+impl Waves {
+    fn new(waves: &[Wave]) -> Self {
+        Waves { waves: waves.to_vec(), displaced: true, stressed: true, moving: true }
+    }
+
+    fn exact(&self, at: [f64; 3], time: f64) -> [f64; 3] {
+        let add = |sum: [f64; 3], wave: &Wave| {
+            let u = wave.displacement(at, time);
+            [0, 1, 2].map(|i| sum[i] + u[i])
+        };
+        self.waves.iter().fold([0.0; 3], add)
+    }
+}
+
+impl GivenField for Waves {
+    fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
+        if self.displaced { self.exact(at, time) } else { [0.0; 3] }
+    }
+
+    fn stress(&self, at: [f64; 3], time: f64) -> [f64; 6] {
+        let mut sum = [0.0; 6];
+        for wave in self.waves.iter().filter(|_| self.stressed) {
+            sum.iter_mut().zip(wave.stress(at, time)).for_each(|(sum, s)| *sum += s);
+        }
+        sum
+    }
+
+    fn velocity(&self, at: [f64; 3], time: f64, dt: f64) -> [f64; 3] {
+        let [before, after] = [time - dt, time + dt].map(|time| self.exact(at, time));
+        if self.moving { [0, 1, 2].map(|i| (after[i] - before[i]) / (2.0 * dt)) } else { [0.0; 3] }
+    }
+}
+
+/// Homogeneous rock with elements of `size`, driven on all boundaries.
+fn rock(size: f64, top: tremolite::Top) -> Problem {
+    let cells = SIZE.map(|length| (length / size).round() as u32);
+    let mesh = BoxSpec::uniform([0.0; 3], SIZE, cells).mesh().unwrap();
+    let body = Body {
+        name: "rock".into(),
+        elements: (0..mesh.elements.len() as u32).collect(),
+        material: elastic(Moduli::from_young_poisson(2.5 * DENSITY * SHEAR * SHEAR, 0.25)),
+        density: DENSITY,
+        quadrature: Quadrature::OnePoint,
+        viscosity: 0.0,
+    };
+    let mut problem = Problem::new(mesh, vec![body]);
+    problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: Some(30.0) };
+    problem.sides = [Side::FreeField; 2];
+    problem.top = top;
+    problem
+}
+
+/// What a run left.
+struct Found {
+    /// Largest difference of any node from the waves, at any time, over the largest displacement.
+    error: f64,
+    /// Energy that the balance misses over that which came in.
+    missed: f64,
+}
+
+fn run(mut problem: Problem, field: &Waves, duration: f64) -> Found {
+    problem.free_field = Some(Arc::new(field.clone()));
+    let ready = Ready::new(problem);
+    let mut engine = ready.engine();
+    let mut state = ready.rest(0.8);
+    let nodes: Vec<(usize, [f64; 3])> =
+        (0..state.u.len()).map(|n| (n, ready.model.mesh.nodes[ready.model.mesh_node[n] as usize])).collect();
+    let (mut peak, mut worst) = (0.0_f64, 0.0_f64);
+    while state.time() < duration {
+        engine.step(&mut state);
+        if engine.watches(&state) {
+            engine.watch(&state).unwrap();
+        }
+        for &(n, at) in &nodes {
+            let exact = field.exact(at, state.time());
+            for (found, exact) in state.u[n].0.iter().zip(exact) {
+                peak = peak.max(exact.abs());
+                worst = worst.max((found - exact).abs());
+            }
+        }
+    }
+    let snapshot = engine.finish(&mut state);
+    let missed = (snapshot.balance[Line::Error] - snapshot.scheme).abs() / state.ledger.supplied;
+    Found { error: worst / peak, missed }
+}
+
+/// A pressure wave and a shear wave, both at an angle to every axis.
+fn oblique() -> [Wave; 2] {
+    let (p, s) = ([0.5, -0.4, 0.8], [-0.3, 0.6, 0.7]);
+    [Wave::up(p, p, PRESSURE), Wave::up(s, cross(s, [0.2, 0.1, 1.0]), SHEAR)]
+}
+
+#[test]
+fn oblique_waves_go_through_a_box_with_order_two() {
+    let field = Waves::new(&oblique());
+    let [coarse, fine] = [4.0, 2.0].map(|size| run(rock(size, tremolite::Top::Viscous), &field, 0.25));
+    eprintln!("{:e} {:e}; {:e} {:e}", coarse.error, fine.error, coarse.missed, fine.missed);
+    assert!(fine.error < 0.02 && fine.error < 0.3 * coarse.error, "{} {}", coarse.error, fine.error);
+    assert!(fine.missed < 1e-10, "{}", fine.missed);
+}
+
+#[test]
+fn a_shear_wave_at_an_angle_comes_back_from_the_surface() {
+    let wave = Wave::up([0.6, 0.0, 0.8], [0.0, 1.0, 0.0], SHEAR);
+    let field = Waves::new(&[wave, wave.reflected()]);
+    let [coarse, fine] = [4.0, 2.0].map(|size| run(rock(size, tremolite::Top::Free), &field, 0.3));
+    eprintln!("{:e} {:e}", coarse.error, fine.error);
+    assert!(fine.error < 0.02 && fine.error < 0.3 * coarse.error, "{} {}", coarse.error, fine.error);
+}
+
+#[test]
+fn what_a_boundary_asks_for_counts() {
+    let whole = Waves::new(&oblique());
+    let error = |field: &Waves| run(rock(4.0, tremolite::Top::Viscous), field, 0.15).error;
+    let right = error(&whole);
+    for (name, less) in [
+        ("displacement", Waves { displaced: false, ..whole.clone() }),
+        ("stress", Waves { stressed: false, ..whole.clone() }),
+        ("velocity", Waves { moving: false, ..whole.clone() }),
+    ] {
+        let found = error(&less);
+        eprintln!("{name}: {found} for {right}");
+        assert!(found > 3.0 * right, "{name}: {found} for {right}");
+    }
+}
