@@ -31,6 +31,9 @@ pub trait GivenField: Send + Sync {
         let [before, after] = [time - dt, time + dt].map(|time| self.displacement(at, time));
         [0, 1, 2].map(|i| (after[i] - before[i]) / (2.0 * dt))
     }
+
+    /// The largest velocity that any place has at any time, or a bound on it \[m/s\]: the guard goes by it before energy comes in.
+    fn peak_velocity(&self) -> f64;
 }
 
 /// What knows the free field of a model.
@@ -55,8 +58,9 @@ pub enum Leader {
 pub struct Place {
     /// m
     pub at: [f64; 3],
-    /// Σ A n over the faces of the node, outwards \[m²\].
-    pub area: [f64; 3],
+    /// Points of the node's faces, each with its share N n dA, outwards \[m²\]. Tractions at nodes alone would err by h² at edges of
+    /// the model, where a share lies on one side of its node.
+    pub shares: Vec<([f64; 3], [f64; 3])>,
     /// Bottoms of columns with their weights in the mean that is u_ff; none where no springs act.
     pub bottoms: Vec<(u32, f64)>,
 }
@@ -76,6 +80,18 @@ impl FreeField {
             FreeField::Beside(None) => Now::Rising([0.0; 3]),
             FreeField::Beside(Some((wave, factor))) => Now::Rising(wave.at(time).v.map(|v| v * factor)),
             FreeField::Given(field) => Now::Given(field.as_ref(), time),
+        }
+    }
+
+    /// The square of the largest velocity with which a wave may come \[m²/s²\]; nothing where none does.
+    pub fn peak_square(&self) -> f64 {
+        let largest = |v: &Vec<f64>| v.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        match self {
+            FreeField::Beside(None) => 0.0,
+            FreeField::Beside(Some((wave, factor))) => {
+                wave.velocity.iter().map(|v| (factor * largest(v)).powi(2)).sum()
+            }
+            FreeField::Given(field) => field.peak_velocity().powi(2),
         }
     }
 
@@ -115,11 +131,18 @@ impl Now<'_> {
     }
 
     /// What the free field pushes with at a place where the dashpots have the matrix C \[N s/m\], beside what they follow \[N\]:
-    /// σ_ff·n A of a given field, 2 C v_i of a wave that rises.
+    /// ∫ N σ_ff·n dA of a given field, 2 C v_i of a wave that rises.
     pub fn push(&self, place: &Place, dashpot: &[f64; 6]) -> [f64; 3] {
         match self {
             Now::Rising(velocity) => times(dashpot, velocity.map(|v| 2.0 * v)),
-            Now::Given(field, time) => times(&field.stress(place.at, *time), place.area),
+            Now::Given(field, time) => {
+                let mut sum = [0.0; 3];
+                for &(at, area) in &place.shares {
+                    let force = times(&field.stress(at, *time), area);
+                    (0..3).for_each(|i| sum[i] += force[i]);
+                }
+                sum
+            }
         }
     }
 }

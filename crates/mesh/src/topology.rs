@@ -180,16 +180,47 @@ pub(crate) fn corner_areas(mesh: &Mesh, face: Face) -> (FaceCorners, [CornerArea
     (corners, shares)
 }
 
+/// A point of integration of a face.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FacePoint {
+    /// m
+    pub at: [f64; 3],
+    /// n dA, outward \[m²\].
+    pub area: [f64; 3],
+    /// N_i of the face's corners; of a triangle the first three count.
+    pub shapes: [f64; 4],
+}
+
+/// The nodes of a face, in its order, and its points of integration: 2 × 2 Gauss points of a quadrilateral, the middles of a
+/// triangle's edges.
+///
+/// # Panics
+/// If the face is not in the mesh.
+pub fn face_points(mesh: &Mesh, face: Face) -> (Vec<u32>, Vec<FacePoint>) {
+    let corners = FaceCorners::new(mesh, face);
+    let x = corners.nodes.map(|n| mesh.nodes[n as usize]);
+    let points =
+        if corners.count == 4 { quadrilateral_points(&x).to_vec() } else { triangle_points(&x).to_vec() };
+    (corners.nodes().to_vec(), points)
+}
+
+fn triangle_points(x: &[[f64; 3]; 4]) -> [FacePoint; 3] {
+    let area = cross(minus(x[1], x[0]), minus(x[2], x[0])).map(|n| n / 6.0);
+    [[0.5, 0.5, 0.0, 0.0], [0.0, 0.5, 0.5, 0.0], [0.5, 0.0, 0.5, 0.0]].map(|shapes| {
+        let at = [0, 1, 2].map(|i| (0..3).map(|k| shapes[k] * x[k][i]).sum());
+        FacePoint { at, area, shapes }
+    })
+}
+
 fn triangle_areas(x: &[[f64; 3]; 4]) -> [CornerArea; 4] {
     let normal = cross(minus(x[1], x[0]), minus(x[2], x[0]));
     [(normal.map(|n| n / 6.0), norm(normal) / 6.0); 4]
 }
 
-fn quadrilateral_areas(x: &[[f64; 3]; 4]) -> [CornerArea; 4] {
+fn quadrilateral_points(x: &[[f64; 3]; 4]) -> [FacePoint; 4] {
     const SIGNS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let g = 1.0 / 3.0_f64.sqrt();
-    let mut areas = [([0.0; 3], 0.0); 4];
-    for [r, s] in SIGNS.map(|[a, b]| [a * g, b * g]) {
+    SIGNS.map(|[a, b]| [a * g, b * g]).map(|[r, s]| {
         let (mut along_r, mut along_s) = ([0.0; 3], [0.0; 3]);
         for (node, [a, b]) in x.iter().zip(SIGNS) {
             for i in 0..3 {
@@ -197,12 +228,19 @@ fn quadrilateral_areas(x: &[[f64; 3]; 4]) -> [CornerArea; 4] {
                 along_s[i] += 0.25 * b * (1.0 + a * r) * node[i];
             }
         }
-        let normal = cross(along_r, along_s);
-        let size = norm(normal);
-        for ((vector, area), [a, b]) in areas.iter_mut().zip(SIGNS) {
-            let weight = 0.25 * (1.0 + a * r) * (1.0 + b * s);
+        let shapes = SIGNS.map(|[a, b]| 0.25 * (1.0 + a * r) * (1.0 + b * s));
+        let at = [0, 1, 2].map(|i| (0..4).map(|k| shapes[k] * x[k][i]).sum());
+        FacePoint { at, area: cross(along_r, along_s), shapes }
+    })
+}
+
+fn quadrilateral_areas(x: &[[f64; 3]; 4]) -> [CornerArea; 4] {
+    let mut areas = [([0.0; 3], 0.0); 4];
+    for point in quadrilateral_points(x) {
+        let size = norm(point.area);
+        for ((vector, area), weight) in areas.iter_mut().zip(point.shapes) {
             for i in 0..3 {
-                vector[i] += weight * normal[i];
+                vector[i] += weight * point.area[i];
             }
             *area += weight * size;
         }

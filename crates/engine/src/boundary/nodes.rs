@@ -12,7 +12,7 @@ use crate::member::{Kind, Member};
 use std::collections::BTreeMap;
 use tremolite_kernels::Line;
 use tremolite_mesh::Face;
-use tremolite_mesh::topology::vector_areas;
+use tremolite_mesh::topology::face_points;
 
 /// Parts of the boundaries, in their order, and what others need to know of them.
 #[derive(Default)]
@@ -131,15 +131,18 @@ fn given(around: Surroundings, nodes: &mut Vec<BaseNode>) {
         }
     }
     all.extend(&faces.planes[2][0]);
-    let mut areas: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
-    for (n, area) in vector_areas(mesh, &all) {
-        let sum = areas.entry(around.engine(n)).or_default();
-        (0..3).for_each(|i| sum[i] += area[i]);
+    let mut shares: BTreeMap<u32, Vec<([f64; 3], [f64; 3])>> = BTreeMap::new();
+    for &face in &all {
+        let (corners, points) = face_points(mesh, face);
+        for (k, &n) in corners.iter().enumerate() {
+            let of_node = points.iter().map(|point| (point.at, point.area.map(|a| point.shapes[k] * a)));
+            shares.entry(around.engine(n)).or_default().extend(of_node);
+        }
     }
     let at: BTreeMap<u32, u32> = (0u32..).zip(around.engine_node).map(|(n, &engine)| (engine, n)).collect();
     for node in nodes {
-        let area = areas.get(&node.node).copied().unwrap_or_default();
-        node.place = Place { at: mesh.nodes[at[&node.node] as usize], area, bottoms: Vec::new() };
+        let shares = shares.remove(&node.node).unwrap_or_default();
+        node.place = Place { at: mesh.nodes[at[&node.node] as usize], shares, bottoms: Vec::new() };
     }
 }
 

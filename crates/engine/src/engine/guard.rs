@@ -1,6 +1,7 @@
 //! Stops a run in which energy appears.
 
 use super::{Engine, Snapshot};
+use crate::free_field::FreeField;
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::state::State;
@@ -32,9 +33,10 @@ const NOISE: f64 = 1e-6;
 
 /// [`NOISE`] \[J\]; nothing where no wave comes in.
 pub(super) fn noise(model: &Model, phase: &Phase) -> f64 {
-    let Some(incident) = &model.incident else { return 0.0 };
-    let largest = |v: &Vec<f64>| v.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let square: f64 = incident.motion.velocity.iter().map(|v| (incident.factor * largest(v)).powi(2)).sum();
+    let square = FreeField::of(model.free_field.as_ref(), model.incident.as_ref()).peak_square();
+    if square == 0.0 {
+        return 0.0;
+    }
     let one = |nodes: Range<usize>| -> f64 {
         nodes.filter(|&n| model.nodes.counts(n)).map(|n| phase.mass[n]).sum()
     };
