@@ -6,6 +6,7 @@
 pub mod base;
 pub mod bed;
 mod far_field;
+pub mod matrix;
 mod nodes;
 mod ties;
 
@@ -15,18 +16,17 @@ pub use ties::{tie_outside, tie_periodic};
 use crate::body::Body;
 use crate::column::{Column, SIDES, WIDTH};
 use crate::error::ModelError;
-use crate::free_field::{GivenField, Leader};
+use crate::free_field::{GivenField, Incident, Leader};
 use crate::life::{Life, Stage};
 use crate::outer_faces::{OuterFaces, near, nodes_of};
 use crate::sheet::{Corner, Sheet, corners, faces_on};
 use crate::slabs::{Slab, sheets};
-use base::add;
 use bed::Bed;
+use matrix::add;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tremolite_mesh::topology::vector_areas;
 use tremolite_mesh::{Face, Mesh};
-use tremolite_motion::Motion;
 
 /// What holds or leaves a pair of opposite vertical sides.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -86,15 +86,6 @@ impl Base {
     pub fn has_springs(&self) -> bool {
         matches!(self, Base::ViscousSpring { normal, tangential, .. } if *normal != 0.0 || *tangential != 0.0)
     }
-}
-
-/// An incident wave, travelling up through the base.
-#[derive(Clone)]
-pub struct Incident {
-    /// Motion in the model's axes.
-    pub motion: Motion,
-    /// Factor from that motion to the incident wave: ½ for an outcrop's.
-    pub factor: f64,
 }
 
 /// What boundaries are made from: a checked model, as far as they need it.

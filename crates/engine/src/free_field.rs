@@ -10,8 +10,7 @@
 //! - **A field given in advance** ([`GivenField`]), a formula of place and time, such as waves at an angle. All three are its own,
 //!   at the base, at free-field sides and at a viscous top. No slabs or columns are made.
 
-use crate::boundary::Incident;
-use crate::boundary::base::times;
+use crate::boundary::matrix::times;
 use std::sync::Arc;
 use tremolite_kernels::Line;
 use tremolite_laws::Row;
@@ -34,6 +33,15 @@ pub trait GivenField: Send + Sync {
 
     /// The largest velocity that any place has at any time, or a bound on it \[m/s\]: the guard goes by it before energy comes in.
     fn peak_velocity(&self) -> f64;
+}
+
+/// An incident wave, travelling up through the base.
+#[derive(Clone)]
+pub struct Incident {
+    /// Motion in the model's axes.
+    pub motion: Motion,
+    /// Factor from that motion to the incident wave: ½ for an outcrop's.
+    pub factor: f64,
 }
 
 /// What knows the free field of a model.

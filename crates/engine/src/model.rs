@@ -3,10 +3,10 @@
 use crate::body::Body;
 use crate::bolts::{self, BoltSet};
 use crate::boundary::bed::Bed;
-use crate::boundary::{Base, Incident, Side, Surroundings, Top};
+use crate::boundary::{Base, Side, Surroundings, Top};
 use crate::column::{self, Column, Reference};
 use crate::error::ModelError;
-use crate::free_field::GivenField;
+use crate::free_field::{GivenField, Incident};
 use crate::hexahedra::{centroid, hex};
 use crate::interface::{Seam, copies};
 use crate::life::{Life, Stage};

@@ -7,7 +7,7 @@ mod woken;
 
 use crate::assembly::Assembly;
 use crate::boundary;
-use crate::boundary::base::add;
+use crate::boundary::matrix::add;
 use crate::contacts::Contacts;
 use crate::error::ModelError;
 use crate::free_field::Leader;

@@ -3,8 +3,8 @@
 use crate::body::Body;
 use crate::bolts::Bolts;
 use crate::boundary::bed::Bed;
-use crate::boundary::{Base, Incident, Side, Top};
-use crate::free_field::GivenField;
+use crate::boundary::{Base, Side, Top};
+use crate::free_field::{GivenField, Incident};
 use crate::interface::Interface;
 use crate::life::Life;
 use crate::member::Member;

@@ -4,6 +4,7 @@
 //! (`lysmer1969` for the dashpots, `wang2018` for the springs). The dashpots act on velocity and belong to the step
 //! ([`crate::engine`]); this part gives the other terms, of which the [free field](crate::free_field) says what bears its index.
 
+use super::matrix::times;
 use crate::free_field::{FreeField, Now, Place};
 use crate::parts::{Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
 use tremolite_kernels::{Line, Lines};
@@ -27,22 +28,6 @@ impl BaseNode {
     /// u − u_ff \[m\].
     fn scattered(&self, now: &Now, u: &[Row]) -> [f64; 3] {
         now.scattered(&self.place, u[self.node as usize].xyz(), u)
-    }
-}
-
-/// Product of a symmetric 3×3 matrix (xx, yy, zz, xy, yz, zx) and a vector.
-pub fn times(m: &[f64; 6], v: [f64; 3]) -> [f64; 3] {
-    [
-        m[0] * v[0] + m[3] * v[1] + m[5] * v[2],
-        m[3] * v[0] + m[1] * v[1] + m[4] * v[2],
-        m[5] * v[0] + m[4] * v[1] + m[2] * v[2],
-    ]
-}
-
-/// Adds one such matrix to another.
-pub fn add(to: &mut [f64; 6], more: &[f64; 6]) {
-    for (a, b) in to.iter_mut().zip(more) {
-        *a += b;
     }
 }
 

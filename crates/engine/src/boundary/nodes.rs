@@ -1,7 +1,8 @@
 //! The nodes of the base in the shaking: what absorbs there and what holds, of the model and of what stands outside its sides.
 
-use super::base::{BaseNode, BasePart, add};
+use super::base::{BaseNode, BasePart};
 use super::far_field::{along_slab, between_corners};
+use super::matrix::add;
 use super::{Base, Side, Surroundings, Top, nodal_matrices, quarter};
 use crate::assembly::PIECE;
 use crate::error::ModelError;

@@ -1,6 +1,6 @@
 //! One node's step.
 
-use crate::boundary::base::times;
+use crate::boundary::matrix::times;
 use crate::model::Model;
 use crate::phase::{Dashpot, Phase};
 use crate::state::State;
