@@ -65,7 +65,7 @@ fn inwards(model: &Model, state: &State, points: &[[f64; 3]]) -> f64 {
     let toward = [[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]];
     let of = |(point, toward): (&[f64; 3], [f64; 3])| {
         let square = |n: usize| (0..3).map(|i| (model.mesh.nodes[n][i] - point[i]).powi(2)).sum::<f64>();
-        let there = (0..model.user_nodes).filter(|&n| model.engine_node[n] != u32::MAX);
+        let there = (0..model.user.nodes).filter(|&n| model.engine_node[n] != u32::MAX);
         let node = there.min_by(|&a, &b| square(a).total_cmp(&square(b))).unwrap_or(0);
         let u = state.shown(model.engine_node[node] as usize).xyz();
         u[0] * toward[0] + u[2] * toward[2]

@@ -147,7 +147,7 @@ fn add(model: &Model, assembly: &mut Assembly) -> Result<(), ModelError> {
                 pair.nodes.map(|n| (nodes[n as usize], stiffness))
             });
             let springs = springs.collect();
-            let part = law.contact(nodes, &pairs, damping, model.isa);
+            let part = law.contact(nodes, &pairs, damping, model.scheme.isa);
             let name = format!("interface '{}'", seam.name);
             let member = Member::of(Kind::Pairs(s as u32), name, part);
             members.push(Member {
@@ -247,7 +247,7 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses
     let Some(limit) = limits.reduce(f64::min) else {
         return model.seams.iter().map(|seam| fill(seam, 1.0)).collect();
     };
-    let TimeStep { given: step, safety } = model.time_step;
+    let TimeStep { given: step, safety } = model.scheme.time_step;
     let dt = step.unwrap_or_else(|| safety * stable_step(model, assembly, phase).dt);
     // The least of their limits, since they may meet at a node.
     let most = (limit / dt).powi(2);

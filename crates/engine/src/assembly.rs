@@ -13,7 +13,6 @@ use crate::parts::constant::Constant;
 use crate::parts::loads::{Load, Loads};
 use crate::parts::{Entry, Kept, Motion, Own, StateSizes};
 use crate::patch_part::solid;
-use crate::slabs::sheets;
 use crate::state::{Ledger, State};
 use crate::traction::Traction;
 use rayon::prelude::*;
@@ -104,7 +103,9 @@ impl Assembly {
     /// # Errors
     /// If no face lies on the plane of a base that should do something, or a part of the program's own does not fit.
     pub(crate) fn without_interfaces(model: &Model) -> Result<Self, ModelError> {
-        let faces: HashMap<u32, Face> = sheets(&model.slabs, &model.columns)
+        let faces: HashMap<u32, Face> = model
+            .outside
+            .sheets()
             .flat_map(|sheet| sheet.twins.iter().map(|&(face, twin)| (twin, face)))
             .collect();
         let mut members: Vec<Member> = (0..model.patches.len() as u32)
@@ -114,7 +115,7 @@ impl Assembly {
         let boundary::Members { members: of_boundaries, base, spring_distance } =
             boundary::members(model.surroundings(&model.faces))?;
         members.extend(of_boundaries);
-        for (k, load) in model.loads.iter().enumerate() {
+        for (k, load) in model.loading.loads.iter().enumerate() {
             members.extend(load.forces.chunks(PIECE).map(|forces| {
                 let part =
                     Box::new(Loads::new(Load { forces: forces.to_vec(), factor: load.factor.clone() }));
@@ -123,13 +124,13 @@ impl Assembly {
             }));
         }
         members.extend(weights(model, &members));
-        members.extend(model.tractions.iter().flat_map(|traction| of_traction(model, traction)));
-        for make in &model.parts {
+        members.extend(model.loading.tractions.iter().flat_map(|traction| of_traction(model, traction)));
+        for make in &model.loading.parts {
             let member = make(&model.mesh, &model.engine_node);
             check(model, &member)?;
             members.push(Member { kind: Kind::Own, ..member });
         }
-        let free_field = !model.slabs.is_empty() || model.free_field.is_some();
+        let free_field = !model.outside.slabs.is_empty() || model.boundaries.free_field.is_some();
         let nodes = model.mesh_node.len();
         let blocks = model.nodes.blocks.len();
         let mut assembly =
@@ -240,7 +241,7 @@ fn check(model: &Model, member: &Member) -> Result<(), ModelError> {
 
 /// What weighs down before the shaking: the mass of each lot, and of slabs and columns.
 fn weights(model: &Model, solids: &[Member]) -> Vec<Member> {
-    if model.gravity == 0.0 {
+    if model.loading.gravity == 0.0 {
         return Vec::new();
     }
     let mut lots: BTreeMap<(bool, Life), BTreeMap<u32, f64>> = BTreeMap::new();
@@ -253,8 +254,10 @@ fn weights(model: &Model, solids: &[Member]) -> Vec<Member> {
     lots.into_iter()
         .filter(|((_, life), _)| life.born < Stage::Shaking)
         .flat_map(|((outside, life), masses)| {
-            let forces: Vec<_> =
-                masses.into_iter().map(|(node, mass)| (node, [0.0, 0.0, -mass * model.gravity])).collect();
+            let forces: Vec<_> = masses
+                .into_iter()
+                .map(|(node, mass)| (node, [0.0, 0.0, -mass * model.loading.gravity]))
+                .collect();
             constant("weight", &forces, &life, !outside)
         })
         .collect()
@@ -297,7 +300,7 @@ fn initial_strains(model: &Model, members: &[Member], slices: &[Slices]) -> Vec<
         }
         let moduli = model.bodies[patch.body].material.relaxed();
         for (i, &e) in patch.elements.iter().enumerate() {
-            let strain = moduli.strain(&model.initial[e as usize]);
+            let strain = moduli.strain(&model.elements.initial[e as usize]);
             for (octet, value) in own[6 * (i / 8)..].iter_mut().zip(strain) {
                 octet.0[i % 8] = value;
             }

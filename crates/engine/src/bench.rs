@@ -124,13 +124,13 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
             engine.step(&mut state);
         }
         let seconds = begin.elapsed().as_secs_f64();
-        let elements = model.user_elements;
+        let elements = model.user.elements;
         let seen = engine.finish(&mut state);
         engine.guard(&seen).map_err(BenchError::Halt)?;
         let kinetic = seen.balance[Line::Kinetic];
         Ok(Timing {
             elements,
-            nodes: model.user_nodes,
+            nodes: model.user.nodes,
             steps: bench.steps,
             threads: bench.threads,
             seconds,

@@ -3,6 +3,7 @@
 //! A boundary is a variant of [`Side`] or [`Base`] and what it does with its faces: components held, ties and dashpots
 //! are filled in here; one that pushes with more is a part in a file below this one, made in [`members`].
 
+mod asked;
 pub mod base;
 pub mod bed;
 mod far_field;
@@ -10,83 +11,22 @@ pub mod matrix;
 mod nodes;
 mod ties;
 
+pub use asked::{Base, Boundaries, Side, Top};
 pub use nodes::{Members, members};
 pub use ties::{tie_outside, tie_periodic};
 
 use crate::body::Body;
-use crate::column::{Column, SIDES, WIDTH};
+use crate::column::{SIDES, WIDTH};
 use crate::error::ModelError;
-use crate::free_field::{GivenField, Incident, Leader};
-use crate::life::{Life, Stage};
+use crate::free_field::Leader;
+use crate::life::Stage;
+use crate::model::{Elements, Outside};
 use crate::outer_faces::{OuterFaces, near, nodes_of};
 use crate::sheet::{Corner, Sheet, corners, faces_on};
-use crate::slabs::{Slab, sheets};
-use bed::Bed;
 use matrix::add;
 use std::collections::BTreeMap;
-use std::sync::Arc;
 use tremolite_mesh::topology::vector_areas;
 use tremolite_mesh::{Face, Mesh};
-
-/// What holds or leaves a pair of opposite vertical sides.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Side {
-    /// No traction.
-    #[default]
-    Free,
-    /// No displacement.
-    Fixed,
-    /// No displacement normal to the side.
-    Roller,
-    /// Dashpots ρc_p, ρc_s (Lysmer & Kuhlemeyer 1969).
-    Viscous,
-    /// Opposite nodes move as one.
-    Periodic,
-    /// A slab of the same ground stands outside, moves as the ground would without end, and passes on what it feels.
-    FreeField,
-}
-
-impl Side {
-    /// One of each, for tests that go over all: enter what is added.
-    pub const EXAMPLES: [Side; 6] =
-        [Side::Free, Side::Fixed, Side::Roller, Side::Viscous, Side::Periodic, Side::FreeField];
-}
-
-/// What acts on the top plane in the shaking.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Top {
-    /// No traction: the surface of the ground.
-    #[default]
-    Free,
-    /// Dashpots ρc_p, ρc_s: ground goes on above, and what its surface would send back is missing.
-    Viscous,
-}
-
-/// What holds or drives the base.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Base {
-    #[default]
-    Free,
-    Fixed,
-    /// Dashpots, through which the incident wave enters.
-    Viscous,
-    /// Dashpots and springs α G/R on the motion scattered by the caverns.
-    ViscousSpring {
-        /// α_N (normal).
-        normal: f64,
-        /// α_T (tangential).
-        tangential: f64,
-        /// R \[m\], from the source of scattering to the base; by default from the centre of what is excavated.
-        distance: Option<f64>,
-    },
-}
-
-impl Base {
-    /// Whether springs act, which need the free field of a reference column.
-    pub fn has_springs(&self) -> bool {
-        matches!(self, Base::ViscousSpring { normal, tangential, .. } if *normal != 0.0 || *tangential != 0.0)
-    }
-}
 
 /// What boundaries are made from: a checked model, as far as they need it.
 #[derive(Clone, Copy)]
@@ -94,32 +34,23 @@ pub struct Surroundings<'a> {
     pub mesh: &'a Mesh,
     pub user_elements: usize,
     pub bodies: &'a [Body],
-    /// The body of each element of the user's, none for void ones.
-    pub body_of: &'a [Option<usize>],
-    pub lives: &'a [Life],
-    pub stand_ins: &'a [(u32, u32)],
+    pub elements: &'a Elements,
     pub engine_node: &'a [u32],
     /// Of a stage.
     pub faces: &'a OuterFaces,
     /// Node of the mesh → one for all that interfaces part at its place.
     pub places: &'a [u32],
-    pub base: Base,
-    pub sides: [Side; 2],
-    pub top: Top,
-    pub bed: Bed,
-    pub held: &'a [(u32, [bool; 3])],
-    pub slabs: &'a [Slab],
-    pub columns: &'a [Column],
-    /// Of each element, the one of the user's that it was made of.
-    pub parents: &'a [u32],
-    pub incident: Option<&'a Incident>,
-    pub free_field: Option<&'a Arc<dyn GivenField>>,
+    /// What they are asked to do.
+    pub asked: &'a Boundaries,
+    /// What stands outside the sides.
+    pub outside: &'a Outside,
 }
 
 impl Surroundings<'_> {
     /// Whether an element is there in a stage.
     fn stands(&self, element: usize, stage: Stage) -> bool {
-        self.body_of[self.parents[element] as usize].is_some() && self.lives[element].holds(stage)
+        let of = self.elements.parents[element] as usize;
+        self.elements.body_of[of].is_some() && self.elements.lives[element].holds(stage)
     }
 
     fn engine(&self, node: u32) -> u32 {
@@ -128,7 +59,8 @@ impl Surroundings<'_> {
 
     /// The body behind a face. Every face belongs to an element of a body.
     fn body(&self, face: Face) -> Option<&Body> {
-        self.body_of[self.parents[face.element as usize] as usize].map(|b| &self.bodies[b])
+        let of = self.elements.parents[face.element as usize] as usize;
+        self.elements.body_of[of].map(|b| &self.bodies[b])
     }
 
     /// ρc_p and ρc_s behind a face.
@@ -148,9 +80,10 @@ impl Surroundings<'_> {
     fn outside(&self, axis: usize, end: usize, stage: Stage) -> Vec<Face> {
         let of = |sheet: &Sheet| self.of_sheet(sheet, axis, end, stage);
         if axis == 2 {
-            return sheets(self.slabs, self.columns).flat_map(of).collect();
+            return self.outside.sheets().flat_map(of).collect();
         }
-        self.slabs
+        self.outside
+            .slabs
             .iter()
             .map(|slab| &slab.sheet)
             .filter(|sheet| sheet.axis != axis || stage != Stage::Shaking)
@@ -161,7 +94,7 @@ impl Surroundings<'_> {
     /// Corners of all sheets that are there in a stage.
     fn corners(&self, stage: Stage) -> impl Iterator<Item = (Face, Corner)> + '_ {
         let there = move |twin: &(Face, u32)| self.stands(twin.1 as usize, stage);
-        let all = sheets(self.slabs, self.columns).flat_map(|sheet| sheet.twins.iter().copied());
+        let all = self.outside.sheets().flat_map(|sheet| sheet.twins.iter().copied());
         all.filter(there).flat_map(|twin| corners(self.mesh, twin).map(move |corner| (twin.0, corner)))
     }
 }
@@ -226,15 +159,15 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
     let Surroundings { mesh, faces, .. } = around;
     let mut out = Supports::default();
     let engine = |n: u32| around.engine(n);
-    for &(node, held) in around.held {
+    for &(node, held) in &around.asked.held {
         if let Some(&e) = around.engine_node.get(node as usize).filter(|&&e| e != u32::MAX) {
             hold(&mut out.held, e, held);
         }
     }
     for axis in 0..2 {
-        let side = match (stage, around.sides[axis]) {
+        let side = match (stage, around.asked.sides[axis]) {
             (Stage::Shaking, side) | (_, side @ (Side::Periodic | Side::Fixed)) => side,
-            (Stage::Before(_), _) if around.bed.rollers[axis] => Side::Roller,
+            (Stage::Before(_), _) if around.asked.bed.rollers[axis] => Side::Roller,
             (Stage::Before(_), _) => Side::Free,
         };
         for (end, faces) in faces.planes[axis].iter().enumerate() {
@@ -265,8 +198,8 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
         }
     }
     let base = &faces.planes[2][0];
-    let footing = match (stage, around.base) {
-        (Stage::Before(_), _) => around.bed.base.held(),
+    let footing = match (stage, around.asked.base) {
+        (Stage::Before(_), _) => around.asked.bed.base.held(),
         (Stage::Shaking, base) => (base == Base::Fixed).then_some([true; 3]),
     };
     if let Some(footing) = footing {
@@ -274,13 +207,13 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
             return Err(ModelError::NoFaces("base"));
         }
         let outside = around.outside(2, 0, stage);
-        let below = around.columns.iter().flat_map(|column| column.rings.first()).flatten();
+        let below = around.outside.columns.iter().flat_map(|column| column.rings.first()).flatten();
         for n in nodes_of(mesh, base).into_iter().chain(nodes_of(mesh, &outside)).chain(below.copied()) {
             hold(&mut out.held, engine(n), footing);
         }
     }
     if stage == Stage::Shaking {
-        if around.free_field.is_none() {
+        if around.asked.free_field.is_none() {
             absorb_at_the_top(around, &mut out)?;
         }
         for (face, corner) in around.corners(stage) {
@@ -295,7 +228,7 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
 
 /// Dashpots of the top, and of what stands outside.
 fn absorb_at_the_top(around: Surroundings, out: &mut Supports) -> Result<(), ModelError> {
-    if around.top == Top::Free {
+    if around.asked.top == Top::Free {
         return Ok(());
     }
     let Surroundings { mesh, faces, .. } = around;
@@ -310,7 +243,7 @@ fn absorb_at_the_top(around: Surroundings, out: &mut Supports) -> Result<(), Mod
     for (n, matrix) in nodal_matrices(mesh, &all, |face| around.impedance(face)) {
         add(out.dashpots.entry(around.engine(n)).or_default(), &matrix);
     }
-    for column in around.columns {
+    for column in &around.outside.columns {
         let (Some(ring), Some(layer)) = (column.rings.last(), column.layers.last()) else { continue };
         for &n in ring {
             add(out.dashpots.entry(around.engine(n)).or_default(), &quarter(&around.bodies[layer.body]));

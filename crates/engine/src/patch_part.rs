@@ -64,20 +64,27 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
             }
             // Kernels have the thickness along ζ; nothing else goes by the order of corners.
             Quadrature::Layered(_) => {
-                let order = turned(model.thickness[e as usize] as usize);
+                let order = turned(model.elements.thickness[e as usize] as usize);
                 corners.push(order.map(|k| corner[k]));
                 geometry.push(Hex8::new(order.map(|k| hex.corners[k])).map_err(unusable)?);
             }
         }
     }
     // What is made of another element is as viscous and cracks as that does, whatever its own thickness.
-    let own = |&e: &u32| hex(&model.mesh, model.parents[e as usize] as usize);
+    let own = |&e: &u32| hex(&model.mesh, model.elements.parents[e as usize] as usize);
     let parents: Vec<Hex8> = patch.elements.iter().filter_map(|e| own(e).ok()).collect();
     let viscosity = viscosity(model, patch, &parents);
-    let outside = patch.elements.iter().any(|&e| e as usize >= model.user_elements);
+    let outside = patch.elements.iter().any(|&e| e as usize >= model.user.elements);
     let sizes: Vec<[f64; 6]> = if outside { parents.iter().map(size_tensor).collect() } else { Vec::new() };
-    let part =
-        body.material.patch(body.quadrature, nodes, &corners, &geometry, &viscosity, &sizes, model.isa);
+    let part = body.material.patch(
+        body.quadrature,
+        nodes,
+        &corners,
+        &geometry,
+        &viscosity,
+        &sizes,
+        model.scheme.isa,
+    );
     let part = match sides.is_empty() {
         true => part,
         false => {
@@ -85,10 +92,10 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
             Box::new(PassedOn::new(part, sides.into_iter().collect(), booked))
         }
     };
-    let initial = patch.takes_over || (!model.initial.is_empty() && !patch.life.is_later());
+    let initial = patch.takes_over || (!model.elements.initial.is_empty() && !patch.life.is_later());
     let member = Member::of(Kind::Patch(number), body.name.clone(), part);
     let mut reads = member.reads.clone();
-    reads.elements.extend(patch.elements.iter().filter_map(|e| model.successors.get(e)));
+    reads.elements.extend(patch.elements.iter().filter_map(|e| model.elements.successors.get(e)));
     Ok(Member {
         body: Some(patch.body as u32),
         reads,
@@ -107,6 +114,6 @@ fn viscosity(model: &Model, patch: &Patch, geometry: &[Hex8]) -> Vec<f64> {
     }
     let body = &model.bodies[patch.body];
     let omegas = element_frequencies(geometry, body.material.stiffest(), body.density, body.quadrature);
-    let share = |e: u32| model.viscosity[e as usize];
+    let share = |e: u32| model.elements.viscosity[e as usize];
     patch.elements.iter().zip(omegas).map(|(&e, omega)| 2.0 * share(e) / omega).collect()
 }

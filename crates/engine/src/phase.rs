@@ -163,10 +163,11 @@ impl Phase {
         let there = |m: &u32| &assembly.members[*m as usize];
 
         let mut ties = Ties::new(model.mesh.nodes.len());
-        for &(a, b) in &model.ties {
+        for &(a, b) in &model.boundaries.ties {
             ties.join(a, b);
         }
-        for &Joint { nodes: [a, b], .. } in model.joints.iter().filter(|joint| joint.life.holds(stage)) {
+        for &Joint { nodes: [a, b], .. } in model.parted.joints.iter().filter(|joint| joint.life.holds(stage))
+        {
             ties.join(a, b);
         }
         more.for_each(|[a, b]| ties.join(a, b));
@@ -212,7 +213,7 @@ impl Phase {
         let mut dashpots: BTreeMap<u32, Dashpot> = BTreeMap::new();
         if stage == Stage::Shaking {
             for base in &assembly.base {
-                match model.free_field {
+                match model.boundaries.free_field {
                     None => {
                         add(&mut dashpots.entry(master[base.node as usize]).or_default().base, &base.dashpot)
                     }
@@ -327,7 +328,7 @@ fn sources(assembly: &Assembly, active: &[u32], master: &[u32]) -> (Vec<u32>, Ve
 
 /// Where the results of each of the user's elements lie.
 fn element_slots(model: &Model, assembly: &Assembly, active: &[u32]) -> Vec<Option<ElementSlot>> {
-    let mut slots = vec![None; model.user_elements];
+    let mut slots = vec![None; model.user.elements];
     for &m in active {
         let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
         let Some(number) = member.kind.patch() else { continue };

@@ -1,12 +1,13 @@
 //! The natural axis of layered elements that leads through the lining's thickness.
 
 use crate::body::Body;
-use crate::boundary::Side;
+use crate::boundary::{Boundaries, Side};
 use crate::error::ModelError;
 use crate::hexahedra::hex;
 use crate::interface::Seam;
+use crate::model::Elements;
 use found::{Found, bad, usable};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use tremolite_kernels::{Points, Quadrature};
 use tremolite_laws::shapes::hex8::BadShape;
 use tremolite_mesh::{Face, Mesh};
@@ -28,12 +29,11 @@ pub fn axes(
     mesh: &Mesh,
     bodies: &[Body],
     user_elements: usize,
-    parents: &[u32],
-    successors: &HashMap<u32, u32>,
+    elements: &Elements,
     seams: &[Seam],
-    sides: [Side; 2],
-    held: &[(u32, [bool; 3])],
+    asked: &Boundaries,
 ) -> Result<Vec<u8>, ModelError> {
+    let Elements { parents, successors, .. } = elements;
     let mut axes = vec![2; mesh.elements.len()];
     let layered = || bodies.iter().filter(|body| matches!(body.quadrature, Quadrature::Layered(_)));
     if layered().next().is_none() {
@@ -42,8 +42,8 @@ pub fn axes(
     let mut found = Found {
         mesh,
         bounds: mesh.bounds(),
-        cut: sides.map(|side| side != Side::Free),
-        held: held.iter().copied().collect(),
+        cut: asked.sides.map(|side| side != Side::Free),
+        held: asked.held.iter().copied().collect(),
         body_of: BTreeMap::new(),
         lengths: BTreeMap::new(),
         sharing: BTreeMap::new(),

@@ -130,22 +130,26 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
         .sum();
     // Time; by column of ground top and base along three axes, measured and by theory; the model's corners and their mean; the
     // free field beside each monitor.
-    let beside = if model.columns.is_empty() {
+    let beside = if model.outside.columns.is_empty() {
         0
     } else {
         3 * plan.monitors.len() + 3 * usize::from(plan.recorded.is_some())
     };
-    let free_field = if model.incident.is_some() { 1 + 12 * model.columns.len() + 30 + beside } else { 0 };
+    let free_field = if model.boundaries.incident.is_some() {
+        1 + 12 * model.outside.columns.len() + 30 + beside
+    } else {
+        0
+    };
     (monitors + interfaces + 1 + Line::ALL.len() + 1 + damage + free_field) as u64
 }
 
 /// Numbers of depth.csv, transfer.csv and spectra.csv.
 fn along_depth_and_period(model: &Model, plan: &Plan) -> u64 {
-    if model.incident.is_none() {
+    if model.boundaries.incident.is_none() {
         return 0;
     }
     let depth = Depth::of(model, plan).map_or(0, |depth| depth.numbers());
-    let points = spectra::points(plan, !model.columns.is_empty()).len();
+    let points = spectra::points(plan, !model.outside.columns.is_empty()).len();
     let transfer = plan.recorded.as_ref().map_or(0, transfer_table::numbers);
     (depth + transfer + default_periods().len() * (1 + 3 * points)) as u64
 }

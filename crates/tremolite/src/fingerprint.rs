@@ -3,7 +3,8 @@
 use crate::plan::Plan;
 use std::fmt::Debug;
 use tremolite_engine::assembly::Assembly;
-use tremolite_engine::model::Model;
+use tremolite_engine::boundary::Boundaries;
+use tremolite_engine::model::{Elements, Loading, Model, Scheme};
 
 /// Times at which the factor of a load is looked at: a function cannot be compared otherwise.
 const LOOKS: u32 = 64;
@@ -35,14 +36,34 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     let Model {
         mesh,
         bodies,
+        elements,
+        seams,
+        bolts,
+        boundaries,
+        loading,
+        scheme,
+        // Follow from these, or are what the members below are made of.
+        user: _,
+        patches: _,
+        mesh_node: _,
+        engine_node: _,
+        nodes: _,
+        faces: _,
+        parted: _,
+        outside: _,
+    } = model;
+    let Elements {
         lives,
         stand_ins,
         viscosity,
         initial,
-        gravity,
-        tractions,
-        seams,
-        bolts,
+        // Follow from the rest, or are what the members below are made of.
+        body_of: _,
+        successors: _,
+        parents: _,
+        thickness: _,
+    } = elements;
+    let Boundaries {
         base,
         sides,
         top,
@@ -51,34 +72,17 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         held,
         ties,
         incident,
-        rayleigh,
-        loads,
-        // Follow from these, or are what the members below are made of.
-        user_nodes: _,
-        user_elements: _,
-        user_bodies: _,
-        body_of: _,
-        successors: _,
-        patches: _,
-        mesh_node: _,
-        engine_node: _,
-        nodes: _,
-        faces: _,
-        places: _,
-        joints: _,
-        slabs: _,
-        columns: _,
-        no_column: _,
-        parents: _,
-        thickness: _,
         // Formulas are in no file, as parts are: a program that resumes must give the same again.
-        parts: _,
         free_field: _,
+    } = boundaries;
+    let Loading { gravity, tractions, loads, parts: _ } = loading;
+    let Scheme {
+        rayleigh,
         // Its step is `dt`.
         time_step: _,
         // The bits are the same.
         isa: _,
-    } = model;
+    } = scheme;
     let Plan {
         stages,
         duration,

@@ -60,12 +60,12 @@ pub(crate) struct MovedNodes {
 impl MovedNodes {
     /// Of a state at rest in the engine's phase.
     pub fn of(model: &Model, engine: &mut Engine, state: &State) -> MovedNodes {
-        if model.prescribed.is_empty() {
+        if model.boundaries.prescribed.is_empty() {
             return MovedNodes { each: Vec::new(), held: 0.0, dissipated: 0.0 };
         }
         let reactions = engine.reactions(state);
         let now = engine.stage();
-        let here = model.prescribed.iter().zip(reactions).filter(|(one, _)| one.life.holds(now));
+        let here = model.boundaries.prescribed.iter().zip(reactions).filter(|(one, _)| one.life.holds(now));
         let each = here.map(|(one, force)| {
             let row = std::array::from_fn(|i| match (one.to[i % 3], i < 3) {
                 (None, _) => f64::NAN,
@@ -154,7 +154,7 @@ pub(crate) fn recall(
     stage: usize,
 ) -> IndexMap<String, IndexMap<String, f64>> {
     let mut all = IndexMap::new();
-    for one in &model.prescribed {
+    for one in &model.boundaries.prescribed {
         let Some(row) = of_stage(memory, &one.name, stage) else { continue };
         let known = QUANTITIES.iter().zip(row).filter(|(_, value)| value.is_finite());
         all.insert(one.name.clone(), known.map(|((name, _), value)| ((*name).to_owned(), value)).collect());

@@ -73,7 +73,7 @@ pub fn openings(model: &Model, stage: Stage) -> Vec<Opening> {
     let standing = model.standing(stage);
     let (low, high) = model.faces.bounds;
     // Where an interface parts them faces lie at the same places with other nodes.
-    let place = |node: u32| model.places.get(node as usize).copied().unwrap_or(node);
+    let place = |node: u32| model.parted.places.get(node as usize).copied().unwrap_or(node);
     let places = |face: Face| model.mesh.face_nodes(face).map(place).collect::<Vec<u32>>();
     let key = |face: Face| {
         let mut key = [u32::MAX; 4];
@@ -146,21 +146,21 @@ fn root(parent: &mut BTreeMap<u32, u32>, mut node: u32) -> u32 {
 /// says stand for a mirror, free ones, and boundaries that all openings reach are none; the top is one where an overburden presses.
 pub fn near_sides(model: &Model, mirrored: [bool; 2]) -> Vec<NearSide> {
     // What stands free before the shaking is a specimen, and no ground.
-    if model.bed.rollers == [false; 2] {
+    if model.boundaries.bed.rollers == [false; 2] {
         return Vec::new();
     }
     let openings = openings(model, Stage::Shaking);
     let (low, high) = model.faces.bounds;
-    let presses = model.tractions.iter().flat_map(|traction| &traction.faces).any(|(face, _)| {
+    let presses = model.loading.tractions.iter().flat_map(|traction| &traction.faces).any(|(face, _)| {
         let top = |n: u32| (model.mesh.nodes[n as usize][2] - high[2]).abs() <= NEAR * (high[2] - low[2]);
         model.mesh.face_nodes(*face).all(top)
     });
-    let side = |axis: usize| match model.sides[axis] {
+    let side = |axis: usize| match model.boundaries.sides[axis] {
         Side::Periodic | Side::Free => false,
         Side::Roller => !mirrored[axis],
         Side::Fixed | Side::Viscous | Side::FreeField => true,
     };
-    let base = model.base != Base::Free;
+    let base = model.boundaries.base != Base::Free;
     let judged = [[side(0); 2], [side(1); 2], [base, presses]];
     let mut found = Vec::new();
     for (axis, ends) in judged.into_iter().enumerate() {
@@ -183,7 +183,7 @@ pub fn near_sides(model: &Model, mirrored: [bool; 2]) -> Vec<NearSide> {
 /// How far an opening goes along an axis \[m\]: without end where it goes on beyond a side, twice as far where a side mirrors it.
 fn extent(model: &Model, opening: &Opening, axis: usize) -> f64 {
     let length = opening.high[axis] - opening.low[axis];
-    let mirrors = axis < 2 && model.sides[axis] == Side::Roller;
+    let mirrors = axis < 2 && model.boundaries.sides[axis] == Side::Roller;
     match opening.meets[axis] {
         [false, false] => length,
         [true, true] => f64::INFINITY,

@@ -131,9 +131,9 @@ fn named(model: &Model, patterns: &[String]) -> Vec<Named> {
 fn lots(model: &Model) -> Vec<Lot> {
     let mut all = Vec::new();
     for (name, elements) in &model.mesh.groups {
-        let solid = elements.iter().filter(|&&e| model.body_of[e as usize].is_some());
+        let solid = elements.iter().filter(|&&e| model.elements.body_of[e as usize].is_some());
         let mut of_life: BTreeMap<Life, usize> = BTreeMap::new();
-        solid.for_each(|&e| *of_life.entry(model.lives[e as usize]).or_default() += 1);
+        solid.for_each(|&e| *of_life.entry(model.elements.lives[e as usize]).or_default() += 1);
         if of_life.keys().any(|life| *life != Life::ALWAYS) {
             let lot = |(life, elements)| Lot { group: name.clone(), elements, life };
             all.extend(of_life.into_iter().map(lot));
@@ -145,9 +145,9 @@ fn lots(model: &Model) -> Vec<Lot> {
 fn stand_ins(model: &Model) -> Vec<StandIn> {
     let mut all: BTreeMap<(Option<Stage>, usize, &str), usize> = BTreeMap::new();
     let smallest = smallest_groups(model);
-    for &(stand_in, of) in &model.stand_ins {
-        let Some(body) = model.body_of[stand_in as usize] else { continue };
-        let gone = model.lives[stand_in as usize].gone;
+    for &(stand_in, of) in &model.elements.stand_ins {
+        let Some(body) = model.elements.body_of[stand_in as usize] else { continue };
+        let gone = model.elements.lives[stand_in as usize].gone;
         *all.entry((gone, body, smallest[of as usize])).or_default() += 1;
     }
     let of = |((gone, body, group), elements): ((Option<Stage>, usize, &str), usize)| StandIn {
@@ -162,7 +162,7 @@ fn stand_ins(model: &Model) -> Vec<StandIn> {
 /// The smallest group of each element, or the name of its body.
 pub(super) fn smallest_groups(model: &Model) -> Vec<&str> {
     let mut names: Vec<(usize, &str)> = (0..model.mesh.elements.len())
-        .map(|e| match model.body_of.get(e).copied().flatten() {
+        .map(|e| match model.elements.body_of.get(e).copied().flatten() {
             Some(body) => (usize::MAX, model.bodies[body].name.as_str()),
             None => (usize::MAX, ""),
         })

@@ -20,9 +20,10 @@ fn coordinates(at: [f64; 3], digits: usize) -> String {
 /// An element by its number in the user's file, and the smallest group that holds it; one of a slab or column by that of which
 /// it was made.
 pub fn element(model: &Model, element: usize) -> Said {
-    let parent = model.parents[element] as usize;
+    let parent = model.elements.parents[element] as usize;
     if parent != element {
-        let in_slab = model.slabs.iter().any(|slab| slab.sheet.elements().any(|e| e as usize == element));
+        let in_slab =
+            model.outside.slabs.iter().any(|slab| slab.sheet.elements().any(|e| e as usize == element));
         let of = self::element(model, parent);
         return match in_slab {
             true => said!("{element}, as it goes on outside the side", element = of),
@@ -48,7 +49,8 @@ pub fn element_at(model: &Model, element: u32) -> Said {
 
 /// An element with its centre, and an interface that has one of its nodes.
 pub fn element_beside(model: &Model, element: u32) -> Said {
-    let of = |e: u32| model.mesh.elements[e as usize].nodes().iter().map(|&n| model.places[n as usize]);
+    let of =
+        |e: u32| model.mesh.elements[e as usize].nodes().iter().map(|&n| model.parted.places[n as usize]);
     let own: Vec<u32> = of(element).collect();
     let touches = |face: &Face| of(face.element).any(|place| own.contains(&place));
     let beside = model.user_seams().iter().find(|seam| seam.faces.iter().flatten().any(touches));

@@ -28,7 +28,7 @@ use tremolite_results::ResultFolder;
 
 /// The step a model runs with and the plan in steps.
 pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Steps) {
-    plan.steps(model.time_step.given.unwrap_or_else(|| stable.to_run(model.time_step.safety)))
+    plan.steps(model.scheme.time_step.given.unwrap_or_else(|| stable.to_run(model.scheme.time_step.safety)))
 }
 
 /// What a simulation shares with whoever made it: a model, its parts, those that are active as the ground shakes, and the stable step,

@@ -124,7 +124,8 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
         .sum();
     let ever: usize = model.bodies.iter().map(|b| b.elements.len()).sum();
     let nodes = model.mesh_node.len();
-    let staged = !model.initial.is_empty() || model.lives.iter().any(|life| *life != Life::ALWAYS);
+    let staged =
+        !model.elements.initial.is_empty() || model.elements.lives.iter().any(|life| *life != Life::ALWAYS);
     let state = 64 * (totals.history.end + totals.overstress.end + totals.initial.end)
         + row * totals.reference.end
         + 8 * totals.numbers.end;
@@ -134,9 +135,9 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     Ok(Survey {
         bodies,
         active_elements: active,
-        slab_elements: model.slabs.iter().map(|slab| slab.sheet.twins.len()).sum(),
-        column_elements: model.columns.iter().map(|column| column.layers.len()).sum(),
-        void_elements: model.user_elements - model.stand_ins.len() - active,
+        slab_elements: model.outside.slabs.iter().map(|slab| slab.sheet.twins.len()).sum(),
+        column_elements: model.outside.columns.iter().map(|column| column.layers.len()).sum(),
+        void_elements: model.user.elements - model.elements.stand_ins.len() - active,
         nodes: model.nodes.of(Domain::Model).count(),
         bytes: geometry
             + state
@@ -154,7 +155,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
 pub fn limit_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> Said {
     match &stable.limit {
         Limit::Element(e) => {
-            let place = places::point(centroid(&model.mesh, model.parents[*e as usize]));
+            let place = places::point(centroid(&model.mesh, model.elements.parents[*e as usize]));
             said!("{what} at {place}", what = places::element(model, *e as usize), place = place)
         }
         Limit::Part { member, node } => said!(
@@ -181,7 +182,8 @@ pub fn impacts_in_words(model: &Model, stable: &StableStep) -> Option<Said> {
 
 /// What sets the step that is used, in words.
 pub fn step_in_words(model: &Model, assembly: &Assembly, stable: &StableStep) -> Said {
-    let shorter = stable.contact.is_some_and(|contact| contact.dt < model.time_step.safety * stable.dt);
+    let shorter =
+        stable.contact.is_some_and(|contact| contact.dt < model.scheme.time_step.safety * stable.dt);
     let impacts = impacts_in_words(model, stable).filter(|_| shorter);
     impacts.unwrap_or_else(|| limit_in_words(model, assembly, stable))
 }

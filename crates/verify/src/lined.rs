@@ -108,7 +108,7 @@ fn corners(simulation: &Simulation, state: &State) -> Corners {
     let model = &simulation.model;
     let mut corners = Corners::new();
     let twice = |x: f64| (2.0 * x).round() as i64;
-    for (e, _) in model.body_of.iter().enumerate().filter(|(_, body)| body.is_some()) {
+    for (e, _) in model.elements.body_of.iter().enumerate().filter(|(_, body)| body.is_some()) {
         let centre = centroid(&model.mesh, e as u32);
         for &node in model.mesh.elements[e].nodes().iter().filter(|_| centre[1] < 1.0) {
             let (x, own) = (model.mesh.nodes[node as usize], model.engine_node[node as usize]);

@@ -7,14 +7,20 @@ use crate::slabs::Slab;
 
 /// Shares of the columns in the free field at a place, from shares of the corners; several columns of a corner share evenly.
 fn of_corners(around: Surroundings, shares: impl IntoIterator<Item = (usize, f64)>) -> Vec<(u32, f64)> {
-    let mut weights = vec![0.0; around.columns.len()];
+    let mut weights = vec![0.0; around.outside.columns.len()];
     for (corner, share) in shares {
-        let here =
-            || around.columns.iter().enumerate().filter(move |(_, column)| column.corners.contains(&corner));
+        let here = || {
+            around
+                .outside
+                .columns
+                .iter()
+                .enumerate()
+                .filter(move |(_, column)| column.corners.contains(&corner))
+        };
         let count = here().count() as f64;
         here().for_each(|(c, _)| weights[c] += share / count);
     }
-    let bottoms = around.columns.iter().map(|column| around.engine(column.bottom));
+    let bottoms = around.outside.columns.iter().map(|column| around.engine(column.bottom));
     bottoms.zip(weights).filter(|(_, weight)| *weight != 0.0).collect()
 }
 
@@ -38,7 +44,7 @@ pub fn along_slab(around: Surroundings, slab: &Slab, at: [f64; 3]) -> Vec<(u32, 
     let part = fraction(around, 1 - axis, at);
     let shares = [1.0 - part, part];
     if let [Some(low), Some(high)] = slab.columns {
-        let bottoms = [low, high].map(|c| around.engine(around.columns[c].bottom));
+        let bottoms = [low, high].map(|c| around.engine(around.outside.columns[c].bottom));
         return bottoms.into_iter().zip(shares).filter(|(_, share)| *share != 0.0).collect();
     }
     let corner = |other: usize| if axis == 0 { corner_at([end, other]) } else { corner_at([other, end]) };

@@ -6,7 +6,7 @@ use super::matrix::add;
 use super::{Base, Side, Surroundings, Top, nodal_matrices, quarter};
 use crate::assembly::PIECE;
 use crate::error::ModelError;
-use crate::free_field::{FreeField, Place};
+use crate::free_field::Place;
 use crate::hexahedra::centroid;
 use crate::life::{Life, Stage};
 use crate::member::{Kind, Member};
@@ -35,7 +35,7 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
     let outside = out.base.iter().filter(|node| !node.counted).cloned().collect();
     let all: [(_, Vec<BaseNode>, _); 2] =
         [("springs of the base", counted, true), ("base of the free field", outside, false)];
-    let free_field = FreeField::of(around.free_field, around.incident);
+    let free_field = around.asked.waves();
     for (name, nodes, counted) in all {
         for nodes in nodes.chunks(PIECE) {
             let part = Box::new(BasePart::new(nodes.to_vec(), free_field.clone()));
@@ -52,11 +52,11 @@ fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
     let Surroundings { mesh, bodies, .. } = around;
     let engine = |n: u32| around.engine(n);
     let faces = &around.faces.planes[2][0];
-    if around.base != Base::Free && faces.is_empty() {
+    if around.asked.base != Base::Free && faces.is_empty() {
         return Err(ModelError::NoFaces("base"));
     }
     let mut out = Members::default();
-    let springs = match around.base {
+    let springs = match around.asked.base {
         Base::Free | Base::Fixed => return Ok(out),
         Base::Viscous => None,
         Base::ViscousSpring { normal, tangential, distance } => {
@@ -80,7 +80,7 @@ fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
         let bottoms = between_corners(around, mesh.nodes[n as usize]);
         out.base.push(BaseNode { node: engine(n), dashpot, spring, place: below(bottoms), counted: true });
     }
-    for slab in around.slabs {
+    for slab in &around.outside.slabs {
         let faces = around.of_sheet(&slab.sheet, 2, 0, Stage::Shaking);
         let stiff = springs(&faces);
         for (n, dashpot) in dashpots(&faces) {
@@ -88,16 +88,17 @@ fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
             let place = below(along_slab(around, slab, mesh.nodes[n as usize]));
             out.base.push(BaseNode { node: engine(n), dashpot, spring, place, counted: false });
         }
-        for column in slab.columns.iter().flatten().filter_map(|&c| around.columns[c].sheet.as_ref()) {
+        for column in slab.columns.iter().flatten().filter_map(|&c| around.outside.columns[c].sheet.as_ref())
+        {
             let faces = around.of_sheet(column, 2, 0, Stage::Shaking);
             out.base.extend(dashpots(&faces).into_iter().map(|(n, dashpot)| alone(engine(n), dashpot)));
         }
     }
-    for column in around.columns {
+    for column in &around.outside.columns {
         let (Some(ring), Some(layer)) = (column.rings.first(), column.layers.first()) else { continue };
         out.base.extend(ring.iter().map(|&n| alone(engine(n), quarter(&bodies[layer.body]))));
     }
-    if around.free_field.is_some() {
+    if around.asked.free_field.is_some() {
         given(around, &mut out.base);
     }
     Ok(out)
@@ -117,10 +118,10 @@ fn alone(node: u32, dashpot: [f64; 6]) -> BaseNode {
 fn given(around: Surroundings, nodes: &mut Vec<BaseNode>) {
     let Surroundings { mesh, faces, .. } = around;
     let mut all: Vec<Face> = (0..2)
-        .filter(|&axis| around.sides[axis] == Side::FreeField)
+        .filter(|&axis| around.asked.sides[axis] == Side::FreeField)
         .flat_map(|axis| faces.planes[axis].concat())
         .collect();
-    if around.top == Top::Viscous {
+    if around.asked.top == Top::Viscous {
         all.extend(&faces.planes[2][1]);
     }
     let known: BTreeMap<u32, usize> = nodes.iter().map(|node| node.node).zip(0..).collect();
@@ -150,7 +151,7 @@ fn given(around: Surroundings, nodes: &mut Vec<BaseNode>) {
 /// From the centre of the excavated elements (of all, if none is) down to the base \[m\].
 fn scatter_distance(around: Surroundings) -> f64 {
     let mut own = vec![true; around.user_elements];
-    around.stand_ins.iter().for_each(|(stand_in, _)| own[*stand_in as usize] = false);
+    around.elements.stand_ins.iter().for_each(|(stand_in, _)| own[*stand_in as usize] = false);
     let all: Vec<usize> = (0..around.user_elements).filter(|&e| own[e]).collect();
     let void: Vec<usize> = all.iter().copied().filter(|&e| !around.stands(e, Stage::Shaking)).collect();
     let chosen = if void.is_empty() { &all } else { &void };

@@ -5,7 +5,6 @@ use crate::column::SIDES;
 use crate::error::ModelError;
 use crate::outer_faces::near;
 use crate::sheet::{Corner, Sheet, corners};
-use crate::slabs::sheets;
 use crate::ties::Ties;
 use std::collections::BTreeMap;
 use tremolite_mesh::Mesh;
@@ -13,15 +12,15 @@ use tremolite_mesh::split::match_split;
 
 /// Ties what stands one behind the other in slabs and columns, and the levels of columns.
 pub fn tie_outside(around: Surroundings, ties: &mut Ties) {
-    for sheet in sheets(around.slabs, around.columns) {
+    for sheet in around.outside.sheets() {
         for corner in sheet.twins.iter().flat_map(|&twin| corners(around.mesh, twin)) {
             ties.join(corner.front, corner.back);
         }
     }
-    for slab in around.slabs {
+    for slab in &around.outside.slabs {
         let pairs: Vec<Corner> =
             slab.sheet.twins.iter().flat_map(|&twin| corners(around.mesh, twin)).collect();
-        for sheet in slab.columns.iter().flatten().filter_map(|&c| around.columns[c].sheet.as_ref()) {
+        for sheet in slab.columns.iter().flatten().filter_map(|&c| around.outside.columns[c].sheet.as_ref()) {
             let fronts = fronts(around.mesh, sheet);
             for pair in &pairs {
                 let both = [pair.front, pair.back].map(|n| fronts.get(&n).map_or(&[][..], Vec::as_slice));
@@ -32,7 +31,7 @@ pub fn tie_outside(around: Surroundings, ties: &mut Ties) {
             }
         }
     }
-    for ring in around.columns.iter().flat_map(|column| &column.rings) {
+    for ring in around.outside.columns.iter().flat_map(|column| &column.rings) {
         ring[1..].iter().for_each(|&node| ties.join(ring[0], node));
     }
 }
@@ -54,10 +53,10 @@ fn fronts(mesh: &Mesh, sheet: &Sheet) -> BTreeMap<u32, Vec<u32>> {
 /// # Errors
 /// If the two sides' nodes do not match.
 pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelError> {
-    let Surroundings { mesh, faces, places, sides, .. } = around;
+    let Surroundings { mesh, faces, places, .. } = around;
     let near = near(faces.bounds);
     for axis in 0..2 {
-        if sides[axis] != Side::Periodic {
+        if around.asked.sides[axis] != Side::Periodic {
             continue;
         }
         let [a, b] = &faces.planes[axis];
@@ -71,6 +70,7 @@ pub fn tie_periodic(around: Surroundings, ties: &mut Ties) -> Result<(), ModelEr
             reason,
         })?;
         let ends: Vec<_> = around
+            .outside
             .slabs
             .iter()
             .filter(|slab| slab.sheet.axis != axis)

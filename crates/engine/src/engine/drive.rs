@@ -35,11 +35,11 @@ impl Engine {
         self.phase.stage
     }
 
-    /// The force \[N\] with which each of [`crate::Model::prescribed`] pushes on the model along x, y and z where a state is, of the
+    /// The force \[N\] with which each of [`Boundaries::prescribed`](crate::boundary::Boundaries::prescribed) pushes on the model along x, y and z where a state is, of the
     /// components that it holds; 0 of those that are not there in the phase's stage.
     pub fn reactions(&mut self, state: &State) -> Vec<[f64; 3]> {
         self.evaluate_copies(state, None);
-        let mut reactions = vec![[0.0; 3]; self.model.prescribed.len()];
+        let mut reactions = vec![[0.0; 3]; self.model.boundaries.prescribed.len()];
         for moved in &self.phase.driven {
             let force = force(&self.phase, &self.forces.contributions, moved.node as usize);
             let reaction = &mut reactions[moved.by as usize];

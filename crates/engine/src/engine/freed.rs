@@ -25,16 +25,16 @@ impl Engine {
 
         // What stands in the place of an element now, and from when on its place is filled.
         let now = |mut element: u32| {
-            while !model.lives[element as usize].holds(phase.stage) {
-                element = *model.successors.get(&element)?;
+            while !model.elements.lives[element as usize].holds(phase.stage) {
+                element = *model.elements.successors.get(&element)?;
             }
             Some(element)
         };
         let born = |mut element: u32| {
-            while let Some(&earlier) = model.successors.get(&element) {
+            while let Some(&earlier) = model.elements.successors.get(&element) {
                 element = earlier;
             }
-            model.lives[element as usize].born
+            model.elements.lives[element as usize].born
         };
         let beside = |s: usize, k: usize| {
             let seam = &model.seams[s];

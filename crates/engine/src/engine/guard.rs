@@ -1,7 +1,6 @@
 //! Stops a run in which energy appears.
 
 use super::{Engine, Snapshot};
-use crate::free_field::FreeField;
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::state::State;
@@ -33,7 +32,7 @@ const NOISE: f64 = 1e-6;
 
 /// [`NOISE`] \[J\]; nothing where no wave comes in.
 pub(super) fn noise(model: &Model, phase: &Phase) -> f64 {
-    let square = FreeField::of(model.free_field.as_ref(), model.incident.as_ref()).peak_square();
+    let square = model.boundaries.waves().peak_square();
     if square == 0.0 {
         return 0.0;
     }

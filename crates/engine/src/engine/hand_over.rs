@@ -127,7 +127,8 @@ impl Engine {
         let confined = |set: &BoltSet| set.kind.bond.is_some_and(|bond| bond.friction > 0.0);
         let snapshot = self.model.bolts.iter().any(confined).then(|| self.look(state).snapshot);
         let Engine { model, assembly, phase, .. } = &*self;
-        let later: HashMap<u32, u32> = model.successors.iter().map(|(&later, &of)| (of, later)).collect();
+        let later: HashMap<u32, u32> =
+            model.elements.successors.iter().map(|(&later, &of)| (of, later)).collect();
         let of_element = |mut element: u32| loop {
             if let Some(slot) = phase.element_slot[element as usize] {
                 let points = slot.point as usize..slot.point as usize + usize::from(slot.points);

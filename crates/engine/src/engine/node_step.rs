@@ -138,8 +138,8 @@ fn mean_velocity(
 pub(super) fn damping(model: &Model, state: &State) -> Damping {
     Damping {
         dt: state.dt,
-        mass_proportional: model.rayleigh.mass,
-        stiffness_proportional: model.rayleigh.stiffness,
+        mass_proportional: model.scheme.rayleigh.mass,
+        stiffness_proportional: model.scheme.rayleigh.stiffness,
     }
 }
 

@@ -152,7 +152,7 @@ fn by_passes<T: Send>(
 
 /// Velocities at a time, in a step, that a given free field leaves to those who follow it.
 fn given(model: &Model, phase: &Phase, (time, dt): (f64, f64), leads: &mut [Lead]) {
-    let Some(field) = &model.free_field else { return };
+    let Some(field) = &model.boundaries.free_field else { return };
     for (leader, lead) in phase.leaders.iter().zip(leads) {
         let Leader::Given(node) = *leader else { break };
         let at = model.mesh.nodes[model.mesh_node[node as usize] as usize];

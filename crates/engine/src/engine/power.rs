@@ -102,7 +102,7 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
     let mut w = start(model, phase);
     let Power { lambda, change, iterations } = highest(model, assembly, phase, Product::Stiffness, &mut w);
     let undamped = 2.0 / lambda.sqrt();
-    let share = model.viscosity[..model.user_elements].iter().copied().fold(0.0, f64::max);
+    let share = model.elements.viscosity[..model.user.elements].iter().copied().fold(0.0, f64::max);
     let mut dt_stiffness = undamped;
     let dashpots = model.seams.iter().any(|seam| seam.damping > 0.0);
     if share > 0.0 || dashpots {
@@ -114,8 +114,8 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
         }
         w = mode;
     }
-    let xi = model.rayleigh.stiffness;
-    let damping_rate = model.rayleigh.mass + xi * lambda;
+    let xi = model.scheme.rayleigh.stiffness;
+    let damping_rate = model.scheme.rayleigh.mass + xi * lambda;
     let dt_damping = if damping_rate > 0.0 { 2.0 / damping_rate } else { f64::INFINITY };
     let limit = if dt_stiffness <= dt_damping { hottest(model, assembly, phase, &w) } else { Limit::Damping };
     StableStep {

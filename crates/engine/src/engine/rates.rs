@@ -21,7 +21,7 @@ pub(super) struct Rates {
 impl Rates {
     /// Room for the products, if the model needs them.
     pub fn new(model: &Model, assembly: &Assembly) -> Self {
-        if model.rayleigh.stiffness == 0.0 {
+        if model.scheme.rayleigh.stiffness == 0.0 {
             return Rates::default();
         }
         let zero = vec![Row::ZERO; model.mesh_node.len()];
@@ -42,7 +42,7 @@ impl Rates {
         state: &State,
         kept: Kept,
     ) {
-        if model.rayleigh.stiffness == 0.0 {
+        if model.scheme.rayleigh.stiffness == 0.0 {
             return;
         }
         let Rates { products, velocity, contributions: own } = self;

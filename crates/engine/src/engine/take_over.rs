@@ -53,7 +53,7 @@ impl Engine {
             }
         }
         for (index, &e) in model.patches[patch].elements.iter().enumerate() {
-            let Some(earlier) = model.successors.get(&e) else { continue };
+            let Some(earlier) = model.elements.successors.get(&e) else { continue };
             match places.get(earlier) {
                 Some(&earlier) => {
                     self.take_over_element(Place { member, patch, index }, earlier, e, state);

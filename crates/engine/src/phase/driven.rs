@@ -11,7 +11,7 @@ use std::collections::hash_map::Entry;
 pub struct Driven {
     /// Engine node, of those that move as one their master.
     pub node: u32,
-    /// Index in [`Model::prescribed`].
+    /// Index in [`Boundaries::prescribed`](crate::boundary::Boundaries::prescribed).
     pub by: u32,
     /// Displacement \[m\] at the stage's end, counted from the initial equilibrium; a component without one is not held.
     pub to: [Option<f64>; 3],
@@ -22,7 +22,8 @@ pub struct Driven {
 /// # Errors
 /// If two of them would bring it to different places.
 pub fn driven(model: &Model, stage: Stage, master: &[u32]) -> Result<Vec<Driven>, ModelError> {
-    let here = (0u32..).zip(&model.prescribed).filter(|(_, prescribed)| prescribed.life.holds(stage));
+    let here =
+        (0u32..).zip(&model.boundaries.prescribed).filter(|(_, prescribed)| prescribed.life.holds(stage));
     let mut all = Vec::new();
     let mut taken: HashMap<(u32, usize), (u32, f64)> = HashMap::new();
     for (by, prescribed) in here {
@@ -44,7 +45,8 @@ pub fn driven(model: &Model, stage: Stage, master: &[u32]) -> Result<Vec<Driven>
                     Entry::Occupied(other) => {
                         let (first, there) = *other.get();
                         if there != end {
-                            let names = [first, by].map(|k| model.prescribed[k as usize].name.clone());
+                            let names =
+                                [first, by].map(|k| model.boundaries.prescribed[k as usize].name.clone());
                             return Err(ModelError::MovedTwice { names, ways: [there, end] });
                         }
                         *way = None;

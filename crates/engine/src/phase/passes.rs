@@ -54,7 +54,7 @@ impl Pass {
 /// The leaders that some dashpots follow, in the order in which they are advanced, and the passes of all nodes: columns, slabs,
 /// the model where slabs stand outside it, else all at once.
 pub fn passes<'d>(model: &Model, dashpots: impl Iterator<Item = &'d Dashpot>) -> (Vec<Leader>, Vec<Pass>) {
-    let order: &[&[Domain]] = match model.slabs.is_empty() {
+    let order: &[&[Domain]] = match model.outside.slabs.is_empty() {
         true => &[&[Domain::Model, Domain::Column]],
         false => &[&[Domain::Column], &[Domain::Slab], &[Domain::Model]],
     };

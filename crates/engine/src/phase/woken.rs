@@ -20,9 +20,9 @@ pub fn woken(model: &Model, assembly: &Assembly, stage: Stage) -> (Vec<(u32, Vec
     }
     let before = nodes(&|life| life.holds(Stage::Before(k - 1)));
     let new = nodes(&|life| life.born == stage).into_iter().filter(|n| !before.contains(n));
-    let rims = Rims::of(&model.joints);
+    let rims = Rims::of(&model.parted.joints);
     let mut held: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
-    for node in model.joints.iter().flat_map(|joint| joint.nodes) {
+    for node in model.parted.joints.iter().flat_map(|joint| joint.nodes) {
         let engine = model.engine_node[node as usize];
         if before.contains(&engine) {
             held.entry(rims.root(stage, node)).or_default().insert(engine);

@@ -92,7 +92,8 @@ impl Tube {
         problem.held = held;
         let model = Model::new(problem)?;
         let direction = |e: u32| {
-            let d = hex(&model.mesh, e as usize).unwrap().directions[model.thickness[e as usize] as usize];
+            let d = hex(&model.mesh, e as usize).unwrap().directions
+                [model.elements.thickness[e as usize] as usize];
             let d = [cos * d[0] + sin * d[2], d[1], cos * d[2] - sin * d[0]];
             (0..3).find(|&i| d[i].abs() > 0.999).unwrap()
         };

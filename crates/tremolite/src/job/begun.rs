@@ -175,7 +175,7 @@ impl Begun {
                 command: caller.command.clone(),
                 started: caller.started.clone(),
                 threads: rayon::current_num_threads() as u64,
-                instruction_set: job.model.isa.name().into(),
+                instruction_set: job.model.scheme.isa.name().into(),
                 resumed: *resumed,
             },
             inputs: job.inputs.clone(),

@@ -70,9 +70,9 @@ pub struct Depth {
 impl Depth {
     /// Finds it: nothing where no wave comes in or no column stands.
     pub fn of(model: &Model, plan: &Plan) -> Option<Self> {
-        model.incident.as_ref()?;
+        model.boundaries.incident.as_ref()?;
         let (column, corner) = chosen(model, plan)?;
-        let levels = levels::levels(model, &model.columns[column]);
+        let levels = levels::levels(model, &model.outside.columns[column]);
         let edge = levels::beside(model, corner, &levels);
         Some(Depth { column, levels, edge })
     }
@@ -149,8 +149,8 @@ impl Depth {
         if seen.columns.get(self.column)?.damaged {
             return None;
         }
-        let columns = layered(model, &model.columns[self.column])?;
-        let incident = model.incident.as_ref()?;
+        let columns = layered(model, &model.outside.columns[self.column])?;
+        let incident = model.boundaries.incident.as_ref()?;
         let dt = incident.motion.dt / REFINEMENT;
         let heights: Vec<f64> = self.levels.iter().map(|level| level.z - self.levels[0].z).collect();
         let mut peaks = vec![[0.0; PEAKS]; heights.len()];

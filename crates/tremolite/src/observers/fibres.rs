@@ -72,7 +72,7 @@ fn cells(model: &Model, phase: &Phase) -> Vec<Cell> {
         let elements: Vec<u32> = body.elements.iter().copied().filter(there).collect();
         let mut own: Vec<(u32, usize)> = match body.quadrature {
             Quadrature::Layered(_) => {
-                elements.iter().map(|&e| (e, model.thickness[e as usize] as usize)).collect()
+                elements.iter().map(|&e| (e, model.elements.thickness[e as usize] as usize)).collect()
             }
             _ => stacks(&model.mesh, &elements).into_iter().flatten().collect(),
         };

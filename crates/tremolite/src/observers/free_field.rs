@@ -69,12 +69,13 @@ impl FreeField {
     /// If the file cannot be written, or is shorter than the state remembers.
     pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
         let model = setting.model;
-        if model.incident.is_none() {
+        if model.boundaries.incident.is_none() {
             return Ok(None);
         }
         let columns = watched(model);
         let mut predictions: Vec<Predicted> = Vec::new();
         let theory: Vec<Option<usize>> = model
+            .outside
             .columns
             .iter()
             .map(|column| {
@@ -122,7 +123,7 @@ impl FreeField {
 fn height(model: &Model, monitor: &Monitor) -> Option<Height> {
     let [x, y, z] = levels::place(model, &monitor.location);
     let (column, _) = levels::nearest(model, [x, y])?;
-    Height::of(&levels::levels(model, &model.columns[column]), z)
+    Height::of(&levels::levels(model, &model.outside.columns[column]), z)
 }
 
 /// Which of the model's columns stands for the free field as a whole, and at which corner: that nearest to the middle of the
@@ -190,9 +191,9 @@ fn cells(columns: &[Watched], theory: &[Option<usize>], beside: &[(Subject, Heig
 pub fn layered(model: &Model, column: &Ground) -> Option<[LayeredColumn; 3]> {
     let along = |axis: usize| {
         let layers = column.layers.iter().map(|layer| {
-            Layer::of(&model.bodies[layer.body], layer.top - layer.bottom, axis, model.rayleigh)
+            Layer::of(&model.bodies[layer.body], layer.top - layer.bottom, axis, model.scheme.rayleigh)
         });
-        LayeredColumn::new(layers, model.top)
+        LayeredColumn::new(layers, model.boundaries.top)
     };
     if column.parted {
         return None;
@@ -203,7 +204,7 @@ pub fn layered(model: &Model, column: &Ground) -> Option<[LayeredColumn; 3]> {
 impl Predicted {
     /// None for a wave that is zero.
     fn of(setting: &Setting, columns: [LayeredColumn; 3]) -> Option<Self> {
-        let incident = setting.model.incident.as_ref()?;
+        let incident = setting.model.boundaries.incident.as_ref()?;
         let dt = incident.motion.dt / REFINEMENT;
         let velocity = [0, 1, 2].map(|i| {
             let wave = |t| incident.factor * incident.motion.at(t).v[i];

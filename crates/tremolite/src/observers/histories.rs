@@ -175,7 +175,7 @@ pub(super) fn elastic_change(
     displacement: impl Fn(usize) -> [f64; 3],
 ) -> [f64; 6] {
     let element = monitor.location.element as usize;
-    let Some(body) = model.body_of.get(element).copied().flatten().map(|b| &model.bodies[b]) else {
+    let Some(body) = model.elements.body_of.get(element).copied().flatten().map(|b| &model.bodies[b]) else {
         return [f64::NAN; 6];
     };
     let nodes = hex_nodes(&model.mesh, element).map(|n| model.engine_node[n as usize] as usize);

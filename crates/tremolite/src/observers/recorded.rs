@@ -18,8 +18,11 @@ const MEMORY: &str = "record";
 /// The place of a record in the column of the model that it was taken in; none where that is other ground.
 pub fn place(model: &Model, plan: &Plan) -> Option<Height> {
     let Recorded { place, corner, .. } = plan.recorded.as_ref()?;
-    let column =
-        model.columns.iter().find(|column| corner.is_some_and(|corner| column.corners.contains(&corner)))?;
+    let column = model
+        .outside
+        .columns
+        .iter()
+        .find(|column| corner.is_some_and(|corner| column.corners.contains(&corner)))?;
     let levels = levels::levels(model, column);
     Height::of(&levels, levels.first()?.z + place.height)
 }

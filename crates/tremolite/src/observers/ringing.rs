@@ -60,7 +60,7 @@ impl Ringing {
 
 /// Where the band above begins \[Hz\].
 fn corner(model: &Model) -> Option<f64> {
-    Some(ABOVE * highest_frequency(&model.incident.as_ref()?.motion, ENERGY_SHARE)?)
+    Some(ABOVE * highest_frequency(&model.boundaries.incident.as_ref()?.motion, ENERGY_SHARE)?)
 }
 
 /// A pair that is followed.

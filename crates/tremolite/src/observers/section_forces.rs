@@ -91,7 +91,7 @@ impl SectionForces {
 
     /// What the forces are made of: elements, or what these were before their material changed, and bars.
     fn wants(&self, model: &Model, assembly: &Assembly) -> Wants {
-        let earlier = |e: &u32| model.successors.get(e).copied();
+        let earlier = |e: &u32| model.elements.successors.get(e).copied();
         let stacked = self.stations.iter().flat_map(|(_, station)| &station.stack);
         let elements = stacked.flat_map(|&(e, _)| std::iter::successors(Some(e), earlier));
         let sets: HashSet<usize> = self.steel.iter().flatten().map(|bar| bar.segment[0]).collect();
@@ -216,7 +216,7 @@ fn lined(model: &Model) -> Vec<(String, Station)> {
         (0..model.mesh.elements.len()).map(|e| model.stands(e, Stage::Shaking)).collect();
     let mut all = Vec::new();
     for group in all_groups(model) {
-        let later = group.elements.iter().any(|&e| model.lives[e as usize].is_later());
+        let later = group.elements.iter().any(|&e| model.elements.lives[e as usize].is_later());
         if group.whole && (later || group.body.material.info().damages) {
             let found = stations(&model.mesh, &group.elements, &standing);
             all.extend(found.into_iter().map(|station| (group.name.to_owned(), station)));
@@ -232,7 +232,7 @@ fn steel(model: &Model, stations: &[(String, Station)]) -> Vec<Vec<Steel>> {
     for (k, (_, station)) in stations.iter().enumerate() {
         for &(e, _) in &station.stack {
             // What the element was before its material changed is in its place.
-            let same = std::iter::successors(Some(e), |e| model.successors.get(e).copied());
+            let same = std::iter::successors(Some(e), |e| model.elements.successors.get(e).copied());
             station_of.extend(same.map(|e| (e, k)));
         }
     }
@@ -260,7 +260,7 @@ fn steel(model: &Model, stations: &[(String, Station)]) -> Vec<Vec<Steel>> {
 
 /// Where an element has its place, or what it was before its material changed; none where neither stands.
 fn slot_of<'v>(view: &View<'v>, element: u32) -> Option<&'v ElementSlot> {
-    let earlier = |e: &u32| view.model.successors.get(e).copied();
+    let earlier = |e: &u32| view.model.elements.successors.get(e).copied();
     std::iter::successors(Some(element), earlier).find_map(|e| view.phase.element_slot[e as usize].as_ref())
 }
 

@@ -21,8 +21,8 @@ impl Spectra {
     /// Nothing where no wave comes in.
     pub fn new(setting: &Setting) -> Option<Self> {
         let Setting { folder, model, plan, .. } = *setting;
-        model.incident.as_ref()?;
-        let column = chosen(model, plan).map(|(column, _)| model.columns[column].name.clone());
+        model.boundaries.incident.as_ref()?;
+        let column = chosen(model, plan).map(|(column, _)| model.outside.columns[column].name.clone());
         Some(Spectra { folder: folder.clone(), plan: plan.clone(), column })
     }
 }

@@ -13,21 +13,21 @@ pub(super) struct Walls {
 
 impl Walls {
     pub fn of(model: &Model) -> Walls {
-        let elements: Vec<u32> = (0..model.user_elements as u32).collect();
+        let elements: Vec<u32> = (0..model.user.elements as u32).collect();
         let mut keyed: Vec<([u32; 4], Face)> =
             all_faces(&model.mesh, Some(&elements)).map(|face| (key(model, face), face)).collect();
         keyed.sort_unstable();
         let together = keyed.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() > 1);
         let faces = together.map(|same| same.iter().map(|(_, face)| *face).collect()).collect();
         let mut place = elements;
-        model.stand_ins.iter().for_each(|&(stand_in, of)| place[stand_in as usize] = of);
+        model.elements.stand_ins.iter().for_each(|&(stand_in, of)| place[stand_in as usize] = of);
         Walls { faces, place }
     }
 
     /// Area \[m²\] of faces with what stands from the start on one side and nothing on the other, where there are elements in
     /// the mesh. What is installed is lining, so its own faces do not count.
     pub fn bare(&self, model: &Model, standing: &[u32]) -> f64 {
-        let mut stands = vec![false; model.user_elements];
+        let mut stands = vec![false; model.user.elements];
         standing.iter().for_each(|&e| stands[e as usize] = true);
         let stands = |face: &&Face| stands[face.element as usize];
         let mut sum = 0.0;
@@ -37,7 +37,7 @@ impl Walls {
             // An element and what stands in its place are on one side.
             let place = |face: &Face| self.place[face.element as usize];
             let beyond = faces.iter().any(|other| place(other) != place(face));
-            if beyond && !model.lives[face.element as usize].is_later() {
+            if beyond && !model.elements.lives[face.element as usize].is_later() {
                 sum += area(model, *face);
             }
         }
@@ -48,7 +48,7 @@ impl Walls {
 fn key(model: &Model, face: Face) -> [u32; 4] {
     let mut key = [u32::MAX; 4];
     for (place, node) in key.iter_mut().zip(model.mesh.face_nodes(face)) {
-        *place = model.places.get(node as usize).copied().unwrap_or(node);
+        *place = model.parted.places.get(node as usize).copied().unwrap_or(node);
     }
     key.sort_unstable();
     key

@@ -141,8 +141,8 @@ pub(super) fn pieces(model: &Model, phase: &Phase, standing: &[u32]) -> Vec<Piec
 /// N
 fn weight(model: &Model, elements: &[u32]) -> f64 {
     let of = |&e: &u32| {
-        let body = model.body_of[e as usize]?;
-        Some(hex(&model.mesh, e as usize).ok()?.volume * model.bodies[body].density * model.gravity)
+        let body = model.elements.body_of[e as usize]?;
+        Some(hex(&model.mesh, e as usize).ok()?.volume * model.bodies[body].density * model.loading.gravity)
     };
     elements.iter().filter_map(of).sum()
 }

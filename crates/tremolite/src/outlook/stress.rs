@@ -17,16 +17,18 @@ pub struct StressAt {
 /// The initial stress at the top, in the middle of what is taken out first (of the model where nothing is) and at the base, one
 /// below the other; nothing where there is none.
 pub fn stress_at_start(model: &Model) -> Vec<StressAt> {
-    if model.initial.is_empty() {
+    if model.elements.initial.is_empty() {
         return Vec::new();
     }
     let (low, high) = model.faces.bounds;
     let standing = model.standing(Stage::Before(0));
-    let first = standing.iter().filter_map(|&e| model.lives[e as usize].gone).min();
+    let first = standing.iter().filter_map(|&e| model.elements.lives[e as usize].gone).min();
     let out: Vec<u32> = match first {
-        Some(stage) => {
-            standing.iter().copied().filter(|&e| model.lives[e as usize].gone == Some(stage)).collect()
-        }
+        Some(stage) => standing
+            .iter()
+            .copied()
+            .filter(|&e| model.elements.lives[e as usize].gone == Some(stage))
+            .collect(),
         None => Vec::new(),
     };
     let middle = match out.len() {
@@ -52,7 +54,7 @@ pub fn stress_at_start(model: &Model) -> Vec<StressAt> {
         .into_iter()
         .filter_map(|(place, point)| {
             let e = nearest(point)?;
-            Some(StressAt { place, at: centroid(&model.mesh, e), stress: model.initial[e as usize] })
+            Some(StressAt { place, at: centroid(&model.mesh, e), stress: model.elements.initial[e as usize] })
         })
         .collect()
 }

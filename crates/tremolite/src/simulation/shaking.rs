@@ -97,7 +97,7 @@ impl Simulation {
             state.observers.insert(DRIFT.into(), vec![drift]);
         }
         let first = state.steps();
-        if let Some(incident) = &model.incident
+        if let Some(incident) = &model.boundaries.incident
             && first == 0
         {
             let given = plan.recorded.as_ref().map(|recorded| &recorded.motion);

@@ -81,7 +81,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         }
     };
     let local = match beginning {
-        Some(found) if !evidence.model.initial.is_empty() => {
+        Some(found) if !evidence.model.elements.initial.is_empty() => {
             let (share, at) = found.largest_change;
             TrustLine::at_most(LOCAL_ID, local_name(), share, LOCAL, "").with_note(said!(
                 "at {place}, over the mean of all where its own is less; {remedy}",
@@ -92,7 +92,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         _ => TrustLine::not_applicable(LOCAL_ID, local_name(), said!("the ground begins without stress")),
     };
     let change = match beginning {
-        Some(found) if !evidence.model.initial.is_empty() => TrustLine::at_most(
+        Some(found) if !evidence.model.elements.initial.is_empty() => TrustLine::at_most(
             CHANGE_ID,
             change_name(),
             found.change,

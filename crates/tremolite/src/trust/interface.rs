@@ -56,7 +56,7 @@ fn all(evidence: &Evidence) -> Vec<TrustLine> {
 /// Friction, and whether a joint is closed at all, go by the pressure that is there before.
 fn unstressed(evidence: &Evidence) -> TrustLine {
     const ID: &str = "interface_without_initial_stress";
-    if !evidence.model.initial.is_empty() {
+    if !evidence.model.elements.initial.is_empty() {
         return TrustLine::not_applicable(
             ID,
             unstressed_name(),

@@ -60,16 +60,17 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
 /// what does neither.
 fn ground_beside(model: &Model, seam: &Seam) -> Option<f64> {
     let lining = |element: u32| {
-        let cracks = model.body_of[element as usize].is_some_and(|b| model.bodies[b].material.info().damages);
-        cracks || model.lives[element as usize].is_later()
+        let cracks =
+            model.elements.body_of[element as usize].is_some_and(|b| model.bodies[b].material.info().damages);
+        cracks || model.elements.lives[element as usize].is_later()
     };
     let mut ground = None;
     for side in 0..2 {
         let [own, others] =
             [side, 1 - side].map(|side| seam.faces.iter().map(move |faces| faces[side].element));
         if own.clone().all(lining) && !others.clone().any(lining) {
-            let moduli =
-                others.filter_map(|e| Some(model.bodies[model.body_of[e as usize]?].material.moduli().mu));
+            let moduli = others
+                .filter_map(|e| Some(model.bodies[model.elements.body_of[e as usize]?].material.moduli().mu));
             let (sum, count) = moduli.fold((0.0, 0.0), |(sum, count), mu| (sum + 2.0 * mu, count + 1.0));
             ground = Some(sum / count);
         }
@@ -106,7 +107,7 @@ fn radii(mesh: &Mesh, seam: &Seam, mirrors: &[(usize, f64)]) -> Vec<f64> {
 /// Planes that stand for the other half of the model: the axis across each, and where it is \[m\].
 fn mirrors(model: &Model) -> Vec<(usize, f64)> {
     let (low, high) = model.faces.bounds;
-    let rollers = (0..2).filter(|&axis| model.sides[axis] == Side::Roller);
+    let rollers = (0..2).filter(|&axis| model.boundaries.sides[axis] == Side::Roller);
     rollers.flat_map(|axis| [(axis, low[axis]), (axis, high[axis])]).collect()
 }
 

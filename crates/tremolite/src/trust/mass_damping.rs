@@ -16,11 +16,11 @@ pub(crate) fn ratio(mass: f64, frequency: f64) -> f64 {
 pub(super) fn line(evidence: &Evidence) -> TrustLine {
     const ID: &str = "mass_damping";
     let name = said!("damping ratio by mass at the motion's central frequency");
-    let mass = evidence.model.rayleigh.mass;
+    let mass = evidence.model.scheme.rayleigh.mass;
     if mass == 0.0 {
         return TrustLine::not_applicable(ID, name, said!("nothing is damped in proportion to its mass"));
     }
-    let motion = evidence.model.incident.as_ref().map(|incident| &incident.motion);
+    let motion = evidence.model.boundaries.incident.as_ref().map(|incident| &incident.motion);
     let Some(frequency) = motion.and_then(|motion| tremolite_motion::highest_frequency(motion, 0.5)) else {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };

@@ -67,7 +67,7 @@ fn broken_monitors(evidence: &Evidence) -> TrustLine {
 fn unstressed(model: &Model) -> TrustLine {
     const ID: &str = "yielding_rock_without_initial_stress";
     let name = said!("yielding rock without initial stress");
-    if !model.initial.is_empty() {
+    if !model.elements.initial.is_empty() {
         return TrustLine::not_applicable(ID, name, said!("the ground begins with initial stress"));
     }
     let plastic = [Role::PlasticShear, Role::PlasticTension];

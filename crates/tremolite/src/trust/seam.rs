@@ -220,7 +220,9 @@ fn give_of_elements(model: &Model, seam: &Seam) -> f64 {
         let area = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
         for face in faces {
             let element = face.element as usize;
-            let (Some(body), Ok(hex)) = (model.body_of[element], hex(&model.mesh, element)) else { continue };
+            let (Some(body), Ok(hex)) = (model.elements.body_of[element], hex(&model.mesh, element)) else {
+                continue;
+            };
             let moduli = model.bodies[body].material.moduli();
             // The volume is the area times h.
             sum += hex.volume / (moduli.lambda + 2.0 * moduli.mu);

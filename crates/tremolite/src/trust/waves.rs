@@ -47,7 +47,7 @@ pub(super) fn per_wavelength(evidence: &Evidence) -> TrustLine {
 pub(super) fn drift(evidence: &Evidence) -> TrustLine {
     const ID: &str = "input_drift";
     let name = said!("input displacement at its end over its peak");
-    let Some(incident) = &evidence.model.incident else {
+    let Some(incident) = &evidence.model.boundaries.incident else {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };
     TrustLine::at_most(ID, name, incident.motion.drift(), DRIFT, "").with_note(said!(
@@ -63,15 +63,16 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
         vec![none(free_field_theory()), none(model_against_free_field())]
     };
     let Evidence { model, outcome, .. } = evidence;
-    if model.incident.is_none() {
+    if model.boundaries.incident.is_none() {
         return both(said!("no wave comes in"));
     }
-    if model.columns.is_empty() {
+    if model.outside.columns.is_empty() {
         // As the engine says it, in English alone.
-        let why = said!("there is no reference column: {reason}", reason = Said::plain(&model.no_column));
+        let why =
+            said!("there is no reference column: {reason}", reason = Said::plain(&model.outside.no_column));
         let mut lines = both(why.clone());
         // Periodic sides leave uniform motion alone. What others make of it cannot be told here, and that is no pass.
-        if model.sides.iter().any(|side| *side != Side::Periodic) {
+        if model.boundaries.sides.iter().any(|side| *side != Side::Periodic) {
             let (id, name) = model_against_free_field();
             lines[1] = TrustLine::at_most(id, name, f64::NAN, CORNERS, "").with_note(said!(
                 "cannot be checked, since {why}; and sides that are not periodic may spoil the free field",
@@ -96,7 +97,7 @@ pub(super) fn record(evidence: &Evidence) -> Option<TrustLine> {
     if recorded::place(evidence.model, evidence.plan).is_none() {
         return none(said!(
             "there is no reference column: {reason}",
-            reason = Said::plain(&evidence.model.no_column)
+            reason = Said::plain(&evidence.model.outside.no_column)
         ));
     }
     let Some(error) = recorded::error(&evidence.outcome.state.observers) else {

@@ -25,7 +25,7 @@ fn bolts_placed_with_an_excavation_hold_its_wall_and_none_placed_later_do() {
         problem.bolts = kind.into_iter().collect();
         let built = Built::new(problem);
         let (state, _) = settle(&built.model, &built.assembly, &[close(), close(), close()]).unwrap();
-        let node = (0..built.model.user_nodes)
+        let node = (0..built.model.user.nodes)
             .find(|&n| (0..3).all(|i| (built.model.mesh.nodes[n][i] - [6.0, 2.0, 8.0][i]).abs() < 1e-9))
             .unwrap();
         let forces: Vec<f64> = match built.assembly.bolts.first() {

@@ -224,5 +224,5 @@ fn a_joint_that_sides_hold_apart_keeps_its_books() {
     assert!(balance[Line::Friction] > 0.01 * input && balance[Line::Interface] >= 0.0, "{balance:?}");
     let error = (balance[Line::Error] - snapshot.scheme).abs();
     assert!(error < 0.02 * input, "{error} of {input}");
-    assert_eq!(ready.model.sides, [Side::Periodic; 2]);
+    assert_eq!(ready.model.boundaries.sides, [Side::Periodic; 2]);
 }

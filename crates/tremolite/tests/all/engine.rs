@@ -82,7 +82,7 @@ fn periodic_sides_move_as_one() {
     let model = &ready.model;
     let find = |x: f64, y: f64, z: f64| {
         let near = |p: &[f64; 3]| (p[0] - x).abs() + (p[1] - y).abs() + (p[2] - z).abs() < 1e-9;
-        let mesh_node = model.mesh.nodes[..model.user_nodes].iter().position(near).unwrap();
+        let mesh_node = model.mesh.nodes[..model.user.nodes].iter().position(near).unwrap();
         state.u[model.engine_node[mesh_node] as usize]
     };
     let corners =

@@ -207,8 +207,8 @@ fn an_opening_at_a_vertical_edge_is_refused_and_one_in_a_side_is_not() {
             assert!(refused.contains(word), "{refused}");
         }
         let model = with_opening([4.0, 0.0], [8.0, 4.0], life).unwrap();
-        assert_eq!((model.slabs.len(), model.columns.len()), (4, 8));
-        let of_slab = &model.slabs[2].sheet;
+        assert_eq!((model.outside.slabs.len(), model.outside.columns.len()), (4, 8));
+        let of_slab = &model.outside.slabs[2].sheet;
         assert_eq!((of_slab.axis, of_slab.end, of_slab.thickness), (1, 0, 2.0));
         assert_eq!(of_slab.twins.len(), if life.is_some() { 24 } else { 20 });
     }
@@ -299,7 +299,7 @@ fn elements_outside_a_side_show_laws_the_size_of_their_parents() {
             let p = ready.assembly.of_patch[p] as usize;
             let points = ready.assembly.members[p].part.elements().1;
             for (i, &e) in patch.elements.iter().enumerate() {
-                let parent = size(ready.model.parents[e as usize]);
+                let parent = size(ready.model.elements.parents[e as usize]);
                 differ += usize::from((size(e)[1] - parent[1]).abs() > 0.01);
                 let first = ready.assembly.slices[p].points.start + i * points;
                 for shown in &stress[first..first + points] {

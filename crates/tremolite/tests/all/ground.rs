@@ -43,11 +43,11 @@ fn corners_that_differ_have_a_column_each_and_the_base_lies_between_them() {
         for (soft, first, name) in &all {
             let model = Model::new(two_rocks(base, soft)).unwrap();
             let corners: Vec<&[usize]> =
-                model.columns.iter().map(|column| column.corners.as_slice()).collect();
+                model.outside.columns.iter().map(|column| column.corners.as_slice()).collect();
             assert_eq!((corners.len(), corners[0]), (2, first.as_slice()));
-            assert_eq!(model.columns[0].name, *name);
+            assert_eq!(model.outside.columns[0].name, *name);
             // Who reads free_field.csv goes by the names alone.
-            for column in &model.columns {
+            for column in &model.outside.columns {
                 let named = tremolite_results::Station { name: column.name.clone(), ..Default::default() };
                 let served: Vec<usize> = (0..4).filter(|&k| named.serves(&corner_name(k))).collect();
                 assert_eq!(served, column.corners, "{}", column.name);
@@ -56,7 +56,9 @@ fn corners_that_differ_have_a_column_each_and_the_base_lies_between_them() {
     }
     // Layers are the same everywhere.
     let model = Model::new(two_rocks(SPRINGS, |x| x[2] > 2.0)).unwrap();
-    let [column] = model.columns.as_slice() else { panic!("{} columns", model.columns.len()) };
+    let [column] = model.outside.columns.as_slice() else {
+        panic!("{} columns", model.outside.columns.len())
+    };
     assert_eq!((column.name.as_str(), column.rings.len(), column.layers.len()), ("reference", 5, 4));
 }
 
@@ -95,6 +97,6 @@ fn the_block_of_the_other_tests_has_a_column_with_and_without_springs() {
     for base in [SPRINGS, Base::Viscous] {
         let mut problem = block([4, 4, 5]);
         problem.base = base;
-        assert!(Model::new(problem).unwrap().columns.len() == 1);
+        assert!(Model::new(problem).unwrap().outside.columns.len() == 1);
     }
 }

@@ -169,7 +169,7 @@ fn bits_of_a_cracking_plate_depend_on_neither_instruction_set_nor_threads() {
 }
 
 fn thickness_of(mesh: Mesh, elements: Vec<u32>) -> Result<Vec<u8>, ModelError> {
-    Ok(Model::new(free(mesh, vec![body(elements, rock(), LAYERED)]))?.thickness.clone())
+    Ok(Model::new(free(mesh, vec![body(elements, rock(), LAYERED)]))?.elements.thickness.clone())
 }
 
 #[test]
@@ -254,7 +254,7 @@ fn an_interface_tells_the_thickness_of_what_is_nearly_a_cube() {
     parted.interfaces =
         vec![tremolite::Interface::new("lining-rock", [lining.clone(), ground.clone()], law, values)];
     let model = Model::new(parted).unwrap();
-    assert!(lining.iter().all(|&e| model.thickness[e as usize] == 2));
+    assert!(lining.iter().all(|&e| model.elements.thickness[e as usize] == 2));
     // Outside a side they have the axis of what they were made of.
     let mut beside = problem();
     beside.interfaces = vec![tremolite::Interface::new(
@@ -265,12 +265,12 @@ fn an_interface_tells_the_thickness_of_what_is_nearly_a_cube() {
     )];
     beside.sides = [Side::FreeField, Side::Free];
     let model = Model::new(beside).unwrap();
-    let outside = (model.user_elements..model.mesh.elements.len())
-        .filter(|&e| lining.contains(&model.parents[e]))
+    let outside = (model.user.elements..model.mesh.elements.len())
+        .filter(|&e| lining.contains(&model.elements.parents[e]))
         .collect::<Vec<_>>();
     assert!(!outside.is_empty());
     for e in outside {
-        let direction = hex(&model.mesh, e).unwrap().directions[model.thickness[e] as usize];
+        let direction = hex(&model.mesh, e).unwrap().directions[model.elements.thickness[e] as usize];
         assert!(direction[2].abs() > 0.999, "element {e}: {direction:?}");
     }
 }

@@ -145,7 +145,7 @@ impl Rested {
 
     /// Displacement \[m\] of the corners of all elements that stand in the end, since the initial equilibrium or since the start.
     fn corners(&self, since_start: bool) -> Vec<f64> {
-        let lasting = (0..self.model.user_elements).filter(|&e| self.model.stands(e, Stage::Shaking));
+        let lasting = (0..self.model.user.elements).filter(|&e| self.model.stands(e, Stage::Shaking));
         let of = |node: u32| {
             let node = self.model.engine_node[node as usize] as usize;
             if since_start { self.state.u[node].xyz() } else { self.state.shown(node).xyz() }

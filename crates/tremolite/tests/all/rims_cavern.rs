@@ -130,7 +130,7 @@ fn shaken(problem: Problem, sense: f64) -> (BTreeMap<(u32, u32), Vec<f64>>, f64)
     let corners: Vec<Vec<u32>> = problem.mesh.elements.iter().map(|e| e.nodes().to_vec()).collect();
     let model = Model::new(problem).unwrap();
     let assembly = Assembly::new(&model).unwrap();
-    assert!(!model.joints.is_empty() && model.seams[0].freed.iter().any(|freed| *freed));
+    assert!(!model.parted.joints.is_empty() && model.seams[0].freed.iter().any(|freed| *freed));
     let stages = vec![close(1e-11); 6];
     let mut rows: BTreeMap<(u32, u32), Vec<f64>> = BTreeMap::new();
     let mut look = |state: &State| {

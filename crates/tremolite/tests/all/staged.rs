@@ -112,7 +112,7 @@ impl Built {
     fn at(&self, state: &State, place: [f64; 3]) -> [f64; 3] {
         let mesh = &self.model.mesh;
         let node =
-            (0..self.model.user_nodes).find(|&n| (0..3).all(|i| (mesh.nodes[n][i] - place[i]).abs() < 1e-9));
+            (0..self.model.user.nodes).find(|&n| (0..3).all(|i| (mesh.nodes[n][i] - place[i]).abs() < 1e-9));
         state.shown(self.model.engine_node[node.unwrap()] as usize).xyz()
     }
 }
@@ -140,7 +140,7 @@ fn ground_below_an_overburden_rests_and_so_does_its_column() {
     problem.tractions = vec![traction];
     problem.initial.iter_mut().for_each(|s| (0..3).for_each(|i| s[i] -= PRESSURE));
     let built = built(problem);
-    assert!(built.model.columns.len() == 1);
+    assert!(built.model.outside.columns.len() == 1);
     let state = built.settled(1);
     let worst = state.u.iter().flat_map(|u| u.xyz()).fold(0.0, |most: f64, x| most.max(x.abs()));
     assert!(worst < 1e-12, "{worst}");
@@ -167,7 +167,7 @@ fn an_opening_closes_and_a_lining_that_comes_after_carries_its_own_weight_alone(
         let seen = engine.look(&lined).snapshot;
         let slot = |e: &usize| phase.element_slot[*e];
         let stress =
-            (0..built.model.user_elements).filter(|&e| built.model.bodies[1].elements.contains(&(e as u32)));
+            (0..built.model.user.elements).filter(|&e| built.model.bodies[1].elements.contains(&(e as u32)));
         let largest = stress
             .filter_map(|e| slot(&e))
             .flat_map(|slot| seen.stress[slot.point as usize..][..slot.points as usize].to_vec())
@@ -326,8 +326,8 @@ fn ground_that_changes_at_the_corners_has_no_column() {
     problem.lives[corner as usize].gone = Some(OPENED);
     let model = Model::new(problem).unwrap();
     assert!(
-        model.columns.is_empty() && model.no_column.contains("changes with the stages"),
+        model.outside.columns.is_empty() && model.outside.no_column.contains("changes with the stages"),
         "{}",
-        model.no_column
+        model.outside.no_column
     );
 }

@@ -47,7 +47,7 @@ fn a_body_that_is_born_with_the_shaking_is_absent_before_and_no_column_moves() {
         .sum();
     assert!((mass(&shaking) - mass(&before) - slab).abs() < 1e-9 * mass(&shaking));
     assert_eq!(before.counted_elements + model.bodies[1].elements.len(), shaking.counted_elements);
-    assert_eq!(shaking.counted_elements, model.user_elements, "the column's do not count");
+    assert_eq!(shaking.counted_elements, model.user.elements, "the column's do not count");
 
     // The rock below is pressed down on its fixed base; above the gap nothing holds, and the slab's inner nodes stay.
     let mut state = assembly.rest();
@@ -125,7 +125,7 @@ fn supports_before_the_shaking_are_a_fixed_base_and_rollers_and_absorb_nothing()
         assert!(ready.phase.tick(&state).time > 0.0);
         let springs = |m: &u32| ready.assembly.members[*m as usize].name == "springs of the base";
         assert!(!before.active.iter().any(springs) && ready.phase.active.iter().any(springs));
-        let columns = &ready.model.columns;
+        let columns = &ready.model.outside.columns;
         let of = |node: u32| before.master[ready.model.engine_node[node as usize] as usize] as usize;
         for n in 0..ready.model.mesh_node.len() {
             let mesh_node = ready.model.mesh_node[n];

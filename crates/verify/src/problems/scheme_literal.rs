@@ -185,8 +185,8 @@ fn side_by_side(quadrature: Quadrature, damping: Damping) -> Result<[f64; 2], Ve
     let simulation = block(quadrature, damping)?;
     let system = Assembled::new(&simulation);
     let dt = 0.9 * simulation.stable();
-    let load = &simulation.model.loads[0];
-    let mut literal = Literal::new(&system, dt, simulation.model.rayleigh);
+    let load = &simulation.model.loading.loads[0];
+    let mut literal = Literal::new(&system, dt, simulation.model.scheme.rayleigh);
     literal.factor = load.factor.clone();
     for (k, &(node, i)) in system.unknowns.iter().enumerate() {
         literal.force[k] = load.forces.iter().filter(|(n, _)| *n as usize == node).map(|(_, f)| f[i]).sum();

@@ -116,7 +116,7 @@ fn print_estimate(checked: &Checked) {
         "           about {} with {} threads and {} ({:.1} million element updates a second), {} of memory",
         duration(checked.seconds()),
         checked.threads,
-        checked.job.model.isa.name(),
+        checked.job.model.scheme.isa.name(),
         checked.updates_per_second() / 1e6,
         bytes(checked.job.survey.bytes)
     ));

@@ -44,7 +44,7 @@ pub(super) fn before(log: &mut Log, job: &Job) {
         survey.active_elements,
         survey.nodes,
         rayon::current_num_threads(),
-        model.isa.name(),
+        model.scheme.isa.name(),
         bytes(survey.bytes)
     ));
     if shaken {

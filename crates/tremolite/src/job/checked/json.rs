@@ -72,7 +72,7 @@ impl Checked<'_> {
                 "stage_seconds": self.stage_seconds(),
                 "stage_cycles": self.cycles(),
                 "threads": self.threads,
-                "isa": job.model.isa.name(),
+                "isa": job.model.scheme.isa.name(),
                 "element_updates_per_second": self.updates_per_second(),
                 "memory_bytes": survey.bytes,
                 "disk_bytes": disk.total(),

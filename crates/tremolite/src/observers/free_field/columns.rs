@@ -34,7 +34,7 @@ pub fn watched(model: &Model) -> Vec<Watched> {
             bodies: column.bodies.clone(),
         }
     };
-    model.columns.iter().map(watched).collect()
+    model.outside.columns.iter().map(watched).collect()
 }
 
 /// Where a vertical edge of the model is, by its corner.

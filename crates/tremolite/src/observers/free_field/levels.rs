@@ -27,7 +27,7 @@ fn near(model: &Model) -> f64 {
 /// The levels of a column in the shaking, upwards.
 pub fn levels(model: &Model, column: &Column) -> Vec<Level> {
     let elements = model.bodies[column.bodies.clone()].iter().flat_map(|body| &body.elements);
-    let standing = elements.filter(|&&e| model.lives[e as usize].holds(Stage::Shaking));
+    let standing = elements.filter(|&&e| model.elements.lives[e as usize].holds(Stage::Shaking));
     let nodes: BTreeSet<u32> =
         standing.flat_map(|&e| model.mesh.elements[e as usize].nodes().iter().copied()).collect();
     let level =
@@ -59,7 +59,7 @@ pub fn beside(model: &Model, corner: usize, levels: &[Level]) -> Vec<usize> {
 pub fn nearest(model: &Model, [x, y]: [f64; 2]) -> Option<(usize, usize)> {
     let near = near(model);
     let mut best: Option<(f64, (usize, usize))> = None;
-    for (k, column) in model.columns.iter().enumerate() {
+    for (k, column) in model.outside.columns.iter().enumerate() {
         for &corner in &column.corners {
             let [at_x, at_y] = edge(model, corner);
             let away = (at_x - x).hypot(at_y - y);

@@ -141,7 +141,9 @@ impl Beginning {
         let (mut changed, mut whole, mut volume) = (0.0, 0.0, 0.0);
         let mut of_elements = Vec::new();
         for (e, slot) in (0u32..).zip(&view.phase.element_slot) {
-            let (Some(slot), Some(before)) = (slot, view.model.initial.get(e as usize)) else { continue };
+            let (Some(slot), Some(before)) = (slot, view.model.elements.initial.get(e as usize)) else {
+                continue;
+            };
             let Ok(hex) = hex(&view.model.mesh, e as usize) else { continue };
             let points = &view.snapshot.stress[slot.point as usize..][..slot.points as usize];
             let now = mean(&slot.places, points);

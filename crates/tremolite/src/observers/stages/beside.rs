@@ -18,7 +18,7 @@ pub struct BesidePlanes;
 impl BesidePlanes {
     /// Nothing without initial stress.
     pub fn new(setting: &Setting) -> Option<Self> {
-        (!setting.model.initial.is_empty()).then_some(BesidePlanes)
+        (!setting.model.elements.initial.is_empty()).then_some(BesidePlanes)
     }
 }
 
@@ -61,13 +61,13 @@ impl Beside {
         }
         let given = !openings(view.model, Stage::Before(0)).is_empty();
         let before = |element: u32| match given {
-            true => view.model.initial.get(element as usize).copied(),
+            true => view.model.elements.initial.get(element as usize).copied(),
             false => stress(view, element),
         };
         // Where a lining will be, of what is there now.
         let place = |element: u32| match view.model.standing_at(element as usize, Stage::Before(0)) {
             Some(there) => there as u32,
-            None => std::iter::successors(Some(element), |e| view.model.successors.get(e).copied())
+            None => std::iter::successors(Some(element), |e| view.model.elements.successors.get(e).copied())
                 .last()
                 .unwrap_or(element),
         };

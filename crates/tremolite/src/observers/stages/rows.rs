@@ -115,8 +115,10 @@ fn wall_key(name: &str) -> String {
 
 /// The mesh's named points, each with the nearest engine node of what stands from the start to the end.
 fn walls(model: &Model) -> Vec<(&str, usize)> {
-    let throughout = (0..model.user_elements).filter(|&e| {
-        model.body_of[e].is_some() && !model.lives[e].is_later() && model.lives[e].gone.is_none()
+    let throughout = (0..model.user.elements).filter(|&e| {
+        model.elements.body_of[e].is_some()
+            && !model.elements.lives[e].is_later()
+            && model.elements.lives[e].gone.is_none()
     });
     let nodes: BTreeSet<u32> = throughout.flat_map(|e| model.mesh.elements[e].nodes().to_vec()).collect();
     let nearest = |at: &[f64; 3]| {
