@@ -145,12 +145,12 @@ pub fn html(
         peaks: peaks::peaks(source),
         peaks_of: peaks_of(source),
         width_by_mesh: width_by_mesh(source.language),
-        defaulted: summary.defaulted.clone(),
+        defaulted: summary.case.defaulted.clone(),
         has_summary: source.summary.is_ok(),
         unjudged: source.summary.is_ok()
-            && summary.findings.is_empty()
+            && summary.conclusion.findings.is_empty()
             && source.still().is_none()
-            && !summary.stages.iter().any(|stage| stage.plastic_volume > 0.0),
+            && !summary.computed.stages.iter().any(|stage| stage.plastic_volume > 0.0),
         run: facts::run(language, &summary),
         cut: [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()]
             .into_iter()
