@@ -9,7 +9,7 @@ use tremolite_case::{Base as Given, Case};
 use tremolite_laws::materials::MATERIALS;
 use tremolite_report::loops::{Curve, Loops, Named, Plane, Quantity};
 use tremolite_verify::VerifyError;
-use tremolite_verify::box_size::{DISTANCES, FAR, FREQUENCIES, Ground as Kind, shake};
+use tremolite_verify::box_size::{DISTANCES, FAR, FREQUENCIES, RockMass, shake};
 use tremolite_verify::reflection::{Boundary, Medium, Reflection, Solid, Wave, of_base};
 
 fn main() -> std::io::Result<()> {
@@ -172,7 +172,7 @@ impl Boxes {
 
 fn boxes() -> Result<Vec<Boxes>, VerifyError> {
     let mut all = Vec::new();
-    for (kind, ground) in [(Kind::Elastic, "elastic"), (Kind::Yielding, "yielding layer")] {
+    for (kind, ground) in [(RockMass::Elastic, "elastic"), (RockMass::Yielding, "yielding layer")] {
         for frequency in FREQUENCIES {
             let far = shake(kind, Side::FreeField, FAR, frequency)?;
             let apart = |side, widths| -> Result<[f64; 2], VerifyError> {

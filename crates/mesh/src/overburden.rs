@@ -1,13 +1,13 @@
 //! The weight above a point, along the vertical through it.
 
-mod plan;
+mod lattice;
 mod surface;
 #[cfg(test)]
 mod tests;
 
 use crate::topology::{all_faces, face_key};
 use crate::{Face, Mesh};
-use plan::Plan;
+use lattice::Lattice;
 use surface::Surface;
 
 /// Pressure \[Pa\] at each point of what lies above it: ∫ γ dz from the point up, with γ the unit weights \[N/m³\], one an
@@ -31,8 +31,8 @@ use surface::Surface;
 /// If `unit_weight` has not an entry for each element.
 pub fn weight_above(mesh: &Mesh, unit_weight: &[f64], points: &[[f64; 3]]) -> Vec<f64> {
     assert_eq!(unit_weight.len(), mesh.elements.len(), "an entry an element");
-    let plan = Plan::new(mesh);
-    let mut surface = Surface::new(mesh, &plan);
+    let lattice = Lattice::new(mesh);
+    let mut surface = Surface::new(mesh, &lattice);
     for (face, weight) in changes(mesh, unit_weight) {
         surface.add(face, weight);
     }

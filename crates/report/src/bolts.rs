@@ -22,11 +22,11 @@ const ABREAST: usize = 6;
 /// The chapter; nothing for a run without bolts.
 pub fn chapter(source: &Source) -> Option<Chapter> {
     let (language, facts) = (source.language, source.facts());
-    if facts.bolts.is_empty() && source.bolts.is_none() && !source.folder.bolts_pvd().exists() {
+    if facts.parts.bolts.is_empty() && source.bolts.is_none() && !source.folder.bolts_pvd().exists() {
         return None;
     }
     let mut first = Block::default();
-    if facts.bolts.is_empty() {
+    if facts.parts.bolts.is_empty() {
         first.notes.push(say!(language, "No table of groups: the summary does not hold them yet."));
     } else {
         first.text = say!(
@@ -125,7 +125,7 @@ fn groups(source: &Source, facts: &Summary) -> TextTable {
             Cell::number(count(group.cut)).with(gone),
         ]
     };
-    TextTable { head: vec![head], rows: facts.bolts.iter().map(row).collect() }
+    TextTable { head: vec![head], rows: facts.parts.bolts.iter().map(row).collect() }
 }
 
 /// What became of it.
@@ -161,7 +161,7 @@ fn deeds(source: &Source, facts: &Summary) -> TextTable {
         };
         row.extend([
             Cell::number(source.quantity(Kind::Force, group.largest.force)),
-            place(language, &group.largest, facts.model.duration),
+            place(language, &group.largest, facts.computed.model.duration),
             Cell::number(over),
             Cell::number(count(group.yielded)),
             Cell::number(count(group.broken)),
@@ -169,7 +169,7 @@ fn deeds(source: &Source, facts: &Summary) -> TextTable {
         ]);
         row
     };
-    TextTable { head: vec![head], rows: facts.bolts.iter().map(row).collect() }
+    TextTable { head: vec![head], rows: facts.parts.bolts.iter().map(row).collect() }
 }
 
 /// Which bolt, where and when.
@@ -195,7 +195,7 @@ fn by_stage(source: &Source, rows: &[BoltRow], facts: &Summary) -> Option<Block>
     let language = source.language;
     // By stage, then by group: the largest share of yield, and the largest force.
     let mut stages: IndexMap<&str, IndexMap<&str, (f64, f64)>> = IndexMap::new();
-    let mut names: IndexMap<&str, ()> = facts.bolts.keys().map(|name| (name.as_str(), ())).collect();
+    let mut names: IndexMap<&str, ()> = facts.parts.bolts.keys().map(|name| (name.as_str(), ())).collect();
     for row in rows {
         names.entry(&row.name).or_default();
         let most = stages.entry(&row.stage).or_default().entry(&row.name).or_default();

@@ -93,17 +93,17 @@ fn table(
         own.map(|(name, damaged)| (name.clone(), damaged.clone())).collect()
     };
     let mut thresholds: Vec<String> = Vec::new();
-    for (_, damaged) in summary.damage.values().flat_map(&measures) {
+    for (_, damaged) in summary.parts.damage.values().flat_map(&measures) {
         for threshold in
             damaged.beyond.keys().filter(|t| !thresholds.contains(t)).cloned().collect::<Vec<_>>()
         {
             thresholds.push(threshold);
         }
     }
-    let duration = summary.model.duration;
+    let duration = summary.computed.model.duration;
     let mut rows = Vec::new();
     let (mut repeated, mut idled) = (0, 0);
-    for (name, group) in &summary.damage {
+    for (name, group) in &summary.parts.damage {
         let own: Vec<(String, DamageRow)> = measures(group)
             .into_iter()
             .map(|(measure, damaged)| {
@@ -207,8 +207,8 @@ pub fn opening(source: &Source, cracks: &Cracks) -> String {
 /// The cracks of each group that has any.
 pub fn cracks(source: &Source, summary: &Summary) -> Vec<CrackRow> {
     let language = source.language;
-    let duration = summary.model.duration;
-    let found = summary.damage.iter().filter_map(|(name, group)| {
+    let duration = summary.computed.model.duration;
+    let found = summary.parts.damage.iter().filter_map(|(name, group)| {
         let cracks = group.cracks.as_ref()?;
         let (time, place_of) = when(language, cracks.widest.as_ref()?, duration);
         Some(CrackRow {

@@ -115,7 +115,7 @@ fn through_sides(source: &Source, table: &Table) -> Option<String> {
 /// How the error that is drawn and that of the check differ.
 fn beside_check(source: &Source) -> Option<String> {
     let facts = source.facts();
-    facts.trust.iter().find(|line| line.id == ERROR_CHECK && !line.not_applicable)?;
+    facts.soundness.trust.iter().find(|line| line.id == ERROR_CHECK && !line.not_applicable)?;
     Some(say!(
         source.language,
         "It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check of the balance leaves that out, so \

@@ -58,7 +58,7 @@ pub fn outcome(source: &Source) -> Outcome {
         return Outcome { class: "warn", headline, text: told(language, &Said::default(), &why) };
     };
     let (judged, warnings) = (summary.judged(), summary.warnings());
-    let (class, headline) = match summary.status {
+    let (class, headline) = match summary.conclusion.status {
         Status::Failed => ("bad", say!(language, "Run: failed")),
         Status::Stopped => ("warn", say!(language, "Run: stopped before its end")),
         Status::Done if judged == 0 => ("warn", say!(language, "Run: done, but nothing was checked")),
@@ -78,8 +78,12 @@ pub fn outcome(source: &Source) -> Outcome {
             ("warn", text)
         }
     };
-    let text = if summary.outcome.is_empty() { &summary.verdict } else { &summary.outcome };
-    Outcome { class, headline: headline.into(), text: told(language, &summary.outcome_said, text) }
+    let text = if summary.conclusion.outcome.is_empty() {
+        &summary.conclusion.verdict
+    } else {
+        &summary.conclusion.outcome
+    };
+    Outcome { class, headline: headline.into(), text: told(language, &summary.conclusion.outcome_said, text) }
 }
 
 /// What became of each structure, each a banner of its own: a sound run may show a lining that fails.
@@ -93,7 +97,7 @@ pub fn findings(language: Language, summary: &Summary) -> Vec<Outcome> {
         headline: headline(language, finding),
         text: told(language, &finding.text_said, &finding.text),
     };
-    summary.findings.iter().map(banner).collect()
+    summary.conclusion.findings.iter().map(banner).collect()
 }
 
 fn headline(language: Language, finding: &Finding) -> Value {
@@ -107,7 +111,7 @@ fn headline(language: Language, finding: &Finding) -> Value {
 
 /// The trust table.
 pub fn checks(language: Language, summary: &Summary) -> Vec<Check> {
-    summary.trust.iter().map(|line| check(language, line)).collect()
+    summary.soundness.trust.iter().map(|line| check(language, line)).collect()
 }
 
 fn check(language: Language, line: &TrustLine) -> Check {
@@ -134,13 +138,13 @@ pub fn warnings(language: Language, summary: &Summary) -> Vec<Value> {
         Language::English => Value::from(text.as_str()),
         Language::Chinese => in_english(text),
     };
-    summary.before.iter().map(set).collect()
+    summary.case.before.iter().map(set).collect()
 }
 
 /// Size, time step and motion.
 pub fn model(source: &Source, summary: &Summary) -> Vec<Fact> {
     let language = source.language;
-    let model = &summary.model;
+    let model = &summary.computed.model;
     let mut facts = Vec::new();
     if model.elements > 0 {
         let groups: Vec<_> = model.groups.iter().map(|(name, n)| format!("{name} {}", count(*n))).collect();
@@ -154,7 +158,7 @@ pub fn model(source: &Source, summary: &Summary) -> Vec<Fact> {
         facts.push(card(say!(language, "Steps"), count(model.steps), shaking));
     }
     facts.extend(motion(source, summary));
-    for fact in &summary.facts {
+    for fact in &summary.case.facts {
         facts.push(Fact {
             label: told(language, &fact.name_said, &capital(&fact.name)),
             value: trimmed(&quantity(&fact.unit, fact.value)),
@@ -168,7 +172,7 @@ pub fn model(source: &Source, summary: &Summary) -> Vec<Fact> {
 /// The motion that went in.
 fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
     let language = source.language;
-    let motion = &summary.motion;
+    let motion = &summary.computed.motion;
     let mut facts = Vec::new();
     if !motion.kind.is_empty() {
         // A motion of layered ground has no factor; older versions did not say what was done.
@@ -208,12 +212,16 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
 fn monitors(language: Language, summary: &Summary) -> Vec<Fact> {
     let place = |p: &[f64; 3]| p.map(|c| trimmed(&format!("{c:.2}").replace('-', "−"))).join(",\u{a0}");
     let mut facts = Vec::new();
-    if !summary.positions.is_empty() {
-        let places: Vec<_> =
-            summary.positions.iter().map(|(name, p)| format!("{name}\u{a0}({})", place(p))).collect();
+    if !summary.monitors.positions.is_empty() {
+        let places: Vec<_> = summary
+            .monitors
+            .positions
+            .iter()
+            .map(|(name, p)| format!("{name}\u{a0}({})", place(p)))
+            .collect();
         facts.push(card(say!(language, "Monitors (x, y, z in m)"), places.join("; "), ""));
     }
-    if !summary.pairs.is_empty() {
+    if !summary.parts.pairs.is_empty() {
         let of = |(name, pair): (&String, &PairPlace)| {
             say!(
                 language,
@@ -224,7 +232,7 @@ fn monitors(language: Language, summary: &Summary) -> Vec<Fact> {
                 normal = place(&pair.normal)
             )
         };
-        let places: Vec<_> = summary.pairs.iter().map(of).collect();
+        let places: Vec<_> = summary.parts.pairs.iter().map(of).collect();
         let note = say!(
             language,
             "at the pair nearest to what was asked for; m points out of the first side into the second"
@@ -241,7 +249,7 @@ fn capital(name: &str) -> String {
 
 /// How the run was made.
 pub fn run(language: Language, summary: &Summary) -> Vec<Fact> {
-    let run = &summary.run;
+    let run = &summary.computed.run;
     let mut facts = Vec::new();
     for (label, value) in [
         (say!(language, "Program"), &run.program),
@@ -256,10 +264,10 @@ pub fn run(language: Language, summary: &Summary) -> Vec<Fact> {
     if run.threads > 0 {
         facts.push(card(say!(language, "Threads"), run.threads.to_string(), ""));
     }
-    if summary.wall_seconds.is_finite() && summary.wall_seconds > 0.0 {
-        facts.push(card(say!(language, "Wall-clock time"), span(summary.wall_seconds), ""));
+    if summary.computed.wall_seconds.is_finite() && summary.computed.wall_seconds > 0.0 {
+        facts.push(card(say!(language, "Wall-clock time"), span(summary.computed.wall_seconds), ""));
     }
-    let rate = summary.element_updates_per_second;
+    let rate = summary.computed.element_updates_per_second;
     if rate.is_finite() && rate > 0.0 {
         let value = say!(language, "{rate}\u{a0}million a second", rate = figures(rate / 1e6, 3));
         facts.push(card(say!(language, "Element updates"), value, ""));

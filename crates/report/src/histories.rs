@@ -83,7 +83,7 @@ impl<'a> Recorded<'a> {
             .map_err(|why| Section::left_out(&say!(source.language, "Histories of the monitors"), why))?;
         let pairs = names(table, is_pair);
         let monitors = names(table, is_monitor);
-        let known = source.facts().relative;
+        let known = source.facts().monitors.relative;
         let mut all: Vec<String> = known.keys().cloned().collect();
         all.extend(pairs.into_iter().filter(|pair| !known.contains_key(pair)));
         Ok(Recorded { source, table, monitors, pairs: all })
@@ -161,7 +161,7 @@ impl<'a> Recorded<'a> {
 
     /// The largest value of monitors that did not come loose; of all where none is held.
     fn largest_held(&self, histories: &[(String, Cow<'_, [f64]>)]) -> f64 {
-        let loose = self.source.facts().monitors_on_broken_elements;
+        let loose = self.source.facts().monitors.on_broken_elements;
         let of =
             |(name, values): &(String, Cow<'_, [f64]>)| (!loose.contains(name)).then(|| largest_of(values));
         histories.iter().filter_map(of).reduce(f64::max).unwrap_or_else(|| largest(histories))

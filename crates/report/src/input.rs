@@ -144,16 +144,16 @@ fn caption(source: &Source, accelerations: &[(usize, &[f64])], still: &[&str]) -
         ));
     }
     let facts = source.facts();
-    let factor = facts.motion.factor;
-    if let Some(site) = &facts.motion.deconvolved {
+    let factor = facts.computed.motion.factor;
+    if let Some(site) = &facts.computed.motion.deconvolved {
         text.push(' ');
         text.push_str(&deconvolved::words(language, site));
-    } else if factor.is_finite() && !facts.motion.kind.is_empty() {
+    } else if factor.is_finite() && !facts.computed.motion.kind.is_empty() {
         text.push(' ');
         text.push_str(&say!(
             language,
             "It is taken as {kind}: the wave that comes up through the base is {factor} times this.",
-            kind = kind_of_motion(language, &facts.motion.kind),
+            kind = kind_of_motion(language, &facts.computed.motion.kind),
             factor = figures(factor, 3)
         ));
     }

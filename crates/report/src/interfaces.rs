@@ -103,11 +103,11 @@ fn rows(language: Language) -> [Wanted; 13] {
 
 /// The table; nothing for a run without interfaces.
 pub fn table(source: &Source, summary: &Summary) -> Option<InterfaceTable> {
-    let names: Vec<String> = summary.interfaces.keys().cloned().collect();
+    let names: Vec<String> = summary.parts.interfaces.keys().cloned().collect();
     let row = |(name, meaning, value): Wanted| InterfaceRow {
         name,
         meaning,
-        values: summary.interfaces.values().map(|own| value(source, own)).collect(),
+        values: summary.parts.interfaces.values().map(|own| value(source, own)).collect(),
     };
     (!names.is_empty())
         .then(|| InterfaceTable { names, rows: rows(source.language).into_iter().map(row).collect() })
@@ -126,7 +126,7 @@ pub fn extremes(source: &Source, facts: &Summary) -> Vec<(String, String, String
         }),
     ];
     let most = |(label, of): Wanted| {
-        let all = facts.interfaces.iter().filter_map(|(name, own)| Some((name, of(own)?)));
+        let all = facts.parts.interfaces.iter().filter_map(|(name, own)| Some((name, of(own)?)));
         let (name, peak) = all.max_by(|a, b| a.1.value.total_cmp(&b.1.value))?;
         let place = peak.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−"))).join(",\u{a0}");
         Some((

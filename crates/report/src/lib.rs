@@ -103,8 +103,8 @@ fn set(source: &Source) -> Result<PathBuf, Error> {
     });
     let of_figures = figures.filter_map(|figure| Some((figure.file.as_str(), figure.curves.as_ref()?)));
     let words = page::html(source, &sections, 0, String::new())?.len();
-    let room =
-        page::size::limit(source.facts().model.elements as usize).saturating_sub(words + page::size::VIEW);
+    let room = page::size::limit(source.facts().computed.model.elements as usize)
+        .saturating_sub(words + page::size::VIEW);
     let (curves, left) = script::curves::embedded(of_figures, &mut blocks, room);
     // The view is the part that can be made smaller, so it comes last.
     let rest = words + curves.len() + blocks.elements().len();

@@ -3,108 +3,121 @@
 //! [`contents`] is its order.
 
 pub mod contents;
+pub mod part;
 pub mod size;
 pub mod templates;
 
 use minijinja::Value;
 use minijinja::value::Serde;
 use serde::Serialize;
-use tremolite_results::Defaulted;
+use tremolite_results::{Defaulted, Summary};
 
-use crate::chapter::figure::{Block, Figure, Section};
-use crate::chapter::text_table::TextTable;
 use crate::damage::crack_widths::width_by_mesh;
 use crate::damage::{self, CrackRow, DamageTable};
-use crate::drawing::svg;
 use crate::facts::key_results::key_results;
 use crate::facts::materials::{self, MaterialTable};
 use crate::facts::peaks::{self, PeakTable};
 use crate::facts::{self, Check, Fact, Outcome};
 use crate::histories::gaps;
 use crate::interfaces::{self, InterfaceTable};
-use crate::language::say;
-use crate::page::contents::{Content, Placed};
+use crate::language::{Language, say};
+use crate::page::contents::Placed;
+use crate::page::part::{PagePart, part};
 use crate::page::templates::{SCRIPT, STYLE, environment, markup};
 use crate::source::Source;
 use crate::verdict::{self, Verdict};
 
 const TEMPLATE: &str = include_str!("../template/report.html");
 
+/// What the template sets. What only one section says is in a field of that section's name.
 #[derive(Serialize)]
 struct Page {
+    frame: Frame,
+    head: Head,
+    /// In their order.
+    sections: Vec<PagePart>,
+    /// Whether there is a summary: without one several sections can only say so.
+    has_summary: bool,
+    findings: Findings,
+    shaking: Shaking,
+    damage: Damage,
+    interfaces: Option<InterfaceTable>,
+    /// Lines of the trust report.
+    checks: Vec<Check>,
+    given: Given,
+    run: Run,
+}
+
+/// What holds the page, whatever stands on it.
+#[derive(Serialize)]
+struct Frame {
     language: &'static str,
     style: Value,
     /// The blocks of the view in three dimensions.
     view: Value,
     script: Value,
+}
+
+/// What stands above the contents.
+#[derive(Serialize)]
+struct Head {
     title: String,
     verdict: Verdict,
-    outcome: Outcome,
-    findings: Vec<Outcome>,
+    /// Whether a table ends in the middle of a line.
+    cut: bool,
+    /// That a table has values that are no number.
+    gaps: Option<String>,
     cards: Vec<Fact>,
-    checks: Vec<Check>,
-    warnings: Vec<Value>,
-    model: Vec<Fact>,
-    materials: Vec<MaterialTable>,
-    damage: Vec<DamageTable>,
-    cracks: Vec<CrackRow>,
-    interfaces: Option<InterfaceTable>,
-    /// In their order.
-    sections: Vec<PagePart>,
+}
+
+/// How the run ended and what became of each structure.
+#[derive(Serialize)]
+struct Findings {
+    run: Outcome,
+    structures: Vec<Outcome>,
+    /// Whether to say that there was nothing to judge.
+    unjudged: bool,
+}
+
+/// What moved, or why nothing did.
+#[derive(Serialize)]
+struct Shaking {
     /// What to say in the place of the shaking; nothing where there is one.
     still: Option<String>,
     peaks: Vec<PeakTable>,
     /// What peaks are taken from.
     peaks_of: String,
+}
+
+/// What is damaged at the end.
+#[derive(Serialize)]
+struct Damage {
+    tables: Vec<DamageTable>,
+    cracks: Vec<CrackRow>,
     /// What is to be said beside widths of cracks.
     width_by_mesh: String,
+}
+
+/// What was given: the model, its materials and the case.
+#[derive(Serialize)]
+struct Given {
+    model: Vec<Fact>,
+    materials: Vec<MaterialTable>,
+    /// What was said before the run.
+    warnings: Vec<Value>,
     defaulted: Vec<Defaulted>,
-    has_summary: bool,
-    /// Whether to say that there was nothing to judge.
-    unjudged: bool,
-    run: Vec<Fact>,
-    cut: bool,
-    /// That a table has values that are no number.
-    gaps: Option<String>,
-    /// Of the result files those that are there: what they are, and their names.
-    files: Vec<(String, Vec<&'static str>)>,
     /// The case as it was read.
     case: Option<String>,
+}
+
+/// The run itself, and what it left.
+#[derive(Serialize)]
+struct Run {
+    facts: Vec<Fact>,
+    /// Of the result files those that are there: what they are, and their names.
+    files: Vec<(String, Vec<&'static str>)>,
     /// That some figures are drawings alone, for the sake of the page's size; empty where none is.
     drawings: String,
-}
-
-/// A block as it is set.
-#[derive(Serialize)]
-struct Paragraph {
-    heading: String,
-    lead: String,
-    text: String,
-    tables: Vec<TextTable>,
-    figures: Vec<PageDrawing>,
-    notes: Vec<String>,
-}
-
-/// One section: what the template sets by its id; or figures, or blocks with tables and figures, or the reason for having
-/// none.
-#[derive(Default, Serialize)]
-struct PagePart {
-    id: String,
-    heading: String,
-    template: bool,
-    why: String,
-    figures: Vec<PageDrawing>,
-    blocks: Vec<Paragraph>,
-}
-
-#[derive(Serialize)]
-struct PageDrawing {
-    /// The name by which the manifest of the curves knows it; empty for a figure without.
-    curves: String,
-    svg: Value,
-    /// How much of a page of paper it wants: `tall` all of it, `high` more than half; else nothing.
-    height: &'static str,
-    caption: String,
 }
 
 /// The page as text; `data` is what its script reads, and so many figures were `left` without. All text from files is escaped by the template; only the drawings, which
@@ -117,61 +130,85 @@ pub fn html(
 ) -> Result<String, minijinja::Error> {
     let language = source.language;
     let summary = source.facts();
-    let title = if summary.title.is_empty() {
-        let path = source.folder.root();
-        path.file_name().map_or_else(|| say!(language, "Results"), |name| name.to_string_lossy().into_owned())
-    } else {
-        summary.title.clone()
-    };
     let page = Page {
-        language: language.code(),
-        view: markup(&data),
-        script: markup(SCRIPT),
-        style: markup(STYLE),
-        title,
-        verdict: verdict::verdict(source),
-        outcome: facts::outcome(source),
-        findings: facts::findings(language, &summary),
-        cards: key_results(source),
-        checks: facts::checks(language, &summary),
-        warnings: facts::warnings(language, &summary),
-        model: facts::model(source, &summary),
-        materials: materials::tables(language, &summary),
-        damage: damage::tables(source.language, &summary),
-        cracks: damage::cracks(source, &summary),
-        interfaces: interfaces::table(source, &summary),
-        still: source.still(),
+        frame: Frame {
+            language: language.code(),
+            style: markup(STYLE),
+            view: markup(&data),
+            script: markup(SCRIPT),
+        },
+        head: head(source, &summary),
         sections: sections.iter().map(part).collect(),
-        peaks: peaks::peaks(source),
-        peaks_of: peaks_of(source),
-        width_by_mesh: width_by_mesh(source.language),
-        defaulted: summary.defaulted.clone(),
         has_summary: source.summary.is_ok(),
-        unjudged: source.summary.is_ok()
-            && summary.findings.is_empty()
-            && source.still().is_none()
-            && !summary.stages.iter().any(|stage| stage.plastic_volume > 0.0),
-        run: facts::run(language, &summary),
-        cut: [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()]
-            .into_iter()
-            .flatten()
-            .any(|table| table.as_ref().is_ok_and(|t| t.cut))
-            || matches!(&source.free_field, Some(Ok(found)) if found.cut),
-        gaps: gaps::told(source),
-        files: files(source),
-        case: source.case.clone(),
-        drawings: match left {
-            0 => String::new(),
-            _ => say!(
-                language,
-                "To keep the page small {figures} figures with curves, far down, are drawings alone.",
-                figures = left
-            ),
+        findings: findings(source, &summary),
+        shaking: Shaking { still: source.still(), peaks: peaks::peaks(source), peaks_of: peaks_of(source) },
+        damage: Damage {
+            tables: damage::tables(language, &summary),
+            cracks: damage::cracks(source, &summary),
+            width_by_mesh: width_by_mesh(language),
+        },
+        interfaces: interfaces::table(source, &summary),
+        checks: facts::checks(language, &summary),
+        given: Given {
+            model: facts::model(source, &summary),
+            materials: materials::tables(language, &summary),
+            warnings: facts::warnings(language, &summary),
+            defaulted: summary.case.defaulted.clone(),
+            case: source.case.clone(),
+        },
+        run: Run {
+            facts: facts::run(language, &summary),
+            files: files(source),
+            drawings: drawings(language, left),
         },
     };
     let mut environment = environment(language)?;
     environment.add_template("report.html", TEMPLATE)?;
     environment.get_template("report.html")?.render(Serde(&page))
+}
+
+fn head(source: &Source, summary: &Summary) -> Head {
+    let title = if summary.title.is_empty() {
+        let path = source.folder.root();
+        path.file_name()
+            .map_or_else(|| say!(source.language, "Results"), |name| name.to_string_lossy().into_owned())
+    } else {
+        summary.title.clone()
+    };
+    let mut tables =
+        [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()].into_iter().flatten();
+    let cut = tables.any(|table| table.as_ref().is_ok_and(|t| t.cut))
+        || matches!(&source.free_field, Some(Ok(found)) if found.cut);
+    Head {
+        title,
+        verdict: verdict::verdict(source),
+        cut,
+        gaps: gaps::told(source),
+        cards: key_results(source),
+    }
+}
+
+fn findings(source: &Source, summary: &Summary) -> Findings {
+    Findings {
+        run: facts::outcome(source),
+        structures: facts::findings(source.language, summary),
+        unjudged: source.summary.is_ok()
+            && summary.conclusion.findings.is_empty()
+            && source.still().is_none()
+            && !summary.computed.stages.iter().any(|stage| stage.plastic_volume > 0.0),
+    }
+}
+
+/// That so many figures were left as drawings.
+fn drawings(language: Language, left: usize) -> String {
+    match left {
+        0 => String::new(),
+        _ => say!(
+            language,
+            "To keep the page small {figures} figures with curves, far down, are drawings alone.",
+            figures = left
+        ),
+    }
 }
 
 /// What peaks are taken from.
@@ -223,48 +260,4 @@ fn files(source: &Source) -> Vec<(String, Vec<&'static str>)> {
         .into_iter()
         .filter(|(_, names)| !names.is_empty())
         .collect()
-}
-
-fn paragraph(block: &Block) -> Paragraph {
-    Paragraph {
-        heading: block.heading.clone(),
-        lead: block.lead.clone(),
-        text: block.text.clone(),
-        tables: block.tables.clone(),
-        figures: block.figures.iter().map(drawing).collect(),
-        notes: block.notes.clone(),
-    }
-}
-
-fn part(placed: &Placed) -> PagePart {
-    let part = PagePart { id: placed.id.clone(), heading: placed.heading.clone(), ..PagePart::default() };
-    match &placed.content {
-        Content::Template => PagePart { template: true, ..part },
-        Content::Section(Section::LeftOut { why, .. }) => PagePart { why: why.clone(), ..part },
-        Content::Section(Section::Drawn(figures)) => {
-            PagePart { figures: figures.iter().map(drawing).collect(), ..part }
-        }
-        Content::Section(Section::Told(chapter)) => {
-            PagePart { blocks: chapter.blocks.iter().map(paragraph).collect(), ..part }
-        }
-    }
-}
-
-/// Height over width from which on a figure has a page of its own, or more than half of one: shrunk to half a page its texts
-/// could not be read.
-const TALL: f64 = 1.0;
-const HIGH: f64 = 0.75;
-
-fn drawing(figure: &Figure) -> PageDrawing {
-    let height = match svg::proportion(&figure.svg) {
-        Some(proportion) if proportion > TALL => "tall",
-        Some(proportion) if proportion > HIGH => "high",
-        _ => "",
-    };
-    PageDrawing {
-        curves: figure.curves.as_ref().map(|_| figure.file.clone()).unwrap_or_default(),
-        svg: markup(&figure.svg),
-        height,
-        caption: figure.caption.clone(),
-    }
 }

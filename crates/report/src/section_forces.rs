@@ -50,10 +50,10 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     });
     let mut blocks = vec![Block {
         text,
-        tables: vec![table(language, &linings, facts.model.duration)],
+        tables: vec![table(language, &linings, facts.computed.model.duration)],
         ..Block::default()
     }];
-    let y = plane(&facts.positions);
+    let y = plane(&facts.monitors.positions);
     for (number, lining) in linings.iter().enumerate() {
         let (y, section) = lining.section(y);
         let mut block = Block { heading: lining.name.clone(), ..Block::default() };

@@ -61,7 +61,7 @@ impl Source {
         let folder = ResultFolder::open_existing(root)?;
         let summary = folder.summary();
         let summary = summary.exists().then(|| Summary::read(&summary).map_err(|e| e.to_string()));
-        let asked = || summary.as_ref()?.as_ref().ok()?.report.language.parse().ok();
+        let asked = || summary.as_ref()?.as_ref().ok()?.case.report.language.parse().ok();
         let language = language.or_else(asked).unwrap_or_default();
         let mut summary = summary.unwrap_or_else(|| {
             Err(say!(language, "There is no summary.json: the run is still under way, or it was killed."))
@@ -132,7 +132,7 @@ impl Source {
     pub fn shakes(&self) -> bool {
         let folder = &self.folder;
         let staged = self.relaxation.is_some()
-            || self.summary.as_ref().is_ok_and(|summary| !summary.stages.is_empty())
+            || self.summary.as_ref().is_ok_and(|summary| !summary.computed.stages.is_empty())
             || folder.stages().exists();
         let written = [folder.monitors(), folder.energy(), folder.pvd()].iter().any(|path| path.exists());
         !staged || written
@@ -141,7 +141,7 @@ impl Source {
     /// What to say in the place of the shaking where there is nothing of it.
     pub fn still(&self) -> Option<String> {
         let asked = match &self.summary {
-            Ok(summary) => !summary.motion.kind.is_empty(),
+            Ok(summary) => !summary.computed.motion.kind.is_empty(),
             Err(_) => true,
         };
         (!self.shakes()).then_some(if asked {
@@ -174,7 +174,7 @@ impl Source {
     /// How long the histories are (s); without them, how long the run was to be.
     pub fn duration(&self) -> f64 {
         let last = self.monitors.as_ref().ok().and_then(|table| table.column("time")?.last().copied());
-        last.unwrap_or(self.facts().model.duration)
+        last.unwrap_or(self.facts().computed.model.duration)
     }
 }
 
@@ -205,13 +205,13 @@ fn kinds(table: &Table) -> impl Iterator<Item = (Kind, f64)> {
 
 /// Fills in peaks that the summary lacks from the histories.
 fn complete(summary: &mut Summary, monitors: &Table) {
-    if !summary.monitors.is_empty() {
+    if !summary.monitors.peaks.is_empty() {
         return;
     }
     let [single, pairs] = peaks_by_monitor(monitors);
-    summary.monitors = single;
-    if summary.relative.is_empty() {
-        summary.relative = pairs;
+    summary.monitors.peaks = single;
+    if summary.monitors.relative.is_empty() {
+        summary.monitors.relative = pairs;
     }
 }
 

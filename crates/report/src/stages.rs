@@ -25,7 +25,7 @@ const SHORT: usize = 12;
 /// The chapter; nothing for a run without stages.
 pub fn chapter(source: &Source) -> Option<Chapter> {
     let (language, facts) = (source.language, source.facts());
-    if facts.stages.is_empty() && source.relaxation.is_none() {
+    if facts.computed.stages.is_empty() && source.relaxation.is_none() {
         return None;
     }
     let mut blocks = vec![table(source, &facts)];
@@ -42,7 +42,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
 
 fn table(source: &Source, facts: &Summary) -> Block {
     let language = source.language;
-    let stages = &facts.stages;
+    let stages = &facts.computed.stages;
     if stages.is_empty() {
         let note = say!(language, "The table of stages is left out: summary.json lists none yet.");
         return Block { notes: vec![note], ..Block::default() };
@@ -122,7 +122,7 @@ fn changes(language: Language, k: usize, stage: &StageSummary) -> String {
 /// What the monitors show when the stages are done.
 fn monitors(source: &Source, facts: &Summary) -> Option<Block> {
     let language = source.language;
-    let (k, last) = facts.stages.iter().enumerate().next_back()?;
+    let (k, last) = facts.computed.stages.iter().enumerate().next_back()?;
     let quantities = [("ux", "m"), ("uy", "m"), ("uz", "m"), ("s1", "Pa"), ("s3", "Pa")];
     let value = |of: &indexmap::IndexMap<String, Option<f64>>, name: &str| of.get(name).copied().flatten();
     let largest = |unit: &str| {

@@ -86,10 +86,10 @@ fn linings(facts: &Summary) -> Vec<&Finding> {
     let cracks = |finding: &&Finding| finding.id.starts_with("damage_") && !of_rock(finding);
     // An undamaged group has no numbers: whether it can crack is known from what its damage is measured by.
     let concrete = |finding: &&Finding| {
-        let group = facts.damage.get(&finding.group);
+        let group = facts.parts.damage.get(&finding.group);
         group.is_none_or(|group| group.measures.keys().any(|name| !name.starts_with("plastic_")))
     };
-    let mut all: Vec<&Finding> = facts.findings.iter().filter(cracks).filter(concrete).collect();
+    let mut all: Vec<&Finding> = facts.conclusion.findings.iter().filter(cracks).filter(concrete).collect();
     let share = |finding: &Finding| finding.numbers.get("share_cracked").copied().unwrap_or(0.0);
     all.sort_by(|a, b| (b.severity as u8).cmp(&(a.severity as u8)).then(share(b).total_cmp(&share(a))));
     all
@@ -103,7 +103,7 @@ fn yielding<'a>(source: &Source, facts: &'a Summary) -> Option<&'a Finding> {
         let shares = finding.numbers.iter().filter(|(name, _)| name.starts_with("share_yielded"));
         shares.map(|(_, share)| *share).fold(0.0, f64::max)
     };
-    let all = facts.findings.iter().filter(|finding| of_rock(finding)).filter(lining);
+    let all = facts.conclusion.findings.iter().filter(|finding| of_rock(finding)).filter(lining);
     let all = all.map(|finding| (finding, share(finding))).filter(|(_, share)| *share > 0.0);
     all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(finding, _)| finding)
 }
@@ -115,7 +115,7 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
         return ("warn", say!(language, "Cannot be said: there is no summary of the run."));
     };
     let yielded = yielding.map(|finding| yielded(language, summary, finding));
-    match (summary.status, linings.first().map(|finding| finding.severity), yielded) {
+    match (summary.conclusion.status, linings.first().map(|finding| finding.severity), yielded) {
         (Status::Failed, ..) => ("bad", say!(language, "Cannot be said: the run failed.")),
         (Status::Stopped, Some(Severity::Through), _) => {
             ("bad", say!(language, "The run has not ended, and cracks already run through its thickness."))
@@ -165,7 +165,7 @@ fn run(source: &Source, facts: &Summary) -> VerdictLine {
     }
     let (judged, warnings) = (facts.judged(), facts.warnings());
     let passed = judged - warnings.min(judged);
-    let (class, text) = match facts.status {
+    let (class, text) = match facts.conclusion.status {
         Status::Failed => ("bad", say!(language, "The run failed: what follows is not to be trusted.")),
         Status::Stopped => ("warn", say!(language, "The run was stopped before its end.")),
         Status::Done if judged == 0 => ("warn", say!(language, "The run is done, but nothing was checked.")),
@@ -186,7 +186,7 @@ fn run(source: &Source, facts: &Summary) -> VerdictLine {
 /// That checks warn, and which.
 fn warned(source: &Source, facts: &Summary, passed: usize, judged: usize) -> String {
     let language = source.language;
-    let warn = facts.trust.iter().filter(|line| !line.pass && !line.not_applicable);
+    let warn = facts.soundness.trust.iter().filter(|line| !line.pass && !line.not_applicable);
     let names: Vec<String> =
         warn.map(|line| short(&language.tell_or(&line.name_said, &line.name), CHECK)).collect();
     let told = names[..names.len().min(WARNINGS)].join(&say!(language, "; "));
@@ -233,9 +233,10 @@ fn in_full(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
     let language = source.language;
     let mut line = lining(source, finding);
     let cracked = |group: &GroupDamage| Some(group.measures.get(CRACKED)?.beyond.get("0.5")? / group.volume);
-    let of_whole = facts.damage.get(&finding.group).and_then(cracked);
+    let of_whole = facts.parts.damage.get(&finding.group).and_then(cracked);
     let inside = format!("{}.", finding.group);
     let mut parts: Vec<(&str, f64)> = facts
+        .parts
         .damage
         .iter()
         .filter_map(|(name, group)| Some((name.strip_prefix(&inside)?, cracked(group)?)))
@@ -336,7 +337,7 @@ fn relative(source: &Source, facts: &Summary) -> Option<VerdictLine> {
         "Monitors {pair} moved by up to {most} against each other, at {time}\u{a0}s; {left} at the end.",
         pair = pair,
         most = share(most.max),
-        time = moment(most.t_max, facts.model.duration),
+        time = moment(most.t_max, facts.computed.model.duration),
         left = if most.residual.is_finite() { share(most.residual) } else { figures(most.residual, 3) }
     );
     if !loose.is_empty() {

@@ -48,7 +48,7 @@ pub fn is_wanted(source: &Source) -> bool {
 
 /// The list of the field files, and what its times are; nothing where there is none or none is wanted.
 fn found(source: &Source) -> Option<(&'static str, Result<Pvd, String>)> {
-    if source.summary.as_ref().is_ok_and(|summary| !summary.report.view) {
+    if source.summary.as_ref().is_ok_and(|summary| !summary.case.report.view) {
         return None;
     }
     let folder = &source.folder;
@@ -162,7 +162,7 @@ fn drawn(
 
 /// The times of the files, or the stages.
 fn moments(source: &Source, clock: &str, pvd: &Pvd) -> Vec<Moment> {
-    let stages = source.summary.as_ref().map_or(&[][..], |summary| &summary.stages);
+    let stages = source.summary.as_ref().map_or(&[][..], |summary| &summary.computed.stages);
     let label = |t: f64| {
         if clock == "earthquake" {
             return format!("{} s", microseconds(t));

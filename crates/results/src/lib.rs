@@ -82,7 +82,8 @@ pub use slice::{Corner, Piece, Slice};
 pub use stages::{StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{
-    Deconvolved, Defaulted, Input, ModelFacts, MotionFacts, PageWish, RunFacts, Status, Summary, Synchrony,
+    CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, Input, ModelFacts, MonitorFacts, MotionFacts,
+    PageWish, PartFacts, RunFacts, Soundness, Status, Summary, Synchrony,
 };
 pub use surface::{ElementGroups, PairSurface};
 pub use table::Table;

@@ -1,8 +1,8 @@
 //! What bolts do, bolt by bolt, and what is told of their groups.
 
-mod told;
+mod groups;
 
-pub use told::{bolts, findings, monitors, together, warnings};
+pub use groups::{bolts, findings, monitors, together, warnings};
 
 use crate::quantities::over_yield;
 use tremolite_engine::bolts::{Bolt, BoltSet, SegmentSeen, SegmentState};

@@ -33,9 +33,9 @@ const ALONG: [f64; 3] = [0.8, 0.0, 0.6];
 pub const DISTANCES: [u32; 4] = [1, 2, 4, 8];
 pub const FAR: u32 = 16;
 
-/// Ground around the cavern.
+/// The rock mass around the cavern.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Ground {
+pub enum RockMass {
     Elastic,
     /// Elastic but for a layer below the cavern, which yields in the free field as well.
     Yielding,
@@ -71,7 +71,7 @@ impl Seen {
 ///
 /// # Errors
 /// If it does not run.
-pub fn shake(ground: Ground, sides: Side, widths: u32, frequency: f64) -> Result<Seen, VerifyError> {
+pub fn shake(mass: RockMass, sides: Side, widths: u32, frequency: f64) -> Result<Seen, VerifyError> {
     let half = 0.5 * WIDTH + WIDTH * f64::from(widths);
     let count = |length: f64| (length / ELEMENT).round() as u32;
     let counts = [count(2.0 * half), 1, count(HEIGHT)];
@@ -80,10 +80,10 @@ pub fn shake(ground: Ground, sides: Side, widths: u32, frequency: f64) -> Result
         let x = centroid(&mesh, *e);
         x[0].abs() < 0.5 * WIDTH && x[2] > FLOOR && x[2] < FLOOR + WIDTH
     };
-    let weak = |e: &u32| ground == Ground::Yielding && (WEAK[0]..WEAK[1]).contains(&centroid(&mesh, *e)[2]);
+    let weak = |e: &u32| mass == RockMass::Yielding && (WEAK[0]..WEAK[1]).contains(&centroid(&mesh, *e)[2]);
     let (soft, rock) = (0..mesh.elements.len() as u32).filter(|e| !inside(e)).partition(weak);
     let mut bodies = vec![ROCK.body("rock", rock, Quadrature::OnePoint)];
-    if ground == Ground::Yielding {
+    if mass == RockMass::Yielding {
         let values = Values::default()
             .with("young", ROCK.young)
             .with("poisson", ROCK.poisson)

@@ -1,16 +1,16 @@
 //! `tremolite run`: the main job.
 
-mod told;
+mod messages;
 
 use super::{load, modelled, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{ProgressLine, tell};
+use messages::{Log, after, before, progress};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
-use told::{Log, after, before, progress};
 use tremolite::RunError;
 use tremolite::job::{Caller, Job};
 use tremolite::run::{Control, Progress};

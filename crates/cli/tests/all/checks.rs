@@ -59,7 +59,12 @@ fn summary_of(folder: &Path) -> Summary {
 }
 
 fn line<'s>(summary: &'s Summary, id: &str) -> &'s TrustLine {
-    summary.trust.iter().find(|line| line.id == id).unwrap_or_else(|| panic!("{id}: {:?}", summary.trust))
+    summary
+        .soundness
+        .trust
+        .iter()
+        .find(|line| line.id == id)
+        .unwrap_or_else(|| panic!("{id}: {:?}", summary.soundness.trust))
 }
 
 /// Ground that is the same everywhere must move everywhere as its reference column: periodic sides let it, others do not,
@@ -111,7 +116,7 @@ fn every_check_has_an_id_of_its_own_and_those_that_do_not_apply_say_why() {
     let folder = tempfile::tempdir().unwrap();
     block(folder.path(), "sides = \"periodic\"");
     let summary = summary_of(folder.path());
-    let ids: Vec<&str> = summary.trust.iter().map(|line| line.id.as_str()).collect();
+    let ids: Vec<&str> = summary.soundness.trust.iter().map(|line| line.id.as_str()).collect();
     for id in [
         "elements_per_wavelength",
         "input_drift",
@@ -128,7 +133,7 @@ fn every_check_has_an_id_of_its_own_and_those_that_do_not_apply_say_why() {
     ] {
         assert_eq!(ids.iter().filter(|other| **other == id).count(), 1, "{id}: {ids:?}");
     }
-    for line in &summary.trust {
+    for line in &summary.soundness.trust {
         assert!(
             line.id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_'),
             "{}",
@@ -138,8 +143,10 @@ fn every_check_has_an_id_of_its_own_and_those_that_do_not_apply_say_why() {
     }
     let energy = line(&summary, "energy_error");
     assert!(energy.pass && energy.numbers["held"] > 0.0, "{energy:?}");
-    assert!(summary.facts.iter().any(|fact| fact.id == "time_step_over_stable_step" && fact.value < 1.0));
-    assert_eq!(summary.version, env!("CARGO_PKG_VERSION"));
+    assert!(
+        summary.case.facts.iter().any(|fact| fact.id == "time_step_over_stable_step" && fact.value < 1.0)
+    );
+    assert_eq!(summary.case.version, env!("CARGO_PKG_VERSION"));
 }
 
 /// The case of a result folder finds its record from there, and says when that is another.
@@ -148,9 +155,9 @@ fn the_case_of_a_result_folder_runs_again_and_names_what_has_changed() {
     let folder = tempfile::tempdir().unwrap();
     block(folder.path(), "sides = \"periodic\"");
     let summary = summary_of(folder.path());
-    let names: Vec<&str> = summary.inputs.iter().map(|input| input.name.as_str()).collect();
+    let names: Vec<&str> = summary.case.inputs.iter().map(|input| input.name.as_str()).collect();
     assert_eq!(names, ["case", "pulse.txt"]);
-    assert!(summary.inputs.iter().all(|input| input.hash.len() == 64), "{:?}", summary.inputs);
+    assert!(summary.case.inputs.iter().all(|input| input.hash.len() == 64), "{:?}", summary.case.inputs);
 
     let again = tremolite(folder.path(), &["run", "results/case.toml", "--out", "again"]);
     assert!(again.status.success(), "{}", errors(&again));
@@ -231,7 +238,11 @@ unit_weight = "25 kN/m3"
     let summary = summary_of(&folder);
     let model = line(&summary, "model_against_free_field");
     assert!(!model.pass && model.note.contains("reference-x"), "{model:?}");
-    assert!(summary.before.iter().any(|said| said.contains("drain the wave")), "{:?}", summary.before);
+    assert!(
+        summary.case.before.iter().any(|said| said.contains("drain the wave")),
+        "{:?}",
+        summary.case.before
+    );
 }
 
 /// The most frequent mistake in the field: the half of an outcrop's motion taken twice.

@@ -55,14 +55,15 @@ fn a_new_case_checks_runs_and_reports() {
         assert!(results.join(file).is_file(), "{file}");
     }
     let summary = Summary::read(&results.join("summary.json")).unwrap();
-    assert_eq!(summary.status, Status::Done);
-    assert!(summary.element_updates_per_second > 0.0);
-    assert!(summary.monitors["crown"]["ux"].largest().1.abs() > 1e-6);
-    assert!(summary.relative["crown-wall"]["u"].max > 0.0);
+    assert_eq!(summary.conclusion.status, Status::Done);
+    assert!(summary.computed.element_updates_per_second > 0.0);
+    assert!(summary.monitors.peaks["crown"]["ux"].largest().1.abs() > 1e-6);
+    assert!(summary.monitors.relative["crown-wall"]["u"].max > 0.0);
     // What was shortened is seen, and no other check fails.
-    let failed: Vec<&str> = summary.trust.iter().filter(|t| !t.pass).map(|t| t.id.as_str()).collect();
-    assert_eq!(failed, ["motion_not_run"], "{:?}", summary.trust);
-    assert!(summary.defaulted.iter().any(|d| d.key == "dynamic.base.normal"));
+    let failed: Vec<&str> =
+        summary.soundness.trust.iter().filter(|t| !t.pass).map(|t| t.id.as_str()).collect();
+    assert_eq!(failed, ["motion_not_run"], "{:?}", summary.soundness.trust);
+    assert!(summary.case.defaulted.iter().any(|d| d.key == "dynamic.base.normal"));
 
     // A second run gets a folder of its own; a taken --out is refused, and replaced when asked.
     assert_eq!(code(&tremolite(folder.path(), &["run", "study/case.toml"])), 0);
@@ -191,7 +192,7 @@ fn an_unstable_run_is_warned_of_ends_with_status_1_and_names_the_element() {
         let text = errors(&run);
         assert!(text.contains("became unstable") && text.contains("element "), "{text}");
         let results = folder.path().join("results/study");
-        assert_eq!(Summary::read(&results.join("summary.json")).unwrap().status, Status::Failed);
+        assert_eq!(Summary::read(&results.join("summary.json")).unwrap().conclusion.status, Status::Failed);
         assert!(Table::read(&results.join("monitors.csv")).unwrap().rows() > 0);
     }
 }
@@ -232,10 +233,10 @@ fn what_was_left_out_is_listed_with_values_and_materials_with_what_their_laws_de
     assert_eq!(code(&run), 0, "{}", errors(&run));
     let results = folder.path().join("results/study");
     let summary = Summary::read(&results.join("summary.json")).unwrap();
-    let value = |key: &str| summary.defaulted.iter().find(|d| d.key == key).unwrap().value.clone();
+    let value = |key: &str| summary.case.defaulted.iter().find(|d| d.key == key).unwrap().value.clone();
     assert!(value("material.concrete.compressive_strength").starts_with("9.9 MPa ("));
     assert!(value("dynamic.time_step").contains(" µs (") || value("dynamic.time_step").contains(" ms ("));
-    let facts = &summary.materials["concrete"];
+    let facts = &summary.computed.materials["concrete"];
     assert_eq!((facts.law.as_str(), facts.groups[0].element.as_str()), ("concrete-damage", "layered"));
     let energy = facts.values.iter().find(|v| v.name == "fracture_energy").unwrap();
     assert!((energy.value - 73.0 * 9.9f64.powf(0.18)).abs() < 0.01, "{energy:?}");
@@ -260,12 +261,18 @@ fn a_new_case_runs_to_its_end_with_concrete_that_cracks() {
         let run = tremolite(folder.path(), &["run", "study/case.toml", "--out", "out"]);
         assert_eq!(code(&run), 0, "{to}: {}", errors(&run));
         let summary = Summary::read(&folder.path().join("out/summary.json")).unwrap();
-        assert_eq!(summary.status, Status::Done, "{to}");
-        assert!(summary.damage["hall.lining"].measures["d_tension"].largest > 0.9, "{to}");
-        for line in summary.trust.iter().filter(|line| line.name.contains("energy")) {
+        assert_eq!(summary.conclusion.status, Status::Done, "{to}");
+        assert!(summary.parts.damage["hall.lining"].measures["d_tension"].largest > 0.9, "{to}");
+        for line in summary.soundness.trust.iter().filter(|line| line.name.contains("energy")) {
             assert!(line.pass, "{to}: {line:?}");
         }
-        assert!(summary.trust.iter().any(|line| line.id == "strength_at_corners" && line.not_applicable));
+        assert!(
+            summary
+                .soundness
+                .trust
+                .iter()
+                .any(|line| line.id == "strength_at_corners" && line.not_applicable)
+        );
     }
 }
 
@@ -311,7 +318,7 @@ fn a_signal_stops_with_a_checkpoint_and_resume_gives_the_same_histories() {
     let bytes = |run: &str| std::fs::read(folder.path().join(run).join("monitors.csv")).unwrap();
     assert!(bytes("stopped") == bytes("whole"));
     let summary = Summary::read(&folder.path().join("stopped/summary.json")).unwrap();
-    assert_eq!((summary.status, summary.run.resumed), (Status::Done, 1));
+    assert_eq!((summary.conclusion.status, summary.computed.run.resumed), (Status::Done, 1));
 }
 
 #[test]

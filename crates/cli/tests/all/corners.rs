@@ -48,7 +48,7 @@ histories = "0.005 s"
         60.0 / size
     );
     let summary = run(folder, &case);
-    let warned = summary.before.join("\n");
+    let warned = summary.case.before.join("\n");
     (summary, warned)
 }
 
@@ -73,7 +73,7 @@ fn a_plateau_in_small_elements_is_warned_of_and_fails_and_the_crack_band_on_the_
 
     // The default.
     let (band, warned) = column(folder, 0.5, "", 1.0);
-    assert!(band.damage["rock"].measures["d_tension"].largest > 0.9, "it cracks as well");
+    assert!(band.parts.damage["rock"].measures["d_tension"].largest > 0.9, "it cracks as well");
     assert!(line(&band, "strength_at_corners").not_applicable && !warned.contains("plateau"), "{warned}");
 
     let (large, warned) = column(folder, 2.0, RESIDUAL, 1.0);

@@ -103,7 +103,12 @@ fn summary_of(folder: &Path) -> Summary {
 }
 
 fn line<'s>(summary: &'s Summary, id: &str) -> &'s TrustLine {
-    summary.trust.iter().find(|line| line.id == id).unwrap_or_else(|| panic!("{id}: {:?}", summary.trust))
+    summary
+        .soundness
+        .trust
+        .iter()
+        .find(|line| line.id == id)
+        .unwrap_or_else(|| panic!("{id}: {:?}", summary.soundness.trust))
 }
 
 const GOOD: &str = "law = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\ncohesion = \"10 kPa\"\nfriction = 0.6\n";
@@ -182,18 +187,21 @@ fn results_of_an_interface_are_where_scripts_expect_them() {
     }
     let energy = Table::read(&results.join("energy.csv")).unwrap();
     for name in ["interface", "friction", "created_by_interface", "contact_damping"] {
-        assert!(energy.column(name).is_some() && summary.energy.contains_key(name), "{name}");
+        assert!(energy.column(name).is_some() && summary.soundness.energy.contains_key(name), "{name}");
     }
     assert!(results.join("interfaces.pvd").is_file() && results.join("interfaces/000002.vtu").is_file());
-    let joint = &summary.interfaces["joint"];
+    let joint = &summary.parts.interfaces["joint"];
     assert!((joint.area - 64.0).abs() < 1e-9 && joint.pairs == 25 && joint.ends == 0, "{joint:?}");
     assert!(joint.ever_slid > 0.0 && joint.max_slip.value > 0.0, "{joint:?}");
-    assert!(summary.findings.iter().any(|finding| finding.id == "interface_joint"));
+    assert!(summary.conclusion.findings.iter().any(|finding| finding.id == "interface_joint"));
     // The monitor on the interface stands before those that the difference is of.
     let difference = monitors.column("low-high.ux").unwrap();
     let [low, high] = ["low.ux", "high.ux"].map(|name| monitors.column(name).unwrap());
     assert!(difference.iter().zip(low.iter().zip(high)).all(|(d, (a, b))| *d == a - b));
-    assert!(summary.relative.contains_key("low-high") && summary.pairs["pair"].at == [4.0, 4.0, 20.0]);
+    assert!(
+        summary.monitors.relative.contains_key("low-high")
+            && summary.parts.pairs["pair"].at == [4.0, 4.0, 20.0]
+    );
     let last = Table::read(&results.join("interfaces.csv")).unwrap();
     assert_eq!(*last.column("joint.ever_slid").unwrap().last().unwrap(), joint.ever_slid);
 }
@@ -296,7 +304,7 @@ fn a_mesh_that_comes_parted_is_tied_or_jointed_as_one_that_shares_its_nodes() {
 fn before_the_wave_comes_nothing_has_opened_or_slid() {
     let folder = tempfile::tempdir().unwrap();
     slab(folder.path(), &GOOD.replace("10 kPa", "0 Pa"), "duration = \"0.02 s\"", [2.0, 2.0]);
-    let joint = summary_of(folder.path()).interfaces["joint"].clone();
+    let joint = summary_of(folder.path()).parts.interfaces["joint"].clone();
     assert_eq!([joint.ever_slid, joint.ever_opened, joint.sliding, joint.open], [0.0; 4], "{joint:?}");
 }
 

@@ -239,7 +239,8 @@ fn a_box_that_is_turned_back_moves_as_the_straight_one_between_free_field_sides(
         assert_eq!(ran.status.code(), Some(0), "{}", errors(&ran));
         let out = folder.join(out);
         let summary = tremolite_results::Summary::read(&out.join("summary.json")).unwrap();
-        let corners = summary.trust.iter().find(|line| line.id == "model_against_free_field").unwrap();
+        let corners =
+            summary.soundness.trust.iter().find(|line| line.id == "model_against_free_field").unwrap();
         assert!(corners.pass && corners.value < 1e-9, "{degrees}: {corners:?}");
         tremolite_results::Table::read(&out.join("free_field.csv")).unwrap()
     };

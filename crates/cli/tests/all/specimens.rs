@@ -89,7 +89,7 @@ fn pulled(axis: usize, to: f64, steps: usize) -> String {
 /// (way \[m\], force \[N\]) of each stage.
 fn curve(summary: &Summary, axis: usize) -> Vec<(f64, f64)> {
     let (way, force) = (["ux", "uy", "uz"][axis], ["reaction_x", "reaction_y", "reaction_z"][axis]);
-    summary.stages.iter().map(|stage| (stage.moved["jaw"][way], stage.moved["jaw"][force])).collect()
+    summary.computed.stages.iter().map(|stage| (stage.moved["jaw"][way], stage.moved["jaw"][force])).collect()
 }
 
 /// The force of the bar \[N\] at a way: all of it elastic but for the element that cracks (crack band, `bazant1983`).
@@ -155,8 +155,12 @@ fn a_bar_that_holds_more_than_its_crack_takes_snaps_back_and_is_refused_with_its
     let ended = run(folder, "out", &[]);
     assert_eq!(code(&ended), 1);
     let summary = Summary::read(&folder.join("out/summary.json")).unwrap();
-    assert_eq!(summary.status, Status::Failed);
-    assert!(summary.verdict.contains("the specimen snapped back"), "{}", summary.verdict);
+    assert_eq!(summary.conclusion.status, Status::Failed);
+    assert!(
+        summary.conclusion.verdict.contains("the specimen snapped back"),
+        "{}",
+        summary.conclusion.verdict
+    );
     // What was before the peak stands.
     let rows = curve(&summary, 2);
     let at_peak = STRENGTH / YOUNG * 9.0 * SIZE;
@@ -170,7 +174,7 @@ fn a_bar_that_holds_more_than_its_crack_takes_snaps_back_and_is_refused_with_its
 
 /// A check of a run, by its id: value and whether it passes.
 fn check_of(summary: &Summary, id: &str) -> (f64, bool) {
-    let line = summary.trust.iter().find(|line| line.id == id).unwrap();
+    let line = summary.soundness.trust.iter().find(|line| line.id == id).unwrap();
     assert!(!line.not_applicable, "{line:?}");
     (line.value, line.pass)
 }
@@ -213,7 +217,7 @@ fn a_specimen_that_is_free_of_force_again_is_at_rest() {
     let back = "[[stage]]\nname = \"back\"\ndisplacement = { name = \"jaw\", face = \"top\", uz = 0 }";
     bar(folder, 2, 3, &format!("{}\n{back}", pulled(2, 10e-6, 1)));
     let summary = done(folder, "out");
-    let (last, before) = (summary.stages.last().unwrap(), &summary.stages[2]);
+    let (last, before) = (summary.computed.stages.last().unwrap(), &summary.computed.stages[2]);
     assert!(before.moved["jaw"]["reaction_z"] > 0.9 * exact(3.0 * SIZE, 10e-6));
     assert!(last.moved["jaw"]["reaction_z"].abs() < 1e-4 * exact(3.0 * SIZE, 10e-6), "{last:?}");
     assert!(last.cycles < 4000, "{}", last.cycles);
@@ -261,7 +265,7 @@ fn a_free_specimen_is_pulled_by_a_pressure_though_nothing_is_said_of_its_ground(
     let text = text.replace("base = \"roller\"", "base = \"free\"");
     let text = text.replace("displacement = [", "displacement = [{ face = \"base\", uz = 0 },");
     std::fs::write(folder.join("case.toml"), text).unwrap();
-    let pull = &done(folder, "out").stages[2];
+    let pull = &done(folder, "out").computed.stages[2];
     assert!((pull.moved["base"]["reaction_z"] / (1e6 * SECTION) + 1.0).abs() < 1e-3, "{pull:?}");
 }
 
@@ -271,12 +275,12 @@ fn a_negative_pressure_pulls() {
     let folder = folder.path();
     bar(folder, 2, 3, "[[stage]]\nname = \"pull\"\npressure = { top = \"-1 MPa\" }");
     let summary = done(folder, "out");
-    let pull = &summary.stages[2].monitors["M"];
+    let pull = &summary.computed.stages[2].monitors["M"];
     assert!((pull["s1"].unwrap() - 1e6).abs() < 1e2, "{pull:?}");
     assert!((pull["uz"].unwrap() - 1e6 / YOUNG * 0.05).abs() < 1e-3 * 1e6 / YOUNG * 0.05, "{pull:?}");
     // The second stage held two faces; none of them is pushed by what pulls along z.
     for hold in ["xmin", "ymin"] {
-        let forces = &summary.stages[2].moved[hold];
+        let forces = &summary.computed.stages[2].moved[hold];
         assert!(forces.values().all(|x| x.abs() < 1.0), "{forces:?}");
     }
 }

@@ -17,11 +17,19 @@ fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
     let done = run(folder, "out", &["--isa", "scalar"]);
     assert_eq!(code(&done), 0, "{}", errors(&done));
     let summary = Summary::read(&folder.join("out/summary.json")).unwrap();
-    assert_eq!(summary.status, Status::Done);
-    assert!(summary.verdict.contains("All 4 stages came to rest"), "{}", summary.verdict);
-    let names: Vec<&str> = summary.stages.iter().map(|stage| stage.name.as_str()).collect();
+    assert_eq!(summary.conclusion.status, Status::Done);
+    assert!(
+        summary.conclusion.verdict.contains("All 4 stages came to rest"),
+        "{}",
+        summary.conclusion.verdict
+    );
+    let names: Vec<&str> = summary.computed.stages.iter().map(|stage| stage.name.as_str()).collect();
     assert_eq!(names, ["initial equilibrium", "bench", "shell", "water"]);
-    assert!(summary.stages[1].monitors["roof"]["uz"].unwrap() < -1e-6, "{:?}", summary.stages[1]);
+    assert!(
+        summary.computed.stages[1].monitors["roof"]["uz"].unwrap() < -1e-6,
+        "{:?}",
+        summary.computed.stages[1]
+    );
     let table = std::fs::read_to_string(folder.join("out/stages.csv")).unwrap();
     let header: Vec<&str> = table.lines().next().unwrap().split(',').collect();
     let own =
@@ -142,8 +150,12 @@ fn a_run_stopped_in_a_stage_resumes_to_the_same_bytes() {
     Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(3));
     let summary = Summary::read(&folder.join("parts/summary.json")).unwrap();
-    assert_eq!(summary.status, Status::Stopped);
-    assert!(summary.verdict.contains("was stopped in the stage '"), "{}", summary.verdict);
+    assert_eq!(summary.conclusion.status, Status::Stopped);
+    assert!(
+        summary.conclusion.verdict.contains("was stopped in the stage '"),
+        "{}",
+        summary.conclusion.verdict
+    );
     assert!(folder.join("parts/report.html").exists() && !folder.join("parts/monitors.csv").exists());
 
     let resumed = run(folder, "parts", &["--resume", "--threads", "2"]);
@@ -201,7 +213,7 @@ fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
     same(folder, "damped", "later", &HISTORIES);
     let summary = Summary::read(&folder.join("whole/summary.json")).unwrap();
     let of_joint = |id: &str| id.starts_with("interface_") || id == "energy_created_by_interfaces";
-    for line in summary.trust.iter().filter(|line| of_joint(&line.id)) {
+    for line in summary.soundness.trust.iter().filter(|line| of_joint(&line.id)) {
         assert!(line.pass, "{line:?}");
     }
     let friction = Table::read(&folder.join("whole/energy.csv")).unwrap();
@@ -249,7 +261,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
     change(folder, "name = \"wall\"\nat = [\"12.5 m\"", "name = \"wall\"\nat = [\"3.5 m\"");
     let moved = run(folder, "moved", &["--from", "whole"]);
     assert_eq!(code(&moved), 0, "{}", errors(&moved));
-    let stages = |run: &str| Summary::read(&folder.join(run).join("summary.json")).unwrap().stages;
+    let stages = |run: &str| Summary::read(&folder.join(run).join("summary.json")).unwrap().computed.stages;
     assert_eq!(stages("moved")[1].monitors["roof"], stages("whole")[1].monitors["roof"]);
     assert!(stages("whole")[1].monitors["wall"]["ux"].is_some());
     assert_eq!(stages("moved")[1].monitors["wall"]["ux"], None);
@@ -310,11 +322,11 @@ fn what_is_cut_free_is_warned_of_and_comes_down_with_its_stage_and_place_named()
     let fallen = run(folder, "out", &[]);
     assert_eq!(code(&fallen), 1, "{}", errors(&fallen));
     let summary = Summary::read(&folder.join("out/summary.json")).unwrap();
-    assert_eq!(summary.status, Status::Failed);
+    assert_eq!(summary.conclusion.status, Status::Failed);
     for words in ["The stage 'cut' did not come to rest", "of 'core' at (", "comes down"] {
-        assert!(summary.verdict.contains(words), "'{words}': {}", summary.verdict);
+        assert!(summary.conclusion.verdict.contains(words), "'{words}': {}", summary.conclusion.verdict);
     }
-    assert_eq!(summary.stages.len(), 1);
+    assert_eq!(summary.computed.stages.len(), 1);
     for file in ["stages.csv", "stages/000.vtu", "stages/001.vtu", "stages.pvd", "report.html"] {
         assert!(folder.join("out").join(file).exists(), "{file}");
     }
@@ -359,7 +371,7 @@ fn a_slab_that_hangs_is_warned_of_and_comes_down_where_its_bond_is_too_weak() {
         assert_eq!(found["stages"][0]["without_support"], serde_json::json!([]));
         let done = run(folder, "out", &["--overwrite"]);
         assert_eq!(code(&done), i32::from(!holds), "{strength}: {}", errors(&done));
-        let verdict = Summary::read(&folder.join("out/summary.json")).unwrap().verdict;
+        let verdict = Summary::read(&folder.join("out/summary.json")).unwrap().conclusion.verdict;
         assert!(holds || verdict.contains("'bench' did not come to rest"), "{verdict}");
     }
 }
@@ -371,7 +383,7 @@ fn a_stage_that_ends_before_its_rest_says_how_far_it_was() {
     case(folder, &format!("{LATERAL}max_cycles = 60"), STAGES, SHAKING);
     let stopped = run(folder, "out", &[]);
     assert_eq!(code(&stopped), 1, "{}", errors(&stopped));
-    let verdict = Summary::read(&folder.join("out/summary.json")).unwrap().verdict;
+    let verdict = Summary::read(&folder.join("out/summary.json")).unwrap().conclusion.verdict;
     assert!(verdict.contains("after 60 cycles") && verdict.contains("Give more `max_cycles`"), "{verdict}");
     assert!(folder.join("out/report.html").exists() && !folder.join("out/monitors.csv").exists());
 }

@@ -12,7 +12,7 @@ pub fn run(folder: &Path, case: &str) -> Summary {
 }
 
 pub fn line(summary: &Summary, id: &str) -> TrustLine {
-    let found = summary.trust.iter().find(|line| line.id.starts_with(id)).cloned();
+    let found = summary.soundness.trust.iter().find(|line| line.id.starts_with(id)).cloned();
     found.unwrap_or_else(|| panic!("no {id}"))
 }
 
@@ -40,20 +40,20 @@ fn motion_that_is_cut_damped_away_or_seen_in_few_rows_fails_a_check_each() {
     let expected = 8.0 / (4.0 * std::f64::consts::PI * damped.numbers["frequency"]);
     assert!(!damped.pass && (damped.value - expected).abs() < 1e-12, "{damped:?}");
     assert!(
-        summary.before.iter().any(|said| said.contains("rock and concrete have 1 to 5 %")),
+        summary.case.before.iter().any(|said| said.contains("rock and concrete have 1 to 5 %")),
         "{:?}",
-        summary.before
+        summary.case.before
     );
 
     let summary = shaken(folder, "damping = { rayleigh = { mass = \"0.3 1/s\" } }", "0.2 s");
     let coarse = line(&summary, "peaks_between_rows");
     assert!(!coarse.pass, "{coarse:?}");
-    let warned = |summary: &Summary| summary.before.iter().any(|said| said.contains("in a period of"));
-    assert!(warned(&summary) && !warned(&good), "{:?} {:?}", summary.before, good.before);
+    let warned = |summary: &Summary| summary.case.before.iter().any(|said| said.contains("in a period of"));
+    assert!(warned(&summary) && !warned(&good), "{:?} {:?}", summary.case.before, good.case.before);
     // What every step had is told beside the rows'.
-    let rows = &summary.monitors["top"];
+    let rows = &summary.monitors.peaks["top"];
     assert!(rows["ax"].step_max.unwrap() > 1.2 * rows["ax"].max, "{:?}", rows["ax"]);
-    let [seen, whole] = [&summary, &good].map(|summary| summary.monitors["top"]["s1_elastic"]);
+    let [seen, whole] = [&summary, &good].map(|summary| summary.monitors.peaks["top"]["s1_elastic"]);
     assert!((seen.step_max.unwrap() / whole.step_max.unwrap() - 1.0).abs() < 1e-3, "{seen:?} {whole:?}");
     assert!(whole.step_max.unwrap() >= whole.max, "{whole:?}");
 }
@@ -107,7 +107,7 @@ fn sides_and_base_beside_a_hall_are_warned_of_and_fail_as_far_as_they_spoil_its_
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let [near, halfway, wide] = [4, 21, 45].map(|away| run(folder, &hall(away, "", BARE)));
-    let stress = |summary: &Summary| summary.stages.last().unwrap().monitors["wall"]["szz"].unwrap();
+    let stress = |summary: &Summary| summary.computed.stages.last().unwrap().monitors["wall"]["szz"].unwrap();
     let [wrong, less] = [&near, &halfway].map(|summary| stress(summary) / stress(&wide) - 1.0);
     assert!(wrong > 0.4 && (0.02..0.06).contains(&less), "{wrong} {less}");
     let [near_line, half_line, wide_line] =
@@ -115,13 +115,14 @@ fn sides_and_base_beside_a_hall_are_warned_of_and_fail_as_far_as_they_spoil_its_
     assert!(!near_line.pass && near_line.value > 0.4, "{near_line:?}");
     assert!(wide_line.pass && !wide_line.not_applicable, "{wide_line:?}");
     assert!((half_line.numbers["estimate"] - 1.5 * (5.0_f64 / 26.0).powi(2)).abs() < 2e-3, "{half_line:?}");
-    let warned =
-        |summary: &Summary| summary.before.iter().filter(|said| said.contains("from an opening")).count();
-    assert_eq!([&near, &halfway, &wide].map(warned), [2, 2, 0], "{:?}", near.before);
+    let warned = |summary: &Summary| {
+        summary.case.before.iter().filter(|said| said.contains("from an opening")).count()
+    };
+    assert_eq!([&near, &halfway, &wide].map(warned), [2, 2, 0], "{:?}", near.case.before);
     // Beside a mirror there is nothing to spoil.
     let mirror = hall(4, "", BARE).replace("x = \"free-field\"", "x = \"symmetry\"");
     let mirrored = run(folder, &mirror);
-    assert_eq!(warned(&mirrored), 1, "the base alone: {:?}", mirrored.before);
+    assert_eq!(warned(&mirrored), 1, "the base alone: {:?}", mirrored.case.before);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The faces across which the weight changes, as triangles in buckets over x and y.
 
-use super::plan::{Place, Plan, doubled_area};
+use super::lattice::{Lattice, Place, doubled_area};
 use crate::{Face, Mesh};
 
 /// One triangle that is not vertical.
@@ -14,13 +14,13 @@ struct Triangle {
 /// Triangles, not yet in buckets.
 pub(super) struct Surface<'a> {
     mesh: &'a Mesh,
-    plan: &'a Plan,
+    lattice: &'a Lattice,
     triangles: Vec<Triangle>,
 }
 
 impl<'a> Surface<'a> {
-    pub fn new(mesh: &'a Mesh, plan: &'a Plan) -> Self {
-        Surface { mesh, plan, triangles: Vec::new() }
+    pub fn new(mesh: &'a Mesh, lattice: &'a Lattice) -> Self {
+        Surface { mesh, lattice, triangles: Vec::new() }
     }
 
     /// Adds an element's face.
@@ -31,7 +31,7 @@ impl<'a> Surface<'a> {
         let lowest = (1..nodes.len()).fold(0, |low, k| if before(nodes[k], nodes[low]) { k } else { low });
         for k in 1..nodes.len() - 1 {
             let mut nodes = [0, k, k + 1].map(|step| nodes[(lowest + step) % nodes.len()]);
-            let [a, b, c] = nodes.map(|n| self.plan.places[n as usize]);
+            let [a, b, c] = nodes.map(|n| self.lattice.places[n as usize]);
             let area = doubled_area(a, b, c);
             if area == 0 {
                 continue;
@@ -54,7 +54,7 @@ impl<'a> Surface<'a> {
             };
             (self.triangles.iter().map(|t| side(t).powi(2)).sum::<f64>() / count).sqrt().max(1.0)
         });
-        let buckets = |size: [f64; 2]| [0, 1].map(|i| (self.plan.high[i] as f64 / size[i]).floor() + 1.0);
+        let buckets = |size: [f64; 2]| [0, 1].map(|i| (self.lattice.high[i] as f64 / size[i]).floor() + 1.0);
         // Few and small ones in a wide mesh would leave most buckets empty.
         while buckets(size).iter().product::<f64>() > 4.0 * count {
             size = size.map(|s| 2.0 * s);
@@ -74,7 +74,7 @@ impl<'a> Surface<'a> {
     }
 
     fn places(&self, triangle: &Triangle) -> [Place; 3] {
-        triangle.nodes.map(|n| self.plan.places[n as usize])
+        triangle.nodes.map(|n| self.lattice.places[n as usize])
     }
 
     /// Height \[m\] at which a vertical passes through a triangle.
@@ -139,7 +139,7 @@ impl Grid<'_> {
         if x.iter().any(|v| v.is_nan()) {
             return f64::NAN;
         }
-        let Some(vertical) = self.surface.plan.vertical(x) else { return 0.0 };
+        let Some(vertical) = self.surface.lattice.vertical(x) else { return 0.0 };
         let [i, j] = self.bucket(vertical.at);
         let bucket = j * self.counts[0] + i;
         let members = &self.members[self.starts[bucket] as usize..self.starts[bucket + 1] as usize];

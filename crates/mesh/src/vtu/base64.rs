@@ -4,6 +4,9 @@ use std::io::{self, BufRead, Read};
 
 /// Bytes in base64. Padding may stand in the middle, where a header was encoded on its own; blanks are passed over,
 /// and anything else ends them.
+///
+/// The reader of the crate `base64` does not serve: after padding it takes nothing more, and a blank is an error to it. Files may
+/// also hold both within what it reads ahead, so it would need a reader before it that knows all digits, as this one does.
 pub(super) struct Base64<R> {
     from: R,
     bits: u32,

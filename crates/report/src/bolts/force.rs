@@ -73,7 +73,8 @@ fn figure(
         let label = say!(language, "{group}, bolt {bolt}", group = name, bolt = bolt);
         curves.push(PlotCurve::new(label, colour, Pen::Curve, steps(own, |line| line.force)));
         curves.push(PlotCurve::new("", colour, Pen::Dashed, steps(own, |line| line.force_max)));
-        let yields = facts.bolts.get(*name).map(|group| group.yield_force).filter(|force| force.is_finite());
+        let yields =
+            facts.parts.bolts.get(*name).map(|group| group.yield_force).filter(|force| force.is_finite());
         let named_at = |force| {
             say!(language, "{group} at {force}", group = name, force = source.quantity(Kind::Force, force))
         };

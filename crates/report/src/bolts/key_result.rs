@@ -10,7 +10,7 @@ use crate::source::Source;
 /// The bolt nearest to yield of all groups, or where none yields the one with the largest force: the value and what it is.
 pub fn hardest(source: &Source, facts: &Summary) -> Option<(String, String)> {
     let language = source.language;
-    let there = facts.bolts.iter().filter(|(_, group)| group.largest.bolt > 0);
+    let there = facts.parts.bolts.iter().filter(|(_, group)| group.largest.bolt > 0);
     let load = |group: &BoltSummary| (group.force_over_yield, group.largest.force.abs());
     let more = |a: &BoltSummary, b: &BoltSummary| {
         let ((over_a, force_a), (over_b, force_b)) = (load(a), load(b));
@@ -28,8 +28,8 @@ pub fn hardest(source: &Source, facts: &Summary) -> Option<(String, String)> {
         ),
         false => say!(language, "{group}, bolt {bolt}", group = name, bolt = bolt),
     };
-    let yielded: u64 = facts.bolts.values().map(|group| group.yielded).sum();
-    let all: u64 = facts.bolts.values().map(|group| group.bolts).sum();
+    let yielded: u64 = facts.parts.bolts.values().map(|group| group.yielded).sum();
+    let all: u64 = facts.parts.bolts.values().map(|group| group.bolts).sum();
     let note = match yielded {
         0 => which,
         _ => say!(

@@ -10,7 +10,7 @@ use crate::source::Source;
 
 /// How a run ended, in words, and at which of how many seconds where it is not done.
 pub fn status(run: &Run, language: Language) -> Cell {
-    let words = match run.source.summary.as_ref().map(|summary| summary.status) {
+    let words = match run.source.summary.as_ref().map(|summary| summary.conclusion.status) {
         Ok(Status::Done) => return Cell::number(say!(language, "done")),
         Ok(Status::Stopped) => say!(language, "stopped"),
         Ok(Status::Failed) => say!(language, "failed"),
@@ -36,7 +36,7 @@ fn reached(source: &Source, language: Language) -> String {
 
 /// What to know of the runs that are not done.
 pub fn warning(runs: &[Run], language: Language) -> Option<String> {
-    let done = |run: &&Run| run.source.summary.as_ref().is_ok_and(|s| s.status == Status::Done);
+    let done = |run: &&Run| run.source.summary.as_ref().is_ok_and(|s| s.conclusion.status == Status::Done);
     let names: Vec<&str> = runs.iter().filter(|run| !done(run)).map(|run| run.name.as_str()).collect();
     (!names.is_empty()).then(|| {
         say!(

@@ -24,7 +24,7 @@ struct NumberRow {
 pub fn tables(runs: &[Run], language: Language) -> Vec<Compared> {
     let facts: Vec<Summary> = runs.iter().map(|run| run.source.facts()).collect();
     let peaks = |quantities: &'static [&'static str], of: fn(&Peaks) -> f64| {
-        move |summary: &Summary| of_histories(&summary.monitors, quantities, of)
+        move |summary: &Summary| of_histories(&summary.monitors.peaks, quantities, of)
     };
     type Numbers<'a> = Box<dyn Fn(&Summary) -> Vec<(String, f64)> + 'a>;
     const U: &[&str] = &["ux", "uy", "uz"];
@@ -34,7 +34,7 @@ pub fn tables(runs: &[Run], language: Language) -> Vec<Compared> {
         (
             say!(language, "Largest relative displacement of pairs"),
             "m",
-            Box::new(|s| of_histories(&s.relative, U, largest)),
+            Box::new(|s| of_histories(&s.monitors.relative, U, largest)),
         ),
         (
             say!(language, "Largest principal stress s1 of monitors, at points"),
@@ -75,7 +75,7 @@ pub fn tables(runs: &[Run], language: Language) -> Vec<Compared> {
 pub fn checks(runs: &[Run], language: Language) -> TextTable {
     let facts: Vec<Summary> = runs.iter().map(|run| run.source.facts()).collect();
     let mut ids: Vec<(&str, String)> = Vec::new();
-    for line in facts.iter().flat_map(|s| &s.trust) {
+    for line in facts.iter().flat_map(|s| &s.soundness.trust) {
         if !ids.iter().any(|(id, _)| *id == line.id) {
             ids.push((&line.id, language.tell_or(&line.name_said, &line.name)));
         }
@@ -89,7 +89,7 @@ pub fn checks(runs: &[Run], language: Language) -> TextTable {
         }
     };
     let rows = ids.into_iter().map(|(id, name)| {
-        let found = facts.iter().map(|s| entry(s.trust.iter().find(|line| line.id == id)));
+        let found = facts.iter().map(|s| entry(s.soundness.trust.iter().find(|line| line.id == id)));
         std::iter::once(Cell::words(name)).chain(found).collect()
     });
     TextTable { head: vec![head(runs)], rows: rows.collect() }
@@ -180,7 +180,7 @@ fn largest(peaks: &Peaks) -> f64 {
 }
 
 fn of_groups(summary: &Summary) -> Vec<(String, f64)> {
-    let groups = summary.stress.iter().filter(|(_, stress)| stress.whole);
+    let groups = summary.parts.stress.iter().filter(|(_, stress)| stress.whole);
     let both = |(name, stress): (&String, &tremolite_results::GroupStress)| {
         [(format!("{name} s1"), stress.s1.value), (format!("{name} s3"), stress.s3.value)]
     };
@@ -189,7 +189,7 @@ fn of_groups(summary: &Summary) -> Vec<(String, f64)> {
 
 fn damaged(summary: &Summary) -> Vec<(String, f64)> {
     let mut numbers = Vec::new();
-    for (name, group) in &summary.damage {
+    for (name, group) in &summary.parts.damage {
         for (measure, damaged) in &group.measures {
             let shares = damaged.beyond.iter();
             numbers
@@ -200,12 +200,14 @@ fn damaged(summary: &Summary) -> Vec<(String, f64)> {
 }
 
 fn opening(summary: &Summary) -> Vec<(String, f64)> {
-    let cracked = summary.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
+    let cracked =
+        summary.parts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
     cracked.map(|(name, cracks)| (name.clone(), cracks.opening)).collect()
 }
 
 fn through(summary: &Summary) -> Vec<(String, f64)> {
-    let cracked = summary.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
+    let cracked =
+        summary.parts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
     let stacked = cracked.filter(|(_, cracks)| cracks.stacks > 0);
     stacked.map(|(name, cracks)| (name.clone(), cracks.through as f64)).collect()
 }
@@ -217,7 +219,7 @@ fn slid(summary: &Summary, language: Language) -> Vec<(String, f64)> {
             (say!(language, "{interface}: opened", interface = name), i.ever_opened / i.area),
         ]
     };
-    summary.interfaces.iter().flat_map(both).collect()
+    summary.parts.interfaces.iter().flat_map(both).collect()
 }
 
 fn slip(summary: &Summary, language: Language) -> Vec<(String, f64)> {
@@ -227,19 +229,19 @@ fn slip(summary: &Summary, language: Language) -> Vec<(String, f64)> {
             (say!(language, "{interface}: gap", interface = name), i.max_gap.value),
         ]
     };
-    summary.interfaces.iter().flat_map(both).collect()
+    summary.parts.interfaces.iter().flat_map(both).collect()
 }
 
 fn bolts(summary: &Summary) -> Vec<(String, f64)> {
-    summary.bolts.iter().map(|(name, group)| (name.clone(), group.force_over_yield)).collect()
+    summary.parts.bolts.iter().map(|(name, group)| (name.clone(), group.force_over_yield)).collect()
 }
 
 fn walls(summary: &Summary) -> Vec<(String, f64)> {
-    let Some(last) = summary.stages.last() else { return Vec::new() };
+    let Some(last) = summary.computed.stages.last() else { return Vec::new() };
     let size = |u: &[f64; 3]| u.iter().map(|x| x * x).sum::<f64>().sqrt();
     last.walls.iter().map(|(name, u)| (name.clone(), size(u))).collect()
 }
 
 fn energy(summary: &Summary) -> Vec<(String, f64)> {
-    summary.energy.iter().map(|(line, value)| (line.replace('_', " "), *value)).collect()
+    summary.soundness.energy.iter().map(|(line, value)| (line.replace('_', " "), *value)).collect()
 }

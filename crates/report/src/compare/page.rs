@@ -105,15 +105,19 @@ fn what_they_are(runs: &[Run], language: Language) -> TextTable {
             );
             known(text, judged > 0)
         }),
-        row(say!(language, "elements"), &|s| known(count(s.model.elements), s.model.elements > 0)),
+        row(say!(language, "elements"), &|s| {
+            known(count(s.computed.model.elements), s.computed.model.elements > 0)
+        }),
         row(say!(language, "time step"), &|s| {
-            known(quantity("s", s.model.time_step), s.model.time_step > 0.0)
+            known(quantity("s", s.computed.model.time_step), s.computed.model.time_step > 0.0)
         }),
         row(say!(language, "shaking"), &|s| {
-            known(trimmed(&quantity("s", s.model.duration)), s.model.duration > 0.0)
+            known(trimmed(&quantity("s", s.computed.model.duration)), s.computed.model.duration > 0.0)
         }),
-        row(say!(language, "wall-clock time"), &|s| known(span(s.wall_seconds), s.wall_seconds > 0.0)),
-        row(say!(language, "program"), &|s| known(s.version.clone(), !s.version.is_empty())),
+        row(say!(language, "wall-clock time"), &|s| {
+            known(span(s.computed.wall_seconds), s.computed.wall_seconds > 0.0)
+        }),
+        row(say!(language, "program"), &|s| known(s.case.version.clone(), !s.case.version.is_empty())),
     ];
     TextTable { head: vec![head(runs)], rows }
 }

@@ -2,7 +2,7 @@
 
 use tremolite_results::{ElementGroups, Fields, Skin};
 
-use crate::developed::layout::{Bars, LEFT, Plan};
+use crate::developed::layout::{Bars, LEFT, Layout};
 use crate::developed::unfold::{Sheet, unfold};
 use crate::developed::words::{developed, from_left, labels};
 use crate::drawing::colours::{self, LEVELS, colour, level};
@@ -49,24 +49,24 @@ pub fn draw(
     if sheets.is_empty() || maps.is_empty() {
         return None;
     }
-    let plan = Plan::of(sheets, maps.len(), Bars::One);
+    let layout = Layout::of(sheets, maps.len(), Bars::One);
     let labels = labels(language, sheets, &own.elements, &own.groups);
     let mut svg = Svg::new(940.0);
     svg.text((LEFT, 16.0), Anchor::Start, 14.0, Style::Bold, title);
-    let above = TITLE + ROW + if plan.upright { ROW } else { 0.0 };
-    let height = above + plan.size.1 + BELOW;
+    let above = TITLE + ROW + if layout.upright { ROW } else { 0.0 };
+    let height = above + layout.size.1 + BELOW;
     let mut at = (0.0, 0.0);
     for (k, (name, values)) in maps.iter().enumerate() {
-        let (column, row) = if plan.beside { (k, 0) } else { (0, k) };
-        at = (LEFT + column as f64 * plan.panel_width(maps.len()), HEADER + above + row as f64 * height);
+        let (column, row) = if layout.beside { (k, 0) } else { (0, k) };
+        at = (LEFT + column as f64 * layout.panel_width(maps.len()), HEADER + above + row as f64 * height);
         svg.text((at.0, at.1 - above + 16.0), Anchor::Start, 13.0, Style::Plain, name);
-        panel(&mut svg, at, &plan, own, values, range);
-        frame(&mut svg, language, at, &plan, sheets, &labels);
+        panel(&mut svg, at, &layout, own, values, range);
+        frame(&mut svg, language, at, &layout, sheets, &labels);
     }
-    let rows = if plan.beside { 1.0 } else { maps.len() as f64 };
+    let rows = if layout.beside { 1.0 } else { maps.len() as f64 };
     let bottom = HEADER + rows * height;
-    let (top, end) = (HEADER + above, at.1 + plan.size.1);
-    colours::bar(&mut svg, (at.0 + plan.bar_at(), top), (end - top).min(TALLEST_BAR), range, false);
+    let (top, end) = (HEADER + above, at.1 + layout.size.1);
+    colours::bar(&mut svg, (at.0 + layout.bar_at(), top), (end - top).min(TALLEST_BAR), range, false);
     let mut said = developed(language, sheets);
     if own.skin.behind.iter().any(|cells| cells.len() > 1) {
         said.push(say!(
@@ -79,12 +79,12 @@ pub fn draw(
 }
 
 /// One map without what stands around it.
-fn panel(svg: &mut Svg, at: (f64, f64), plan: &Plan, own: &Sheets, values: &[f64], range: (f64, f64)) {
+fn panel(svg: &mut Svg, at: (f64, f64), layout: &Layout, own: &Sheets, values: &[f64], range: (f64, f64)) {
     let mut levels: Vec<Vec<Vec<(f64, f64)>>> = vec![Vec::new(); LEVELS];
     let (mut outlines, mut creases) = (Vec::new(), Vec::new());
     for (k, sheet) in own.sheets.iter().enumerate() {
         let place = |p: &[f64; 2]| {
-            let (x, y) = plan.place(k, *p);
+            let (x, y) = layout.place(k, *p);
             (at.0 + x, at.1 + y)
         };
         for face in &sheet.faces {

@@ -64,7 +64,7 @@ impl Scene {
         let first = snapshots.read(snapshots.first())?;
         let last = snapshots.read(snapshots.last())?;
         let facts = source.facts();
-        let damaged = facts.damage.iter().filter(|(_, group)| {
+        let damaged = facts.parts.damage.iter().filter(|(_, group)| {
             group.measures.keys().any(|measure| measure == "d_tension" || measure == "d_b_max")
         });
         let mut inside = last.members(damaged.map(|(name, _)| name.as_str()));
@@ -89,9 +89,9 @@ impl Scene {
         if !inside.contains(&true) {
             return Err(say!(language, "Nothing is damaged in the last field file."));
         }
-        let slice = last.slice(plane(&facts.positions));
+        let slice = last.slice(plane(&facts.monitors.positions));
         let sheets = Sheets::of(&last, &inside);
-        Ok(Scene { first, last, slice, inside, sheets, positions: facts.positions })
+        Ok(Scene { first, last, slice, inside, sheets, positions: facts.monitors.positions })
     }
 
     fn before_and_after(&self, source: &Source, snapshots: &Snapshots, heading: String) -> Section {

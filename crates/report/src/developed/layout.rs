@@ -22,7 +22,7 @@ pub enum Bars {
 
 /// Where sheets lie, in figure units from the panel's upper left corner of the sheets.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub struct Layout {
     /// Whether their axes run upwards rather than across.
     pub upright: bool,
     /// Figure units per metre.
@@ -44,15 +44,15 @@ pub struct Spot {
     pub s: [f64; 2],
 }
 
-impl Plan {
-    /// The plan that shows sheets largest in so many panels of equal content.
+impl Layout {
+    /// The one that shows sheets largest in so many panels of equal content.
     pub fn of(sheets: &[Sheet], panels: usize, bars: Bars) -> Self {
         let ends: Vec<Spot> = sheets.iter().map(extent).collect();
         let sum = |along: fn(&Spot) -> [f64; 2]| ends.iter().map(|e| along(e)[1] - along(e)[0]).sum::<f64>();
         let most = ends.iter().map(|e| e.u[1] - e.u[0]).fold(1e-9, f64::max);
         let around = sum(|e| e.s).max(1e-9);
         let gaps = BETWEEN * (sheets.len().saturating_sub(1)) as f64;
-        let mut best: Option<Plan> = None;
+        let mut best: Option<Layout> = None;
         for (upright, beside) in [(false, false), (true, false), (false, true), (true, true)] {
             // A dip is drawn upwards.
             if (beside && panels < 2) || (upright && !sheets.iter().all(|sheet| sheet.wraps)) {
@@ -69,10 +69,10 @@ impl Plan {
             };
             // Of nearly equal ones the first, whose axis lies across.
             if best.as_ref().is_none_or(|known| zoom > 1.05 * known.zoom) {
-                best = Some(Plan { upright, zoom, beside, bars, size: (0.0, 0.0), spots: ends.clone() });
+                best = Some(Layout { upright, zoom, beside, bars, size: (0.0, 0.0), spots: ends.clone() });
             }
         }
-        let mut plan = best.unwrap_or(Plan {
+        let mut layout = best.unwrap_or(Layout {
             upright: false,
             zoom: 1.0,
             beside: false,
@@ -80,8 +80,8 @@ impl Plan {
             size: (0.0, 0.0),
             spots: ends,
         });
-        plan.lay();
-        plan
+        layout.lay();
+        layout
     }
 
     fn lay(&mut self) {

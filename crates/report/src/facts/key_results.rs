@@ -27,7 +27,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     };
     if let Ok(table) = &source.monitors {
         let (mut loose, mut counted): (Vec<&String>, Vec<&String>) =
-            facts.monitors.keys().partition(|name| facts.monitors_on_broken_elements.contains(name));
+            facts.monitors.peaks.keys().partition(|name| facts.monitors.on_broken_elements.contains(name));
         // Where all are loose they are all there is.
         if counted.is_empty() {
             std::mem::swap(&mut loose, &mut counted);
@@ -54,7 +54,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         cards.push(card(label, source.quantity(Kind::Displacement, peaks.max), without(note, &loose)));
     }
     cards.extend(stress_cards(source, &facts, at));
-    let cracks = facts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
+    let cracks = facts.parts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
     let cracks = cracks.filter_map(|(name, cracks)| Some((name, cracks, cracks.widest?)));
     // Of equal ones the first: the whole stands before its parts.
     let wider = cracks.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a });
@@ -74,7 +74,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
             .map(|(value, note)| card(say!(language, "Force of the bolt nearest to yield"), value, note)),
     );
     // As the check has it; summaries of other versions leave it to the table.
-    let checked = facts.trust.iter().find(|line| line.id == "energy_error");
+    let checked = facts.soundness.trust.iter().find(|line| line.id == "energy_error");
     let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));
     let of_table = || source.energy.as_ref().ok().and_then(worst_error);
     if let Some((error, ratio)) = checked.or_else(of_table) {
@@ -101,7 +101,9 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
 fn stage_cards(source: &Source, facts: &Summary) -> Vec<Fact> {
     let language = source.language;
     let mut cards = Vec::new();
-    let Some(last) = facts.stages.last().filter(|_| facts.stages.len() > 1) else { return cards };
+    let Some(last) = facts.computed.stages.last().filter(|_| facts.computed.stages.len() > 1) else {
+        return cards;
+    };
     let size = |u: &[f64; 3]| u.iter().map(|x| x * x).sum::<f64>().sqrt();
     let moved = last.walls.iter().map(|(name, u)| (name, size(u))).filter(|(_, size)| size.is_finite());
     if let Some((name, size)) = moved.max_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -126,7 +128,7 @@ fn stress_cards(source: &Source, facts: &Summary, at: impl Fn(f64) -> String) ->
     let mut cards = Vec::new();
     let (largest, smallest) =
         (|| say!(language, "Largest principal stress s1"), || say!(language, "Smallest principal stress s3"));
-    let groups = || facts.stress.iter().filter(|(_, stress)| stress.whole);
+    let groups = || facts.parts.stress.iter().filter(|(_, stress)| stress.whole);
     let most = groups().max_by(|a, b| a.1.s1.value.total_cmp(&b.1.s1.value)).map(|(name, s)| (name, &s.s1));
     let least = groups().min_by(|a, b| a.1.s3.value.total_cmp(&b.1.s3.value)).map(|(name, s)| (name, &s.s3));
     for (label, found) in [(largest(), most), (smallest(), least)] {
@@ -143,7 +145,7 @@ fn stress_cards(source: &Source, facts: &Summary, at: impl Fn(f64) -> String) ->
     if !cards.is_empty() {
         return cards;
     }
-    let monitors = || facts.monitors.iter().map(|(name, peaks)| (name.as_str(), peaks));
+    let monitors = || facts.monitors.peaks.iter().map(|(name, peaks)| (name.as_str(), peaks));
     let of_monitor = |monitor: &str, time: f64| {
         say!(language, "monitor {monitor} at {time}", monitor = monitor, time = at(time))
     };

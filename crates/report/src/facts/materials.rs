@@ -45,7 +45,7 @@ pub struct MaterialRow {
 
 /// A table for each material of the summary.
 pub fn tables(language: Language, summary: &Summary) -> Vec<MaterialTable> {
-    summary.materials.iter().map(|(name, facts)| table(language, name, facts)).collect()
+    summary.computed.materials.iter().map(|(name, facts)| table(language, name, facts)).collect()
 }
 
 fn table(language: Language, name: &str, facts: &MaterialFacts) -> MaterialTable {

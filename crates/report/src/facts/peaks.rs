@@ -45,10 +45,15 @@ pub fn interval(source: &Source) -> Option<String> {
 pub fn peaks(source: &Source) -> Vec<PeakTable> {
     let (summary, language) = (source.facts(), source.language);
     let table = |heading, kind, all, wanted| peak_table(source, heading, kind, all, wanted);
-    let (monitors, components) = (&summary.monitors, &["ux", "uy", "uz"][..]);
+    let (monitors, components) = (&summary.monitors.peaks, &["ux", "uy", "uz"][..]);
     let tables = [
         table(say!(language, "Displacement"), Kind::Displacement, monitors, components),
-        table(say!(language, "Relative displacement"), Kind::Displacement, &summary.relative, components),
+        table(
+            say!(language, "Relative displacement"),
+            Kind::Displacement,
+            &summary.monitors.relative,
+            components,
+        ),
         group_stress(source, &summary),
         table(
             say!(language, "Principal stress of monitors, tension positive"),
@@ -77,7 +82,7 @@ pub fn peaks(source: &Source) -> Vec<PeakTable> {
 /// The largest stresses of each group.
 fn group_stress(source: &Source, summary: &Summary) -> PeakTable {
     let (scale, duration) = (source.scale(Kind::Stress), source.duration());
-    let rows = summary.stress.iter().flat_map(|(group, stress)| {
+    let rows = summary.parts.stress.iter().flat_map(|(group, stress)| {
         let row = |monitor: &str, quantity: &str| PeakRow {
             monitor: monitor.to_owned(),
             quantity: quantity.to_owned(),

@@ -221,8 +221,8 @@ fn monitors(table: &Table, facts: &Summary, quantity: &str, scale: &Scale) -> Ve
         _ => peaks.max.abs().max(peaks.min.abs()),
     };
     let dot = |(name, at): (&String, &[f64; 3])| {
-        let peaks = facts.monitors.get(name)?.get(quantity)?;
+        let peaks = facts.monitors.peaks.get(name)?.get(quantity)?;
         Some((size(peaks) * scale.factor, at[2] - top))
     };
-    facts.positions.iter().filter_map(dot).collect()
+    facts.monitors.positions.iter().filter_map(dot).collect()
 }

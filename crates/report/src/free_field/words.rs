@@ -42,7 +42,7 @@ pub fn verdict(
 /// What was asked for.
 fn asked(source: &Source, wave: &Wave, (axis, scale): (usize, &Scale)) -> Option<String> {
     let (given, incident) = (scale.quantity(wave.given[axis]), wave.incident[axis]);
-    let kind = source.facts().motion.kind;
+    let kind = source.facts().computed.motion.kind;
     let peak = scale.quantity(incident);
     (incident > 0.0).then(|| {
         if kind.is_empty() {

@@ -26,7 +26,7 @@ impl Recorded<'_> {
             let of = |quantity: &&str| self.table.column(&format!("{monitor}.{quantity}"));
             names.iter().filter_map(of).map(largest_of).fold(0.0, f64::max)
         };
-        let loose = self.source.facts().monitors_on_broken_elements;
+        let loose = self.source.facts().monitors.on_broken_elements;
         let hidden = flattening(&self.monitors, |name| loose.iter().any(|other| other == name), size);
         for monitor in &hidden {
             caption = say!(
@@ -52,7 +52,7 @@ impl Recorded<'_> {
     fn in_step(&self, caption: String) -> String {
         let language = self.source.language;
         let facts = self.source.facts();
-        facts.synchrony.iter().fold(caption, |first, (component, of)| {
+        facts.monitors.synchrony.iter().fold(caption, |first, (component, of)| {
             say!(
                 language,
                 "{first} {component}: of any two monitors that are not on broken elements the correlation is at least \
@@ -74,7 +74,7 @@ impl Recorded<'_> {
             return None;
         }
         // A loose piece would move the mean of all.
-        let loose = self.source.facts().monitors_on_broken_elements;
+        let loose = self.source.facts().monitors.on_broken_elements;
         let held = |name: &str| !loose.iter().any(|other| other == name);
         let all = !self.monitors.iter().any(|name| held(name));
         let mut caption = say!(

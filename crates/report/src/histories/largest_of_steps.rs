@@ -7,10 +7,10 @@ use crate::source::Source;
 /// A caption, and behind it the largest size that a monitor had in any step of some quantities; loose pieces are left out.
 pub fn with_steps(source: &Source, caption: String, quantities: &[&str], kind: Kind) -> String {
     let facts = source.facts();
-    let held = |name: &&String| !facts.monitors_on_broken_elements.contains(name);
-    let sizes = facts.monitors.keys().filter(held).flat_map(|name| {
+    let held = |name: &&String| !facts.monitors.on_broken_elements.contains(name);
+    let sizes = facts.monitors.peaks.keys().filter(held).flat_map(|name| {
         let of = |quantity: &&str| {
-            let peaks = facts.monitors[name].get(*quantity)?;
+            let peaks = facts.monitors.peaks[name].get(*quantity)?;
             let [max, min] = [peaks.step_max?, peaks.step_min?];
             // What a monitor could bear counts in tension.
             let size = if kind == Kind::Stress { max } else { max.abs().max(min.abs()) };

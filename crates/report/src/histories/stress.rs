@@ -82,6 +82,6 @@ fn tensile_strengths(source: &Source) -> Option<String> {
         let strength = material.values.iter().find(|value| value.name == "tensile_strength")?.value;
         strength.is_finite().then(|| format!("{name} {}", source.quantity(Kind::Stress, strength)))
     };
-    let all: Vec<String> = facts.materials.iter().filter_map(of).collect();
+    let all: Vec<String> = facts.computed.materials.iter().filter_map(of).collect();
     (!all.is_empty()).then(|| all.join(", "))
 }

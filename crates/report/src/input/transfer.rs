@@ -24,7 +24,7 @@ const NAMES: f64 = 18.0;
 pub fn figure(source: &Source, moving: &[usize]) -> (Option<Figure>, Vec<String>) {
     let language = source.language;
     let left_out = |why: &str| (None, vec![say!(language, "Left out. {why}", why = why)]);
-    let site = source.facts().motion.deconvolved;
+    let site = source.facts().computed.motion.deconvolved;
     let table = match &source.transfer {
         Some(Ok(table)) => table,
         Some(Err(why)) => return left_out(why),

@@ -34,7 +34,7 @@ fn lengths(language: Language) -> [Wanted; 2] {
 
 /// Names of the interfaces: those of the summary, or of the table's columns.
 pub fn names(source: &Source) -> Vec<String> {
-    let known: Vec<String> = source.facts().interfaces.keys().cloned().collect();
+    let known: Vec<String> = source.facts().parts.interfaces.keys().cloned().collect();
     if !known.is_empty() {
         return known;
     }
@@ -56,7 +56,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let mut figures = Vec::new();
     let mut idle = Vec::new();
     for (k, name) in names(source).iter().enumerate() {
-        let area = facts.interfaces.get(name).map_or(f64::NAN, |own| own.area);
+        let area = facts.parts.interfaces.get(name).map_or(f64::NAN, |own| own.area);
         match figure(source, table, name, area) {
             Some(figure) => {
                 figures.push(Figure { file: format!("interface-history-{}.svg", k + 1), ..figure })

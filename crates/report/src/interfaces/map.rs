@@ -3,7 +3,7 @@
 use tremolite_results::{ElementGroups, PairSurface, Pvd};
 
 use crate::chapter::figure::{Figure, Section};
-use crate::developed::layout::{Bars, LEFT, Plan};
+use crate::developed::layout::{Bars, LEFT, Layout};
 use crate::developed::unfold::{Sheet, unfold};
 use crate::developed::words::{developed, from_left, labels};
 use crate::drawing::svg::Svg;
@@ -116,20 +116,20 @@ fn draw(
     let language = source.language;
     let mut sheets = unfold(&surface.points, &surface.normals, &surface.faces);
     from_left(&mut sheets, &surface.points);
-    let plan = Plan::of(&sheets, layers.len(), Bars::Each);
+    let layout = Layout::of(&sheets, layers.len(), Bars::Each);
     let labels = labels(language, &sheets, &surface.elements, groups);
     let mut svg = Svg::new(940.0);
-    let above = TITLE + ROW + if plan.upright { ROW } else { 0.0 };
-    let height = above + plan.size.1 + BELOW;
+    let above = TITLE + ROW + if layout.upright { ROW } else { 0.0 };
+    let height = above + layout.size.1 + BELOW;
     let scale = source.scale(Kind::Opening);
     let mut remarks = Vec::new();
     for (k, layer) in layers.iter().enumerate() {
-        let (column, row) = if plan.beside { (k, 0) } else { (0, k) };
-        let at = (LEFT + column as f64 * plan.panel_width(layers.len()), above + row as f64 * height);
-        remarks.push(panel(&mut svg, at, above, &plan, &sheets, surface, layer, (language, &scale)));
-        frame(&mut svg, language, at, &plan, &sheets, &labels);
+        let (column, row) = if layout.beside { (k, 0) } else { (0, k) };
+        let at = (LEFT + column as f64 * layout.panel_width(layers.len()), above + row as f64 * height);
+        remarks.push(panel(&mut svg, at, above, &layout, &sheets, surface, layer, (language, &scale)));
+        frame(&mut svg, language, at, &layout, &sheets, &labels);
     }
-    let rows = if plan.beside { 1.0 } else { layers.len() as f64 };
+    let rows = if layout.beside { 1.0 } else { layers.len() as f64 };
     let title = say!(language, "Interface {name}, developed flat", name = name);
     let svg = svg.finish(rows * height, &title, &remarks.join(&say!(language, "; ")));
     (svg, said(language, &sheets, surface, layers, name))

@@ -2,7 +2,7 @@
 
 use tremolite_results::PairSurface;
 
-use crate::developed::layout::{BAR, LEFT, Plan, end_walls, marks};
+use crate::developed::layout::{BAR, LEFT, Layout, end_walls, marks};
 use crate::developed::unfold::Sheet;
 use crate::developed::words::direction;
 use crate::drawing::colours::{self, LEVELS, colour, level};
@@ -48,7 +48,7 @@ pub fn panel(
     svg: &mut Svg,
     at: (f64, f64),
     above: f64,
-    plan: &Plan,
+    layout: &Layout,
     sheets: &[Sheet],
     surface: &PairSurface,
     layer: &Layer,
@@ -63,7 +63,7 @@ pub fn panel(
     let (mut outlines, mut creases) = (Vec::new(), Vec::new());
     for (k, sheet) in sheets.iter().enumerate() {
         let place = |p: &[f64; 2]| {
-            let (x, y) = plan.place(k, *p);
+            let (x, y) = layout.place(k, *p);
             (at.0 + x, at.1 + y)
         };
         for face in &sheet.faces {
@@ -110,9 +110,9 @@ pub fn panel(
         half = scale.quantity(sorted.get(sorted.len().saturating_sub(1) / 2).copied().unwrap_or(0.0))
     );
     svg.text((at.0 + text_width(&title, 13.0) + 30.0, line), Anchor::Start, 12.0, Style::Muted, &remark);
-    let left = at.0 + plan.bar_at();
+    let left = at.0 + layout.bar_at();
     // The key below it wants two lines.
-    let bar = (plan.size.1 - 44.0).clamp(40.0, TALLEST_BAR);
+    let bar = (layout.size.1 - 44.0).clamp(40.0, TALLEST_BAR);
     colours::bar(svg, (left, at.1), bar, (0.0, range.1 * scale.factor), false);
     let mut below = at.1 + bar + 14.0;
     for (name, shown, lined) in
@@ -170,30 +170,30 @@ pub fn frame(
     svg: &mut Svg,
     language: Language,
     at: (f64, f64),
-    plan: &Plan,
+    layout: &Layout,
     sheets: &[Sheet],
     labels: &[String],
 ) {
-    let bottom = at.1 + plan.size.1;
+    let bottom = at.1 + layout.size.1;
     // Where names stand above the sheets, from and to.
     let mut named: Vec<(f64, f64)> = Vec::new();
-    for (k, (sheet, spot)) in sheets.iter().zip(&plan.spots).enumerate() {
-        let (from, to) = (plan.place(k, [spot.u[0], -spot.s[0]]), plan.place(k, [spot.u[0], -spot.s[1]]));
+    for (k, (sheet, spot)) in sheets.iter().zip(&layout.spots).enumerate() {
+        let (from, to) = (layout.place(k, [spot.u[0], -spot.s[0]]), layout.place(k, [spot.u[0], -spot.s[1]]));
         let mut parts = marks(language, sheet);
         // A plane is measured from its edge, a lining from its crown.
         let zero = if sheet.wraps { 0.0 } else { spot.s[1] };
         let around = if sheet.wraps { (spot.s[0], spot.s[1]) } else { (0.0, spot.s[1] - spot.s[0]) };
         let along = if sheet.wraps { (spot.u[0], spot.u[1]) } else { (0.0, spot.u[1] - spot.u[0]) };
-        let length = |(low, high): (f64, f64)| (high - low) * plan.zoom;
+        let length = |(low, high): (f64, f64)| (high - low) * layout.zoom;
         let s_of = |value: f64| if sheet.wraps { value } else { zero - value };
         let u_of = |value: f64| if sheet.wraps { value } else { spot.u[0] + value };
         let ticks_s = Ticks::within(around.0, around.1, (length(around) / 45.0).max(1.0) as usize);
         let ticks_u = Ticks::within(along.0, along.1, (length(along) / 60.0).max(1.0) as usize);
         let label = &labels[k];
-        if plan.upright {
+        if layout.upright {
             svg.rule((at.0 + from.0, bottom + 4.0), (at.0 + to.0, bottom + 4.0), true);
             for (value, text) in &ticks_s.marks {
-                let x = at.0 + plan.place(k, [spot.u[0], -s_of(*value)]).0;
+                let x = at.0 + layout.place(k, [spot.u[0], -s_of(*value)]).0;
                 svg.rule((x, bottom + 4.0), (x, bottom + 9.0), true);
                 svg.text((x, bottom + 22.0), Anchor::Middle, 12.0, Style::Muted, text);
             }
@@ -201,7 +201,7 @@ pub fn frame(
             // From the crown outwards, as far as there is room.
             parts.sort_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
             for (name, s) in parts {
-                let x = at.0 + plan.place(k, [spot.u[0], -s]).0;
+                let x = at.0 + layout.place(k, [spot.u[0], -s]).0;
                 let half = 0.5 * text_width(&name, 12.0) + 3.0;
                 if named.iter().all(|(from, to)| x + half < *from || x - half > *to) {
                     named.push((x - half, x + half));
@@ -210,7 +210,7 @@ pub fn frame(
             }
             if k == 0 {
                 for (value, text) in &ticks_u.marks {
-                    let y = at.1 + plan.place(k, [u_of(*value), 0.0]).1;
+                    let y = at.1 + layout.place(k, [u_of(*value), 0.0]).1;
                     svg.rule((at.0 - 9.0, y), (at.0 - 4.0, y), true);
                     svg.text((at.0 - 13.0, y + 4.0), Anchor::End, 12.0, Style::Muted, text);
                 }
@@ -218,18 +218,18 @@ pub fn frame(
         } else {
             svg.rule((at.0 - 4.0, at.1 + from.1), (at.0 - 4.0, at.1 + to.1), true);
             for (value, text) in &ticks_s.marks {
-                let y = at.1 + plan.place(k, [spot.u[0], -s_of(*value)]).1;
+                let y = at.1 + layout.place(k, [spot.u[0], -s_of(*value)]).1;
                 svg.rule((at.0 - 9.0, y), (at.0 - 4.0, y), true);
                 svg.text((at.0 - 13.0, y + 4.0), Anchor::End, 12.0, Style::Muted, text);
             }
             svg.text((at.0, at.1 + from.1 - 8.0), Anchor::Start, 12.5, Style::Plain, label);
             for (name, s) in parts {
-                let (x, y) = plan.place(k, [spot.u[1], -s]);
+                let (x, y) = layout.place(k, [spot.u[1], -s]);
                 svg.text((at.0 + x + 8.0, at.1 + y + 4.0), Anchor::Start, 12.0, Style::Muted, &name);
             }
             if k + 1 == sheets.len() {
                 for (value, text) in &ticks_u.marks {
-                    let x = at.0 + plan.place(k, [u_of(*value), 0.0]).0;
+                    let x = at.0 + layout.place(k, [u_of(*value), 0.0]).0;
                     svg.rule((x, bottom + 4.0), (x, bottom + 9.0), true);
                     svg.text((x, bottom + 22.0), Anchor::Middle, 12.0, Style::Muted, text);
                 }
@@ -238,17 +238,17 @@ pub fn frame(
     }
     for (k, sheet) in sheets.iter().enumerate() {
         for middle in end_walls(sheet) {
-            let (x, y) = plan.place(k, middle);
+            let (x, y) = layout.place(k, middle);
             svg.note((at.0 + x, at.1 + y), &say!(language, "end of the lining"));
         }
     }
     let (along, around) = axis_words(language, sheets);
-    let (below, beside) = if plan.upright { (around, along) } else { (along, around) };
+    let (below, beside) = if layout.upright { (around, along) } else { (along, around) };
     // Of a lining whose axis lies across, right is below.
-    let arrow = if plan.upright || sheets.iter().all(|sheet| !sheet.wraps) { '↑' } else { '↓' };
+    let arrow = if layout.upright || sheets.iter().all(|sheet| !sheet.wraps) { '↑' } else { '↓' };
     let words = format!("→ {below} (m)   {arrow} {beside} (m)");
-    let left = if plan.upright { at.0 - LEFT + 8.0 } else { at.0 };
-    let room = plan.size.0 + BAR;
+    let left = if layout.upright { at.0 - LEFT + 8.0 } else { at.0 };
+    let room = layout.size.0 + BAR;
     let size = if text_width(&words, 12.0) > room { 11.0 } else { 12.0 };
     svg.text((left, bottom + 40.0), Anchor::Start, size, Style::Muted, &words);
 }

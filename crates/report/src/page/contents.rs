@@ -110,7 +110,7 @@ pub fn sections(source: &Source, view: bool) -> Vec<Placed> {
         None => say!(language, "Model and motion"),
     };
     page.set("model", model, true);
-    page.set("materials", say!(language, "Materials"), !facts.materials.is_empty());
+    page.set("materials", say!(language, "Materials"), !facts.computed.materials.is_empty());
     page.set("defaulted", say!(language, "Assumptions and defaults"), true);
     page.set("case", say!(language, "The case"), source.case.is_some());
     page.set("run", say!(language, "How it was run"), true);

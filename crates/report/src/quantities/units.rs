@@ -92,13 +92,13 @@ impl Units {
                 largest[kind as usize] = largest[kind as usize].max(value.abs());
             }
         };
-        for (name, peaks) in facts.monitors.values().chain(facts.relative.values()).flatten() {
+        for (name, peaks) in facts.monitors.peaks.values().chain(facts.monitors.relative.values()).flatten() {
             if let Some(kind) = Kind::of_quantity(name) {
                 let Peaks { max, min, .. } = peaks;
                 [*max, *min].into_iter().for_each(|x| meet(kind, x));
             }
         }
-        for stage in &facts.stages {
+        for stage in &facts.computed.stages {
             meet(Kind::Displacement, stage.largest_motion);
             stage.walls.values().flatten().for_each(|x| meet(Kind::Displacement, *x));
             for (name, value) in stage.monitors.values().flatten() {
@@ -107,23 +107,23 @@ impl Units {
                 }
             }
         }
-        for stress in facts.stress.values() {
+        for stress in facts.parts.stress.values() {
             [stress.s1.value, stress.s3.value].into_iter().for_each(|x| meet(Kind::Stress, x));
         }
-        for cracks in facts.damage.values().filter_map(|group| group.cracks.as_ref()) {
+        for cracks in facts.parts.damage.values().filter_map(|group| group.cracks.as_ref()) {
             meet(Kind::Opening, cracks.opening);
         }
-        for interface in facts.interfaces.values() {
+        for interface in facts.parts.interfaces.values() {
             [interface.max_slip.value, interface.max_gap.value]
                 .into_iter()
                 .for_each(|x| meet(Kind::Opening, x));
             meet(Kind::Stress, interface.max_pressure);
         }
-        for bolts in facts.bolts.values() {
+        for bolts in facts.parts.bolts.values() {
             meet(Kind::Opening, bolts.max_slip);
             [bolts.largest.force, bolts.yield_force].into_iter().for_each(|x| meet(Kind::Force, x));
         }
-        facts.energy.values().for_each(|x| meet(Kind::Energy, *x));
+        facts.soundness.energy.values().for_each(|x| meet(Kind::Energy, *x));
         tables.for_each(|(kind, value)| meet(kind, value));
         Units(Kind::ALL.map(|kind| kind.scale(largest[kind as usize])))
     }

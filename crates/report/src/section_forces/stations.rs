@@ -104,7 +104,7 @@ fn lining(language: Language, name: &str, rows: &[&SectionRow], facts: &Summary)
     let stage = |row: &&&SectionRow| !is_extreme(row);
     // The last stage of which there are rows; the file goes by stages in their order.
     let of = |name: &str| rows.iter().filter(stage).any(|row| row.when == name);
-    let last = facts.stages.iter().enumerate().rev().find(|(_, s)| of(&s.name));
+    let last = facts.computed.stages.iter().enumerate().rev().find(|(_, s)| of(&s.name));
     let when =
         last.map(|(_, s)| s.name.clone()).or_else(|| rows.iter().rfind(stage).map(|row| row.when.clone()));
     let after = match (&last, &when) {

@@ -29,7 +29,7 @@ impl Strength {
     /// Of the material that the group is made of; nothing where the summary does not say.
     pub fn of(group: &str, facts: &Summary) -> Option<Self> {
         let made = |names: &str| names.split(", ").any(|name| name == group);
-        let material = facts.materials.values().find(|m| m.groups.iter().any(|g| made(&g.names)))?;
+        let material = facts.computed.materials.values().find(|m| m.groups.iter().any(|g| made(&g.names)))?;
         let value = |name: &str| material.values.iter().find(|v| v.name == name).map(|v| v.value);
         let found =
             Strength { tension: value("tensile_strength")?, compression: value("compressive_strength")? };

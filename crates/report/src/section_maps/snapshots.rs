@@ -84,7 +84,7 @@ impl<'a> Snapshots<'a> {
     pub fn after(&self) -> String {
         let time = moment(self.last().time, self.source.duration());
         // Of a run that was stopped, failed, or is still going on the last file is not the end.
-        match self.source.summary.as_ref().is_ok_and(|summary| summary.status == Status::Done) {
+        match self.source.summary.as_ref().is_ok_and(|summary| summary.conclusion.status == Status::Done) {
             true => say!(self.source.language, "after the earthquake, t = {time}\u{a0}s", time = time),
             false => say!(self.source.language, "so far, t = {time}\u{a0}s", time = time),
         }

@@ -33,18 +33,18 @@ fn monitors_of(table: Option<&Table>, facts: &Summary, pair: &str) -> Option<[St
         subjects.filter(|subject| is_pair(subject)).find(|subject| subject.name().as_deref() == Some(pair));
     match told {
         Some(Subject::Relative(monitors)) => Some(monitors.clone()),
-        _ => Some(halves(pair, |name| facts.monitors.contains_key(name))?.map(str::to_owned)),
+        _ => Some(halves(pair, |name| facts.monitors.peaks.contains_key(name))?.map(str::to_owned)),
     }
 }
 
 /// The pairs of a run of which no monitor came loose, and the names of the others. What a loose piece does is no strain of the
 /// lining.
 pub fn held<'a>(source: &Source, facts: &'a Summary) -> (Vec<PairPeaks<'a>>, Vec<&'a str>) {
-    let came_loose = |monitor: &String| facts.monitors_on_broken_elements.contains(monitor);
+    let came_loose = |monitor: &String| facts.monitors.on_broken_elements.contains(monitor);
     let is_loose = |pair: &str| {
         monitors_of(source.monitors.as_ref().ok(), facts, pair).is_some_and(|of| of.iter().any(came_loose))
     };
-    let pairs = facts.relative.iter().map(|(pair, peaks)| (pair.as_str(), peaks));
+    let pairs = facts.monitors.relative.iter().map(|(pair, peaks)| (pair.as_str(), peaks));
     let (loose, held): (Vec<_>, Vec<_>) = pairs.partition(|(pair, _)| is_loose(pair));
     (held, loose.into_iter().map(|(pair, _)| pair).collect())
 }

@@ -122,7 +122,7 @@ fn closure_name(language: Language, pairs: &[(&WallPoint, &WallPoint)], k: usize
 /// The block; nothing for a run without stages after the first.
 pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     let language = source.language;
-    let stages = &facts.stages;
+    let stages = &facts.computed.stages;
     if stages.len() < 2 {
         return None;
     }

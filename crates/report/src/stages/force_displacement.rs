@@ -25,7 +25,7 @@ struct Movement {
 /// The block; nothing where stages move nothing.
 pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     let language = source.language;
-    let courses = courses(&facts.stages);
+    let courses = courses(&facts.computed.stages);
     if courses.is_empty() {
         return None;
     }

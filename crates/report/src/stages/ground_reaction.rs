@@ -60,7 +60,7 @@ fn series(stages: &[StageSummary]) -> Vec<Steps> {
 /// The block; nothing where every excavation was let go at once.
 pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     let language = source.language;
-    let stages = &facts.stages;
+    let stages = &facts.computed.stages;
     let series = series(stages);
     let caverns = caverns(stages);
     let figures: Vec<Figure> = series

@@ -23,7 +23,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     };
     let path = source.folder.stages_pvd();
     if !path.exists() {
-        return (!facts.stages.is_empty())
+        return (!facts.computed.stages.is_empty())
             .then(|| left_out(say!(language, "The run wrote no fields of the stages (stages.pvd).")))?;
     }
     let pvd = match Pvd::read(&path) {
@@ -34,7 +34,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         return left_out(say!(language, "stages.pvd lists no file yet."));
     };
     let number = last.time.max(0.0) as usize;
-    let stage = match facts.stages.get(number) {
+    let stage = match facts.computed.stages.get(number) {
         Some(stage) => called(language, number, stage),
         None => say!(language, "stage {k}", k = number),
     };
@@ -43,7 +43,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         Ok(file) => file,
         Err(why) => return left_out(why),
     };
-    let positions = &facts.positions;
+    let positions = &facts.monitors.positions;
     let slice = file.slice(plane(positions));
     let zones = Zones::of(&file, &slice, when.clone());
     let files = Files { zones: "stage-plastic.svg", strain: "stage-plastic-strain.svg" };

@@ -76,7 +76,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
 
 /// What a run calls at rest: the limit of its own check.
 fn tolerance(facts: &Summary) -> Option<f64> {
-    facts.stages.iter().map(|stage| stage.tolerance).find(|limit| limit.is_finite())
+    facts.computed.stages.iter().map(|stage| stage.tolerance).find(|limit| limit.is_finite())
 }
 
 /// The rows of a stage, and from which cycle of the run to which it went.
@@ -99,7 +99,7 @@ fn spans(stage: &[f64], cycle: &[f64], facts: &Summary) -> Vec<Span> {
         let shift = if cycle[first] > from { 0.0 } else { from };
         let last = cycle[first..first + rows].iter().copied().fold(0.0, f64::max);
         let number = stage[first].max(0.0) as usize;
-        let whole = facts.stages.get(number).map_or(0.0, |s| s.cycles as f64);
+        let whole = facts.computed.stages.get(number).map_or(0.0, |s| s.cycles as f64);
         let to = if shift == 0.0 { last.max(from) } else { from + last.max(whole) };
         let to = if spans.is_empty() { to.max(whole) } else { to };
         spans.push(Span { stage: number, rows: first..first + rows, from, to, shift });
@@ -195,7 +195,7 @@ fn answering(
 
 /// Number and name of a stage.
 fn full_name(language: Language, span: &Span, facts: &Summary) -> String {
-    let name = facts.stages.get(span.stage).map_or_else(String::new, |s| name(language, &s.name));
+    let name = facts.computed.stages.get(span.stage).map_or_else(String::new, |s| name(language, &s.name));
     format!("{} {name}", span.stage).trim().to_owned()
 }
 

@@ -12,7 +12,7 @@ const SMALL: f64 = 0.01;
 /// What lies around the linings: the worst interface, the worst bolts, the rock.
 pub fn around(language: Language, facts: &Summary) -> Vec<(Severity, String)> {
     let worst = |prefix: &str| {
-        let own = facts.findings.iter().filter(|finding| finding.id.starts_with(prefix));
+        let own = facts.conclusion.findings.iter().filter(|finding| finding.id.starts_with(prefix));
         let number = |finding: &Finding, name: &str| finding.numbers.get(name).copied().unwrap_or(0.0);
         let rank = |f: &Finding| {
             let area = number(f, "share_slid").max(number(f, "share_opened"));
@@ -81,7 +81,9 @@ pub fn around(language: Language, facts: &Summary) -> Vec<(Severity, String)> {
         };
         found.push((bolts.severity, text));
     }
-    if let Some(rock) = facts.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8) {
+    if let Some(rock) =
+        facts.conclusion.findings.iter().filter(|f| of_rock(f)).max_by_key(|f| f.severity as u8)
+    {
         found.push((rock.severity, yielded(language, facts, rock)));
     }
     found
@@ -91,7 +93,7 @@ pub fn around(language: Language, facts: &Summary) -> Vec<(Severity, String)> {
 pub fn yielded(language: Language, facts: &Summary, finding: &Finding) -> String {
     let text = by_share(language, finding);
     let measure =
-        facts.damage.get(&finding.group).and_then(|group| group.measures.get("plastic_shear_strain"));
+        facts.parts.damage.get(&finding.group).and_then(|group| group.measures.get("plastic_shear_strain"));
     let volume = measure.and_then(|measure| measure.beyond.values().next()).copied().unwrap_or(0.0);
     match finding.numbers.get("share_yielded_in_shear") {
         Some(share) if *share < SMALL && volume > 0.0 => {

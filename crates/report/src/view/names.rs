@@ -59,7 +59,7 @@ fn covering(part: &Part) -> Vec<String> {
 pub fn kinds(parts: &[Part], linings: &[&str], summary: &Summary) -> Vec<PartKind> {
     let volumes: Vec<f64> = parts.iter().map(total_volume).collect();
     let largest = (0..parts.len()).max_by(|&a, &b| volumes[a].total_cmp(&volumes[b]));
-    let cracks = |name: &str| summary.damage.get(name).is_some_and(|damage| damage.cracks.is_some());
+    let cracks = |name: &str| summary.parts.damage.get(name).is_some_and(|damage| damage.cracks.is_some());
     let elsewhere = |name: &str, own: usize| {
         let others = parts.iter().enumerate().filter(|(k, _)| *k != own);
         others.flat_map(|(_, part)| &part.groups).any(|(known, _)| known == name)

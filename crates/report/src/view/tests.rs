@@ -47,7 +47,7 @@ fn source(root: &Path) -> Source {
     }
     let mut summary = Summary::default();
     let cracks = GroupDamage { cracks: Some(Cracks::default()), ..GroupDamage::default() };
-    summary.damage.insert("lining".into(), cracks);
+    summary.parts.damage.insert("lining".into(), cracks);
     summary.write(&folder.summary()).unwrap();
     Source::read(root, None).unwrap()
 }

@@ -8,8 +8,8 @@ use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_report::write;
 use tremolite_results::{
-    BoltPeak, BoltRow, BoltSummary, BoltWriter, Column, EARTHQUAKE, Pvd, ResultFolder, StageSummary, Status,
-    Summary, TableWriter,
+    BoltPeak, BoltRow, BoltSummary, BoltWriter, Column, Computed, Conclusion, EARTHQUAKE, PartFacts, Pvd,
+    ResultFolder, StageSummary, Status, Summary, TableWriter,
 };
 
 /// Force at which one yields (N): 25 mm of 400 MPa.
@@ -162,18 +162,27 @@ fn summary(all: &[Made]) -> Summary {
     let stage = |name: &str| StageSummary { name: name.into(), ..StageSummary::default() };
     let mut summary = Summary {
         title: "A bolted cavern".into(),
-        status: Status::Done,
-        outcome: "The run reached its end, 12.00 s.".into(),
-        stages: ["", "crown", "bench 1", "bench 2"].map(stage).into(),
-        bolts: [("crown", "crown"), ("walls", "bench 1"), ("toe", "")]
-            .into_iter()
-            .enumerate()
-            .map(|(g, (name, placed))| (name.to_owned(), group(g, placed)))
-            .collect(),
+        conclusion: Conclusion {
+            status: Status::Done,
+            outcome: "The run reached its end, 12.00 s.".into(),
+            ..Conclusion::default()
+        },
+        computed: Computed {
+            stages: ["", "crown", "bench 1", "bench 2"].map(stage).into(),
+            ..Computed::default()
+        },
+        parts: PartFacts {
+            bolts: [("crown", "crown"), ("walls", "bench 1"), ("toe", "")]
+                .into_iter()
+                .enumerate()
+                .map(|(g, (name, placed))| (name.to_owned(), group(g, placed)))
+                .collect(),
+            ..PartFacts::default()
+        },
         ..Summary::default()
     };
-    summary.model.duration = 12.0;
-    summary.motion.kind = "outcrop".into();
+    summary.computed.model.duration = 12.0;
+    summary.computed.motion.kind = "outcrop".into();
     summary
 }
 
@@ -261,7 +270,7 @@ fn a_group_that_is_not_placed_yet_has_no_forces() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path());
     let mut facts = summary(&bolts());
-    for group in facts.bolts.values_mut() {
+    for group in facts.parts.bolts.values_mut() {
         *group = BoltSummary {
             there: false,
             bolts: 4,

@@ -84,14 +84,16 @@ fn stages_and_section_forces_are_told_in_chinese() {
         let page = page(&folder);
         assert_chinese(&page, STAGES, &own);
         let mut summary = Summary::read(&folder.summary()).unwrap();
-        for stage in &mut summary.stages {
+        for stage in &mut summary.computed.stages {
             stage.tolerance = f64::NAN;
             stage.walls.retain(|name, _| !name.starts_with("tunnel"));
             stage.walls.insert("pillar".into(), [1e-3; 3]);
             stage.walls.insert("store.rib".into(), [1e-3; 3]);
         }
-        let values = summary.stages[5].monitors["A"].clone();
-        summary.stages[5].monitors.extend(["B", "A-B"].map(|name| (name.to_owned(), values.clone())));
+        let values = summary.computed.stages[5].monitors["A"].clone();
+        summary.computed.stages[5]
+            .monitors
+            .extend(["B", "A-B"].map(|name| (name.to_owned(), values.clone())));
         summary.write(&folder.summary()).unwrap();
         let headings: Vec<_> = STAGES[1..5].iter().copied().filter(|h| *h != "围岩特征曲线").collect();
         assert_chinese(&self::page(&folder), &headings, &own);
@@ -109,8 +111,8 @@ fn bolts_are_told_in_chinese() {
     let folder = bolts::results(temp.path());
     assert_chinese(&page(&folder), BOLTS, &[]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.bolts["toe"].there = false;
-    (summary.bolts["walls"].placed, summary.bolts["walls"].largest.stage) =
+    summary.parts.bolts["toe"].there = false;
+    (summary.parts.bolts["walls"].placed, summary.parts.bolts["walls"].largest.stage) =
         (EARTHQUAKE.into(), "bench 1".into());
     summary.write(&folder.summary()).unwrap();
     let lines = folder.bolt_fields();
@@ -162,7 +164,7 @@ fn a_record_that_was_deconvolved_is_told_in_chinese() {
     // The theory's author.
     assert_chinese(&page(&folder), DECONVOLVED, &["Kramer"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    if let Some(site) = &mut summary.motion.deconvolved {
+    if let Some(site) = &mut summary.computed.motion.deconvolved {
         (site.depth, site.reach) = (30.0, f64::NAN);
         site.corner.clear();
     }
@@ -189,7 +191,7 @@ fn damage_is_told_in_chinese() {
     let temp = tempfile::tempdir().unwrap();
     let folder = report::results(temp.path(), &["A"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.damage.insert("hall.lining".into(), report::cracked());
+    summary.parts.damage.insert("hall.lining".into(), report::cracked());
     summary.write(&folder.summary()).unwrap();
     assert_chinese(&page(&folder), DAMAGE, &[]);
 }

@@ -4,7 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use tremolite_report::{Language, compare};
-use tremolite_results::{Column, ResultFolder, Status, Summary, Table, TableWriter, peaks_by_monitor};
+use tremolite_results::{
+    Column, Conclusion, MonitorFacts, ResultFolder, Status, Summary, Table, TableWriter, peaks_by_monitor,
+};
 
 /// A run whose monitor A swings with this size \[m\], with rows at this interval \[s\].
 fn run(root: &Path, size: f64, interval: f64, case: &str) -> PathBuf {
@@ -16,7 +18,12 @@ fn run(root: &Path, size: f64, interval: f64, case: &str) -> PathBuf {
         table.write(&[t, size * (1.5 * t).sin(), 1e6]).unwrap();
     }
     let [monitors, _] = peaks_by_monitor(&Table::read(&folder.monitors()).unwrap());
-    let summary = Summary { title: "A run".into(), status: Status::Done, monitors, ..Summary::default() };
+    let summary = Summary {
+        title: "A run".into(),
+        conclusion: Conclusion { status: Status::Done, ..Conclusion::default() },
+        monitors: MonitorFacts { peaks: monitors, ..MonitorFacts::default() },
+        ..Summary::default()
+    };
     summary.write(&folder.summary()).unwrap();
     fs::write(folder.root().join("case.toml"), case).unwrap();
     folder.root().to_owned()
@@ -86,7 +93,7 @@ fn a_run_that_is_not_done_says_so_and_is_compared_as_far_as_it_came() {
     assert!(!page(&both, temp.path()).contains("Not run to the end"));
     for (folder, status) in [(&stopped, Status::Stopped), (&failed, Status::Failed)] {
         let mut summary = Summary::read(&folder.join("summary.json")).unwrap();
-        summary.status = status;
+        summary.conclusion.status = status;
         summary.write(&folder.join("summary.json")).unwrap();
     }
     fs::remove_file(gone.join("summary.json")).unwrap();

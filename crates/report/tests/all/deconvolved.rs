@@ -77,10 +77,10 @@ pub fn recorded(root: &Path) -> ResultFolder {
     );
     transfer(&folder, 1.0);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    (summary.motion.kind, summary.motion.factor) = ("surface".into(), f64::NAN);
-    summary.motion.deconvolved = Some(site());
+    (summary.computed.motion.kind, summary.computed.motion.factor) = ("surface".into(), f64::NAN);
+    summary.computed.motion.deconvolved = Some(site());
     let name = said!("the record at the place where it was taken");
-    summary.trust.push(TrustLine::at_most("record_at_its_place", name, 0.0173, 0.05, ""));
+    summary.soundness.trust.push(TrustLine::at_most("record_at_its_place", name, 0.0173, 0.05, ""));
     summary.write(&folder.summary()).unwrap();
     folder
 }
@@ -132,7 +132,7 @@ fn caption_and_card_say_what_was_done() {
     assert!(!whole.contains("It is taken as") && !whole.contains("incident motion ="));
     change(&folder, |summary| {
         let site = Deconvolved { depth: 31.5, corner: String::new(), lead: 0.0, reach: f64::NAN, ..site() };
-        (summary.motion.kind, summary.motion.deconvolved) = ("within".into(), Some(site));
+        (summary.computed.motion.kind, summary.computed.motion.deconvolved) = ("within".into(), Some(site));
     });
     let whole = page(&folder);
     twice(&whole, "Recorded 31.5 m below the surface of the layers of motion.site; ");
@@ -146,8 +146,8 @@ fn other_kinds_and_older_versions_say_what_they_said() {
     fs::remove_file(folder.transfer()).unwrap();
     for (kind, factor) in [("outcrop", 0.5), ("incident", 1.0), ("within", 0.5), ("within", f64::NAN)] {
         change(&folder, |summary| {
-            (summary.motion.kind, summary.motion.factor) = (kind.into(), factor);
-            summary.motion.deconvolved = None;
+            (summary.computed.motion.kind, summary.computed.motion.factor) = (kind.into(), factor);
+            summary.computed.motion.deconvolved = None;
         });
         let _ = fs::remove_dir_all(folder.figures());
         let whole = page(&folder);
@@ -204,7 +204,9 @@ fn the_transfer_is_drawn_for_what_moves_with_its_band_and_its_level() {
     assert!(whole.contains("vertical waves through linear layers"));
 
     transfer(&folder, 1.1);
-    change(&folder, |summary| summary.motion.deconvolved = Some(Deconvolved { reach: f64::NAN, ..site() }));
+    change(&folder, |summary| {
+        summary.computed.motion.deconvolved = Some(Deconvolved { reach: f64::NAN, ..site() })
+    });
     page(&folder);
     let svg = drawing(&folder, "transfer.svg").unwrap();
     assert!(svg.contains(">x</text>") && svg.contains(">y</text>") && !svg.contains("fades out"), "{svg}");
@@ -282,16 +284,16 @@ fn what_came_out_at_its_place_lies_over_the_record() {
     // A check that was not made has no number.
     change(&folder, |summary| {
         let name = said!("the record at the place where it was taken");
-        summary.trust[0] =
+        summary.soundness.trust[0] =
             TrustLine::not_applicable("record_at_its_place", name, said!("not all stages are done"));
     });
     assert!(!page(&folder).contains("of the record's peak") && drawing(&folder, "record.svg").is_some());
     // Of a monitor called 'record' its own level is meant.
     change(&folder, |summary| {
-        summary.positions.insert("record".into(), [0.0, 0.0, -30.0]);
+        summary.monitors.positions.insert("record".into(), [0.0, 0.0, -30.0]);
     });
     none(&folder);
-    change(&folder, |summary| summary.positions.clear());
+    change(&folder, |summary| summary.monitors.positions.clear());
     free_field::free_field(&folder, &[("reference.top.vx", &too_much)]);
     none(&folder);
     free_field::free_field(

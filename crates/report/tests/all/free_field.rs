@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use tremolite_report::write;
-use tremolite_results::{Column, ResultFolder, Summary, TableWriter, TrustLine, said};
+use tremolite_results::{Column, ResultFolder, Soundness, Summary, TableWriter, TrustLine, said};
 
 /// A folder of a run that shook, without anything of the free field.
 pub fn results(root: &Path) -> ResultFolder {
@@ -15,7 +15,7 @@ pub fn results(root: &Path) -> ResultFolder {
     let columns = ["kinetic", "rayleigh_damping", "input", "initial", "error"];
     energy(&folder, &columns, |t| vec![t, 0.3 * t, 1.3 * t, 0.0, 0.0]);
     let mut summary = Summary::default();
-    (summary.motion.kind, summary.motion.factor) = ("outcrop".into(), 0.5);
+    (summary.computed.motion.kind, summary.computed.motion.factor) = ("outcrop".into(), 0.5);
     summary.write(&folder.summary()).unwrap();
     folder
 }
@@ -313,7 +313,9 @@ fn the_error_that_is_drawn_and_that_of_the_check_are_told_apart() {
         (TrustLine::at_most("energy_error", name(), 1e-9, 5e-4, ""), true),
         (TrustLine::not_applicable("energy_error", name(), said!("nothing moves")), false),
     ] {
-        Summary { trust: vec![line], ..Summary::default() }.write(&folder.summary()).unwrap();
+        Summary { soundness: Soundness { trust: vec![line], ..Soundness::default() }, ..Summary::default() }
+            .write(&folder.summary())
+            .unwrap();
         assert_eq!(page().contains(told), wanted);
     }
 }

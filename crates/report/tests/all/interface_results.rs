@@ -4,7 +4,8 @@ use std::path::Path;
 
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_results::{
-    Column, Finding, InterfaceSummary, PairPeak, Pvd, ResultFolder, Severity, Status, Summary, TableWriter,
+    Column, Conclusion, Finding, InterfaceSummary, PairPeak, PartFacts, Pvd, ResultFolder, Severity, Status,
+    Summary, TableWriter,
 };
 
 /// Faces of one interface with points of their own: corners, and the way out of the first side.
@@ -185,9 +186,11 @@ pub fn results(root: &Path) -> ResultFolder {
     };
     let summary = Summary {
         title: "A tunnel that slides".into(),
-        status: Status::Done,
-        interfaces: [("lining".to_owned(), lining), ("fault".to_owned(), idle)].into_iter().collect(),
-        findings: vec![finding],
+        conclusion: Conclusion { status: Status::Done, findings: vec![finding], ..Conclusion::default() },
+        parts: PartFacts {
+            interfaces: [("lining".to_owned(), lining), ("fault".to_owned(), idle)].into_iter().collect(),
+            ..PartFacts::default()
+        },
         ..Summary::default()
     };
     summary.write(&folder.summary()).unwrap();

@@ -78,8 +78,8 @@ fn numbers_of_monitors_checks_and_damage_stand_in_the_files() {
     cracked.measures["d_b_max"].largest = 0.93;
     cracked.measures["d_b_max"].beyond["0.9"] = 4.6;
     cracked.measures["plastic_shear_strain"].beyond["1e-6"] = 13.7;
-    summary.damage.insert("hall.lining".into(), cracked);
-    summary.model.duration = 20.0;
+    summary.parts.damage.insert("hall.lining".into(), cracked);
+    summary.computed.model.duration = 20.0;
     summary.write(&folder.summary()).unwrap();
     let derived = [
         // Cards hold the largest of all monitors.

@@ -4,7 +4,7 @@ use std::fs;
 
 use tremolite_report::write;
 use tremolite_results::{
-    Column, ResultFolder, Subject, Summary, Table, TableWriter, columns, peaks_by_monitor,
+    Column, MonitorFacts, ResultFolder, Subject, Summary, Table, TableWriter, columns, peaks_by_monitor,
 };
 
 /// Of four monitors and two pairs, one monitor being called as the pair of two others would be.
@@ -60,9 +60,12 @@ fn a_pair_with_a_loose_monitor_is_found_by_its_monitors_not_by_its_name() {
     let [monitors, relative] = peaks_by_monitor(&Table::read(&folder.monitors()).unwrap());
     let page = |loose: &str| {
         let summary = Summary {
-            monitors: monitors.clone(),
-            relative: relative.clone(),
-            monitors_on_broken_elements: vec![loose.to_owned()],
+            monitors: MonitorFacts {
+                peaks: monitors.clone(),
+                relative: relative.clone(),
+                on_broken_elements: vec![loose.to_owned()],
+                ..MonitorFacts::default()
+            },
             ..Summary::default()
         };
         summary.write(&folder.summary()).unwrap();

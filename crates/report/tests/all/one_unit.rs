@@ -58,7 +58,7 @@ fn a_quantity_has_one_unit_in_every_section() {
     let bolted: Made = |root| {
         let folder = bolts::results(root);
         let mut summary = Summary::read(&folder.summary()).unwrap();
-        summary.bolts[0].yield_force = 2.5e6;
+        summary.parts.bolts[0].yield_force = 2.5e6;
         summary.write(&folder.summary()).unwrap();
         folder
     };

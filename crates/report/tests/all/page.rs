@@ -6,8 +6,8 @@ use std::path::Path;
 
 use tremolite_report::{Language, write, write_in};
 use tremolite_results::{
-    Column, Finding, InterfaceSummary, ResultFolder, Severity, Status, Summary, Table, TableWriter,
-    TrustLine, peaks_by_monitor,
+    Column, Conclusion, Finding, InterfaceSummary, MonitorFacts, ResultFolder, Severity, Soundness, Status,
+    Summary, Table, TableWriter, TrustLine, peaks_by_monitor,
 };
 
 /// Monitors that move by half a metre and apart by a third of a millimetre, and cracks: what would take three units if
@@ -49,46 +49,55 @@ pub fn results(root: &Path) -> ResultFolder {
     let pair = relative["A-B"].clone();
     let mut summary = Summary {
         title: "Two linings".into(),
-        status: Status::Done,
-        trust: (0..4)
-            .map(|k| {
-                TrustLine::at_most(format!("check_{k}"), tremolite_results::said!("check"), 0.5, 1.0, "")
-            })
-            .collect(),
-        findings: vec![
-            cracked("hall.lining", [0.123, 7.0, 96.0, 6e-4]),
-            cracked("adit.lining", [0.345, 0.0, 48.0, 2e-4]),
-            Finding {
-                id: "damage_rock".into(),
-                group: "rock".into(),
-                severity: Severity::Damaged,
-                numbers: [("share_yielded_in_shear".to_owned(), 0.0004)].into(),
-                ..Finding::default()
-            },
-            Finding {
-                id: "interface_joint".into(),
-                group: "joint".into(),
-                severity: Severity::Damaged,
-                numbers: [("share_slid".to_owned(), 0.021), ("share_opened".to_owned(), 0.0)].into(),
-                ..Finding::default()
-            },
-            Finding {
-                id: "bolts_crown".into(),
-                group: "crown".into(),
-                severity: Severity::Undamaged,
-                numbers: [("bolts", 144.0), ("yielded", 3.0), ("broken", 0.0)]
-                    .map(|(name, value)| (name.to_owned(), value))
-                    .into(),
-                ..Finding::default()
-            },
-        ],
-        monitors: all,
-        relative: [("A-B".to_owned(), pair)].into(),
+        conclusion: Conclusion {
+            status: Status::Done,
+            findings: vec![
+                cracked("hall.lining", [0.123, 7.0, 96.0, 6e-4]),
+                cracked("adit.lining", [0.345, 0.0, 48.0, 2e-4]),
+                Finding {
+                    id: "damage_rock".into(),
+                    group: "rock".into(),
+                    severity: Severity::Damaged,
+                    numbers: [("share_yielded_in_shear".to_owned(), 0.0004)].into(),
+                    ..Finding::default()
+                },
+                Finding {
+                    id: "interface_joint".into(),
+                    group: "joint".into(),
+                    severity: Severity::Damaged,
+                    numbers: [("share_slid".to_owned(), 0.021), ("share_opened".to_owned(), 0.0)].into(),
+                    ..Finding::default()
+                },
+                Finding {
+                    id: "bolts_crown".into(),
+                    group: "crown".into(),
+                    severity: Severity::Undamaged,
+                    numbers: [("bolts", 144.0), ("yielded", 3.0), ("broken", 0.0)]
+                        .map(|(name, value)| (name.to_owned(), value))
+                        .into(),
+                    ..Finding::default()
+                },
+            ],
+            ..Conclusion::default()
+        },
+        soundness: Soundness {
+            trust: (0..4)
+                .map(|k| {
+                    TrustLine::at_most(format!("check_{k}"), tremolite_results::said!("check"), 0.5, 1.0, "")
+                })
+                .collect(),
+            ..Soundness::default()
+        },
+        monitors: MonitorFacts {
+            peaks: all,
+            relative: [("A-B".to_owned(), pair)].into(),
+            ..MonitorFacts::default()
+        },
         ..Summary::default()
     };
-    summary.trust[3].pass = false;
-    summary.model.duration = 2.0;
-    summary.interfaces.insert("joint".into(), InterfaceSummary::default());
+    summary.soundness.trust[3].pass = false;
+    summary.computed.model.duration = 2.0;
+    summary.parts.interfaces.insert("joint".into(), InterfaceSummary::default());
     summary.write(&folder.summary()).unwrap();
     folder
 }
@@ -192,9 +201,9 @@ fn the_verdict_answers_in_five_lines_with_the_numbers_of_the_summary() {
         ]
     );
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.findings.retain(|finding| ["hall.lining", "rock"].contains(&finding.group.as_str()));
-    summary.findings[0].group = ["hall.bench1"; 9].join(", ");
-    summary.trust[1].pass = false;
+    summary.conclusion.findings.retain(|finding| ["hall.lining", "rock"].contains(&finding.group.as_str()));
+    summary.conclusion.findings[0].group = ["hall.bench1"; 9].join(", ");
+    summary.soundness.trust[1].pass = false;
     summary.write(&folder.summary()).unwrap();
     let (_, lines) = verdict(&fs::read_to_string(write(folder.root()).unwrap()).unwrap());
     assert!(lines[0].ends_with("Look at the others first: check; check."), "{}", lines[0]);
@@ -205,7 +214,7 @@ fn the_verdict_answers_in_five_lines_with_the_numbers_of_the_summary() {
         "what there is room for: {lines:?}"
     );
     for k in 0..5 {
-        summary.findings.push(cracked(&format!("more{k}.lining"), [0.01, 1.0, 10.0, 1e-4]));
+        summary.conclusion.findings.push(cracked(&format!("more{k}.lining"), [0.01, 1.0, 10.0, 1e-4]));
     }
     summary.write(&folder.summary()).unwrap();
     let page = fs::read_to_string(write(folder.root()).unwrap()).unwrap();
@@ -224,18 +233,18 @@ fn the_verdict_says_what_is_not_known() {
         summary.write(&folder.summary()).unwrap();
         verdict(&fs::read_to_string(write(folder.root()).unwrap()).unwrap()).0
     };
-    summary.status = Status::Failed;
+    summary.conclusion.status = Status::Failed;
     assert!(answer(&summary).contains("Cannot be said: the run failed"));
-    summary.status = Status::Stopped;
+    summary.conclusion.status = Status::Stopped;
     assert!(answer(&summary).contains("has not ended, and cracks already run"));
-    summary.status = Status::Done;
+    summary.conclusion.status = Status::Done;
     let whole = summary.clone();
-    for finding in summary.findings.iter_mut() {
+    for finding in summary.conclusion.findings.iter_mut() {
         finding.severity = Severity::Undamaged;
     }
     assert!(answer(&summary).contains("the checks do not vouch for that"));
     summary = whole;
-    summary.findings.retain(|finding| !finding.group.ends_with("lining"));
+    summary.conclusion.findings.retain(|finding| !finding.group.ends_with("lining"));
     assert!(answer(&summary).contains("Not judged"));
     fs::remove_file(folder.summary()).unwrap();
     let page = fs::read_to_string(write(folder.root()).unwrap()).unwrap();

@@ -7,9 +7,9 @@ use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
 use tremolite_report::{Language, write, write_in};
 use tremolite_results::{
-    Column, Cracks, Damaged, Defaulted, Finding, GroupDamage, MaterialFacts, MaterialGroup, MaterialValue,
-    Onset, Origin, Place, Pvd, ResultFolder, Severity, Status, Summary, Table, TableWriter, TrustLine,
-    peaks_by_monitor, said,
+    CaseFacts, Column, Computed, Conclusion, Cracks, Damaged, Defaulted, Finding, GroupDamage, MaterialFacts,
+    MaterialGroup, MaterialValue, MonitorFacts, Onset, Origin, Place, Pvd, ResultFolder, Severity, Soundness,
+    Status, Summary, Table, TableWriter, TrustLine, peaks_by_monitor, said,
 };
 
 /// A small but complete result folder: monitors with the given names, one second of a swinging motion.
@@ -40,20 +40,29 @@ pub fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
     }
     let mut summary = Summary {
         title: "Cavern under a hill".into(),
-        status: Status::Done,
-        verdict: "The lining stays elastic.".into(),
-        wall_seconds: 90.0,
-        trust: vec![
-            TrustLine::at_most("energy_error", said!("energy error"), 0.0015, 0.01, "")
-                .with_note(said!("over the run")),
-        ],
-        defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
-        monitors: peaks_by_monitor(&Table::read(&folder.monitors()).unwrap())[0].clone(),
+        conclusion: Conclusion {
+            status: Status::Done,
+            verdict: "The lining stays elastic.".into(),
+            ..Conclusion::default()
+        },
+        computed: Computed { wall_seconds: 90.0, ..Computed::default() },
+        soundness: Soundness {
+            trust: vec![
+                TrustLine::at_most("energy_error", said!("energy error"), 0.0015, 0.01, "")
+                    .with_note(said!("over the run")),
+            ],
+            ..Soundness::default()
+        },
+        case: CaseFacts { defaulted: vec![Defaulted::new("dynamic.safety", "0.9")], ..CaseFacts::default() },
+        monitors: MonitorFacts {
+            peaks: peaks_by_monitor(&Table::read(&folder.monitors()).unwrap())[0].clone(),
+            ..MonitorFacts::default()
+        },
         ..Summary::default()
     };
     if let [first, second, ..] = monitors {
-        let pair = summary.monitors[*first].clone();
-        summary.relative.insert(format!("{first}-{second}"), pair);
+        let pair = summary.monitors.peaks[*first].clone();
+        summary.monitors.relative.insert(format!("{first}-{second}"), pair);
     }
     summary.write(&folder.summary()).unwrap();
     folder
@@ -136,17 +145,17 @@ fn text_from_files_cannot_become_markup() {
     let folder = results(temp.path(), &["<img/onerror=x>", "B</text>&amp;"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
     summary.title = evil.into();
-    summary.verdict = format!("{{{{ 7 * 7 }}}} {evil}");
-    summary.trust[0].name = evil.into();
-    summary.trust[0].unit = "<b>".into();
-    summary.trust[0].note = evil.into();
-    summary.model.step_set_by = evil.into();
-    summary.model.steps = 1;
-    summary.motion.kind = evil.into();
-    summary.motion.peak_acceleration.insert(evil.into(), 1.0);
-    summary.run.command = evil.into();
-    summary.positions.insert(evil.into(), [0.0; 3]);
-    summary.defaulted.push(Defaulted::new(evil, evil));
+    summary.conclusion.verdict = format!("{{{{ 7 * 7 }}}} {evil}");
+    summary.soundness.trust[0].name = evil.into();
+    summary.soundness.trust[0].unit = "<b>".into();
+    summary.soundness.trust[0].note = evil.into();
+    summary.computed.model.step_set_by = evil.into();
+    summary.computed.model.steps = 1;
+    summary.computed.motion.kind = evil.into();
+    summary.computed.motion.peak_acceleration.insert(evil.into(), 1.0);
+    summary.computed.run.command = evil.into();
+    summary.monitors.positions.insert(evil.into(), [0.0; 3]);
+    summary.case.defaulted.push(Defaulted::new(evil, evil));
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     let (page, _) = page.split_once("</main>").unwrap();
@@ -214,8 +223,8 @@ fn the_banner_tells_failed_stopped_warned_and_good_runs_apart() {
         (Status::Stopped, true, "warn", "Run: stopped before its end"),
         (Status::Failed, true, "bad", "Run: failed"),
     ] {
-        summary.status = status;
-        summary.trust[0].pass = pass;
+        summary.conclusion.status = status;
+        summary.soundness.trust[0].pass = pass;
         summary.write(&folder.summary()).unwrap();
         let page = page(&folder);
         assert!(
@@ -309,8 +318,8 @@ fn damage_is_tabled_by_group_and_measure_with_volumes_shares_beginnings_and_crac
     let folder = results(temp.path(), &["A"]);
     assert!(!page(&folder).contains("id=\"damage\""), "nothing can be damaged in this run");
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.damage.insert("hall.<lining>".into(), cracked());
-    summary.model.duration = 20.0;
+    summary.parts.damage.insert("hall.<lining>".into(), cracked());
+    summary.computed.model.duration = 20.0;
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     for text in [
@@ -333,7 +342,7 @@ fn damage_is_tabled_by_group_and_measure_with_volumes_shares_beginnings_and_crac
     }
     assert!(!page.contains("Mean of the principal directions, D_b"), "it repeats D⁺");
     assert!(page.contains("D_b, the mean of the damage in the three principal directions, is not listed"));
-    summary.damage[0].measures["d_b_max"].largest = 0.3;
+    summary.parts.damage[0].measures["d_b_max"].largest = 0.3;
     summary.write(&folder.summary()).unwrap();
     assert!(self::page(&folder).contains("Mean of the principal directions, D_b"));
     let chinese = write_in(folder.root(), Language::Chinese).unwrap();
@@ -346,12 +355,12 @@ fn a_sound_run_and_a_cracked_lining_have_banners_of_their_own() {
     let folder = results(temp.path(), &["A"]);
     assert!(page(&folder).contains("No structure is judged"));
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.outcome = "The run reached its end.".into();
+    summary.conclusion.outcome = "The run reached its end.".into();
     for (severity, class) in
         [(Severity::Undamaged, "good"), (Severity::Damaged, "warn"), (Severity::Through, "bad")]
     {
         let headline = "cracked <i>".to_owned();
-        summary.findings =
+        summary.conclusion.findings =
             vec![Finding { group: "hall.lining".into(), severity, headline, ..Finding::default() }];
         summary.write(&folder.summary()).unwrap();
         let page = page(&folder);
@@ -370,7 +379,7 @@ fn a_line_that_cannot_be_judged_counts_neither_way() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.trust.push(TrustLine::not_applicable(
+    summary.soundness.trust.push(TrustLine::not_applicable(
         "free_field",
         said!("free field"),
         said!("the rock yields"),
@@ -435,7 +444,7 @@ fn materials_are_tabled_with_what_is_made_of_them_and_what_their_laws_derive() {
         ],
         ..MaterialFacts::default()
     };
-    summary.materials.insert("concrete".into(), facts);
+    summary.computed.materials.insert("concrete".into(), facts);
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     for text in [
@@ -490,7 +499,7 @@ fn the_motion_that_comes_in_is_drawn_by_axis_with_what_the_base_makes_of_it() {
         table.write(&[t, 1.25 * x, 0.0, -x, 0.2 * x, 0.0, -0.1 * x, 0.03 * x, 0.0, 0.01 * x]).unwrap();
     }
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    (summary.motion.kind, summary.motion.factor) = ("outcrop".into(), 0.5);
+    (summary.computed.motion.kind, summary.computed.motion.factor) = ("outcrop".into(), 0.5);
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     assert!(page.contains("The motion that comes in") && page.contains("is 0.500 times this"), "{page}");

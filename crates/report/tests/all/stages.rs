@@ -8,8 +8,8 @@ use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
 use tremolite_report::write;
 use tremolite_results::{
-    Column, Pvd, ResultFolder, SectionRow, StageSummary, Status, Summary, TableWriter, TrustLine, said,
-    write_sections, write_stages,
+    Column, Computed, Conclusion, Pvd, ResultFolder, SectionRow, Soundness, StageSummary, Status, Summary,
+    TableWriter, TrustLine, said, write_sections, write_stages,
 };
 
 /// Radius of the excavation and thickness of the lining (m).
@@ -250,33 +250,39 @@ pub fn example(root: &Path, shaken: bool) -> ResultFolder {
     sections(&folder, shaken);
     let mut summary = Summary {
         title: "A tunnel in stages".into(),
-        status: Status::Done,
-        outcome: "The run reached its end: every stage came to rest.".into(),
-        stages,
-        trust: vec![
-            TrustLine::at_most(
-                "at_rest",
-                said!("out of balance at the end of stages, the worst"),
-                8.7e-6,
-                1e-5,
-                "",
-            ),
-            TrustLine::at_most(
-                "held_at_the_end",
-                said!("forces still held after the last stage"),
-                0.0,
-                1e-9,
-                "",
-            ),
-        ],
+        conclusion: Conclusion {
+            status: Status::Done,
+            outcome: "The run reached its end: every stage came to rest.".into(),
+            ..Conclusion::default()
+        },
+        computed: Computed { stages, ..Computed::default() },
+        soundness: Soundness {
+            trust: vec![
+                TrustLine::at_most(
+                    "at_rest",
+                    said!("out of balance at the end of stages, the worst"),
+                    8.7e-6,
+                    1e-5,
+                    "",
+                ),
+                TrustLine::at_most(
+                    "held_at_the_end",
+                    said!("forces still held after the last stage"),
+                    0.0,
+                    1e-9,
+                    "",
+                ),
+            ],
+            ..Soundness::default()
+        },
         ..Summary::default()
     };
-    summary.positions.insert("A".into(), [0.0, 0.0, -195.0]);
-    summary.model.elements = 816;
-    summary.model.nodes = 1728;
+    summary.monitors.positions.insert("A".into(), [0.0, 0.0, -195.0]);
+    summary.computed.model.elements = 816;
+    summary.computed.model.nodes = 1728;
     if shaken {
-        summary.motion.kind = "outcrop".into();
-        summary.model.duration = 20.0;
+        summary.computed.motion.kind = "outcrop".into();
+        summary.computed.model.duration = 20.0;
         let columns = [Column::new("time", "s"), Column::new("A.ux", "m")];
         let mut table = TableWriter::create(&folder.monitors(), &columns).unwrap();
         (0..200).for_each(|k| table.write(&[0.1 * f64::from(k), 0.01 * (0.3 * f64::from(k)).sin()]).unwrap());
@@ -392,11 +398,11 @@ fn what_the_files_do_not_hold_is_left_out_with_a_sentence() {
     let temp = tempfile::tempdir().unwrap();
     let folder = example(temp.path(), false);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    for stage in &mut summary.stages {
+    for stage in &mut summary.computed.stages {
         stage.walls.clear();
         stage.monitors.clear();
     }
-    summary.trust.clear();
+    summary.soundness.trust.clear();
     summary.write(&folder.summary()).unwrap();
     fs::write(folder.sections(), "lining,station\n").unwrap();
     fs::remove_file(folder.stages_pvd()).unwrap();
@@ -439,12 +445,12 @@ fn values_that_are_no_numbers_are_dashes_and_break_lines() {
     let temp = tempfile::tempdir().unwrap();
     let folder = example(temp.path(), true);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    for stage in &mut summary.stages {
+    for stage in &mut summary.computed.stages {
         (stage.ratio, stage.motion_left, stage.held) = (f64::NAN, f64::NAN, f64::NAN);
         (stage.largest_motion, stage.plastic_volume) = (f64::NAN, f64::NAN);
     }
-    summary.stages[2].walls.shift_remove("tunnel.crown");
-    summary.stages[3].name = "<b>&".into();
+    summary.computed.stages[2].walls.shift_remove("tunnel.crown");
+    summary.computed.stages[3].name = "<b>&".into();
     summary.write(&folder.summary()).unwrap();
     let mut rows = tremolite_results::read_sections(&folder.sections()).unwrap();
     rows.iter_mut().step_by(7).for_each(|row| row.forces = [f64::NAN, f64::INFINITY, f64::NAN]);

@@ -31,8 +31,8 @@ fn answer(folder: &ResultFolder, language: Language) -> (String, String) {
 /// Writes the findings, with so many checks passed and so many that warn.
 fn set(folder: &ResultFolder, findings: Vec<Finding>, pass: bool) {
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.findings = findings;
-    summary.trust[0].pass = pass;
+    summary.conclusion.findings = findings;
+    summary.soundness.trust[0].pass = pass;
     summary.write(&folder.summary()).unwrap();
 }
 
@@ -48,7 +48,7 @@ fn lined(root: &std::path::Path) -> ResultFolder {
     let mut summary = Summary::read(&folder.summary()).unwrap();
     let measures = [("plastic_shear_strain".to_owned(), Damaged::default())].into();
     let group = GroupDamage { volume: 1.0, measures, ..GroupDamage::default() };
-    summary.damage = [("adit.shotcrete".to_owned(), group.clone()), ("rock".to_owned(), group)].into();
+    summary.parts.damage = [("adit.shotcrete".to_owned(), group.clone()), ("rock".to_owned(), group)].into();
     summary.write(&folder.summary()).unwrap();
     folder
 }
@@ -141,8 +141,8 @@ fn with_a_stray(root: &std::path::Path, loose: &[&str]) -> ResultFolder {
     let pair = |name: &str, most: f64| {
         (name.to_owned(), [("u", most), ("ux", most)].map(|(q, m)| (q.to_owned(), moved(m))).into())
     };
-    summary.relative = [pair("A-B", 0.005), pair("A-C", 2.5)].into();
-    summary.monitors_on_broken_elements = loose.iter().map(|&name| name.to_owned()).collect();
+    summary.monitors.relative = [pair("A-B", 0.005), pair("A-C", 2.5)].into();
+    summary.monitors.on_broken_elements = loose.iter().map(|&name| name.to_owned()).collect();
     summary.write(&folder.summary()).unwrap();
     folder
 }
@@ -206,11 +206,11 @@ fn parts_what_was_there_before_and_the_volume_of_rock_are_told() {
     fs::write(folder.damage(), "time [s],hall.lining.d_tension [m3/m3]\n0,0.052\n1,0.4\n").unwrap();
     let of = |parts: &[(&str, f64, f64)], rock: f64| {
         let mut summary = Summary::read(&folder.summary()).unwrap();
-        summary.damage = [("hall.lining".to_owned(), group(10.0, "d_tension", "0.5", 4.0))].into();
+        summary.parts.damage = [("hall.lining".to_owned(), group(10.0, "d_tension", "0.5", 4.0))].into();
         for (name, volume, beyond) in parts {
-            summary.damage.insert((*name).to_owned(), group(*volume, "d_tension", "0.5", *beyond));
+            summary.parts.damage.insert((*name).to_owned(), group(*volume, "d_tension", "0.5", *beyond));
         }
-        summary.damage.insert("rock".into(), group(rock, "plastic_shear_strain", "1e-6", 3000.0));
+        summary.parts.damage.insert("rock".into(), group(rock, "plastic_shear_strain", "1e-6", 3000.0));
         summary.write(&folder.summary()).unwrap();
         fs::read_to_string(write_in(folder.root(), Language::English).unwrap())
             .unwrap()
@@ -244,8 +244,10 @@ fn up_to_three_checks_that_warn_are_named() {
         (5, "0 of 5 checks pass. Look first at: check 1; check 2; check 3; and 2 more."),
     ] {
         let mut summary = Summary::read(&folder.summary()).unwrap();
-        let line = |k| TrustLine { name: format!("check {k}"), pass: false, ..summary.trust[0].clone() };
-        summary.trust = (1..=warn).map(|k| TrustLine { name_said: Default::default(), ..line(k) }).collect();
+        let line =
+            |k| TrustLine { name: format!("check {k}"), pass: false, ..summary.soundness.trust[0].clone() };
+        summary.soundness.trust =
+            (1..=warn).map(|k| TrustLine { name_said: Default::default(), ..line(k) }).collect();
         summary.write(&folder.summary()).unwrap();
         let page = fs::read_to_string(write_in(folder.root(), Language::English).unwrap()).unwrap();
         assert!(page.contains(wanted), "{wanted}");

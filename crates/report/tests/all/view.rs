@@ -202,7 +202,7 @@ fn parts_have_names_kinds_and_groups_whatever_these_are_called() {
 
     // Without cracks the body is ground, unless section forces were taken of it.
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.damage.insert("hall.lining".into(), GroupDamage::default());
+    summary.parts.damage.insert("hall.lining".into(), GroupDamage::default());
     summary.write(&folder.summary()).unwrap();
     assert_eq!(said(&Page::of(&folder).unwrap()), pairs([("rock", "rock"), ("hall.lining", "rock")]));
     let row = SectionRow {
@@ -288,7 +288,7 @@ fn the_view_is_left_out_where_it_is_not_wanted_or_a_file_is_broken() {
     assert!(Page::of(&folder).unwrap().notes().contains("1.vtu"));
 
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.report.view = false;
+    summary.case.report.view = false;
     summary.write(&folder.summary()).unwrap();
     assert!(Page::of(&folder).is_none());
     // Without a summary nobody said so; without files there is nothing.

@@ -114,7 +114,7 @@ pub fn results(root: &Path) -> ResultFolder {
     }
     let mut summary = Summary::default();
     let lining = GroupDamage { cracks: Some(Cracks::default()), ..GroupDamage::default() };
-    summary.damage.insert("hall.lining".into(), lining);
+    summary.parts.damage.insert("hall.lining".into(), lining);
     summary.write(&folder.summary()).unwrap();
     folder
 }
@@ -160,7 +160,7 @@ pub fn as_stages(folder: &ResultFolder) {
     let mut pvd = Pvd::create(&folder.stages_pvd()).unwrap();
     (0..TIMES.len()).for_each(|k| pvd.add(k as f64, &format!("fields/{k}.vtu")).unwrap());
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.stages = ["initial", "bench & <b>", ""]
+    summary.computed.stages = ["initial", "bench & <b>", ""]
         .map(|name| StageSummary { name: name.into(), ..StageSummary::default() })
         .to_vec();
     summary.write(&folder.summary()).unwrap();

@@ -2,30 +2,37 @@
 
 use std::fs;
 
+use serde_json::{Map, Value};
 use tremolite_results::{
-    Cracks, Damaged, Defaulted, Error, Finding, GroupDamage, MaterialFacts, MaterialValue, Onset, Origin,
-    Peaks, Said, Severity, Status, Summary, Table, TrustLine, peaks_by_monitor, said,
+    CaseFacts, Computed, Conclusion, Cracks, Damaged, Defaulted, Error, Finding, GroupDamage, MaterialFacts,
+    MaterialValue, Onset, Origin, Peaks, Said, Severity, Soundness, Status, Summary, Table, TrustLine,
+    peaks_by_monitor, said,
 };
 
 fn summary() -> Summary {
     let mut summary = Summary {
         title: "Cavern \"<b>\"".into(),
-        status: Status::Done,
-        verdict: "The lining stays elastic.".into(),
-        wall_seconds: 12.5,
-        element_updates_per_second: 3.2e7,
-        trust: vec![
-            TrustLine::at_most("energy_error", said!("energy error"), 0.002, 0.01, "")
-                .with_note(said!("largest over time")),
-            TrustLine::at_least(
-                "elements_per_wavelength",
-                said!("elements per shortest wavelength"),
-                7.5,
-                10.0,
-                "",
-            ),
-        ],
-        defaulted: vec![Defaulted::new("dynamic.safety", "0.9")],
+        conclusion: Conclusion {
+            status: Status::Done,
+            verdict: "The lining stays elastic.".into(),
+            ..Conclusion::default()
+        },
+        computed: Computed { wall_seconds: 12.5, element_updates_per_second: 3.2e7, ..Computed::default() },
+        soundness: Soundness {
+            trust: vec![
+                TrustLine::at_most("energy_error", said!("energy error"), 0.002, 0.01, "")
+                    .with_note(said!("largest over time")),
+                TrustLine::at_least(
+                    "elements_per_wavelength",
+                    said!("elements per shortest wavelength"),
+                    7.5,
+                    10.0,
+                    "",
+                ),
+            ],
+            ..Soundness::default()
+        },
+        case: CaseFacts { defaulted: vec![Defaulted::new("dynamic.safety", "0.9")], ..CaseFacts::default() },
         ..Summary::default()
     };
     let peaks = Peaks {
@@ -37,8 +44,8 @@ fn summary() -> Summary {
         step_max: Some(0.06),
         step_min: None,
     };
-    summary.monitors.entry("B".into()).or_default().insert("ux".into(), peaks);
-    summary.monitors.entry("A".into()).or_default().insert("ux".into(), peaks);
+    summary.monitors.peaks.entry("B".into()).or_default().insert("ux".into(), peaks);
+    summary.monitors.peaks.entry("A".into()).or_default().insert("ux".into(), peaks);
     let tension = Damaged {
         beyond: [("0.1".to_owned(), 2.5), ("0.9".to_owned(), 1.0)].into(),
         largest: 0.95,
@@ -49,7 +56,7 @@ fn summary() -> Summary {
     let lining = GroupDamage { volume: 10.0, measures: [("d_tension".to_owned(), tension)].into(), cracks };
     let id = "damage_hall_lining".to_owned();
     let finding = Finding::new(id, "hall.lining", Severity::Damaged, said!("cracked"), Said::default());
-    summary.findings.push(finding.with("share_cracked", 0.25));
+    summary.conclusion.findings.push(finding.with("share_cracked", 0.25));
     let young = MaterialValue {
         name: "young".into(),
         value: 1e10,
@@ -60,10 +67,10 @@ fn summary() -> Summary {
     };
     let word = MaterialValue { name: "rate".into(), word: "ceb".into(), ..young.clone() };
     let rock = MaterialFacts { law: "elastic".into(), values: vec![young, word], ..MaterialFacts::default() };
-    summary.materials.insert("rock".into(), rock);
-    summary.damage.insert("hall.lining".into(), lining);
-    summary.energy.insert("kinetic".into(), 0.5);
-    summary.energy.insert("error".into(), f64::NAN);
+    summary.computed.materials.insert("rock".into(), rock);
+    summary.parts.damage.insert("hall.lining".into(), lining);
+    summary.soundness.energy.insert("kinetic".into(), 0.5);
+    summary.soundness.energy.insert("error".into(), f64::NAN);
     summary
 }
 
@@ -74,23 +81,23 @@ fn the_json_is_what_the_contract_says() {
     assert_eq!(json["verdict"], "The lining stays elastic.");
     assert_eq!(json["wall_seconds"], 12.5);
     assert_eq!(json["element_updates_per_second"], 3.2e7);
-    let peaks = serde_json::to_string(&summary().monitors["A"]["ux"]).unwrap();
+    let peaks = serde_json::to_string(&summary().monitors.peaks["A"]["ux"]).unwrap();
     assert_eq!(
         peaks,
         r#"{"max":0.05,"t_max":13.2,"min":-0.01,"t_min":9.0,"residual":0.007,"step_max":0.06}"#
     );
-    let line = serde_json::to_string(&summary().trust[1]).unwrap();
+    let line = serde_json::to_string(&summary().soundness.trust[1]).unwrap();
     assert_eq!(
         line,
         r#"{"id":"elements_per_wavelength","name":"elements per shortest wavelength","name_said":{"pattern":"elements per shortest wavelength"},"value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":"","not_applicable":false,"numbers":{}}"#
     );
-    let defaulted = serde_json::to_string(&summary().defaulted).unwrap();
+    let defaulted = serde_json::to_string(&summary().case.defaulted).unwrap();
     assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);
     assert_eq!(
-        serde_json::to_string(&summary().damage).unwrap(),
+        serde_json::to_string(&summary().parts.damage).unwrap(),
         r#"{"hall.lining":{"volume":10.0,"measures":{"d_tension":{"beyond":{"0.1":2.5,"0.9":1.0},"largest":0.95,"first":{"time":4.25,"element":4711,"at":[1.0,2.0,-3.0]}}},"cracks":{"opening":0.0001,"widest":{"time":5.0,"element":7,"at":[0.0,0.0,0.0]},"stacks":8,"through":0,"through_at":null}}}"#
     );
-    let monitors = serde_json::to_string(&summary().monitors).unwrap();
+    let monitors = serde_json::to_string(&summary().monitors.peaks).unwrap();
     assert!(monitors.starts_with(r#"{"B":"#), "the order of the case is kept: {monitors}");
     for (status, text) in [(Status::Failed, "\"failed\""), (Status::Stopped, "\"stopped\"")] {
         assert_eq!(serde_json::to_string(&status).unwrap(), text);
@@ -104,15 +111,48 @@ fn a_summary_reads_back_as_it_was_nan_included() {
     let written = summary();
     written.write(&path).unwrap();
     let mut read = Summary::read(&path).unwrap();
-    assert!(read.energy["error"].is_nan());
-    read.energy.insert("error".into(), 0.0);
+    assert!(read.soundness.energy["error"].is_nan());
+    read.soundness.energy.insert("error".into(), 0.0);
     let expected = {
         let mut expected = written;
-        expected.energy.insert("error".into(), 0.0);
+        expected.soundness.energy.insert("error".into(), 0.0);
         expected
     };
     assert_eq!(read, expected);
     assert_eq!(read.warnings(), 1);
+}
+
+/// A file with something in every field, as it was written when all fields lay in one struct.
+const FILLED: &str = include_str!("../data/summary.json");
+
+#[test]
+fn a_file_with_something_in_every_field_is_written_again_byte_for_byte() {
+    let temp = tempfile::tempdir().unwrap();
+    let path = temp.path().join("summary.json");
+    fs::write(&path, FILLED).unwrap();
+    let read = Summary::read(&path).unwrap();
+    read.write(&path).unwrap();
+    assert_eq!(fs::read_to_string(&path).unwrap(), FILLED);
+    let [filled, empty] = [&read, &Summary::default()].map(|s| serde_json::to_value(s).unwrap());
+    for (name, value) in filled.as_object().unwrap() {
+        assert_ne!(Some(value), empty.get(name), "{name} shows nothing");
+    }
+}
+
+#[test]
+fn a_file_may_lack_any_field_and_the_others_are_read_as_they_were() {
+    let temp = tempfile::tempdir().unwrap();
+    let path = temp.path().join("summary.json");
+    let filled: Map<String, Value> = serde_json::from_str(FILLED).unwrap();
+    for name in filled.keys() {
+        let mut lacking = filled.clone();
+        lacking.remove(name);
+        fs::write(&path, serde_json::to_string(&lacking).unwrap()).unwrap();
+        let read = serde_json::to_value(Summary::read(&path).unwrap()).unwrap();
+        for (other, value) in &lacking {
+            assert_eq!(&read[other], value, "{other} without {name}");
+        }
+    }
 }
 
 #[test]
@@ -123,11 +163,20 @@ fn summaries_of_other_versions_are_read_and_damaged_ones_refused_with_the_line()
         "damage": {"rock": {"measures": {"d_new": {"beyond": {"0.5": null}}}}}}"#;
     fs::write(&path, other).unwrap();
     let read = Summary::read(&path).unwrap();
-    assert_eq!(read.status, Status::Failed);
-    assert!(read.wall_seconds.is_nan() && read.trust[0].value.is_nan() && !read.trust[0].pass);
-    let found = &read.damage["rock"].measures["d_new"];
-    assert!(read.damage["rock"].volume.is_nan() && found.beyond["0.5"].is_nan() && found.first.is_none());
-    for (damaged, at) in [("", 1), ("{\n\"status\": \"won\"}", 2), ("{\"title\":\n\n3}", 3), ("[1", 1)] {
+    assert_eq!(read.conclusion.status, Status::Failed);
+    assert!(
+        read.computed.wall_seconds.is_nan()
+            && read.soundness.trust[0].value.is_nan()
+            && !read.soundness.trust[0].pass
+    );
+    let found = &read.parts.damage["rock"].measures["d_new"];
+    assert!(
+        read.parts.damage["rock"].volume.is_nan() && found.beyond["0.5"].is_nan() && found.first.is_none()
+    );
+    let deep = "{\"model\": {\n\"nodes\": -1,\n\"steps\": 2},\n\"version\": \"0.1.0\"}";
+    for (damaged, at) in
+        [("", 1), ("{\n\"status\": \"won\"}", 2), ("{\"title\":\n\n3}", 3), ("[1", 1), (deep, 2)]
+    {
         fs::write(&path, damaged).unwrap();
         match Summary::read(&path) {
             Err(Error::Format { line: Some(line), .. }) => assert_eq!(line, at, "{damaged}"),
@@ -140,7 +189,10 @@ fn summaries_of_other_versions_are_read_and_damaged_ones_refused_with_the_line()
 fn a_line_that_cannot_be_judged_is_no_warning_and_does_not_count() {
     let line = TrustLine::not_applicable("free_field", said!("free field"), said!("the rock yields"));
     let summary = Summary {
-        trust: vec![line, TrustLine::at_most("a", said!("a"), 2.0, 1.0, "")],
+        soundness: Soundness {
+            trust: vec![line, TrustLine::at_most("a", said!("a"), 2.0, 1.0, "")],
+            ..Soundness::default()
+        },
         ..Summary::default()
     };
     assert_eq!((summary.judged(), summary.warnings()), (1, 1));

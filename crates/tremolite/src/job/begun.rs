@@ -11,7 +11,7 @@ use crate::simulation::{Built, Outcome, Simulation, Start, check_rest};
 use crate::summary::summary;
 use std::path::Path;
 use std::time::Instant;
-use tremolite_results::{ResultFolder, RunFacts, Summary, Table, replace_file};
+use tremolite_results::{Computed, ResultFolder, RunFacts, Summary, Table, replace_file};
 
 /// Who runs a job, as the summary names it.
 #[derive(Clone, Debug)]
@@ -93,7 +93,9 @@ impl Job {
         let source = self.case.source.as_bytes();
         let mut earlier = (0.0, 0);
         if let Start::Resume = start {
-            if let Ok(Summary { wall_seconds, run, .. }) = Summary::read(&folder.summary()) {
+            if let Ok(Summary { computed: Computed { wall_seconds, run, .. }, .. }) =
+                Summary::read(&folder.summary())
+            {
                 earlier = (if wall_seconds.is_finite() { wall_seconds } else { 0.0 }, run.resumed + 1);
             }
             if std::fs::read(folder.case()).is_ok_and(|kept| kept != source) {

@@ -54,14 +54,14 @@ fn hash(path: &Path) -> std::io::Result<String> {
 /// result folder's.
 pub fn original_folder(case: &Path) -> Option<PathBuf> {
     let summary = Summary::read(&case.with_file_name("summary.json")).ok()?;
-    let original = summary.inputs.into_iter().find(|input| input.name == CASE)?;
+    let original = summary.case.inputs.into_iter().find(|input| input.name == CASE)?;
     Some(Path::new(&original.path).parent()?.to_owned())
 }
 
 /// Inputs of a result folder's case that are not what that run read, a sentence each.
 pub fn changed(case: &Path, now: &[Input]) -> Vec<String> {
     let Ok(summary) = Summary::read(&case.with_file_name("summary.json")) else { return Vec::new() };
-    let earlier = |now: &Input| summary.inputs.iter().find(|input| input.name == now.name);
+    let earlier = |now: &Input| summary.case.inputs.iter().find(|input| input.name == now.name);
     let sentence = |now: &Input| {
         let earlier = earlier(now).filter(|earlier| earlier.hash != now.hash)?;
         let name = &now.name;

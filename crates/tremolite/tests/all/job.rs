@@ -161,10 +161,10 @@ fn files_texts_and_cases_with_all_in_memory_give_the_same_bytes() {
     for (job, name) in jobs.iter().zip(["file", "text", "case", "other"]) {
         let results = make(parent, name);
         let summary = run(job, &results, Start::Rest).unwrap();
-        assert_eq!(summary.status, Status::Done, "{name}: {}", summary.verdict);
+        assert_eq!(summary.conclusion.status, Status::Done, "{name}: {}", summary.conclusion.verdict);
         assert_eq!(std::fs::read_to_string(results.case()).unwrap(), CASE);
-        assert_eq!(Summary::read(&results.summary()).unwrap().inputs, summary.inputs);
-        found.push((tables(results.root()), summary.inputs));
+        assert_eq!(Summary::read(&results.summary()).unwrap().case.inputs, summary.case.inputs);
+        found.push((tables(results.root()), summary.case.inputs));
     }
     let [(file, of_file), (text, of_text), (case, of_case), (other, of_other)] = found.try_into().unwrap();
     for wanted in ["monitors.csv", "energy.csv", "stages.csv", "motion.csv", "bolts.csv", "case.toml"] {
@@ -252,12 +252,12 @@ fn a_check_foretells_what_the_run_does() {
     let job = Job::of_text(CASE, folder.path(), &in_memory(held())).unwrap_or_else(|fault| panic!("{fault}"));
     let checked = serde_json::to_value(job.check()).unwrap();
     let summary = run(&job, &make(folder.path(), "out"), Start::Rest).unwrap();
-    assert_eq!(checked["time_step"]["steps"], summary.model.steps);
-    assert_eq!(checked["time_step"]["used"], summary.model.time_step);
-    assert_eq!(checked["elements"], summary.model.elements);
-    assert_eq!(checked["stages"].as_array().unwrap().len(), summary.stages.len());
-    assert_eq!(checked["defaulted"], serde_json::to_value(&summary.defaulted).unwrap());
-    assert_eq!(checked["findings"].as_array().unwrap().len(), summary.before.len());
+    assert_eq!(checked["time_step"]["steps"], summary.computed.model.steps);
+    assert_eq!(checked["time_step"]["used"], summary.computed.model.time_step);
+    assert_eq!(checked["elements"], summary.computed.model.elements);
+    assert_eq!(checked["stages"].as_array().unwrap().len(), summary.computed.stages.len());
+    assert_eq!(checked["defaulted"], serde_json::to_value(&summary.case.defaulted).unwrap());
+    assert_eq!(checked["findings"].as_array().unwrap().len(), summary.case.before.len());
     assert_eq!(checked["findings"][0]["key"], "material.spare");
 }
 
@@ -269,7 +269,7 @@ fn a_run_in_two_halves_is_one() {
     let job = Job::of_text(CASE, parent, &given).unwrap_or_else(|fault| panic!("{fault}"));
     let whole = make(parent, "whole");
     let summary = run(&job, &whole, Start::Rest).unwrap();
-    assert_eq!((summary.status, summary.run.resumed), (Status::Done, 0));
+    assert_eq!((summary.conclusion.status, summary.computed.run.resumed), (Status::Done, 0));
 
     // Stopped half way through the shaking, by a program that drives it by itself.
     let halves = make(parent, "halves");
@@ -283,7 +283,7 @@ fn a_run_in_two_halves_is_one() {
     assert!(simulation.checkpoint().unwrap().is_none());
     let outcome = simulation.finish(Ending::Stopped, 0.0).unwrap();
     let stopped = begun.end(&job, &outcome, &Caller::new("test")).unwrap();
-    assert_eq!((stopped.status, stopped.model.steps), (Status::Stopped, half));
+    assert_eq!((stopped.conclusion.status, stopped.computed.model.steps), (Status::Stopped, half));
     assert_ne!(tables(whole.root()), tables(halves.root()), "half of it is not all of it");
     drop((begun, halves));
 
@@ -297,13 +297,13 @@ fn a_run_in_two_halves_is_one() {
     let other = Job::of_text(CASE, parent, &in_memory(inputs)).unwrap_or_else(|fault| panic!("{fault}"));
     assert!(matches!(run(&other, &again(), Start::Resume), Err(RunError::Checkpoint(_))));
     let resumed = run(&job, &again(), Start::Resume).unwrap();
-    assert_eq!((resumed.status, resumed.run.resumed), (Status::Done, 1));
+    assert_eq!((resumed.conclusion.status, resumed.computed.run.resumed), (Status::Done, 1));
     assert!(tables(whole.root()) == tables(&parent.join("halves")));
 
     // What it had come to before the earthquake another run can begin with, and one without an earthquake cannot.
     let shaken = make(parent, "shaken");
     let summary = run(&job, &shaken, Start::From(&whole)).unwrap();
-    assert_eq!(summary.status, Status::Done);
+    assert_eq!(summary.conclusion.status, Status::Done);
     let of = |root: &Path| std::fs::read(root.join("monitors.csv")).unwrap();
     assert!(of(shaken.root()) == of(whole.root()));
     let text = CASE.split_once("[motion]").unwrap().0;

@@ -205,7 +205,8 @@ fn energy_that_no_line_has_fails_the_balance_and_that_of_its_body() {
         let mut problem = block([5, 4, 6]);
         problem.bodies[1].material = (law.build)(&metal()).unwrap();
         let summary = told(problem);
-        let line = |id: &str| summary.trust.iter().find(|line| line.id.starts_with(id)).unwrap().clone();
+        let line =
+            |id: &str| summary.soundness.trust.iter().find(|line| line.id.starts_with(id)).unwrap().clone();
         [line("energy_error"), line("body_energy_error")]
     };
     let [whole, slab] = checks(Law::of::<Silent>());
@@ -285,12 +286,13 @@ fn what_a_column_means_gives_its_onset_and_its_verdict_whatever_its_name() {
     let mut problem = block([5, 4, 6]);
     problem.bodies[1].material = (Law::of::<Metal>().build)(&metal()).unwrap();
     let summary = told(problem);
-    let slab = &summary.damage["slab"].measures["kappa"];
+    let slab = &summary.parts.damage["slab"].measures["kappa"];
     assert!(slab.largest > 1e-6 && slab.first.unwrap().time > 0.0, "{slab:?}");
-    let [finding] = &summary.findings[..] else { panic!("{:?}", summary.findings) };
+    let [finding] = &summary.conclusion.findings[..] else { panic!("{:?}", summary.conclusion.findings) };
     assert!(finding.headline.starts_with("yielded in shear in "), "{finding:?}");
     assert!(finding.text.contains("First yielded in shear at "), "{finding:?}");
-    let warned = summary.trust.iter().find(|line| line.name == "yielding rock without initial stress");
+    let warned =
+        summary.soundness.trust.iter().find(|line| line.name == "yielding rock without initial stress");
     assert!(
         warned.is_some_and(|line| line.not_applicable),
         "its strength does not grow with pressure: {warned:?}"
@@ -310,7 +312,8 @@ fn rock_whose_strength_grows_with_pressure_is_told_that_the_pressure_is_missing(
     let mut problem = block([5, 4, 6]);
     problem.bodies[1].material = (rock.build)(&values).unwrap();
     let summary = told(problem);
-    let warned = summary.trust.iter().find(|line| line.name == "yielding rock without initial stress");
+    let warned =
+        summary.soundness.trust.iter().find(|line| line.name == "yielding rock without initial stress");
     assert!(warned.is_some_and(|line| !line.pass && line.note.starts_with("slab: ")), "{warned:?}");
 }
 

@@ -13,8 +13,8 @@ use tremolite_laws::{Isa, LawInfo};
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_results::{ResultFolder, Table};
 
-/// 40 m of soil (500 m/s) on 60 m of rock (2000 m/s).
-struct Ground<'a> {
+/// A case of 40 m of soil (500 m/s) on 60 m of rock (2000 m/s).
+struct GroundCase<'a> {
     /// Keys of `[motion]`.
     motion: &'a str,
     process: &'a str,
@@ -29,9 +29,9 @@ struct Ground<'a> {
     layers: u32,
 }
 
-impl Default for Ground<'_> {
+impl Default for GroundCase<'_> {
     fn default() -> Self {
-        Ground {
+        GroundCase {
             motion: "kind = \"surface\"",
             process: "\"lowpass 9 Hz\"",
             sides: "sides = \"periodic\"",
@@ -43,9 +43,9 @@ impl Default for Ground<'_> {
     }
 }
 
-impl Ground<'_> {
+impl GroundCase<'_> {
     fn text(&self) -> String {
-        let Ground { motion, process, sides, .. } = self;
+        let GroundCase { motion, process, sides, .. } = self;
         let damping = match self.damped {
             true => r#"damping = { ratio = 0.03, band = ["0.5 Hz", "20 Hz"], reference = "3 Hz" }"#,
             false => "",
@@ -148,7 +148,7 @@ fn difference(of: [(&Table, &str); 2]) -> f64 {
 fn a_record_of_the_surface_or_of_a_depth_comes_out_there_with_order_two() {
     for motion in ["kind = \"surface\"", "kind = \"within\"\ndepth = \"4 m\""] {
         let errors = |layers: u32| {
-            let [given, seen] = Ground { motion, layers, ..Ground::default() }.run();
+            let [given, seen] = GroundCase { motion, layers, ..GroundCase::default() }.run();
             let time = [&given, &seen].map(|table| table.column("time").unwrap().to_vec());
             assert!(
                 time[1].iter().zip(&time[0]).all(|(a, b)| (a - b).abs() < 1e-9),
@@ -176,13 +176,14 @@ fn a_record_of_the_surface_or_of_a_depth_comes_out_there_with_order_two() {
 /// One deep wave, two records of it: what the surface of a model shows is a record of the surface that makes that wave again.
 #[test]
 fn the_surface_of_one_run_is_a_record_for_the_next() {
-    let ground = Ground::default();
+    let ground = GroundCase::default();
     let Setup { problem, motion, .. } = ground.setup().unwrap();
     let site = motion.unwrap().site.unwrap();
     assert_eq!((site.corner, site.depth, site.band), (Some(0), 0.0, 9.0));
     assert!((site.at_rest - 2.0).abs() < 1e-3 && site.reach == f64::INFINITY && site.left_out == 0.0);
     // Twice the input is twice the wave.
-    let twice = Ground { process: "\"lowpass 9 Hz\", \"scale 2\"", ..Ground::default() }.setup().unwrap();
+    let twice =
+        GroundCase { process: "\"lowpass 9 Hz\", \"scale 2\"", ..GroundCase::default() }.setup().unwrap();
     let (one, two) = (problem.incident.unwrap().motion, twice.problem.incident.unwrap().motion);
     for (a, b) in one.acceleration.iter().flatten().zip(two.acceleration.iter().flatten()) {
         assert!((2.0 * a - b).abs() < 1e-9, "{a} {b}");
@@ -196,7 +197,9 @@ fn the_surface_of_one_run_is_a_record_for_the_next() {
 #[test]
 fn layers_of_the_case_make_the_wave_that_the_same_layers_of_the_model_make() {
     let undamped = |motion: &str| {
-        Ground { motion, damped: false, ..Ground::default() }.setup().unwrap_or_else(|e| panic!("{e}"))
+        GroundCase { motion, damped: false, ..GroundCase::default() }
+            .setup()
+            .unwrap_or_else(|e| panic!("{e}"))
     };
     let layers = r#"
 site.layers = [{ thickness = "40 m", shear_wave_velocity = "500 m/s", poisson = 0.25, density = "2000 kg/m3", damping = 0.0 }]"#;
@@ -213,7 +216,7 @@ site.layers = [{ thickness = "40 m", shear_wave_velocity = "500 m/s", poisson = 
 fn what_cannot_be_deconvolved_is_refused_with_the_way_out() {
     let within = "kind = \"within\"\ndepth = \"25 m\"";
     // Undamped, the notch of 25 m lies at 500/(4·25) = 5 Hz.
-    let notch = Ground { motion: within, damped: false, ..Ground::default() }.refusal();
+    let notch = GroundCase { motion: within, damped: false, ..GroundCase::default() }.refusal();
     for words in [
         "at 5.00 Hz hardly anything moves",
         "up to 9.00 Hz, the low-pass",
@@ -222,20 +225,23 @@ fn what_cannot_be_deconvolved_is_refused_with_the_way_out() {
         assert!(notch.contains(words), "{words}: {notch}");
     }
     let low =
-        Ground { motion: within, damped: false, process: "\"lowpass 4 Hz\"", ..Ground::default() }.setup();
+        GroundCase { motion: within, damped: false, process: "\"lowpass 4 Hz\"", ..GroundCase::default() }
+            .setup();
     let site = low.unwrap_or_else(|e| panic!("{e}")).motion.unwrap().site.unwrap();
     assert!(site.reach < 5.0 && site.left_out > 0.0 && site.left_out < 0.05, "{site:?}");
 
-    let deep = Ground { motion: "kind = \"within\"\ndepth = \"120 m\"", ..Ground::default() }.refusal();
+    let deep =
+        GroundCase { motion: "kind = \"within\"\ndepth = \"120 m\"", ..GroundCase::default() }.refusal();
     assert!(
         deep.contains("the model's base lies 100.0 m below its surface")
             && deep.contains("motion.site.layers"),
         "{deep}"
     );
-    let buried = Ground { sides: "sides = \"periodic\"\ntop = \"viscous\"", ..Ground::default() }.refusal();
+    let buried =
+        GroundCase { sides: "sides = \"periodic\"\ntop = \"viscous\"", ..GroundCase::default() }.refusal();
     assert!(buried.contains("ground goes on above this model"), "{buried}");
     // Ground above may be there as a pressure alone.
-    let ground = Ground::default();
+    let ground = GroundCase::default();
     let text =
         ground.text().replace("[output]", "[initial]\nlateral = 0.8\noverburden = \"2 MPa\"\n[output]");
     let folder = tempfile::tempdir().unwrap();
@@ -247,27 +253,30 @@ fn what_cannot_be_deconvolved_is_refused_with_the_way_out() {
 /// The same ground, inside sides that leave it alone and beside slabs and columns of its own.
 #[test]
 fn the_wave_is_the_same_with_periodic_sides_and_with_a_free_field() {
-    let wave =
-        |sides: &str| Ground { sides, ..Ground::default() }.setup().unwrap().problem.incident.unwrap().motion;
+    let wave = |sides: &str| {
+        GroundCase { sides, ..GroundCase::default() }.setup().unwrap().problem.incident.unwrap().motion
+    };
     assert_eq!(wave("sides = \"periodic\""), wave("sides = \"free-field\""));
 }
 
 /// Where the ground differs from corner to corner the case says on which the record was taken.
 #[test]
 fn unlike_corners_are_told_apart_by_the_case() {
-    let refused = Ground { step: true, ..Ground::default() }.refusal();
+    let refused = GroundCase { step: true, ..GroundCase::default() }.refusal();
     assert!(
         refused.contains("not the same at xmin-ymin and xmax-ymin") && refused.contains("site = { corner"),
         "{refused}"
     );
     let at = |corner: &str, motion: &str| {
         let motion = format!("{motion}\nsite = {{ corner = \"{corner}\" }}");
-        Ground { motion: &motion, step: true, ..Ground::default() }.setup().unwrap_or_else(|e| panic!("{e}"))
+        GroundCase { motion: &motion, step: true, ..GroundCase::default() }
+            .setup()
+            .unwrap_or_else(|e| panic!("{e}"))
     };
     let [low, high] = ["xmin-ymin", "xmax-ymin"].map(|corner| at(corner, "kind = \"surface\""));
     // The corner that has the ground of the level model makes its wave, and the other another.
     let wave = |setup: &Setup| setup.problem.incident.clone().unwrap().motion;
-    assert_eq!(wave(&low), wave(&Ground::default().setup().unwrap()));
+    assert_eq!(wave(&low), wave(&GroundCase::default().setup().unwrap()));
     assert_ne!(wave(&low), wave(&high));
     let site = high.motion.unwrap().site.unwrap();
     assert_eq!(site.corner, Some(1));
@@ -276,11 +285,11 @@ fn unlike_corners_are_told_apart_by_the_case() {
 /// What can be run though its numbers are not what they seem is warned of, and what is sound is not.
 #[test]
 fn motions_that_are_not_what_they_seem_are_warned_of() {
-    let warnings = |ground: &Ground| -> Vec<String> {
+    let warnings = |ground: &GroundCase| -> Vec<String> {
         let setup = ground.setup().unwrap_or_else(|e| panic!("{e}"));
         setup.warnings.into_iter().map(|problem| problem.message).collect()
     };
-    let sound = Ground { process: "\"lowpass 9 Hz\", \"baseline\"", ..Ground::default() };
+    let sound = GroundCase { process: "\"lowpass 9 Hz\", \"baseline\"", ..GroundCase::default() };
     assert_eq!(warnings(&sound), Vec::<String>::new());
     let layer = |velocity: &str, density: &str| {
         format!(
@@ -296,35 +305,48 @@ fn motions_that_are_not_what_they_seem_are_warned_of() {
     ]
     .map(|(velocity, density)| layer(velocity, density));
     let process = "\"lowpass 9 Hz\", \"baseline\"";
-    assert_eq!(warnings(&Ground { motion: &fine, process, ..Ground::default() }), Vec::<String>::new());
+    assert_eq!(
+        warnings(&GroundCase { motion: &fine, process, ..GroundCase::default() }),
+        Vec::<String>::new()
+    );
     for (ground, words) in [
         // The burst of 4 Hz reaches over the notch at 4.2 Hz, and the low-pass leaves half of it.
         (
-            Ground {
+            GroundCase {
                 motion: "kind = \"within\"\ndepth = \"29.8 m\"",
                 damped: false,
                 process: "\"lowpass 3.85 Hz\", \"baseline\"",
-                ..Ground::default()
+                ..GroundCase::default()
             },
             "of the processed record's energy (∫a² dt) lies above 3.85 Hz and does not come in",
         ),
-        (Ground { motion: &soft, process, ..Ground::default() }, "strains this layer by about 0."),
-        (Ground { motion: &light, process, ..Ground::default() }, "190 kg/m3 is no density of ground"),
-        (Ground { motion: &slow, process, ..Ground::default() }, "30 m/s is no velocity of shear waves"),
+        (GroundCase { motion: &soft, process, ..GroundCase::default() }, "strains this layer by about 0."),
         (
-            Ground { process, sides: "sides = \"periodic\"\nduration = \"1 s\"", ..Ground::default() },
+            GroundCase { motion: &light, process, ..GroundCase::default() },
+            "190 kg/m3 is no density of ground",
+        ),
+        (
+            GroundCase { motion: &slow, process, ..GroundCase::default() },
+            "30 m/s is no velocity of shear waves",
+        ),
+        (
+            GroundCase {
+                process,
+                sides: "sides = \"periodic\"\nduration = \"1 s\"",
+                ..GroundCase::default()
+            },
             "% of its energy (∫a² dt) comes after this",
         ),
         (
-            Ground { process: "\"pga 0.3 g\", \"lowpass 2 Hz\", \"baseline\"", ..Ground::default() },
+            GroundCase { process: "\"pga 0.3 g\", \"lowpass 2 Hz\", \"baseline\"", ..GroundCase::default() },
             "the peak of 2.942 m/s2 that is asked for becomes",
         ),
         (
-            Ground {
+            GroundCase {
                 motion: "kind = \"outcrop\"",
                 process: "\"detrend linear\", \"baseline\"",
                 every: 7,
-                ..Ground::default()
+                ..GroundCase::default()
             },
             "between samples 0.035 s apart the acceleration is taken as linear",
         ),
@@ -333,10 +355,10 @@ fn motions_that_are_not_what_they_seem_are_warned_of() {
         assert!(found.iter().any(|message| message.contains(words)), "{words}: {found:?}");
     }
     // Fifteen seconds of the Kaikōura record come to six times the displacement of all of it by what brings them to rest.
-    let text = Ground {
+    let text = GroundCase {
         motion: "kind = \"outcrop\"\nwindow = { strongest = \"15 s\" }",
         process,
-        ..Ground::default()
+        ..GroundCase::default()
     }
     .text();
     let (head, rest) = text.split_once("east = ").unwrap();
@@ -346,7 +368,7 @@ fn motions_that_are_not_what_they_seem_are_warned_of() {
         let text = format!("{head}file = \"{}\"\nprocess{rest}", file.display());
         let text = text.replace("{ strongest = \"15 s\" }", window);
         let folder = tempfile::tempdir().unwrap();
-        let case = Ground::default().case(&text, folder.path());
+        let case = GroundCase::default().case(&text, folder.path());
         let setup = setup(&case, &Laws::default(), Isa::best()).unwrap_or_else(|e| panic!("{e}"));
         let found = setup.warnings.iter().any(|w| w.message.contains("cut out of its motion"));
         assert_eq!(
@@ -381,7 +403,7 @@ fn trace(azimuth: u32) -> String {
 fn a_file_with_two_channels_of_one_direction_asks_which() {
     let of = |second: u32| -> Result<(), String> {
         let folder = tempfile::tempdir().unwrap();
-        let ground = Ground { motion: "kind = \"outcrop\"", ..Ground::default() };
+        let ground = GroundCase { motion: "kind = \"outcrop\"", ..GroundCase::default() };
         let case = ground.case(&ground.text().replace("record.txt", "two.smc"), folder.path());
         std::fs::write(folder.path().join("two.smc"), trace(90) + &trace(second)).unwrap();
         setup(&case, &Laws::default(), Isa::best()).map(|_| ()).map_err(|report| report.to_string())

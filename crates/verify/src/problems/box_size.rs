@@ -5,7 +5,7 @@
 //! displacement of every node of the walls; where the layer yields under 8 Hz it is 3.3 % there, and within 2 % at eight. The difference at any time, which waves that come back late make, stands beside, and
 //! so do periodic and viscous sides.
 
-use crate::box_size::{DISTANCES, FAR, FREQUENCIES, Ground, shake};
+use crate::box_size::{DISTANCES, FAR, FREQUENCIES, RockMass, shake};
 use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::Side;
 
@@ -25,16 +25,16 @@ const ENOUGH: f64 = 0.02;
 
 fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let mut checks = Vec::new();
-    for (ground, word) in [(Ground::Elastic, "elastic"), (Ground::Yielding, "a yielding layer")] {
+    for (mass, word) in [(RockMass::Elastic, "elastic"), (RockMass::Yielding, "a yielding layer")] {
         for frequency in FREQUENCIES {
             let of = format!("{frequency} Hz, {word}");
-            let far = shake(ground, Side::FreeField, FAR, frequency)?;
+            let far = shake(mass, Side::FreeField, FAR, frequency)?;
             for widths in DISTANCES {
-                let [peaks, times] = shake(ground, Side::FreeField, widths, frequency)?.apart(&far);
+                let [peaks, times] = shake(mass, Side::FreeField, widths, frequency)?.apart(&far);
                 let quantity = format!("difference of the walls' peak displacement, sides at {widths} widths, {of}");
                 let note = "over the largest; 2 % at four widths and beyond, and at eight where short waves meet a layer that \
                             yields; nearer for information";
-                let hard = ground == Ground::Yielding && frequency > FREQUENCIES[0];
+                let hard = mass == RockMass::Yielding && frequency > FREQUENCIES[0];
                 checks.push(match widths >= if hard { 2 * ASKED } else { ASKED } {
                     true => Check::new(NAME, quantity, peaks, 0.0, ENOUGH, "1", note),
                     false => Check::beside(NAME, quantity, peaks, 0.0, "1", note),
@@ -44,7 +44,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
                 checks.push(Check::beside(NAME, quantity, times, 0.0, "1", note));
             }
             for (side, name) in [(Side::Periodic, "periodic"), (Side::Viscous, "viscous")] {
-                let [peaks, _] = shake(ground, side, ASKED, frequency)?.apart(&far);
+                let [peaks, _] = shake(mass, side, ASKED, frequency)?.apart(&far);
                 let quantity = format!("difference of the walls' peak displacement, {name} sides at {ASKED} widths, {of}");
                 let note = "for information: what free-field sides are for";
                 checks.push(Check::beside(NAME, quantity, peaks, 0.0, "1", note));

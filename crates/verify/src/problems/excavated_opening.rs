@@ -12,7 +12,7 @@
 //! The rock of a common verification of programs for rock has ν = 0.21 and p₀ = 30 MPa, where the stress along the axis yields as well:
 //! a ring with flow along its axis moves by 0.84 % (ψ = 0) and 1.65 % (ψ = 30°) more than the closed form. So that is for information.
 
-use super::circular_opening::exact::{Exact, GROUND, Ground};
+use super::circular_opening::exact::{Exact, SURROUNDINGS, Surroundings};
 use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, material};
 use crate::staged::{Rested, Rings, SINCE_CHANGE, UNTIL_CHANGE, growing, release};
@@ -43,7 +43,7 @@ const DILATIONS: [f64; 3] = [0.0, 10.0, 30.0];
 const AROUND: [u32; 2] = [16, 48];
 
 /// G = 2.8 GPa, K = 3.9 GPa.
-const ANOTHER: Ground = Ground {
+const ANOTHER: Surroundings = Surroundings {
     solid: Solid { young: 6.777931034482759e9, poisson: 0.2103448275862069, density: 2600.0 },
     far: 30e6,
     inside: 0.0,
@@ -58,7 +58,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     for (quadrature, word) in QUADRATURES {
         for dilation in DILATIONS {
             let exact = Exact::new(dilation);
-            let [coarse, fine] = AROUND.map(|n| open(quadrature, GROUND, dilation, n));
+            let [coarse, fine] = AROUND.map(|n| open(quadrature, SURROUNDINGS, dilation, n));
             let (coarse, fine) = (coarse?, fine?);
             let of = |what: &str| format!("{what}, ψ = {dilation}°, n = {}, {word}", AROUND[1]);
             let ring = exact.plastic * FRAC_PI_2 / f64::from(AROUND[1]);
@@ -103,8 +103,13 @@ struct Opened {
     plastic: f64,
 }
 
-fn open(quadrature: Quadrature, ground: Ground, dilation: f64, around: u32) -> Result<Opened, VerifyError> {
-    let exact = Exact::of(ground, dilation);
+fn open(
+    quadrature: Quadrature,
+    surroundings: Surroundings,
+    dilation: f64,
+    around: u32,
+) -> Result<Opened, VerifyError> {
+    let exact = Exact::of(surroundings, dilation);
     let mut radii: Vec<f64> = (0..=4).map(|i| WALL * f64::from(i) / 4.0).collect();
     let grown = growing(WALL, OUTER, FRAC_PI_2 / f64::from(around));
     let half = (OUTER / WALL).powf(0.5 / grown.len() as f64);
@@ -113,25 +118,29 @@ fn open(quadrature: Quadrature, ground: Ground, dilation: f64, around: u32) -> R
     let (core, rock) = (rings.between(0.0, WALL), rings.between(WALL, OUTER));
 
     let values = Values::default()
-        .with("young", ground.solid.young)
-        .with("poisson", ground.solid.poisson)
-        .with("cohesion", ground.cohesion)
-        .with("friction_angle", ground.friction.to_radians())
+        .with("young", surroundings.solid.young)
+        .with("poisson", surroundings.solid.poisson)
+        .with("cohesion", surroundings.cohesion)
+        .with("friction_angle", surroundings.friction.to_radians())
         .with("dilation_angle", dilation.to_radians())
-        .with("tensile_strength", ground.cohesion / ground.friction.to_radians().tan());
+        .with("tensile_strength", surroundings.cohesion / surroundings.friction.to_radians().tan());
     let pressure = |p: f64| [-p, -p, -p, 0.0, 0.0, 0.0];
     let brick = rings.brick();
-    let mut body = ground.solid.body("rock", core.iter().chain(&rock).copied().collect(), quadrature);
+    let mut body = surroundings.solid.body("rock", core.iter().chain(&rock).copied().collect(), quadrature);
     body.material = material(MohrCoulomb::NAME, &values)?;
     let mut problem = tremolite::Problem::new(rings.mesh.clone(), vec![body, brick]);
     problem.lives = vec![Life::ALWAYS; problem.mesh.elements.len()];
     core.iter().for_each(|&e| problem.lives[e as usize] = UNTIL_CHANGE);
-    problem.initial = vec![pressure(ground.far); problem.mesh.elements.len()];
+    problem.initial = vec![pressure(surroundings.far); problem.mesh.elements.len()];
     problem.initial[problem.bodies[1].elements[0] as usize] = [0.0; 6];
     problem.held = rings.symmetry();
     let [outside, _] = exact.stress(OUTER);
     problem.tractions = vec![
-        Traction { name: "before".into(), faces: rings.edge(|_| pressure(ground.far)), life: UNTIL_CHANGE },
+        Traction {
+            name: "before".into(),
+            faces: rings.edge(|_| pressure(surroundings.far)),
+            life: UNTIL_CHANGE,
+        },
         Traction { name: "after".into(), faces: rings.edge(|_| pressure(outside)), life: SINCE_CHANGE },
     ];
     let opened = Rested::new(problem, &[release(1.0), release(1.0)])?;

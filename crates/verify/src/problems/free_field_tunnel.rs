@@ -37,7 +37,7 @@ const SPRINGS: Base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, dist
 
 /// What the slice is made of.
 #[derive(Clone, Copy, PartialEq)]
-enum Ground {
+enum Makeup {
     /// Elastic, lining and rock joined.
     Elastic,
     /// A joint of Bandis' law between them, and rock that yields.
@@ -50,17 +50,17 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
     let mut checks = Vec::new();
     // The pulse has passed after END; what it broke goes on to ring.
     let end = if effort == Effort::Test { END } else { 5.0 * END };
-    for (ground, word) in [
-        (Ground::Elastic, "elastic"),
-        (Ground::Jointed, "a joint and yielding rock"),
-        (Ground::Cracking, "a joint and cracking concrete"),
+    for (makeup, word) in [
+        (Makeup::Elastic, "elastic"),
+        (Makeup::Jointed, "a joint and yielding rock"),
+        (Makeup::Cracking, "a joint and cracking concrete"),
     ] {
-        let Shaken { rows: [free, slab], damage, slip, yielded } = shake(ground, Side::FreeField, end)?;
-        let Shaken { rows: [periodic, _], .. } = shake(ground, Side::Periodic, end)?;
+        let Shaken { rows: [free, slab], damage, slip, yielded } = shake(makeup, Side::FreeField, end)?;
+        let Shaken { rows: [periodic, _], .. } = shake(makeup, Side::Periodic, end)?;
         for (other, of) in [(&periodic, "periodic sides"), (&slab, "the slab")] {
             let Apart { before, after, at } = apart(&free, other);
             let quantity = format!("difference from {of} over the peak, {word}");
-            if ground == Ground::Cracking {
+            if makeup == Makeup::Cracking {
                 let note = format!("for information: the largest; it exceeds 1e-8 from {at:.4} s on");
                 checks.push(Check::beside(NAME, quantity, before.max(after), 0.0, "1", note));
                 let at = at.min(end);
@@ -73,13 +73,13 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             }
         }
         let note = "laws must leave their elastic range, else they say nothing";
-        if ground != Ground::Elastic {
+        if makeup != Makeup::Elastic {
             let quantity = format!("share of the points of rock that yielded, {word}");
             checks.push(Check::new(NAME, quantity, yielded, 1.0, 0.9, "1", note));
             let quantity = format!("largest slip of the joint over its closure, {word}");
             checks.push(Check::new(NAME, quantity, (slip / CLOSURE).min(1.0), 1.0, 0.9, "1", note));
         }
-        if ground == Ground::Cracking {
+        if makeup == Makeup::Cracking {
             let quantity = format!("largest tensile damage, {word}");
             checks.push(Check::new(NAME, quantity, damage, 1.0, 0.1, "1", note));
         }
@@ -132,10 +132,10 @@ fn apart(a: &Rows, b: &Rows) -> Apart {
     apart
 }
 
-fn shake(ground: Ground, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
+fn shake(makeup: Makeup, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
     let numbers = [("normal_stiffness", 5e9), ("max_closure", CLOSURE), ("cohesion", 1e4), ("friction", 0.5)];
     let joints = Joints {
-        lining: ground != Ground::Elastic,
+        lining: makeup != Makeup::Elastic,
         fault: false,
         law: "bandis",
         numbers: &numbers,
@@ -143,7 +143,7 @@ fn shake(ground: Ground, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
     let mut problem = slice(DEEP, joints, ALONG)?;
     problem.sides = [Side::FreeField, sides];
     problem.base = SPRINGS;
-    if ground != Ground::Elastic {
+    if makeup != Makeup::Elastic {
         let values = Values::default()
             .with("young", 10e9)
             .with("poisson", 0.25)
@@ -152,7 +152,7 @@ fn shake(ground: Ground, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
             .with("tensile_strength", 1e5);
         problem.bodies[1].material = material(MohrCoulomb::NAME, &values)?;
     }
-    if ground == Ground::Cracking {
+    if makeup == Makeup::Cracking {
         problem.bodies[0].material = material(Concrete::NAME, &concrete::values(&[], &[("rate", "ceb")]))?;
         problem.bodies[0].viscosity = 0.06;
     }

@@ -102,25 +102,25 @@ impl<const N: usize> Form<N> {
     }
 
     /// A header `name` or `name [unit]`.
-    fn column(&self, header: &str) -> Result<Column, String> {
+    fn column(&self, header: &str) -> Result<PathColumn, String> {
         let (name, unit) = split(header);
         let Some((place, dimension)) = self.place(&name) else {
             let kept = self.laws.iter().any(|law| law.history.iter().any(|c| c.name == name));
             return if kept {
-                Ok(Column { place: Place::Ignored, factor: 1.0 })
+                Ok(PathColumn { place: Place::Ignored, factor: 1.0 })
             } else {
                 Err(self.unknown(&name))
             };
         };
         if unit.is_empty() {
-            return Ok(Column { place, factor: 1.0 });
+            return Ok(PathColumn { place, factor: 1.0 });
         }
         let inside = unit.strip_prefix('[').and_then(|u| u.strip_suffix(']')).ok_or_else(|| {
             format!("'{}' behind {name} is no unit; write {name} or {name} [unit]", shown(unit))
         })?;
         let factor =
             units::parse_unit(inside, dimension).map_err(|e| format!("{name}: {e}; {}", e.remedy(&name)))?;
-        Ok(Column { place, factor })
+        Ok(PathColumn { place, factor })
     }
 
     fn unknown(&self, name: &str) -> String {
@@ -157,7 +157,7 @@ fn owner(name: &str) -> Option<(&'static str, &'static str)> {
 }
 
 /// What a column holds, and what turns its numbers into SI.
-pub struct Column {
+pub struct PathColumn {
     pub place: Place,
     pub factor: f64,
 }
@@ -174,7 +174,7 @@ pub enum Place {
 /// What a file says above its numbers.
 pub struct Header<const N: usize> {
     pub separator: char,
-    pub columns: Vec<Column>,
+    pub columns: Vec<PathColumn>,
     /// Components whose stress is prescribed.
     pub by_stress: [bool; N],
     /// Names of the columns that belong to an answer.
@@ -189,7 +189,7 @@ impl<const N: usize> Header<N> {
     pub fn read(header: &str, form: &Form<N>) -> Result<Self, String> {
         let separator = [',', ';', '\t'].into_iter().find(|c| header.contains(*c)).unwrap_or(',');
         let names = || fields(header, separator);
-        let mut columns: Vec<Column> = names().map(|name| form.column(name)).collect::<Result<_, _>>()?;
+        let mut columns: Vec<PathColumn> = names().map(|name| form.column(name)).collect::<Result<_, _>>()?;
         let has = |place| columns.iter().any(|c| c.place == place);
         // An answer: its motions are a path, its stresses what came of them.
         let answer = (0..N).all(|k| has(Place::Motion(k)) && has(Place::Stress(k)));
@@ -206,7 +206,11 @@ impl<const N: usize> Header<N> {
 }
 
 /// The components whose stress is prescribed.
-fn prescribed<const N: usize>(columns: &[Column], form: &Form<N>, answer: bool) -> Result<[bool; N], String> {
+fn prescribed<const N: usize>(
+    columns: &[PathColumn],
+    form: &Form<N>,
+    answer: bool,
+) -> Result<[bool; N], String> {
     let count = |place: Place| columns.iter().filter(|c| c.place == place).count();
     let twice = |name: &str| Err(format!("the column {name} is there twice; keep one"));
     match count(Place::Time) {

@@ -18,8 +18,8 @@ fn both_runs_numbers_are_their_own_and_differences_are_of_the_two() {
         if kind == "shaken" {
             let folder = report::results(&root, &["A", "B"]);
             let mut summary = Summary::read(&folder.summary()).unwrap();
-            summary.damage.insert("hall.lining".into(), report::cracked());
-            summary.energy = [("input".to_owned(), 2e5), ("error".to_owned(), -300.0)].into();
+            summary.parts.damage.insert("hall.lining".into(), report::cracked());
+            summary.soundness.energy = [("input".to_owned(), 2e5), ("error".to_owned(), -300.0)].into();
             summary.write(&folder.summary()).unwrap();
         } else {
             interface_results::results(&root);

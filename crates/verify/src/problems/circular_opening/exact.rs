@@ -3,9 +3,9 @@
 use super::{COHESION, FAR, FRICTION, INSIDE, ROCK, WALL};
 use crate::models::Solid;
 
-/// The ground around an opening of radius 1 m.
+/// What surrounds an opening of radius 1 m, and what presses on it.
 #[derive(Clone, Copy, Debug)]
-pub struct Ground {
+pub struct Surroundings {
     pub solid: Solid,
     /// p₀ and p_i \[Pa\]
     pub far: f64,
@@ -15,13 +15,13 @@ pub struct Ground {
     pub friction: f64,
 }
 
-/// That of the problem.
-pub const GROUND: Ground =
-    Ground { solid: ROCK, far: FAR, inside: INSIDE, cohesion: COHESION, friction: FRICTION };
+/// Those of the problem.
+pub const SURROUNDINGS: Surroundings =
+    Surroundings { solid: ROCK, far: FAR, inside: INSIDE, cohesion: COHESION, friction: FRICTION };
 
 /// The closed form for a dilation angle \[°\].
 pub struct Exact {
-    ground: Ground,
+    surroundings: Surroundings,
     k: f64,
     m: f64,
     /// s \[Pa\]
@@ -34,34 +34,34 @@ pub struct Exact {
 
 impl Exact {
     pub fn new(dilation: f64) -> Self {
-        Exact::of(GROUND, dilation)
+        Exact::of(SURROUNDINGS, dilation)
     }
 
-    /// In other ground.
-    pub fn of(ground: Ground, dilation: f64) -> Self {
+    /// In other surroundings.
+    pub fn of(surroundings: Surroundings, dilation: f64) -> Self {
         let slope = |x: f64| (1.0 + x.to_radians().sin()) / (1.0 - x.to_radians().sin());
-        let (k, m) = (slope(ground.friction), slope(dilation));
-        let q = 2.0 * ground.cohesion * k.sqrt();
+        let (k, m) = (slope(surroundings.friction), slope(dilation));
+        let q = 2.0 * surroundings.cohesion * k.sqrt();
         let shift = q / (k - 1.0);
-        let ratio = 2.0 / (k + 1.0) * (ground.far + shift) / (ground.inside + shift);
+        let ratio = 2.0 / (k + 1.0) * (surroundings.far + shift) / (surroundings.inside + shift);
         let plastic = WALL * ratio.powf(1.0 / (k - 1.0));
-        Exact { ground, k, m, shift, plastic, edge: (2.0 * ground.far - q) / (k + 1.0) }
+        Exact { surroundings, k, m, shift, plastic, edge: (2.0 * surroundings.far - q) / (k + 1.0) }
     }
 
     /// σ_r and σ_θ \[Pa\], compression positive.
     pub fn stress(&self, r: f64) -> [f64; 2] {
-        let far = self.ground.far;
+        let far = self.surroundings.far;
         if r > self.plastic {
             let change = (far - self.edge) * (self.plastic / r).powi(2);
             return [far - change, far + change];
         }
-        let radial = (self.ground.inside + self.shift) * (r / WALL).powf(self.k - 1.0) - self.shift;
+        let radial = (self.surroundings.inside + self.shift) * (r / WALL).powf(self.k - 1.0) - self.shift;
         [radial, self.k * (radial + self.shift) - self.shift]
     }
 
     /// Displacement inwards \[m\].
     pub fn inwards(&self, r: f64) -> f64 {
-        let Ground { solid, far, inside, .. } = self.ground;
+        let Surroundings { solid, far, inside, .. } = self.surroundings;
         let shear = 2.0 * solid.moduli().mu;
         if r > self.plastic {
             return (far - self.edge) * self.plastic * self.plastic / (r * shear);

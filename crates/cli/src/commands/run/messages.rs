@@ -75,7 +75,7 @@ pub(super) fn progress(plan: &Plan, p: &Progress) -> String {
 
 /// What came out.
 pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summary) {
-    for line in &summary.trust {
+    for line in &summary.soundness.trust {
         // Each with its reason, where it does not bury the others.
         if line.not_applicable {
             log.keep(&format!("--   {}: not applicable, {}", line.name, line.note));
@@ -89,7 +89,7 @@ pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summa
         };
         log.say(&format!("  {mark} {}: {found}", line.name));
     }
-    let idle = summary.trust.iter().filter(|line| line.not_applicable).count();
+    let idle = summary.soundness.trust.iter().filter(|line| line.not_applicable).count();
     if idle > 0 {
         log.say(&format!("  --   {idle} more checks do not apply; log.txt and the page say why"));
     }
@@ -110,7 +110,7 @@ pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summa
             outcome.updates_per_second(elements) / 1e6
         ));
     }
-    log.say(&summary.verdict);
+    log.say(&summary.conclusion.verdict);
 }
 
 /// Three significant digits.

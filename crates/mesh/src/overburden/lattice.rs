@@ -9,7 +9,7 @@ const STEPS: f64 = (1u64 << 40) as f64;
 pub(super) type Place = [i64; 2];
 
 /// The lattice over a mesh, in x and y.
-pub(super) struct Plan {
+pub(super) struct Lattice {
     low: [f64; 2],
     /// Length of a step \[m\].
     step: f64,
@@ -19,14 +19,14 @@ pub(super) struct Plan {
     pub places: Vec<Place>,
 }
 
-impl Plan {
+impl Lattice {
     pub fn new(mesh: &Mesh) -> Self {
         let (low, high) = mesh.bounds();
         let step = (high[0] - low[0]).max(high[1] - low[1]) / STEPS;
-        let mut plan = Plan { low: [low[0], low[1]], step, high: [0; 2], places: Vec::new() };
-        plan.high = plan.place(high);
-        plan.places = mesh.nodes.iter().map(|x| plan.place(*x)).collect();
-        plan
+        let mut lattice = Lattice { low: [low[0], low[1]], step, high: [0; 2], places: Vec::new() };
+        lattice.high = lattice.place(high);
+        lattice.places = mesh.nodes.iter().map(|x| lattice.place(*x)).collect();
+        lattice
     }
 
     /// The nearest place of the lattice, at most one step beyond it; what is not a number has the first.

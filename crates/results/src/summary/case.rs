@@ -1,0 +1,68 @@
+//! What the case asked for and left open, and what it was read from.
+
+use serde::{Deserialize, Serialize};
+
+use crate::Fact;
+
+/// The case that was run: what it asked for and left open, what is to be known of it, and what it was read from.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct CaseFacts {
+    /// How the page is to be set.
+    pub report: PageWish,
+    /// What was unusual about the case before the run, a sentence each with what to do.
+    pub before: Vec<String>,
+    /// What is true by construction, for people to know.
+    pub facts: Vec<Fact>,
+    /// What the run read: mesh, records, case.
+    pub inputs: Vec<Input>,
+    /// Version of the program.
+    pub version: String,
+    /// What the case left out and the program chose.
+    pub defaulted: Vec<Defaulted>,
+}
+
+/// How the case wants its page set.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct PageWish {
+    /// `en` or `zh`.
+    pub language: String,
+    /// Whether the page holds the model in three dimensions.
+    pub view: bool,
+}
+
+impl Default for PageWish {
+    fn default() -> Self {
+        PageWish { language: "en".into(), view: true }
+    }
+}
+
+/// A file that the run read.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Input {
+    /// As the case names it; `case` for the case itself.
+    pub name: String,
+    /// Where it lay.
+    pub path: String,
+    /// SHA-256 of its bytes, in hexadecimal digits.
+    pub hash: String,
+}
+
+/// A key that the case left out.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Defaulted {
+    /// The key with its tables, `dynamic.damping.ratio`.
+    pub key: String,
+    /// The value used, as one would write it in the case, unit included.
+    pub value: String,
+}
+
+impl Defaulted {
+    /// A key and the value used for it.
+    pub fn new(key: impl Into<String>, value: impl Into<String>) -> Self {
+        Defaulted { key: key.into(), value: value.into() }
+    }
+}

@@ -1,0 +1,114 @@
+//! What was computed, and how fast.
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use crate::{MaterialFacts, Said, StageSummary, number};
+
+/// What was computed, and how fast.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Computed {
+    /// Wall-clock time of the whole run (s), resumed parts included.
+    #[serde(with = "number", default = "number::absent")]
+    pub wall_seconds: f64,
+    /// Element updates per second of wall-clock time in the dynamic steps.
+    #[serde(with = "number", default = "number::absent")]
+    pub element_updates_per_second: f64,
+    /// The model's size and time step.
+    pub model: ModelFacts,
+    /// Material, by its name in the case → what it is and what is made of it.
+    pub materials: IndexMap<String, MaterialFacts>,
+    /// The motion that went in.
+    pub motion: MotionFacts,
+    /// Program and machine.
+    pub run: RunFacts,
+    /// Stages before the earthquake, in their order; the first is the initial equilibrium.
+    pub stages: Vec<StageSummary>,
+}
+
+/// The size of the model and its time step.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ModelFacts {
+    /// Group → number of elements. Groups may overlap.
+    pub groups: IndexMap<String, u64>,
+    /// Number of elements.
+    pub elements: u64,
+    /// Number of nodes.
+    pub nodes: u64,
+    /// Steps done.
+    pub steps: u64,
+    /// Time step (s).
+    #[serde(with = "number", default = "number::absent")]
+    pub time_step: f64,
+    /// What sets the time step, in words: which element, boundary or damping.
+    pub step_set_by: String,
+    /// The same as a pattern.
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub step_set_by_said: Said,
+    /// Simulated time (s).
+    #[serde(with = "number", default = "number::absent")]
+    pub duration: f64,
+}
+
+/// The motion that went in at the base.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct MotionFacts {
+    /// `outcrop`, `incident`, `within` or `surface`.
+    pub kind: String,
+    /// Factor from the given to the incident motion (an outcrop motion is halved); no number where it was deconvolved.
+    #[serde(with = "number", default = "number::absent")]
+    pub factor: f64,
+    /// Axis of the model (`x`, `y`, `z`) → largest acceleration of the incident motion, by size (m/s²).
+    #[serde(deserialize_with = "number::deserialize_map")]
+    pub peak_acceleration: IndexMap<String, f64>,
+    /// Axis of the model → where its record came from, in words.
+    pub source: IndexMap<String, String>,
+    /// How it was deconvolved, where it was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub deconvolved: Option<Deconvolved>,
+}
+
+/// How the wave that comes in was deconvolved from a record on or within layered ground.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Deconvolved {
+    /// Of the record, below the surface of the ground (m).
+    pub depth: f64,
+    /// Corner of the model, `xmin-ymin`, whose own ground it is; empty for the layers of motion.site.
+    pub corner: String,
+    /// By how much the record comes later to its place than in its file (s).
+    pub lead: f64,
+    /// Up to which frequency the record was wanted (Hz).
+    pub band: f64,
+    /// Up to which frequency the incident wave is the record's (Hz); no number where nothing was left out.
+    #[serde(with = "number", default = "number::absent")]
+    pub reach: f64,
+    /// The largest share of ∫a² dt of a component that was left out above.
+    pub left_out: f64,
+    /// Motion at the place of the record over that of the incident wave, at rest.
+    pub at_rest: f64,
+    /// The least of the same among what is let through, along the axes that move, and its frequency (Hz).
+    pub least: f64,
+    pub least_at: f64,
+}
+
+/// The program and the machine.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RunFacts {
+    /// Name and version of the program.
+    pub program: String,
+    /// The command line.
+    pub command: String,
+    /// When the run started, ISO 8601.
+    pub started: String,
+    /// Number of threads.
+    pub threads: u64,
+    /// `scalar`, `avx2` or `avx512`.
+    pub instruction_set: String,
+    /// How often the run was resumed from a checkpoint.
+    pub resumed: u64,
+}
