@@ -78,7 +78,7 @@ static SIDES: Table = Table {
 static SIDE: Table = Table {
     path: "dynamic.sides.x",
     doc: "Boundary at a pair of sides.",
-    keys: &[Key::required("kind", Kind::Word(Side::WORDS), "what holds the two sides")],
+    keys: &[Key::required("kind", Kind::Word(SideKind::WORDS), "what holds the two sides")],
     choice: &[],
 };
 
@@ -148,7 +148,7 @@ words! {
 
 words! {
     /// What holds a pair of sides.
-    Side {
+    SideKind {
         /// a slab of the same ground outside moves as ground without end would, and presses and absorbs here
         FreeField = "free-field",
         /// opposite nodes move as one: an endless row of such blocks
@@ -218,6 +218,25 @@ pub enum Base {
     Free,
 }
 
+/// Boundary at a pair of sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Side {
+    /// Slabs of the same ground outside lead it.
+    FreeField,
+    /// Opposite nodes move as one.
+    Periodic,
+    /// A roller that is meant as a mirror.
+    Symmetry,
+    /// Dashpots ρc.
+    Viscous,
+    /// No displacement normal to it.
+    Roller,
+    /// No displacement.
+    Fixed,
+    /// No traction.
+    Free,
+}
+
 /// Damping nearly independent of frequency over a band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BandDamping {
@@ -241,7 +260,7 @@ impl Dynamic {
     pub(crate) fn read(f: &Fields) -> Option<Self> {
         let (duration, time_step) = (f.number("duration"), f.number("time_step"));
         let base = f.table("base").and_then(Base::read);
-        let side = |key| f.table("sides").and_then(|s| s.table(key))?.word("kind", Side::from_word);
+        let side = |key| f.table("sides").and_then(|s| s.table(key)).and_then(Side::read);
         let sides = (side("x"), side("y"));
         let top = f.word("top", Top::from_word);
         let rayleigh = f.table("damping").and_then(|d| d.table("rayleigh")).and_then(Rayleigh::read);
@@ -285,6 +304,39 @@ impl Base {
             BaseKind::Free => Base::Free,
         };
         Some(Spanned::new(base, kind.span))
+    }
+}
+
+impl Side {
+    /// Each word with what it means.
+    pub const MEANINGS: &'static [(&'static str, &'static str)] = SideKind::MEANINGS;
+
+    /// The word for this kind of side as it is written in a case.
+    pub fn word(self) -> &'static str {
+        let kind = match self {
+            Side::FreeField => SideKind::FreeField,
+            Side::Periodic => SideKind::Periodic,
+            Side::Symmetry => SideKind::Symmetry,
+            Side::Viscous => SideKind::Viscous,
+            Side::Roller => SideKind::Roller,
+            Side::Fixed => SideKind::Fixed,
+            Side::Free => SideKind::Free,
+        };
+        kind.word()
+    }
+
+    fn read(f: &Fields) -> Option<Spanned<Self>> {
+        let kind = f.word("kind", SideKind::from_word)?;
+        let side = match kind.value {
+            SideKind::FreeField => Side::FreeField,
+            SideKind::Periodic => Side::Periodic,
+            SideKind::Symmetry => Side::Symmetry,
+            SideKind::Viscous => Side::Viscous,
+            SideKind::Roller => Side::Roller,
+            SideKind::Fixed => Side::Fixed,
+            SideKind::Free => Side::Free,
+        };
+        Some(Spanned::new(side, kind.span))
     }
 }
 

@@ -166,9 +166,11 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
     }
     for axis in 0..2 {
         let side = match (stage, around.asked.sides[axis]) {
-            (Stage::Shaking, side) | (_, side @ (Side::Periodic | Side::Fixed)) => side,
-            (Stage::Before(_), _) if around.asked.bed.rollers[axis] => Side::Roller,
-            (Stage::Before(_), _) => Side::Free,
+            (Stage::Shaking, side) => side,
+            (Stage::Before(_), side) => match side.before() {
+                Side::Roller if !around.asked.bed.rollers[axis] => Side::Free,
+                before => before,
+            },
         };
         for (end, faces) in faces.planes[axis].iter().enumerate() {
             if side != Side::Free && faces.is_empty() {

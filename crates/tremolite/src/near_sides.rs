@@ -155,10 +155,9 @@ pub fn near_sides(model: &Model, mirrored: [bool; 2]) -> Vec<NearSide> {
         let top = |n: u32| (model.mesh.nodes[n as usize][2] - high[2]).abs() <= NEAR * (high[2] - low[2]);
         model.mesh.face_nodes(*face).all(top)
     });
-    let side = |axis: usize| match model.boundaries.sides[axis] {
-        Side::Periodic | Side::Free => false,
-        Side::Roller => !mirrored[axis],
-        Side::Fixed | Side::Viscous | Side::FreeField => true,
+    let side = |axis: usize| {
+        let side = model.boundaries.sides[axis];
+        side.ends_ground() && !(side == Side::Roller && mirrored[axis])
     };
     let base = model.boundaries.base != Base::Free;
     let judged = [[side(0); 2], [side(1); 2], [base, presses]];

@@ -41,3 +41,6 @@ pub fn length(row: &Row) -> f64 {
     let [x, y, z] = row.xyz();
     (x * x + y * y + z * z).sqrt()
 }
+
+#[cfg(test)]
+mod tests;

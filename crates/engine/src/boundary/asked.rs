@@ -28,6 +28,19 @@ impl Side {
     /// One of each, for tests that go over all: enter what is added.
     pub const EXAMPLES: [Side; 6] =
         [Side::Free, Side::Fixed, Side::Roller, Side::Viscous, Side::Periodic, Side::FreeField];
+
+    /// What it is before the shaking, where its ground stands against others.
+    pub fn before(self) -> Side {
+        match self {
+            Side::Periodic | Side::Fixed => self,
+            _ => Side::Roller,
+        }
+    }
+
+    /// Whether ground goes on beyond it that is not in the model: openings should keep away from it.
+    pub fn ends_ground(self) -> bool {
+        !matches!(self, Side::Periodic | Side::Free)
+    }
 }
 
 /// What acts on the top plane in the shaking.

@@ -6,6 +6,7 @@ use crate::common::rock::mohr_coulomb;
 use crate::common::samples::{Sample, samples};
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::path::{Control, Path, Response, drive_named};
+use tremolite_laws::{Material, for_each_material};
 
 /// Strain along one axis between turning points, `steps` steps to each; pressure on the sides from the start.
 fn cycle(axis: usize, pressure: f64, turns: &[f64], steps: usize, moduli: (f64, f64)) -> Path {
@@ -38,12 +39,23 @@ fn miss(path: &Path, response: &Response, young: f64) -> f64 {
     most
 }
 
+/// Young's modulus and Poisson's ratio of a law.
+fn moduli(sample: &Sample) -> (f64, f64) {
+    macro_rules! find {
+        ($($law:ty,)*) => { $(
+            if sample.law == <$law>::NAME {
+                let moduli = <$law>::new(&sample.values()).unwrap().moduli();
+                return (moduli.young(), moduli.poisson());
+            }
+        )* };
+    }
+    for_each_material!(find);
+    panic!("{} is not in the list", sample.law)
+}
+
 /// Every law with its samples, each with Young's modulus and Poisson's ratio.
 fn laws() -> impl Iterator<Item = (&'static Sample, (f64, f64))> {
-    MATERIALS.iter().flat_map(|law| samples(law.name)).map(|sample| {
-        let [young, poisson] = ["young", "poisson"].map(|key| sample.values().optional(key).unwrap());
-        (sample, (young, poisson))
-    })
+    MATERIALS.iter().flat_map(|law| samples(law.name)).map(|sample| (sample, moduli(sample)))
 }
 
 #[test]

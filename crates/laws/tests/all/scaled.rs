@@ -2,10 +2,10 @@
 
 use crate::common::Random;
 use crate::common::rock::random_strain;
-use crate::common::samples::samples;
+use crate::common::samples::{MODULI, samples};
 use tremolite_laws::{Material, Point, for_each_material, virgin};
 
-/// The law asked to scale itself is the law made with the scaled Young's modulus: strengths stay, moduli do not.
+/// The law asked to scale itself is the law made with its moduli scaled: strengths stay, moduli do not.
 fn scales<M: Material>() {
     for sample in samples(M::NAME) {
         let values = sample.values();
@@ -16,8 +16,10 @@ fn scales<M: Material>() {
         assert!(
             (less.mu / own.mu - factor).abs() < 1e-14 && (less.lambda / own.lambda - factor).abs() < 1e-14
         );
-        let Some(young) = values.optional("young") else { continue };
-        let made = M::new(&values.with("young", factor * young)).unwrap();
+        let moduli: Vec<_> = MODULI.iter().filter_map(|&name| Some((name, values.optional(name)?))).collect();
+        assert!(!moduli.is_empty(), "{}: none of its parameters is among MODULI", M::NAME);
+        let made = moduli.into_iter().fold(values, |values, (name, value)| values.with(name, factor * value));
+        let made = M::new(&made).unwrap();
         let mut random = Random::new(5);
         let (mut a, mut b) = (virgin::<M>(), virgin::<M>());
         for step in 0..200 {

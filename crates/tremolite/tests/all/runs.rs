@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::observers::Extremes;
 use tremolite::parts::loads::Load;
 use tremolite::plan::{Monitor, PairMonitor, Plan};
-use tremolite::quantities::Field;
+use tremolite::quantities::{Field, MONITOR, RELATIVE};
 use tremolite::run::{Control, run};
 use tremolite::simulation::{Built, Ending, Outcome, Simulation, Start};
 use tremolite::{Base, Bed, Halt, Life, Line, Prescribed, Problem, Side, Stage, elastic};
@@ -207,7 +207,7 @@ fn histories_have_the_columns_and_times_of_the_plan() {
     for (i, t) in table.column("time").unwrap().iter().enumerate() {
         assert!((t - 0.002 * i as f64).abs() < 1e-12);
     }
-    assert_eq!(table.columns.len(), 1 + 2 * 19 + 4);
+    assert_eq!(table.columns.len(), 1 + 2 * MONITOR.len() + RELATIVE.len());
     let (top, slab) = (table.column("top.ux").unwrap(), table.column("slab.ux").unwrap());
     let pair = table.column("top-slab.ux").unwrap();
     assert!((0..61).all(|i| pair[i] == top[i] - slab[i]));

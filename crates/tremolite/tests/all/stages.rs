@@ -144,12 +144,10 @@ fn supports_before_the_shaking_are_a_fixed_base_and_rollers_and_absorb_nothing()
                 assert!(side == Side::FreeField || rings().any(|ring| master == of(ring[0])));
                 [base; 3]
             } else {
-                match side {
+                match side.before() {
                     Side::Periodic => [base, base, base || mesh_node == single],
                     Side::Fixed => [base || on[0] || on[1]; 3],
-                    Side::Roller | Side::Viscous | Side::Free | Side::FreeField => {
-                        [base || on[0], base || on[1], base]
-                    }
+                    _ => [base || on[0], base || on[1], base],
                 }
             };
             // The held node and what is tied to it.

@@ -2,6 +2,9 @@
 
 use tremolite_laws::{Value, Values};
 
+/// Names of parameters that are moduli and make all stresses larger together, at the same ratio of moduli.
+pub const MODULI: &[&str] = &["young"];
+
 /// Parameters of a law, in SI, angles in radians.
 pub struct Sample {
     pub law: &'static str,
