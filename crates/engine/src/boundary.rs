@@ -151,7 +151,7 @@ fn impedances(body: &Body) -> (f64, f64) {
 }
 
 /// What holds and absorbs in a stage. Before the shaking the base, the column's too, and sides that are neither periodic nor
-/// fixed are held as [`Bed`] says.
+/// fixed are held as [`Bed`](bed::Bed) says.
 ///
 /// # Errors
 /// If a plane on which something should act has no faces.

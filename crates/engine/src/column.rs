@@ -1,9 +1,9 @@
 //! Columns: the ground as it is far from the caverns, one element a layer, moving as one at each level.
 //!
 //! Their bottoms move as u_ff, the free field at the level of the base, on which the springs of the base act. They feel the same
-//! incident wave through dashpots alone. Where all four sides are free field they stand at the ends of the slabs
-//! ([`crate::slabs`]); else the model has reference columns of the ground along its vertical edges, beside it. Models whose
-//! base has no springs have them as well, to be compared with.
+//! incident wave through dashpots alone. Where all four sides are free field they stand at the ends of the
+//! [slabs](crate::model::Outside::slabs); else the model has reference columns of the ground along its vertical edges, beside it.
+//! Models whose base has no springs have them as well, to be compared with.
 
 use crate::body::Body;
 use crate::error::ModelError;

@@ -3,7 +3,7 @@
 //! A boundary pushes the model with σ_ff·n A + C (v̄_ff − v̄) + K (u_ff − u) at each of its nodes, and asks here for the three that
 //! bear the index, at the node's place and at the time of the step. One of two answers:
 //!
-//! - **Ground beside the model**, which the scheme advances with it: [slabs](crate::slabs) outside the sides, and
+//! - **Ground beside the model**, which the scheme advances with it: [slabs](crate::model::Outside::slabs) outside the sides, and
 //!   [columns](crate::column). Displacement is that of the columns' bottoms, velocity that of the nodes that
 //!   [lead](Leader::Node), traction what the slabs' elements [pass on](crate::parts::passed_on). At the base one wave rises, of which
 //!   no more need be known than σ_ff·n + C v_ff = 2 C v_i: its dashpots act on v alone.

@@ -71,7 +71,7 @@ impl Check {
     }
 
     /// The figure's name for programs, in snake case: the words of problem and quantity, and so unique over all problems
-    /// ([`crate::Problem::verify`]).
+    /// ([`crate::Verification::verify`]).
     pub fn id(&self) -> String {
         snake_case(&format!("{} {}", self.name, self.quantity))
     }

@@ -79,7 +79,8 @@ pub fn lacking(missing: &[String]) {
     assert!(missing.is_empty() || std::env::var_os(RELEASE).is_none(), "{text}");
     if !missing.is_empty() {
         // Not by eprintln, which tests that pass keep to themselves.
-        writeln!(std::io::stderr(), "warning: {text}").unwrap();
+        let mut beside = std::io::stderr();
+        writeln!(beside, "warning: {text}").unwrap();
     }
 }
 

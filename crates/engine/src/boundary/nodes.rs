@@ -133,7 +133,7 @@ fn given(around: Surroundings, nodes: &mut Vec<BaseNode>) {
         }
     }
     all.extend(&faces.planes[2][0]);
-    let mut shares: BTreeMap<u32, Vec<([f64; 3], [f64; 3])>> = BTreeMap::new();
+    let mut shares: BTreeMap<u32, Vec<_>> = BTreeMap::new();
     for &face in &all {
         let (corners, points) = face_points(mesh, face);
         for (k, &n) in corners.iter().enumerate() {
