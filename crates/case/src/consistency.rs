@@ -202,8 +202,23 @@ fn monitors(case: &Fields, bolts: &[Spanned<String>], all_bolts: bool, problems:
             problems.push(no_bolts(&name, bolts));
         }
     }
+    let moves =
+        |name: &&Spanned<String>| !at_interface.contains(&name.value) && !at_bolt.contains(&name.value);
+    let mut columns: BTreeSet<String> = names.iter().filter(moves).map(|name| name.value.clone()).collect();
     for relative in case.tables("relative") {
         let between = relative.texts("between");
+        if let [a, b] = &between[..]
+            && !columns.insert(format!("{}-{}", a.value, b.value))
+        {
+            problems.push(Diagnostic::at(
+                b,
+                format!(
+                    "columns of this pair are called `{}-{}`, and so are those of another entry",
+                    a.value, b.value
+                ),
+                "leave out the pair that stands there twice, or give the monitors other names",
+            ));
+        }
         for name in &between {
             if at_interface.contains(&name.value) {
                 problems.push(Diagnostic::at(

@@ -215,8 +215,12 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
         }
     }
     if stage == Stage::Shaking {
-        if around.asked.free_field.is_none() {
-            absorb_at_the_top(around, &mut out)?;
+        if around.asked.top == Top::Viscous {
+            check_top(around)?;
+            // A given free field drives the top, with dashpots that follow it.
+            if around.asked.free_field.is_none() {
+                absorb_at_the_top(around, &mut out);
+            }
         }
         for (face, corner) in around.corners(stage) {
             let matrices = nodal_matrices(mesh, &[face], |face| around.impedance(face));
@@ -228,11 +232,8 @@ pub fn supports(around: Surroundings, stage: Stage) -> Result<Supports, ModelErr
     Ok(out)
 }
 
-/// Dashpots of the top, and of what stands outside.
-fn absorb_at_the_top(around: Surroundings, out: &mut Supports) -> Result<(), ModelError> {
-    if around.asked.top == Top::Free {
-        return Ok(());
-    }
+/// Refuses a top that absorbs and is not level.
+fn check_top(around: Surroundings) -> Result<(), ModelError> {
     let Surroundings { mesh, faces, .. } = around;
     let [base, top] = &faces.planes[2];
     let area = |faces: &[Face]| -> f64 {
@@ -241,6 +242,13 @@ fn absorb_at_the_top(around: Surroundings, out: &mut Supports) -> Result<(), Mod
     if (area(top) - area(base)).abs() > 1e-6 * area(base) {
         return Err(ModelError::Top { level: faces.bounds.1[2], share: area(top) / area(base) });
     }
+    Ok(())
+}
+
+/// Dashpots of the top, and of what stands outside.
+fn absorb_at_the_top(around: Surroundings, out: &mut Supports) {
+    let Surroundings { mesh, faces, .. } = around;
+    let [_, top] = &faces.planes[2];
     let all = [top.clone(), around.outside(2, 1, Stage::Shaking)].concat();
     for (n, matrix) in nodal_matrices(mesh, &all, |face| around.impedance(face)) {
         add(out.dashpots.entry(around.engine(n)).or_default(), &matrix);
@@ -251,7 +259,6 @@ fn absorb_at_the_top(around: Surroundings, out: &mut Supports) -> Result<(), Mod
             add(out.dashpots.entry(around.engine(n)).or_default(), &quarter(&around.bodies[layer.body]));
         }
     }
-    Ok(())
 }
 
 /// Dashpots of a quarter of a reference column's section.

@@ -114,6 +114,7 @@ const BAD: &[Bad] = &[
     bad("[material.concrete]", "[material.void]\nlaw = \"elastic\"\ndensity = 1\nyoung = 1e10\npoisson = 0\n[material.concrete]", "void", "cannot be called `void`", "another name"),
     bad("between = [\"free\", \"A\"]", "between = [\"free\", \"B\"]", "\"B\"", "no monitor `B`", "known monitors: A, free"),
     bad("between = [\"free\", \"A\"]", "between = [\"A\", \"A\"]", "\"A\"]", "against itself", "another monitor"),
+    bad("between = [\"free\", \"A\"]", "between = [\"free\", \"A\"]\n[[relative]]\nbetween = ['free', 'A']", "'A'", "are called `free-A`", "stands there twice"),
     bad("name = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "name = \"A\"\nat = [1, 2, 3]\n[[monitor]]\nname = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "\"A\"", "monitor `A` is named twice", "its own name"),
     bad("name = \"transformer\"", "name = \"powerhouse\"", "\"powerhouse\"", "two caverns are called `powerhouse`", "its own name"),
     bad("between = [\"powerhouse\", \"transformer\"]", "between = [\"powerhouse\", \"hall\"]", "\"hall\"", "there is no cavern `hall`", "two caverns of this block"),

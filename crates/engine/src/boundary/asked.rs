@@ -104,11 +104,15 @@ impl Boundaries {
     /// Refuses what no model can have at once.
     ///
     /// # Errors
-    /// If waves come both in a given free field and beside it.
+    /// If waves come both in a given free field and beside it, or the base does not let those of a given one in.
     pub(crate) fn check(&self) -> Result<(), ModelError> {
         if self.free_field.is_some() && self.incident.is_some() {
             let reason =
                 "a free field is given, and a wave that rises beside it; let the field hold all waves";
+            return Err(ModelError::FreeField(reason.into()));
+        }
+        if self.free_field.is_some() && matches!(self.base, Base::Free | Base::Fixed) {
+            let reason = "a free field is given, and the base is free or fixed; let it absorb, so that the field comes in";
             return Err(ModelError::FreeField(reason.into()));
         }
         Ok(())

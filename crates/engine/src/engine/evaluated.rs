@@ -82,7 +82,9 @@ impl Engine {
     pub fn advance(&mut self, evaluated: Evaluated) -> State {
         let Evaluated { model, phase, mut state, mut forces, .. } = evaluated;
         let Forces { contributions, rates, leads, works } = &mut forces;
-        nodes::advance(&model, &phase, contributions, &rates.products, leads, &mut state);
+        // A given free field is at rest until time 0, its mean velocity until a step before.
+        let time = if self.quiet { -state.dt } else { state.time() };
+        nodes::advance(&model, &phase, time, contributions, &rates.products, leads, &mut state);
         state.ledger.book(&phase.active, works);
         state.step += 1;
         self.forces = forces;

@@ -161,10 +161,11 @@ fn given(model: &Model, phase: &Phase, (time, dt): (f64, f64), leads: &mut [Lead
     }
 }
 
-/// u^n to u^{n+1}, with room for what leaders leave. Blocks book onto the state's ledger.
+/// u^n to u^{n+1}, with room for what leaders leave; `time` is that of a given free field. Blocks book onto the state's ledger.
 pub fn advance(
     model: &Model,
     phase: &Phase,
+    time: f64,
     contributions: &[Row],
     products: &Products,
     leads: &mut [Lead],
@@ -172,7 +173,7 @@ pub fn advance(
 ) {
     let damping = damping(model, state);
     let width = state.ledger.width();
-    let (time, dt) = (state.time(), state.dt);
+    let dt = state.dt;
     let State { u, du, held, ledger, .. } = state;
     let wide = Isa::Avx2.available();
     let pass = Advance { phase, contributions, held, products, damping, wide };

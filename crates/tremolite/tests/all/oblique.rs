@@ -221,6 +221,17 @@ fn a_shear_wave_at_an_angle_comes_back_from_the_surface() {
 }
 
 #[test]
+fn a_field_that_could_not_come_in_is_refused() {
+    for base in [Base::Free, Base::Fixed] {
+        let mut problem = rock(8.0, tremolite::Top::Free);
+        problem.base = base;
+        problem.free_field = Some(Arc::new(Waves::new(&oblique())));
+        let refused = tremolite::Model::new(problem).err().unwrap().to_string();
+        assert!(refused.contains("let it absorb"), "{refused}");
+    }
+}
+
+#[test]
 fn what_a_boundary_asks_for_counts() {
     let whole = Waves::new(&oblique());
     let error = |field: &Waves| run(rock(4.0, tremolite::Top::Viscous), field, 0.15).error;
