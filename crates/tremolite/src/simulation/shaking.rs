@@ -289,12 +289,21 @@ impl Simulation {
     }
 }
 
-/// The element that holds most energy, or the first whose energy is not a number.
+/// The element whose corners move with most energy, or the first of which that is not a number. What elements hold would name those
+/// that bear most of the ground's own stress.
 fn hottest_element(model: &Model, phase: &Phase, snapshot: &Snapshot) -> Said {
     let mut worst = (f64::NEG_INFINITY, 0);
-    for (e, slot) in phase.element_slot.iter().enumerate() {
-        let Some(slot) = slot else { continue };
-        let energy = snapshot.energy[slot.element as usize].held();
+    let standing = (0..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()).map(|(e, _)| e);
+    for e in standing {
+        let corners = model.mesh.elements[e as usize].nodes();
+        let energy: f64 = corners
+            .iter()
+            .map(|&corner| {
+                let node = model.engine_node[corner as usize] as usize;
+                let square: f64 = snapshot.velocity[node].xyz().iter().map(|v| v * v).sum();
+                0.5 * phase.mass[node] * square
+            })
+            .sum();
         if !energy.is_finite() {
             worst = (energy, e);
             break;
@@ -303,5 +312,5 @@ fn hottest_element(model: &Model, phase: &Phase, snapshot: &Snapshot) -> Said {
             worst = (energy, e);
         }
     }
-    places::element_at(model, worst.1 as u32)
+    places::element_at(model, worst.1)
 }
