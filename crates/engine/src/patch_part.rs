@@ -57,18 +57,21 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
             let source = model.engine_node[pair.source as usize];
             sides.insert((source, [place(pair.front), place(pair.back)]));
         }
-        match body.quadrature {
-            Quadrature::OnePoint | Quadrature::Full => {
-                corners.push(corner);
-                geometry.push(hex);
+        // Kernels have the thickness along ζ, and the edges of bricks along x, y and z; nothing else goes by the order of corners.
+        let order = match body.quadrature {
+            Quadrature::Layered(_) => Some(turned(model.elements.thickness[e as usize] as usize)),
+            Quadrature::OnePoint if patch.bricks => hex.upright(),
+            Quadrature::OnePoint | Quadrature::Full => None,
+        };
+        let (corner, hex) = match order {
+            None => (corner, hex),
+            Some(order) => {
+                let hex = Hex8::new(order.map(|k| hex.corners[k])).map_err(unusable)?;
+                (order.map(|k| corner[k]), hex)
             }
-            // Kernels have the thickness along ζ; nothing else goes by the order of corners.
-            Quadrature::Layered(_) => {
-                let order = turned(model.elements.thickness[e as usize] as usize);
-                corners.push(order.map(|k| corner[k]));
-                geometry.push(Hex8::new(order.map(|k| hex.corners[k])).map_err(unusable)?);
-            }
-        }
+        };
+        corners.push(corner);
+        geometry.push(hex);
     }
     // What is made of another element is as viscous and cracks as that does, whatever its own thickness.
     let own = |&e: &u32| hex(&model.mesh, model.elements.parents[e as usize] as usize);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use tremolite_laws::band::Band;
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::parameter::Derived;
-use tremolite_laws::shapes::hex8::{Hex8, Quadrature};
+use tremolite_laws::shapes::hex8::{BrickGeometry, Hex8, OnePointGeometry, Quadrature};
 use tremolite_laws::{BadParameter, Isa, LawInfo, Material, Moduli, Values};
 
 /// A law with its parameters, ready to make patches of elements.
@@ -36,7 +36,8 @@ pub trait AnyMaterial: Send + Sync {
     fn band(&self) -> Option<Band>;
     /// See [`Material::warnings`].
     fn warnings(&self) -> Vec<String>;
-    /// A patch of hexahedra of this material; `corners` index `nodes`, which are the patch's (of layered elements numbered so that
+    /// A patch of hexahedra of this material. One-point elements of which all are bricks with natural axes along x, y and z
+    /// ([`Hex8::upright`]) get kernels for those. `corners` index `nodes`, which are the patch's (of layered elements numbered so that
     /// ζ is their thickness, [`tremolite_laws::shapes::hex8::turned`], as their geometry is), and `viscosity` is that of each
     /// element over its stiffness \[s\], or empty. `sizes` are the size tensors \[m²\] that the law is to see, or empty for the
     /// elements' own.
@@ -51,6 +52,9 @@ pub trait AnyMaterial: Send + Sync {
         isa: Isa,
     ) -> Box<dyn Part>;
 }
+
+/// The order of corners of what need not be turned.
+const STRAIGHT: [usize; 8] = [0, 1, 2, 3, 4, 5, 6, 7];
 
 /// Any law of the laws crate, or of a user's own.
 struct Instance<M> {
@@ -138,7 +142,10 @@ impl<M: Material> AnyMaterial for Instance<M> {
             };
         }
         match quadrature {
-            Quadrature::OnePoint => solid!(OnePoint),
+            Quadrature::OnePoint if geometry.iter().all(|hex| hex.upright() == Some(STRAIGHT)) => {
+                solid!(OnePoint::<BrickGeometry>::new())
+            }
+            Quadrature::OnePoint => solid!(OnePoint::<OnePointGeometry>::new()),
             Quadrature::Full => solid!(Full),
             Quadrature::Layered(layers) => solid!(Layered::new(layers)),
         }

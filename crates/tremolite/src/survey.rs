@@ -10,7 +10,7 @@ use tremolite_engine::model::Model;
 use tremolite_engine::{Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
-use tremolite_laws::shapes::hex8::{FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies};
+use tremolite_laws::shapes::hex8::{BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies};
 use tremolite_results::{Said, said};
 
 /// Bytes an element beside the state and the kernels' geometry: mesh, groups, and fields on their way to a file.
@@ -111,15 +111,16 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     let row = size_of::<Row>();
     // Of all that is ever there, slabs and columns included.
     let geometry: usize = model
-        .bodies
+        .patches
         .iter()
-        .map(|b| {
-            let octet = match b.quadrature {
+        .map(|patch| {
+            let octet = match model.bodies[patch.body].quadrature {
+                Quadrature::OnePoint if patch.bricks => size_of::<BrickGeometry>(),
                 Quadrature::OnePoint => size_of::<OnePointGeometry>(),
                 Quadrature::Full => size_of::<FullGeometry>(),
                 Quadrature::Layered(_) => size_of::<LayeredGeometry>(),
             };
-            b.elements.len() * (octet / 8 + 16)
+            patch.elements.len() * (octet / 8 + 16)
         })
         .sum();
     let ever: usize = model.bodies.iter().map(|b| b.elements.len()).sum();

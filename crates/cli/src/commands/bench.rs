@@ -7,11 +7,22 @@ use std::sync::Arc;
 use tremolite::bench::{BoxBench, run as run_box};
 use tremolite::{Layers, Quadrature, laws};
 use tremolite_laws::Values;
+use tremolite_laws::band::Band;
+
+/// What a law is given of these, by the names of its parameters: strengths of `wang2018`, table 1, of its rock but for f_t and G_f.
+const GROUND: [(&str, f64); 6] = [
+    ("young", 10e9),
+    ("poisson", 0.25),
+    ("cohesion", 2.18e6),
+    ("friction_angle", 0.733_038_285_837_618),
+    ("tensile_strength", 1.2e6),
+    ("fracture_energy", 130.0),
+];
 
 #[derive(clap::Args)]
 pub struct Args {
-    /// What to time
-    #[arg(value_parser = ["box"], default_value = "box")]
+    /// What to time: a box of distorted elements, or of bricks, as most of a generated mesh is
+    #[arg(value_parser = ["box", "bricks"], default_value = "box")]
     problem: String,
     /// Elements; the nearest cube is run
     #[arg(long, default_value_t = 97_336)]
@@ -22,9 +33,18 @@ pub struct Args {
     threads: usize,
     #[arg(long, value_parser = ["one-point", "full", "layered"], default_value = "one-point")]
     kind: String,
-    /// A material law, with E 10 GPa, ν 0.25 and the law's defaults
+    /// A material law, with E 10 GPa, ν 0.25 and strengths of rock or concrete where it has them
     #[arg(long, default_value = "elastic")]
     material: String,
+    /// With damping over a band, 3 % from 0.5 to 20 Hz
+    #[arg(long)]
+    band: bool,
+    /// With a stress that elements begin with, as ground does
+    #[arg(long)]
+    stressed: bool,
+    /// Speed at which the top is struck (m/s); concrete cracks from some 1 m/s on
+    #[arg(long, default_value_t = 0.1)]
+    strike: f64,
     /// Force an instruction set: scalar, avx2 or avx512
     #[arg(long)]
     isa: Option<String>,
@@ -50,16 +70,31 @@ pub fn run(args: &Args) -> Outcome {
         let names: Vec<&str> = all.iter().map(|l| l.info.name).collect();
         Failure::input(format!("there is no material '{}'; known are {}", args.material, names.join(", ")))
     })?;
-    let values = Values::default().with("young", 10e9).with("poisson", 0.25);
-    let material = (law.build)(&values).map_err(|bad| {
+    let parameters = law.info.parameters.iter().map(|parameter| parameter.name);
+    let known = |&(name, _): &(&str, f64)| parameters.clone().any(|parameter| parameter == name);
+    let values = GROUND
+        .into_iter()
+        .filter(known)
+        .fold(Values::default(), |values, (name, value)| values.with(name, value));
+    let built = match args.band {
+        false => (law.build)(&values),
+        true => {
+            let band = Band::fit(0.03, [0.5, 20.0], 0.0).map_err(|bad| Failure::input(bad.to_string()))?;
+            (law.build_banded)(&values, band)
+        }
+    };
+    let material = built.map_err(|bad| {
         let words: Vec<String> = bad.iter().map(ToString::to_string).collect();
-        Failure::input(format!("'{}' needs more than E and ν: {}", args.material, words.join("; ")))
+        Failure::input(format!("'{}' needs more than is known here: {}", args.material, words.join("; ")))
     })?;
     let bench = BoxBench {
         elements: args.elements,
         steps: args.steps,
         threads: args.threads,
         quadrature,
+        distorted: args.problem == "box",
+        stressed: args.stressed,
+        strike: args.strike,
         material: Arc::clone(&material),
         isa,
     };
@@ -75,7 +110,9 @@ pub fn run(args: &Args) -> Outcome {
             "elements": best.elements,
             "steps": best.steps,
             "threads": best.threads,
+            "problem": args.problem,
             "kind": args.kind,
+            "material": args.material,
             "seconds": best.seconds,
             "element_updates_per_second": best.element_updates_per_second,
             "peak_bytes": machine::peak_bytes(),
@@ -89,9 +126,10 @@ pub fn run(args: &Args) -> Outcome {
     let (bandwidth, peak) = (machine::triad_bandwidth(best.threads), threads * machine::peak_flops());
     print(&format!("{}, {}", machine::processor(), isa.name()));
     print(&format!(
-        "{} {} elements, {} nodes, {} steps, {} threads: {:.3} s, {:.2} million element updates a second",
+        "{} {} elements ({}), {} nodes, {} steps, {} threads: {:.3} s, {:.2} million element updates a second",
         best.elements,
         args.kind,
+        args.problem,
         best.nodes,
         best.steps,
         best.threads,

@@ -1,10 +1,11 @@
 //! Patches: the elements of a model, cut into pieces that one thread works on.
 
 use super::Draft;
-use crate::hexahedra::centroid;
+use crate::hexahedra::{centroid, hex};
 use crate::life::Life;
 use crate::node_table::Domain;
 use std::collections::BTreeMap;
+use tremolite_kernels::Quadrature;
 use tremolite_mesh::order::hilbert_order;
 
 /// Elements that one thread works on together.
@@ -19,6 +20,9 @@ pub struct Patch {
     /// Whether its elements take over from others. Each then has nodes of its own among the part's, since displacements count
     /// from other values in each.
     pub takes_over: bool,
+    /// Whether they are one-point elements of the simplest shape, bricks with edges along the axes
+    /// ([`Hex8::upright`](tremolite_laws::shapes::hex8::Hex8::upright)), which have kernels of their own.
+    pub bricks: bool,
     /// Indices into the model's elements, in the order of lanes.
     pub elements: Vec<u32>,
 }
@@ -35,13 +39,15 @@ pub(super) fn cut(draft: &Draft, wanted: Option<usize>, domain: impl Fn(usize) -
     let mut patches = Vec::new();
     let size = patch_size(wanted, bodies.iter().map(|b| b.elements.len()).sum());
     for (b, body) in bodies.iter().enumerate() {
-        let mut lots: BTreeMap<(Life, bool, bool), Vec<u32>> = BTreeMap::new();
+        let mut lots: BTreeMap<(Life, bool, bool, bool), Vec<u32>> = BTreeMap::new();
         for &e in &body.elements {
             let viscous = elements.viscosity[e as usize] > 0.0;
-            let lot = (elements.lives[e as usize], elements.successors.contains_key(&e), viscous);
+            let brick = body.quadrature == Quadrature::OnePoint
+                && hex(mesh, e as usize).is_ok_and(|hex| hex.upright().is_some());
+            let lot = (elements.lives[e as usize], elements.successors.contains_key(&e), viscous, brick);
             lots.entry(lot).or_default().push(e);
         }
-        for ((life, takes_over, viscous), lot) in lots {
+        for ((life, takes_over, viscous, bricks), lot) in lots {
             let centroids: Vec<[f64; 3]> = lot.iter().map(|&e| centroid(mesh, e)).collect();
             let order: Vec<u32> = hilbert_order(&centroids).into_iter().map(|i| lot[i as usize]).collect();
             patches.extend(order.chunks(size).map(|elements| Patch {
@@ -50,6 +56,7 @@ pub(super) fn cut(draft: &Draft, wanted: Option<usize>, domain: impl Fn(usize) -
                 life,
                 viscous,
                 takes_over,
+                bricks,
                 elements: elements.to_vec(),
             }));
         }

@@ -1,8 +1,9 @@
 //! Quadratures of the hexahedron, each with its geometry and kernel.
 
+use std::marker::PhantomData;
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{
-    FullGeometry, Given, Hex8, LayeredGeometry, Layers, MODAL_MEMORY, OnePointGeometry, Probe, Stabilisation,
+    FullGeometry, Given, Hex8, LayeredGeometry, Layers, MODAL_MEMORY, OnePointShape, Probe, Stabilisation,
     Through, full, layered, one_point,
 };
 use tremolite_laws::{Lane, Material, Octet, Point, Row};
@@ -41,8 +42,14 @@ pub trait Rule: Send + Sync + 'static {
     );
 }
 
-/// One point with stabilisation.
-pub struct OnePoint;
+/// One point with stabilisation, in elements of any shape or in bricks.
+pub struct OnePoint<G>(PhantomData<G>);
+
+impl<G> OnePoint<G> {
+    pub const fn new() -> Self {
+        OnePoint(PhantomData)
+    }
+}
 
 /// 2×2×2 points.
 pub struct Full;
@@ -56,14 +63,14 @@ impl Layered {
     }
 }
 
-impl Rule for OnePoint {
-    type Geometry = OnePointGeometry;
-    const EMPTY: Self::Geometry = OnePointGeometry::EMPTY;
+impl<G: OnePointShape> Rule for OnePoint<G> {
+    type Geometry = G;
+    const EMPTY: Self::Geometry = G::EMPTY;
     fn points(&self) -> usize {
         1
     }
-    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
-        geometry.set(lane, hex, elastic);
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, _: &Stabilisation) {
+        geometry.set(lane, hex);
     }
     #[inline(always)]
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
@@ -84,7 +91,7 @@ impl Rule for OnePoint {
     ) {
         // SAFETY: passed on to the caller.
         unsafe {
-            one_point::<L, M, PROBE>(
+            one_point::<L, G, M, PROBE>(
                 law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out,
                 probe,
             )

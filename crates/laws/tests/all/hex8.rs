@@ -2,8 +2,8 @@
 
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::shapes::hex8::{
-    CORNERS, FullGeometry, Given, Hex8, LayeredGeometry, Layers, OnePointGeometry, Points, Probe, Quadrature,
-    Stabilisation, Through, elastic_stress, full, layered, one_point, turned,
+    CORNERS, FullGeometry, Given, Hex8, LayeredGeometry, Layers, OnePointGeometry, OnePointShape, Points,
+    Probe, Quadrature, Stabilisation, Through, elastic_stress, full, layered, one_point, turned,
 };
 use tremolite_laws::{Isa, Moduli, Octet, Point, Row};
 
@@ -32,9 +32,9 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
     match kind {
         Kind::OnePoint => {
             let mut geometry = OnePointGeometry::EMPTY;
-            geometry.set(0, &hex, &stabilisation);
+            geometry.set(0, &hex);
             unsafe {
-                one_point::<f64, _, true>(
+                one_point::<f64, _, _, true>(
                     &law,
                     &stabilisation,
                     &point,
@@ -529,7 +529,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
         let (law, s, point) = (Elastic::from_moduli(moduli), Stabilisation::new(moduli), Point::new(1e-4));
         unsafe {
             match c.kind {
-                Kind::OnePoint => one_point::<L, _, true>(
+                Kind::OnePoint => one_point::<L, _, _, true>(
                     &law,
                     &s,
                     &point,
@@ -590,7 +590,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
         for lane in 0..8 {
             let hex = Hex8::new(distorted([1.0, 2.0, 0.5], 0.3, 8 * trial + lane + 1)).unwrap();
             let s = Stabilisation::new(Moduli::from_young_poisson(25e9, 0.17));
-            one.set(lane as usize, &hex, &s);
+            one.set(lane as usize, &hex);
             full.set(lane as usize, &hex, &s);
             layers.set(lane as usize, &hex, &s, &Through::new(Layers::Nine));
         }

@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod brick;
 mod common;
 mod concrete_energy;
 mod concrete_parameters;

@@ -2,8 +2,8 @@
 
 use crate::common::Random;
 use tremolite_laws::shapes::hex8::{
-    CORNERS, FullGeometry, Given, Hex8, LayeredGeometry, Layers, OnePointGeometry, Probe, Stabilisation,
-    Through, full, layered, one_point,
+    CORNERS, FullGeometry, Given, Hex8, LayeredGeometry, Layers, OnePointGeometry, OnePointShape, Probe,
+    Stabilisation, Through, full, layered, one_point,
 };
 use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Octet, Parameter, Point, Row, Values};
 
@@ -68,8 +68,8 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners_or_what_they
             unsafe {
                 if points == 1 {
                     let mut g = OnePointGeometry::EMPTY;
-                    g.set(0, &hex, &stabilisation);
-                    one_point::<f64, _, true>(
+                    g.set(0, &hex);
+                    one_point::<f64, _, _, true>(
                         &ShowsSize,
                         &stabilisation,
                         &point,

@@ -1,6 +1,9 @@
 //! The stress of a sound element: what its strain would ask of a material without damage or yield.
 
-use super::{FullGeometry, Given, Hex8, OnePointGeometry, Probe, Quadrature, Stabilisation, full, one_point};
+use super::{
+    FullGeometry, Given, Hex8, OnePointGeometry, OnePointShape, Probe, Quadrature, Stabilisation, full,
+    one_point,
+};
 use crate::lane::{Octet, Row};
 use crate::material::{Moduli, Point};
 use crate::materials::Elastic;
@@ -45,8 +48,8 @@ pub fn elastic_stress(
             );
         } else {
             let mut geometry = OnePointGeometry::EMPTY;
-            geometry.set(0, hex, &stabilisation);
-            one_point::<f64, _, true>(
+            geometry.set(0, hex);
+            one_point::<f64, _, _, true>(
                 &law,
                 &stabilisation,
                 &point,

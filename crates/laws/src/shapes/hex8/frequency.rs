@@ -1,6 +1,9 @@
 //! The highest frequency of a single element: what it alone would demand of the time step.
 
-use super::{FullGeometry, Given, Hex8, OnePointGeometry, Probe, Quadrature, Stabilisation, full, one_point};
+use super::{
+    FullGeometry, Given, Hex8, OnePointGeometry, OnePointShape, Probe, Quadrature, Stabilisation, full,
+    one_point,
+};
 use crate::lane::{Octet, Row};
 use crate::material::{Moduli, Point};
 use crate::materials::Elastic;
@@ -24,7 +27,7 @@ fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) ->
     let point = Point::new(0.0);
     let (mut one, mut eight) = (OnePointGeometry::EMPTY, FullGeometry::EMPTY);
     for (lane, hex) in hexes.iter().enumerate() {
-        one.set(lane, hex, &stabilisation);
+        one.set(lane, hex);
         eight.set(lane, hex, &stabilisation);
     }
     // Every lane has eight rows of its own.
@@ -55,7 +58,7 @@ fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) ->
                     &mut probe,
                 );
             } else {
-                one_point::<f64, _, false>(
+                one_point::<f64, _, _, false>(
                     &law,
                     &stabilisation,
                     &point,

@@ -28,6 +28,7 @@
 //! must in an element that passes the patch test (`macneal1987`).
 
 mod bodies;
+mod brick;
 mod elastic;
 mod field;
 mod frequency;
@@ -41,12 +42,13 @@ mod quadrature;
 mod size;
 
 pub use bodies::MODAL_MEMORY;
+pub use brick::BrickGeometry;
 pub use elastic::elastic_stress;
 pub use frequency::element_frequencies;
 pub use full::{FullGeometry, full};
 pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
 pub use layered::{LayeredGeometry, layered};
-pub use one_point::{OnePointGeometry, one_point};
+pub use one_point::{OnePointGeometry, OnePointShape, Resistance, one_point};
 pub use quadrature::{Layers, MOST_POINTS, Points, Quadrature, Through, turned};
 
 use crate::Material;

@@ -6,7 +6,50 @@ use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Point, Sym};
 
-/// Geometry of eight elements; 55 octets, that is 440 bytes an element.
+/// Elastic constants against the hourglass modes, in what the law has left.
+#[derive(Clone, Copy)]
+pub struct Resistance<L> {
+    /// E/(1 − ν²) V/3 \[N m\].
+    pub bend: L,
+    /// E V/9 \[N m\].
+    pub twist: L,
+    /// 1 − ν
+    pub less: L,
+}
+
+/// Geometry of eight elements, whatever of it a shape of elements needs.
+///
+/// The amplitudes of the hourglass modes are those in which the shape is simplest, `[axis][mode]`; the forces against them are
+/// conjugate to these.
+pub trait OnePointShape: Copy + Send + Sync + 'static {
+    /// Without extent: forces from it are zero. Pads the last octet of a patch.
+    const EMPTY: Self;
+
+    /// Puts an element into a lane.
+    fn set(&mut self, lane: usize, hex: &Hex8);
+
+    /// \[m³\]
+    fn volume<L: Lane>(&self, at: usize) -> L;
+
+    /// The size tensor that a law sees, see [`super::size`].
+    fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L>;
+
+    /// Mean strain and hourglass amplitudes.
+    fn strain<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> (Sym<L>, [[L; 4]; 3]);
+
+    /// Forces against the amplitudes.
+    fn resist<L: Lane>(&self, elastic: Resistance<L>, amplitudes: &[[L; 4]; 3], at: usize) -> [[L; 4]; 3];
+
+    /// Modal forces of one component `I`, from stress resultants ∫σ dV and the forces against the amplitudes.
+    fn forces<L: Lane, const I: usize>(
+        &self,
+        resultants: &Sym<L>,
+        against: &[[L; 4]; 3],
+        at: usize,
+    ) -> [L; 8];
+}
+
+/// Geometry of eight elements of any shape; 55 octets, that is 440 bytes an element. Amplitudes are s_kα along the natural axes.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct OnePointGeometry {
@@ -21,9 +64,8 @@ pub struct OnePointGeometry {
     volume: Octet,
 }
 
-impl OnePointGeometry {
-    /// Geometry without extent: forces from it are zero. Pads the last octet of a patch.
-    pub const EMPTY: Self = OnePointGeometry {
+impl OnePointShape for OnePointGeometry {
+    const EMPTY: Self = OnePointGeometry {
         gradient: [[Octet::ZERO; 7]; 3],
         hourglass: [[Octet::ZERO; 3]; 4],
         axes: [[Octet::ZERO; 3]; 3],
@@ -31,8 +73,7 @@ impl OnePointGeometry {
         volume: Octet::ZERO,
     };
 
-    /// Puts an element into a lane.
-    pub fn set(&mut self, lane: usize, hex: &Hex8, _: &Stabilisation) {
+    fn set(&mut self, lane: usize, hex: &Hex8) {
         for j in 0..3 {
             for (k, mode) in MODES.into_iter().enumerate() {
                 self.gradient[j][k].0[lane] = hex.gradient[mode][j];
@@ -53,6 +94,49 @@ impl OnePointGeometry {
         }
         self.volume.0[lane] = hex.volume;
     }
+
+    #[inline(always)]
+    fn volume<L: Lane>(&self, at: usize) -> L {
+        L::load(&self.volume, at)
+    }
+
+    #[inline(always)]
+    fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L> {
+        super::seen_size(given, &self.gradient, &self.hourglass, at)
+    }
+
+    #[inline(always)]
+    fn strain<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> (Sym<L>, [[L; 4]; 3]) {
+        // Spelt out by component: a loop over them would keep the arrays out of registers.
+        let (g0, q0) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[0], at);
+        let (g1, q1) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[1], at);
+        let (g2, q2) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[2], at);
+        let strain = [g0[0], g1[1], g2[2], g0[1] + g1[0], g1[2] + g2[1], g0[2] + g2[0]];
+        let amplitudes = [
+            along_axis::<L>(&self.axes[0], &q0, &q1, &q2, at),
+            along_axis::<L>(&self.axes[1], &q0, &q1, &q2, at),
+            along_axis::<L>(&self.axes[2], &q0, &q1, &q2, at),
+        ];
+        (strain, amplitudes)
+    }
+
+    #[inline(always)]
+    fn resist<L: Lane>(&self, elastic: Resistance<L>, s: &[[L; 4]; 3], at: usize) -> [[L; 4]; 3] {
+        let Resistance { bend, twist, less } = elastic;
+        let mut p = [[L::splat(0.0); 4]; 3];
+        p[0][3] = twist * s[0][3];
+        p[1][3] = twist * s[1][3];
+        p[2][3] = twist * s[2][3];
+        bend_surface::<L, 0, 1, 2>(&self.surfaces[0], bend, less, s, &mut p, at);
+        bend_surface::<L, 1, 2, 0>(&self.surfaces[1], bend, less, s, &mut p, at);
+        bend_surface::<L, 2, 0, 1>(&self.surfaces[2], bend, less, s, &mut p, at);
+        p
+    }
+
+    #[inline(always)]
+    fn forces<L: Lane, const I: usize>(&self, resultants: &Sym<L>, p: &[[L; 4]; 3], at: usize) -> [L; 8] {
+        modal_forces::<L, I>(&self.gradient, &self.hourglass, &self.axes, resultants, p, at)
+    }
 }
 
 /// Internal forces of eight elements, added to `out`; history is updated in place.
@@ -65,11 +149,11 @@ impl OnePointGeometry {
 /// # Safety
 /// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
 #[inline(always)]
-pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
+pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: bool>(
     material: &M,
     elastic: &Stabilisation,
     point: &Point<f64>,
-    geometry: &OnePointGeometry,
+    geometry: &G,
     index: &[[u16; 8]; 8],
     history: &mut [Octet],
     band: Option<&BandStep>,
@@ -86,18 +170,11 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         // SAFETY: passed on to the caller.
         let mut modes = unsafe { gather_modes::<L>(rows, index, at) };
 
-        // Spelt out by component: a loop over them would keep the arrays out of registers.
-        let (g0, q0) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[0], at);
-        let (g1, q1) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[1], at);
-        let (g2, q2) = mean_gradient::<L>(&geometry.gradient, &geometry.hourglass, &modes[2], at);
-        let g = [g0, g1, g2];
-
-        let mut strain: Sym<L> =
-            [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
+        let (mut strain, s) = geometry.strain::<L>(&modes, at);
         super::add_initial(&mut strain, given.strain, at);
         let mut lane_point = Point::new(L::splat(point.dt));
         if M::NEEDS_SIZE {
-            lane_point.size = super::seen_size(&given, &geometry.gradient, &geometry.hourglass, at);
+            lane_point.size = geometry.size(&given, at);
         }
         let old = super::load_history::<L, M>(history, at);
         let (of_law, mut new) = super::answer(material, &lane_point, strain, old, left, at);
@@ -109,30 +186,20 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
             stress = super::plus(stress, band.stress(&strain, before, now, memory, at));
             if PROBE {
                 held = band.held(now, memory, at);
-                (L::load(&geometry.volume, at) * BandStep::dissipated::<L>(memory, at))
+                (geometry.volume::<L>(at) * BandStep::dissipated::<L>(memory, at))
                     .store(&mut probe.of_band, at);
             }
         }
 
-        // Hourglass amplitudes along the natural axes, over half-lengths, and their conjugate forces.
-        let s = [
-            along_axis::<L>(&geometry.axes[0], &q0, &q1, &q2, at),
-            along_axis::<L>(&geometry.axes[1], &q0, &q1, &q2, at),
-            along_axis::<L>(&geometry.axes[2], &q0, &q1, &q2, at),
-        ];
-        let volume = L::load(&geometry.volume, at);
+        let volume = geometry.volume::<L>(at);
         let share = material.hourglass_share(&new);
         let resisting = volume * share;
-        let bend = resisting * L::splat(1.0 / 3.0) * L::splat(elastic.plane_stress);
-        let twist = resisting * L::splat(elastic.young / 9.0);
-        let less = L::splat(1.0 - elastic.poisson);
-        let mut p = [[L::splat(0.0); 4]; 3];
-        p[0][3] = twist * s[0][3];
-        p[1][3] = twist * s[1][3];
-        p[2][3] = twist * s[2][3];
-        bend_surface::<L, 0, 1, 2>(&geometry.surfaces[0], bend, less, &s, &mut p, at);
-        bend_surface::<L, 1, 2, 0>(&geometry.surfaces[1], bend, less, &s, &mut p, at);
-        bend_surface::<L, 2, 0, 1>(&geometry.surfaces[2], bend, less, &s, &mut p, at);
+        let resistance = Resistance {
+            bend: resisting * L::splat(1.0 / 3.0) * L::splat(elastic.plane_stress),
+            twist: resisting * L::splat(elastic.young / 9.0),
+            less: L::splat(1.0 - elastic.poisson),
+        };
+        let p = geometry.resist(resistance, &s, at);
 
         // What the hourglass modes lose of their energy with their stiffness is dissipated.
         let before = material.hourglass_share(&old);
@@ -159,10 +226,9 @@ pub unsafe fn one_point<L: Lane, M: Material, const PROBE: bool>(
         }
 
         let resultants = stress.map(|s| volume * s);
-        let (b, x, axes) = (&geometry.gradient, &geometry.hourglass, &geometry.axes);
-        modes[0] = modal_forces::<L, 0>(b, x, axes, &resultants, &p, at);
-        modes[1] = modal_forces::<L, 1>(b, x, axes, &resultants, &p, at);
-        modes[2] = modal_forces::<L, 2>(b, x, axes, &resultants, &p, at);
+        modes[0] = geometry.forces::<L, 0>(&resultants, &p, at);
+        modes[1] = geometry.forces::<L, 1>(&resultants, &p, at);
+        modes[2] = geometry.forces::<L, 2>(&resultants, &p, at);
         store_nodal(&mut modes, &mut nodal, at);
         at += L::WIDTH;
     }
