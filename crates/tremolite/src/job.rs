@@ -80,7 +80,7 @@ const MOST_STEPS: u64 = 100_000_000_000;
 /// let folder = ResultFolder::create(Some(&parent.path().join("column")), "column", false)?;
 /// let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
 /// let (_, summary) = job.run(&folder, Start::Rest, &Caller::new("example"), &mut control)?;
-/// assert_eq!(summary.status, Status::Done);
+/// assert_eq!(summary.conclusion.status, Status::Done);
 /// assert!(summary.monitors.peaks["top"]["ux"].max > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
