@@ -143,9 +143,9 @@ impl<M: Material> AnyMaterial for Instance<M> {
         }
         match quadrature {
             Quadrature::OnePoint if geometry.iter().all(|hex| hex.upright() == Some(STRAIGHT)) => {
-                solid!(OnePoint::<BrickGeometry>::new())
+                solid!(OnePoint::<BrickGeometry>::default())
             }
-            Quadrature::OnePoint => solid!(OnePoint::<OnePointGeometry>::new()),
+            Quadrature::OnePoint => solid!(OnePoint::<OnePointGeometry>::default()),
             Quadrature::Full => solid!(Full),
             Quadrature::Layered(layers) => solid!(Layered::new(layers)),
         }

@@ -10,7 +10,9 @@ use tremolite_engine::model::Model;
 use tremolite_engine::{Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
-use tremolite_laws::shapes::hex8::{BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies};
+use tremolite_laws::shapes::hex8::{
+    BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies,
+};
 use tremolite_results::{Said, said};
 
 /// Bytes an element beside the state and the kernels' geometry: mesh, groups, and fields on their way to a file.

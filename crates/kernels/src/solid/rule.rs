@@ -45,8 +45,8 @@ pub trait Rule: Send + Sync + 'static {
 /// One point with stabilisation, in elements of any shape or in bricks.
 pub struct OnePoint<G>(PhantomData<G>);
 
-impl<G> OnePoint<G> {
-    pub const fn new() -> Self {
+impl<G> Default for OnePoint<G> {
+    fn default() -> Self {
         OnePoint(PhantomData)
     }
 }
