@@ -31,7 +31,7 @@ pub trait OnePointShape: Copy + Send + Sync + 'static {
     /// \[m³\]
     fn volume<L: Lane>(&self, at: usize) -> L;
 
-    /// The size tensor that a law sees, see [`super::size`].
+    /// The size tensor that a law sees ([`Point::size`]).
     fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L>;
 
     /// Mean strain and hourglass amplitudes.
