@@ -5,6 +5,7 @@
 //! γ_yz = r_z q_y2 + r_y q_z3, so not even ratios of lengths are needed. Forces are those of the general element but
 //! for round-off.
 
+use super::modal::VOIGT;
 use super::one_point::{OnePointShape, Resistance};
 use super::{BINARY, Given, HOURGLASS, Hex8, LINEAR};
 use crate::lane::{Lane, Octet};
@@ -67,22 +68,17 @@ impl OnePointShape for BrickGeometry {
     /// Of a brick 4 ℓ_k² on the diagonal.
     #[inline(always)]
     fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L> {
+        if given.size.len() >= 6 {
+            return super::load_tensor(given.size, at);
+        }
         let zero = L::splat(0.0);
         let mut size = [zero; 6];
-        if given.size.len() < 6 {
-            let mut k = 0;
-            while k < 3 {
-                let r = L::load(&self.inverse[k], at);
-                let square = L::splat(1.0 / 16.0) / (r * r);
-                size[k] = L::select(zero.less(r), square, zero);
-                k += 1;
-            }
-            return size;
-        }
-        let mut c = 0;
-        while c < 6 {
-            size[c] = L::load(&given.size[c], at);
-            c += 1;
+        let mut k = 0;
+        while k < 3 {
+            let r = L::load(&self.inverse[k], at);
+            let square = L::splat(1.0 / 16.0) / (r * r);
+            size[k] = L::select(zero.less(r), square, zero);
+            k += 1;
         }
         size
     }
@@ -130,7 +126,6 @@ impl OnePointShape for BrickGeometry {
         against: &[[L; 4]; 3],
         at: usize,
     ) -> [L; 8] {
-        const VOIGT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
         let r = self.lengths::<L>(at);
         let mut f = [L::splat(0.0); 8];
         let mut j = 0;

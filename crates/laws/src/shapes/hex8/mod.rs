@@ -316,17 +316,22 @@ fn seen_size<L: Lane>(
     hourglass: &[[Octet; 3]; 4],
     at: usize,
 ) -> Sym<L> {
-    let size = given.size;
-    if size.len() < 6 {
+    if given.size.len() < 6 {
         return size::size_tensor(gradient, hourglass, at);
     }
+    load_tensor(given.size, at)
+}
+
+/// A symmetric tensor from its octets.
+#[inline(always)]
+fn load_tensor<L: Lane>(octets: &[Octet], at: usize) -> Sym<L> {
     [
-        L::load(&size[0], at),
-        L::load(&size[1], at),
-        L::load(&size[2], at),
-        L::load(&size[3], at),
-        L::load(&size[4], at),
-        L::load(&size[5], at),
+        L::load(&octets[0], at),
+        L::load(&octets[1], at),
+        L::load(&octets[2], at),
+        L::load(&octets[3], at),
+        L::load(&octets[4], at),
+        L::load(&octets[5], at),
     ]
 }
 

@@ -8,7 +8,7 @@ use crate::material::Sym;
 pub const MODES: [usize; 7] = [1, 2, 4, HOURGLASS[0], HOURGLASS[1], HOURGLASS[2], HOURGLASS[3]];
 
 /// Column of component (i, j) in a symmetric tensor.
-const VOIGT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+pub const VOIGT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 
 /// Mean gradient g_ij over j, and U_αi − Σ_j X_αj g_ij over α, of one component's modal displacements.
 #[inline(always)]
