@@ -39,6 +39,12 @@ pub(crate) static DYNAMIC: Table = Table {
             "0.9",
             "Time step over the largest stable one",
         ),
+        Key::default(
+            "levels",
+            Kind::Count(4),
+            "1",
+            "Levels of steps at most: parts of the model that allow it make steps 2, 4 or 8 times as long; 1 for one step of all",
+        ),
     ],
     choice: &[],
 };
@@ -194,6 +200,8 @@ pub struct Dynamic {
     pub time_step: Option<Spanned<f64>>,
     /// Time step over the largest stable one, in (0, 1].
     pub safety: Spanned<f64>,
+    /// Levels of steps at most, from 1 to 4.
+    pub levels: Spanned<u32>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -270,6 +278,7 @@ impl Dynamic {
             band,
             time_step,
             safety: f.number("safety")?,
+            levels: f.count("levels")?,
             base: base?,
             sides: [sides.0?, sides.1?],
             top: top?,

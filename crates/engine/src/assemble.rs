@@ -40,9 +40,21 @@ impl Assembly {
     /// If no face lies on the plane of a base that should do something, a part of the program's own does not fit, an interface's
     /// law refuses what was chosen for it, or a pair's nodes move as one.
     pub fn new(model: &Model) -> Result<Arc<Self>, ModelError> {
+        Assembly::with(model, None)
+    }
+
+    /// The parts of the same model cut and numbered otherwise, with the stiffness of interfaces that was chosen for this.
+    ///
+    /// # Errors
+    /// As [`Assembly::new`].
+    pub fn again(&self, model: &Model) -> Result<Arc<Self>, ModelError> {
+        Assembly::with(model, Some(&self.values))
+    }
+
+    fn with(model: &Model, values: Option<&[Values]>) -> Result<Arc<Self>, ModelError> {
         let mut assembly = Assembly::without_interfaces(model)?;
         if !model.seams.is_empty() {
-            add(model, &mut assembly)?;
+            add(model, values, &mut assembly)?;
             assembly.settle(model);
         }
         if !model.bolts.is_empty() {
@@ -84,7 +96,7 @@ fn bolt(model: &Model, assembly: &mut Assembly) {
 }
 
 /// Builds the parts of all interfaces into an assembly of everything else.
-fn add(model: &Model, assembly: &mut Assembly) -> Result<(), ModelError> {
+fn add(model: &Model, values: Option<&[Values]>, assembly: &mut Assembly) -> Result<(), ModelError> {
     let phases = Phases::of(model, assembly)?;
     for seam in &model.seams {
         let tied = |&k: &usize| {
@@ -98,7 +110,11 @@ fn add(model: &Model, assembly: &mut Assembly) -> Result<(), ModelError> {
         }
     }
     let masses = PairMasses::of(model, &phases);
-    let values = chosen(model, assembly, &phases.0[&Stage::Shaking], &masses);
+    assembly.values = match values {
+        Some(values) => values.to_vec(),
+        None => chosen(model, assembly, &phases.0[&Stage::Shaking], &masses),
+    };
+    let values = assembly.values.clone();
     let mut laws: Vec<Arc<dyn AnyInterface>> = Vec::new();
     for (seam, values) in model.seams.iter().zip(&values) {
         if let Some(of) = seam.of {
@@ -134,9 +150,13 @@ fn add(model: &Model, assembly: &mut Assembly) -> Result<(), ModelError> {
         let mut places = vec![(0, 0); seam.pairs.len()];
         let centres: Vec<[f64; 3]> = (0..seam.pairs.len()).map(|k| seam.place(&model.mesh, k)).collect();
         let order = hilbert_order(&centres);
-        let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
-        order.into_iter().for_each(|pair| of_life.entry(seam.lives[pair as usize]).or_default().push(pair));
-        let chunks = of_life.iter().flat_map(|(life, own)| own.chunks(CHUNK).map(move |c| (*life, c)));
+        let mut of_life: BTreeMap<(Life, u8), Vec<u32>> = BTreeMap::new();
+        for pair in order {
+            let nodes = seam.pairs[pair as usize].nodes.map(|n| model.engine_node[n as usize]);
+            let level = nodes.map(|n| model.nodes.level[n as usize]).into_iter().min().unwrap_or(0);
+            of_life.entry((seam.lives[pair as usize], level)).or_default().push(pair);
+        }
+        let chunks = of_life.iter().flat_map(|((life, _), own)| own.chunks(CHUNK).map(move |c| (*life, c)));
         for (count, (life, chunk)) in (0u32..).zip(chunks) {
             for (place, &pair) in chunk.iter().enumerate() {
                 places[pair as usize] = (count, place as u32);
@@ -247,7 +267,7 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses
     let Some(limit) = limits.reduce(f64::min) else {
         return model.seams.iter().map(|seam| fill(seam, 1.0)).collect();
     };
-    let TimeStep { given: step, safety } = model.scheme.time_step;
+    let TimeStep { given: step, safety, .. } = model.scheme.time_step;
     let dt = step.unwrap_or_else(|| safety * stable_step(model, assembly, phase).dt);
     // The least of their limits, since they may meet at a node.
     let most = (limit / dt).powi(2);

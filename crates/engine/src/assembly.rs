@@ -19,12 +19,19 @@ use rayon::prelude::*;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use tremolite_kernels::Line;
-use tremolite_laws::{Octet, Row};
+use tremolite_laws::{Octet, Row, Values};
 use tremolite_mesh::Face;
 use tremolite_mesh::topology::vector_areas;
 
 /// Nodes of a member at most, of what spans the model: weight, tractions, loads, the base.
 pub(crate) const PIECE: usize = 256;
+
+/// Things at nodes in pieces of a size at most, those of one level together.
+pub(crate) fn pieces<T: Clone>(all: Vec<T>, size: usize, level: impl Fn(&T) -> u8) -> Vec<Vec<T>> {
+    let mut of_level: BTreeMap<u8, Vec<T>> = BTreeMap::new();
+    all.into_iter().for_each(|one| of_level.entry(level(&one)).or_default().push(one));
+    of_level.values().flat_map(|own| own.chunks(size)).map(<[T]>::to_vec).collect()
+}
 
 /// Where a part's slices begin and end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -50,7 +57,7 @@ impl Slices {
             reference: &mut reference[self.reference.clone()],
             initial: &initial[self.initial.clone()],
         };
-        (Motion { u, du }, own)
+        (Motion::new(u, du), own)
     }
 
     /// What a part alone keeps of what all remember.
@@ -77,6 +84,8 @@ pub struct Assembly {
     pub of_patch: Vec<u32>,
     /// Of the model's interfaces, in their order.
     pub contacts: Vec<Contacts>,
+    /// Parameters of the laws of these, with the stiffness that was chosen.
+    pub(crate) values: Vec<Values>,
     /// Of the model's bolts, in their order.
     pub bolts: Vec<Bolting>,
     /// Bodies that the balance is also drawn up for, by name: those of the user, then parts of the program's own that have
@@ -116,9 +125,9 @@ impl Assembly {
             boundary::members(model.surroundings(&model.faces))?;
         members.extend(of_boundaries);
         for (k, load) in model.loading.loads.iter().enumerate() {
-            members.extend(load.forces.chunks(PIECE).map(|forces| {
-                let part =
-                    Box::new(Loads::new(Load { forces: forces.to_vec(), factor: load.factor.clone() }));
+            let pieces = pieces(load.forces.clone(), PIECE, |(node, _)| model.nodes.level[*node as usize]);
+            members.extend(pieces.into_iter().map(|forces| {
+                let part = Box::new(Loads::new(Load { forces, factor: load.factor.clone() }));
                 let line = Some(Line::Input);
                 Member { line, ..Member::of(Kind::Load, format!("load {}", k + 1), part) }
             }));
@@ -142,6 +151,10 @@ impl Assembly {
     /// Lays out the slices and accounts of the members.
     pub(crate) fn settle(&mut self, model: &Model) {
         let Assembly { members, .. } = self;
+        for member in members.iter_mut() {
+            let level = member.part.nodes().iter().map(|&n| model.nodes.level[n as usize]).min();
+            member.level = level.unwrap_or(0);
+        }
         self.slices = slices(members);
         self.of_patch = vec![0; model.patches.len()];
         for (m, member) in (0u32..).zip(members.iter()) {
@@ -169,10 +182,12 @@ impl Assembly {
     pub fn lines(&self) -> impl Iterator<Item = Line> + use<> {
         let (interfaces, bolts) = (!self.contacts.is_empty(), !self.bolts.is_empty());
         let free_field = self.free_field;
+        let levels = self.members.iter().any(|member| member.level > 0);
         Line::ALL.iter().copied().filter(move |&line| {
             (interfaces || !line.of_interfaces())
                 && (bolts || !line.of_bolts())
                 && (free_field || line != Line::FreeField)
+                && (levels || line != Line::Levels)
         })
     }
 

@@ -90,10 +90,18 @@ pub fn members(model: &Model, set: &BoltSet, number: u32) -> (Vec<Member>, Bolti
     let mut bolting = Bolting { places: vec![(0, 0); set.bolts.len()], ..Bolting::default() };
     bolting.shapes = set.bolts.iter().map(|bolt| shape(set, bolt)).collect();
     let mut members = Vec::new();
-    let mut order = hilbert_order(&heads).into_iter().peekable();
-    while order.peek().is_some() {
+    let level = |bolt: u32| {
+        let points = set.bolts[bolt as usize].points.iter().flat_map(|point| &point.weights);
+        let levels = points.map(|&(n, _)| model.nodes.level[model.engine_node[n as usize] as usize]);
+        levels.min().unwrap_or(0)
+    };
+    let mut order = hilbert_order(&heads);
+    order.sort_by_key(|&bolt| level(bolt));
+    let mut order = order.into_iter().peekable();
+    while let Some(&first) = order.peek() {
         let mut maker = Maker::new(kind.clone());
-        while let Some(bolt) = order.next_if(|_| maker.bars.hosts.len() < CHUNK) {
+        let fits = |bolt: u32, maker: &Maker| maker.bars.hosts.len() < CHUNK && level(bolt) == level(first);
+        while let Some(bolt) = order.next_if(|&bolt| fits(bolt, &maker)) {
             bolting.places[bolt as usize] = (members.len() as u32, maker.bars.numbers);
             maker.add(model, &set.bolts[bolt as usize]);
         }

@@ -36,6 +36,8 @@ pub struct Surroundings<'a> {
     pub bodies: &'a [Body],
     pub elements: &'a Elements,
     pub engine_node: &'a [u32],
+    /// The level of each engine node.
+    pub level: &'a [u8],
     /// Of a stage.
     pub faces: &'a OuterFaces,
     /// Node of the mesh → one for all that interfaces part at its place.

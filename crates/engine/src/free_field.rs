@@ -73,6 +73,15 @@ pub struct Place {
     pub bottoms: Vec<(u32, f64)>,
 }
 
+impl Leader {
+    /// The engine node that it is or whose place it has.
+    pub fn node(self) -> u32 {
+        match self {
+            Leader::Given(node) | Leader::Node(node) => node,
+        }
+    }
+}
+
 impl FreeField {
     /// That of a model.
     pub fn of(given: Option<&Arc<dyn GivenField>>, incident: Option<&Incident>) -> Self {

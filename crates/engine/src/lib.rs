@@ -19,6 +19,8 @@ pub mod extent;
 pub mod free_field;
 pub mod hexahedra;
 pub mod interface;
+mod level_finding;
+mod levels;
 pub mod life;
 pub mod member;
 pub mod model;
@@ -49,13 +51,15 @@ pub use engine::{ContactLimit, Engine, Halt, Limit, Snapshot, StableStep, stable
 pub use error::ModelError;
 pub use free_field::Incident;
 pub use interface::{Interface, Seam};
+pub use level_finding::{find_levels, settle_levels};
+pub use levels::Levels;
 pub use life::{Life, Stage};
 pub use member::{Kind, Member};
 pub use model::Model;
 pub use node_table::{Domain, Nodes};
 pub use phase::Phase;
 pub use prescribed::Prescribed;
-pub use problem::{Problem, Rayleigh, TimeStep};
+pub use problem::{MOST_LEVELS, Problem, Rayleigh, TimeStep};
 pub use state::State;
 pub use traction::Traction;
 pub use tremolite_kernels::{

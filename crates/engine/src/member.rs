@@ -42,7 +42,7 @@ pub struct Member {
     pub part: Box<dyn Part>,
     /// The body of its elements, a number in [`Model::bodies`](crate::Model::bodies).
     pub body: Option<u32>,
-    /// The level of its step: 0, the finest there is, for all so far.
+    /// The level of its step in the shaking, the finest of the nodes that it pushes.
     pub level: u8,
     /// Who evaluates it: 0, this process, for all so far.
     pub owner: u32,

@@ -15,6 +15,7 @@ use crate::bolts::BoltSet;
 use crate::boundary::{Boundaries, Surroundings};
 use crate::error::ModelError;
 use crate::interface::Seam;
+use crate::levels::Levels;
 use crate::life::Stage;
 use crate::node_table::{Domain, Nodes};
 use crate::outer_faces::OuterFaces;
@@ -30,6 +31,7 @@ use tremolite_laws::Isa;
 use tremolite_mesh::Mesh;
 
 /// A checked problem, numbered for the engine.
+#[derive(Clone)]
 pub struct Model {
     /// The mesh, with the nodes and elements of slabs and columns behind its own.
     pub mesh: Mesh,
@@ -54,6 +56,8 @@ pub struct Model {
     pub parted: Parted,
     /// Bolts, cut where they leave an element.
     pub bolts: Vec<BoltSet>,
+    /// How many of its bodies are the user's, and how many those with what stands outside sides in slabs.
+    pub domains: [usize; 2],
     /// What its boundaries are asked to do.
     pub boundaries: Boundaries,
     /// Ground outside its sides.
@@ -103,6 +107,30 @@ pub struct Scheme {
     pub time_step: TimeStep,
     /// Instructions that kernels are compiled for.
     pub isa: Isa,
+    /// Elements a patch, if that is wished.
+    pub patch_elements: Option<usize>,
+}
+
+/// Patches, and the nodes in the order in which these touch them.
+struct Cut {
+    patches: Vec<Patch>,
+    numbering: Numbering,
+}
+
+/// Cuts a model into patches; its bodies are the user's and those of slabs up to these numbers.
+fn cut(
+    whole: (&Mesh, &[Body], &Elements),
+    levels: &Levels,
+    [users, slabs]: [usize; 2],
+    wanted: Option<usize>,
+) -> Cut {
+    let patches = patches::cut(whole, levels, wanted, |body| match body {
+        body if body < users => Domain::Model,
+        body if body < slabs => Domain::Slab,
+        _ => Domain::Column,
+    });
+    let numbering = Numbering::of(whole.0, &patches, levels);
+    Cut { patches, numbering }
 }
 
 impl Model {
@@ -140,15 +168,12 @@ impl Model {
         let bolts = draft.cut(problem.bolts);
         let (outside, slab_bodies) = draft.add_outside(&boundaries, faces.bounds, sides_of, grounds)?;
         draft.finish(user.elements, &boundaries)?;
-        let patches = patches::cut(&draft, problem.patch_elements, |body| match body {
-            body if body < user.bodies => Domain::Model,
-            body if body < slab_bodies => Domain::Slab,
-            _ => Domain::Column,
-        });
-        let numbering = Numbering::of(&draft.mesh, &patches);
+        let Draft { mesh, bodies, elements, tractions, seams, parted, .. } = draft;
+        let domains = [user.bodies, slab_bodies];
+        let whole = (&mesh, &bodies[..], &elements);
+        let Cut { patches, numbering } = cut(whole, &Levels::one(), domains, problem.patch_elements);
         let loads = numbering.of_loads(problem.loads);
         let Numbering { mesh_node, engine_node, nodes } = numbering;
-        let Draft { mesh, bodies, elements, tractions, seams, parted, .. } = draft;
         Ok(Arc::new(Model {
             mesh,
             user,
@@ -165,8 +190,29 @@ impl Model {
             boundaries,
             outside,
             loading: Loading { gravity: problem.gravity, tractions, loads, parts: problem.parts },
-            scheme: Scheme { rayleigh: problem.rayleigh, time_step: problem.time_step, isa: problem.isa },
+            domains,
+            scheme: Scheme {
+                rayleigh: problem.rayleigh,
+                time_step: problem.time_step,
+                isa: problem.isa,
+                patch_elements: problem.patch_elements,
+            },
         }))
+    }
+
+    /// The same model with these levels of steps: cut into patches and numbered by them.
+    #[must_use]
+    pub fn at_levels(&self, levels: &Levels) -> Arc<Self> {
+        let whole = (&self.mesh, &self.bodies[..], &self.elements);
+        let Cut { patches, numbering } = cut(whole, levels, self.domains, self.scheme.patch_elements);
+        let mut loads = self.loading.loads.clone();
+        for (node, _) in loads.iter_mut().flat_map(|load| &mut load.forces) {
+            *node = self.mesh_node[*node as usize];
+        }
+        let loads = numbering.of_loads(loads);
+        let Numbering { mesh_node, engine_node, nodes } = numbering;
+        let loading = Loading { loads, ..self.loading.clone() };
+        Arc::new(Model { patches, mesh_node, engine_node, nodes, loading, ..self.clone() })
     }
 
     /// Whether an element is there in a stage.
@@ -187,6 +233,7 @@ impl Model {
             bodies: &self.bodies,
             elements: &self.elements,
             engine_node: &self.engine_node,
+            level: &self.nodes.level,
             faces,
             places: &self.parted.places,
             asked: &self.boundaries,

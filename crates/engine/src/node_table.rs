@@ -13,11 +13,13 @@ pub enum Domain {
     Column,
 }
 
-/// Nodes that are worked on and added up together: of those that a patch touches first, the ones that no other patch touches, or the
-/// others. A model has the same blocks in all phases, so that sums over its nodes are the same bits wherever they are made.
+/// Nodes that are worked on and added up together: of those of one level that a patch touches first, the ones that no other patch
+/// touches, or the others. A model has the same blocks in all phases, so that sums over its nodes are the same bits wherever they are made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Block {
     pub domain: Domain,
+    /// The level of its nodes ([`Nodes::level`]).
+    pub level: u8,
     pub nodes: Range<usize>,
 }
 
@@ -28,23 +30,28 @@ pub struct Nodes {
     pub blocks: Vec<Block>,
     /// What each belongs to.
     pub domain: Vec<Domain>,
-    /// The level of its step: 0, the finest there is, for all so far.
+    /// The level of its step in the shaking: that of level l is 2^l steps of the finest, 0.
     pub level: Vec<u8>,
     /// Who advances it: 0, this process, for all so far.
     pub owner: Vec<u32>,
 }
 
 impl Nodes {
-    /// One more block, on the finest level and this process's own.
-    pub(crate) fn push(&mut self, domain: Domain, count: usize) {
+    /// One more block, this process's own.
+    pub(crate) fn push(&mut self, domain: Domain, level: u8, count: usize) {
         if count == 0 {
             return;
         }
         let nodes = self.len()..self.len() + count;
         self.domain.resize(nodes.end, domain);
-        self.level.resize(nodes.end, 0);
+        self.level.resize(nodes.end, level);
         self.owner.resize(nodes.end, 0);
-        self.blocks.push(Block { domain, nodes });
+        self.blocks.push(Block { domain, level, nodes });
+    }
+
+    /// The coarsest level of all.
+    pub fn coarsest(&self) -> u8 {
+        self.level.iter().copied().max().unwrap_or(0)
     }
 
     /// Number of all.

@@ -1,6 +1,7 @@
 //! What is active in a stage: which parts, what moves as one, what is held, what absorbs. Scratch, made from the model and
 //! its assembly.
 
+pub mod beats;
 mod driven;
 pub mod passes;
 mod woken;
@@ -21,8 +22,8 @@ use crate::parts::Tick;
 use crate::rims::Joint;
 use crate::state::State;
 use crate::ties::Ties;
+use beats::{Beat, Border, Meeting, span};
 pub use driven::Driven;
-use passes::Pass;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 use tremolite_kernels::Points;
@@ -92,6 +93,10 @@ pub struct Phase {
     pub active: Vec<u32>,
     /// Elements whose energy counts.
     pub counted_elements: usize,
+    /// How many of these have each level's step, the finest first.
+    pub elements_of_level: Vec<usize>,
+    /// How many of them are evaluated in a step of the finest level, in the mean.
+    pub evaluated_elements: f64,
     /// Whether the counted parts keep books of all that they take and give out.
     pub keeps_books: bool,
     /// Engine node → the engine node it moves with (itself if it is its own master).
@@ -117,8 +122,11 @@ pub struct Phase {
     pub dashpots: Vec<(u32, Dashpot)>,
     /// What nodes follow by dashpots: the places of a given free field, then engine nodes in the order in which they are advanced.
     pub leaders: Vec<Leader>,
-    /// All nodes in the order in which the scheme advances them, leaders first.
-    pub passes: Vec<Pass>,
+    /// What takes part in a step, by the coarsest level that has an own step there. The last has everything; before the shaking
+    /// it is the only one.
+    pub beats: Vec<Beat>,
+    /// Nodes with longer steps than what pushes or reads them, ascending.
+    pub borders: Vec<Border>,
     /// Element of the mesh → its slot; for active elements of the user.
     pub element_slot: Vec<Option<ElementSlot>>,
 }
@@ -264,7 +272,32 @@ impl Phase {
                 }
             })
             .unzip();
+        let meeting = Meeting {
+            model,
+            assembly,
+            active: &active,
+            master: &master,
+            start: &start,
+            slot: &slot,
+            slot_account: &slot_account,
+            tied: &tied,
+            leaders: &leaders,
+            passes,
+        };
+        let (beats, borders) = match drive {
+            Drive::Dynamic => {
+                let borders = meeting.borders();
+                (meeting.beats(&borders), borders)
+            }
+            Drive::Quasistatic => (vec![meeting.one()], Vec::new()),
+        };
         let counted = || active.iter().map(there).filter(|member| member.counted);
+        let mut elements_of_level = vec![0; beats.len()];
+        for member in counted() {
+            let level = if beats.len() > 1 { usize::from(member.level) } else { 0 };
+            elements_of_level[level] += member.part.elements().0;
+        }
+        let evaluated = (0u8..).zip(&elements_of_level).map(|(l, &count)| count as f64 / span(l) as f64);
         let (joined, woken) = woken::woken(model, assembly, stage);
         Ok(Arc::new(Phase {
             stage,
@@ -272,6 +305,8 @@ impl Phase {
             woken,
             joined,
             counted_elements: counted().map(|member| member.part.elements().0).sum(),
+            evaluated_elements: evaluated.sum(),
+            elements_of_level,
             keeps_books: counted().all(|member| member.part.keeps_books()),
             element_slot: element_slots(model, assembly, &active),
             active,
@@ -287,8 +322,35 @@ impl Phase {
             tied,
             dashpots: dashpots.into_iter().collect(),
             leaders,
-            passes,
+            beats,
+            borders,
         }))
+    }
+
+    /// What takes part in the step that begins at a state.
+    pub fn beat(&self, state: &State) -> &Beat {
+        let coarsest = state.steps().trailing_zeros() as usize;
+        &self.beats[coarsest.min(self.beats.len() - 1)]
+    }
+
+    /// Steps of the finest level in one of the coarsest.
+    pub fn span(&self) -> u64 {
+        span(self.beats.len() as u8 - 1)
+    }
+
+    /// Whether a state is one at which all levels have their own times: nothing outside sees another.
+    pub fn is_common(&self, state: &State) -> bool {
+        state.steps().is_multiple_of(self.span())
+    }
+
+    /// Steps of the finest level in one of a member's own.
+    pub fn span_of(&self, member: &Member) -> u64 {
+        if self.beats.len() > 1 { span(member.level) } else { 1 }
+    }
+
+    /// The same in one of a node's own.
+    pub fn span_of_node(&self, model: &Model, node: u32) -> u64 {
+        if self.beats.len() > 1 { span(model.nodes.level[node as usize]) } else { 1 }
     }
 
     /// What laws and loads know of the time at a state.

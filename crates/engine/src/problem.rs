@@ -31,11 +31,16 @@ pub struct TimeStep {
     pub safety: f64,
     /// A step to use instead \[s\]; the guard still watches.
     pub given: Option<f64>,
+    /// Levels of steps at most: 1 for one step of all nodes, [`MOST_LEVELS`] for steps of up to eight times the finest.
+    pub levels: u8,
 }
+
+/// Levels of steps that a model can have.
+pub const MOST_LEVELS: u8 = 4;
 
 impl Default for TimeStep {
     fn default() -> Self {
-        TimeStep { safety: 0.9, given: None }
+        TimeStep { safety: 0.9, given: None, levels: 1 }
     }
 }
 

@@ -25,8 +25,8 @@ pub struct Ledger {
 }
 
 /// What a block of nodes books before the work on the elements of each account: work against Rayleigh's damping, the dashpots of
-/// the base and of the sides, and the work of the dashpots of free-field sides.
-pub const OF_NODES: usize = 4;
+/// the base and of the sides, the work of the dashpots of free-field sides, and what is taken where levels of steps meet.
+pub const OF_NODES: usize = 5;
 
 impl Ledger {
     /// Empty books for so many accounts, members and blocks.

@@ -27,6 +27,11 @@ impl Ties {
         self.parent[a.max(b) as usize] = a.min(b);
     }
 
+    /// Of every node, the smallest of its set.
+    pub fn roots(mut self) -> Vec<u32> {
+        (0..self.parent.len() as u32).map(|node| self.root(node)).collect()
+    }
+
     /// Master of every engine node: the first engine node of its set.
     pub fn masters(mut self, mesh_node: &[u32], engine_node: &[u32]) -> Vec<u32> {
         let mut first = vec![u32::MAX; engine_node.len()];

@@ -131,7 +131,7 @@ impl<I: Interface> Part for Contact<I> {
         rows.clear();
         rows.extend(self.nodes.iter().map(|&n| x.u[n as usize]));
         others.clear();
-        others.extend(self.nodes.iter().map(|&n| x.du[n as usize]));
+        others.extend(self.nodes.iter().map(|&n| x.increment(n)));
         out.fill(Row::ZERO);
         let mut lines = Lines::default();
         lines[Line::ContactDamping] = pass::dispatch(

@@ -13,7 +13,7 @@ pub enum Booked {
     Spent,
     /// Parts, step by step: work of their forces on the nodes, positive where energy flows from the nodes into the part.
     Work,
-    /// The node pass, step by step: work against forces that go by velocity.
+    /// The node pass, step by step: work against forces that go by velocity, and where levels of steps meet.
     Damping,
     /// The start of the run.
     Start,
@@ -98,6 +98,8 @@ lines! {
     BaseDashpots = "base_dashpots", 1.0, Damping;
     /// Taken by the dashpots of the sides.
     SideDashpots = "side_dashpots", 1.0, Damping;
+    /// Taken where parts push nodes with longer steps than their own: what these are pushed with between their own times.
+    Levels = "levels", 1.0, Damping;
     /// Work into springs of the boundary, and what they held at the start.
     Springs = "base_springs", 1.0, Work;
     /// Work through free-field sides on the model: of what the slabs pass on beyond what they did at the start, and of the

@@ -10,7 +10,7 @@ use tremolite_laws::{Column, Octet, Row};
 pub struct Tick {
     /// Time of the displacements \[s\].
     pub time: f64,
-    /// Step \[s\]; 0 while time stands still: no rates, no Maxwell bodies.
+    /// The part's own step \[s\]; 0 while time stands still: no rates, no Maxwell bodies.
     pub dt: f64,
 }
 
@@ -19,8 +19,23 @@ pub struct Tick {
 pub struct Motion<'a> {
     /// Displacement u^n \[m\].
     pub u: &'a [Row],
-    /// Increment u^n − u^(n−1) \[m\].
+    /// Increment u^n − u^(n−1) over a step of the finest level \[m\].
     pub du: &'a [Row],
+    /// Steps of the finest level in one of the part's own, a power of two.
+    pub span: f64,
+}
+
+impl<'a> Motion<'a> {
+    /// Motion as a part of the finest level sees it, whose own step is that of the increments.
+    pub fn new(u: &'a [Row], du: &'a [Row]) -> Self {
+        Motion { u, du, span: 1.0 }
+    }
+
+    /// Increment \[m\] of a node that the part pushes over the part's own step.
+    #[inline(always)]
+    pub fn increment(&self, node: u32) -> Row {
+        Row(self.du[node as usize].0.map(|d| d * self.span))
+    }
 }
 
 /// What a part reads beyond its own nodes and its own memory. Whoever evaluates it elsewhere must bring this; in a test all else is

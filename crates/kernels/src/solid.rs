@@ -168,7 +168,9 @@ impl<M: Material, R: Rule> Solid<M, R> {
         if viscous {
             second.clear();
             second.resize(self.nodes.len(), Row::ZERO);
-            let rows = self.gather(x.du, others);
+            others.clear();
+            others.extend(self.nodes.iter().map(|&n| x.increment(n)));
+            let rows = &others[..];
             pass.after =
                 Some(After { law: &law, rows, out: second, factor: &self.viscosity, left: self.room(left) });
         }

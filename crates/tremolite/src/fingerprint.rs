@@ -42,12 +42,13 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         boundaries,
         loading,
         scheme,
+        nodes,
         // Follow from these, or are what the members below are made of.
         user: _,
         patches: _,
         mesh_node: _,
         engine_node: _,
-        nodes: _,
+        domains: _,
         faces: _,
         parted: _,
         outside: _,
@@ -82,6 +83,8 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         time_step: _,
         // The bits are the same.
         isa: _,
+        // The members below are made by it.
+        patch_elements: _,
     } = scheme;
     let Plan {
         stages,
@@ -137,6 +140,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     let mut time = Hasher(crc32fast::Hasher::new());
     time.shown(&(dt, duration, histories, snapshots, rayleigh, top));
     // While time stands still before the shaking these do nothing.
+    time.0.update(if nodes.coarsest() > 0 { &nodes.level } else { &[] });
     time.numbers(viscosity);
     time.shown(&seams.iter().map(|seam| seam.damping).collect::<Vec<_>>());
     if let Some(incident) = incident {

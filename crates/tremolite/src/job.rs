@@ -20,14 +20,14 @@ use crate::near_sides::{NearSide, near_sides};
 use crate::outlook::{Outlook, outlook};
 use crate::plan::{Plan, Steps};
 use crate::setup::MotionFacts;
-use crate::simulation::choose_step;
+use crate::simulation::{self, choose_step};
 use crate::survey::{Survey, step_in_words, survey};
 use defaulted::{Known, defaulted};
 use indexmap::IndexMap;
 use std::path::Path;
 use std::sync::Arc;
 use tremolite_case::{Case, Diagnostic};
-use tremolite_engine::{Assembly, Model, Phase, StableStep, Stage, stable_step};
+use tremolite_engine::{Assembly, Model, Phase, StableStep, Stage};
 use tremolite_results::{Defaulted, Input, MaterialFacts};
 
 /// Steps beyond which a run is a slip of units: a year on a fast machine.
@@ -155,11 +155,11 @@ impl Job {
         let groups = setup.problem.mesh.groups.iter();
         let groups = groups.map(|(name, elements)| (name.clone(), elements.len())).collect();
         let built = Built::of(&case, setup.problem, &setup.plan, setup.motion.as_ref());
-        let Built { model, assembly, phase, survey, outlook } = match built {
+        let Built { model, assembly, phase, stable, survey, outlook } = match built {
             Ok(built) => built,
             Err(why) => return Err(Fault { remarks, why }),
         };
-        let (plan, stable) = (setup.plan, stable_step(&model, &assembly, &phase));
+        let plan = setup.plan;
         let near = near_sides(&model, warnings::mirrored(&case));
         let of_model = vec![
             outlook.iter().flat_map(|outlook| warnings::of_pieces(&case, outlook)).collect(),
@@ -256,6 +256,7 @@ struct Built {
     model: Arc<Model>,
     assembly: Arc<Assembly>,
     phase: Arc<Phase>,
+    stable: StableStep,
     survey: Survey,
     outlook: Option<Outlook>,
 }
@@ -271,6 +272,9 @@ impl Built {
         let model = Model::new(problem).map_err(refused)?;
         let assembly = Assembly::new(&model).map_err(refused)?;
         let phase = Phase::of(&model, &assembly, Stage::Shaking).map_err(refused)?;
+        let built = simulation::Built::of(&model, &assembly, &phase);
+        drop((model, assembly, phase));
+        let simulation::Built { model, assembly, phase, stable } = built.levelled(plan).map_err(refused)?;
         // Without an earthquake every wave is long.
         let highest = motion.map_or(0.0, |motion| motion.highest_frequency);
         let survey = survey(&model, &assembly, highest).map_err(Why::Model)?;
@@ -278,6 +282,6 @@ impl Built {
             true => None,
             false => Some(outlook(&model, &assembly, plan).map_err(refused)?),
         };
-        Ok(Built { model, assembly, phase, survey, outlook })
+        Ok(Built { model, assembly, phase, stable, survey, outlook })
     }
 }

@@ -16,6 +16,7 @@ pub mod history;
 pub mod interfaces;
 pub mod job;
 pub mod layered_column;
+pub mod levels;
 mod motion_table;
 mod moved;
 pub mod near_sides;

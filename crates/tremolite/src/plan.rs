@@ -83,7 +83,7 @@ pub struct Plan {
 /// The plan in steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Steps {
-    /// Steps in the whole run.
+    /// Steps of the finest level in the whole run.
     pub total: u64,
     /// Steps between rows of the histories.
     pub histories: u64,
@@ -92,13 +92,21 @@ pub struct Steps {
 }
 
 impl Plan {
-    /// The step to use, at most `longest` \[s\], so that rows of the histories fall on steps; and the plan in steps.
-    pub fn steps(&self, longest: f64) -> (f64, Steps) {
-        let histories = (self.histories / longest).ceil().max(1.0);
-        let dt = self.histories / histories;
-        let total = (self.duration / dt).round().max(1.0) as u64;
+    /// Steps of the finest level between rows of the histories: the fewest of `longest` \[s\] at most that are a multiple of `span`,
+    /// the steps in one of the coarsest level.
+    pub fn steps_of_row(&self, longest: f64, span: u64) -> u64 {
+        let spans = (self.histories / longest / span as f64).ceil().max(1.0);
+        spans as u64 * span
+    }
+
+    /// The step of the finest level to use, at most `longest` \[s\], so that rows of the histories fall on steps of the coarsest, in
+    /// one of which are `span`; and the plan in steps.
+    pub fn steps(&self, longest: f64, span: u64) -> (f64, Steps) {
+        let histories = self.steps_of_row(longest, span);
+        let dt = self.histories / histories as f64;
+        let total = span * (self.duration / dt / span as f64).round().max(1.0) as u64;
         let snapshots =
-            self.snapshots.map(|every| (every / self.histories).round().max(1.0) as u64 * histories as u64);
-        (dt, Steps { total, histories: histories as u64, snapshots })
+            self.snapshots.map(|every| (every / self.histories).round().max(1.0) as u64 * histories);
+        (dt, Steps { total, histories, snapshots })
     }
 }

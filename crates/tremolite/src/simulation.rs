@@ -14,6 +14,7 @@ pub use stages::{Cycle, Go, StageEnd};
 use crate::checkpoint;
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;
+use crate::levels::{levels, longest_step};
 use crate::observers::{Audience, Event, OwnObservers, Setting, observers};
 use crate::plan::{Plan, Steps};
 use shaking::Shaking;
@@ -22,13 +23,14 @@ use tremolite_engine::assembly::Assembly;
 pub use tremolite_engine::engine::Look;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
+use tremolite_engine::phase::beats::span;
 use tremolite_engine::state::State;
-use tremolite_engine::{StableStep, Stage, stable_step};
+use tremolite_engine::{ModelError, StableStep, Stage, stable_step};
 use tremolite_results::ResultFolder;
 
-/// The step a model runs with and the plan in steps.
+/// The step of the finest level that a model runs with, and the plan in steps.
 pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Steps) {
-    plan.steps(model.scheme.time_step.given.unwrap_or_else(|| stable.to_run(model.scheme.time_step.safety)))
+    plan.steps(longest_step(model, stable), span(model.nodes.coarsest()))
 }
 
 /// What a simulation shares with whoever made it: a model, its parts, those that are active as the ground shakes, and the stable step,
@@ -47,6 +49,23 @@ impl Built {
     pub fn of(model: &Arc<Model>, assembly: &Arc<Assembly>, phase: &Arc<Phase>) -> Self {
         let stable = stable_step(model, assembly, phase);
         Built { model: model.clone(), assembly: assembly.clone(), phase: phase.clone(), stable }
+    }
+
+    /// The same with the levels of steps that a plan leaves worth having.
+    ///
+    /// # Errors
+    /// If its boundaries or interfaces cannot be made, as for the model before.
+    pub fn levelled(self, plan: &Plan) -> Result<Self, ModelError> {
+        let Built { model, assembly, phase, stable } = self;
+        let levels = levels(&model, &assembly, &phase, plan, &stable)?;
+        if levels.coarsest() == 0 {
+            return Ok(Built { model, assembly, phase, stable });
+        }
+        drop(phase);
+        let (model, before) = (model.at_levels(&levels), assembly);
+        let assembly = before.again(&model)?;
+        let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
+        Ok(Built { stable: stable.renumbered(&before, &model, &assembly), model, assembly, phase })
     }
 }
 

@@ -74,7 +74,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         },
         computed: Computed {
             wall_seconds: evidence.wall_seconds,
-            element_updates_per_second: outcome.updates_per_second(phase.counted_elements),
+            element_updates_per_second: outcome.updates_per_second(phase.evaluated_elements),
             model: ModelFacts {
                 groups,
                 elements: survey.active_elements as u64,

@@ -71,7 +71,7 @@ impl Part for BasePart {
         let mut work = Lines::default();
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
         for ((base, out), last) in self.pushed.iter().zip(out).zip(last) {
-            let du = x.du[base.node as usize].xyz();
+            let du = x.increment(base.node).xyz();
             let scattered = base.scattered(&now, x.u);
             let spring = times(&base.spring, scattered);
             let before = times(&base.spring, [last[0], last[1], last[2]]);

@@ -4,7 +4,7 @@ use super::base::{BaseNode, BasePart};
 use super::far_field::{along_slab, between_corners};
 use super::matrix::add;
 use super::{Base, Side, Surroundings, Top, nodal_matrices, quarter};
-use crate::assembly::PIECE;
+use crate::assembly::{PIECE, pieces};
 use crate::error::ModelError;
 use crate::free_field::Place;
 use crate::hexahedra::centroid;
@@ -37,8 +37,8 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
         [("springs of the base", counted, true), ("base of the free field", outside, false)];
     let free_field = around.asked.waves();
     for (name, nodes, counted) in all {
-        for nodes in nodes.chunks(PIECE) {
-            let part = Box::new(BasePart::new(nodes.to_vec(), free_field.clone()));
+        for nodes in pieces(nodes, PIECE, |base| around.level[base.node as usize]) {
+            let part = Box::new(BasePart::new(nodes, free_field.clone()));
             let line = Some(Line::Springs);
             let member = Member::of(Kind::Boundary, name, part);
             out.members.push(Member { life: Life::SHAKING, line, counted, ..member });

@@ -48,6 +48,11 @@ impl<'a> Accounts<'a> {
         })
     }
 
+    /// The sums by account.
+    pub fn sums(&mut self) -> &mut [f64] {
+        self.sums
+    }
+
     #[cold]
     fn turn(&mut self, account: u16) {
         if let Some(sum) = self.sums.get_mut(self.current as usize) {

@@ -48,7 +48,7 @@ impl Engine {
                 own[Line::Band] += element.band;
             }
             let (u, du) = (self.named(member, &state.u), self.named(member, &state.du));
-            let motion = Motion { u: &u, du: &du };
+            let motion = Motion::new(&u, &du);
             (m, own, member.part.energy(&motion, slices.kept(&kept)))
         }))
     }
@@ -72,7 +72,7 @@ impl Engine {
             (m, Lines::default(), on_sides)
         });
         let (mut works, accounts) = self.added(of);
-        let [rayleigh, base, sides, free_field] = [0, 1, 2, 3].map(|k| nodes[k]);
+        let [rayleigh, base, sides, free_field, levels] = [0, 1, 2, 3, 4].map(|k| nodes[k]);
         works[Line::FreeField] -= free_field;
         let mut lines = Lines::default();
         for &line in Line::ALL.iter().filter(|line| line.booked() == Booked::Work) {
@@ -81,6 +81,7 @@ impl Engine {
         lines[Line::Rayleigh] = rayleigh;
         lines[Line::BaseDashpots] = base;
         lines[Line::SideDashpots] = sides;
+        lines[Line::Levels] = levels;
         let on_elements = nodes[OF_NODES..].iter().zip(accounts);
         Totals { lines, bodies: on_elements.map(|(work, own)| work - own[Line::Viscosity]).collect() }
     }

@@ -82,10 +82,10 @@ impl Engine {
     pub fn advance(&mut self, evaluated: Evaluated) -> State {
         let Evaluated { model, phase, mut state, mut forces, .. } = evaluated;
         let Forces { contributions, rates, leads, works } = &mut forces;
-        // A given free field is at rest until time 0, its mean velocity until a step before.
-        let time = if self.quiet { -state.dt } else { state.time() };
+        // A given free field is at rest in a quiet run.
+        let time = (!self.quiet).then(|| state.time());
         nodes::advance(&model, &phase, time, contributions, &rates.products, leads, &mut state);
-        state.ledger.book(&phase.active, works);
+        state.ledger.book(&phase.beat(&state).active, works);
         state.step += 1;
         self.forces = forces;
         if self.watches(&state) {

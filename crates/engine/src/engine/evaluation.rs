@@ -74,11 +74,11 @@ enum Memory<'m, T> {
 impl<'m, T: Clone> Memory<'m, T> {
     fn each(
         self,
-        slices: &[Slices],
+        slices: &[&Slices],
         range: impl Fn(&Slices) -> std::ops::Range<usize>,
     ) -> Vec<Memory<'m, T>> {
         match self {
-            Memory::Own(all) => split(all, slices, range).into_iter().map(Memory::Own).collect(),
+            Memory::Own(all) => split(all, slices, |s| range(s)).into_iter().map(Memory::Own).collect(),
             Memory::Foreign(all) => slices.iter().map(|s| Memory::Foreign(&all[range(s)])).collect(),
         }
     }
@@ -164,11 +164,14 @@ impl Engine {
             *forces = Forces::room(model, assembly, phase);
         }
         let poisoned = *poisoned;
+        let beat = phase.beat(subject.state());
         let mut tick = phase.tick(subject.state());
         if self.quiet {
             tick.time = -f64::MIN_POSITIVE;
         }
-        let slices = &assembly.slices;
+        let active = &beat.active;
+        let slices: Vec<&Slices> = active.iter().map(|&m| &assembly.slices[m as usize]).collect();
+        let slices = &slices[..];
         let totals = assembly.totals();
         let mut probes = probed.map(|probed| {
             probed.stress = vec![[0.0; 6]; totals.points.end];
@@ -187,16 +190,15 @@ impl Engine {
                 (u, du, history, Memory::Foreign(overstress), numbers, Memory::Foreign(reference), initial)
             }
         };
-        let motion = Motion { u, du };
-        let all = split(&mut forces.contributions, slices, |s| s.contributions.clone())
+        let jobs: Vec<Job> = split(&mut forces.contributions, slices, |s| s.contributions.clone())
             .into_iter()
             .zip(split(history, slices, |s| s.history.clone()))
             .zip(overstress.each(slices, |s| s.overstress.clone()))
             .zip(split(numbers, slices, |s| s.numbers.clone()))
             .zip(reference.each(slices, |s| s.reference.clone()))
-            .zip(assembly.members.iter().zip(slices))
-            .map(|(((((out, history), overstress), numbers), reference), (member, slices))| Job {
-                member,
+            .zip(active.iter().zip(slices))
+            .map(|(((((out, history), overstress), numbers), reference), (&m, slices))| Job {
+                member: &assembly.members[m as usize],
                 out,
                 history,
                 overstress,
@@ -204,10 +206,8 @@ impl Engine {
                 reference,
                 initial: &initial[slices.initial.clone()],
                 probe: probes.as_mut().and_then(Iterator::next),
-            });
-        let mut active = phase.active.iter().copied().peekable();
-        let jobs: Vec<Job> =
-            (0u32..).zip(all).filter_map(|(m, job)| active.next_if_eq(&m).map(|_| job)).collect();
+            })
+            .collect();
         // One by one: members differ in cost, and half of what is left would be too much to hand over at the end.
         let works: Vec<Lines> = jobs
             .into_par_iter()
@@ -215,7 +215,9 @@ impl Engine {
             .map(|job| {
                 // Taken, not borrowed: a part that goes parallel itself may be given another on this very thread.
                 let mut room = ROOM.take();
-                let work = evaluate(job, &tick, &motion, &mut room, poisoned);
+                let span = phase.span_of(job.member) as f64;
+                let tick = Tick { dt: span * tick.dt, ..tick };
+                let work = evaluate(job, &tick, &Motion { u, du, span }, &mut room, poisoned);
                 ROOM.set(room);
                 work
             })
@@ -240,7 +242,7 @@ fn evaluate(job: Job, tick: &Tick, motion: &Motion, room: &mut Room, poisoned: b
             out.fill(UNKNOWN);
             named(member, motion.u, u);
             named(member, motion.du, du);
-            Motion { u, du }
+            Motion { u, du, ..*motion }
         }
         false => *motion,
     };

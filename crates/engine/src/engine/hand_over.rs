@@ -172,9 +172,9 @@ impl Engine {
                 self.take_over(m as usize, state);
                 continue;
             }
-            let (Motion { u, du }, own) = slices.own(state);
+            let (Motion { u, du, .. }, own) = slices.own(state);
             let (u, du) = (self.named(member, u), self.named(member, du));
-            member.part.begin(&Motion { u: &u, du: &du }, own);
+            member.part.begin(&Motion::new(&u, &du), own);
         }
         self.free_pairs(state);
         if state.datum.is_empty() {

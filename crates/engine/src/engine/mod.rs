@@ -18,6 +18,14 @@
 //! stepped with them. What is planned to be seen is probed as the parts are evaluated; a [look](Engine::look) at any other time
 //! evaluates them on copies of their memory. So looking changes nothing.
 //!
+//! **Levels.** In the shaking nodes of level l make steps of 2^l Δt ([`Levels`](crate::Levels)), and each part steps as the finest
+//! node that it pushes. The state keeps increments a step of the finest level, whoever's they are. Coarser nodes that a part pushes or
+//! reads drift: they go on by that increment in every step; others jump to the end of their own step at once, since nobody asks for them
+//! before. Only at steps that the coarsest level has in common with all is a state whole; nothing else is ever shown.
+//!
+//! A drifting node is pushed at its own times alone, while a finer part works on it at all times of the part's. What the part's
+//! trapezoidal rule finds beyond the node's is the line [`Levels`](tremolite_kernels::Line::Levels) of the balance, exactly.
+//!
 //! **Balance.** Multiplying by the mean increment ½(Δu^n + Δu^{n+1}) makes every line of the ledger exact: the change
 //! of ½ v⁻ᵀM v⁻ equals the work of all forces. Contributions of parts are summed node by node in the order of parts,
 //! chunks of nodes in ascending order, so bits do not depend on threads.
@@ -98,9 +106,11 @@ impl Engine {
         &self.phase
     }
 
-    /// One step from u^n to u^{n+1}.
+    /// One step of the coarsest level, at whose ends all levels have their own times.
     pub fn step(&mut self, state: &mut State) {
-        let evaluated = self.evaluate(std::mem::take(state), See::Nothing);
-        *state = self.advance(evaluated);
+        for _ in 0..self.phase.span() {
+            let evaluated = self.evaluate(std::mem::take(state), See::Nothing);
+            *state = self.advance(evaluated);
+        }
     }
 }

@@ -48,6 +48,7 @@ pub(super) struct NodeStep {
 }
 
 /// What a node's step needs besides its rows.
+#[derive(Clone, Copy)]
 pub(super) struct Damping {
     pub dt: f64,
     pub mass_proportional: f64,

@@ -7,21 +7,24 @@ use super::split::split;
 use crate::free_field::Leader;
 use crate::model::Model;
 use crate::phase::Phase;
+use crate::phase::beats::{Beat, Border, Drifting, span};
 use crate::phase::passes::{Pass, Turn};
 use crate::state::{OF_NODES, State};
 use crate::sums::tree;
 use rayon::prelude::*;
+use std::cmp::Ordering;
 use std::ops::Range;
 use tremolite_laws::{Isa, Row};
 
 /// Work against the dampings of a block's nodes over the half-steps that meet at u^n \[J\], and of the dashpots of free-field sides
-/// on them; only the first half when measuring.
+/// on them, and what is taken where levels of steps meet; only the first half when measuring.
 #[derive(Default)]
 struct Damped {
     rayleigh: f64,
     base: f64,
     sides: f64,
     free_field: f64,
+    levels: f64,
 }
 
 impl Damped {
@@ -35,7 +38,8 @@ impl Damped {
     }
 
     fn onto(self, books: &mut [f64]) {
-        for (book, more) in books.iter_mut().zip([self.rayleigh, self.base, self.sides, self.free_field]) {
+        let all = [self.rayleigh, self.base, self.sides, self.free_field, self.levels];
+        for (book, more) in books.iter_mut().zip(all) {
             *book += more;
         }
     }
@@ -99,14 +103,14 @@ fn take<'t, T>(all: &mut &'t mut [T], count: usize) -> &'t mut [T] {
 
 /// Works on two columns of rows pass by pass, share by share; what `one` finds comes in that order.
 fn by_passes<T: Send>(
-    phase: &Phase,
+    (phase, passes): (&Phase, &[Pass]),
     leads: &mut [Lead],
     [a, b]: [&mut [Row]; 2],
     (books, width): (&mut [f64], usize),
     one: impl Fn(Share) -> T + Sync,
 ) -> Vec<T> {
     let mut found = Vec::new();
-    for pass @ Pass { turns, shares } in &phase.passes {
+    for pass @ Pass { turns, shares } in passes {
         let first = turns.first().map_or(0, |turn| turn.leaders.start);
         let (before, own) = leads.split_at_mut(first);
         let before = &*before;
@@ -150,22 +154,24 @@ fn by_passes<T: Send>(
     found
 }
 
-/// Velocities at a time, in a step, that a given free field leaves to those who follow it.
-fn given(model: &Model, phase: &Phase, (time, dt): (f64, f64), leads: &mut [Lead]) {
+/// Velocities at a time, in steps of the followers' own over the finest `dt`, that a given free field leaves to those who follow it.
+fn given(model: &Model, phase: &Phase, beat: &Beat, time: Option<f64>, dt: f64, leads: &mut [Lead]) {
     let Some(field) = &model.boundaries.free_field else { return };
-    for (leader, lead) in phase.leaders.iter().zip(leads) {
-        let Leader::Given(node) = *leader else { break };
-        let at = model.mesh.nodes[model.mesh_node[node as usize] as usize];
-        let velocity = Row::new(field.velocity(at, time, dt));
-        *lead = Lead { mean: velocity, hat: velocity };
+    for &place in &beat.given {
+        let node = phase.leaders[place as usize].node() as usize;
+        let at = model.mesh.nodes[model.mesh_node[node] as usize];
+        let dt = dt * span(model.nodes.level[node]) as f64;
+        let velocity = time.map_or(Row::ZERO, |time| Row::new(field.velocity(at, time, dt)));
+        leads[place as usize] = Lead { mean: velocity, hat: velocity };
     }
 }
 
-/// u^n to u^{n+1}, with room for what leaders leave; `time` is that of a given free field. Blocks book onto the state's ledger.
+/// u^n to u^{n+1}, with room for what leaders leave; `time` is that of a given free field, which else is at rest. Blocks book onto the
+/// state's ledger.
 pub fn advance(
     model: &Model,
     phase: &Phase,
-    time: f64,
+    time: Option<f64>,
     contributions: &[Row],
     products: &Products,
     leads: &mut [Lead],
@@ -174,17 +180,116 @@ pub fn advance(
     let damping = damping(model, state);
     let width = state.ledger.width();
     let dt = state.dt;
+    let beat = phase.beat(state);
     let State { u, du, held, ledger, .. } = state;
     let wide = Isa::Avx2.available();
     let pass = Advance { phase, contributions, held, products, damping, wide };
-    given(model, phase, (time, dt), leads);
-    by_passes(phase, leads, [u, du], (&mut ledger.blocks, width), |share| pass.share(share));
-    for &(node, master) in &phase.tied {
-        let next = state.du[master as usize];
+    given(model, phase, beat, time, dt, leads);
+    let books = (&mut ledger.blocks[..], width);
+    by_passes((phase, &beat.passes), leads, [u, du], books, |share| pass.share(share));
+    let mut borders = Borders::from(phase, 0);
+    for &(node, master) in &beat.tied {
+        let next = du[master as usize];
+        let steps = match borders.take(node as usize) {
+            Some(_) => 1.0,
+            None => phase.span_of_node(model, node) as f64,
+        };
         for i in 0..4 {
-            state.u[node as usize].0[i] += next.0[i];
+            u[node as usize].0[i] += steps * next.0[i];
         }
-        state.du[node as usize] = next;
+        du[node as usize] = next;
+    }
+    drift(phase, beat, contributions, u, du, (&mut ledger.blocks, width));
+}
+
+/// Nodes that a thread lets drift together.
+const DRIFTING: usize = 512;
+
+/// Lets nodes between their own times go on, and books what finer parts take of it. `books` are those of all blocks, so many numbers
+/// each.
+fn drift(
+    phase: &Phase,
+    beat: &Beat,
+    contributions: &[Row],
+    u: &mut [Row],
+    du: &[Row],
+    (books, width): (&mut [f64], usize),
+) {
+    if beat.drifting.is_empty() {
+        return;
+    }
+    // Such a part has its own time where its level has, and those of the beat have.
+    let coarsest = phase.beats.iter().position(|one| std::ptr::eq(one, beat)).unwrap_or(0) as u8;
+    let rows = split(u, &beat.drifting, |one| one.nodes.clone());
+    let books = split(books, &beat.drifting, |one| width * one.block..width * (one.block + 1));
+    let mut jobs: Vec<_> = beat.drifting.iter().zip(rows).zip(books).collect();
+    let one = |((drifting, u), books): &mut ((&Drifting, &mut [Row]), &mut [f64])| {
+        let (of_nodes, of_accounts) = books.split_at_mut(OF_NODES);
+        for border in &phase.borders[drifting.borders.clone()] {
+            let du = &du[border.node as usize];
+            let u = &mut u[border.node as usize - drifting.nodes.start];
+            (0..4).for_each(|i| u.0[i] += du.0[i]);
+            if !border.counts {
+                continue;
+            }
+            for push in border.pushes.iter().filter(|push| push.level <= coarsest) {
+                let work = span(push.level) as f64 * dot(contributions[push.slot as usize], *du);
+                of_nodes[LEVELS] -= work;
+                if let Some(account) = of_accounts.get_mut(push.account as usize) {
+                    *account += work;
+                }
+            }
+        }
+    };
+    let nodes: usize = beat.drifting.iter().map(|one| one.borders.len()).sum();
+    match nodes <= DRIFTING {
+        true => jobs.iter_mut().for_each(one),
+        false => jobs.par_chunks_mut(8).for_each(|jobs| jobs.iter_mut().for_each(one)),
+    }
+}
+
+/// The place of what is taken where levels meet among what a block books.
+const LEVELS: usize = 4;
+
+/// Nodes that drift, from one on, in ascending order.
+struct Borders<'a> {
+    rest: &'a [Border],
+}
+
+impl<'a> Borders<'a> {
+    fn from(phase: &'a Phase, node: usize) -> Self {
+        let first = phase.borders.partition_point(|border| (border.node as usize) < node);
+        Borders { rest: &phase.borders[first..] }
+    }
+
+    /// A node, if it drifts; nodes must be asked for in ascending order.
+    #[inline(always)]
+    fn take(&mut self, node: usize) -> Option<&'a Border> {
+        while let [first, rest @ ..] = self.rest {
+            match (first.node as usize).cmp(&node) {
+                Ordering::Less => self.rest = rest,
+                Ordering::Equal => return Some(first),
+                Ordering::Greater => return None,
+            }
+        }
+        None
+    }
+}
+
+impl Border {
+    /// What finer parts take of a node's own step of `span` steps beyond what the node gives there, where all have their own times:
+    /// half of it over `twice`, its increments a step of the finest level before and after. Booked on accounts, and left.
+    fn meet(&self, contributions: &[Row], span_of_node: f64, twice: Row, accounts: &mut [f64]) -> f64 {
+        let mut taken = 0.0;
+        for push in &self.pushes {
+            let longer = span_of_node - span(push.level) as f64;
+            let work = -0.5 * longer * dot(contributions[push.slot as usize], twice);
+            taken -= work;
+            if let Some(account) = accounts.get_mut(push.account as usize) {
+                *account += work;
+            }
+        }
+        taken
     }
 }
 
@@ -217,22 +322,27 @@ impl Advance<'_> {
     #[inline(always)]
     fn nodes(&self, mut share: Share) {
         while let Some(chunk) = share.next() {
-            match chunk.own.is_empty() {
-                true => self.nodes_of::<false>(chunk),
-                false => self.nodes_of::<true>(chunk),
+            match (chunk.own.is_empty(), chunk.turn.level == 0) {
+                (true, true) => self.nodes_of::<false, false>(chunk),
+                (true, false) => self.nodes_of::<false, true>(chunk),
+                (false, true) => self.nodes_of::<true, false>(chunk),
+                (false, false) => self.nodes_of::<true, true>(chunk),
             }
         }
     }
 
-    /// With `LEADS` the nodes leave their velocities to those who follow.
+    /// With `LEADS` the nodes leave their velocities to those who follow; with `COARSE` their steps are longer than the finest.
     #[inline(always)]
-    fn nodes_of<const LEADS: bool>(&self, chunk: Chunk) {
+    fn nodes_of<const LEADS: bool, const COARSE: bool>(&self, chunk: Chunk) {
         let Chunk { turn, rows: [u, du], leaders, own, before, books } = chunk;
         let (first, counts) = (turn.nodes.start, turn.counts);
         let (books, of_accounts) = books.split_at_mut(OF_NODES);
         let mut leaders = leaders.iter().zip(own).peekable();
-        let Advance { phase, contributions, held, products, damping, .. } = self;
+        let Advance { phase, contributions, held, products, .. } = self;
+        let steps = if COARSE { span(turn.level) as f64 } else { 1.0 };
+        let damping = &Damping { dt: steps * self.damping.dt, ..self.damping };
         let (dt, omega) = (damping.dt, damping.mass_proportional);
+        let mut borders = Borders::from(phase, if COARSE { first } else { usize::MAX });
         let mut dashpots = Dashpots::from(phase, first);
         let mut sums = Damped::default();
         let mut accounts = Accounts::new(phase, contributions, of_accounts);
@@ -255,6 +365,7 @@ impl Advance<'_> {
             }
             let force = force(phase, contributions, node);
             let net = net(held, node, force);
+            let old = if COARSE { Row(du.0.map(|d| steps * d)) } else { *du };
             let mut next = Row::ZERO;
             let mass = if counts { phase.mass[node] } else { 0.0 };
             if simple && dashpot.is_none() {
@@ -262,34 +373,43 @@ impl Advance<'_> {
                 let mut rayleigh = 0.0;
                 for i in 0..4 {
                     let a = -net.0[i] * inverse.0[i];
-                    next.0[i] = keep * du.0[i] + push * a;
-                    rayleigh += (fade * du.0[i] + 0.5 * dt * dt * a) * (du.0[i] + next.0[i]);
+                    next.0[i] = keep * old.0[i] + push * a;
+                    rayleigh += (fade * old.0[i] + 0.5 * dt * dt * a) * (old.0[i] + next.0[i]);
                     if LEADS && let Some(lead) = &mut lead {
-                        lead.mean.0[i] = 0.5 * (du.0[i] + next.0[i]) / dt;
-                        lead.hat.0[i] = (fade * du.0[i] + 0.5 * dt * dt * a) / dt;
+                        lead.mean.0[i] = 0.5 * (old.0[i] + next.0[i]) / dt;
+                        lead.hat.0[i] = (fade * old.0[i] + 0.5 * dt * dt * a) / dt;
                     }
                 }
                 sums.rayleigh += 0.5 * omega / dt * mass * rayleigh;
             } else {
-                let step = node_step(damping, phase, products, before, dashpot, node, net, *du);
+                let step = node_step(damping, phase, products, before, dashpot, node, net, old);
                 for i in 0..4 {
-                    next.0[i] = du.0[i] + dt * dt * step.acceleration.0[i];
+                    next.0[i] = old.0[i] + dt * dt * step.acceleration.0[i];
                 }
                 if let Some(lead) = lead {
                     *lead = Lead { mean: step.mean, hat: step.velocity };
                 }
                 if counts {
-                    sums.book(&step, Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i])));
+                    sums.book(&step, Row([0, 1, 2, 3].map(|i| old.0[i] + next.0[i])));
                 }
             }
+            let border = if COARSE { borders.take(node) } else { None };
             if counts {
-                let twice = Row([0, 1, 2, 3].map(|i| du.0[i] + next.0[i]));
+                let twice = Row([0, 1, 2, 3].map(|i| old.0[i] + next.0[i]));
                 accounts.book(node, force, twice);
+                if let Some(border) = border {
+                    let twice = Row(twice.0.map(|d| d / steps));
+                    sums.levels += border.meet(contributions, steps, twice, accounts.sums());
+                }
             }
+            // Others are not asked for before the end of their step.
+            let drifts = border.is_some();
+            let one = if COARSE { Row(next.0.map(|d| d / steps)) } else { next };
+            let moved = if COARSE && drifts { one } else { next };
             for i in 0..4 {
-                u.0[i] += next.0[i];
+                u.0[i] += moved.0[i];
             }
-            *du = next;
+            *du = one;
         }
         accounts.close();
         sums.onto(books);
@@ -322,7 +442,8 @@ pub fn measure(
     let mut velocity = vec![Row::ZERO; state.u.len()];
     let mut acceleration = vec![Row::ZERO; state.u.len()];
     let mut leads = vec![Lead::default(); phase.leaders.len()];
-    given(model, phase, (state.time(), state.dt), &mut leads);
+    let beat = phase.beat(state);
+    given(model, phase, beat, Some(state.time()), state.dt, &mut leads);
     let mut books = vec![0.0; state.ledger.blocks.len()];
     let width = state.ledger.width();
     let one = |Chunk { turn, rows: [velocity, acceleration], leaders, own, before, books }: Chunk| {
@@ -330,6 +451,9 @@ pub fn measure(
         let (books, of_accounts) = books.split_at_mut(OF_NODES);
         let mut leaders = leaders.iter().zip(own).peekable();
         let mut dashpots = Dashpots::from(phase, first);
+        let steps = if phase.beats.len() > 1 { span(turn.level) as f64 } else { 1.0 };
+        let damping = Damping { dt: steps * damping.dt, ..damping };
+        let mut borders = Borders::from(phase, first);
         let mut sums = Damped::default();
         let mut energies = [0.0; 2];
         let mut accounts = Accounts::new(phase, contributions, of_accounts);
@@ -342,7 +466,7 @@ pub fn measure(
             if phase.start[node] == phase.start[node + 1] {
                 continue;
             }
-            let du = state.du[node];
+            let du = Row(state.du[node].0.map(|d| steps * d));
             let force = force(phase, contributions, node);
             let net = net(&state.held, node, force);
             let step = node_step(&damping, phase, products, before, dashpot, node, net, du);
@@ -352,9 +476,14 @@ pub fn measure(
             if turn.counts {
                 let mass = phase.mass[node];
                 energies[0] += 0.5 * mass * dot(step.velocity, step.velocity);
-                energies[1] += 0.125 * state.dt * state.dt * mass * dot(step.acceleration, step.acceleration);
+                energies[1] +=
+                    0.125 * damping.dt * damping.dt * mass * dot(step.acceleration, step.acceleration);
                 sums.book(&step, du);
                 accounts.book(node, force, du);
+                if let Some(border) = borders.take(node) {
+                    let du = state.du[node];
+                    sums.levels += border.meet(contributions, steps, du, accounts.sums());
+                }
             }
             *velocity = step.velocity;
             *acceleration = step.acceleration;
@@ -364,7 +493,7 @@ pub fn measure(
         (turn.block, energies)
     };
     let found = by_passes(
-        phase,
+        (phase, &beat.passes),
         &mut leads,
         [&mut velocity, &mut acceleration],
         (&mut books, width),

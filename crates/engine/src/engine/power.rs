@@ -46,6 +46,20 @@ impl StableStep {
     }
 }
 
+impl StableStep {
+    /// The same for a model cut and numbered otherwise, in whose assembly the member that sets it has another number.
+    #[must_use]
+    pub fn renumbered(mut self, before: &Assembly, model: &Model, assembly: &Assembly) -> Self {
+        if let Limit::Part { member, node } = &mut self.limit {
+            let (engine, name) = (model.engine_node[*node as usize], &before.members[*member as usize].name);
+            let same = |m: &Member| m.name == *name && m.part.nodes().contains(&engine);
+            let found = assembly.members.iter().position(same);
+            *member = found.map_or(0, |m| m as u32);
+        }
+        self
+    }
+}
+
 /// The largest stable step and what it comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StableStep {

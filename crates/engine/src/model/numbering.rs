@@ -1,6 +1,7 @@
 //! The engine's numbers of nodes.
 
 use super::Patch;
+use crate::levels::Levels;
 use crate::node_table::Nodes;
 use crate::parts::loads::Load;
 use tremolite_mesh::Mesh;
@@ -15,22 +16,25 @@ pub(super) struct Numbering {
 }
 
 impl Numbering {
-    /// In the order in which the patches first touch them: a patch's nodes lie close in memory.
-    pub fn of(mesh: &Mesh, patches: &[Patch]) -> Self {
+    /// In the order in which the patches first touch them, those of a level together: a patch's nodes lie close in memory.
+    pub fn of(mesh: &Mesh, patches: &[Patch], levels: &Levels) -> Self {
         let mut engine_node = vec![u32::MAX; mesh.nodes.len()];
         let mut mesh_node = Vec::new();
         let mut nodes = Nodes::default();
         let shared = shared(mesh, patches);
         for patch in patches {
             for alone in [true, false] {
-                let before = mesh_node.len();
-                for n in of_patch(mesh, patch) {
-                    if engine_node[n as usize] == u32::MAX && shared[n as usize] != alone {
-                        engine_node[n as usize] = mesh_node.len() as u32;
-                        mesh_node.push(n);
+                for level in 0..=levels.coarsest() {
+                    let before = mesh_node.len();
+                    for n in of_patch(mesh, patch) {
+                        let own = shared[n as usize] != alone && levels.of_node(n) == level;
+                        if engine_node[n as usize] == u32::MAX && own {
+                            engine_node[n as usize] = mesh_node.len() as u32;
+                            mesh_node.push(n);
+                        }
                     }
+                    nodes.push(patch.domain, level, mesh_node.len() - before);
                 }
-                nodes.push(patch.domain, mesh_node.len() - before);
             }
         }
         Numbering { mesh_node, engine_node, nodes }

@@ -1,11 +1,14 @@
 //! Patches: the elements of a model, cut into pieces that one thread works on.
 
-use super::Draft;
+use super::Elements;
+use crate::body::Body;
 use crate::hexahedra::{centroid, hex};
+use crate::levels::Levels;
 use crate::life::Life;
 use crate::node_table::Domain;
 use std::collections::BTreeMap;
 use tremolite_kernels::Quadrature;
+use tremolite_mesh::Mesh;
 use tremolite_mesh::order::hilbert_order;
 
 /// Elements that one thread works on together.
@@ -23,6 +26,8 @@ pub struct Patch {
     /// Whether they are one-point elements of the simplest shape, bricks with edges along the axes
     /// ([`Hex8::upright`](tremolite_laws::shapes::hex8::Hex8::upright)), which have kernels of their own.
     pub bricks: bool,
+    /// The level of their steps in the shaking, the finest of their nodes'.
+    pub level: u8,
     /// Indices into the model's elements, in the order of lanes.
     pub elements: Vec<u32>,
 }
@@ -32,31 +37,41 @@ fn patch_size(wanted: Option<usize>, elements: usize) -> usize {
     wanted.unwrap_or((elements / 64).clamp(64, 512)).max(1).next_multiple_of(8)
 }
 
-/// Each body's elements along a Hilbert curve (`skilling2004`), those of one life at a time, in pieces of a wanted size.
+/// Each body's elements along a Hilbert curve (`skilling2004`), those of one life and level at a time, in pieces of a wanted size.
 /// `domain` says what a body belongs to, by its number.
-pub(super) fn cut(draft: &Draft, wanted: Option<usize>, domain: impl Fn(usize) -> Domain) -> Vec<Patch> {
-    let Draft { mesh, bodies, elements, .. } = draft;
+pub(super) fn cut(
+    (mesh, bodies, elements): (&Mesh, &[Body], &Elements),
+    levels: &Levels,
+    wanted: Option<usize>,
+    domain: impl Fn(usize) -> Domain,
+) -> Vec<Patch> {
     let mut patches = Vec::new();
-    let size = patch_size(wanted, bodies.iter().map(|b| b.elements.len()).sum());
+    // Those of a level alone are evaluated in a step.
+    let mut counts = vec![0; usize::from(levels.coarsest()) + 1];
+    let all = bodies.iter().flat_map(|body| &body.elements);
+    all.for_each(|&e| counts[usize::from(levels.of_element(e))] += 1);
+    let sizes: Vec<usize> = counts.into_iter().map(|count| patch_size(wanted, count)).collect();
     for (b, body) in bodies.iter().enumerate() {
-        let mut lots: BTreeMap<(Life, bool, bool, bool), Vec<u32>> = BTreeMap::new();
+        let mut lots: BTreeMap<(Life, bool, bool, bool, u8), Vec<u32>> = BTreeMap::new();
         for &e in &body.elements {
             let viscous = elements.viscosity[e as usize] > 0.0;
             let brick = body.quadrature == Quadrature::OnePoint
                 && hex(mesh, e as usize).is_ok_and(|hex| hex.upright().is_some());
-            let lot = (elements.lives[e as usize], elements.successors.contains_key(&e), viscous, brick);
+            let (life, takes_over) = (elements.lives[e as usize], elements.successors.contains_key(&e));
+            let lot = (life, takes_over, viscous, brick, levels.of_element(e));
             lots.entry(lot).or_default().push(e);
         }
-        for ((life, takes_over, viscous, bricks), lot) in lots {
+        for ((life, takes_over, viscous, bricks, level), lot) in lots {
             let centroids: Vec<[f64; 3]> = lot.iter().map(|&e| centroid(mesh, e)).collect();
             let order: Vec<u32> = hilbert_order(&centroids).into_iter().map(|i| lot[i as usize]).collect();
-            patches.extend(order.chunks(size).map(|elements| Patch {
+            patches.extend(order.chunks(sizes[usize::from(level)]).map(|elements| Patch {
                 body: b,
                 domain: domain(b),
                 life,
                 viscous,
                 takes_over,
                 bricks,
+                level,
                 elements: elements.to_vec(),
             }));
         }

@@ -49,7 +49,7 @@ impl Part for Loads {
         own.numbers[0] = factor;
         let mut work = Lines::default();
         for ((node, force), out) in self.load.forces.iter().zip(out) {
-            let du = x.du[*node as usize].xyz();
+            let du = x.increment(*node).xyz();
             work[Line::Input] -= mean * (force[0] * du[0] + force[1] * du[1] + force[2] * du[2]);
             *out = Row::new(force.map(|f| -f * factor));
         }

@@ -67,7 +67,7 @@ impl PassedOn {
         let mut work = 0.0;
         let sources = &self.nodes[self.elements.nodes().len()..];
         for ((&node, force), last) in sources.iter().zip(out).zip(last.chunks_exact_mut(REMEMBERED)) {
-            let du = &x.du[node as usize];
+            let du = x.increment(node);
             for i in 0..3 {
                 work += 0.5 * (force.0[i] + last[i] - 2.0 * last[3 + i]) * du.0[i];
                 last[i] = force.0[i];

@@ -14,6 +14,8 @@ pub struct Turn {
     pub nodes: Range<usize>,
     /// Whether its nodes are the model's own, so that their energy is in the balance.
     pub counts: bool,
+    /// The level of its nodes.
+    pub level: u8,
     /// Which of [`Phase::leaders`](crate::Phase::leaders) are among them.
     pub leaders: Range<usize>,
 }
@@ -34,6 +36,20 @@ impl Pass {
     /// Number of its nodes.
     pub fn nodes(&self) -> usize {
         self.turns.iter().map(|turn| turn.nodes.len()).sum()
+    }
+
+    /// Its blocks of levels up to this one.
+    pub fn up_to(&self, coarsest: u8) -> Self {
+        let mut pass = Pass::default();
+        let own = self.turns.iter().filter(|turn| turn.level <= coarsest).cloned();
+        own.for_each(|turn| pass.push(turn));
+        pass
+    }
+
+    /// Its blocks on one level.
+    pub fn level(mut self) -> Self {
+        self.turns.iter_mut().for_each(|turn| turn.level = 0);
+        self
     }
 
     fn push(&mut self, turn: Turn) {
@@ -81,6 +97,7 @@ pub fn passes<'d>(model: &Model, dashpots: impl Iterator<Item = &'d Dashpot>) ->
                 block,
                 nodes: of.nodes.clone(),
                 counts: of.domain == Domain::Model,
+                level: of.level,
                 leaders: next..next + count,
             });
             next += count;

@@ -97,7 +97,7 @@ impl Checked<'_> {
 
     /// Element updates a second.
     pub fn updates_per_second(&self) -> f64 {
-        self.job.survey.active_elements as f64 / self.cost
+        self.job.phase.evaluated_elements / self.cost
     }
 }
 

@@ -276,6 +276,10 @@ impl DepthPeaks {
         let nodes: Vec<usize> = self.depth.nodes().collect();
         for (k, kept) in self.depth.kept(memory)[1..].chunks_exact_mut(EACH).enumerate() {
             let (node, level) = (nodes[k], k % count);
+            // At times that the node, that below and the lowest have in common.
+            if step.own([node, nodes[k - level.min(1)], nodes[k - level]]).is_none() {
+                continue;
+            }
             let u = moved(node);
             let v = step.du[node].xyz().map(|d| d / step.dt);
             let strain = match level {

@@ -11,6 +11,7 @@ use tremolite_engine::engine::Rest;
 use tremolite_engine::member::Kind;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
+use tremolite_engine::phase::beats::span;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
 use tremolite_results::ResultFolder;
@@ -165,17 +166,31 @@ pub struct StageSeen<'e> {
     pub reference: &'e [Row],
 }
 
-/// A step just made.
+/// A step of the finest level just made. Nodes of coarser levels are in the middle of theirs unless [`Stepped::own`] says otherwise:
+/// where they are is not told.
 #[derive(Clone, Copy)]
 pub struct Stepped<'a> {
     pub model: &'a Model,
     pub plan: &'a Plan,
-    /// u^{n+1} and u^{n+1} − u^n by engine node \[m\], and the step \[s\].
+    /// Steps of the finest level made since t = 0.
+    pub steps: u64,
+    /// u^{n+1} and u^{n+1} − u^n by engine node \[m\], and the step \[s\], of the finest level; the increment of a node is the same
+    /// in all steps of the finest level that are in one of its own.
     pub u: &'a [Row],
     /// What u was at t = 0 \[m\]; empty where that was nothing.
     pub datum: &'a [Row],
     pub du: &'a [Row],
     pub dt: f64,
+}
+
+impl Stepped<'_> {
+    /// The step \[s\] of the slowest of some engine nodes, where that has just come to its end: all of them are then at times of
+    /// their own.
+    pub fn own(&self, nodes: impl IntoIterator<Item = usize>) -> Option<f64> {
+        let slowest = nodes.into_iter().map(|n| self.model.nodes.level[n]).max().unwrap_or(0);
+        let span = span(slowest);
+        self.steps.is_multiple_of(span).then(|| span as f64 * self.dt)
+    }
 }
 
 /// What observers are made from, when a stage or the shaking begins or goes on.

@@ -13,6 +13,7 @@ use crate::setup::facts::ENERGY_SHARE;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use tremolite_engine::model::Model;
+use tremolite_engine::phase::beats::span;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_motion::{Band, Filter, Section, highest_frequency};
@@ -78,7 +79,8 @@ struct Followed {
 /// Follows pairs of interfaces through every step.
 pub struct Rings {
     wants: Wants,
-    sections: Vec<Section>,
+    /// By level of steps, as far as nodes that are followed have such.
+    sections: Vec<Vec<Section>>,
     followed: Vec<Followed>,
     /// By interface, which of them are its own.
     of: Vec<Range<usize>>,
@@ -91,7 +93,7 @@ impl Rings {
         if model.user_seams().is_empty() {
             return None;
         }
-        let filter = Filter::design(Band::High(corner(model)?), dt).ok()?;
+        let corner = corner(model)?;
         let (mut of, mut followed) = (Vec::new(), Vec::new());
         for seam in model.user_seams() {
             let first = followed.len();
@@ -128,7 +130,14 @@ impl Rings {
             steps: Which::some(followed.iter().flat_map(|f| f.nodes)),
             ..Wants::looks(setting.rows())
         };
-        Some(Rings { wants, sections: filter.sections().to_vec(), followed, of })
+        let level = |f: &Followed| f.nodes.map(|n| model.nodes.level[n]).into_iter().max();
+        let coarsest = followed.iter().filter_map(level).max().unwrap_or(0);
+        let design = |level: u8| {
+            let filter = Filter::design(Band::High(corner), span(level) as f64 * dt).ok()?;
+            Some(filter.sections().to_vec())
+        };
+        let sections = (0..=coarsest).map(design).collect::<Option<Vec<_>>>()?;
+        Some(Rings { wants, sections, followed, of })
     }
 
     /// What is remembered of interfaces, and of pairs.
@@ -140,13 +149,15 @@ impl Rings {
     }
 
     /// Squares of what the filter lets through of a node's acceleration in a step, and of the rest.
-    fn squares(&self, velocity: [f64; 3], dt: f64, own: &mut [f64]) -> [f64; 2] {
+    fn squares(&self, velocity: [f64; 3], (level, dt): (u8, f64), own: &mut [f64]) -> [f64; 2] {
         let mut squares = [0.0; 2];
         for (v, own) in velocity.into_iter().zip(own.chunks_exact_mut(COMPONENT)) {
             let acceleration = (v - own[0]) / dt;
             own[0] = v;
             let mut x = acceleration;
-            for (Section { b, a }, z) in self.sections.iter().zip(own[1..].chunks_exact_mut(2)) {
+            for (Section { b, a }, z) in
+                self.sections[usize::from(level)].iter().zip(own[1..].chunks_exact_mut(2))
+            {
                 let y = b[0] * x + z[0];
                 z[0] = b[1] * x - a[0] * y + z[1];
                 z[1] = b[2] * x - a[1] * y;
@@ -207,15 +218,19 @@ impl Rings {
         Ok(())
     }
 
-    fn stepped(&mut self, step: &Stepped, memory: &mut Memory) {
-        let Stepped { du, dt, .. } = *step;
+    fn stepped(&mut self, stepped: &Stepped, memory: &mut Memory) {
+        let Stepped { du, dt, .. } = *stepped;
         let (sums, pairs) = self.kept(memory);
         sums.chunks_exact_mut(SUMS).for_each(|sums| sums[3] += 1.0);
         for (followed, own) in self.followed.iter().zip(pairs.chunks_exact_mut(EACH)) {
             let (found, nodes) = own.split_at_mut(3);
             for (node, own) in followed.nodes.iter().zip(nodes.chunks_exact_mut(3 * COMPONENT)) {
-                let squares = self.squares(du[*node].xyz().map(|d| d / dt), dt, own);
-                found.iter_mut().zip(squares).for_each(|(sum, more)| *sum += 0.5 * more);
+                let Some(step) = stepped.own([*node]) else { continue };
+                let level = stepped.model.nodes.level[*node];
+                let squares = self.squares(du[*node].xyz().map(|d| d / dt), (level, step), own);
+                // As many steps of the finest level as it stands for.
+                let weight = 0.5 * span(level) as f64;
+                found.iter_mut().zip(squares).for_each(|(sum, more)| *sum += weight * more);
             }
         }
     }

@@ -26,7 +26,8 @@ fn each() -> usize {
     3 + 2 * followed().count()
 }
 
-/// Follows the monitors through every step. The velocity is that between two steps, the acceleration its change.
+/// Follows the monitors through every step of theirs, that of the slowest corner of the element. The velocity is that between two
+/// steps, the acceleration its change.
 pub struct StepPeaks {
     nodes: Which,
 }
@@ -56,7 +57,7 @@ impl Observer for StepPeaks {
 
 impl StepPeaks {
     fn stepped(&mut self, step: &Stepped, memory: &mut Memory) {
-        let Stepped { model, plan, u, datum, du, dt } = *step;
+        let Stepped { model, plan, u, datum, du, dt, .. } = *step;
         if !memory.contains_key(MEMORY) {
             // At rest so far, under the stress of the first row.
             let at_rest = |k: usize| {
@@ -72,6 +73,9 @@ impl StepPeaks {
         let Some(kept) = memory.get_mut(MEMORY) else { return };
         let zero = |node: usize| datum.get(node).map_or([0.0; 3], Row::xyz);
         for ((monitor, first), kept) in plan.monitors.iter().zip(first).zip(kept.chunks_exact_mut(each())) {
+            let corners = model.mesh.elements[monitor.location.element as usize].nodes();
+            let corners = corners.iter().map(|&n| model.engine_node[n as usize] as usize);
+            let Some(own) = step.own(corners) else { continue };
             let strained = elastic_change(model, monitor, |node| {
                 let (u, zero) = (u[node].xyz(), zero(node));
                 [0, 1, 2].map(|i| u[i] - zero[i])
@@ -85,7 +89,7 @@ impl StepPeaks {
             }
             let v = interpolate(model, monitor, du).map(|d| d / dt);
             let (last, extremes) = kept.split_at_mut(3);
-            let a = [0, 1, 2].map(|i| (v[i] - last[i]) / dt);
+            let a = [0, 1, 2].map(|i| (v[i] - last[i]) / own);
             last.copy_from_slice(&v);
             let moved = Moved { u, v, a, s1_elastic };
             for ((_, value), pair) in followed().zip(extremes.chunks_exact_mut(2)) {

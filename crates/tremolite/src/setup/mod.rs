@@ -215,8 +215,11 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let (incident, recorded) = entering.map(|entering| (entering.incident, entering.recorded)).unzip();
     problem.incident = incident;
     problem.rayleigh = rayleigh;
-    problem.time_step =
-        TimeStep { safety: dynamic.safety.value, given: dynamic.time_step.as_ref().map(|t| t.value) };
+    problem.time_step = TimeStep {
+        safety: dynamic.safety.value,
+        given: dynamic.time_step.as_ref().map(|t| t.value),
+        levels: dynamic.levels.value as u8,
+    };
     problem.isa = isa;
     warnings.extend(staged.fill(case, &mut problem));
     let output = &case.output;

@@ -62,9 +62,9 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Element updates a second of the steps.
-    pub fn updates_per_second(&self, elements: usize) -> f64 {
-        self.taken_here as f64 * elements as f64 / self.step_seconds.max(1e-9)
+    /// Element updates a second of the steps, of which each evaluates so many in the mean.
+    pub fn updates_per_second(&self, elements: f64) -> f64 {
+        self.taken_here as f64 * elements / self.step_seconds.max(1e-9)
     }
 
     /// The last stage that was come to its end, or the shaking; none before the first.

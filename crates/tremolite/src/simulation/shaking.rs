@@ -58,7 +58,7 @@ struct End {
 }
 
 impl Simulation {
-    /// Makes so many steps, or fewer where the run ends before. Looks that are due are taken as each step is made; those of the
+    /// Makes so many steps of the coarsest level, or fewer where the run ends before. Looks that are due are taken as each step is made; those of the
     /// last step with the call after it.
     ///
     /// # Errors
@@ -119,7 +119,7 @@ impl Simulation {
         })
     }
 
-    /// Looks where something is due, and goes on by a step.
+    /// Looks where something is due, and goes on by a step of the coarsest level.
     fn one_step(&mut self, shaking: &mut Shaking) -> Result<Stepping, RunError> {
         if let Some(End { how, .. }) = &shaking.ended {
             return how.clone().ok_or(RunError::Spoiled(self.state.steps()));
@@ -148,10 +148,21 @@ impl Simulation {
             self.end(shaking, evaluated, Some(Stepping::Done));
             return Ok(Stepping::Done);
         }
-        self.state = shaking.engine.advance(evaluated);
-        let State { u, du, datum, dt, observers: memory, .. } = &mut self.state;
-        let stepped = Stepped { model: &self.model, plan: &self.plan, u, datum, du, dt: *dt };
-        if let Err(error) = shaking.audience.stepped(&stepped, memory) {
+        let mut told = Ok(());
+        loop {
+            self.state = shaking.engine.advance(evaluated);
+            let steps = self.state.steps();
+            let State { u, du, datum, dt, observers: memory, .. } = &mut self.state;
+            let stepped = Stepped { model: &self.model, plan: &self.plan, steps, u, datum, du, dt: *dt };
+            if told.is_ok() {
+                told = shaking.audience.stepped(&stepped, memory);
+            }
+            if self.phase.is_common(&self.state) {
+                break;
+            }
+            evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Nothing);
+        }
+        if let Err(error) = told {
             let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
             self.end(shaking, evaluated, None);
             return Err(error);
@@ -199,8 +210,7 @@ impl Simulation {
     pub fn updates_per_second(&self) -> f64 {
         self.shaking.as_ref().map_or(0.0, |Shaking { first, spent, looking, .. }| {
             let steps = (self.state.steps() - first) as f64;
-            steps * self.phase.counted_elements as f64
-                / spent.saturating_sub(*looking).as_secs_f64().max(1e-9)
+            steps * self.phase.evaluated_elements / spent.saturating_sub(*looking).as_secs_f64().max(1e-9)
         })
     }
 

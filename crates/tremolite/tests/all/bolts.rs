@@ -331,7 +331,7 @@ fn work_on_a_sliding_yielding_and_breaking_bolt_is_in_its_lines() {
 }
 
 fn motion_of(state: &State) -> tremolite_kernels::Motion<'_> {
-    tremolite_kernels::Motion { u: &state.u, du: &state.du }
+    tremolite_kernels::Motion::new(&state.u, &state.du)
 }
 
 #[test]

@@ -37,13 +37,14 @@ impl<'a> Alone<'a> {
             initial: &[],
         };
         let tick = Tick { time: 0.05, dt: 1e-5 };
-        let work = self.member.part.forces(&tick, &Motion { u, du }, own, &mut out, &mut Scratch::default());
+        let work =
+            self.member.part.forces(&tick, &Motion::new(u, du), own, &mut out, &mut Scratch::default());
         (out, work)
     }
 
     fn energy(&self, u: &[Row], du: &[Row]) -> Lines {
         let kept = Kept { history: &self.history, numbers: &self.numbers, reference: &[], initial: &[] };
-        self.member.part.energy(&Motion { u, du }, kept)
+        self.member.part.energy(&Motion::new(u, du), kept)
     }
 }
 

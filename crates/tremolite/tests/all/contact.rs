@@ -204,7 +204,7 @@ fn the_two_sides_of_a_pair_are_pushed_by_opposite_bits() {
         reference: &mut [],
         initial: &[],
     };
-    let motion = tremolite::parts::Motion { u: &u, du: &du };
+    let motion = tremolite::parts::Motion::new(&u, &du);
     let tick = tremolite::parts::Tick { time: 0.0, dt: 1e-5 };
     member.part.forces(&tick, &motion, own, &mut out, &mut tremolite::parts::Scratch::default());
     // Every node of this plane joint is in one pair.

@@ -19,6 +19,7 @@ mod held;
 mod history;
 mod job;
 mod layered;
+mod levels;
 mod oblique;
 mod observers;
 mod outside_law;

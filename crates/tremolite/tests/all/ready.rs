@@ -1,7 +1,7 @@
 //! A problem made ready to run in one phase.
 
 use std::sync::Arc;
-use tremolite::{Assembly, Engine, Model, Phase, Problem, Stage, State, stable_step};
+use tremolite::{Assembly, Engine, Model, Phase, Problem, Stage, State, settle_levels, stable_step};
 
 /// A model with its parts and what of them is active.
 pub struct Ready {
@@ -15,6 +15,15 @@ impl Ready {
     pub fn new(problem: Problem) -> Self {
         let model = Model::new(problem).unwrap();
         let assembly = Assembly::new(&model).unwrap();
+        let phase = Phase::of(&model, &assembly, Stage::Shaking).unwrap();
+        Ready { model, assembly, phase }
+    }
+
+    /// The same with levels of steps as near to those wished for at each place as may be.
+    pub fn levelled(self, wished: impl Fn([f64; 3]) -> u8) -> Self {
+        let wished = self.model.mesh.nodes.iter().map(|&at| wished(at)).collect();
+        let model = self.model.at_levels(&settle_levels(&self.model, &self.phase, wished));
+        let assembly = self.assembly.again(&model).unwrap();
         let phase = Phase::of(&model, &assembly, Stage::Shaking).unwrap();
         Ready { model, assembly, phase }
     }

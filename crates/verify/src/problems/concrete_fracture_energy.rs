@@ -226,7 +226,7 @@ fn resisting(simulation: &Simulation, body: &str, state: &State) -> Vec<(u32, [f
         reference: &mut state.reference[slices.reference.clone()].to_vec(),
         initial: &state.initial[slices.initial.clone()],
     };
-    let motion = Motion { u: &state.u, du: &state.du };
+    let motion = Motion::new(&state.u, &state.du);
     member.part.forces(&simulation.phase.tick(state), &motion, own, &mut out, &mut Scratch::default());
     nodes.iter().copied().zip(out.iter().map(Row::xyz)).collect()
 }

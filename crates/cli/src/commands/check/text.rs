@@ -108,6 +108,26 @@ fn print_shaking(checked: &Checked, motion: &MotionFacts) {
         "           {:.4e} s used, {} steps for {:.2} s",
         checked.job.dt, checked.job.steps.total, checked.job.plan.duration
     ));
+    if let [_, _, ..] = &checked.job.phase.elements_of_level[..] {
+        print_levels(checked);
+    }
+}
+
+/// Who makes longer steps than that.
+fn print_levels(checked: &Checked) {
+    let phase = &checked.job.phase;
+    let all = phase.counted_elements as f64;
+    let shares: Vec<String> = phase
+        .elements_of_level
+        .iter()
+        .enumerate()
+        .map(|(level, &count)| format!("{:.1} % {}", 100.0 * count as f64 / all, 1 << level))
+        .collect();
+    print(&format!(
+        "           of the elements step {} times as long: {:.2} evaluations a step of each, where one level has 1",
+        shares.join(", "),
+        phase.evaluated_elements / all
+    ));
 }
 
 fn print_estimate(checked: &Checked) {

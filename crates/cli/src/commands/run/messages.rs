@@ -93,7 +93,7 @@ pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summa
     if idle > 0 {
         log.say(&format!("  --   {idle} more checks do not apply; log.txt and the page say why"));
     }
-    let elements = job.phase.counted_elements;
+    let elements = job.phase.evaluated_elements;
     if !job.plan.stages.is_empty() {
         log.say(&format!(
             "  {} for {} of {} stages",

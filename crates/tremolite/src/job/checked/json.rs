@@ -42,6 +42,7 @@ impl Checked<'_> {
                 "set_by": self.set_by,
                 "impacts": self.impacts,
                 "used": job.dt,
+                "elements_of_level": job.phase.elements_of_level,
                 "steps": steps.total,
                 "duration": job.plan.duration,
             })

@@ -1,0 +1,249 @@
+//! Levels of steps: the same motion as with one, with fewer evaluations, and books that close.
+
+use crate::block::block;
+use crate::contact::jointed;
+use crate::ready::Ready;
+use tremolite::engine::Engine;
+use tremolite::{Body, Line, Problem, Quadrature, Rayleigh, Side, Snapshot, State, elastic};
+use tremolite_laws::{Isa, Moduli, Row};
+use tremolite_mesh::boxes::BoxSpec;
+
+/// Coarser upwards: all four levels in a block of 14 m.
+fn upwards([_, _, z]: [f64; 3]) -> u8 {
+    (z / 3.0) as u8
+}
+
+/// Levels in blobs, so that each borders on others in all directions.
+fn blobs([x, y, z]: [f64; 3]) -> u8 {
+    ((1.3 * x).sin() * (0.9 * y).cos() * 2.0 + (0.7 * z).sin() + 2.5).clamp(0.0, 3.0) as u8
+}
+
+/// Mixed sides, a base with springs and Rayleigh's ω.
+fn shaken(side: Side) -> Problem {
+    let mut problem = block([6, 5, 14]);
+    problem.sides = [side; 2];
+    problem.rayleigh = Rayleigh { mass: 3.0, stiffness: 0.0 };
+    problem.patch_elements = Some(32);
+    problem
+}
+
+/// Runs to a time with so many of the coarsest steps; looks with it.
+fn run(engine: &mut Engine, mut state: State, end: f64) -> (State, Vec<Snapshot>) {
+    let mut seen = Vec::new();
+    let span = engine.phase().span() as f64;
+    while state.time() < end - 0.5 * span * state.dt {
+        seen.push(engine.look(&state).snapshot);
+        engine.step(&mut state);
+    }
+    seen.push(engine.look(&state).snapshot);
+    (state, seen)
+}
+
+/// A state with the step that brings `coarse` of the coarsest to the end.
+fn rest(ready: &Ready, end: f64, coarse: u32) -> State {
+    let mut state = ready.assembly.rest();
+    state.dt = end / f64::from(coarse) / ready.phase.span() as f64;
+    state
+}
+
+/// How far the balance is from closing, its scheme's part apart, over the largest energy; and the line of the levels over the same.
+fn books(seen: &[Snapshot]) -> [f64; 2] {
+    let most = |of: &dyn Fn(&Snapshot) -> f64| seen.iter().map(|s| of(s).abs()).fold(0.0, f64::max);
+    let all = most(&|s| s.supplied).max(most(&|s| s.held));
+    [most(&|s| s.balance[Line::Error] - s.scheme) / all, most(&|s| s.balance[Line::Levels]) / all]
+}
+
+/// Distance of two motions.
+fn apart(a: &[Row], b: &[Row]) -> f64 {
+    let square = |(a, b): (&Row, &Row)| (0..3).map(|i| (a.0[i] - b.0[i]).powi(2)).sum::<f64>();
+    a.iter().zip(b).map(square).sum::<f64>().sqrt()
+}
+
+#[test]
+fn the_motion_is_that_of_one_level_to_second_order() {
+    let ways =
+        [(Side::FreeField, blobs as fn([f64; 3]) -> u8), (Side::Periodic, upwards), (Side::Viscous, blobs)];
+    for (side, wished) in ways {
+        let ready = Ready::new(shaken(side)).levelled(wished);
+        assert_eq!(ready.phase.beats.len(), 4, "{side:?}");
+        assert!(!ready.phase.borders.is_empty());
+        assert!(ready.phase.evaluated_elements < 0.75 * ready.phase.counted_elements as f64);
+        let one = Ready::new(shaken(side));
+        let (end, stable) = (0.16, one.stable());
+        let fewest = (end / (0.75 * stable)).ceil() as u32;
+        let of = |ready: &Ready, times: u32| {
+            let (state, seen) = run(&mut ready.engine(), rest(ready, end, times * fewest), end);
+            let nodes = &ready.model.engine_node[..ready.model.user.nodes];
+            let u: Vec<Row> = nodes.iter().map(|&n| state.u[n as usize]).collect();
+            (u, books(&seen))
+        };
+        let [(first, [open, _]), (second, [_, coarse]), (third, [_, fine])] =
+            [1, 2, 4].map(|times| of(&ready, times));
+        let order = (apart(&first, &second) / apart(&second, &third)).log2();
+        assert!((1.9..2.1).contains(&order), "{side:?}: order {order:.2}");
+        assert!((3.5..4.5).contains(&(coarse / fine)), "{side:?}: levels {coarse:e} {fine:e}");
+        // ω leaves something of the second order open, in levels no more than with the coarsest step throughout.
+        let (_, [closes, _]) = of(&one, 1);
+        assert!(open < closes && closes < 1e-5, "{side:?}: {open:e} {closes:e}");
+
+        let (exact, _) = of(&one, 16);
+        let error = apart(&third, &exact) / apart(&exact, &vec![Row::ZERO; exact.len()]);
+        assert!(error < 1e-3, "{side:?}: {error:e}");
+    }
+}
+
+/// Without ω the scheme keeps an energy exactly, and what levels take is all that it loses.
+#[test]
+fn the_balance_closes_to_round_off_with_what_levels_take() {
+    for side in [Side::FreeField, Side::Viscous, Side::Roller] {
+        let mut problem = shaken(side);
+        problem.rayleigh.mass = 0.0;
+        let ready = Ready::new(problem).levelled(blobs);
+        let fewest = (0.16 / (0.75 * ready.stable())).ceil() as u32;
+        let (_, seen) = run(&mut ready.engine(), rest(&ready, 0.16, fewest), 0.16);
+        let [open, levels] = books(&seen);
+        assert!(open < 1e-12, "{side:?}: the balance misses {open:e}");
+        assert!(levels > 1e6 * open && levels < 1e-2, "{side:?}: levels take {levels:e}");
+        let bodies = |s: &Snapshot| s.bodies.iter().map(|body| body.error().abs()).fold(0.0, f64::max);
+        let worst = seen.iter().map(bodies).fold(0.0, f64::max) / seen.last().unwrap().supplied;
+        assert!(worst < 1e-12, "{side:?}: a body's books miss {worst:e}");
+    }
+}
+
+#[test]
+fn bits_depend_neither_on_threads_nor_on_instructions_nor_on_where_a_run_stops() {
+    let end = 0.05;
+    let bits = |isa: Isa, threads: usize, stop: bool| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut problem = shaken(Side::FreeField);
+            problem.isa = isa;
+            let ready = Ready::new(problem).levelled(blobs);
+            let mut state = rest(&ready, end, 60);
+            let mut engine = ready.engine();
+            if stop {
+                (0..7).for_each(|_| engine.step(&mut state));
+                engine = ready.engine();
+            }
+            let (state, seen) = run(&mut engine, state, end);
+            (state, seen.last().map(|seen| (seen.balance, seen.stress.clone())))
+        })
+    };
+    let first = bits(Isa::Scalar, 1, false);
+    assert!(first.0.u.iter().any(|u| u.0[0].abs() > 1e-6));
+    for (isa, threads, stop) in [(Isa::Scalar, 2, true), (Isa::best(), 1, true), (Isa::best(), 4, false)] {
+        assert!(first == bits(isa, threads, stop), "{} {threads} {stop}", isa.name());
+    }
+}
+
+#[test]
+fn parts_know_of_other_levels_only_what_they_name() {
+    for side in [Side::FreeField, Side::Periodic] {
+        let ready = Ready::new(shaken(side)).levelled(blobs);
+        let run = |mut engine: Engine| run(&mut engine, rest(&ready, 0.01, 12), 0.01).0;
+        assert!(run(ready.engine()) == run(ready.engine().poisoned()), "{side:?}");
+    }
+}
+
+/// A bar of 40 × 1 × 1 m, pulled by its ends, which are held.
+fn bar() -> Problem {
+    let mesh = BoxSpec::uniform([0.0; 3], [40.0, 1.0, 1.0], [40, 1, 1]).mesh().unwrap();
+    let elements: Vec<u32> = (0..mesh.elements.len() as u32).collect();
+    let ends = (0u32..).zip(&mesh.nodes).filter(|(_, x)| x[0] < 1e-9 || x[0] > 40.0 - 1e-9);
+    let held = ends.map(|(n, _)| (n, [true; 3])).collect();
+    let body = Body {
+        name: "bar".into(),
+        elements,
+        material: elastic(Moduli::from_young_poisson(1e10, 0.0)),
+        density: 2500.0,
+        quadrature: Quadrature::OnePoint,
+        viscosity: 0.0,
+    };
+    let mut problem = Problem::new(mesh, vec![body]);
+    problem.held = held;
+    problem
+}
+
+#[test]
+fn a_bar_under_tension_stays_at_rest_across_borders() {
+    let wished = |[x, ..]: [f64; 3]| ((x / 3.0) as u8 % 7).min(6 - (x / 3.0) as u8 % 7);
+    let ready = Ready::new(bar()).levelled(wished);
+    assert_eq!(ready.phase.beats.len(), 4);
+    let mut state = ready.assembly.rest();
+    state.dt = 0.1 * ready.stable();
+    // 10 MPa.
+    let at = |&n: &u32| Row::new([1e-3 * ready.model.mesh.nodes[n as usize][0], 0.0, 0.0]);
+    let u: Vec<Row> = ready.model.mesh_node.iter().map(at).collect();
+    let mut engine = ready.engine();
+    engine.start(&mut state, u.clone(), &vec![Row::ZERO; u.len()]);
+    (0..2000).for_each(|_| engine.step(&mut state));
+    let moved = state.u.iter().zip(&u).map(|(a, b)| (a.0[0] - b.0[0]).abs()).fold(0.0, f64::max);
+    // A strain of 1e-3 over an element of 1 m.
+    assert!(moved < 1e-9 * 1e-3, "{moved:e}");
+}
+
+/// Undamped, what is in it stays: with steps of 0.75 of the coarsest elements' bound at any time some 10⁴ fine steps on.
+#[test]
+fn energy_neither_grows_nor_fades_and_too_long_steps_are_found() {
+    let ready = Ready::new(bar()).levelled(|[x, ..]| (x / 6.0) as u8 % 4);
+    let stable = ready.stable();
+    let energies = |share: f64| {
+        let mut state = ready.assembly.rest();
+        state.dt = share * stable / 8.0;
+        let noise = |n: usize, i: usize| ((7 * n + 3 * i) as f64 * 1.618).fract() - 0.5;
+        let held = |n: usize| ready.phase.inverse_mass[n].0[0] == 0.0;
+        let v: Vec<Row> = (0..state.u.len())
+            .map(|n| if held(n) { Row::ZERO } else { Row::new([0, 1, 2].map(|i| noise(n, i))) })
+            .collect();
+        let mut engine = ready.engine();
+        engine.start(&mut state, vec![Row::ZERO; v.len()], &v);
+        let mut all = Vec::new();
+        for step in 0..2500 {
+            if step % 5 == 0 {
+                let seen = engine.look(&state).snapshot;
+                all.push(
+                    seen.balance[Line::Kinetic] + seen.balance[Line::Strain] + seen.balance[Line::Hourglass],
+                );
+                if engine.guard(&seen).is_err() {
+                    return None;
+                }
+            }
+            engine.step(&mut state);
+        }
+        let mean = |all: &[f64]| all.iter().sum::<f64>() / all.len() as f64;
+        Some(mean(&all[450..]) / mean(&all[..50]))
+    };
+    let kept = energies(0.75).unwrap();
+    println!("energy of the last tenth over that of the first: {kept:.6}");
+    assert!((kept - 1.0).abs() < 0.01, "{kept}");
+    assert_eq!(energies(1.1), None, "the guard halts what is unstable");
+}
+
+/// Two halves with a joint between them, whose pairs lie on different levels along it.
+#[test]
+fn joints_between_levels_slide_as_with_one() {
+    let end = 0.03;
+    let slid = |levels: bool, fine: f64| {
+        let mut ready = Ready::new(jointed(Isa::best()));
+        if levels {
+            ready = ready.levelled(blobs);
+            assert!(ready.phase.beats.len() > 2);
+        }
+        let stable = ready.stable();
+        let mut state = ready.assembly.rest();
+        state.dt = end / (end / (0.7 * stable)).ceil() / fine;
+        let (state, seen) = run(&mut ready.engine(), state, end);
+        let [open, _] = books(&seen);
+        let nodes = &ready.model.engine_node[..ready.model.user.nodes];
+        let u: Vec<Row> = nodes.iter().map(|&n| state.u[n as usize]).collect();
+        (u, open)
+    };
+    // What laws of joints book goes by the step: that of the coarsest level is the measure.
+    let ((one, _), (_, closes), (many, open)) = (slid(false, 8.0), slid(false, 1.0), slid(true, 8.0));
+    let most = one.iter().map(|u| u.0[0].abs().max(u.0[2].abs())).fold(0.0, f64::max);
+    let far = one.iter().zip(&many).flat_map(|(a, b)| (0..3).map(|i| (a.0[i] - b.0[i]).abs()));
+    let far = far.fold(0.0, f64::max) / most;
+    println!("joint: {far:.2e} apart, balance {closes:.1e} {open:.1e}");
+    assert!(far < 0.02, "{far:e}");
+    assert!(open < 2.0 * closes, "{open:e} {closes:e}");
+}
