@@ -97,6 +97,26 @@ pub fn settle_levels(model: &Model, phase: &Phase, wished: Vec<u8>) -> Levels {
     Levels::given(&model.mesh, &alive, node)
 }
 
+/// The same with finer levels at these members of an assembly that has them: with one more layer of their own level where they push
+/// coarser nodes, else with one that is finer.
+pub fn finer_levels(model: &Model, assembly: &Assembly, phase: &Phase, members: &[u32]) -> Levels {
+    let level = |n: u32| model.nodes.level[n as usize];
+    let mut wished: Vec<u8> = vec![MOST_LEVELS; model.mesh.nodes.len()];
+    model.mesh_node.iter().zip(&model.nodes.level).for_each(|(&n, &level)| wished[n as usize] = level);
+    for member in members.iter().map(|&m| &assembly.members[m as usize]) {
+        let nodes = member.part.nodes();
+        let own = match nodes.iter().any(|&n| level(n) > member.level) {
+            true => member.level,
+            false => member.level.saturating_sub(1),
+        };
+        for &n in nodes {
+            let wished = &mut wished[model.mesh_node[n as usize] as usize];
+            *wished = own.min(*wished);
+        }
+    }
+    settle_levels(model, phase, wished)
+}
+
 /// The longest step \[s\] of each element that is there in the shaking.
 fn of_elements(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<(u32, f64)> {
     let mut stiffness = vec![0.0_f64; model.mesh_node.len()];

@@ -51,7 +51,7 @@ pub use engine::{ContactLimit, Engine, Halt, Limit, Snapshot, StableStep, stable
 pub use error::ModelError;
 pub use free_field::Incident;
 pub use interface::{Interface, Seam};
-pub use level_finding::{find_levels, settle_levels};
+pub use level_finding::{find_levels, finer_levels, settle_levels};
 pub use levels::Levels;
 pub use life::{Life, Stage};
 pub use member::{Kind, Member};

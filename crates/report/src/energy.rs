@@ -75,6 +75,7 @@ fn words(line: &str, table: &Table, language: Language) -> String {
             say!(language, "dashpots of viscous sides and top")
         }
         "side_dashpots" => say!(language, "side dashpots"),
+        "levels" => say!(language, "borders of levels of steps"),
         "base_springs" => say!(language, "base springs"),
         FREE_FIELD => say!(language, "work through the sides"),
         "input" => say!(language, "input"),

@@ -21,11 +21,12 @@ use shaking::Shaking;
 use std::sync::Arc;
 use tremolite_engine::assembly::Assembly;
 pub use tremolite_engine::engine::Look;
+use tremolite_engine::engine::{Proof, prove};
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::phase::beats::span;
 use tremolite_engine::state::State;
-use tremolite_engine::{ModelError, StableStep, Stage, stable_step};
+use tremolite_engine::{ModelError, StableStep, Stage, finer_levels, stable_step};
 use tremolite_results::ResultFolder;
 
 /// The step of the finest level that a model runs with, and the plan in steps.
@@ -51,23 +52,34 @@ impl Built {
         Built { model: model.clone(), assembly: assembly.clone(), phase: phase.clone(), stable }
     }
 
-    /// The same with the levels of steps that a plan leaves worth having.
+    /// The same with the levels of steps that a plan leaves worth having, if the surroundings of their borders are stable with them:
+    /// where not, with finer levels there, or in the end with one.
     ///
     /// # Errors
     /// If its boundaries or interfaces cannot be made, as for the model before.
     pub fn levelled(self, plan: &Plan) -> Result<Self, ModelError> {
-        let Built { model, assembly, phase, stable } = self;
-        let levels = levels(&model, &assembly, &phase, plan, &stable)?;
-        if levels.coarsest() == 0 {
-            return Ok(Built { model, assembly, phase, stable });
+        let dt = longest_step(&self.model, &self.stable);
+        let mut levels = levels(&self.model, &self.assembly, &self.phase, plan, &self.stable)?;
+        for _ in 0..TRIES {
+            if levels.coarsest() == 0 {
+                break;
+            }
+            let model = self.model.at_levels(&levels);
+            let assembly = self.assembly.again(&model)?;
+            let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
+            let Proof { grown, .. } = prove(&model, &assembly, &phase, dt);
+            if grown.is_empty() {
+                let stable = self.stable.renumbered(&self.assembly, &model, &assembly);
+                return Ok(Built { model, assembly, phase, stable });
+            }
+            levels = finer_levels(&model, &assembly, &phase, &grown);
         }
-        drop(phase);
-        let (model, before) = (model.at_levels(&levels), assembly);
-        let assembly = before.again(&model)?;
-        let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
-        Ok(Built { stable: stable.renumbered(&before, &model, &assembly), model, assembly, phase })
+        Ok(self)
     }
 }
+
+/// Sets of levels that are tried before a run has one level.
+const TRIES: usize = 4;
 
 /// What a run begins with.
 #[derive(Clone, Copy, Debug)]

@@ -44,6 +44,7 @@ mod node_step;
 mod nodes;
 mod power;
 mod product;
+mod proof;
 mod rates;
 mod relax;
 mod snapshot;
@@ -55,6 +56,7 @@ mod take_over;
 pub use evaluated::{Evaluated, Look, See, Seen};
 pub use guard::Halt;
 pub use power::{ContactLimit, Limit, StableStep, stable_step, viscous_share};
+pub use proof::{Proof, TRIED, prove};
 pub use relax::{Relaxed, Release, Rest, Watch};
 pub use snapshot::{BodyBooks, Snapshot};
 

@@ -82,13 +82,16 @@ pub struct StableStep {
 /// A fixed start without symmetry, so that no mode is missed: by node of the mesh, whatever its number in the engine and whoever
 /// has it.
 fn start(model: &Model, phase: &Phase) -> Vec<Row> {
-    let one = |(node, inverse): (&u32, &Row)| {
-        let random = |i: u64| (hash(4 * u64::from(*node) + i) >> 11) as f64 / (1u64 << 53) as f64 - 0.5;
-        Row([0, 1, 2, 3].map(|i| if inverse.0[i as usize] > 0.0 { random(i) } else { 0.0 }))
-    };
-    let mut w: Vec<Row> = model.mesh_node.iter().zip(&phase.inverse_mass).map(one).collect();
+    let all = model.mesh_node.iter().zip(&phase.inverse_mass);
+    let mut w: Vec<Row> = all.map(|(&node, inverse)| noise(node, inverse)).collect();
     follow(phase, &mut w);
     w
+}
+
+/// Numbers from −½ to ½ that a node of the mesh always has, where it moves.
+pub(super) fn noise(node: u32, inverse_mass: &Row) -> Row {
+    let random = |i: u64| (hash(4 * u64::from(node) + i) >> 11) as f64 / (1u64 << 53) as f64 - 0.5;
+    Row([0, 1, 2, 3].map(|i| if inverse_mass.0[i as usize] > 0.0 { random(i) } else { 0.0 }))
 }
 
 /// The finaliser of SplitMix64 (`steele2014`).

@@ -21,6 +21,7 @@ pub const TEXTS: Texts = &[
     ("base dashpots", "底部阻尼器"),
     ("dashpots of viscous sides and top", "黏性侧边界与顶面阻尼器"),
     ("side dashpots", "侧边界阻尼器"),
+    ("borders of levels of steps", "不同步长层级的交界"),
     ("base springs", "底部弹簧"),
     ("work through the sides", "侧边界做功"),
     ("input", "输入"),

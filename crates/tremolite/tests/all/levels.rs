@@ -3,8 +3,8 @@
 use crate::block::block;
 use crate::contact::jointed;
 use crate::ready::Ready;
-use tremolite::engine::Engine;
-use tremolite::{Body, Line, Problem, Quadrature, Rayleigh, Side, Snapshot, State, elastic};
+use tremolite::engine::{Engine, prove};
+use tremolite::{Body, Line, Problem, Quadrature, Rayleigh, Side, Snapshot, State, elastic, finer_levels};
 use tremolite_laws::{Isa, Moduli, Row};
 use tremolite_mesh::boxes::BoxSpec;
 
@@ -246,4 +246,26 @@ fn joints_between_levels_slide_as_with_one() {
     println!("joint: {far:.2e} apart, balance {closes:.1e} {open:.1e}");
     assert!(far < 0.02, "{far:e}");
     assert!(open < 2.0 * closes, "{open:e} {closes:e}");
+}
+
+/// Borders are tried before a run: steps that the bounds of elements allow pass, one part with too long ones is found, and finer levels
+/// there pass again.
+#[test]
+fn a_planted_instability_is_found_and_finer_levels_mend_it() {
+    let coarse_slab = |[_, _, z]: [f64; 3]| if (z - 7.0).abs() < 3.0 { 3 } else { 1 };
+    let right = Ready::new(shaken(Side::FreeField)).levelled(coarse_slab);
+    // Of the finest level, that the coarsest elements still allow.
+    let dt = 0.8 * right.stable() / 8.0;
+    let proof = prove(&right.model, &right.assembly, &right.phase, dt);
+    assert!(proof.tried > 10 && proof.grown.is_empty(), "{proof:?}");
+    // Elements of the slab set the step: what is too long for them is not so for the others.
+    let proof = prove(&right.model, &right.assembly, &right.phase, 1.15 * right.stable() / 8.0);
+    assert!(!proof.grown.is_empty());
+    let slab = |m: &u32| right.assembly.members[*m as usize].name.starts_with("slab");
+    assert!(proof.grown.iter().any(slab), "{:?}", proof.grown);
+    let levels = finer_levels(&right.model, &right.assembly, &right.phase, &proof.grown);
+    let finer = (0..)
+        .zip(&right.model.mesh_node)
+        .filter(|&(n, &of)| levels.of_node(of) < right.model.nodes.level[n as usize]);
+    assert!(finer.count() > 0);
 }
