@@ -42,7 +42,7 @@ pub(crate) static DYNAMIC: Table = Table {
         Key::default(
             "levels",
             Kind::Count(4),
-            "1",
+            "4",
             "Levels of steps at most: parts of the model that allow it make steps 2, 4 or 8 times as long; 1 for one step of all",
         ),
     ],

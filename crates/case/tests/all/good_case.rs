@@ -102,6 +102,7 @@ fn every_value_arrives_in_si() {
     assert_eq!((dynamic.rayleigh.mass.value, dynamic.rayleigh.stiffness.value), (0.3, 1e-4));
     assert_eq!(dynamic.time_step.as_ref().map(|t| t.value), Some(50e-6));
     assert_eq!((dynamic.duration.as_ref().map(|t| t.value), dynamic.safety.value), (Some(19.5), 0.8));
+    assert_eq!(dynamic.levels.value, 3);
 
     assert_eq!(case.monitors[0].at.value, Place::Named("powerhouse.crown".to_owned()));
     assert_eq!(case.monitors[1].at.value, Place::Point([0.0, 1.0, -210.0]));
