@@ -155,7 +155,17 @@ pub fn model(source: &Source, summary: &Summary) -> Vec<Fact> {
         let set_by = told(language, &model.step_set_by_said, &model.step_set_by);
         facts.push(card(say!(language, "Time step"), quantity("s", model.time_step), set_by));
         let shaking = say!(language, "{time} of shaking", time = span(model.duration));
-        facts.push(card(say!(language, "Steps"), count(model.steps), shaking));
+        let levels = match (&model.elements_of_level[..], model.elements) {
+            ([finest, .., _], all @ 1..) => say!(
+                language,
+                "{time} of shaking; {share} % of the elements make each step, others steps of up to {most} times as long",
+                time = span(model.duration),
+                share = format!("{:.0}", 100.0 * *finest as f64 / all as f64),
+                most = (1u64 << (model.elements_of_level.len() - 1)).to_string(),
+            ),
+            _ => shaking,
+        };
+        facts.push(card(say!(language, "Steps"), count(model.steps), levels));
     }
     facts.extend(motion(source, summary));
     for fact in &summary.case.facts {

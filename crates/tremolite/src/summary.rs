@@ -80,6 +80,10 @@ pub fn summary(evidence: Evidence) -> Summary {
                 elements: survey.active_elements as u64,
                 nodes: survey.nodes as u64,
                 steps: outcome.taken,
+                elements_of_level: match &phase.elements_of_level[..] {
+                    [] | [_] => Vec::new(),
+                    all => all.iter().map(|&count| count as u64).collect(),
+                },
                 time_step: outcome.dt,
                 step_set_by: set_by.to_string(),
                 step_set_by_said: set_by,

@@ -73,18 +73,22 @@ impl Engine {
     }
 
     /// Whether a run may go on from what is seen: less than three times all energy supplied is held, and no more than that is in no
-    /// line of the balance. The second tells what is unstable at a few nodes: sides then give energy with which it is let go again.
+    /// line of the balance, nor was given where levels of steps meet. The second tells what is unstable at a few nodes: sides then give
+    /// energy with which it is let go again.
     ///
     /// # Errors
     /// The halt, if not.
     pub fn guard(&self, seen: &Snapshot) -> Result<(), Halt> {
         let &Snapshot { held, supplied, step, time, scheme, ref balance, .. } = seen;
-        let (known, unknown) = (supplied + self.noise, balance[Line::Error] - scheme);
+        let known = supplied + self.noise;
+        let halt = |found| Err(Halt { found, supplied, step, time });
+        let (unknown, at_borders) = (balance[Line::Error] - scheme, -balance[Line::Levels]);
         // Written so that what is not a number halts as well.
-        match (held <= GUARD * known, unknown <= known) {
-            (true, true) => Ok(()),
-            (false, _) => Err(Halt { found: held, supplied, step, time }),
-            (true, false) => Err(Halt { found: unknown, supplied, step, time }),
+        match (held <= GUARD * known, unknown <= known, at_borders <= known) {
+            (true, true, true) => Ok(()),
+            (false, ..) => halt(held),
+            (true, false, _) => halt(unknown),
+            (true, true, false) => halt(at_borders),
         }
     }
 }

@@ -46,6 +46,10 @@ pub const TEXTS: Texts = &[
     ("Time step", "时间步长"),
     ("Steps", "步数"),
     ("{time} of shaking", "地震历时 {time}"),
+    (
+        "{time} of shaking; {share} % of the elements make each step, others steps of up to {most} times as long",
+        "地震历时 {time}；{share} % 的单元每步都计算，其余单元的步长最多为其 {most} 倍",
+    ),
     ("Kind of motion given", "给定地震动的类型"),
     ("outcrop", "基岩露头地震动（outcrop）"),
     ("incident", "入射波"),

@@ -37,9 +37,13 @@ pub struct ModelFacts {
     pub elements: u64,
     /// Number of nodes.
     pub nodes: u64,
-    /// Steps done.
+    /// Steps done, of the finest level.
     pub steps: u64,
-    /// Time step (s).
+    /// Elements by level of steps, the finest first: those of level l make steps of 2^l times the finest. Absent where all make
+    /// the same.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub elements_of_level: Vec<u64>,
+    /// Time step (s), of the finest level.
     #[serde(with = "number", default = "number::absent")]
     pub time_step: f64,
     /// What sets the time step, in words: which element, boundary or damping.

@@ -269,3 +269,42 @@ fn a_planted_instability_is_found_and_finer_levels_mend_it() {
         .filter(|&(n, &of)| levels.of_node(of) < right.model.nodes.level[n as usize]);
     assert!(finer.count() > 0);
 }
+
+/// What a border sends back of a pulse that crosses it, by how many elements the pulse is long.
+#[test]
+fn a_border_sends_back_little_of_what_crosses_it() {
+    let reflected = |long: f64| {
+        let (length, middle) = (400.0, 200.0);
+        let mesh = BoxSpec::uniform([0.0; 3], [length, 1.0, 1.0], [400, 1, 1]).mesh().unwrap();
+        let mut problem = bar();
+        problem.bodies[0].elements = (0..mesh.elements.len() as u32).collect();
+        problem.mesh = mesh;
+        problem.held = (0..problem.mesh.nodes.len() as u32).map(|n| (n, [false, true, true])).collect();
+        // From the finest to the coarsest, by three borders of which each is met by the pulse.
+        let ready = Ready::new(problem).levelled(|[x, ..]| if x < middle { 0 } else { 3 });
+        assert_eq!(ready.phase.beats.len(), 4);
+        let speed = (1e10_f64 / 2500.0).sqrt();
+        let mut state = ready.assembly.rest();
+        state.dt = 0.75 * ready.stable() / 8.0;
+        let pulse = |x: f64| {
+            let s = (x - 100.0) / long;
+            if s.abs() < 0.5 { (std::f64::consts::PI * s).cos().powi(4) } else { 0.0 }
+        };
+        let slope = |x: f64| (pulse(x + 1e-4) - pulse(x - 1e-4)) / 2e-4;
+        let x = |n: usize| ready.model.mesh.nodes[ready.model.mesh_node[n] as usize][0];
+        let rows = |of: &dyn Fn(f64) -> f64| -> Vec<Row> {
+            (0..ready.model.mesh_node.len()).map(|n| Row::new([of(x(n)), 0.0, 0.0])).collect()
+        };
+        let mut engine = ready.engine();
+        engine.start(&mut state, rows(&pulse), &rows(&|x| -speed * slope(x)));
+        while state.time() < 170.0 / speed {
+            engine.step(&mut state);
+        }
+        // By then it is at 270 m, and what came back at 130 m at the furthest.
+        let back = (0..state.u.len()).filter(|&n| x(n) < middle - 5.0);
+        back.map(|n| state.u[n].0[0].abs()).fold(0.0, f64::max)
+    };
+    let found = [10.0, 20.0, 40.0].map(reflected);
+    println!("reflected of pulses of 10, 20 and 40 elements: {found:?}");
+    assert!(found[0] < 1.5e-2 && found[1] < 6e-3 && found[2] < 3e-3, "{found:?}");
+}
