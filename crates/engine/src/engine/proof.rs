@@ -121,7 +121,9 @@ pub fn prove(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> Proo
         follow(&mut u);
         follow(&mut du);
         if (step + 1).is_multiple_of(32 << coarsest) {
-            grown = solid.iter().copied().filter(|&m| !(energy(&du, m) <= GROWN * most)).collect();
+            // What is not a number has grown as well.
+            let kept = |m: &u32| energy(&du, *m) <= GROWN * most;
+            grown = solid.iter().copied().filter(|m| !kept(m)).collect();
             if !grown.is_empty() {
                 break;
             }
