@@ -189,7 +189,7 @@ impl Stepped<'_> {
     pub fn own(&self, nodes: impl IntoIterator<Item = usize>) -> Option<f64> {
         let slowest = nodes.into_iter().map(|n| self.model.nodes.level[n]).max().unwrap_or(0);
         let span = span(slowest);
-        self.steps.is_multiple_of(span).then(|| span as f64 * self.dt)
+        self.steps.is_multiple_of(span).then_some(span as f64 * self.dt)
     }
 }
 
