@@ -67,8 +67,8 @@ pub fn find_levels(
     Ok(settle_levels(model, phase, node))
 }
 
-/// The levels nearest to those wished for, by node of the mesh, that are no coarser and of which there are [`MOST_LEVELS`] at most: what has one level has the finest wished for, and
-/// neighbours in the shaking differ by one.
+/// The levels nearest to those wished for, by node of the mesh, that are no coarser and of which there are [`MOST_LEVELS`] at most:
+/// what has one level has the finest wished for, and neighbours in the shaking differ by one.
 pub fn settle_levels(model: &Model, phase: &Phase, wished: Vec<u8>) -> Levels {
     let class = classes(model, phase);
     let alive: Vec<u32> = model.bodies.iter().flat_map(|body| model.lasting(body)).collect();
@@ -101,7 +101,7 @@ pub fn settle_levels(model: &Model, phase: &Phase, wished: Vec<u8>) -> Levels {
 /// coarser nodes, else with one that is finer.
 pub fn finer_levels(model: &Model, assembly: &Assembly, phase: &Phase, members: &[u32]) -> Levels {
     let level = |n: u32| model.nodes.level[n as usize];
-    let mut wished: Vec<u8> = vec![MOST_LEVELS; model.mesh.nodes.len()];
+    let mut wished: Vec<u8> = vec![0; model.mesh.nodes.len()];
     model.mesh_node.iter().zip(&model.nodes.level).for_each(|(&n, &level)| wished[n as usize] = level);
     for member in members.iter().map(|&m| &assembly.members[m as usize]) {
         let nodes = member.part.nodes();

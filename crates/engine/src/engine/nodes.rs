@@ -218,8 +218,6 @@ fn drift(
     if beat.drifting.is_empty() {
         return;
     }
-    // Such a part has its own time where its level has, and those of the beat have.
-    let coarsest = phase.beats.iter().position(|one| std::ptr::eq(one, beat)).unwrap_or(0) as u8;
     let rows = split(u, &beat.drifting, |one| one.nodes.clone());
     let books = split(books, &beat.drifting, |one| width * one.block..width * (one.block + 1));
     let mut jobs: Vec<_> = beat.drifting.iter().zip(rows).zip(books).collect();
@@ -232,7 +230,7 @@ fn drift(
             if !border.counts {
                 continue;
             }
-            for push in border.pushes.iter().filter(|push| push.level <= coarsest) {
+            for push in border.pushes.iter().filter(|push| push.level <= beat.coarsest) {
                 let work = span(push.level) as f64 * dot(contributions[push.slot as usize], *du);
                 of_nodes[LEVELS] -= work;
                 if let Some(account) = of_accounts.get_mut(push.account as usize) {

@@ -9,6 +9,8 @@ use std::ops::Range;
 /// What takes part in steps at which levels up to one have their own times.
 #[derive(Clone, Debug, Default)]
 pub struct Beat {
+    /// The coarsest level that has an own time.
+    pub coarsest: u8,
     /// Members that are evaluated, ascending.
     pub active: Vec<u32>,
     /// Nodes that are advanced, leaders first.
@@ -117,6 +119,7 @@ impl Meeting<'_> {
         let Meeting { active, tied, leaders, passes, .. } = self;
         let given = leaders.iter().take_while(|leader| matches!(leader, Leader::Given(_)));
         Beat {
+            coarsest: 0,
             active: active.to_vec(),
             given: (0..given.count() as u32).collect(),
             passes: passes.into_iter().map(Pass::level).collect(),
@@ -148,6 +151,7 @@ impl Meeting<'_> {
                 }
             }
             Beat {
+                coarsest,
                 active: active
                     .iter()
                     .copied()
