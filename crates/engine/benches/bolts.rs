@@ -216,7 +216,7 @@ fn race(bare: Problem, bolted: Problem) -> Times {
 fn parts(assembly: &Assembly, state: &State) -> f64 {
     let mut state = state.clone();
     let mut scratch = Scratch::default();
-    let tick = Tick { time: 0.0, dt: state.dt };
+    let tick = Tick { time: 0.0, dt: state.dt, step: 0 };
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
         let mut seconds = 0.0;

@@ -356,8 +356,8 @@ impl Phase {
     /// What laws and loads know of the time at a state.
     pub fn tick(&self, state: &State) -> Tick {
         match self.drive {
-            Drive::Quasistatic => Tick { time: 0.0, dt: 0.0 },
-            Drive::Dynamic => Tick { time: state.time(), dt: state.dt },
+            Drive::Quasistatic => Tick { time: 0.0, dt: 0.0, step: 0 },
+            Drive::Dynamic => Tick { time: state.time(), dt: state.dt, step: state.steps() },
         }
     }
 }

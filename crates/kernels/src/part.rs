@@ -12,6 +12,8 @@ pub struct Tick {
     pub time: f64,
     /// The part's own step \[s\]; 0 while time stands still: no rates, no Maxwell bodies.
     pub dt: f64,
+    /// How many of its own steps lie before the displacements.
+    pub step: u64,
 }
 
 /// Motion of all nodes at a time.

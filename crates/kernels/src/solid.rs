@@ -9,7 +9,7 @@ pub use rule::{Full, Layered, OnePoint, Rule};
 
 use crate::line::{Line, Lines};
 use crate::part::{ElementEnergy, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
-use pass::{After, Pass, dispatch, whole};
+use pass::{After, Pass, dispatch, dispatch_rare, whole};
 use prescribed::Prescribed;
 use std::sync::Arc;
 use tremolite_laws::band::{Band, BandStep};
@@ -165,6 +165,12 @@ impl<M: Material, R: Rule> Solid<M, R> {
         let rows = self.since(x.u, own.reference, rows);
         let Own { history, overstress, initial, .. } = own;
         let mut pass = self.pass(&*self.law, tick.dt, history, band, overstress, initial, rows, out, probe);
+        let every = self.law.slow_steps(tick.dt);
+        let (brings, late) = match tick.step % every {
+            0 => (true, every),
+            late => (false, late),
+        };
+        pass.point = Point { brings, since: late as f64 * tick.dt, ..pass.point };
         if viscous {
             second.clear();
             second.resize(self.nodes.len(), Row::ZERO);
@@ -174,7 +180,11 @@ impl<M: Material, R: Rule> Solid<M, R> {
             pass.after =
                 Some(After { law: &law, rows, out: second, factor: &self.viscosity, left: self.room(left) });
         }
-        dispatch::<R, M, PROBE>(self.isa, pass);
+        if PROBE {
+            dispatch_rare::<R, M, true>(self.isa, pass);
+        } else {
+            dispatch::<R, M>(self.isa, pass);
+        }
         let mut lines = Lines::default();
         if viscous {
             lines[Line::Viscosity] = resist(1.0 / tick.dt, others, second, own.numbers, out);
@@ -271,7 +281,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         out.fill(Row::ZERO);
         let rows = self.gather(w, others);
         pass.after = Some(After { law: &weakened, rows, out, factor: &[], left: self.room(left) });
-        dispatch::<R, Remembered<M>, false>(self.isa, pass);
+        dispatch_rare::<R, Remembered<M>, false>(self.isa, pass);
     }
 
     fn viscosity_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) -> bool {
@@ -284,7 +294,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         left.extend(self.viscosity.iter().flat_map(|&factor| (0..points).flat_map(move |_| whole(factor))));
         let pass = self.weakened();
         let pass = self.pass(&pass, 0.0, left, None, &mut [], &[], self.gather(w, rows), out, None);
-        dispatch::<R, Weakened, false>(self.isa, pass);
+        dispatch_rare::<R, Weakened, false>(self.isa, pass);
         true
     }
 
@@ -303,7 +313,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
             }
         }
         let law = Prescribed(self.elastic.moduli());
-        dispatch::<R, Prescribed, false>(
+        dispatch_rare::<R, Prescribed, false>(
             self.isa,
             self.pass(&law, 0.0, history, None, &mut [], &[], rows, out, None),
         );
@@ -311,7 +321,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
         let rows = self.gather(w, &mut scratch.rows);
-        dispatch::<R, Elastic, false>(
+        dispatch::<R, Elastic>(
             self.isa,
             self.pass(&self.elastic, 0.0, &mut [], None, &mut [], &[], rows, out, None),
         );
@@ -322,7 +332,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         let mut stress = vec![[0.0; 6]; energy.len() * self.rule.points()];
         let probe = ProbeOut { stress: &mut stress, energy };
         let rows = self.gather(w, &mut scratch.rows);
-        dispatch::<R, Elastic, true>(
+        dispatch_rare::<R, Elastic, true>(
             self.isa,
             self.pass(&self.elastic, 0.0, &mut [], None, &mut [], &[], rows, &mut out, Some(probe)),
         );

@@ -1,6 +1,6 @@
 //! The seam for material laws.
 
-use crate::lane::Lane;
+use crate::lane::{Lane, Octet};
 use crate::parameter::{BadParameter, Column, Derived, LawInfo, Parameter, Role, Values, position};
 
 /// A symmetric tensor: xx, yy, zz, xy, yz, zx. Strains carry engineering shear.
@@ -11,6 +11,10 @@ pub type Sym<L> = [L; 6];
 pub struct Point<L> {
     /// Time step \[s\]; 0 while time stands still (stages).
     pub dt: L,
+    /// Whether memory that changes slowly is brought on in this step ([`Material::slow_steps`]), and the time \[s\] since it last
+    /// was, this step included.
+    pub brings: bool,
+    pub since: L,
     /// Size tensor of the element \[m²\], G = ½ Σ (x − x̄)⊗(x − x̄) over its corners, in the axes of the strain
     /// (xx, yy, zz, xy, yz, zx): √(p·G·p) is its extent along p, for a brick the edge along an edge. Element kernels
     /// fill it where [`Material::NEEDS_SIZE`] says so; else it is zero.
@@ -18,10 +22,16 @@ pub struct Point<L> {
 }
 
 impl<L: Lane> Point<L> {
-    /// A point at a time step \[s\], of an element without a size.
+    /// A point at a time step \[s\], of an element without a size, at which all memory is brought on.
     #[inline(always)]
     pub fn new(dt: L) -> Self {
-        Point { dt, size: [L::splat(0.0); 6] }
+        Point { dt, brings: true, since: dt, size: [L::splat(0.0); 6] }
+    }
+
+    /// The same instant for lanes.
+    #[inline(always)]
+    pub fn splat(point: &Point<f64>) -> Self {
+        Point { brings: point.brings, since: L::splat(point.since), ..Point::new(L::splat(point.dt)) }
     }
 
     /// The element's extent \[m\] along a unit vector p, √(p·G·p).
@@ -228,6 +238,11 @@ pub trait Material: Send + Sync + Sized + 'static {
     /// the law what Maxwell bodies leave of the moduli.
     fn scaled(&self, factor: f64) -> Self;
 
+    /// Steps of `dt` \[s\] after which memory that changes slowly is brought on, at once for all of them; a power of two.
+    fn slow_steps(&self, _dt: f64) -> u64 {
+        1
+    }
+
     /// The extent \[m\] that an element must stay below for the law to dissipate its fracture energy; infinite for
     /// a law that does not go by the element's size.
     fn size_limit(&self) -> f64 {
@@ -331,6 +346,63 @@ pub trait Material: Send + Sync + Sized + 'static {
         let (stress, new) = self.update(point, strain, history);
         let left = self.integrity(&strain, &new);
         (stress, new, left)
+    }
+
+    /// The same of a point whose history lies in octets, one a column, and is brought on where it lies. A law that leaves most
+    /// columns as they are in most steps does not touch them here: each is a line of the cache.
+    #[inline(always)]
+    fn update_in_place<L: Lane>(
+        &self,
+        point: &Point<L>,
+        strain: Sym<L>,
+        history: &mut [Octet],
+        at: usize,
+    ) -> InPlace<L> {
+        let old: Self::History<L> = load(history, at);
+        if !Self::DAMAGES {
+            let (stress, new) = self.update(point, strain, old);
+            store(&new, history, at);
+            let (zero, one) = (L::splat(0.0), L::splat(1.0));
+            return InPlace { stress, left: [one, one, one, zero, zero, zero], before: one, now: one };
+        }
+        let (stress, new, left) = self.update_left(point, strain, old);
+        store(&new, history, at);
+        InPlace { stress, left, before: self.unbroken(&old), now: self.unbroken(&new) }
+    }
+}
+
+/// Answer of [`Material::update_in_place`].
+pub struct InPlace<L> {
+    /// \[Pa\]
+    pub stress: Sym<L>,
+    /// V ([`Material::integrity`]) of the new history.
+    pub left: Sym<L>,
+    /// [`Material::unbroken`] of the old history and of the new one.
+    pub before: L,
+    pub now: L,
+}
+
+/// History of one point from its octets, one a column.
+#[inline(always)]
+pub(crate) fn load<L: Lane, H: History<L>>(octets: &[Octet], at: usize) -> H {
+    let mut history = H::zero();
+    let lanes = history.as_mut();
+    let mut i = 0;
+    while i < lanes.len() {
+        lanes[i] = L::load(&octets[i], at);
+        i += 1;
+    }
+    history
+}
+
+/// The inverse of [`load`].
+#[inline(always)]
+pub(crate) fn store<L: Lane, H: History<L>>(history: &H, octets: &mut [Octet], at: usize) {
+    let lanes = history.as_ref();
+    let mut i = 0;
+    while i < lanes.len() {
+        lanes[i].store(&mut octets[i], at);
+        i += 1;
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod eigen;
 
-pub use eigen::{Eigen, Spectrum, eigen};
+pub use eigen::{Eigen, Spectrum, Spread, eigen};
 
 /// Principal values, largest first, by Jacobi's rotations (Golub & Van Loan 2013, section 8.5).
 ///

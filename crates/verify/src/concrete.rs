@@ -108,7 +108,7 @@ pub fn strength(law: &Concrete, most: f64, stress: impl Fn(f64) -> [f64; 3]) -> 
 
 /// A point of a cube of edge h \[m\] at a time step \[s\].
 pub fn cube(dt: f64, h: f64) -> Point<f64> {
-    Point { dt, size: [h * h, h * h, h * h, 0.0, 0.0, 0.0] }
+    Point { size: [h * h, h * h, h * h, 0.0, 0.0, 0.0], ..Point::new(dt) }
 }
 
 /// n + 1 values from a to b.

@@ -215,8 +215,9 @@ impl Engine {
             .map(|job| {
                 // Taken, not borrowed: a part that goes parallel itself may be given another on this very thread.
                 let mut room = ROOM.take();
-                let span = phase.span_of(job.member) as f64;
-                let tick = Tick { dt: span * tick.dt, ..tick };
+                let span = phase.span_of(job.member);
+                let tick = Tick { step: tick.step / span, dt: span as f64 * tick.dt, ..tick };
+                let span = span as f64;
                 let work = evaluate(job, &tick, &Motion { u, du, span }, &mut room, poisoned);
                 ROOM.set(room);
                 work

@@ -338,6 +338,8 @@ impl Advance<'_> {
         let mut leaders = leaders.iter().zip(own).peekable();
         let Advance { phase, contributions, held, products, .. } = self;
         let steps = if COARSE { span(turn.level) as f64 } else { 1.0 };
+        // A power of two, so its inverse is exact.
+        let inverse_steps = 1.0 / steps;
         let damping = &Damping { dt: steps * self.damping.dt, ..self.damping };
         let (dt, omega) = (damping.dt, damping.mass_proportional);
         let mut borders = Borders::from(phase, if COARSE { first } else { usize::MAX });
@@ -396,13 +398,13 @@ impl Advance<'_> {
                 let twice = Row([0, 1, 2, 3].map(|i| old.0[i] + next.0[i]));
                 accounts.book(node, force, twice);
                 if let Some(border) = border {
-                    let twice = Row(twice.0.map(|d| d / steps));
+                    let twice = Row(twice.0.map(|d| d * inverse_steps));
                     sums.levels += border.meet(contributions, steps, twice, accounts.sums());
                 }
             }
             // Others are not asked for before the end of their step.
             let drifts = border.is_some();
-            let one = if COARSE { Row(next.0.map(|d| d / steps)) } else { next };
+            let one = if COARSE { Row(next.0.map(|d| d * inverse_steps)) } else { next };
             let moved = if COARSE && drifts { one } else { next };
             for i in 0..4 {
                 u.0[i] += moved.0[i];

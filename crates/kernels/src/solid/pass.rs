@@ -37,7 +37,7 @@ pub(super) struct After<'a> {
     pub left: &'a mut [Octet],
 }
 
-/// [`Rule::kernel`] of [`Weakened`] in an instruction set, out of line: all laws share it.
+/// [`Rule::weakened`] in an instruction set, out of line: all laws share it.
 type Second<R> = unsafe fn(
     &R,
     &Weakened,
@@ -45,41 +45,10 @@ type Second<R> = unsafe fn(
     &<R as Rule>::Geometry,
     &[[u16; 8]; 8],
     &mut [Octet],
+    &Octet,
     &[Row],
     &mut [Row],
 );
-
-#[inline(always)]
-unsafe fn second<L: Lane, R: Rule>(
-    rule: &R,
-    law: &Weakened,
-    stabilisation: &Stabilisation,
-    geometry: &R::Geometry,
-    index: &[[u16; 8]; 8],
-    left: &mut [Octet],
-    rows: &[Row],
-    out: &mut [Row],
-) {
-    let mut probe = Probe::ZERO;
-    // SAFETY: passed on to the caller.
-    unsafe {
-        rule.kernel::<L, Weakened, false>(
-            law,
-            stabilisation,
-            &Point::new(0.0),
-            geometry,
-            index,
-            left,
-            None,
-            &mut [],
-            Given::NONE,
-            &mut [],
-            rows,
-            out,
-            &mut probe,
-        );
-    }
-}
 
 #[inline(always)]
 unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>, second: Second<R>) {
@@ -122,16 +91,24 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
         if let Some(after) = after.as_mut() {
             let factor = after.factor.get(i).copied().unwrap_or(ONE);
             let left = &mut *after.left;
-            for point in left.chunks_exact_mut(LEFT) {
-                if M::DAMAGES {
-                    point[LEFT - 1] = factor;
-                } else {
+            if !M::DAMAGES {
+                for point in left.chunks_exact_mut(LEFT) {
                     point.copy_from_slice(&whole(factor));
                 }
             }
             // SAFETY: as above; `dispatch` chose the function for the same instruction set.
             unsafe {
-                second(rule, after.law, pass.stabilisation, geometry, index, left, after.rows, after.out)
+                second(
+                    rule,
+                    after.law,
+                    pass.stabilisation,
+                    geometry,
+                    index,
+                    left,
+                    &factor,
+                    after.rows,
+                    after.out,
+                )
             };
         }
     }
@@ -163,7 +140,7 @@ fn keep(probe: &Probe, points: usize, octet: usize, to: &mut ProbeOut) {
 
 #[cfg(target_arch = "x86_64")]
 mod instances {
-    use super::{Material, Octet, Pass, Row, Rule, Stabilisation, Weakened, octets, second};
+    use super::{Material, Octet, Pass, Row, Rule, Stabilisation, Weakened, octets};
     use tremolite_laws::lane::{Avx2, Avx512, Enabled};
 
     #[derive(Clone, Copy)]
@@ -172,22 +149,15 @@ mod instances {
     unsafe impl Enabled for Here {}
 
     #[target_feature(enable = "avx512f,avx2,fma")]
-    pub(super) unsafe fn avx512<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
+    pub(super) unsafe fn avx512<R: Rule, M: Material>(pass: Pass<R, M>) {
         // SAFETY: this function enables the instruction set; indices were checked.
-        unsafe { octets::<Avx512<Here>, R, M, PROBE>(pass, second_avx512::<R>) }
+        unsafe { octets::<Avx512<Here>, R, M, false>(pass, second_avx512::<R>) }
     }
 
     #[target_feature(enable = "avx2,fma")]
     pub(super) unsafe fn avx2<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
         // SAFETY: as above.
         unsafe { octets::<Avx2<Here>, R, M, PROBE>(pass, second_avx2::<R>) }
-    }
-
-    /// The reference with hardware `mul_add`; without it each one is a library call.
-    #[target_feature(enable = "fma")]
-    pub(super) unsafe fn scalar_fma<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
-        // SAFETY: indices were checked.
-        unsafe { octets::<f64, R, M, PROBE>(pass, second_fma::<R>) }
     }
 
     macro_rules! seconds {
@@ -201,11 +171,14 @@ mod instances {
                 geometry: &R::Geometry,
                 index: &[[u16; 8]; 8],
                 left: &mut [Octet],
+                factor: &Octet,
                 rows: &[Row],
                 out: &mut [Row],
             ) {
                 // SAFETY: this function enables the instruction set; indices were checked.
-                unsafe { second::<$lane, R>(rule, law, stabilisation, geometry, index, left, rows, out) }
+                unsafe {
+                    rule.weakened::<$lane>(law, stabilisation, geometry, index, left, factor, rows, out)
+                }
             }
         )*};
     }
@@ -213,23 +186,34 @@ mod instances {
     seconds! {
         second_avx512, Avx512<Here>, "avx512f,avx2,fma";
         second_avx2, Avx2<Here>, "avx2,fma";
-        second_fma, f64, "fma";
     }
 }
 
-pub(super) fn dispatch<R: Rule, M: Material, const PROBE: bool>(isa: Isa, pass: Pass<R, M>) {
+/// Runs a pass of every step.
+pub(super) fn dispatch<R: Rule, M: Material>(isa: Isa, pass: Pass<R, M>) {
     // SAFETY: `Solid::new` keeps only available instruction sets, and checked all indices.
     unsafe {
         #[cfg(target_arch = "x86_64")]
         match isa {
-            Isa::Avx512 => return instances::avx512::<R, M, PROBE>(pass),
-            Isa::Avx2 => return instances::avx2::<R, M, PROBE>(pass),
-            Isa::Scalar if is_x86_feature_detected!("fma") => {
-                return instances::scalar_fma::<R, M, PROBE>(pass);
-            }
+            Isa::Avx512 => return instances::avx512::<R, M>(pass),
+            Isa::Avx2 => return instances::avx2::<R, M, false>(pass),
             Isa::Scalar => {}
         }
         let _ = isa;
-        octets::<f64, R, M, PROBE>(pass, second::<f64, R>);
+        octets::<f64, R, M, false>(pass, R::weakened::<f64>);
+    }
+}
+
+/// Runs a pass that is rare beside the steps: eight lanes are not worth the time that their instance takes to compile. The bits
+/// are the same.
+pub(super) fn dispatch_rare<R: Rule, M: Material, const PROBE: bool>(isa: Isa, pass: Pass<R, M>) {
+    // SAFETY: as above; whoever has AVX-512F has AVX2.
+    unsafe {
+        #[cfg(target_arch = "x86_64")]
+        if isa != Isa::Scalar {
+            return instances::avx2::<R, M, PROBE>(pass);
+        }
+        let _ = isa;
+        octets::<f64, R, M, PROBE>(pass, R::weakened::<f64>);
     }
 }

@@ -1,10 +1,11 @@
 //! Quadratures of the hexahedron, each with its geometry and kernel.
 
+use super::weakened::Weakened;
 use std::marker::PhantomData;
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{
-    FullGeometry, Given, Hex8, LayeredGeometry, Layers, MODAL_MEMORY, OnePointShape, Probe, Stabilisation,
-    Through, full, layered, one_point,
+    FullGeometry, Given, Hex8, LEFT, LayeredGeometry, Layers, MODAL_MEMORY, OnePointShape, Probe,
+    Stabilisation, Through, full, layered, layered_left, one_point,
 };
 use tremolite_laws::{Lane, Material, Octet, Point, Row};
 
@@ -40,6 +41,46 @@ pub trait Rule: Send + Sync + 'static {
         out: &mut [Row],
         probe: &mut Probe,
     );
+
+    /// Forces of the elasticity that is left at the points (`left`, [`LEFT`] octets each) of one octet, times `factor`.
+    ///
+    /// # Safety
+    /// As for [`Rule::kernel`].
+    #[inline(always)]
+    unsafe fn weakened<L: Lane>(
+        &self,
+        law: &Weakened,
+        elastic: &Stabilisation,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        left: &mut [Octet],
+        factor: &Octet,
+        rows: &[Row],
+        out: &mut [Row],
+    ) {
+        for point in left.chunks_exact_mut(LEFT) {
+            point[LEFT - 1] = *factor;
+        }
+        let mut probe = Probe::ZERO;
+        // SAFETY: passed on to the caller.
+        unsafe {
+            self.kernel::<L, Weakened, false>(
+                law,
+                elastic,
+                &Point::new(0.0),
+                geometry,
+                index,
+                left,
+                None,
+                &mut [],
+                Given::NONE,
+                &mut [],
+                rows,
+                out,
+                &mut probe,
+            );
+        }
+    }
 }
 
 /// One point with stabilisation, in elements of any shape or in bricks.
@@ -55,11 +96,11 @@ impl<G> Default for OnePoint<G> {
 pub struct Full;
 
 /// 2×2 points in each of several layers. Their number is no parameter of the type: one instance of a kernel serves all.
-pub struct Layered(Through);
+pub struct Layered(&'static Through);
 
 impl Layered {
     pub fn new(layers: Layers) -> Self {
-        Layered(Through::new(layers))
+        Layered(Through::of(layers))
     }
 }
 
@@ -145,7 +186,7 @@ impl Rule for Layered {
         MODAL_MEMORY
     }
     fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
-        geometry.set(lane, hex, elastic, &self.0);
+        geometry.set(lane, hex, elastic, self.0);
     }
     #[inline(always)]
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
@@ -167,9 +208,24 @@ impl Rule for Layered {
         // SAFETY: passed on to the caller.
         unsafe {
             layered::<L, M, PROBE>(
-                &self.0, law, point, geometry, index, history, band, overstress, given, left, rows, out,
-                probe,
+                self.0, law, point, geometry, index, history, band, overstress, given, left, rows, out, probe,
             )
         }
+    }
+    /// What whole points carry is integrated in closed form.
+    #[inline(always)]
+    unsafe fn weakened<L: Lane>(
+        &self,
+        law: &Weakened,
+        _: &Stabilisation,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        left: &mut [Octet],
+        factor: &Octet,
+        rows: &[Row],
+        out: &mut [Row],
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe { layered_left::<L>(self.0, &law.0, geometry, index, left, factor, rows, out) }
     }
 }

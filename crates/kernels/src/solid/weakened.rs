@@ -3,14 +3,16 @@
 use std::sync::Arc;
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::shapes::hex8::LEFT;
-use tremolite_laws::{BadParameter, Column, Lane, Material, Moduli, Parameter, Point, Sym, Values};
+use tremolite_laws::{
+    BadParameter, Column, InPlace, Lane, Material, Moduli, Octet, Parameter, Point, Sym, Values,
+};
 
 const fn column(name: &'static str) -> Column {
     Column::new(name, "1", "what damage has left")
 }
 
 /// The law; its history holds what is left ([`LEFT`]) and a factor, and stays as it is.
-pub(super) struct Weakened(pub Moduli);
+pub struct Weakened(pub Moduli);
 
 impl Material for Weakened {
     const NAME: &'static str = "weakened";
@@ -66,6 +68,24 @@ impl Material for Weakened {
             k += 1;
         }
         (stress, left)
+    }
+    #[inline(always)]
+    fn update_in_place<L: Lane>(
+        &self,
+        point: &Point<L>,
+        e: Sym<L>,
+        left: &mut [Octet],
+        at: usize,
+    ) -> InPlace<L> {
+        let mut kept = [L::splat(0.0); LEFT];
+        let mut k = 0;
+        while k < LEFT {
+            kept[k] = L::load(&left[k], at);
+            k += 1;
+        }
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let (stress, _) = self.update(point, e, kept);
+        InPlace { stress, left: [one, one, one, zero, zero, zero], before: one, now: one }
     }
 }
 

@@ -8,8 +8,9 @@
 //! - (13)–(16) shear, compression positive, c1 ≥ c2 ≥ c3: D⁻ = 1 − β ε_c/e1 from e1 = ε_c on,
 //!   ε_c = \[f_c + N c3′ − ν(c2 + c3)\]/E, N = (1 + sin φ)/(1 − sin φ), e1 the largest compressive strain.
 //!   As e1 = \[c1 − ν(c2 + c3)\]/E this is Mohr–Coulomb's c1 ≥ f_c + N c3′.
-//! - Both are running maxima. Rates are those of strains smoothed over τ, so that noise of the mesh is none; factors
-//!   are frozen at first damage, since the rate of a localised crack is an artefact of the mesh.
+//! - Both are running maxima. Rates are those of strains smoothed over τ, so that noise of the mesh is none (smoothed
+//!   every few steps, `concrete/rate.rs`); factors are frozen at first damage, since the rate of a localised crack is an
+//!   artefact of the mesh.
 //!
 //! **Where the print is corrected.** (14) prints the stresses without 1/E and ν(σ1 + σ2): units, and the strain in
 //! the direction of c1 has ν(c2 + c3). (12) prints ε̇_s = 0.3 s⁻¹, which no earthquake reaches; the CEB law it cites
@@ -43,6 +44,7 @@ mod grade;
 mod parameters;
 mod rate;
 mod read;
+mod step;
 mod stress;
 mod thresholds;
 mod unusual;
@@ -50,10 +52,9 @@ mod unusual;
 pub use grade::{GRADES, Grade};
 pub use rate::{Power, Rate};
 
-use crate::lane::Lane;
-use crate::material::{Material, Moduli, Point, Sym};
+use crate::lane::{Lane, Octet};
+use crate::material::{InPlace, Material, Moduli, Point, Sym, load, store};
 use crate::parameter::{BadParameter, Column, Derived, Parameter, Role, Values};
-use crate::sym3::Spectrum;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Driver {
@@ -177,29 +178,6 @@ impl Concrete {
     }
 }
 
-/// The strain with tensor shear, its components kept below 1e100: beyond any strain that means something, squares
-/// would overflow and leave no number behind.
-#[inline(always)]
-fn bounded<L: Lane>(strain: Sym<L>) -> Sym<L> {
-    let half = L::splat(0.5);
-    let mut tensor = [strain[0], strain[1], strain[2], half * strain[3], half * strain[4], half * strain[5]];
-    let limit = L::splat(1e100);
-    let mut largest = L::splat(0.0);
-    let mut k = 0;
-    while k < 6 {
-        largest = largest + tensor[k].abs();
-        k += 1;
-    }
-    if L::any(limit.less(largest)) {
-        let mut k = 0;
-        while k < 6 {
-            tensor[k] = (-limit).larger(limit.smaller(tensor[k]));
-            k += 1;
-        }
-    }
-    tensor
-}
-
 impl Material for Concrete {
     const NAME: &'static str = "concrete-damage";
     const SUMMARY: &'static str = "concrete, rate-dependent damage separate in tension and shear";
@@ -222,6 +200,10 @@ impl Material for Concrete {
     fn scaled(&self, factor: f64) -> Self {
         let moduli = self.moduli.scaled(factor);
         Concrete { moduli, young: moduli.young(), ..*self }
+    }
+
+    fn slow_steps(&self, dt: f64) -> u64 {
+        self.rate.map_or(1, |rate| rate.steps(dt))
     }
 
     /// 2 G_f E/f_t²: a larger element stores more than a crack dissipates.
@@ -287,86 +269,39 @@ impl Material for Concrete {
         strain: Sym<L>,
         old: [L; MEMORY],
     ) -> (Sym<L>, [L; MEMORY], Sym<L>) {
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let mut new = old;
-        let tensor = bounded(strain);
-        let mut stress = self.hooke(&tensor);
-        let spectrum = Spectrum::of(&tensor);
-        let virgin = L::not(zero.less(old[D_TENSION] + old[D_SHEAR]));
-        let mut quiet = L::both(virgin, self.far_from_damage(spectrum.mean, spectrum.radius));
-        let (mut tension_rate, mut shear_rate) = (zero, zero);
-        if self.rate.is_some() || L::any(L::both(virgin, L::not(quiet))) {
-            let values = spectrum.values();
-            let undamaged = self.undamaged(&values);
-            let equivalent = self.equivalent_strain(&values, &undamaged);
-            let below = self.below_damage(spectrum.radius, equivalent, &undamaged);
-            quiet = L::either(quiet, L::both(virgin, below));
-            if let Some(law) = &self.rate {
-                let inverse = one / (L::splat(law.filter) + point.dt);
-                (new[SMOOTHED_TENSION], tension_rate) =
-                    rate::smooth(equivalent, old[SMOOTHED_TENSION], point.dt, inverse);
-                (new[SMOOTHED_SHEAR], shear_rate) =
-                    rate::smooth(-values[2], old[SMOOTHED_SHEAR], point.dt, inverse);
+        let damage = [old[D_TENSION], old[D_SHEAR]];
+        let seen = self.seen(point, strain, damage, [old[SMOOTHED_TENSION], old[SMOOTHED_SHEAR]]);
+        if !L::any(L::not(seen.quiet)) {
+            let mut new = old;
+            [new[SMOOTHED_TENSION], new[SMOOTHED_SHEAR]] = seen.smoothed;
+            return (seen.stress, new, damping::whole());
+        }
+        self.damaged(point, &seen, old)
+    }
+
+    /// Of points that are quiet nothing but the smoothed strains is read and written.
+    #[inline(always)]
+    fn update_in_place<L: Lane>(
+        &self,
+        point: &Point<L>,
+        strain: Sym<L>,
+        history: &mut [Octet],
+        at: usize,
+    ) -> InPlace<L> {
+        let damage = [L::load(&history[D_TENSION], at), L::load(&history[D_SHEAR], at)];
+        let smoothed = [L::load(&history[SMOOTHED_TENSION], at), L::load(&history[SMOOTHED_SHEAR], at)];
+        let seen = self.seen(point, strain, damage, smoothed);
+        if !L::any(L::not(seen.quiet)) {
+            if point.brings && self.rate.is_some() {
+                seen.smoothed[0].store(&mut history[SMOOTHED_TENSION], at);
+                seen.smoothed[1].store(&mut history[SMOOTHED_SHEAR], at);
             }
+            let one = L::splat(1.0);
+            return InPlace { stress: seen.stress, left: damping::whole(), before: one, now: one };
         }
-        if !L::any(L::not(quiet)) {
-            return (stress, new, damping::whole());
-        }
-
-        let (tension_law, shear_law) = match &self.rate {
-            Some(rate) => (Some(rate.tension), Some(rate.shear)),
-            None => (None, None),
-        };
-        let eigen = spectrum.eigen();
-        let undamaged = self.undamaged(&eigen.values);
-        let equivalent = self.equivalent_strain(&eigen.values, &undamaged);
-        let frozen = zero.less(old[FACTOR_TENSION]);
-        let factor = rate::factor(tension_law, tension_rate, frozen, quiet, old[FACTOR_TENSION]);
-        let cracking = L::not(equivalent.less(factor * L::splat(self.threshold())));
-        let extent = point.extent(&eigen.vectors[0]);
-        let size = L::select(frozen, old[CRACK_SIZE], extent);
-        let candidate = L::select(cracking, self.softened(equivalent, factor, size), zero);
-        let tension = candidate.larger(old[D_TENSION]);
-        let starts = L::both(cracking, L::not(frozen));
-        new[D_TENSION] = tension;
-        new[FACTOR_TENSION] = L::select(starts, factor, old[FACTOR_TENSION]);
-        new[CRACK_SIZE] = L::select(starts, extent, old[CRACK_SIZE]);
-
-        // The effective split tests shear on the effective stress, the compliance split on the damaged one.
-        let tested = match self.split {
-            Split::Effective => undamaged,
-            Split::Compliance => self.principal_stress(eigen.values, undamaged, tension, old[D_SHEAR]),
-        };
-        let frozen = zero.less(old[FACTOR_SHEAR]);
-        let factor = rate::factor(shear_law, shear_rate, frozen, quiet, old[FACTOR_SHEAR]);
-        let threshold = self.shear_threshold(&tested, tension, factor);
-        let compressive = -eigen.values[2];
-        let pressed = L::both(zero.less(compressive), L::splat(1e-6 * self.fc).less(-tested[2]));
-        let failing = L::both(pressed, L::not(compressive.less(threshold)));
-        let candidate = (one - L::splat(self.beta) * threshold / compressive).smaller(one);
-        let shear = L::select(failing, candidate, zero).larger(old[D_SHEAR]);
-        new[D_SHEAR] = shear;
-        new[FACTOR_SHEAR] = L::select(L::both(failing, L::not(frozen)), factor, old[FACTOR_SHEAR]);
-
-        let round = L::splat(-1e-6 * self.ft);
-        let mut sum = zero;
-        let mut i = 0;
-        while i < 3 {
-            sum = sum + L::select(undamaged[i].less(round), shear, tension);
-            i += 1;
-        }
-        new[D_B] = sum * L::splat(1.0 / 3.0);
-        new[D_B_MAX] = new[D_B].larger(old[D_B_MAX]);
-
-        let principal = self.principal_stress(eigen.values, undamaged, tension, shear);
-        self.book(&eigen.values, &principal, quiet, &old, &mut new);
-        let damaged = eigen.recompose(principal);
-        let mut k = 0;
-        while k < 6 {
-            stress[k] = L::select(quiet, stress[k], damaged[k]);
-            k += 1;
-        }
-        let left = self.left_along(&eigen, &undamaged, &new);
-        (stress, new, left)
+        let old: [L; MEMORY] = load(history, at);
+        let (stress, new, left) = self.damaged(point, &seen, old);
+        store(&new, history, at);
+        InPlace { stress, left, before: self.unbroken(&old), now: self.unbroken(&new) }
     }
 }

@@ -107,13 +107,14 @@ impl<'a, M: Material> Walk<'a, M> {
 
     /// The strain that meets the target in a step of this time \[s\], as [`Mixed::strain`] finds it.
     fn search(&mut self, dt: f64, target: &[f64; 6], reach: Reach) -> Result<[f64; 6], Missed> {
-        let point = Point { dt, size: self.size };
+        let point = Point { size: self.size, ..Point::new(dt) };
         let (law, history) = (self.law, self.history);
         self.mixed.strain(target, &self.reached, reach, |strain| law.update(&point, *strain, history).0)
     }
 
     fn take(&mut self, dt: f64, strain: [f64; 6]) {
-        let (stress, history) = self.law.update(&Point { dt, size: self.size }, strain, self.history);
+        let (stress, history) =
+            self.law.update(&Point { size: self.size, ..Point::new(dt) }, strain, self.history);
         self.mixed.reach(&strain);
         self.reached = Reached { strain, stress };
         self.history = history;

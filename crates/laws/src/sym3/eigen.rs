@@ -40,12 +40,50 @@ impl<L: Lane> Eigen<L> {
     }
 }
 
-/// What the principal values and the directions both start from.
+/// Mean and size of a tensor: what bounds its principal values before they are known.
 #[derive(Clone, Copy, Debug)]
-pub struct Spectrum<L> {
+pub struct Spread<L> {
     /// Mean q of the principal values.
     pub mean: L,
     /// Radius p: the largest principal deviator is at most 2p in magnitude; 0 for a multiple of the unit tensor.
+    pub radius: L,
+    deviator: [L; 6],
+    /// p² and p, 1 where they round to 0.
+    square: L,
+    divisor: L,
+}
+
+impl<L: Lane> Spread<L> {
+    /// Of a tensor with components xx, yy, zz, xy, yz, zx (tensor shear), up to 1e100 in magnitude; a radius below 1e-90 counts as 0.
+    #[inline(always)]
+    pub fn of(t: &[L; 6]) -> Self {
+        let third = L::splat(1.0 / 3.0);
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        // From differences, the deviator has its digits and no trace even beside a large mean.
+        let (xy, yz, zx) = (t[0] - t[1], t[1] - t[2], t[2] - t[0]);
+        let (x, y, z) = ((xy - zx) * third, (yz - xy) * third, (zx - yz) * third);
+        let [xy, yz, zx] = [t[3], t[4], t[5]];
+        let shear = xy.mul_add(xy, yz.mul_add(yz, zx * zx));
+        let normal = x.mul_add(x, y.mul_add(y, z * z));
+        let square = (normal + (shear + shear)) * L::splat(1.0 / 6.0);
+        let round = square.less(L::splat(1e-180));
+        let square = L::select(round, one, square);
+        let divisor = square.sqrt();
+        Spread {
+            mean: (t[0] + t[1] + t[2]) * third,
+            radius: L::select(round, zero, divisor),
+            deviator: [x, y, z, xy, yz, zx],
+            square,
+            divisor,
+        }
+    }
+}
+
+/// What the principal values and the directions both start from.
+#[derive(Clone, Copy, Debug)]
+pub struct Spectrum<L> {
+    /// As of [`Spread`].
+    pub mean: L,
     pub radius: L,
     deviator: [L; 6],
     /// What brings the deviator to radius 1 and its isolated root to the positive side: `sign` over p.
@@ -57,31 +95,25 @@ pub struct Spectrum<L> {
 }
 
 impl<L: Lane> Spectrum<L> {
-    /// Of a tensor with components xx, yy, zz, xy, yz, zx (tensor shear).
-    ///
-    /// For components up to 1e100 in magnitude; a radius below 1e-90 counts as 0. [`eigen`] serves every finite
-    /// tensor.
+    /// Of a tensor as [`Spread::of`] takes it. [`eigen`] serves every finite tensor.
     #[inline(always)]
     pub fn of(t: &[L; 6]) -> Self {
-        let third = L::splat(1.0 / 3.0);
+        Self::from(&Spread::of(t))
+    }
+
+    /// Of a tensor whose mean and size are known.
+    #[inline(always)]
+    pub fn from(spread: &Spread<L>) -> Self {
         let zero = L::splat(0.0);
         let one = L::splat(1.0);
-        // From differences, the deviator has its digits and no trace even beside a large mean.
-        let (xy, yz, zx) = (t[0] - t[1], t[1] - t[2], t[2] - t[0]);
-        let (x, y, z) = ((xy - zx) * third, (yz - xy) * third, (zx - yz) * third);
-        let [xy, yz, zx] = [t[3], t[4], t[5]];
-        let shear = xy.mul_add(xy, yz.mul_add(yz, zx * zx));
-        let normal = x.mul_add(x, y.mul_add(y, z * z));
-        let square = (normal + (shear + shear)) * L::splat(1.0 / 6.0);
-        let round = square.less(L::splat(1e-180));
-        let square = L::select(round, one, square);
-        let radius = square.sqrt();
+        let &Spread { mean, radius, deviator, square, divisor } = spread;
+        let [x, y, z, xy, yz, zx] = deviator;
         let minor = yz.neg_mul_add(yz, y * z);
         let minor_y = yz.neg_mul_add(zx, xy * z);
         let minor_z = zx.neg_mul_add(y, xy * yz);
         let determinant = zx.mul_add(minor_z, xy.neg_mul_add(minor_y, x * minor));
         let sign = L::select(determinant.less(zero), -one, one);
-        let twice_r = determinant.abs() / (square * radius);
+        let twice_r = determinant.abs() / (square * divisor);
         // Interpolation at Chebyshev's nodes over r in [0, 1], within 3.6e-9; one Newton step squares that.
         const C: [f64; 9] = [
             1.732_050_811_199_130_4,
@@ -106,14 +138,7 @@ impl<L: Lane> Spectrum<L> {
         let three = L::splat(3.0);
         let value = root.mul_add(root_square - three, -twice_r);
         let root = root - value / three.mul_add(root_square, -three);
-        Spectrum {
-            mean: (t[0] + t[1] + t[2]) * third,
-            radius: L::select(round, zero, radius),
-            deviator: [x, y, z, xy, yz, zx],
-            scale: sign / radius,
-            sign,
-            root,
-        }
+        Spectrum { mean, radius, deviator, scale: sign / divisor, sign, root }
     }
 
     /// Principal values, largest first, without the directions.

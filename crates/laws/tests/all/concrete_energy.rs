@@ -85,7 +85,7 @@ fn the_extent_across_the_crack_is_what_counts() {
         let mut strain = [0.0; 6];
         strain[axis] = 2.0 * THRESHOLD;
         let (_, history) = law.update(
-            &Point { dt: 0.0, size },
+            &Point { size, ..Point::new(0.0) },
             turn_strain(&strain, &r),
             tremolite_laws::virgin::<Concrete>(),
         );
@@ -93,7 +93,7 @@ fn the_extent_across_the_crack_is_what_counts() {
         // Frozen: a later crack across another edge does not change it.
         let mut other = [0.0; 6];
         other[(axis + 1) % 3] = 9.0 * THRESHOLD;
-        let (_, later) = law.update(&Point { dt: 0.0, size }, turn_strain(&other, &r), history);
+        let (_, later) = law.update(&Point { size, ..Point::new(0.0) }, turn_strain(&other, &r), history);
         assert_eq!(later[8], history[8]);
     }
 }

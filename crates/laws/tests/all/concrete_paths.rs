@@ -98,12 +98,12 @@ proptest! {
         let r = Random::new(seed).rotation();
         let size = [0.09, 0.16, 0.25, 0.01, -0.02, 0.03];
         let mut plain = Vec::new();
-        follow(law, &corners, 10, &Point { dt: 1e-5, size }, |e, state| plain.push((*e, *state)));
+        follow(law, &corners, 10, &Point { size, ..Point::new(1e-5) }, |e, state| plain.push((*e, *state)));
         let turned: Vec<[f64; 6]> = corners.iter().map(|e| turn_strain(e, &r)).collect();
         let mut i = 0;
         let mut wrong = None;
         let size = turn(&size, &r);
-        follow(law, &turned, 10, &Point { dt: 1e-5, size }, |_, (stress, history)| {
+        follow(law, &turned, 10, &Point { size, ..Point::new(1e-5) }, |_, (stress, history)| {
             let (strain, (reference, before)) = &plain[i];
             i += 1;
             let level = strain.iter().fold(0.0f64, |m, x| m.max(x.abs()));

@@ -73,7 +73,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
             }
         }
         Kind::Layered(layers) => {
-            let through = Through::new(layers);
+            let through = Through::of(layers);
             let mut geometry = LayeredGeometry::EMPTY;
             geometry.set(0, &hex, &stabilisation, &through);
             unsafe {
@@ -323,7 +323,7 @@ fn quadratures_agree_on_parallelepipeds_where_the_closed_form_is_exact() {
 #[test]
 fn layers_integrate_cubics_through_the_thickness_and_the_volume_of_any_shape() {
     for layers in Layers::ALL {
-        let through = Through::new(layers);
+        let through = Through::of(layers);
         let of = |power: i32| -> f64 {
             (0..through.count).map(|k| through.weight[k] * through.zeta[k].powi(power)).sum()
         };
@@ -560,7 +560,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
                     probe,
                 ),
                 Kind::Layered(layers) => layered::<L, _, true>(
-                    &Through::new(layers),
+                    Through::of(layers),
                     &law,
                     &point,
                     &c.layers,
@@ -592,7 +592,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
             let s = Stabilisation::new(Moduli::from_young_poisson(25e9, 0.17));
             one.set(lane as usize, &hex);
             full.set(lane as usize, &hex, &s);
-            layers.set(lane as usize, &hex, &s, &Through::new(Layers::Nine));
+            layers.set(lane as usize, &hex, &s, Through::of(Layers::Nine));
         }
         // Twenty rows for 64 corners: lanes collide on purpose.
         let index = core::array::from_fn(|_| core::array::from_fn(|_| ((random() + 0.5) * 19.99) as u16));

@@ -59,7 +59,7 @@ impl Octets {
         let hexes = || self.corners.iter().map(|corners| Hex8::new(*corners).unwrap()).enumerate();
         match self.kind {
             Quadrature::Layered(layers) => {
-                let through = Through::new(layers);
+                let through = Through::of(layers);
                 let mut geometry = LayeredGeometry::EMPTY;
                 hexes().for_each(|(lane, hex)| geometry.set(lane, &hex, &stabilisation, &through));
                 unsafe {
@@ -326,7 +326,7 @@ fn damping_kept_by_the_coefficients_of_the_strain_is_that_of_the_points() {
     };
     let band = Band::fit(0.05, [1.0, 20.0], 5.0).unwrap();
     let layers = Layers::Nine;
-    let through = Through::new(layers);
+    let through = Through::of(layers);
     let mut seed = 7u64;
     let mut random = move || {
         seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

@@ -144,7 +144,7 @@ fn forces_on_the_ground_are_in_balance_bolt_by_bolt() {
         let mut state = built.displaced(wave);
         let mut out = vec![Row::ZERO; member.part.nodes().len()];
         let (motion, own) = slices.own(&mut state);
-        let tick = tremolite_kernels::Tick { time: 0.0, dt: 0.0 };
+        let tick = tremolite_kernels::Tick { time: 0.0, dt: 0.0, step: 0 };
         member.part.forces(&tick, &motion, own, &mut out, &mut Default::default());
         let (mut force, mut moment, mut size) = ([0.0; 3], [0.0; 3], 0.0);
         for (row, &node) in out.iter().zip(member.part.nodes()) {
@@ -175,7 +175,7 @@ fn bolts_move_no_element_in_uniform_strain_but_by_their_own_stress() {
     let mut state = built.displaced(linear);
     let mut out = vec![Row::ZERO; member.part.nodes().len()];
     let (motion, own) = slices.own(&mut state);
-    let tick = tremolite_kernels::Tick { time: 0.0, dt: 0.0 };
+    let tick = tremolite_kernels::Tick { time: 0.0, dt: 0.0, step: 0 };
     member.part.forces(&tick, &motion, own, &mut out, &mut Default::default());
     let mut inner = 0;
     for (row, &node) in out.iter().zip(member.part.nodes()) {
@@ -279,7 +279,7 @@ fn work_on_a_sliding_yielding_and_breaking_bolt_is_in_its_lines() {
             (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
         };
         let nodes = member.part.nodes().to_vec();
-        let tick = tremolite_kernels::Tick { time: 0.0, dt: 0.0 };
+        let tick = tremolite_kernels::Tick { time: 0.0, dt: 0.0, step: 0 };
         let mut before = vec![Row::ZERO; nodes.len()];
         let (mut work, mut spent, mut broken) = (0.0, [0.0; 2], 0);
         for step in 0..400 {

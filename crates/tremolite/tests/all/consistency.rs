@@ -36,7 +36,7 @@ impl<'a> Alone<'a> {
             reference: &mut [],
             initial: &[],
         };
-        let tick = Tick { time: 0.05, dt: 1e-5 };
+        let tick = Tick { time: 0.05, dt: 1e-5, step: 0 };
         let work =
             self.member.part.forces(&tick, &Motion::new(u, du), own, &mut out, &mut Scratch::default());
         (out, work)

@@ -205,7 +205,7 @@ fn the_two_sides_of_a_pair_are_pushed_by_opposite_bits() {
         initial: &[],
     };
     let motion = tremolite::parts::Motion::new(&u, &du);
-    let tick = tremolite::parts::Tick { time: 0.0, dt: 1e-5 };
+    let tick = tremolite::parts::Tick { time: 0.0, dt: 1e-5, step: 0 };
     member.part.forces(&tick, &motion, own, &mut out, &mut tremolite::parts::Scratch::default());
     // Every node of this plane joint is in one pair.
     for pair in &ready.model.seams[0].pairs {

@@ -1,6 +1,7 @@
 //! What a damaged point still carries besides the law's own stress.
 
-use super::{Concrete, D_SHEAR, D_TENSION, MEMORY, bounded};
+use super::step::bounded;
+use super::{Concrete, D_SHEAR, D_TENSION, MEMORY};
 use crate::lane::Lane;
 use crate::material::{LEAST_HOURGLASS_SHARE, Sym};
 use crate::sym3::{Eigen, eigen};

@@ -64,24 +64,41 @@ impl Rate {
     }
 }
 
-/// The factor in force: the frozen one, else the law's at this rate, 1 without a law.
-#[inline(always)]
-pub(super) fn factor<L: Lane>(law: Option<Power>, rate: L, frozen: L::Mask, quiet: L::Mask, old: L) -> L {
-    let mut current = L::splat(1.0);
-    if let Some(power) = law
-        && L::any(L::not(L::either(frozen, quiet)))
-    {
-        current = power.factor(rate);
+/// A strain is smoothed through r ← r + Δt/(τ + Δt)(rate − r) of its signed rate r, rearranged for y = ε − τ r, which takes one
+/// history variable where r and the last strain take two. Where y is not brought on in every step, the rate in between is what
+/// the filter would give in one step since then: a steady rate comes out exactly at all of them.
+impl Rate {
+    /// 1/(τ + Δt)
+    #[inline(always)]
+    fn inverse<L: Lane>(&self, since: L) -> L {
+        L::splat(1.0) / (L::splat(self.filter) + since)
     }
-    L::select(frozen, old, current)
-}
 
-/// A strain smoothed over the filter time, and its rate: the signed rate through r ← r + Δt/(τ + Δt)(rate − r),
-/// rearranged for y = ε − τ r, which takes one history variable where r and the last strain take two. `inverse` is
-/// 1/(τ + Δt). While time stands still r is 0.
-#[inline(always)]
-pub(super) fn smooth<L: Lane>(strain: L, smoothed: L, dt: L, inverse: L) -> (L, L) {
-    let moving = L::splat(0.0).less(dt);
-    let rate = (strain - smoothed) * inverse;
-    (L::select(moving, dt.mul_add(rate, smoothed), strain), L::select(moving, rate, L::splat(0.0)))
+    /// The rate \[1/s\] of a strain at a time `since` \[s\] after its smoothed value; 0 while time stands still.
+    #[inline(always)]
+    pub(super) fn rate<L: Lane>(&self, strain: L, smoothed: L, since: L) -> L {
+        let zero = L::splat(0.0);
+        L::select(zero.less(since), (strain - smoothed) * self.inverse(since), zero)
+    }
+
+    /// Smoothed strains after `since` \[s\]; while time stands still they are the strains.
+    #[inline(always)]
+    pub(super) fn brought_on<L: Lane>(&self, smoothed: [L; 2], strain: [L; 2], since: L) -> [L; 2] {
+        let moving = L::splat(0.0).less(since);
+        let inverse = self.inverse(since);
+        [
+            L::select(moving, since.mul_add((strain[0] - smoothed[0]) * inverse, smoothed[0]), strain[0]),
+            L::select(moving, since.mul_add((strain[1] - smoothed[1]) * inverse, smoothed[1]), strain[1]),
+        ]
+    }
+
+    /// Steps of `dt` \[s\] after which smoothed strains are brought on: as many as a twentieth of the filter time holds, a power of
+    /// two, at most eight.
+    pub(super) fn steps(&self, dt: f64) -> u64 {
+        let mut steps = 1;
+        while steps < 8 && dt > 0.0 && 2.0 * steps as f64 * dt <= 0.05 * self.filter {
+            steps *= 2;
+        }
+        steps
+    }
 }

@@ -3,8 +3,9 @@
 //! The bodies of [`crate::band`] are linear in the strain, and the strain of all points has seven coefficients a component. So
 //! their stretches have as many, which obey the same equation, and a point's are read off as its strain is; what damage has left
 //! of the bodies' stress, and what they dissipate, goes by the point. The memory is that of seven points, however many there are.
+//! What whole bodies carry and take is integrated in closed form; points that damage has weakened take theirs off it.
 
-use super::layer::{at_point, in_layer};
+use super::layer::{add_elastic, at_point, elastic_energy, in_layer, of_point};
 use crate::band::{BODIES, BandStep};
 use crate::lane::{Lane, Octet};
 use crate::material::Sym;
@@ -26,12 +27,6 @@ pub(super) struct Bodies<L> {
     /// The sum of each stretch before and after.
     means: [[[L; 8]; 6]; BODIES],
     moved: [[L; 8]; 6],
-}
-
-/// The same in a layer, at its four points.
-pub(super) struct InLayer<L> {
-    sum: [[L; 4]; 6],
-    means: [[[L; 4]; 6]; BODIES],
 }
 
 /// A field that the memory keeps.
@@ -86,82 +81,101 @@ impl<L: Lane> Bodies<L> {
         Bodies { sum, means, moved }
     }
 
+    /// Adds what whole bodies carry to the resultants; what they take in the step \[J\], as [`BandStep::stress`] books it.
     #[inline(always)]
-    pub fn in_layer(&self, zeta: f64) -> InLayer<L> {
-        InLayer {
-            sum: in_layer(&self.sum, zeta),
-            means: [
-                in_layer(&self.means[0], zeta),
-                in_layer(&self.means[1], zeta),
-                in_layer(&self.means[2], zeta),
-            ],
-        }
-    }
-
-    /// What a point took in the step \[J/m³\], of whose bodies the share `now` is left after `before`; as
-    /// [`BandStep::stress`] books it.
-    #[inline(always)]
-    pub fn taken(
-        &self,
-        step: &BandStep,
-        seen: &InLayer<L>,
-        memory: &[Octet],
-        (zeta, q): (f64, usize),
-        before: L,
-        now: L,
-        at: usize,
-    ) -> L {
-        let zero = L::splat(0.0);
-        let mut flown = zero;
+    pub fn add_whole(&self, step: &BandStep, sums: &mut [[L; 8]; 6], moments: &[[L; 3]; 4]) -> L {
+        add_elastic(sums, &step.moduli, &self.sum, moments);
+        let mut taken = L::splat(0.0);
         let mut j = 0;
         while j < BODIES {
-            let mean = of_point(&seen.means[j], q);
-            flown = L::splat(step.halves[j] * step.weights[j]).mul_add(step.moduli.energy(&mean), flown);
+            let energy = elastic_energy(&step.moduli, &self.means[j], moments);
+            taken = L::splat(step.halves[j] * step.weights[j]).mul_add(energy, taken);
             j += 1;
         }
-        let mut held = zero;
-        if L::any(now.less(before)) {
-            let moved = at_point(&self.moved, zeta, q);
-            let mut j = 0;
-            while j < BODIES {
-                let (mean, new) =
-                    (of_point(&seen.means[j], q), at_point(&kept::<L>(memory, 1 + j, at), zeta, q));
-                let (mut old, mut turned) = ([zero; 6], [zero; 6]);
-                let mut c = 0;
-                while c < 6 {
-                    old[c] = mean[c] - new[c];
-                    turned[c] = new[c] - old[c];
-                    c += 1;
-                }
-                let weight = step.weights[j];
-                let both = step.moduli.energy(&old) + step.moduli.energy(&new);
-                held = L::splat(0.5 * weight).mul_add(both, held);
-                held = L::splat(-0.25 * weight).mul_add(step.moduli.product(&turned, &moved), held);
-                j += 1;
-            }
-        }
-        let lost = (before - now) * held.larger(zero);
-        (L::splat(0.5) * (before + now)).mul_add(flown, lost)
+        taken
     }
-}
 
-impl<L: Lane> InLayer<L> {
-    /// Stress \[Pa\] of the bodies at a point, of which the share `now` is left.
+    /// Stress \[Pa\] of whole bodies at a point.
     #[inline(always)]
-    pub fn stress(&self, step: &BandStep, q: usize, now: L) -> Sym<L> {
-        let mut stress = step.moduli.stress(&of_point(&self.sum, q));
-        let mut c = 0;
-        while c < 6 {
-            stress[c] = now * stress[c];
-            c += 1;
-        }
-        stress
+    pub fn stress(&self, step: &BandStep, zeta: f64, q: usize) -> Sym<L> {
+        step.moduli.stress(&at_point(&self.sum, zeta, q))
     }
-}
 
-#[inline(always)]
-fn of_point<L: Lane>(v: &[[L; 4]; 6], q: usize) -> Sym<L> {
-    [v[0][q], v[1][q], v[2][q], v[3][q], v[4][q], v[5][q]]
+    /// Takes off the weighted stresses of a layer what its bodies no longer carry, of which the shares `now` are left after
+    /// `before`; what they take beyond whole ones \[J\].
+    #[inline(always)]
+    pub fn lessen(
+        &self,
+        step: &BandStep,
+        memory: &[Octet],
+        zeta: f64,
+        weight: &[L; 4],
+        [before, now]: [&[L; 4]; 2],
+        values: &mut [[L; 4]; 6],
+        at: usize,
+    ) -> L {
+        let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
+        let sum = in_layer(&self.sum, zeta);
+        let mut q = 0;
+        while q < 4 {
+            let stress = step.moduli.stress(&of_point(&sum, q));
+            let lost = weight[q] * (one - now[q]);
+            let mut c = 0;
+            while c < 6 {
+                values[c][q] = lost.neg_mul_add(stress[c], values[c][q]);
+                c += 1;
+            }
+            q += 1;
+        }
+        let mut flown = [zero; 4];
+        let mut held = [zero; 4];
+        let weakens = L::either(
+            L::either(now[0].less(before[0]), now[1].less(before[1])),
+            L::either(now[2].less(before[2]), now[3].less(before[3])),
+        );
+        let weakens = L::any(weakens);
+        let mut j = 0;
+        while j < BODIES {
+            let share = L::splat(step.halves[j] * step.weights[j]);
+            let means = in_layer(&self.means[j], zeta);
+            let mut q = 0;
+            while q < 4 {
+                flown[q] = share.mul_add(step.moduli.energy(&of_point(&means, q)), flown[q]);
+                q += 1;
+            }
+            if weakens {
+                let moved = in_layer(&self.moved, zeta);
+                let ends = in_layer(&kept::<L>(memory, 1 + j, at), zeta);
+                let weight = step.weights[j];
+                let mut q = 0;
+                while q < 4 {
+                    let (mean, new) = (of_point(&means, q), of_point(&ends, q));
+                    let (mut old, mut turned) = ([zero; 6], [zero; 6]);
+                    let mut c = 0;
+                    while c < 6 {
+                        old[c] = mean[c] - new[c];
+                        turned[c] = new[c] - old[c];
+                        c += 1;
+                    }
+                    let both = step.moduli.energy(&old) + step.moduli.energy(&new);
+                    held[q] = L::splat(0.5 * weight).mul_add(both, held[q]);
+                    let across = step.moduli.product(&turned, &of_point(&moved, q));
+                    held[q] = L::splat(-0.25 * weight).mul_add(across, held[q]);
+                    q += 1;
+                }
+            }
+            j += 1;
+        }
+        let mut taken = zero;
+        let mut q = 0;
+        while q < 4 {
+            let lost = (before[q] - now[q]) * held[q].larger(zero);
+            let beyond = half.mul_add(before[q] + now[q], -one).mul_add(flown[q], lost);
+            taken = weight[q].mul_add(beyond, taken);
+            q += 1;
+        }
+        taken
+    }
 }
 
 /// What the bodies of a point hold \[J/m³\] after a step.

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
-use crate::material::{Material, Point, Sym};
+use crate::material::{Material, Point, Sym, load};
 
 /// Geometry of eight elements; 134 octets, that is 1072 bytes an element.
 #[derive(Clone, Copy)]
@@ -30,6 +30,16 @@ impl FullGeometry {
         for p in 0..8 {
             self.weights[p].0[lane] = hex.weights[p];
         }
+    }
+}
+
+impl FullGeometry {
+    /// Strains at the points of the element in the first lane, from its modal displacements.
+    pub(super) fn strains(&self, modes: &[[f64; 8]; 3]) -> [Sym<f64>; 8] {
+        let means = self.field.means::<f64>(&SCALE, 0);
+        let mut e = self.field.strain::<f64>(modes, &SCALE, &means, &[], 0);
+        e.iter_mut().for_each(to_nodes);
+        core::array::from_fn(|p| core::array::from_fn(|c| e[c][p]))
     }
 }
 
@@ -71,7 +81,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
         }
 
         // The law at the eight points; strains make room for weighted stresses.
-        let mut lane_point = Point::new(L::splat(point.dt));
+        let mut lane_point = Point::<L>::splat(point);
         if M::NEEDS_SIZE {
             lane_point.size = super::seen_size(&given, &field.gradient, &field.hourglass, at);
         }
@@ -81,29 +91,29 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
         while p < 8 {
             let strain: Sym<L> = [e[0][p], e[1][p], e[2][p], e[3][p], e[4][p], e[5][p]];
             let own = &mut history[p * columns..(p + 1) * columns];
-            let old = super::load_history::<L, M>(own, at);
-            let left =
-                if M::DAMAGES && !left.is_empty() { &mut left[p * LEFT..(p + 1) * LEFT] } else { &mut [] };
-            let (of_law, new) = super::answer(material, &lane_point, strain, old, left, at);
+            let answer = material.update_in_place(&lane_point, strain, own, at);
+            if M::DAMAGES && !left.is_empty() {
+                super::keep_left(&answer.left, &mut left[p * LEFT..], at);
+            }
+            let of_law = answer.stress;
             let weight = L::load(&geometry.weights[p], at);
             let mut stress = of_law;
             let mut held = L::splat(0.0);
             if let Some(band) = band {
-                let (before, now) = (super::unbroken(material, &old), super::unbroken(material, &new));
                 let memory = &mut overstress[p * MEMORY..(p + 1) * MEMORY];
-                stress = super::plus(stress, band.stress(&strain, before, now, memory, at));
+                stress = super::plus(stress, band.stress(&strain, answer.before, answer.now, memory, at));
                 if PROBE {
-                    held = band.held(now, memory, at);
+                    held = band.held(answer.now, memory, at);
                     of_band = weight.mul_add(BandStep::dissipated::<L>(memory, at), of_band);
                 }
             }
-            super::store_history::<L, M>(new, own, at);
             let mut c = 0;
             while c < 6 {
                 e[c][p] = weight * stress[c];
                 c += 1;
             }
             if PROBE {
+                let new: M::History<L> = load(own, at);
                 let stored = material.stored_energy(&strain, &of_law, &new) + held;
                 energy = weight.mul_add(stored, energy);
                 dissipated = weight.mul_add(super::booked(&new, M::DISSIPATION), dissipated);

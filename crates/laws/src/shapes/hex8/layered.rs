@@ -11,12 +11,12 @@
 use super::bodies::{self, Bodies};
 use super::field::{Field, G, Scale};
 use super::geometry::determinant_at;
-use super::layer::{add_layer, in_layer};
+use super::layer::{add_elastic, add_layer, in_layer, moments, of_point};
 use super::quadrature::Through;
 use super::{Given, Hex8, LEFT, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal};
 use crate::band::BandStep;
 use crate::lane::{Lane, Octet, Row};
-use crate::material::{Material, Point, Sym};
+use crate::material::{Material, Moduli, Point, load};
 
 /// Geometry of eight elements; 138 octets, that is 1104 bytes an element, however many layers there are.
 #[derive(Clone, Copy)]
@@ -53,6 +53,16 @@ impl LayeredGeometry {
                 octet.0[lane] = value;
             }
         }
+    }
+}
+
+impl LayeredGeometry {
+    /// det J times the weight of a point in a layer.
+    #[inline(always)]
+    fn weight<L: Lane>(&self, through: &Through, layer: usize, q: usize, at: usize) -> L {
+        let (depth, zeta) = (&self.depth[q], L::splat(through.zeta[layer]));
+        let linear = zeta.mul_add(L::load(&depth[2], at), L::load(&depth[1], at));
+        L::splat(through.weight[layer]) * zeta.mul_add(linear, L::load(&depth[0], at))
     }
 }
 
@@ -93,59 +103,53 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
             Some(step) => Some((step, Bodies::advance(step, &e, overstress, at))),
             None => None,
         };
-        let mut lane_point = Point::new(L::splat(point.dt));
+        let mut lane_point = Point::<L>::splat(point);
         if M::NEEDS_SIZE {
             lane_point.size = super::seen_size(&given, &field.gradient, &field.hourglass, at);
         }
         let mut sums = [[zero; 8]; 6];
-        let (mut energy, mut dissipated, mut created, mut taken) = (zero, zero, zero, zero);
+        let mut taken = zero;
+        if let Some((step, bodies)) = &band {
+            taken = bodies.add_whole(step, &mut sums, &moments(through, &geometry.depth, at));
+        }
+        let (mut energy, mut dissipated, mut created) = (zero, zero, zero);
         let mut layer = 0;
         while layer < through.count {
             let zeta = through.zeta[layer];
             let mut values = in_layer(&e, zeta);
-            let mut of_layer = None;
-            if let Some((step, bodies)) = &band {
-                of_layer = Some((step, bodies, bodies.in_layer(zeta)));
-            }
+            let (mut weight, mut before, mut now) = ([zero; 4], [zero; 4], [zero; 4]);
             let mut q = 0;
             while q < 4 {
                 let p = 4 * layer + q;
-                let strain: Sym<L> =
-                    [values[0][q], values[1][q], values[2][q], values[3][q], values[4][q], values[5][q]];
+                let strain = of_point(&values, q);
                 let own = &mut history[p * columns..(p + 1) * columns];
-                let old = super::load_history::<L, M>(own, at);
-                let left = if M::DAMAGES && !left.is_empty() {
-                    &mut left[p * LEFT..(p + 1) * LEFT]
-                } else {
-                    &mut []
-                };
-                let (of_law, new) = super::answer(material, &lane_point, strain, old, left, at);
-                let depth = &geometry.depth[q];
-                let linear = L::splat(zeta).mul_add(L::load(&depth[2], at), L::load(&depth[1], at));
-                let weight =
-                    L::splat(through.weight[layer]) * L::splat(zeta).mul_add(linear, L::load(&depth[0], at));
-                let mut stress = of_law;
-                let mut held = zero;
-                if let Some((step, bodies, here)) = &of_layer {
-                    let (before, now) = (super::unbroken(material, &old), super::unbroken(material, &new));
-                    stress = super::plus(stress, here.stress(step, q, now));
-                    let here = bodies.taken(step, here, overstress, (zeta, q), before, now, at);
-                    taken = weight.mul_add(here, taken);
-                    if PROBE {
-                        held = bodies::held(step, overstress, zeta, q, now, at);
-                    }
+                let answer = material.update_in_place(&lane_point, strain, own, at);
+                if M::DAMAGES && !left.is_empty() {
+                    super::keep_left(&answer.left, &mut left[p * LEFT..], at);
                 }
-                super::store_history::<L, M>(new, own, at);
+                weight[q] = geometry.weight(through, layer, q, at);
+                (before[q], now[q]) = (answer.before, answer.now);
                 let mut c = 0;
                 while c < 6 {
-                    values[c][q] = weight * stress[c];
+                    values[c][q] = weight[q] * answer.stress[c];
                     c += 1;
                 }
                 if PROBE {
-                    let stored = material.stored_energy(&strain, &of_law, &new) + held;
-                    energy = weight.mul_add(stored, energy);
-                    dissipated = weight.mul_add(super::booked(&new, M::DISSIPATION), dissipated);
-                    created = weight.mul_add(super::booked(&new, M::CREATION), created);
+                    let new: M::History<L> = load(own, at);
+                    let mut stress = answer.stress;
+                    let mut stored = material.stored_energy(&strain, &stress, &new);
+                    if let Some((step, bodies)) = &band {
+                        let carried = bodies.stress(step, zeta, q);
+                        let mut c = 0;
+                        while c < 6 {
+                            stress[c] = answer.now.mul_add(carried[c], stress[c]);
+                            c += 1;
+                        }
+                        stored = stored + bodies::held(step, overstress, zeta, q, answer.now, at);
+                    }
+                    energy = weight[q].mul_add(stored, energy);
+                    dissipated = weight[q].mul_add(super::booked(&new, M::DISSIPATION), dissipated);
+                    created = weight[q].mul_add(super::booked(&new, M::CREATION), created);
                     let mut c = 0;
                     while c < 6 {
                         stress[c].store(&mut probe.stress[p][c], at);
@@ -153,6 +157,16 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
                     }
                 }
                 q += 1;
+            }
+            if M::DAMAGES
+                && let Some((step, bodies)) = &band
+            {
+                let least = now[0].smaller(now[1]).smaller(now[2].smaller(now[3]));
+                if L::any(least.less(L::splat(1.0))) {
+                    let shares = [&before, &now];
+                    let beyond = bodies.lessen(step, overstress, zeta, &weight, shares, &mut values, at);
+                    taken = taken + beyond;
+                }
             }
             add_layer(&mut sums, &values, zeta);
             layer += 1;
@@ -167,6 +181,83 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
             if band.is_some() {
                 bodies::dissipated::<L>(overstress, at).store(&mut probe.of_band, at);
             }
+        }
+        let mut forces = field.forces::<L>(sums, &SCALE, &means, at);
+        store_nodal(&mut forces, &mut nodal, at);
+        at += L::WIDTH;
+    }
+    // SAFETY: passed on to the caller.
+    unsafe { scatter_nodal::<L>(out, index, &nodal) };
+}
+
+/// Forces of the elasticity that damage has left ([`LEFT`] octets a point) times a factor of each element, added to `out`. What a
+/// whole element would carry is integrated in closed form; points that damage has weakened take theirs off it.
+///
+/// # Safety
+/// As for [`layered`].
+#[inline(always)]
+pub unsafe fn layered_left<L: Lane>(
+    through: &Through,
+    moduli: &Moduli,
+    geometry: &LayeredGeometry,
+    index: &[[u16; 8]; 8],
+    left: &[Octet],
+    factor: &Octet,
+    rows: &[Row],
+    out: &mut [Row],
+) {
+    let field = &geometry.field;
+    let (zero, three) = (L::splat(0.0), L::splat(3.0));
+    let mut nodal = [[Octet::ZERO; 3]; 8];
+    let mut at = 0;
+    while at < 8 {
+        // SAFETY: passed on to the caller.
+        let modes = unsafe { gather_modes::<L>(rows, index, at) };
+        let means = field.means::<L>(&SCALE, at);
+        let e = field.strain::<L>(&modes, &SCALE, &means, &[], at);
+        let mut sums = [[zero; 8]; 6];
+        add_elastic(&mut sums, moduli, &e, &moments(through, &geometry.depth, at));
+        let mut layer = 0;
+        while layer < through.count {
+            let zeta = through.zeta[layer];
+            let mut traces = [zero; 4];
+            let mut q = 0;
+            while q < 4 {
+                let v = &left[(4 * layer + q) * LEFT..];
+                traces[q] = L::load(&v[0], at) + L::load(&v[1], at) + L::load(&v[2], at);
+                q += 1;
+            }
+            let least = traces[0].smaller(traces[1]).smaller(traces[2].smaller(traces[3]));
+            if L::any(least.less(three)) {
+                let mut values = in_layer(&e, zeta);
+                let mut q = 0;
+                while q < 4 {
+                    let strain = of_point(&values, q);
+                    let v = super::load_tensor(&left[(4 * layer + q) * LEFT..], at);
+                    let (whole, part) = (moduli.stress(&strain), moduli.stress_left(&strain, &v));
+                    let weight = geometry.weight(through, layer, q, at);
+                    // A closed crack leaves V at I but for the round-off of its axes: it carries all.
+                    let weight = L::select(traces[q].less(three), weight, zero);
+                    let mut c = 0;
+                    while c < 6 {
+                        values[c][q] = weight * (part[c] - whole[c]);
+                        c += 1;
+                    }
+                    q += 1;
+                }
+                add_layer(&mut sums, &values, zeta);
+            }
+            layer += 1;
+        }
+        let factor = L::load(factor, at);
+        let mut c = 0;
+        while c < 6 {
+            let mut mode = 0;
+            while mode < 7 {
+                sums[c][mode] = factor * sums[c][mode];
+                mode += 1;
+            }
+            c += 1;
         }
         let mut forces = field.forces::<L>(sums, &SCALE, &means, at);
         store_nodal(&mut forces, &mut nodal, at);

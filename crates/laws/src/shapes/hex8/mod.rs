@@ -47,7 +47,7 @@ pub use elastic::elastic_stress;
 pub use frequency::element_frequencies;
 pub use full::{FullGeometry, full};
 pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
-pub use layered::{LayeredGeometry, layered};
+pub use layered::{LayeredGeometry, layered, layered_left};
 pub use one_point::{OnePointGeometry, OnePointShape, Resistance, one_point};
 pub use quadrature::{Layers, MOST_POINTS, Points, Quadrature, Through, turned};
 
@@ -190,7 +190,7 @@ impl Probe {
 }
 
 /// Octets a point of what damage has left of stresses that go by the rate: V ([`Material::integrity`]), the share against
-/// hourglass modes, and one for whoever uses them.
+/// hourglass modes of elements of one point, and one for whoever uses them.
 pub const LEFT: usize = 8;
 
 /// Modal displacements of the lanes `at ..` of an octet: `[component][mode]`.
@@ -269,14 +269,20 @@ fn answer<L: Lane, M: Material>(
     }
     let (stress, new, integrity) = material.update_left(point, strain, old);
     if !left.is_empty() {
-        let mut c = 0;
-        while c < 6 {
-            integrity[c].store(&mut left[c], at);
-            c += 1;
-        }
+        keep_left(&integrity, left, at);
         material.hourglass_share(&new).store(&mut left[6], at);
     }
     (stress, new)
+}
+
+/// Puts V of a point into its room.
+#[inline(always)]
+fn keep_left<L: Lane>(integrity: &Sym<L>, left: &mut [Octet], at: usize) {
+    let mut c = 0;
+    while c < 6 {
+        integrity[c].store(&mut left[c], at);
+        c += 1;
+    }
 }
 
 /// A column of the history that may not be.
@@ -352,28 +358,4 @@ fn add_initial<L: Lane>(strain: &mut Sym<L>, initial: &[Octet], at: usize) {
 #[inline(always)]
 fn plus<L: Lane>(a: Sym<L>, b: Sym<L>) -> Sym<L> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3], a[4] + b[4], a[5] + b[5]]
-}
-
-/// History of one point from its octets (one per column).
-#[inline(always)]
-fn load_history<L: Lane, M: Material>(octets: &[Octet], at: usize) -> M::History<L> {
-    let mut history = <M::History<L> as crate::History<L>>::zero();
-    let lanes = history.as_mut();
-    let mut i = 0;
-    while i < lanes.len() {
-        lanes[i] = L::load(&octets[i], at);
-        i += 1;
-    }
-    history
-}
-
-/// The inverse of [`load_history`].
-#[inline(always)]
-fn store_history<L: Lane, M: Material>(history: M::History<L>, octets: &mut [Octet], at: usize) {
-    let lanes = history.as_ref();
-    let mut i = 0;
-    while i < lanes.len() {
-        lanes[i].store(&mut octets[i], at);
-        i += 1;
-    }
 }

@@ -4,7 +4,7 @@ use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
 use super::{Given, Hex8, Probe, Stabilisation, Surface, gather_modes, scatter_nodal, store_nodal};
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
-use crate::material::{Material, Point, Sym};
+use crate::material::{Material, Point, Sym, load, store};
 
 /// Elastic constants against the hourglass modes, in what the law has left.
 #[derive(Clone, Copy)]
@@ -172,11 +172,11 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
 
         let (mut strain, s) = geometry.strain::<L>(&modes, at);
         super::add_initial(&mut strain, given.strain, at);
-        let mut lane_point = Point::new(L::splat(point.dt));
+        let mut lane_point = Point::<L>::splat(point);
         if M::NEEDS_SIZE {
             lane_point.size = geometry.size(&given, at);
         }
-        let old = super::load_history::<L, M>(history, at);
+        let old: M::History<L> = load(history, at);
         let (of_law, mut new) = super::answer(material, &lane_point, strain, old, left, at);
         let mut stress = of_law;
         let mut held = L::splat(0.0);
@@ -210,7 +210,7 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
             let book = &mut new.as_mut()[k];
             *book = L::select(share.less(before), *book + lost, *book);
         }
-        super::store_history::<L, M>(new, history, at);
+        store(&new, history, at);
 
         if PROBE {
             let mut i = 0;

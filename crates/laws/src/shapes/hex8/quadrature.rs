@@ -52,7 +52,7 @@ impl Quadrature {
         const EIGHT: [f64; 8] = [0.125; 8];
         static LAYERED: LazyLock<[Vec<f64>; 3]> = LazyLock::new(|| {
             Layers::ALL.map(|layers| {
-                let through = Through::new(layers);
+                let through = Through::of(layers);
                 (0..4 * through.count).map(|p| 0.125 * through.weight[p / 4]).collect()
             })
         });
@@ -79,10 +79,19 @@ pub struct Through {
     pub zeta: [f64; MOST_LAYERS],
     pub weight: [f64; MOST_LAYERS],
     pub count: usize,
+    /// Σ w ζ² and Σ w ζ⁴; Σ w is 2.
+    pub square: f64,
+    pub fourth: f64,
 }
 
 impl Through {
-    pub fn new(layers: Layers) -> Self {
+    /// Those of this many layers.
+    pub fn of(layers: Layers) -> &'static Through {
+        static ALL: LazyLock<[Through; 3]> = LazyLock::new(|| Layers::ALL.map(Through::new));
+        &ALL[layers as usize]
+    }
+
+    fn new(layers: Layers) -> Self {
         let count = layers.count();
         let spacing = 2.0 / (count - 1) as f64;
         let mut zeta = [0.0; MOST_LAYERS];
@@ -99,7 +108,8 @@ impl Through {
         for (end, next) in [(0, 1), (count - 1, count - 2)] {
             (weight[end], weight[next]) = (half - second, second);
         }
-        Through { zeta, weight, count }
+        let sum = |power: i32| (0..count).map(|k| weight[k] * zeta[k].powi(power)).sum();
+        Through { zeta, weight, count, square: sum(2), fourth: sum(4) }
     }
 }
 
@@ -128,7 +138,7 @@ impl Points {
                 let mut natural = [0.0; 3];
                 natural[(self.axis + 1) % 3] = first;
                 natural[(self.axis + 2) % 3] = second;
-                natural[self.axis] = Through::new(layers).zeta[p / 4];
+                natural[self.axis] = Through::of(layers).zeta[p / 4];
                 natural
             }
         }
@@ -140,7 +150,7 @@ impl Points {
             Quadrature::OnePoint => vec![hex.volume],
             Quadrature::Full => hex.weights.to_vec(),
             Quadrature::Layered(layers) => {
-                let weight = Through::new(layers).weight;
+                let weight = &Through::of(layers).weight;
                 let at = |p: usize| weight[p / 4] * determinant_at(&hex.corners, self.natural(p));
                 (0..self.count()).map(at).collect()
             }

@@ -123,7 +123,7 @@ pub fn turn(t: &[f64; 6], r: &[[f64; 3]; 3]) -> [f64; 6] {
 
 /// A cube of edge h at a time step.
 pub fn point(dt: f64, h: f64) -> Point<f64> {
-    Point { dt, size: [h * h, h * h, h * h, 0.0, 0.0, 0.0] }
+    Point { size: [h * h, h * h, h * h, 0.0, 0.0, 0.0], ..Point::new(dt) }
 }
 
 /// σ : ε
