@@ -9,7 +9,7 @@ pub use rule::{Full, Layered, OnePoint, Rule};
 
 use crate::line::{Line, Lines};
 use crate::part::{ElementEnergy, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
-use pass::{After, Pass, dispatch, dispatch_rare, whole};
+use pass::{After, ONE, Pass, dispatch, dispatch_rare, products, whole};
 use prescribed::Prescribed;
 use std::sync::Arc;
 use tremolite_laws::band::{Band, BandStep};
@@ -198,6 +198,16 @@ impl<M: Material, R: Rule> Solid<M, R> {
         left
     }
 
+    /// Elastic forces times a factor of each element, 1 if empty.
+    fn whole_times(&self, factor: &[Octet], w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
+        let Scratch { rows, left, .. } = scratch;
+        left.clear();
+        left.extend((0..self.rule.points()).flat_map(|_| whole(ONE)));
+        let law = self.weakened();
+        let rows = self.gather(w, rows);
+        products(self.isa, self.pass(&law, 0.0, &mut [], None, &mut [], &[], rows, out, None), factor, left);
+    }
+
     fn weakened(&self) -> Weakened {
         Weakened(self.elastic.moduli())
     }
@@ -288,13 +298,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         if self.viscosity.is_empty() {
             return false;
         }
-        let Scratch { rows, history: left, .. } = scratch;
-        left.clear();
-        let points = self.rule.points();
-        left.extend(self.viscosity.iter().flat_map(|&factor| (0..points).flat_map(move |_| whole(factor))));
-        let pass = self.weakened();
-        let pass = self.pass(&pass, 0.0, left, None, &mut [], &[], self.gather(w, rows), out, None);
-        dispatch_rare::<R, Weakened, false>(self.isa, pass);
+        self.whole_times(&self.viscosity, w, out, scratch);
         true
     }
 
@@ -320,6 +324,9 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
+        if R::CLOSED {
+            return self.whole_times(&[], w, out, scratch);
+        }
         let rows = self.gather(w, &mut scratch.rows);
         dispatch::<R, Elastic>(
             self.isa,

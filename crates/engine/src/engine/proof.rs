@@ -22,6 +22,16 @@ pub const TRIED: u32 = 1000;
 /// some of its neighbours' at light nodes.
 const GROWN: f64 = 30.0;
 
+/// Nodes that a thread works on at a time.
+const CHUNK: usize = 1024;
+
+/// How a node moves: its level, beyond all others where it does not, and what a force adds to its increment a finest step.
+#[derive(Clone, Copy)]
+struct Push {
+    level: u8,
+    of_force: [f64; 3],
+}
+
 /// Members around borders where energy grew, by their numbers; the sooner the earlier.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Proof {
@@ -49,7 +59,6 @@ pub fn prove(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> Proo
         part.nodes().iter().zip(masses).for_each(|(&n, m)| mass[master(n)] += m);
     }
     let moves: Vec<usize> = (0..mass.len()).filter(|&n| mass[n] > 0.0).collect();
-    let level = |n: usize| model.nodes.level[n];
     let mut u = vec![Row::ZERO; mass.len()];
     let mut du = vec![Row::ZERO; mass.len()];
     // As much in each node's own velocity as its mass leaves of one energy.
@@ -71,19 +80,29 @@ pub fn prove(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> Proo
         tried.iter().copied().filter(|&m| assembly.members[m as usize].part.elements().0 > 0).collect();
     let most = solid.iter().map(|&m| energy(&du, m)).fold(0.0, f64::max);
     let mut contributions = vec![Row::ZERO; assembly.totals().contributions.end];
-    let coarsest = phase.beats.len() as u8 - 1;
-    // Members and nodes that have their own times where levels up to each have.
-    let due: Vec<(Vec<u32>, Vec<usize>)> = (0..=coarsest)
-        .map(|beat| {
-            let members = tried.iter().copied().filter(|&m| assembly.members[m as usize].level <= beat);
-            (members.collect(), moves.iter().copied().filter(|&n| level(n) <= beat).collect())
-        })
-        .collect();
+    let (coarsest, inverse_dt) = (phase.beats.len() as u8 - 1, 1.0 / dt);
+    // Members that have their own times where levels up to each have.
+    let due = (0..=coarsest).map(|beat| {
+        let members = tried.iter().copied();
+        members.filter(|&m| assembly.members[m as usize].level <= beat).collect()
+    });
+    let due: Vec<Vec<u32>> = due.collect();
+    let mut push = vec![Push { level: u8::MAX, of_force: [0.0; 3] }; mass.len()];
+    for &n in &moves {
+        let level = model.nodes.level[n];
+        let of_force = [0, 1, 2].map(|i| match phase.inverse_mass[n].0[i] == 0.0 {
+            true => 0.0,
+            false => span(level) as f64 * dt * dt / mass[n],
+        });
+        push[n] = Push { level, of_force };
+    }
     let (mut w, mut grown) = (vec![Row::ZERO; mass.len()], Vec::new());
     for step in 0..u64::from(TRIED) << coarsest {
-        let (members, nodes) = &due[(step.trailing_zeros() as usize).min(usize::from(coarsest))];
+        let beat = step.trailing_zeros().min(u32::from(coarsest)) as u8;
+        let members = &due[usize::from(beat)];
         // Viscosity acts at v⁻, which is the same in all steps of the finest level that are in one of a node's own.
-        w.par_iter_mut().zip(&du).for_each(|(w, du)| *w = Row(du.0.map(|d| d / dt)));
+        moves.iter().for_each(|&n| w[n] = Row(du[n].0.map(|d| d * inverse_dt)));
+        phase.tied.iter().for_each(|&(node, of)| w[node as usize] = w[of as usize]);
         let mut rest = &mut contributions[..];
         let mut at = 0;
         let mut jobs = Vec::with_capacity(members.len());
@@ -107,17 +126,19 @@ pub fn prove(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> Proo
                 }
             },
         );
-        for &n in nodes {
-            let steps = span(level(n)) as f64;
-            let (force, inverse) = (force(phase, &contributions, n), &phase.inverse_mass[n]);
-            for i in 0..3 {
-                let held = inverse.0[i] == 0.0;
-                du[n].0[i] -= if held { 0.0 } else { steps * dt * dt * force.0[i] / mass[n] };
+        let rows = u.par_chunks_mut(CHUNK).zip(du.par_chunks_mut(CHUNK)).zip(push.par_chunks(CHUNK));
+        rows.enumerate().for_each(|(chunk, ((u, du), push))| {
+            for (k, ((u, du), push)) in u.iter_mut().zip(du).zip(push).enumerate() {
+                if push.level > coarsest {
+                    continue;
+                }
+                if push.level <= beat {
+                    let force = force(phase, &contributions, chunk * CHUNK + k);
+                    (0..3).for_each(|i| du.0[i] -= push.of_force[i] * force.0[i]);
+                }
+                (0..3).for_each(|i| u.0[i] += du.0[i]);
             }
-        }
-        for &n in &moves {
-            (0..3).for_each(|i| u[n].0[i] += du[n].0[i]);
-        }
+        });
         follow(&mut u);
         follow(&mut du);
         if (step + 1).is_multiple_of(32 << coarsest) {

@@ -114,7 +114,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
     }
 }
 
-const ONE: Octet = Octet([1.0; 8]);
+pub(super) const ONE: Octet = Octet([1.0; 8]);
 
 /// What is left of a material without damage.
 pub(super) fn whole(factor: Octet) -> [Octet; LEFT] {
@@ -164,7 +164,7 @@ mod instances {
         ($($name:ident, $lane:ty, $features:literal;)*) => {$(
             #[target_feature(enable = $features)]
             #[inline(never)]
-            unsafe fn $name<R: Rule>(
+            pub(super) unsafe fn $name<R: Rule>(
                 rule: &R,
                 law: &Weakened,
                 stabilisation: &Stabilisation,
@@ -201,6 +201,35 @@ pub(super) fn dispatch<R: Rule, M: Material>(isa: Isa, pass: Pass<R, M>) {
         }
         let _ = isa;
         octets::<f64, R, M, false>(pass, R::weakened::<f64>);
+    }
+}
+
+/// Runs a product of the elasticity that is left at the points of each octet ([`LEFT`] octets each, the same for all octets), times
+/// `factor`, 1 if empty.
+pub(super) fn products<R: Rule>(isa: Isa, pass: Pass<R, Weakened>, factor: &[Octet], left: &mut [Octet]) {
+    let second: Second<R> = match isa {
+        #[cfg(target_arch = "x86_64")]
+        Isa::Avx512 => instances::second_avx512::<R>,
+        #[cfg(target_arch = "x86_64")]
+        Isa::Avx2 => instances::second_avx2::<R>,
+        _ => R::weakened::<f64>,
+    };
+    for (i, (index, geometry)) in pass.index.iter().zip(pass.geometry).enumerate() {
+        let factor = factor.get(i).unwrap_or(&ONE);
+        // SAFETY: `Solid::new` keeps only available instruction sets, and checked all indices.
+        unsafe {
+            second(
+                pass.rule,
+                pass.law,
+                pass.stabilisation,
+                geometry,
+                index,
+                left,
+                factor,
+                pass.rows,
+                pass.out,
+            )
+        }
     }
 }
 

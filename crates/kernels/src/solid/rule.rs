@@ -15,6 +15,8 @@ pub trait Rule: Send + Sync + 'static {
     const EMPTY: Self::Geometry;
     /// Points of an element.
     fn points(&self) -> usize;
+    /// Whether the products of [`Rule::weakened`] cost less than those of an elastic law at the points.
+    const CLOSED: bool = false;
     /// Octets that the damping bodies of eight elements keep.
     fn memory(&self) -> usize {
         self.points() * MEMORY
@@ -178,6 +180,7 @@ impl Rule for Full {
 
 impl Rule for Layered {
     type Geometry = LayeredGeometry;
+    const CLOSED: bool = true;
     const EMPTY: Self::Geometry = LayeredGeometry::EMPTY;
     fn points(&self) -> usize {
         4 * self.0.count

@@ -4,7 +4,7 @@ use super::{
     FullGeometry, Given, Hex8, OnePointGeometry, OnePointShape, Probe, Quadrature, Stabilisation, full,
     one_point,
 };
-use crate::lane::{Octet, Row};
+use crate::lane::{Isa, Lane, Octet, Row};
 use crate::material::{Moduli, Point};
 use crate::materials::Elastic;
 
@@ -21,58 +21,122 @@ pub fn element_frequencies(hexes: &[Hex8], moduli: Moduli, density: f64, quadrat
     hexes.chunks(8).flat_map(|eight| octet(eight, moduli, density, full_quadrature)).collect()
 }
 
-fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) -> Vec<f64> {
+/// Geometry of up to eight elements, of one point each or of 2×2×2.
+enum Eight {
+    OnePoint(Box<OnePointGeometry>),
+    Full(Box<FullGeometry>),
+}
+
+/// Elastic forces of the elements at displacements `w`, added to `f`; every lane has eight rows of its own.
+///
+/// # Safety
+/// The lane's instruction set must be enabled.
+#[inline(always)]
+unsafe fn forces<L: Lane>(
+    moduli: Moduli,
+    stabilisation: &Stabilisation,
+    eight: &Eight,
+    w: &[Row; 64],
+    f: &mut [Row; 64],
+) {
     let law = Elastic::from_moduli(moduli);
-    let stabilisation = Stabilisation::new(moduli);
     let point = Point::new(0.0);
-    let (mut one, mut eight) = (OnePointGeometry::EMPTY, FullGeometry::EMPTY);
-    for (lane, hex) in hexes.iter().enumerate() {
-        one.set(lane, hex);
-        eight.set(lane, hex, &stabilisation);
+    let mut index = [[0; 8]; 8];
+    let mut k = 0;
+    while k < 64 {
+        index[k % 8][k / 8] = k as u16;
+        k += 1;
     }
-    // Every lane has eight rows of its own.
-    let index: [[u16; 8]; 8] = core::array::from_fn(|k| core::array::from_fn(|lane| (8 * lane + k) as u16));
-    let mut w: Vec<Row> = (0..64)
-        .map(|n: u32| Row::new([1.0, 2.0, 3.0].map(|i: f64| (12.9898 * (f64::from(n) + 64.0 * i)).sin())))
-        .collect();
-    let mut lambda = vec![0.0; hexes.len()];
+    let (history, band): (&mut [Octet], &mut [Octet]) = (&mut [], &mut []);
     let mut probe = Probe::ZERO;
+    // SAFETY: the indices are below 64; passed on to the caller.
+    unsafe {
+        match eight {
+            Eight::Full(geometry) => full::<L, _, false>(
+                &law,
+                stabilisation,
+                &point,
+                geometry,
+                &index,
+                history,
+                None,
+                band,
+                Given::NONE,
+                &mut [],
+                w,
+                f,
+                &mut probe,
+            ),
+            Eight::OnePoint(geometry) => one_point::<L, _, _, false>(
+                &law,
+                stabilisation,
+                &point,
+                &**geometry,
+                &index,
+                history,
+                None,
+                band,
+                Given::NONE,
+                &mut [],
+                w,
+                f,
+                &mut probe,
+            ),
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod wide {
+    use super::{Eight, Moduli, Row, Stabilisation, forces};
+    use crate::lane::{Avx2, Enabled};
+
+    #[derive(Clone, Copy)]
+    struct Here;
+    // SAFETY: named below alone, in a function that is called where the instruction set is there.
+    unsafe impl Enabled for Here {}
+
+    #[target_feature(enable = "avx2,fma")]
+    pub(super) unsafe fn avx2(
+        moduli: Moduli,
+        stabilisation: &Stabilisation,
+        eight: &Eight,
+        w: &[Row; 64],
+        f: &mut [Row; 64],
+    ) {
+        // SAFETY: this function enables the instruction set.
+        unsafe { forces::<Avx2<Here>>(moduli, stabilisation, eight, w, f) }
+    }
+}
+
+fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) -> Vec<f64> {
+    let stabilisation = Stabilisation::new(moduli);
+    let mut eight = match full_quadrature {
+        true => Eight::Full(Box::new(FullGeometry::EMPTY)),
+        false => Eight::OnePoint(Box::new(OnePointGeometry::EMPTY)),
+    };
+    for (lane, hex) in hexes.iter().enumerate() {
+        match &mut eight {
+            Eight::Full(geometry) => geometry.set(lane, hex, &stabilisation),
+            Eight::OnePoint(geometry) => geometry.set(lane, hex),
+        }
+    }
+    let mut w: [Row; 64] = core::array::from_fn(|n| {
+        Row::new([1.0, 2.0, 3.0].map(|i: f64| (12.9898 * (n as f64 + 64.0 * i)).sin()))
+    });
+    let mut lambda = vec![0.0; hexes.len()];
     for _ in 0..ITERATIONS {
-        let mut f = vec![Row::ZERO; 64];
-        // SAFETY: the indices are below 64, and plain f64 needs no instruction set.
+        let mut f = [Row::ZERO; 64];
+        #[cfg(target_arch = "x86_64")]
+        let wide = Isa::Avx2.available();
+        #[cfg(not(target_arch = "x86_64"))]
+        let wide = false;
+        // SAFETY: the processor has the instruction set; plain f64 needs none.
         unsafe {
-            if full_quadrature {
-                full::<f64, _, false>(
-                    &law,
-                    &stabilisation,
-                    &point,
-                    &eight,
-                    &index,
-                    &mut [] as &mut [Octet],
-                    None,
-                    &mut [],
-                    Given::NONE,
-                    &mut [],
-                    &w,
-                    &mut f,
-                    &mut probe,
-                );
-            } else {
-                one_point::<f64, _, _, false>(
-                    &law,
-                    &stabilisation,
-                    &point,
-                    &one,
-                    &index,
-                    &mut [] as &mut [Octet],
-                    None,
-                    &mut [],
-                    Given::NONE,
-                    &mut [],
-                    &w,
-                    &mut f,
-                    &mut probe,
-                );
+            match wide {
+                #[cfg(target_arch = "x86_64")]
+                true => wide::avx2(moduli, &stabilisation, &eight, &w, &mut f),
+                _ => forces::<f64>(moduli, &stabilisation, &eight, &w, &mut f),
             }
         }
         for (lane, hex) in hexes.iter().enumerate() {
