@@ -2,7 +2,9 @@
 
 use crate::VerifyError;
 use std::sync::Arc;
-use tremolite::{Assembly, Engine, Model, Phase, Problem, Snapshot, Stage, State, stable_step};
+use tremolite::{
+    Assembly, Engine, Model, Phase, Problem, Snapshot, Stage, State, settle_levels, stable_step,
+};
 use tremolite_laws::Row;
 
 /// A model with its dynamic phase.
@@ -18,6 +20,18 @@ impl Simulation {
     pub fn new(problem: Problem) -> Result<Self, VerifyError> {
         let model = Model::new(problem)?;
         let assembly = Assembly::new(&model)?;
+        let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
+        Ok(Simulation { model, assembly, phase })
+    }
+
+    /// The same with these levels of steps by place, as far as levels may lie side by side.
+    ///
+    /// # Errors
+    /// If the model cannot be cut by them.
+    pub fn levelled(&self, wished: impl Fn([f64; 3]) -> u8) -> Result<Self, VerifyError> {
+        let wished = self.model.mesh.nodes.iter().map(|&at| wished(at)).collect();
+        let model = self.model.at_levels(&settle_levels(&self.model, &self.phase, wished));
+        let assembly = self.assembly.again(&model)?;
         let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
         Ok(Simulation { model, assembly, phase })
     }

@@ -38,6 +38,7 @@ problems! {
     scheme_literal Test,
     time_order Test,
     discrete_energy Test,
+    levels_energy Test,
     damping_ratio Test,
     band_damping Test,
     dispersion Test,
