@@ -75,10 +75,10 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
         Kind::Layered(layers) => {
             let through = Through::of(layers);
             let mut geometry = LayeredGeometry::EMPTY;
-            geometry.set(0, &hex, &stabilisation, &through);
+            geometry.set(0, &hex, &stabilisation, through);
             unsafe {
                 layered::<f64, _, true>(
-                    &through,
+                    through,
                     &law,
                     &point,
                     &geometry,

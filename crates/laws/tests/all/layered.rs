@@ -61,10 +61,10 @@ impl Octets {
             Quadrature::Layered(layers) => {
                 let through = Through::of(layers);
                 let mut geometry = LayeredGeometry::EMPTY;
-                hexes().for_each(|(lane, hex)| geometry.set(lane, &hex, &stabilisation, &through));
+                hexes().for_each(|(lane, hex)| geometry.set(lane, &hex, &stabilisation, through));
                 unsafe {
                     layered::<f64, _, false>(
-                        &through,
+                        through,
                         law,
                         &point,
                         &geometry,
@@ -336,7 +336,7 @@ fn damping_kept_by_the_coefficients_of_the_strain_is_that_of_the_points() {
     let hex = Hex8::new(corners).unwrap();
     let stabilisation = Stabilisation::new(law.moduli());
     let mut geometry = LayeredGeometry::EMPTY;
-    geometry.set(0, &hex, &stabilisation, &through);
+    geometry.set(0, &hex, &stabilisation, through);
     let points = Points { quadrature: Quadrature::Layered(layers), axis: 2 };
     let weights = points.weights(&hex);
     let index: [[u16; 8]; 8] = core::array::from_fn(|k| [k as u16; 8]);
@@ -356,7 +356,7 @@ fn damping_kept_by_the_coefficients_of_the_strain_is_that_of_the_points() {
         let (mut out, mut probe, mut strains) = ([Row::ZERO; 8], Probe::ZERO, Probe::ZERO);
         unsafe {
             layered::<f64, _, true>(
-                &through,
+                through,
                 &law,
                 &Point::new(dt),
                 &geometry,
@@ -371,7 +371,7 @@ fn damping_kept_by_the_coefficients_of_the_strain_is_that_of_the_points() {
                 &mut probe,
             );
             layered::<f64, _, true>(
-                &through,
+                through,
                 &ShowsStrain,
                 &Point::new(dt),
                 &geometry,

@@ -87,9 +87,9 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners_or_what_they
                 } else if points == 36 {
                     let through = Through::of(Layers::Nine);
                     let mut g = LayeredGeometry::EMPTY;
-                    g.set(0, &hex, &stabilisation, &through);
+                    g.set(0, &hex, &stabilisation, through);
                     layered::<f64, _, true>(
-                        &through,
+                        through,
                         &ShowsSize,
                         &point,
                         &g,
