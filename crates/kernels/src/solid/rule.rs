@@ -215,6 +215,7 @@ impl Rule for Layered {
             )
         }
     }
+
     /// What whole points carry is integrated in closed form.
     #[inline(always)]
     unsafe fn weakened<L: Lane>(

@@ -69,6 +69,7 @@ impl Material for Weakened {
         }
         (stress, left)
     }
+
     #[inline(always)]
     fn update_in_place<L: Lane>(
         &self,
