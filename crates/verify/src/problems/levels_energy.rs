@@ -23,7 +23,7 @@ pub const PROBLEM: Verification = Verification {
 
 /// The coarsest step over the bound of the elements: what the program allows levels other than the finest.
 const SHARE: f64 = 0.8;
-/// Steps of the coarsest level from one look to the next, no divisor of anything.
+/// Steps of the coarsest level from one look to the next.
 const EVERY: usize = 5;
 
 fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
