@@ -1,5 +1,7 @@
 //! A patch of hexahedra of one law and one quadrature: the unit of threads and the fused kernel.
 
+#[cfg(target_arch = "x86_64")]
+mod apart;
 mod pass;
 mod prescribed;
 mod rule;
@@ -116,9 +118,8 @@ impl<M: Material, R: Rule> Solid<M, R> {
         rows
     }
 
-    fn pass<'a, N>(
+    fn pass<'a>(
         &'a self,
-        law: &'a N,
         dt: f64,
         history: &'a mut [Octet],
         band: Option<BandStep>,
@@ -127,12 +128,11 @@ impl<M: Material, R: Rule> Solid<M, R> {
         rows: &'a [Row],
         out: &'a mut [Row],
         probe: Option<ProbeOut<'a>>,
-    ) -> Pass<'a, R, N> {
+    ) -> Pass<'a, R> {
         assert!(rows.len() == self.nodes.len() && out.len() == self.nodes.len());
         out.fill(Row::ZERO);
         Pass {
             rule: &self.rule,
-            law,
             stabilisation: &self.stabilisation,
             point: Point::new(dt),
             index: &self.index,
@@ -164,7 +164,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         let law = self.weakened();
         let rows = self.since(x.u, own.reference, rows);
         let Own { history, overstress, initial, .. } = own;
-        let mut pass = self.pass(&*self.law, tick.dt, history, band, overstress, initial, rows, out, probe);
+        let mut pass = self.pass(tick.dt, history, band, overstress, initial, rows, out, probe);
         let every = self.law.slow_steps(tick.dt);
         let (brings, late) = match tick.step % every {
             0 => (true, every),
@@ -181,9 +181,9 @@ impl<M: Material, R: Rule> Solid<M, R> {
                 Some(After { law: &law, rows, out: second, factor: &self.viscosity, left: self.room(left) });
         }
         if PROBE {
-            dispatch_rare::<R, M, true>(self.isa, pass);
+            dispatch_rare::<R, M, true>(self.isa, &*self.law, pass);
         } else {
-            dispatch::<R, M>(self.isa, pass);
+            dispatch::<R, M>(self.isa, &*self.law, pass);
         }
         let mut lines = Lines::default();
         if viscous {
@@ -205,7 +205,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         left.extend((0..self.rule.points()).flat_map(|_| whole(ONE)));
         let law = self.weakened();
         let rows = self.gather(w, rows);
-        products(self.isa, self.pass(&law, 0.0, &mut [], None, &mut [], &[], rows, out, None), factor, left);
+        products(self.isa, &law, self.pass(0.0, &mut [], None, &mut [], &[], rows, out, None), factor, left);
     }
 
     fn weakened(&self) -> Weakened {
@@ -287,11 +287,11 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         unused.resize(self.nodes.len(), Row::ZERO);
         let (law, weakened) = (Remembered(self.law.clone()), self.weakened());
         let u = self.since(u, kept.reference, rows);
-        let mut pass = self.pass(&law, 0.0, own, None, &mut [], kept.initial, u, unused, None);
+        let mut pass = self.pass(0.0, own, None, &mut [], kept.initial, u, unused, None);
         out.fill(Row::ZERO);
         let rows = self.gather(w, others);
         pass.after = Some(After { law: &weakened, rows, out, factor: &[], left: self.room(left) });
-        dispatch_rare::<R, Remembered<M>, false>(self.isa, pass);
+        dispatch_rare::<R, Remembered<M>, false>(self.isa, &law, pass);
     }
 
     fn viscosity_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) -> bool {
@@ -319,7 +319,8 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         let law = Prescribed(self.elastic.moduli());
         dispatch_rare::<R, Prescribed, false>(
             self.isa,
-            self.pass(&law, 0.0, history, None, &mut [], &[], rows, out, None),
+            &law,
+            self.pass(0.0, history, None, &mut [], &[], rows, out, None),
         );
     }
 
@@ -330,7 +331,8 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         let rows = self.gather(w, &mut scratch.rows);
         dispatch::<R, Elastic>(
             self.isa,
-            self.pass(&self.elastic, 0.0, &mut [], None, &mut [], &[], rows, out, None),
+            &self.elastic,
+            self.pass(0.0, &mut [], None, &mut [], &[], rows, out, None),
         );
     }
 
@@ -341,7 +343,8 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         let rows = self.gather(w, &mut scratch.rows);
         dispatch_rare::<R, Elastic, true>(
             self.isa,
-            self.pass(&self.elastic, 0.0, &mut [], None, &mut [], &[], rows, &mut out, Some(probe)),
+            &self.elastic,
+            self.pass(0.0, &mut [], None, &mut [], &[], rows, &mut out, Some(probe)),
         );
     }
 }

@@ -1,5 +1,7 @@
 //! A pass of a kernel over the octets of a patch, in the instruction set of the machine.
 
+#[cfg(target_arch = "x86_64")]
+use super::apart::Apart;
 use super::rule::Rule;
 use super::weakened::Weakened;
 use crate::part::{ElementEnergy, ProbeOut};
@@ -8,9 +10,8 @@ use tremolite_laws::shapes::hex8::{Given, LEFT, Probe, Stabilisation};
 use tremolite_laws::{Isa, Lane, Material, Octet, Point, Row};
 
 /// Arguments of a pass over the octets of a patch.
-pub(super) struct Pass<'a, R: Rule, M> {
+pub(super) struct Pass<'a, R: Rule> {
     pub rule: &'a R,
-    pub law: &'a M,
     pub stabilisation: &'a Stabilisation,
     pub point: Point<f64>,
     pub index: &'a [[[u16; 8]; 8]],
@@ -51,7 +52,11 @@ type Second<R> = unsafe fn(
 );
 
 #[inline(always)]
-unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>, second: Second<R>) {
+unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(
+    law: &M,
+    pass: Pass<R>,
+    second: Second<R>,
+) {
     let rule = pass.rule;
     let (per_octet, memory) = (rule.points() * M::HISTORY.len(), rule.memory());
     let mut probe = Probe::ZERO;
@@ -70,7 +75,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(pass: Pass<R,
         // SAFETY: `Solid::new` checked every index against the number of nodes, which both slices have.
         unsafe {
             rule.kernel::<L, M, PROBE>(
-                pass.law,
+                law,
                 pass.stabilisation,
                 &pass.point,
                 geometry,
@@ -149,15 +154,15 @@ mod instances {
     unsafe impl Enabled for Here {}
 
     #[target_feature(enable = "avx512f,avx2,fma")]
-    pub(super) unsafe fn avx512<R: Rule, M: Material>(pass: Pass<R, M>) {
+    pub(super) unsafe fn avx512<R: Rule, M: Material>(law: &M, pass: Pass<R>) {
         // SAFETY: this function enables the instruction set; indices were checked.
-        unsafe { octets::<Avx512<Here>, R, M, false>(pass, second_avx512::<R>) }
+        unsafe { octets::<Avx512<Here>, R, M, false>(law, pass, second_avx512::<R>) }
     }
 
     #[target_feature(enable = "avx2,fma")]
-    pub(super) unsafe fn avx2<R: Rule, M: Material, const PROBE: bool>(pass: Pass<R, M>) {
+    pub(super) unsafe fn avx2<R: Rule, M: Material, const PROBE: bool>(law: &M, pass: Pass<R>) {
         // SAFETY: as above.
-        unsafe { octets::<Avx2<Here>, R, M, PROBE>(pass, second_avx2::<R>) }
+        unsafe { octets::<Avx2<Here>, R, M, PROBE>(law, pass, second_avx2::<R>) }
     }
 
     macro_rules! seconds {
@@ -190,23 +195,58 @@ mod instances {
 }
 
 /// Runs a pass of every step.
-pub(super) fn dispatch<R: Rule, M: Material>(isa: Isa, pass: Pass<R, M>) {
-    // SAFETY: `Solid::new` keeps only available instruction sets, and checked all indices.
-    unsafe {
+pub(super) fn dispatch<R: Rule, M: Material>(isa: Isa, law: &M, pass: Pass<R>) {
+    match isa {
+        // SAFETY: `Solid::new` keeps only available instruction sets, and checked all indices.
         #[cfg(target_arch = "x86_64")]
-        match isa {
-            Isa::Avx512 => return instances::avx512::<R, M>(pass),
-            Isa::Avx2 => return instances::avx2::<R, M, false>(pass),
-            Isa::Scalar => {}
-        }
-        let _ = isa;
-        octets::<f64, R, M, false>(pass, R::weakened::<f64>);
+        Isa::Avx512 => unsafe { instances::avx512::<R, M>(law, pass) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Isa::Avx2 => unsafe { instances::avx2::<R, M, false>(law, pass) },
+        _ => reference::<R, M, false>(law, pass),
     }
+}
+
+/// Runs a pass that is rare beside the steps: eight lanes are not worth the time that their instance takes to compile. The bits
+/// are the same.
+pub(super) fn dispatch_rare<R: Rule, M: Material, const PROBE: bool>(isa: Isa, law: &M, pass: Pass<R>) {
+    match isa {
+        // SAFETY: as above; whoever has AVX-512F has AVX2.
+        #[cfg(target_arch = "x86_64")]
+        Isa::Avx512 | Isa::Avx2 => unsafe { instances::avx2::<R, M, PROBE>(law, pass) },
+        _ => reference::<R, M, PROBE>(law, pass),
+    }
+}
+
+/// A pass in one lane.
+fn reference<R: Rule, M: Material, const PROBE: bool>(law: &M, pass: Pass<R>) {
+    #[cfg(target_arch = "x86_64")]
+    apart(law, pass);
+    // SAFETY: `Solid::new` checked all indices.
+    #[cfg(not(target_arch = "x86_64"))]
+    unsafe {
+        octets::<f64, R, M, PROBE>(law, pass, R::weakened::<f64>)
+    }
+}
+
+/// Where there are instruction sets one lane is there to compare with and for old machines: one instance, of a law [`Apart`], which
+/// probes whether that is wanted or not, is enough.
+#[cfg(target_arch = "x86_64")]
+#[inline(never)]
+fn apart<R: Rule, M: Material>(law: &M, pass: Pass<R>) {
+    // SAFETY: `Solid::new` checked all indices.
+    unsafe { octets::<f64, R, Apart<M>, true>(Apart::of(law), pass, R::weakened::<f64>) }
 }
 
 /// Runs a product of the elasticity that is left at the points of each octet ([`LEFT`] octets each, the same for all octets), times
 /// `factor`, 1 if empty.
-pub(super) fn products<R: Rule>(isa: Isa, pass: Pass<R, Weakened>, factor: &[Octet], left: &mut [Octet]) {
+pub(super) fn products<R: Rule>(
+    isa: Isa,
+    law: &Weakened,
+    pass: Pass<R>,
+    factor: &[Octet],
+    left: &mut [Octet],
+) {
     let second: Second<R> = match isa {
         #[cfg(target_arch = "x86_64")]
         Isa::Avx512 => instances::second_avx512::<R>,
@@ -218,31 +258,7 @@ pub(super) fn products<R: Rule>(isa: Isa, pass: Pass<R, Weakened>, factor: &[Oct
         let factor = factor.get(i).unwrap_or(&ONE);
         // SAFETY: `Solid::new` keeps only available instruction sets, and checked all indices.
         unsafe {
-            second(
-                pass.rule,
-                pass.law,
-                pass.stabilisation,
-                geometry,
-                index,
-                left,
-                factor,
-                pass.rows,
-                pass.out,
-            )
+            second(pass.rule, law, pass.stabilisation, geometry, index, left, factor, pass.rows, pass.out)
         }
-    }
-}
-
-/// Runs a pass that is rare beside the steps: eight lanes are not worth the time that their instance takes to compile. The bits
-/// are the same.
-pub(super) fn dispatch_rare<R: Rule, M: Material, const PROBE: bool>(isa: Isa, pass: Pass<R, M>) {
-    // SAFETY: as above; whoever has AVX-512F has AVX2.
-    unsafe {
-        #[cfg(target_arch = "x86_64")]
-        if isa != Isa::Scalar {
-            return instances::avx2::<R, M, PROBE>(pass);
-        }
-        let _ = isa;
-        octets::<f64, R, M, PROBE>(pass, R::weakened::<f64>);
     }
 }

@@ -225,7 +225,13 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
             (volume * super::booked(&new, M::CREATION)).store(&mut probe.created, at);
         }
 
-        let resultants = stress.map(|s| volume * s);
+        // A closure would be a function of its own wherever it is not inlined.
+        let mut resultants = stress;
+        let mut i = 0;
+        while i < 6 {
+            resultants[i] = volume * stress[i];
+            i += 1;
+        }
         modes[0] = geometry.forces::<L, 0>(&resultants, &p, at);
         modes[1] = geometry.forces::<L, 1>(&resultants, &p, at);
         modes[2] = geometry.forces::<L, 2>(&resultants, &p, at);
