@@ -17,20 +17,26 @@ use rayon::prelude::*;
 use tremolite_laws::Row;
 
 /// Steps of the coarsest level that are tried.
-pub const TRIED: u32 = 1000;
+pub const TRIED: u32 = 500;
 /// Kinetic energy of a part's nodes over the largest of any at the start from which on it counts as grown. What is stable may gather
 /// some of its neighbours' at light nodes.
 const GROWN: f64 = 30.0;
 
-/// Nodes that a thread works on at a time.
-const CHUNK: usize = 1024;
+/// Nodes that a thread works on at a time. Those of a level are numbered together, so most have one.
+const CHUNK: usize = 256;
 
-/// How a node moves: its level, beyond all others where it does not, and what a force adds to its increment a finest step.
+/// How a node moves.
 #[derive(Clone, Copy)]
 struct Push {
+    /// Its level; beyond all others where it does not move.
     level: u8,
+    /// The finest of the members that read it: it goes on when they do.
+    read: u8,
+    /// What a force adds to its increment a finest step.
     of_force: [f64; 3],
 }
+
+const STILL: Push = Push { level: u8::MAX, read: u8::MAX, of_force: [0.0; 3] };
 
 /// Members around borders where energy grew, by their numbers; the sooner the earlier.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -87,22 +93,27 @@ pub fn prove(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> Proo
         members.filter(|&m| assembly.members[m as usize].level <= beat).collect()
     });
     let due: Vec<Vec<u32>> = due.collect();
-    let mut push = vec![Push { level: u8::MAX, of_force: [0.0; 3] }; mass.len()];
+    let mut push = vec![STILL; mass.len()];
     for &n in &moves {
         let level = model.nodes.level[n];
         let of_force = [0, 1, 2].map(|i| match phase.inverse_mass[n].0[i] == 0.0 {
             true => 0.0,
             false => span(level) as f64 * dt * dt / mass[n],
         });
-        push[n] = Push { level, of_force };
+        push[n] = Push { level, read: level, of_force };
     }
-    let (mut w, mut grown) = (vec![Row::ZERO; mass.len()], Vec::new());
+    for Member { part, level, reads, .. } in tried.iter().map(|&m| &assembly.members[m as usize]) {
+        let nodes = part.nodes().iter().chain(&reads.nodes);
+        nodes.for_each(|&n| push[master(n)].read = push[master(n)].read.min(*level));
+    }
+    let finest: Vec<u8> =
+        push.chunks(CHUNK).map(|all| all.iter().map(|push| push.read).min().unwrap_or(u8::MAX)).collect();
+    // Viscosity acts at v⁻, which is the same in all steps of the finest level that are in one of a node's own.
+    let mut w: Vec<Row> = du.iter().map(|du| Row(du.0.map(|d| d * inverse_dt))).collect();
+    let mut grown = Vec::new();
     for step in 0..u64::from(TRIED) << coarsest {
         let beat = step.trailing_zeros().min(u32::from(coarsest)) as u8;
         let members = &due[usize::from(beat)];
-        // Viscosity acts at v⁻, which is the same in all steps of the finest level that are in one of a node's own.
-        moves.iter().for_each(|&n| w[n] = Row(du[n].0.map(|d| d * inverse_dt)));
-        phase.tied.iter().for_each(|&(node, of)| w[node as usize] = w[of as usize]);
         let mut rest = &mut contributions[..];
         let mut at = 0;
         let mut jobs = Vec::with_capacity(members.len());
@@ -126,21 +137,25 @@ pub fn prove(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> Proo
                 }
             },
         );
-        let rows = u.par_chunks_mut(CHUNK).zip(du.par_chunks_mut(CHUNK)).zip(push.par_chunks(CHUNK));
-        rows.enumerate().for_each(|(chunk, ((u, du), push))| {
-            for (k, ((u, du), push)) in u.iter_mut().zip(du).zip(push).enumerate() {
-                if push.level > coarsest {
+        let rows = u.par_chunks_mut(CHUNK).zip(du.par_chunks_mut(CHUNK)).zip(w.par_chunks_mut(CHUNK));
+        let rows = rows.zip(push.par_chunks(CHUNK)).zip(&finest).enumerate();
+        rows.filter(|(_, (_, finest))| **finest <= beat).for_each(|(chunk, ((((u, du), w), push), _))| {
+            for (k, (((u, du), w), push)) in u.iter_mut().zip(du).zip(w).zip(push).enumerate() {
+                if push.read > beat {
                     continue;
                 }
                 if push.level <= beat {
                     let force = force(phase, &contributions, chunk * CHUNK + k);
                     (0..3).for_each(|i| du.0[i] -= push.of_force[i] * force.0[i]);
+                    *w = Row(du.0.map(|d| d * inverse_dt));
                 }
-                (0..3).for_each(|i| u.0[i] += du.0[i]);
+                let steps = span(push.read) as f64;
+                (0..3).for_each(|i| u.0[i] += steps * du.0[i]);
             }
         });
         follow(&mut u);
         follow(&mut du);
+        follow(&mut w);
         if (step + 1).is_multiple_of(32 << coarsest) {
             // What is not a number has grown as well.
             let kept = |m: &u32| energy(&du, *m) <= GROWN * most;
