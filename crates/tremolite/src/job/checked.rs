@@ -8,12 +8,12 @@ use crate::disk::{Disk, disk};
 use crate::interfaces::{interfaces, monitors};
 use crate::outlook::{StressAt, stress_at_start};
 use crate::places::element;
-use crate::step_cost::time_step_cost;
+use crate::step_cost::{time_cycle_cost, time_step_cost};
 use crate::support;
 use crate::survey::{impacts_in_words, limit_in_words};
 use indexmap::IndexMap;
 use serde::{Serialize, Serializer};
-use tremolite_engine::Body;
+use tremolite_engine::{Body, Phase, Stage};
 use tremolite_results::{BoltPlace, BoltSummary, Defaulted, InterfaceSummary, MaterialFacts, PairPlace};
 
 /// All that is said of a job before it runs. Serialized it is the object of `tremolite check --json`, numbers in SI.
@@ -36,6 +36,8 @@ pub struct Checked<'a> {
     pub threads: usize,
     /// Wall time of a step \[s\].
     pub cost: f64,
+    /// Wall time of a cycle of the last stage's relaxation \[s\]; 0 without stages.
+    pub cycle_cost: f64,
     pub disk: Disk,
     pub left_out: Vec<Defaulted>,
 }
@@ -50,9 +52,12 @@ pub struct Relaxed {
 }
 
 impl<'a> Checked<'a> {
-    /// Times a step on the pool of threads that it is called from.
+    /// Times a step and a cycle on the pool of threads that it is called from.
     pub(super) fn of(job: &'a Job) -> Checked<'a> {
         let Job { model, assembly, phase, plan, survey, stable, .. } = job;
+        let last = plan.stages.len().checked_sub(1).map(|last| Stage::Before(last as u16));
+        // `outlook` has made the phases of all stages.
+        let last = last.and_then(|stage| Phase::of(model, assembly, stage).ok());
         Checked {
             job,
             coarsest: survey
@@ -68,6 +73,7 @@ impl<'a> Checked<'a> {
             relaxed: relaxed(job),
             threads: rayon::current_num_threads(),
             cost: time_step_cost(model, assembly, phase, job.dt),
+            cycle_cost: last.map_or(0.0, |stage| time_cycle_cost(model, assembly, &stage)),
             disk: disk(model, assembly, phase, plan, job.steps),
             left_out: job.defaulted(),
         }
@@ -85,9 +91,9 @@ impl Checked<'_> {
         if self.job.motion.is_some() { 1.05 * self.cost * self.job.steps.total as f64 } else { 0.0 }
     }
 
-    /// Of its stages \[s\]: a cycle of relaxation costs what a step does.
+    /// Of its stages \[s\].
     pub fn stage_seconds(&self) -> f64 {
-        self.cost * self.cycles() as f64
+        self.cycle_cost * self.cycles() as f64
     }
 
     /// Cycles of all stages, a guess.
