@@ -5,6 +5,7 @@ use crate::body::Body;
 use crate::boundary::{Base, Side};
 use crate::engine::{Engine, Halt, stable_step};
 use crate::error::ModelError;
+use crate::level_finding::settle_levels;
 use crate::life::Stage;
 use crate::model::Model;
 use crate::phase::Phase;
@@ -26,6 +27,9 @@ pub struct BoxBench {
     pub quadrature: Quadrature,
     /// Whether corners lie up to a tenth of an element beside their places, or else all elements are bricks.
     pub distorted: bool,
+    /// Whether parts of the box make longer steps than others, in the shares of a lined cavern: an eighth of it makes the finest, and an
+    /// eighth each twice and four times, the rest eight times as long ones. All elements could run with the longest.
+    pub levels: bool,
     /// Whether elements begin with a stress, as the ground of a case does.
     pub stressed: bool,
     /// Speed at which the top is struck \[m/s\].
@@ -43,7 +47,10 @@ pub struct Timing {
     pub threads: usize,
     /// Wall time of the steps alone \[s\].
     pub seconds: f64,
+    /// Evaluations of an element: one a step without levels.
     pub element_updates_per_second: f64,
+    /// Evaluations of an element in a step, in the mean.
+    pub share: f64,
     /// Bytes that an update must move through memory, and its floating-point operations.
     pub cost_per_element: (f64, f64),
     /// Kinetic energy at the end \[J\]: equal bits mean equal runs.
@@ -114,8 +121,22 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
         let model = Model::new(box_problem(n, bench)?)?;
         let assembly = Assembly::new(&model)?;
         let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
+        let stable = stable_step(&model, &assembly, &phase).dt;
+        let (model, assembly, phase) = match bench.levels {
+            false => (model, assembly, phase),
+            true => {
+                let eighth = 0.125 * height(n, bench);
+                let of_node = |x: &[f64; 3]| (x[2] / eighth).clamp(0.0, 3.0) as u8;
+                let wished = model.mesh.nodes.iter().map(of_node).collect();
+                let model = model.at_levels(&settle_levels(&model, &phase, wished));
+                let assembly = assembly.again(&model)?;
+                let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
+                (model, assembly, phase)
+            }
+        };
+        let span = phase.span();
         let mut state = assembly.rest();
-        state.dt = 0.9 * stable_step(&model, &assembly, &phase).dt;
+        state.dt = if bench.levels { 0.75 * stable / span as f64 } else { 0.9 * stable };
         let mut engine = Engine::new(&model, &assembly, &phase);
         let top = height(n, bench) - 0.2;
         let velocity: Vec<Row> = model
@@ -133,7 +154,8 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
         engine.start(&mut state, u, &velocity);
         engine.step(&mut state);
         let begin = Instant::now();
-        for _ in 0..bench.steps {
+        let calls = bench.steps.div_ceil(span);
+        for _ in 0..calls {
             engine.step(&mut state);
         }
         let seconds = begin.elapsed().as_secs_f64();
@@ -144,10 +166,11 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
         Ok(Timing {
             elements,
             nodes: model.user.nodes,
-            steps: bench.steps,
+            steps: calls * span,
             threads: bench.threads,
             seconds,
-            element_updates_per_second: elements as f64 * bench.steps as f64 / seconds,
+            element_updates_per_second: phase.evaluated_elements * (calls * span) as f64 / seconds,
+            share: phase.evaluated_elements / elements as f64,
             cost_per_element: cost_per_element(&assembly, model.mesh_node.len(), bench, elements),
             kinetic,
         })

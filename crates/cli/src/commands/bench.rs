@@ -21,8 +21,8 @@ const GROUND: [(&str, f64); 6] = [
 
 #[derive(clap::Args)]
 pub struct Args {
-    /// What to time: a box of distorted elements, or of bricks, as most of a generated mesh is
-    #[arg(value_parser = ["box", "bricks"], default_value = "box")]
+    /// What to time: a box of distorted elements, of bricks, as most of a generated mesh is, or of bricks with four levels of steps
+    #[arg(value_parser = ["box", "bricks", "levels"], default_value = "box")]
     problem: String,
     /// Elements; the nearest cube is run
     #[arg(long, default_value_t = 97_336)]
@@ -93,6 +93,7 @@ pub fn run(args: &Args) -> Outcome {
         threads: args.threads,
         quadrature,
         distorted: args.problem == "box",
+        levels: args.problem == "levels",
         stressed: args.stressed,
         strike: args.strike,
         material: Arc::clone(&material),
@@ -115,6 +116,7 @@ pub fn run(args: &Args) -> Outcome {
             "material": args.material,
             "seconds": best.seconds,
             "element_updates_per_second": best.element_updates_per_second,
+            "updates_per_element_and_step": best.share,
             "peak_bytes": machine::peak_bytes(),
         });
         print(&object.to_string());
@@ -136,6 +138,13 @@ pub fn run(args: &Args) -> Outcome {
         best.seconds,
         rate / 1e6
     ));
+    if args.problem == "levels" {
+        print(&format!(
+            "{:.3} updates of an element in a step: {:.2} times the steps a second that this rate gives without levels",
+            best.share,
+            1.0 / best.share
+        ));
+    }
     print(&format!(
         "an update moves at least {bytes:.0} bytes and takes {flops:.0} operations: {:.0} % of the memory bandwidth \
          of {} threads ({:.1} GB/s, triad) and {:.0} % of their peak ({:.1} GFLOP/s)",

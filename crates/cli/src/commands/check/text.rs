@@ -138,12 +138,13 @@ fn print_levels(checked: &Checked) {
 fn print_estimate(checked: &Checked) {
     print("\nEstimate");
     print(&format!(
-        "           about {} with {} threads and {} ({:.1} million element updates a second), {} of memory",
+        "           about {} with {} threads and {} ({:.1} million element updates a second), {} of memory, {:.1} kB an element",
         duration(checked.seconds()),
         checked.threads,
         checked.job.model.scheme.isa.name(),
         checked.updates_per_second() / 1e6,
-        bytes(checked.job.survey.bytes)
+        bytes(checked.job.survey.bytes),
+        1e-3 * checked.job.survey.bytes as f64 / checked.job.phase.counted_elements.max(1) as f64
     ));
     if checked.cycles() > 0 {
         let rest = if checked.job.motion.is_some() {
