@@ -1,10 +1,12 @@
 //! Levels of steps: the same motion as with one, with fewer evaluations, and books that close.
 
 use crate::block::block;
-use crate::contact::jointed;
+use crate::contact::{BANDIS, between, jointed};
 use crate::ready::Ready;
 use tremolite::engine::{Engine, prove};
-use tremolite::{Body, Line, Problem, Quadrature, Rayleigh, Side, Snapshot, State, elastic, finer_levels};
+use tremolite::{
+    Base, Body, Line, Problem, Quadrature, Rayleigh, Side, Snapshot, State, elastic, finer_levels,
+};
 use tremolite_laws::{Isa, Moduli, Row};
 use tremolite_mesh::boxes::BoxSpec;
 
@@ -246,6 +248,165 @@ fn joints_between_levels_slide_as_with_one() {
     println!("joint: {far:.2e} apart, balance {closes:.1e} {open:.1e}");
     assert!(far < 0.02, "{far:e}");
     assert!(open < 2.0 * closes, "{open:e} {closes:e}");
+}
+
+/// Level ground between free-field sides moves as its columns do at each depth, where these have several levels as well: sides, slabs,
+/// columns and ground have the same levels, so nothing but round-off is sent back.
+#[test]
+fn free_field_sides_lead_level_ground_with_several_levels_in_a_column() {
+    for levels in [false, true] {
+        let mesh = BoxSpec::uniform([0.0; 3], [12.0, 10.0, 14.0], [6, 5, 14]).mesh().unwrap();
+        let mut problem = shaken(Side::FreeField);
+        problem.bodies.truncate(1);
+        problem.bodies[0].elements = (0..mesh.elements.len() as u32).collect();
+        problem.mesh = mesh;
+        let mut ready = Ready::new(problem);
+        let stable = ready.stable();
+        if levels {
+            ready = ready.levelled(upwards);
+            assert_eq!(ready.phase.beats.len(), 4);
+        }
+        let mut state = ready.assembly.rest();
+        state.dt = 0.75 * stable / 8.0;
+        let mut engine = ready.engine();
+        let (mut most, mut apart) = (0.0_f64, 0.0_f64);
+        while state.time() < 0.3 {
+            let look = |n: u32| state.u[ready.model.engine_node[n as usize] as usize].0;
+            for layer in 0..15 {
+                // Nodes of the mesh lie layer by layer.
+                let mut all = (0..42).map(|k| look(42 * layer + k));
+                let first = all.next().unwrap();
+                most = most.max(first[0].abs());
+                for u in all {
+                    apart = (0..3).map(|i| (u[i] - first[i]).abs()).fold(apart, f64::max);
+                }
+            }
+            engine.step(&mut state);
+        }
+        println!("levels {levels}: ground differs from its columns by {:.1e} of the peak", apart / most);
+        assert!(most > 1e-3 && apart < 1e-11 * most, "{levels}: {apart:e} of {most:e}");
+    }
+}
+
+/// A joint whose bond holds is smooth: its closure is Bandis' hyperbola, and it keeps the order of the rest.
+#[test]
+fn a_joint_that_holds_keeps_second_order() {
+    let mut problem = shaken(Side::Viscous);
+    problem.base = Base::Viscous;
+    let bond = |&(key, x): &(&'static str, f64)| (key, if key == "cohesion" { 2e7 } else { x });
+    let numbers: Vec<_> = BANDIS.iter().map(bond).collect();
+    let mut joint = between(&problem, [1, 0], "bandis", &numbers);
+    joint.viscosity = 0.0;
+    problem.interfaces = vec![joint];
+    let ready = Ready::new(problem).levelled(blobs);
+    assert_eq!(ready.phase.beats.len(), 4);
+    let end = 0.16;
+    let fewest = (end / (0.75 * ready.stable())).ceil() as u32;
+    let [first, second, third] = [1, 2, 4].map(|times| {
+        let (state, _) = run(&mut ready.engine(), rest(&ready, end, times * fewest), end);
+        let nodes = &ready.model.engine_node[..ready.model.user.nodes];
+        let closed = |k: usize| ready.assembly.contacts[0].seen(&state.history, k).pressure;
+        let most = (0..ready.model.seams[0].pairs.len()).map(closed).fold(0.0, f64::max);
+        assert!(most > 1e5, "the joint carries {most} Pa");
+        nodes.iter().map(|&n| state.u[n as usize]).collect::<Vec<Row>>()
+    });
+    let order = (apart(&first, &second) / apart(&second, &third)).log2();
+    println!("order with a joint: {order:.3}");
+    assert!((1.9..2.1).contains(&order), "order {order:.2}");
+}
+
+/// An elastic bar flies to and fro between two walls on joints that just keep ω_c Δt = 0.8, which lie on a level beside finer ones. With
+/// the default dashpots and viscosity its impacts make no more energy than those of one level with the pairs' own step. Without any they do:
+/// waves of each impact cross borders as noise, and what a border makes of noise is of either sign.
+#[test]
+fn a_hundred_bounces_between_walls_gain_no_more_than_with_one_level() {
+    const LENGTH: f64 = 12.0;
+    let (young, density): (f64, f64) = (1e10, 2500.0);
+    let step = 0.75 / (young / density).sqrt();
+    // Pairs step twice as long as the finest of four levels. A node's mass at an end is ρ/8, the area of its pair a quarter.
+    let stiffness = 0.25 * density * (0.8 / (step / 4.0)).powi(2);
+    let problem = |damping: f64| {
+        let mesh = BoxSpec::uniform([-1.0, 0.0, 0.0], [LENGTH + 1.0, 1.0, 1.0], [LENGTH as u32 + 2, 1, 1]);
+        let mesh = mesh.mesh().unwrap();
+        let wall = |e: &u32| !(0.0..LENGTH).contains(&tremolite::hexahedra::centroid(&mesh, *e)[0]);
+        let (walls, bar): (Vec<u32>, Vec<u32>) = (0..mesh.elements.len() as u32).partition(wall);
+        let end = |x: f64| x < -0.5 || x > LENGTH + 0.5;
+        let held = (0u32..).zip(&mesh.nodes).map(|(n, x)| (n, [end(x[0]), true, true])).collect();
+        let body = |name: &str, elements| Body {
+            name: name.into(),
+            elements,
+            material: elastic(Moduli::from_young_poisson(young, 0.0)),
+            density,
+            quadrature: Quadrature::OnePoint,
+            viscosity: 0.0,
+        };
+        let mut problem = Problem::new(mesh.clone(), vec![body("walls", walls), body("bar", bar)]);
+        problem.held = held;
+        let mut joint =
+            between(&problem, [0, 1], "coulomb", &[("normal_stiffness", stiffness), ("friction", 0.0)]);
+        (joint.damping, joint.viscosity) = (damping, 6.0 * damping);
+        problem.interfaces = vec![joint];
+        problem
+    };
+    let gain = |ready: &Ready, dt: f64, way: f64| {
+        let speed = 1.0;
+        let mut state = ready.assembly.rest();
+        state.dt = dt;
+        let bar: Vec<usize> = {
+            let mut nodes: Vec<usize> = ready.model.bodies[1]
+                .elements
+                .iter()
+                .flat_map(|&e| ready.model.mesh.elements[e as usize].nodes().to_vec())
+                .map(|n| ready.model.engine_node[n as usize] as usize)
+                .collect();
+            nodes.sort_unstable();
+            nodes.dedup();
+            nodes
+        };
+        let mut v = vec![Row::ZERO; state.u.len()];
+        bar.iter().for_each(|&n| v[n] = Row::new([speed, 0.0, 0.0]));
+        let mut engine = ready.engine();
+        let mut u0 = vec![Row::ZERO; v.len()];
+        bar.iter().for_each(|&n| u0[n] = Row::new([way, 0.0, 0.0]));
+        engine.start(&mut state, u0, &v);
+        let mass: f64 = bar.iter().map(|&n| ready.phase.mass[n]).sum();
+        let (mut bounces, mut way, mut most, mut begin) = (0, 1.0, 0.0_f64, None);
+        while bounces < 100 {
+            assert!(state.time() < 3.0, "{bounces} bounces");
+            let seen = engine.look(&state).snapshot;
+            let begin = *begin.get_or_insert(seen.held);
+            most = most.max(seen.held / begin - 1.0);
+            let momentum: f64 = bar.iter().map(|&n| ready.phase.mass[n] * seen.velocity[n].0[0]).sum();
+            if momentum * way < -0.1 * mass * speed {
+                (bounces, way) = (bounces + 1, -way);
+            }
+            engine.step(&mut state);
+        }
+        most
+    };
+    // The last number is where the bar begins [m].
+    let both = |damping: f64, way: f64| {
+        let one = gain(&Ready::new(problem(damping)), step / 4.0, way);
+        let levels = Ready::new(problem(damping)).levelled(|[x, ..]| match (x - 0.5 * LENGTH).abs() {
+            far if far > 5.2 => 1,
+            far if far > 3.2 => 0,
+            far if far > 2.2 => 1,
+            far if far > 1.2 => 2,
+            _ => 3,
+        });
+        assert_eq!(levels.phase.beats.len(), 4);
+        let pair = levels.assembly.members.iter().find(|member| member.name.contains("joint")).unwrap();
+        assert_eq!(pair.level, 1);
+        let many = gain(&levels, step / 8.0, way);
+        println!("damping {damping}: a hundred bounces gain {one:.3} with one level, {many:.3} with four");
+        [one, many]
+    };
+    for way in [0.0, 1e-4] {
+        let [one, many] = both(0.01, way);
+        assert!(many <= one.max(0.01) && one < 0.02, "{one} {many}");
+    }
+    let [one, many] = both(0.0, 0.0);
+    assert!(many < 4.0 * one && one < 0.5, "undamped: {one} {many}");
 }
 
 /// Borders are tried before a run: steps that the bounds of elements allow pass, one part with too long ones is found, and finer levels
