@@ -30,5 +30,6 @@ mod specimens;
 mod stage_case;
 mod stage_refusals;
 mod stages;
+mod unlikely;
 mod unseen;
 mod verify;

@@ -19,6 +19,7 @@ mod reinforcement;
 mod sides;
 mod site;
 mod stages;
+mod unlikely;
 mod warnings;
 
 pub use facts::{MotionFacts, SiteFacts};
@@ -175,6 +176,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
 
     // Where an interface lies, nodes are doubled on purpose.
     warnings.extend(doubled.filter(|_| !interfaces::explain_doubled(&mesh, &interfaces)));
+    warnings.extend(unlikely::lengths(case, &mesh));
     warnings.extend(interfaces::warnings(case, &laws.interfaces));
     warnings.extend(warnings::of_laws(case, &bodies, &fields));
     warnings.extend(sides::warnings(case));
@@ -187,6 +189,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(facts.iter().flat_map(|facts| facts.warnings.clone()));
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
     warnings.extend(motion.and_then(|motion| doubts::of_duration(case, motion)));
+    warnings.extend(motion.and_then(|motion| unlikely::duration(case, motion)));
     warnings.extend(motion.and_then(|motion| doubts::of_mass_damping(case, motion)));
     warnings.extend(motion.and_then(|motion| doubts::of_rows(case, motion)));
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);

@@ -3,7 +3,7 @@
 use super::doubts;
 use super::facts::{ENERGY_SHARE, MotionFacts, largest};
 use super::memory::Inputs;
-use super::records;
+use super::{records, unlikely};
 use tremolite_case::{self as case, Case, Diagnostic};
 use tremolite_motion::{Intensity, Kind, Motion, Process, highest_frequency};
 
@@ -63,6 +63,7 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
         problems.push(problem);
         return None;
     }
+    warnings.extend(unlikely::record(motion, &made));
     warnings.extend(doubts::of_sampling(motion, made.dt, highest_frequency));
     let facts = MotionFacts {
         kind,
