@@ -29,7 +29,8 @@ pub fn time_step_cost(model: &Arc<Model>, assembly: &Arc<Assembly>, phase: &Arc<
     timing.best / (4 * phase.span()) as f64
 }
 
-/// Seconds a cycle of a stage's relaxation takes: time stands still, all have one level, and every cycle is asked how near to rest it is.
+/// Seconds a cycle of a stage's relaxation takes, 0 where none could be made: time stands still, all have one level, and every cycle is asked
+/// how near to rest it is.
 pub fn time_cycle_cost(model: &Arc<Model>, assembly: &Arc<Assembly>, stage: &Arc<Phase>) -> f64 {
     let mut state = assembly.rest();
     let mut engine = Engine::new(model, assembly, stage);
@@ -37,12 +38,12 @@ pub fn time_cycle_cost(model: &Arc<Model>, assembly: &Arc<Assembly>, stage: &Arc
     engine.relax_watched(&mut state, &Release::default(), &mut |_, rest| {
         match rest.cycles {
             // What goes before the first cycle is done once a stage.
-            0 => timing.last = Instant::now(),
+            0 => timing = Timing::begin(),
             _ => timing.round(),
         }
         timing.goes_on()
     });
-    timing.best
+    if timing.rounds > 0 { timing.best } else { 0.0 }
 }
 
 /// The best of several rounds.

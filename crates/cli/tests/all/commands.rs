@@ -329,6 +329,9 @@ fn data_commands_print_json_with_the_promised_keys() {
         assert_eq!(code(&output), 0, "{args:?}: {}", errors(&output));
         serde_json::from_slice(&output.stdout).unwrap()
     };
+    let levels = json(&["bench", "levels", "--elements", "4096", "--steps", "8", "--repeat", "1", "--json"]);
+    let share = levels["updates_per_element_and_step"].as_f64().unwrap();
+    assert!((0.25..0.5).contains(&share) && levels["steps"] == 8, "{levels}");
     let bench = json(&["bench", "--elements", "512", "--steps", "5", "--repeat", "1", "--json"]);
     for key in ["elements", "steps", "threads", "kind", "seconds", "element_updates_per_second", "peak_bytes"]
     {

@@ -16,8 +16,9 @@ use crate::phase::beats::span;
 use rayon::prelude::*;
 use tremolite_laws::Row;
 
-/// Steps of the coarsest level that are tried.
-pub const TRIED: u32 = 500;
+/// Steps of the coarsest level that are tried, and after how many of them energies are looked at.
+pub const TRIED: u32 = 512;
+const LOOKS: u64 = 32;
 /// Kinetic energy of a part's nodes over the largest of any at the start from which on it counts as grown. What is stable may gather
 /// some of its neighbours' at light nodes.
 const GROWN: f64 = 30.0;
@@ -156,7 +157,7 @@ pub fn prove(model: &Model, assembly: &Assembly, phase: &Phase, dt: f64) -> Proo
         follow(&mut u);
         follow(&mut du);
         follow(&mut w);
-        if (step + 1).is_multiple_of(32 << coarsest) {
+        if (step + 1).is_multiple_of(LOOKS << coarsest) {
             // What is not a number has grown as well.
             let kept = |m: &u32| energy(&du, *m) <= GROWN * most;
             grown = solid.iter().copied().filter(|m| !kept(m)).collect();

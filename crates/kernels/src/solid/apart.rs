@@ -4,7 +4,8 @@ use tremolite_laws::{
     BadParameter, Column, InPlace, Lane, Material, Moduli, Octet, Parameter, Point, Sym, Values,
 };
 
-/// The law `M` with its functions called, not inlined. Whatever surrounds them, they give the same bits.
+/// The law `M` with its functions called, not inlined. Whatever surrounds them, they give the same bits. It has what kernels ask of a law;
+/// what parts and the model ask stays with `M`.
 #[repr(transparent)]
 pub(super) struct Apart<M>(M);
 

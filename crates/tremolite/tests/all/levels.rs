@@ -250,8 +250,8 @@ fn joints_between_levels_slide_as_with_one() {
     assert!(open < 2.0 * closes, "{open:e} {closes:e}");
 }
 
-/// Level ground between free-field sides moves as its columns do at each depth, where these have several levels as well: sides, slabs,
-/// columns and ground have the same levels, so nothing but round-off is sent back.
+/// Level ground between free-field sides moves as its vertical edge does at each depth, where columns have several levels as well: sides,
+/// slabs, columns and ground have the same levels, so nothing but round-off is sent back.
 #[test]
 fn free_field_sides_lead_level_ground_with_several_levels_in_a_column() {
     for levels in [false, true] {
@@ -283,7 +283,7 @@ fn free_field_sides_lead_level_ground_with_several_levels_in_a_column() {
             }
             engine.step(&mut state);
         }
-        println!("levels {levels}: ground differs from its columns by {:.1e} of the peak", apart / most);
+        println!("levels {levels}: ground differs from its edge by {:.1e} of the peak", apart / most);
         assert!(most > 1e-3 && apart < 1e-11 * most, "{levels}: {apart:e} of {most:e}");
     }
 }
@@ -316,8 +316,8 @@ fn a_joint_that_holds_keeps_second_order() {
 }
 
 /// An elastic bar flies to and fro between two walls on joints that just keep ω_c Δt = 0.8, which lie on a level beside finer ones. With
-/// the default dashpots and viscosity its impacts make no more energy than those of one level with the pairs' own step. Without any they do:
-/// waves of each impact cross borders as noise, and what a border makes of noise is of either sign.
+/// the default dashpots and viscosity its impacts make no more energy than those of one level with the pairs' own step. Without any they make
+/// more, which is shown.
 #[test]
 fn a_hundred_bounces_between_walls_gain_no_more_than_with_one_level() {
     const LENGTH: f64 = 12.0;
@@ -371,6 +371,8 @@ fn a_hundred_bounces_between_walls_gain_no_more_than_with_one_level() {
         engine.start(&mut state, u0, &v);
         let mass: f64 = bar.iter().map(|&n| ready.phase.mass[n]).sum();
         let (mut bounces, mut way, mut most, mut begin) = (0, 1.0, 0.0_f64, None);
+        // Looked at whenever all levels of either have their own times.
+        let every = (step / dt).round() as u64 / ready.phase.span();
         while bounces < 100 {
             assert!(state.time() < 3.0, "{bounces} bounces");
             let seen = engine.look(&state).snapshot;
@@ -380,7 +382,7 @@ fn a_hundred_bounces_between_walls_gain_no_more_than_with_one_level() {
             if momentum * way < -0.1 * mass * speed {
                 (bounces, way) = (bounces + 1, -way);
             }
-            engine.step(&mut state);
+            (0..every).for_each(|_| engine.step(&mut state));
         }
         most
     };
@@ -403,10 +405,10 @@ fn a_hundred_bounces_between_walls_gain_no_more_than_with_one_level() {
     };
     for way in [0.0, 1e-4] {
         let [one, many] = both(0.01, way);
-        assert!(many <= one.max(0.01) && one < 0.02, "{one} {many}");
+        assert!(many <= one + 1e-3 && one < 0.02, "{one} {many}");
     }
     let [one, many] = both(0.0, 0.0);
-    assert!(many < 4.0 * one && one < 0.5, "undamped: {one} {many}");
+    assert!(one < many && many < 1.0, "undamped: {one} {many}");
 }
 
 /// Borders are tried before a run: steps that the bounds of elements allow pass, one part with too long ones is found, and finer levels
