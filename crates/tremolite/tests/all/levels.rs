@@ -330,7 +330,7 @@ fn a_hundred_bounces_between_walls_gain_no_more_than_with_one_level() {
         let mesh = mesh.mesh().unwrap();
         let wall = |e: &u32| !(0.0..LENGTH).contains(&tremolite::hexahedra::centroid(&mesh, *e)[0]);
         let (walls, bar): (Vec<u32>, Vec<u32>) = (0..mesh.elements.len() as u32).partition(wall);
-        let end = |x: f64| x < -0.5 || x > LENGTH + 0.5;
+        let end = |x: f64| !(-0.5..=LENGTH + 0.5).contains(&x);
         let held = (0u32..).zip(&mesh.nodes).map(|(n, x)| (n, [end(x[0]), true, true])).collect();
         let body = |name: &str, elements| Body {
             name: name.into(),
