@@ -1,9 +1,10 @@
 //! Numbers that can be computed with and are hardly meant: slips of units and of a decimal point.
 
+use super::facts::largest;
 use std::ops::RangeInclusive;
 use tremolite_case::{self as case, Case, Diagnostic, Mesh, Spanned};
 use tremolite_mesh as mesh;
-use tremolite_motion::Motion;
+use tremolite_motion::{Motion, STANDARD_GRAVITY};
 
 /// Extent of a model \[m\] beyond that of any underground complex with the rock around it.
 const MODEL: f64 = 5e3;
@@ -14,9 +15,7 @@ const HEIGHT: f64 = 100.0;
 const OVERBURDEN: f64 = 3e3;
 /// Thickness of a lining \[m\].
 const LINING: RangeInclusive<f64> = 0.05..=5.0;
-/// Standard gravity \[m/s²\].
-const G: f64 = 9.80665;
-/// Peak acceleration of a motion that is felt as strong, of the recorded ones \[g\].
+/// Peak acceleration of strong motions \[g\].
 const PEAK: RangeInclusive<f64> = 0.02..=2.0;
 /// Time between samples of a record of strong motion \[s\].
 const INTERVAL: RangeInclusive<f64> = 1e-3..=50e-3;
@@ -34,7 +33,7 @@ pub fn lengths(case: &Case, mesh: &mesh::Mesh) -> Vec<Diagnostic> {
         Mesh::Box(given) => (given.span.clone(), "look at the units of `from` and `to`"),
         Mesh::File(file) => (
             file.path.span.clone(),
-            "if the file's coordinates are not in metres say so: unit = \"mm\" beside `path`",
+            "if the file's coordinates are not in metres say so: unit = \"1 mm\" beside `path`",
         ),
     };
     let mut all = Vec::new();
@@ -80,11 +79,11 @@ pub fn lengths(case: &Case, mesh: &mesh::Mesh) -> Vec<Diagnostic> {
 /// Of a record as it is processed, in the model's axes.
 pub fn record(written: &case::Motion, given: &Motion) -> Vec<Diagnostic> {
     let mut all = Vec::new();
-    let peak = given.acceleration.iter().flatten().fold(0.0_f64, |most, a| most.max(a.abs())) / G;
-    if !PEAK.contains(&peak) {
+    let peak = given.acceleration.iter().map(|a| largest(a)).fold(0.0, f64::max);
+    let in_g = peak / STANDARD_GRAVITY;
+    if !PEAK.contains(&in_g) {
         let message = format!(
-            "the motion, processed, reaches {:.3} m/s2, {peak:.4} g, where earthquakes that matter to a cavern reach {} to {} g",
-            peak * G,
+            "the motion, processed, reaches {peak:.3} m/s2, {in_g:.4} g, where earthquakes that matter to a cavern reach {} to {} g",
             PEAK.start(),
             PEAK.end()
         );
