@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::bolts::{BoltPlace, Bolts};
 use crate::change::{Change, Changed};
-use crate::check::Checker;
+use crate::check::{Checker, UNITS};
 use crate::consistency;
 use crate::defaulted::Defaulted;
 use crate::dynamic::{DYNAMIC, Dynamic};
@@ -31,6 +31,7 @@ pub(crate) static CASE: Table = Table {
     doc: "A study: a mesh, its materials, an earthquake, and what is kept of the answer.",
     keys: &[
         Key::required("title", Kind::Text, "what the study is about"),
+        UNITS,
         Key::required("mesh", Kind::Table(&MESH), "with [mesh.caverns], [mesh.box] or [mesh.file]"),
         Key::required("material", Kind::Materials(&MATERIAL), "the materials, each with a name"),
         Key::required("region", Kind::Tables(&REGION), "which groups of the mesh are made of what"),
@@ -95,6 +96,8 @@ pub struct Case {
     changed: Changed,
     /// What the study is about.
     pub title: Spanned<String>,
+    /// Whether numbers without a unit are in SI, as the case says of itself.
+    pub bare_si: bool,
     /// Where the mesh comes from.
     pub mesh: Mesh,
     /// In the order of the file; names unique.
@@ -150,7 +153,7 @@ impl Case {
         let (changed, mut problems) = Changed::new(source, changes);
         let report = |problems| Report::new(path, source, changed.placed(problems));
         let document = syntax::parse(&changed.text).map_err(report)?;
-        let mut checker = Checker::new(&CASE, laws.into());
+        let mut checker = Checker::new(&CASE, laws.into(), document.get_ref());
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { problems: of_values, mut defaulted, .. } = checker;
         problems.extend(of_values);
@@ -210,6 +213,7 @@ impl Case {
             source: changed.text.clone(),
             changed: changed.clone(),
             title: case.text("title")?,
+            bare_si: case.text(UNITS.name).is_some(),
             mesh: case.table("mesh").and_then(Mesh::read)?,
             materials: written
                 .iter()

@@ -15,6 +15,19 @@ use crate::{Diagnostic, suggest, units};
 /// The keys of one table as they are written, with the place of the key and the value.
 pub(crate) type Given<'a> = BTreeMap<&'a str, (Range<usize>, &'a Located<DeValue<'a>>)>;
 
+/// In what the bare numbers of a file are. It stands above all tables.
+pub(crate) const UNITS: Key = Key::optional(
+    "units",
+    Kind::Word(&["SI"]),
+    "",
+    "In what numbers without a unit are: \"SI\", angles excepted. Left out: every number that has a dimension has its unit; 0 needs none",
+);
+
+/// Whether the bare numbers of a file are in SI.
+pub(crate) fn bare_si(file: &DeTable<'_>) -> bool {
+    file.get(UNITS.name).is_some_and(|value| value.get_ref().as_str() == Some("SI"))
+}
+
 /// What is collected while a case is checked.
 pub(crate) struct Checker<'a> {
     /// The table of all tables of a case, where a misplaced key may belong.
@@ -22,13 +35,19 @@ pub(crate) struct Checker<'a> {
     pub laws: Laws<'a>,
     pub problems: Vec<Diagnostic>,
     pub defaulted: Vec<Defaulted>,
+    /// Whether bare numbers are in SI, as the file says of itself.
+    pub bare_si: bool,
+    /// Whether a remedy has named that key already.
+    pub told_of_si: bool,
     /// The table in whose place defaults are read: their text is not part of the file.
     stand_in: Option<Range<usize>>,
 }
 
 impl<'a> Checker<'a> {
-    pub fn new(case: &'static Table, laws: Laws<'a>) -> Self {
-        Checker { case, laws, problems: Vec::new(), defaulted: Vec::new(), stand_in: None }
+    /// A checker of a file, which may say of itself in what its bare numbers are.
+    pub fn new(case: &'static Table, laws: Laws<'a>, file: &DeTable<'_>) -> Self {
+        let (problems, defaulted) = (Vec::new(), Vec::new());
+        Checker { case, laws, problems, defaulted, bare_si: bare_si(file), told_of_si: false, stand_in: None }
     }
 
     pub fn problem(&mut self, span: Range<usize>, message: impl Into<String>, remedy: impl Into<String>) {

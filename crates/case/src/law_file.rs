@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 use tremolite_laws::parameter::{Dimension, Values};
 
 use crate::case::CASE;
-use crate::check::{Checker, given};
+use crate::check::{Checker, UNITS, given};
 use crate::defaulted::Defaulted;
 use crate::fields::{Fields, Node};
 use crate::interface::INTERFACE;
@@ -25,7 +25,7 @@ const SIZE: Key = Key::optional(
 );
 
 /// What stands in the file beside the table of its law.
-static LAW_FILE: Table = Table { path: "", doc: "A law on its own.", keys: &[SIZE], choice: &[] };
+static LAW_FILE: Table = Table { path: "", doc: "A law on its own.", keys: &[SIZE, UNITS], choice: &[] };
 
 /// A point has no weight: the density may be left out.
 static WEIGHTLESS: Table = Table { path: "material", doc: "", keys: MATERIAL.keys, choice: &[] };
@@ -99,7 +99,7 @@ impl LawFile {
     pub fn parse<'a>(path: &Path, source: &str, laws: impl Into<Laws<'a>>) -> Result<LawFile, Report> {
         let report = |problems| Report::new(path, source, problems);
         let document = syntax::parse(source).map_err(report)?;
-        let mut checker = Checker::new(&CASE, laws.into());
+        let mut checker = Checker::new(&CASE, laws.into(), document.get_ref());
         let file = checker.law_file(document.get_ref(), document.span());
         let Checker { problems, defaulted, .. } = checker;
         match file {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 use crate::case::CASE;
-use crate::check::Checker;
+use crate::check::{Checker, UNITS};
 use crate::keys::{Key, Kind, Table};
 use crate::laws::Laws;
 use crate::mesh::{MESH, Mesh};
@@ -16,6 +16,7 @@ static MESH_ALONE: Table = Table {
     doc: "A mesh on its own.",
     keys: &[
         Key::optional("title", Kind::Text, "", "What the mesh is for"),
+        UNITS,
         Key::required("mesh", Kind::Table(&MESH), "with [mesh.caverns], [mesh.box] or [mesh.file]"),
     ],
     choice: &[],
@@ -50,7 +51,7 @@ impl MeshAlone {
         if is_case(document.get_ref()) {
             return Ok(None);
         }
-        let mut checker = Checker::new(&CASE, Laws { materials: &[], interfaces: &[] });
+        let mut checker = Checker::new(&CASE, Laws { materials: &[], interfaces: &[] }, document.get_ref());
         let written = checker.table(&MESH_ALONE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { mut problems, .. } = checker;
         let mesh = written.table("mesh");
@@ -81,8 +82,8 @@ fn is_case(document: &DeTable<'_>) -> bool {
 mod tests {
     use super::*;
 
-    const BOX: &str = "[mesh.box]\nx = { from = 0, to = 4, elements = 2 }\ny = { from = 0, to = 4, elements = 2 }\n\
-                       z = { from = 0, to = 4, elements = 2 }\n";
+    const BOX: &str = "[mesh.box]\nx = { from = 0, to = \"4 m\", elements = 2 }\ny = { from = 0, to = \"4 m\", elements = 2 }\n\
+                       z = { from = 0, to = \"4 m\", elements = 2 }\n";
 
     fn parse(source: &str) -> Result<Option<MeshAlone>, Report> {
         MeshAlone::parse(Path::new("mesh.toml"), source)
@@ -100,7 +101,7 @@ mod tests {
     fn its_problems_are_shown_at_their_lines() {
         for (source, line, says) in [
             (BOX.replace("elements = 2", "element = 2"), 2, "`element` is no key"),
-            (BOX.replace("to = 4", "to = -4"), 2, "to"),
+            (BOX.replace("to = \"4 m\"", "to = \"-4 m\""), 2, "to"),
             (format!("tittle = 1\n{BOX}"), 1, "did you mean `title`?"),
         ] {
             let text = parse(&source).expect_err(&source).to_string();

@@ -11,7 +11,7 @@ use crate::interface::TIED;
 use crate::keys::{Key, Kind, Limit, Need, Table, When};
 use crate::law_key::{self, COLUMNS};
 use crate::laws::Laws;
-use crate::units;
+use crate::{suggest, units};
 
 /// The schema of a case that may name these laws (JSON Schema, draft 2020-12).
 ///
@@ -77,7 +77,7 @@ fn object(
 
 fn property(key: &Key, laws: Laws<'_>) -> Value {
     let mut schema = kind(key.name, &key.kind, laws);
-    let mut doc = capital(key.doc);
+    let mut doc = suggest::capital(key.doc);
     if let Some(when) = key.when.words() {
         doc += &format!(". Only {when}");
     }
@@ -220,9 +220,4 @@ fn json(value: &DeValue<'_>) -> Value {
         DeValue::Array(a) => a.iter().map(|v| json(v.get_ref())).collect(),
         DeValue::Table(t) => t.iter().map(|(k, v)| (k.get_ref().to_string(), json(v.get_ref()))).collect(),
     }
-}
-
-fn capital(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
 }

@@ -98,12 +98,7 @@ pub(crate) fn unit(key: &str, error: &UnitError, dimension: Dimension) -> String
 
 /// What to write for a required key that is missing.
 pub(crate) fn missing(key: &Key) -> String {
-    let sample = sample(key.name, &key.kind);
-    // The example of its dimension is a modulus; strengths are told in MPa.
-    let strength =
-        matches!(key.kind, Kind::Number(Dimension::PRESSURE, _)) && unit_of_stiffness(key).is_none();
-    let sample = if strength { sample.replace("GPa", "MPa") } else { sample };
-    format!("add {sample} ({})", key.doc)
+    format!("add {} ({})", sample(key.name, &key.kind), key.doc)
 }
 
 /// The SI unit of a key that is a modulus of elasticity, or a stiffness per area; nothing of any other.
@@ -209,5 +204,18 @@ fn sample_value(name: &str, kind: &Kind) -> String {
         }
         Kind::Either(kinds) => kinds.first().map_or_else(String::new, |kind| sample_value(name, kind)),
         Kind::Tables(_) | Kind::Materials(_) | Kind::Interfaces(_) | Kind::Later(_) => "{ … }".to_owned(),
+    }
+}
+
+/// A sentence with its first letter as a capital; a symbol keeps its case, ν of a joint is not Ν.
+pub(crate) fn capital(text: &str) -> String {
+    let mut chars = text.chars();
+    let Some(first) = chars.next().filter(|c| c.is_ascii_lowercase()) else { return text.to_owned() };
+    // A symbol is one letter, or a letter with an index.
+    match chars.clone().next() {
+        Some(next) if next.is_alphabetic() || (first == 'a' && next == ' ') => {
+            first.to_ascii_uppercase().to_string() + chars.as_str()
+        }
+        _ => text.to_owned(),
     }
 }

@@ -178,14 +178,6 @@ impl Checker<'_> {
                     return self.refuse(span, path, &e.message(key), &e.remedy(key));
                 }
             },
-            DeValue::Integer(_) | DeValue::Float(_) if dimension == Dimension::ANGLE => {
-                return self.refuse(
-                    span,
-                    path,
-                    "has no unit: an angle may be in deg or rad",
-                    "write \"42 deg\"",
-                );
-            }
             DeValue::Integer(n) => match i128::from_str_radix(n.as_str(), n.radix()) {
                 // Nearest double; no parameter needs more than 53 bits.
                 Ok(n) => n as f64,
@@ -197,11 +189,40 @@ impl Checker<'_> {
         if !x.is_finite() {
             return self.refuse(span, path, "is not a finite number", "give a finite value");
         }
+        if !value.is_str() && self.lacks_unit(x, dimension) {
+            return self.without_unit(x, dimension, span, path);
+        }
         if !limit.holds(x) {
             let words = limit.words(dimension);
             return self.refuse(span, path, &format!("must be {words}"), &format!("give a value {words}"));
         }
         Some(Item::Number(x))
+    }
+
+    /// Whether a bare number is refused. Nothing is as much in any unit, but an angle of 0 in no unit is no angle.
+    fn lacks_unit(&self, x: f64, dimension: Dimension) -> bool {
+        match dimension {
+            Dimension::NONE => false,
+            Dimension::ANGLE => true,
+            _ => x != 0.0 && !self.bare_si,
+        }
+    }
+
+    fn without_unit(
+        &mut self,
+        x: f64,
+        dimension: Dimension,
+        span: &Range<usize>,
+        path: &str,
+    ) -> Option<Item> {
+        let key = last(path);
+        let mut remedy = format!("write \"{}\"", units::likely(key, x, dimension));
+        // One word about it is enough for a file that is in SI throughout.
+        if dimension != Dimension::ANGLE && !std::mem::replace(&mut self.told_of_si, true) {
+            remedy += ", or put units = \"SI\" at the top of the file if all its bare numbers are in SI";
+        }
+        let message = format!("has no unit: {} is expected", units::name_for(key, dimension));
+        self.refuse(span, path, &message, &remedy)
     }
 
     fn name(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {

@@ -1,6 +1,7 @@
 //! Facts of the machine: threads, memory used, and what it can do at best.
 
 use std::hint::black_box;
+use std::path::Path;
 use std::time::Instant;
 use tremolite_laws::Isa;
 
@@ -14,6 +15,33 @@ pub fn peak_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
     Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? * 1024)
+}
+
+/// Memory that a program may still take \[bytes\]: of the machine, or of what a container or a scheduler leaves; where the system
+/// tells it.
+pub fn free_memory() -> Option<u64> {
+    let all = std::fs::read_to_string("/proc/meminfo").ok()?;
+    let line = all.lines().find_map(|l| l.strip_prefix("MemAvailable:"))?;
+    let machine = line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? * 1024;
+    Some(group_memory().map_or(machine, |group| machine.min(group)))
+}
+
+/// What the control group of this process (version 2) leaves of its limit, if it has one \[bytes\]: files that it has read give way.
+fn group_memory() -> Option<u64> {
+    let own = std::fs::read_to_string("/proc/self/cgroup").ok()?;
+    let path = own.lines().find_map(|line| line.strip_prefix("0::"))?;
+    let read = |file: &str| std::fs::read_to_string(format!("/sys/fs/cgroup{path}/{file}")).ok();
+    let bytes = |text: &str| text.trim().parse::<u64>().ok();
+    let (most, taken) = (bytes(&read("memory.max")?)?, bytes(&read("memory.current")?)?);
+    let files = read("memory.stat")
+        .and_then(|all| bytes(all.lines().find_map(|l| l.strip_prefix("inactive_file "))?));
+    Some(most.saturating_sub(taken.saturating_sub(files.unwrap_or(0))))
+}
+
+/// Bytes that are free on the disk of a folder, or of the folder that it will be made in; where the system tells it.
+pub fn free_disk(folder: &Path) -> Option<u64> {
+    let whole = std::path::absolute(folder).ok()?;
+    whole.ancestors().find(|place| place.is_dir()).and_then(|place| fs4::available_space(place).ok())
 }
 
 /// The processor's name, where the system tells it.

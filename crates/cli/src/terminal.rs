@@ -19,6 +19,11 @@ pub fn tell(remarks: &[Remark]) {
     remarks.iter().for_each(|remark| say(&remark.render(colour())));
 }
 
+/// Sentences of what is unusual.
+pub fn warn(sentences: &[String]) {
+    sentences.iter().for_each(|sentence| say(&format!("warning: {sentence}")));
+}
+
 /// A line of data. A closed pipe (`| head`) ends the output quietly.
 pub fn print(text: &str) {
     let _ = writeln!(std::io::stdout(), "{text}");

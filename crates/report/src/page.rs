@@ -62,6 +62,8 @@ struct Frame {
 #[derive(Serialize)]
 struct Head {
     title: String,
+    /// In what the case's bare numbers were, where it has any.
+    units: Option<String>,
     verdict: Verdict,
     /// Whether a table ends in the middle of a line.
     cut: bool,
@@ -179,8 +181,15 @@ fn head(source: &Source, summary: &Summary) -> Head {
         [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()].into_iter().flatten();
     let cut = tables.any(|table| table.as_ref().is_ok_and(|t| t.cut))
         || matches!(&source.free_field, Some(Ok(found)) if found.cut);
+    let units = summary.case.bare_si.then(|| {
+        say!(
+            source.language,
+            "The case says units = \"SI\": its numbers without a unit are in SI, angles excepted."
+        )
+    });
     Head {
         title,
+        units,
         verdict: verdict::verdict(source),
         cut,
         gaps: gaps::told(source),

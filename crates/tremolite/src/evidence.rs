@@ -29,6 +29,8 @@ pub struct Evidence<'a> {
     pub energy: &'a Table,
     pub materials: IndexMap<String, MaterialFacts>,
     pub inputs: Vec<Input>,
+    /// Whether numbers without a unit are in SI.
+    pub bare_si: bool,
     /// What was said of the case before the run.
     pub before: Vec<String>,
     pub run: RunFacts,

@@ -161,15 +161,17 @@ impl Job {
         };
         let plan = setup.plan;
         let near = near_sides(&model, warnings::mirrored(&case));
+        let (dt, steps) = choose_step(&model, &plan, &stable);
         let of_model = vec![
             outlook.iter().flat_map(|outlook| warnings::of_pieces(&case, outlook)).collect(),
+            outlook.iter().flat_map(|outlook| warnings::of_ground(&case, outlook)).collect(),
             warnings::of_step(&case, &stable).into_iter().collect(),
+            warnings::of_rows(&case, dt).into_iter().collect(),
             warnings::of_waves(&case, &model, &survey),
             warnings::of_near(&case, &near),
             warnings::of_pairs(&case, &model, &plan),
             warnings::of_bolts(&case, &model, &plan),
         ];
-        let (dt, steps) = choose_step(&model, &plan, &stable);
         let of_case = [case.warnings.clone(), setup.warnings].concat();
         let job = Job {
             case,

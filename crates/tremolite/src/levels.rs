@@ -1,6 +1,6 @@
 //! How many levels of steps a run has.
 
-use crate::plan::Plan;
+use crate::plan::{Plan, steps_of_row};
 use tremolite_engine::{Assembly, Levels, Model, ModelError, Phase, StableStep, find_levels};
 
 /// What another level must spare of the evaluations of elements to be worth having.
@@ -28,8 +28,9 @@ pub fn levels(
     let most = if plan.duration > 0.0 { model.scheme.time_step.levels } else { 1 };
     let all = find_levels(model, assembly, phase, longest, most)?;
     let elements: Vec<u32> = model.bodies.iter().flat_map(|body| model.lasting(body)).collect();
+    let row = plan.row(longest.min(stable.dt));
     let cost = |levels: &Levels| {
-        let rows = plan.steps_of_row(longest, 1 << levels.coarsest());
+        let rows = steps_of_row(row, longest, 1 << levels.coarsest());
         levels.share(&elements) * rows as f64
     };
     let mut best = Levels::one();

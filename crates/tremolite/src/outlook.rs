@@ -1,17 +1,21 @@
 //! What can be said of stages before they are run: what stands when, on what, and under which stress.
 
+mod at_rest;
 mod bare;
 mod pieces;
 mod pulls;
 mod stress;
 
+pub use at_rest::{AtRest, Wall};
 pub use pieces::{Hold, Piece};
 pub use stress::{StressAt, stress_at_start};
 
 use crate::plan::Plan;
+use at_rest::at_rest;
 use bare::Walls;
 use pieces::pieces;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use tremolite_case::pattern;
 use tremolite_engine::{Assembly, Life, Model, ModelError, Phase, Stage};
 
@@ -70,20 +74,26 @@ pub struct Outlook {
     pub stand_ins: Vec<StandIn>,
     /// Cycles of all stages, a guess.
     pub cycles: u64,
+    /// What the initial stress is to the ground; nothing where there is none.
+    pub at_rest: Option<AtRest>,
 }
 
 /// What a plan's stages will be.
 ///
 /// # Errors
 /// If a stage has no faces on a plane that should hold it.
-pub fn outlook(model: &Model, assembly: &Assembly, plan: &Plan) -> Result<Outlook, ModelError> {
+pub fn outlook(model: &Arc<Model>, assembly: &Arc<Assembly>, plan: &Plan) -> Result<Outlook, ModelError> {
     let walls = Walls::of(model);
     let mut stages = Vec::new();
     let mut known = BTreeSet::new();
     let mut before = BTreeSet::new();
+    let mut rest = None;
     for (k, planned) in plan.stages.iter().enumerate() {
         let stage = Stage::Before(k as u16);
         let phase = Phase::of(model, assembly, stage)?;
+        if k == 0 {
+            rest = at_rest(model, assembly, &phase);
+        }
         let standing = model.standing(stage);
         let now: BTreeSet<u32> = standing.iter().copied().collect();
         let mut new = pieces(model, &phase, &standing);
@@ -109,7 +119,7 @@ pub fn outlook(model: &Model, assembly: &Assembly, plan: &Plan) -> Result<Outloo
         guess(stages[stage].standing).max(release.cycles + SETTLE).min(release.most)
     };
     let cycles = (0..stages.len()).map(of_stage).sum();
-    Ok(Outlook { stages, lots: lots(model), stand_ins: stand_ins(model), cycles })
+    Ok(Outlook { stages, lots: lots(model), stand_ins: stand_ins(model), cycles, at_rest: rest })
 }
 
 /// Cycles that even a small model takes to settle behind the last release: 350 of 1,700 elements.

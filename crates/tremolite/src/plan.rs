@@ -92,21 +92,25 @@ pub struct Steps {
 }
 
 impl Plan {
-    /// Steps of the finest level between rows of the histories: the fewest of `longest` \[s\] at most that are a multiple of `span`,
-    /// the steps in one of the coarsest level.
-    pub fn steps_of_row(&self, longest: f64, span: u64) -> u64 {
-        let spans = (self.histories / longest / span as f64).ceil().max(1.0);
-        spans as u64 * span
+    /// Time between rows of the histories \[s\] where steps of the finest level are stable up to `step` \[s\]: as asked for, or every one.
+    pub fn row(&self, step: f64) -> f64 {
+        self.histories.max(step)
     }
 
-    /// The step of the finest level to use, at most `longest` \[s\], so that rows of the histories fall on steps of the coarsest, in
-    /// one of which are `span`; and the plan in steps.
-    pub fn steps(&self, longest: f64, span: u64) -> (f64, Steps) {
-        let histories = self.steps_of_row(longest, span);
-        let dt = self.histories / histories as f64;
+    /// The step of the finest level to use, at most `longest` \[s\], so that rows of the histories, `row` \[s\] apart, fall on steps of
+    /// the coarsest, in one of which are `span`; and the plan in steps.
+    pub fn steps(&self, row: f64, longest: f64, span: u64) -> (f64, Steps) {
+        let histories = steps_of_row(row, longest, span);
+        let dt = row / histories as f64;
         let total = span * (self.duration / dt / span as f64).round().max(1.0) as u64;
-        let snapshots =
-            self.snapshots.map(|every| (every / self.histories).round().max(1.0) as u64 * histories);
+        let snapshots = self.snapshots.map(|every| (every / row).round().max(1.0) as u64 * histories);
         (dt, Steps { total, histories, snapshots })
     }
+}
+
+/// Steps of the finest level between rows that are `row` \[s\] apart: the fewest of `longest` \[s\] at most that are a multiple of `span`,
+/// the steps in one of the coarsest level.
+pub fn steps_of_row(row: f64, longest: f64, span: u64) -> u64 {
+    let spans = (row / longest / span as f64).ceil().max(1.0);
+    spans as u64 * span
 }

@@ -31,7 +31,8 @@ use tremolite_results::ResultFolder;
 
 /// The step of the finest level that a model runs with, and the plan in steps.
 pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Steps) {
-    plan.steps(longest_step(model, stable), span(model.nodes.coarsest()))
+    let longest = longest_step(model, stable);
+    plan.steps(plan.row(longest.min(stable.dt)), longest, span(model.nodes.coarsest()))
 }
 
 /// What a simulation shares with whoever made it: a model, its parts, those that are active as the ground shakes, and the stable step,

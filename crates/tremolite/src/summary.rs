@@ -131,6 +131,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         },
         case: CaseFacts {
             report: plan.page.clone(),
+            bare_si: evidence.bare_si,
             before: evidence.before,
             facts,
             inputs: evidence.inputs,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use toml::de::DeValue;
+use toml::de::{DeTable, DeValue};
 use tremolite_laws::materials::MATERIALS;
 
 use super::*;
@@ -29,19 +29,25 @@ fn cases() -> Vec<String> {
     let (_, after) = rest.split_once("[material.rock]").expect("a material");
     let with_stress = |stress: &str| EVERY_KEY.replace("lateral = { x = 0.8, y = 1.2 }", stress);
     let with_mesh = |mesh: &str| format!("{before}{mesh}\n[material.rock]{after}");
-    let axis = "{ from = -1, to = 1, elements = 3, growth = 1.1 }";
+    let axis = "{ from = \"-1 m\", to = \"1 m\", elements = 3, growth = 1.1 }";
     let (head, rest) = EVERY_KEY.split_once("east = {").expect("a component");
     let (_, tail) = rest.split_once("process").expect("processing");
     vec![
         EVERY_KEY.to_owned(),
         with_mesh(&format!(
-            "[mesh.box]\nx = {axis}\ny = {axis}\nz = {axis}\ngroup = \"soil\"\npart = [{{ group = \"notch\", x = [0, 1], y = [-1, 1], z = [\"-1 m\", 0] }}]"
+            "[mesh.box]\nx = {axis}\ny = {axis}\nz = {axis}\ngroup = \"soil\"\npart = [{{ group = \"notch\", x = [0, \"1 m\"], y = [\"-1 m\", \"1 m\"], z = [\"-1 m\", 0] }}]"
         )),
         with_mesh("[mesh.file]\npath = \"site.msh\"\nunit = \"1 mm\"\nrotate = \"20 deg\""),
-        with_stress("stress = { at = [1, 2, 3], zz = \"-1 MPa\", gradient = { zz = \"27 kN/m3\" } }"),
-        with_stress("measured = [{ at = [1, 2, 3], xx = 1, yy = 2, zz = 3, xy = 4, yz = 5, zx = 6 }]"),
-        EVERY_KEY
-            .replace("points = [[[\"0 m\", \"1 m\", \"-210 m\"], [0, 1, -204.5]]]", "file = \"bolts.csv\""),
+        with_stress(
+            "stress = { at = [\"1 m\", \"2 m\", \"3 m\"], zz = \"-1 MPa\", gradient = { zz = \"27 kN/m3\" } }",
+        ),
+        with_stress(
+            "measured = [{ at = [0, 0, \"3 m\"], xx = \"1 Pa\", yy = \"2 Pa\", zz = \"3 Pa\", xy = 0, yz = 0, zx = 0 }]",
+        ),
+        EVERY_KEY.replace(
+            "points = [[[\"0 m\", \"1 m\", \"-210 m\"], [0, \"1 m\", \"-204.5 m\"]]]",
+            "file = \"bolts.csv\"",
+        ),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
     ]
 }
@@ -69,7 +75,7 @@ fn every_default_is_a_good_value_of_its_key() {
         for key in table.keys {
             let (Need::Default(text) | Need::RequiredBeside(_, text)) = key.need else { continue };
             let value = DeValue::parse(text).unwrap_or_else(|e| panic!("{}: {e}", key.name));
-            let mut checker = Checker::new(&CASE, MATERIALS.into());
+            let mut checker = Checker::new(&CASE, MATERIALS.into(), &DeTable::new());
             assert!(checker.value(&key.kind, value.get_ref(), 0..0, key.name).is_some(), "{}", key.name);
             assert_eq!(checker.problems, []);
         }

@@ -2,7 +2,7 @@
 
 use tremolite_laws::parameter::Dimension;
 
-use super::{example, name, name_for};
+use super::{example, likely, name, name_for};
 
 /// Why a value with a unit was refused: what is wrong, and what to write. Both take the key that the value stands for, as
 /// it tells a unit weight from a stiffness; an empty one says nothing.
@@ -49,9 +49,7 @@ impl UnitError {
             UnitError::NotFinite => "give a finite value".to_owned(),
             UnitError::Unknown { meant: Some(meant), .. } => format!("did you mean `{meant}`?"),
             UnitError::NoUnit { number, wanted } => {
-                let like = example(key, *wanted);
-                let unit = like.split_once(' ').map_or("", |(_, unit)| unit);
-                format!("write the unit: \"{number} {unit}\"")
+                format!("write the unit: \"{}\"", likely(key, number.parse().unwrap_or(1.0), *wanted))
             }
             UnitError::WrongDimension { found: Dimension::DENSITY, .. } if key == "unit_weight" => {
                 "give a mass per volume as `density`, in place of `unit_weight`".to_owned()

@@ -81,11 +81,77 @@ pub fn name_for(key: &str, dimension: Dimension) -> String {
 
 /// A value of this dimension as one might write it for a key.
 pub fn example(key: &str, dimension: Dimension) -> String {
+    if key == "diameter" {
+        return "25 mm".to_owned();
+    }
     // Steel per metre of lining.
     if key == "area" && dimension == Dimension::LENGTH {
         return "1570 mm2/m".to_owned();
     }
+    // Strengths and pressures have the dimension of a modulus.
+    if dimension == Dimension::PRESSURE && !key.is_empty() && !is_modulus(key) {
+        return "2 MPa".to_owned();
+    }
     named(key, dimension).map_or_else(|| format!("1 {}", si(dimension)), |n| n.example.to_owned())
+}
+
+/// The dimensions that have a name, each with an example and the units that it may stand in besides.
+pub fn listed() -> Vec<(&'static str, &'static str, Vec<String>)> {
+    let of = |n: &Named| {
+        let own = n.example.split_once(' ').map_or("", |(_, unit)| unit);
+        let written = n.units.iter().map(|(unit, ..)| (*unit).to_owned());
+        let symbols = SYMBOLS.iter().filter(|s| s.dimension == n.dimension && s.name != "1").flat_map(|s| {
+            std::iter::once(s.name.to_owned()).chain(s.prefixes.chars().map(|p| format!("{p}{}", s.name)))
+        });
+        let mut all: Vec<String> = Vec::new();
+        for unit in written.chain(symbols).filter(|unit| !unit.is_empty() && unit != own) {
+            // μ and µ are one letter to people.
+            if !all.contains(&unit) && !unit.contains(['\u{b5}', '\u{3bc}']) {
+                all.push(unit);
+            }
+        }
+        (n.name, n.example, all)
+    };
+    NAMED.iter().map(of).collect()
+}
+
+/// A bare number as it was probably meant for a key: `likely("cohesion", 2.18, PRESSURE)` is "2.18 MPa",
+/// `likely("young", 25e9, PRESSURE)` "25 GPa".
+pub fn likely(key: &str, value: f64, dimension: Dimension) -> String {
+    let number = digits(value);
+    match dimension {
+        // Lengths and times span too much for a guess, but for the thickness of a bar.
+        Dimension::LENGTH if key == "diameter" && value >= 1.0 => return format!("{number} mm"),
+        // Steel per metre of lining.
+        Dimension::LENGTH if key == "area" && value >= 1.0 => return format!("{number} mm2/m"),
+        Dimension::LENGTH if key == "area" => return format!("{number} m2/m"),
+        Dimension::LENGTH => return format!("{number} m"),
+        Dimension::TIME => return format!("{number} s"),
+        Dimension::RATE if !key.contains("rate") && key != "mass" => return format!("{number} Hz"),
+        Dimension::ANGLE if value.abs() < 2.0 && value.fract() != 0.0 => return format!("{number} rad"),
+        _ => {}
+    }
+    let usual = parse(usual(key, dimension), dimension).unwrap_or(1.0);
+    // How far, in powers of ten, the number would be from what is usual.
+    let far = |scale: f64| (value.abs() * scale / usual).log10().abs();
+    let units = named(key, dimension).map_or(&[][..], |n| n.units);
+    match units.iter().min_by(|a, b| far(a.1).total_cmp(&far(b.1))) {
+        Some((unit, scale, _)) if *scale != 1.0 => format!("{number} {unit}"),
+        _ => format(value, dimension),
+    }
+}
+
+fn is_modulus(key: &str) -> bool {
+    ["young", "modulus", "stiffness"].iter().any(|word| key.contains(word))
+}
+
+/// A usual value of a key. Moduli and strengths have one dimension.
+fn usual(key: &str, dimension: Dimension) -> &'static str {
+    match named(key, dimension) {
+        _ if dimension == Dimension::PRESSURE && !is_modulus(key) => "10 MPa",
+        Some(named) => named.example,
+        None => "",
+    }
 }
 
 fn named(key: &str, dimension: Dimension) -> Option<&'static Named> {

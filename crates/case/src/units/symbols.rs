@@ -108,7 +108,8 @@ pub(super) const NAMED: &[Named] = &[
         dimension: Dimension::DENSITY,
         name: "a density",
         example: "2700 kg/m3",
-        units: &[("kg/m3", 1.0, 0.0)],
+        // Nobody is told a density in t/m3, but some write it.
+        units: &[("kg/m3", 1.0, 0.0), ("t/m3", 1e3, f64::INFINITY)],
     },
     // Weight per volume and stiffness per area have one dimension: N/m³ is Pa/m. Which is wanted, the key tells.
     Named {

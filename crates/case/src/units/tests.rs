@@ -196,3 +196,40 @@ fn a_stiffness_is_no_unit_weight_where_the_key_says_so() {
     assert_eq!(wrong.remedy("unit_weight"), "write a unit weight such as \"27 kN/m3\"");
     assert!(wrong.to_string().ends_with("a unit weight or a stiffness per area is expected"));
 }
+
+#[test]
+fn a_bare_number_is_guessed_by_its_key_and_size() {
+    for (key, value, dimension, meant) in [
+        ("cohesion", 2.18, Dimension::PRESSURE, "2.18 MPa"),
+        ("ucs", 80.0, Dimension::PRESSURE, "80 MPa"),
+        ("cohesion", 500.0, Dimension::PRESSURE, "500 kPa"),
+        ("cohesion", 2.18e6, Dimension::PRESSURE, "2.18 MPa"),
+        ("young", 25.0, Dimension::PRESSURE, "25 GPa"),
+        ("young", 25e3, Dimension::PRESSURE, "25000 MPa"),
+        ("young", 25e9, Dimension::PRESSURE, "25 GPa"),
+        ("normal_stiffness", 20.0, Dimension::STIFFNESS, "20 GPa/m"),
+        ("unit_weight", 27.0, Dimension::UNIT_WEIGHT, "27 kN/m3"),
+        ("unit_weight", 27e3, Dimension::UNIT_WEIGHT, "27 kN/m3"),
+        ("density", 2.7, Dimension::DENSITY, "2.7 t/m3"),
+        ("density", 2700.0, Dimension::DENSITY, "2700 kg/m3"),
+        ("pretension", 100.0, Dimension::FORCE, "100 kN"),
+        ("pretension", 1e5, Dimension::FORCE, "100 kN"),
+        ("fracture_energy", 130.0, Dimension::FRACTURE_ENERGY, "130 N/m"),
+        ("strength", 300.0, Dimension::FRACTURE_ENERGY, "300 kN/m"),
+        ("diameter", 25.0, Dimension::LENGTH, "25 mm"),
+        ("diameter", 0.025, Dimension::LENGTH, "0.025 m"),
+        ("area", 1570.0, Dimension::LENGTH, "1570 mm2/m"),
+        ("area", 0.00157, Dimension::LENGTH, "0.00157 m2/m"),
+        ("overburden", 1000.0, Dimension::LENGTH, "1000 m"),
+        ("duration", 20.0, Dimension::TIME, "20 s"),
+        ("reference", 5.0, Dimension::RATE, "5 Hz"),
+        ("reference_rate", 3e-5, Dimension::RATE, "3e-5 1/s"),
+        ("friction_angle", 42.0, Dimension::ANGLE, "42 deg"),
+        ("friction_angle", 0.7, Dimension::ANGLE, "0.7 rad"),
+        ("friction_angle", 0.0, Dimension::ANGLE, "0 deg"),
+        ("zz", -5.4, Dimension::PRESSURE, "-5.4 MPa"),
+    ] {
+        assert_eq!(likely(key, value, dimension), meant, "{key} = {value}");
+        assert!(parse(meant, dimension).is_ok(), "{meant}");
+    }
+}

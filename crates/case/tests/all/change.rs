@@ -30,7 +30,7 @@ fn values_are_written_at_their_keys_and_nothing_else_changes() {
     for (key, value, from, to) in [
         ("material.rock.young", "25 GPa", "young = \"10 GPa\"", "young = \"25 GPa\""),
         ("material.rock.young", "\"25 GPa\"", "young = \"10 GPa\"", "young = \"25 GPa\""),
-        ("material.concrete.young", "26e9", "young = 25e9", "young = 26e9"),
+        ("material.concrete.young", "\"26 GPa\"", "young = \"25 GPa\"", "young = \"26 GPa\""),
         ("stage[0].release", "0.4", "release = 0.6", "release = 0.4"),
         (&by_name, "40 %", "release = 0.6", "release = \"40 %\""),
         ("interface[lining-rock].friction", "0.5", "friction = 0.7", "friction = 0.5"),
@@ -64,9 +64,9 @@ const SHORT: &str = r#"# A study of one block.
 title = "short" # of a kind
 
 [mesh.box]
-x = { from = 0, to = 4, elements = 2 }
-y = { from = 0, to = 4, elements = 2 }
-z = { from = 0, to = 4, elements = 2 }
+x = { from = 0, to = "4 m", elements = 2 }
+y = { from = 0, to = "4 m", elements = 2 }
+z = { from = 0, to = "4 m", elements = 2 }
 
 [material.rock]
 law = "elastic"
@@ -98,7 +98,7 @@ fn keys_that_the_file_leaves_out_are_added_with_their_tables() {
         behind_title("initial.lateral = 0.5\ninitial.overburden = \"1 MPa\"\ndynamic.sides = \"roller\"")
     );
     // A table that is known by the headers of those in it.
-    let second = r#"{ law = "elastic", young = "1 GPa", poisson = 0.2, density = 2000 }"#;
+    let second = r#"{ law = "elastic", young = "1 GPa", poisson = 0.2, density = "2000 kg/m3" }"#;
     assert_eq!(
         changed(SHORT, &[("material.\"soft.clay\"", second)]),
         behind_title(&format!("material.\"soft.clay\" = {second}"))
@@ -140,11 +140,14 @@ fn tables_with_headers_and_lists_of_them_are_replaced_as_a_whole() {
         changed(SHORT, &[("stage", stages), ("stage[one].release", "0.5")]),
         before.replace(title, &format!("{title}stage = [{{ name = \"one\", release = 0.5 }}]\n"))
     );
-    let lateral =
-        SHORT.replace("[[region]]", "[initial]\nlateral.x = 1\nlateral.y = 2\ngravity = 10\n[[region]]");
+    let lateral = SHORT
+        .replace("[[region]]", "[initial]\nlateral.x = 1\nlateral.y = 2\ngravity = \"10 m/s2\"\n[[region]]");
     assert_eq!(
         changed(&lateral, &[("initial.lateral", "0.5")]),
-        lateral.replace("lateral.x = 1\nlateral.y = 2\ngravity = 10\n", "gravity = 10\nlateral = 0.5\n")
+        lateral.replace(
+            "lateral.x = 1\nlateral.y = 2\ngravity = \"10 m/s2\"\n",
+            "gravity = \"10 m/s2\"\nlateral = 0.5\n"
+        )
     );
     let header = SHORT.replace("[[region]]", "[initial.lateral]\nx = 1\ny = 2\n[[region]]");
     let replaced = changed(&header, &[("initial.lateral", "0.5")]);
@@ -273,7 +276,7 @@ fn faults_carry_the_paths_of_their_keys() {
     // Warnings as well.
     let unused = SHORT.replace(
         "[[region]]",
-        "[material.\"a.b\"]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.2\ndensity = 2000\n[[region]]",
+        "[material.\"a.b\"]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.2\ndensity = \"2000 kg/m3\"\n[[region]]",
     );
     let case = read(&unused, &[]).unwrap_or_else(|e| panic!("{e}"));
     let keys: Vec<&str> = case.warnings.iter().map(|warning| warning.key.as_str()).collect();

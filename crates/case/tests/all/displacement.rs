@@ -35,8 +35,8 @@ fn every_value_of_a_displacement_arrives_in_si() {
 #[test]
 fn what_a_stage_moves_is_held_from_the_beginning_and_stays_where_it_was_moved_to() {
     let steps = GOOD.replace("uz = 0\nsteps = 1", "uz = 0").replace("steps = 1", "steps = 4");
-    let later = "[[stage]]\nname = \"back\"\ndisplacement = { name = \"jack\", group = \"*.lining\", within = { x = [1, 2], y = [0, 5], \
-                 z = [-10, -9] }, ux = \"-1 mm\", steps = 2 }\n[[stage]]\nname = \"rest\"\n[motion]";
+    let later = "[[stage]]\nname = \"back\"\ndisplacement = { name = \"jack\", group = \"*.lining\", within = { x = [\"1 m\", \"2 m\"], y = [0, \"5 m\"], \
+                 z = [\"-10 m\", \"-9 m\"] }, ux = \"-1 mm\", steps = 2 }\n[[stage]]\nname = \"rest\"\n[motion]";
     let case = read(&steps.replace("[motion]", later));
     let names: Vec<&str> = case.stages[1..].iter().map(|stage| stage.name.value.as_str()).collect();
     let filled = (1..=4).map(|k| format!("tunnel filled {k}/4"));
@@ -54,7 +54,7 @@ fn what_a_stage_moves_is_held_from_the_beginning_and_stays_where_it_was_moved_to
 const BAD: &[Bad] = &[
     bad(JACK, "steps = 1", "[[stage.displacement]]", "nothing says how far it is moved", "0 for a support"),
     bad(JACK, "ux = \"1 MPa\"", "\"1 MPa\"", "a length is expected", "0.5 m"),
-    bad(JACK, "ux = 1e-3\nsteps = 0", "0", "`steps` should be a whole number from 1 to 5000", "steps"),
+    bad(JACK, "ux = \"1e-3 m\"\nsteps = 0", "0", "`steps` should be a whole number from 1 to 5000", "steps"),
     bad("group = \"*.lining\"\nwithin", "group = \"*.lining\"\nface = \"top\"\nwithin", "face", "`face` cannot stand beside `group`", "one of"),
     bad("x = [\"1 m\", \"2 m\"]", "x = [\"2 m\", \"1 m\"]", "[\"2 m\", \"1 m\"]", "the larger coordinate stands first", "swap"),
     bad("name = \"jack\"", "name = \"A\"", "[[stage.displacement]]", "a monitor is called 'A' as well", "another `name`"),
@@ -71,7 +71,7 @@ fn each_mistake_in_a_displacement_is_reported_once_at_its_place_with_a_way_out()
 #[test]
 fn displacements_of_a_stage_have_the_same_steps_and_names_of_their_own() {
     for (from, to, message) in [
-        (JACK, "ux = 1e-3\nsteps = 3", "a stage goes in 3 and in 1 steps"),
+        (JACK, "ux = \"1e-3 m\"\nsteps = 3", "a stage goes in 3 and in 1 steps"),
         ("name = \"jack\"", "name = \"top\"", "'top' is moved twice in this stage"),
     ] {
         let source = GOOD.replace(from, to);

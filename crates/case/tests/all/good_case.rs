@@ -152,7 +152,7 @@ fn the_other_kinds_of_mesh_are_read() {
     let (_, after) = rest.split_once("[material.rock]").expect("a material");
     let axis = "{ to = \"50 m\", elements = 10 }";
     let source = format!(
-        "{before}[mesh.box]\nx = {axis}\ny = {axis}\nz = {{ from = \"-1 m\", to = 1, elements = 4, growth = 1.2 }}\n\
+        "{before}[mesh.box]\nx = {axis}\ny = {axis}\nz = {{ from = \"-1 m\", to = \"1 m\", elements = 4, growth = 1.2 }}\n\
          [material.rock]{after}"
     );
     let Mesh::Box(mesh) = read(&source).mesh else { panic!("a box") };

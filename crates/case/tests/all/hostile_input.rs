@@ -133,7 +133,7 @@ fn every_key_survives_a_value_of_every_kind() {
 }
 
 /// A law file, by turns with each table.
-const LAW: &str = "size = 1\n[material]\nlaw = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25\n\
+const LAW: &str = "size = \"1 m\"\n[material]\nlaw = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25\n\
                    [interface]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction = 0.7\n";
 
 #[test]

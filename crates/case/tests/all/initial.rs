@@ -62,8 +62,8 @@ fn lateral_stress_is_a_table_or_one_number_for_both() {
 
 #[test]
 fn a_field_of_stress_is_zero_where_it_says_nothing() {
-    let field = "stress = { at = [\"1 m\", 2, \"-0.2 km\"], xx = \"-5 MPa\", zz = -6e6, yz = \"10 kPa\", \
-                 gradient = { xx = 20e3, zz = \"27 kN/m3\" } }";
+    let field = "stress = { at = [\"1 m\", \"2 m\", \"-0.2 km\"], xx = \"-5 MPa\", zz = \"-6 MPa\", yz = \"10 kPa\", \
+                 gradient = { xx = \"20 kN/m3\", zz = \"27 kN/m3\" } }";
     let case = read(&with(field));
     let Some(InitialStress::Field(stress)) = &case.initial.stress else { panic!("a field") };
     assert_eq!(stress.at, [1.0, 2.0, -200.0]);
@@ -135,8 +135,8 @@ fn the_search_for_equilibrium_has_defaults_that_are_listed_where_there_is_one() 
 #[rustfmt::skip]
 const BAD: &[Bad] = &[
     // Which of them
-    bad(LATERAL, "lateral = 0.8\nstress = { zz = 1 }", "stress", "`stress` cannot stand beside `lateral`", "at most one of `lateral`, `stress`, `measured`"),
-    bad(LATERAL, "lateral = 0.8\nmeasured = [{ at = [0, 0, 0], xx = 1, yy = 1, zz = 1, xy = 1, yz = 1, zx = 1 }]", "measured", "`measured` cannot stand beside `lateral`", "at most one"),
+    bad(LATERAL, "lateral = 0.8\nstress = { zz = \"1 Pa\" }", "stress", "`stress` cannot stand beside `lateral`", "at most one of `lateral`, `stress`, `measured`"),
+    bad(LATERAL, "lateral = 0.8\nmeasured = [{ at = [0, 0, 0], xx = \"1 Pa\", yy = \"1 Pa\", zz = \"1 Pa\", xy = \"1 Pa\", yz = \"1 Pa\", zx = \"1 Pa\" }]", "measured", "`measured` cannot stand beside `lateral`", "at most one"),
     bad("lateral = { x = 0.8, y = 1.2 }\n", "", "overburden", "only beside one of `lateral`, `stress`, `measured`", "leave it out"),
     bad(LATERAL, "lateral = 0.8\nlaterl = 1", "laterl", "no key of `initial`", "did you mean `lateral`?"),
     // Values
@@ -169,8 +169,8 @@ const BAD: &[Bad] = &[
     // Measured
     bad(LATERAL, "measured = []", "[]", "should be a list of tables, not a list of 0", "[[initial.measured]]"),
     bad(LATERAL, "measured = { at = [0, 0, 0] }", "{ at", "should be a list of tables, not a table", "[[initial.measured]]"),
-    bad(LATERAL, "measured = [{ at = [0, 0, 0], xx = 1, yy = 1, zz = 1, xy = 1, yz = 1 }]", "{ at", "`zx` is missing in `initial.measured[0]`", "zx = \"… MPa\""),
-    bad(LATERAL, "measured = [{ xx = 1, yy = 1, zz = 1, xy = 1, yz = 1, zx = 1 }]", "{ xx", "`at` is missing in `initial.measured[0]`", "where it was measured"),
+    bad(LATERAL, "measured = [{ at = [0, 0, 0], xx = \"1 Pa\", yy = \"1 Pa\", zz = \"1 Pa\", xy = \"1 Pa\", yz = \"1 Pa\" }]", "{ at", "`zx` is missing in `initial.measured[0]`", "zx = \"… MPa\""),
+    bad(LATERAL, "measured = [{ xx = \"1 Pa\", yy = \"1 Pa\", zz = \"1 Pa\", xy = \"1 Pa\", yz = \"1 Pa\", zx = \"1 Pa\" }]", "{ xx", "`at` is missing in `initial.measured[0]`", "where it was measured"),
 ];
 
 #[test]
@@ -185,7 +185,7 @@ fn there_is_no_weight_without_gravity_where_densities_are_given() {
     let soil = ("unit_weight = \"19 kN/m3\"", "density = \"1900 kg/m3\"");
     let weightless = |gravity: &str| GOOD.replace("gravity = \"10 m/s2\"", &format!("gravity = {gravity}"));
     // The least of these would make an infinite density.
-    for gravity in ["0", "1e-320"] {
+    for gravity in ["0", "\"1e-320 m/s2\""] {
         for (known, mark) in [(soil, "\"27 kN/m3\""), (rock, "\"19 kN/m3\"")] {
             let (says, remedy, marks) = refused(&weightless(gravity).replace(known.0, known.1));
             assert!(says.contains("turns no unit weight into a density"), "{says}");
@@ -204,7 +204,7 @@ fn moduli_over_a_band_say_their_frequency_where_equilibrium_is_sought() {
         let given = format!("{{ ratio = 0.03, band = [\"0.5 Hz\", \"20 Hz\"]{reference} }}");
         GOOD.replace(RAYLEIGH, &given)
     };
-    for given in [", reference = \"0 Hz\"", ", reference = 5"] {
+    for given in [", reference = \"0 Hz\"", ", reference = \"5 Hz\""] {
         assert!(read(&band(given)).dynamic.band.is_some_and(|b| b.reference.is_some()), "{given}");
     }
     let (says, remedy, marks) = refused(&band(""));
@@ -213,7 +213,7 @@ fn moduli_over_a_band_say_their_frequency_where_equilibrium_is_sought() {
         "{says}; {remedy}"
     );
     assert_eq!(marks, "[\"0.5 Hz\", \"20 Hz\"]");
-    let (says, ..) = refused(&band(", reference = -1"));
+    let (says, ..) = refused(&band(", reference = \"-1 Hz\""));
     assert!(says.contains("must be 0 or more"), "{says}");
     // Shaken at once, the motion's central frequency is as good.
     let damping = "damping = { ratio = 0.03, band = [\"0.5 Hz\", \"20 Hz\"] }";

@@ -40,7 +40,7 @@ fn a_law_file_is_read_in_si_with_defaults_listed() {
 #[test]
 fn the_size_stands_above_the_table_or_in_it_and_a_point_needs_no_density() {
     let above = parse(&format!("size = \"25 cm\"{CONCRETE}")).unwrap_or_else(|e| panic!("{e}"));
-    let inside = parse(&format!("{CONCRETE}size = 0.25")).unwrap_or_else(|e| panic!("{e}"));
+    let inside = parse(&format!("{CONCRETE}size = \"0.25 m\"")).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(above.size.map(|s| s.value), Some(0.25));
     assert_eq!(inside.size.map(|s| s.value), Some(0.25));
     assert_eq!(above.parameters, inside.parameters, "the size is no parameter of the law");
@@ -58,11 +58,11 @@ fn each_mistake_is_reported_at_its_line_with_a_way_out() {
         (change("poisson = 0.17", "poisson = 0.5"), 5, "below 0.5", "0.15 to 0.35"),
         (change("friction_angle = \"46 deg\"\n", ""), 2, "`friction_angle` is missing", "deg"),
         (change("concrete-damage", "concret-damage"), 3, "cannot be \"concret-damage\"", "\"concrete-damage\""),
-        (change("unit_weight", "density = 1\nunit_weight"), 7, "cannot stand beside `density`", "exactly one"),
+        (change("unit_weight", "density = \"1 kg/m3\"\nunit_weight"), 7, "cannot stand beside `density`", "exactly one"),
         (change("[material]", "[material.lining]"), 2, "without a name", "instead of [material.lining]"),
         (format!("{}\n[material.a]\nlaw = \"elastic\"", change("[material]", "[material.lining]")), 2, "without a name", "instead of [material.lining]"),
-        (format!("size = -1{CONCRETE}"), 1, "must be above 0", "above 0"),
-        (format!("size = 1{CONCRETE}size = 1"), 10, "given twice", "keep one"),
+        (format!("size = \"-1 m\"{CONCRETE}"), 1, "must be above 0", "above 0"),
+        (format!("size = \"1 m\"{CONCRETE}size = \"1 m\""), 10, "given twice", "keep one"),
         (format!("title = 1{CONCRETE}"), 1, "`title` is no key of `law file`", "keys here: size"),
         (format!("{CONCRETE}[interface]\nlaw = \"bandis\"\n"), 10, "one law", "keep [material] or [interface]"),
         ("material = 3\n".to_owned(), 1, "should be a table", "[material]"),
@@ -96,7 +96,7 @@ friction_angle = "42 deg"
 const SOFTENING: &str = r#"
 [material.softening]
 plastic_shear_strain = [0, 0.005, 2e-2]
-cohesion = ["2.18 MPa", 1.2e6, "500 kPa"]
+cohesion = ["2.18 MPa", "1.2 MPa", "500 kPa"]
 friction_angle = ["42 deg", "46 deg", "0.5 rad"]
 "#;
 
@@ -108,7 +108,7 @@ fn a_table_of_columns_is_read_in_si() {
     assert_eq!(columns["cohesion"], [2.18e6, 1.2e6, 0.5e6]);
     assert_eq!(columns["friction_angle"], [42f64.to_radians(), 46f64.to_radians(), 0.5]);
     assert!(!columns.contains_key("tensile_strength"));
-    let inline = "softening = { plastic_shear_strain = [0, 1e-3], cohesion = [2.18e6, 0] }";
+    let inline = "softening = { plastic_shear_strain = [0, 1e-3], cohesion = [\"2.18 MPa\", 0] }";
     let file = parse(&format!("{ROCK}{inline}")).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(file.parameters.table("softening").map(|c| &c["cohesion"][..]), Some(&[2.18e6, 0.0][..]));
 }
@@ -119,7 +119,7 @@ fn each_mistake_in_a_table_of_columns_is_reported_at_its_line() {
     #[rustfmt::skip]
     let bad = [
         (change("cohesion = [", "cohesiom = ["), 11, "`cohesiom` is no key of `material.softening`", "did you mean `cohesion`?"),
-        (change("1.2e6, ", ""), 11, "`cohesion` has 2 numbers, but `plastic_shear_strain` has 3", "one number a row"),
+        (change("\"1.2 MPa\", ", ""), 11, "`cohesion` has 2 numbers, but `plastic_shear_strain` has 3", "one number a row"),
         (change("\"500 kPa\"", "\"500 kN\""), 11, "is a force", "stress"),
         (change("\"46 deg\"", "46"), 12, "`friction_angle` has no unit", "deg"),
         (change("\"46 deg\"", "\"96 deg\""), 12, "at most 89.9 deg", "cannot"),
@@ -156,7 +156,9 @@ fn all_that_is_missing_is_named_at_once_with_its_unit() {
         }
     }
     // What is wrong as well is named beside it.
-    let Err(report) = parse("[material]\nlaw = \"drucker-prager\"\ncohesion = -1.0\n") else { panic!() };
+    let Err(report) = parse("[material]\nlaw = \"drucker-prager\"\ncohesion = \"-1.0 Pa\"\n") else {
+        panic!()
+    };
     for words in ["`young` is missing", "`cohesion` must be zero", "`friction_angle` is missing"] {
         assert!(report.to_string().contains(words), "{report}");
     }
@@ -170,7 +172,7 @@ fn every_key_of_concrete_may_be_written_out() {
 residual_shear = 0.2
 ultimate_strain_ratio = 10.0
 rate = "none"
-reference_rate = 3e-5
+reference_rate = "3e-5 1/s"
 driver = "strain"
 shear_tension = "nominal"
 split = "effective"
@@ -218,7 +220,7 @@ fn each_mistake_in_an_interface_law_is_reported_at_its_line() {
         (change("\"2 mm\"", "\"2 MPa\""), 5, "is a stress", "such as"),
         (change("\"bandis\"\n", "\"bandi\"\n"), 3, "cannot be \"bandi\"", "did you mean \"bandis\"?"),
         (change("law = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\nfriction = 0.7\n", "law = \"tied\""), 3, "cannot be \"tied\"", "\"bandis\", \"coulomb\""),
-        (format!("size = 1{JOINT}"), 1, &format!("`size` {no_meaning}"), "leave it out"),
+        (format!("size = \"1 m\"{JOINT}"), 1, &format!("`size` {no_meaning}"), "leave it out"),
         (format!("{JOINT}size = \"1 m\""), 7, &format!("`size` {no_meaning}"), "leave it out"),
         (format!("{JOINT}name = \"a\""), 7, &format!("`name` {no_meaning}"), "leave it out"),
         (format!("{JOINT}between = [\"a\", \"b\"]"), 7, &format!("`between` {no_meaning}"), "leave it out"),

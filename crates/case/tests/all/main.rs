@@ -12,3 +12,4 @@ mod law_file;
 mod problems;
 mod schema;
 mod stage;
+mod units;

@@ -53,7 +53,7 @@ const BAD: &[Bad] = &[
     bad("sides = { x = \"viscous\", y = \"roller\" }\n", "", "[dynamic]", "`sides` is missing", "periodic"),
     bad("[[region]]\ngroups = [\"powerhouse.bench*\"]", "[[region]]\nelement = \"full\"\ngroups = [\"powerhouse.bench*\"]", "element", "only where `material` is not \"void\"", "leave it out"),
     bad("kind = \"viscous-spring\", normal = 1.5, tangential = 0.5, distance", "kind = \"fixed\", distance", "distance", "only with `kind = \"viscous-spring\"`", "leave it out"),
-    bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"27 kN/m3\"\ndensity = 2700", "unit_weight", "`unit_weight` cannot stand beside `density`", "exactly one of"),
+    bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"27 kN/m3\"\ndensity = \"2700 kg/m3\"", "unit_weight", "`unit_weight` cannot stand beside `density`", "exactly one of"),
     bad("unit_weight = \"27 kN/m3\"\n", "", "[material.rock]", "needs one of `density`, `unit_weight`", "give one of"),
     bad("[material.rock]", "[mesh.file]\npath = \"a\"\n[material.rock]", "file", "`file` cannot stand beside `caverns`", "exactly one of `caverns`, `box`, `file`"),
     bad("kind = \"within\"", "kind = \"within\"\nfile = \"x.V2A\"", "east", "`east` cannot stand beside `file`", "exactly one of"),
@@ -65,8 +65,8 @@ const BAD: &[Bad] = &[
     bad("young = \"10 GPa\"", "young = nan", "nan", "not a finite number", "finite"),
     bad("young = \"10 GPa\"", "young = -inf", "-inf", "not a finite number", "finite"),
     bad("young = \"10 GPa\"", "young = \"1e999 Pa\"", "\"1e999 Pa\"", "too large", "finite"),
-    bad("young = \"10 GPa\"", "young = 25", "25", "`young` = 25 has no unit, and a bare number is in Pa", "\"25 GPa\"?"),
-    bad("young = \"10 GPa\"", "young = 25e3", "25e3", "a bare number is in Pa", "\"25000 MPa\"?"),
+    bad("young = \"10 GPa\"", "young = 25", "25", "`young` has no unit: a stress or modulus is expected", "\"25 GPa\", or put units = \"SI\" at the top"),
+    bad("young = \"10 GPa\"", "young = 25e3", "25e3", "`young` has no unit", "\"25000 MPa\""),
     bad("young = \"10 GPa\"", "young = \"10 GPa/m\"", "\"10 GPa/m\"", "is a unit weight or a stiffness per area (`GPa/m`), a stress or modulus", "such as \"10 GPa\""),
     bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"2700 kg/m3\"", "\"2700", "is a density (`kg/m3`), a unit weight is expected", "as `density`"),
     bad("unit_weight = \"27 kN/m3\"", "density = \"27 kN/m3\"", "\"27 kN", "a density is expected", "as `unit_weight`"),
@@ -79,7 +79,7 @@ const BAD: &[Bad] = &[
     bad("units = \"cm/s2\"", "units = \"count\"", "\"count\"", "", "or \"counts\""),
     bad("histories = \"20 ms\"", "histories = true", "true", "should be a time, not true or false", "\"… s\""),
     // Limits
-    bad("width = 17", "width = 0", "0", "must be above 0", "above 0"),
+    bad("width = \"17 m\"", "width = 0", "0", "must be above 0", "above 0"),
     bad("poisson = 0.25", "poisson = 0.5", "0.5", "must be at least 0 and below 0.5", "0.15 to 0.35"),
     bad("safety = 0.8", "safety = 1.2", "1.2", "above 0 and at most 1", "at most 1"),
     bad("mass = \"0.3 1/s\"", "mass = \"-0.3 1/s\"", "\"-0.3 1/s\"", "must be 0 or more", "0 or more"),
@@ -93,7 +93,7 @@ const BAD: &[Bad] = &[
     bad("window = [\"20.5 s\", \"40 s\"]", "window = [\"40 s\"]", "[\"40 s\"]", "a list of 2", "window"),
     bad("window = [\"20.5 s\", \"40 s\"]", "window = { strongest = \"0 s\" }", "\"0 s\"", "must be above 0", "above 0"),
     bad("near = \"120 cm\"", "near = \"12 m\"", "\"12 m\"", "`near` is larger than `far`", "smaller size"),
-    bad("height = 37.2", "height = 4.4", "\"4.5 m\"", "must be below `height`", "the arch included"),
+    bad("height = \"37.2 m\"", "height = \"4.4 m\"", "\"4.5 m\"", "must be below `height`", "the arch included"),
     bad("arch_rise = \"2.2 m\"\n", "", "[[mesh.caverns.cavern]]", "must be above 0", "rectangle"),
     bad("shape = \"ellipse\"", "shape = \"circle\"", "\"2.2 m\"", "no meaning", "leave it out"),
     bad("length = \"4000 cm\"", "length = \"52.9 m\"", "\"52.9 m\"", "longer than the block", "goes through the block"),
@@ -111,11 +111,11 @@ const BAD: &[Bad] = &[
     bad("title = \"every key\"", "title = \" \"", "\" \"", "an empty text", "title"),
     bad("material = \"rock\"", "material = \"rok\"", "\"rok\"", "no material `rok`", "did you mean \"rock\"?"),
     bad("material = \"rock\"", "material = \"marble\"", "\"marble\"", "no material `marble`", "add [material.marble]"),
-    bad("[material.concrete]", "[material.void]\nlaw = \"elastic\"\ndensity = 1\nyoung = 1e10\npoisson = 0\n[material.concrete]", "void", "cannot be called `void`", "another name"),
+    bad("[material.concrete]", "[material.void]\nlaw = \"elastic\"\ndensity = \"1 kg/m3\"\nyoung = \"10 GPa\"\npoisson = 0\n[material.concrete]", "void", "cannot be called `void`", "another name"),
     bad("between = [\"free\", \"A\"]", "between = [\"free\", \"B\"]", "\"B\"", "no monitor `B`", "known monitors: A, free"),
     bad("between = [\"free\", \"A\"]", "between = [\"A\", \"A\"]", "\"A\"]", "against itself", "another monitor"),
     bad("between = [\"free\", \"A\"]", "between = [\"free\", \"A\"]\n[[relative]]\nbetween = ['free', 'A']", "'A'", "are called `free-A`", "stands there twice"),
-    bad("name = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "name = \"A\"\nat = [1, 2, 3]\n[[monitor]]\nname = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "\"A\"", "monitor `A` is named twice", "its own name"),
+    bad("name = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "name = \"A\"\nat = [\"1 m\", \"2 m\", \"3 m\"]\n[[monitor]]\nname = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "\"A\"", "monitor `A` is named twice", "its own name"),
     bad("name = \"transformer\"", "name = \"powerhouse\"", "\"powerhouse\"", "two caverns are called `powerhouse`", "its own name"),
     bad("between = [\"powerhouse\", \"transformer\"]", "between = [\"powerhouse\", \"hall\"]", "\"hall\"", "there is no cavern `hall`", "two caverns of this block"),
     bad("name = \"busbar\"", "name = \"transformer\"", "\"transformer\"", "a cavern or another gallery is called `transformer`", "its own name"),
@@ -124,7 +124,7 @@ const BAD: &[Bad] = &[
     bad("fields = [\"displacement\", \"s1\"]", "fields = [\"s1\", \"s1\"]", "\"s1\"]", "field `s1` is named twice", "once"),
     bad("from = \"east\"", "from = \"up\"", "\"up\"", "`up` is not a record of its own", "has a `file`"),
     bad("columns = [\"time\", \"acceleration\"]", "columns = [\"time\", \"skip\"]", "\"time\"", "one column must be the acceleration", "\"acceleration\""),
-    bad("columns = [\"time\", \"acceleration\"]", "columns = [\"time\", \"acceleration\"], dt = 1", "1", "`dt` beside a column of times", "leave `dt` out"),
+    bad("columns = [\"time\", \"acceleration\"]", "columns = [\"time\", \"acceleration\"], dt = \"1 s\"", "\"1 s\"", "`dt` beside a column of times", "leave `dt` out"),
     bad("at = [\"0 m\", \"1 m\", \"-210 m\"]", "at = [0, 1]", "[0, 1]", "a list of 3, each a length, not a list of 2", "[\"… m\", \"… m\", \"… m\"]"),
     bad("groups = [\"*.lining\"]", "groups = \"*.lining\"", "\"*.lining\"", "should be a list", "groups = [\"…\"]"),
     bad("[[relative]]", "[relative]", "[relative]", "should be a list of tables", "[[relative]]"),
@@ -239,7 +239,7 @@ fn problems_found_later_are_shown_in_the_same_way() {
 
 #[test]
 fn what_is_allowed_but_hardly_meant_is_a_warning() {
-    let unused = "[material.spare]\nlaw = \"elastic\"\nyoung = 1e10\npoisson = 0\ndensity = 1\n[initial]";
+    let unused = "[material.spare]\nlaw = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0\ndensity = \"1 kg/m3\"\n[initial]";
     let source = GOOD.replace("[initial]", unused);
     let case = Case::parse(Path::new("case.toml"), &source, MATERIALS).unwrap_or_else(|e| panic!("{e}"));
     let [warning] = &case.warnings[..] else { panic!("one warning") };

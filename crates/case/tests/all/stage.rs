@@ -59,8 +59,8 @@ fn every_value_of_a_stage_arrives_in_the_order_of_the_file() {
 
 #[test]
 fn tables_with_free_keys_may_have_headers_of_their_own() {
-    let inline = "pressure = { \"*.lining\" = \"0.2 MPa\", top = 1000 }";
-    let case = read(&GOOD.replace(inline, "[stage.pressure]\n\"*.lining\" = \"0.2 MPa\"\ntop = 1000"));
+    let inline = "pressure = { \"*.lining\" = \"0.2 MPa\", top = \"1 kPa\" }";
+    let case = read(&GOOD.replace(inline, "[stage.pressure]\n\"*.lining\" = \"0.2 MPa\"\ntop = \"1 kPa\""));
     assert_eq!(case.stages[1].pressures.len(), 2);
 }
 
@@ -114,7 +114,7 @@ fn a_case_without_an_earthquake_needs_no_dynamic_run() {
 
 #[test]
 fn initial_stress_alone_is_something_to_compute_and_nothing_at_all_is_not() {
-    let at_a_bolt = "[[monitor]]\nname = \"anchor\"\nat = [0, 1, -205]\nbolt = \"spot\"\n";
+    let at_a_bolt = "[[monitor]]\nname = \"anchor\"\nat = [0, \"1 m\", \"-205 m\"]\nbolt = \"spot\"\n";
     let source = still("").replace("before = \"rock\"\n", "").replace(at_a_bolt, "");
     let (head, rest) = source.split_once("[[stage]]").expect("stages");
     let (_, tail) = rest.split_once("[[monitor]]").expect("a monitor");
@@ -144,7 +144,7 @@ fn an_earthquake_needs_its_dynamic_run() {
 }
 
 const MATERIAL: &str = "{ \"transformer.lining\" = \"concrete\", \"rock*\" = \"rock\" }";
-const PRESSURE: &str = "{ \"*.lining\" = \"0.2 MPa\", top = 1000 }";
+const PRESSURE: &str = "{ \"*.lining\" = \"0.2 MPa\", top = \"1 kPa\" }";
 
 #[rustfmt::skip]
 const BAD: &[Bad] = &[
@@ -218,7 +218,7 @@ fn a_group_may_go_and_begin_in_one_stage() {
 
 #[test]
 fn a_material_that_a_stage_brings_is_used() {
-    let spare = "[material.spare]\nlaw = \"elastic\"\nyoung = 1e10\npoisson = 0\ndensity = 1\n[initial]";
+    let spare = "[material.spare]\nlaw = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0\ndensity = \"1 kg/m3\"\n[initial]";
     let source = GOOD.replace("[initial]", spare);
     assert_eq!(read(&source).warnings.len(), 1);
     assert_eq!(read(&source.replace("\"rock*\" = \"rock\"", "\"rock*\" = \"spare\"")).warnings, []);

@@ -4,11 +4,19 @@ mod bolts;
 mod stages;
 mod text;
 
+use super::room::{self, Free};
 use super::{load, modelled, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
-use crate::terminal::{print, tell};
-use std::path::PathBuf;
+use crate::terminal::{print, tell, warn};
+use std::path::{Path, PathBuf};
+
+/// What is said: the lines that decide on a run, or every line.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Lines {
+    Deciding,
+    All,
+}
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -23,6 +31,9 @@ pub struct Args {
     /// Force an instruction set: scalar, avx2 or avx512
     #[arg(long)]
     isa: Option<String>,
+    /// Print every line: groups, what comes and goes, constants of the laws, keys that are left out
+    #[arg(long, conflicts_with = "json")]
+    all: bool,
     /// Print one JSON object, numbers in SI
     #[arg(long)]
     json: bool,
@@ -36,7 +47,11 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Outcome {
     let isa = machine::isa(args.isa.as_deref())?;
+    let free = Free::now(Path::new("results"));
     let loaded = load(&args.case, &args.set, isa)?;
+    if let Some(lacking) = free.lacks_for_mesh(loaded.setup.problem.mesh.elements.len()) {
+        return Err(Failure::input(lacking));
+    }
     let pool = pool(args.threads)?;
     pool.install(|| {
         let job = modelled(loaded)?;
@@ -48,9 +63,16 @@ pub fn run(args: &Args) -> Outcome {
         if args.json {
             print(&serde_json::to_string_pretty(&checked).unwrap_or_default());
         } else {
-            text::print_all(&checked);
+            let lines = if args.all { Lines::All } else { Lines::Deciding };
+            text::print_lines(&checked, lines);
         }
-        let failed = args.strict && job.warnings().next().is_some();
+        let refused = free
+            .lacks_for(&job)
+            .into_iter()
+            .map(|why| format!("`run` would refuse it without --allow: {why}"));
+        let beyond: Vec<String> = refused.chain(room::long(checked.seconds(), &checked.set_by)).collect();
+        warn(&beyond);
+        let failed = args.strict && (job.warnings().next().is_some() || !beyond.is_empty());
         Ok(if failed { Code::Failed } else { Code::Done })
     })
 }

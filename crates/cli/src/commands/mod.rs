@@ -8,6 +8,7 @@ pub mod mesh;
 pub mod motion;
 pub mod new;
 pub mod report;
+mod room;
 pub mod run;
 pub mod verify;
 

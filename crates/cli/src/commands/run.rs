@@ -2,6 +2,7 @@
 
 mod messages;
 
+use super::room::Free;
 use super::{load, modelled, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
@@ -42,6 +43,9 @@ pub struct Args {
     /// Force an instruction set: scalar, avx2 or avx512
     #[arg(long)]
     isa: Option<String>,
+    /// Run though this machine has hardly the memory or the disk for it
+    #[arg(long)]
+    allow: bool,
     /// End with status 1 where a check of the run fails or the case is warned of; results are kept
     #[arg(long)]
     strict: bool,
@@ -51,13 +55,24 @@ pub fn run(args: &Args) -> Outcome {
     let since = Instant::now();
     let isa = machine::isa(args.isa.as_deref())?;
     let pool = pool(args.threads)?;
+    let free = Free::now(args.out.as_deref().unwrap_or(Path::new("results")));
     let loaded = load(&args.case, &args.set, isa)?;
+    let room = |lacking: &[String]| match lacking {
+        [] => Ok(()),
+        _ if args.allow => Ok(()),
+        all => Err(Failure::input(format!("{}; --allow runs it all the same", all.join("\n")))),
+    };
+    room(&free.lacks_for_mesh(loaded.setup.problem.mesh.elements.len()).into_iter().collect::<Vec<_>>())?;
     pool.install(|| {
         if let Some(from) = &args.from {
             loaded.check_from().map_err(|why| no_rest(from, &why))?;
         }
         let job = modelled(loaded)?;
         tell(&job.remarks());
+        // Who goes on has found room before.
+        if !args.resume {
+            room(&free.lacks_for(&job))?;
+        }
         let warned = !job.said().is_empty();
         let other = args.from.as_deref().map(|from| rest(args, &job, from)).transpose()?;
         let name = job.name();

@@ -32,7 +32,8 @@ fn one_object_holds_all_that_the_text_says_and_messages_stay_on_standard_error()
         "sides    = { x = \"free-field\", y = \"periodic\" }\ntime_step = \"1 ms\"",
     );
     let (found, errors) = check(folder.path(), &[slow]);
-    let text = String::from_utf8(tremolite(folder.path(), &["check", "study/case.toml"]).stdout).unwrap();
+    let text =
+        String::from_utf8(tremolite(folder.path(), &["check", "--all", "study/case.toml"]).stdout).unwrap();
     let number = |pointer: &str| found.pointer(pointer).and_then(Value::as_f64).expect(pointer);
     let word = |pointer: &str| found.pointer(pointer).and_then(Value::as_str).expect(pointer);
     for line in [
@@ -86,8 +87,7 @@ fn results_take_no_more_than_the_disk_that_was_foretold() {
 fn bolts_of_a_pattern_are_written_so_that_a_case_reads_them() {
     let temp = tempfile::tempdir().unwrap();
     let of = |place: &str, folder: &str| {
-        let steel =
-            "diameter = 0.025, plate = true, free_length = 1, bond = { stiffness = 1e9, strength = 1e5 }";
+        let steel = "diameter = \"25 mm\", plate = true, free_length = \"1 m\", bond = { stiffness = \"1 GPa\", strength = \"100 kN/m\" }";
         let bolts = format!("release = 0.6\nbolts = {{ name = \"b/1\", {place}, {steel} }}");
         let stages = crate::stage_case::STAGES.replace("release = 0.6", &bolts);
         crate::stage_case::case(temp.path(), crate::stage_case::LATERAL, &stages, "");
@@ -95,7 +95,7 @@ fn bolts_of_a_pattern_are_written_so_that_a_case_reads_them() {
         assert_eq!(crate::stage_case::code(&output), 0, "{}", crate::stage_case::errors(&output));
         std::fs::read_to_string(temp.path().join(folder).join("b_1.csv")).unwrap()
     };
-    let pattern = of("pattern = \"walls\", spacing = 1.5, length = 3", "first");
+    let pattern = of("pattern = \"walls\", spacing = \"1.5 m\", length = \"3 m\"", "first");
     assert!(pattern.starts_with("x1,y1,z1,x2,y2,z2\n") && pattern.lines().count() > 5, "{pattern}");
     assert_eq!(of("file = \"first/b_1.csv\"", "second"), pattern);
 }

@@ -27,6 +27,7 @@ fn bar(folder: &Path, axis: usize, elements: usize, stages: &str) {
     let base = if axis == 2 { "roller" } else { "free" };
     let text = format!(
         r#"title = "bar"
+units = "SI"
 [mesh.box]
 group = "bar"
 x = {x}

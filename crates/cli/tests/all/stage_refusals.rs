@@ -65,7 +65,7 @@ fn stages_that_do_not_fit_are_refused_at_their_lines() {
             change(
                 folder,
                 "[[region]]",
-                "[material.spare]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.2\ndensity = 2000\n[[region]]",
+                "[material.spare]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.2\ndensity = \"2000 kg/m3\"\n[[region]]",
             );
         }
         let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();

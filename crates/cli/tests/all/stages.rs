@@ -238,7 +238,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
         ("process = [\"baseline\"]", "process = [\"baseline\", \"scale 2\"]"),
         (
             "duration = \"0.1 s\"",
-            "duration = \"0.05 s\"\ndamping = { rayleigh = { mass = 1.0, stiffness = 1e-5 } }",
+            "duration = \"0.05 s\"\ndamping = { rayleigh = { mass = \"1 1/s\", stiffness = \"1e-5 s\" } }",
         ),
         ("histories = \"0.01 s\"", "histories = \"0.02 s\""),
         ("viscosity = 0.02", "viscosity = 0.03"),

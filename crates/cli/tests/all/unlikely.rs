@@ -54,3 +54,180 @@ fn slips_of_units_are_warned_of_and_a_new_case_has_none() {
         );
     }
 }
+
+/// The share of the ground that a warning names.
+fn share(words: &str, after: &str) -> f64 {
+    let at = words.find(after).unwrap_or_else(|| panic!("no '{after}' in {words}"));
+    let (before, _) =
+        words[..at].rsplit_once(" %").unwrap_or_else(|| panic!("no share before '{after}' in {words}"));
+    before.rsplit(' ').next().and_then(|n| n.parse().ok()).unwrap_or_else(|| panic!("no number in {before}"))
+}
+
+const STUDY: &str = r#"title = "level ground"
+[mesh.box]
+group = "rock"
+x = { to = "10 m", elements = 1 }
+y = { to = "10 m", elements = 1 }
+z = { from = "-200 m", to = 0, elements = ELEMENTS }
+[material.rock]
+law = "mohr-coulomb"
+young = "10 GPa"
+poisson = 0.25
+unit_weight = "25 kN/m3"
+cohesion = "0.5 MPa"
+friction_angle = "30 deg"
+[[region]]
+groups = ["rock"]
+material = "rock"
+element = "one-point"
+[initial]
+gravity = "10 m/s2"
+INITIAL
+"#;
+
+fn checked(elements: usize, initial: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let text = STUDY.replace("ELEMENTS", &elements.to_string()).replace("INITIAL", initial);
+    std::fs::write(folder.path().join("case.toml"), text).unwrap();
+    let done = tremolite(folder.path(), &["check", "case.toml"]);
+    assert_eq!(code(&done), 0, "{}", errors(&done));
+    errors(&done)
+}
+
+/// Under σ_v = γd and σ_h = K σ_v rock lies beyond Mohr and Coulomb's line from d = f_c/γ(1 − kK) on, k = (1 + sin φ)/(1 − sin φ) = 3 and
+/// f_c = 2c cos φ/(1 − sin φ) = 1.732 MPa: with K = 0.1 from 98.97 m on, which is 50.5 % of 200 m; with K = 0.2 from 173.2 m on, 13.4 %.
+#[test]
+fn ground_beyond_yield_at_rest_is_told_with_its_share() {
+    for (lateral, exact) in [("0.1", 50.5), ("0.2", 13.4)] {
+        for elements in [20, 200] {
+            let words = checked(elements, &format!("lateral = {lateral}"));
+            let found = share(&words, "of the ground lies beyond yield");
+            // By whole elements, in whole per cent.
+            assert!((found - exact).abs() <= 50.0 / elements as f64 + 0.5, "{found} for {exact}: {words}");
+        }
+    }
+    // At K = 0.33 it is nowhere within 200 m.
+    assert!(!checked(20, "lateral = 0.34").contains("beyond yield"));
+}
+
+#[test]
+fn an_initial_stress_of_the_wrong_sign_is_told() {
+    let stress = |sign: &str, where_: &str| {
+        format!(
+            "stress = {{ at = [0, 0, \"{where_}\"], xx = \"{sign}1 MPa\", yy = \"{sign}1 MPa\", zz = \"{sign}1 MPa\" }}"
+        )
+    };
+    let words = checked(20, &stress("", "-50 m"));
+    assert!(share(&words, "of the ground, by up to") == 100.0 || words.contains("pulls at 100 %"), "{words}");
+    assert!(
+        words.contains("by up to 1 MPa") && words.contains("compression is written with a minus"),
+        "{words}"
+    );
+    assert!(!checked(20, &stress("-", "-50 m")).contains("pulls"));
+}
+
+/// 3σ1 − σ3 by the weight above what is taken out: 40 m under the crown's 160 m, say, of 27 kN/m3 and K = 0.6.
+#[test]
+fn rock_that_will_yield_round_an_opening_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    tremolite(folder.path(), &["new", "study"]);
+    let check = |cohesion: &str| {
+        let rock = format!(
+            "material.rock={{ law = \"mohr-coulomb\", young = \"10 GPa\", poisson = 0.25, unit_weight = \"27 kN/m3\", cohesion = \"{cohesion}\", \
+             friction_angle = \"30 deg\" }}"
+        );
+        let done = tremolite(folder.path(), &["check", "study/case.toml", "--set", &rock]);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+        errors(&done)
+    };
+    // f_c = 3.464 c.
+    let words = check("0.5 MPa");
+    assert!(words.contains("its compressive strength of 1.732 MPa: it will yield"), "{words}");
+    let (before, _) = words.split_once(" (3σ1 − σ3)").unwrap();
+    let load: f64 = before.trim_end_matches(" MPa").rsplit(' ').next().unwrap().parse().unwrap();
+    let depth = load / (27e-3 * (3.0 - 0.6));
+    let (_, place) = before.split_once("round the opening at (").unwrap();
+    let z: f64 = place.split([',', ')']).nth(2).unwrap().trim().parse().unwrap();
+    assert!((depth + z).abs() < 0.1, "{depth} m of rock above {z} m: {words}");
+    assert!(!check("5 MPa").contains("it will yield"));
+}
+
+#[test]
+fn rows_closer_than_the_step_are_told_and_leave_the_step_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    tremolite(folder.path(), &["new", "study"]);
+    let check = |rows: &str| {
+        let set = format!("output.histories=\"{rows}\"");
+        let args = ["check", "study/case.toml", "--set", &set, "--set", "dynamic.levels=1"];
+        let done = tremolite(folder.path(), &[&args[..], &["--json"]].concat());
+        let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        let step = found.pointer("/time_step/used").and_then(serde_json::Value::as_f64).unwrap();
+        (step, errors(&tremolite(folder.path(), &args)))
+    };
+    let (usual, words) = check("5 ms");
+    assert!(!words.contains("every step is a row"), "{words}");
+    let (fine, words) = check("1 us");
+    assert!(
+        words.contains("rows 0.001 ms apart are closer than the finest step")
+            && words.contains("every step is a row"),
+        "{words}"
+    );
+    assert!((fine / usual - 1.0).abs() < 0.1, "{fine} and {usual}");
+}
+
+#[test]
+fn a_run_without_room_on_the_disk_is_refused_before_it_begins_and_a_long_one_told() {
+    let folder = tempfile::tempdir().unwrap();
+    tremolite(folder.path(), &["new", "study"]);
+    // Field files by the ten million.
+    let much =
+        ["study/case.toml", "--set", "dynamic.duration=\"100000 s\"", "--set", "output.snapshots=\"5 ms\""];
+    let refused = tremolite(folder.path(), &[&["run"][..], &much].concat());
+    assert_eq!(code(&refused), 2, "{}", errors(&refused));
+    for words in ["of disk, beyond 80 % of the", "`snapshots`", "--allow runs it all the same"] {
+        assert!(errors(&refused).contains(words), "{words}: {}", errors(&refused));
+    }
+    assert!(!folder.path().join("results").exists());
+    let checked = tremolite(folder.path(), &[&["check"][..], &much].concat());
+    assert_eq!(code(&checked), 0);
+    assert!(errors(&checked).contains("`run` would refuse it without --allow"), "{}", errors(&checked));
+    let strict = tremolite(folder.path(), &[&["check", "--strict"][..], &much].concat());
+    assert_eq!(code(&strict), 1);
+}
+
+#[test]
+fn linear_tetrahedra_are_told_in_rock_that_may_yield_and_nowhere_else() {
+    use tremolite_mesh::{Element, Shape, boxes::BoxSpec};
+    let folder = tempfile::tempdir().unwrap();
+    let mut mesh = BoxSpec::uniform([0.0, 0.0, -20.0], [20.0, 20.0, 0.0], [2, 2, 2]).mesh().unwrap();
+    // Each brick in six tetrahedra about its diagonal 0–6.
+    let bricks = std::mem::take(&mut mesh.elements);
+    for brick in bricks {
+        let n = brick.nodes().to_vec();
+        for [a, b] in [[1, 2], [2, 3], [3, 7], [7, 4], [4, 5], [5, 1]] {
+            mesh.elements.push(Element::new(Shape::Tet4, &[n[0], n[a], n[b], n[6]]));
+        }
+    }
+    mesh.groups = [("rock".to_owned(), (0..mesh.elements.len() as u32).collect())].into();
+    tremolite_mesh::write(folder.path().join("box.vtu"), &mesh).unwrap();
+    let check = |yields: bool| {
+        let mut text = STUDY.replace("INITIAL", "lateral = 0.5");
+        if !yields {
+            let strength = "cohesion = \"0.5 MPa\"\nfriction_angle = \"30 deg\"\n";
+            text = text.replace("mohr-coulomb", "elastic").replace(strength, "");
+        }
+        let (head, rest) = text.split_once("[mesh.box]").unwrap();
+        let (_, rest) = rest.split_once("[material.rock]").unwrap();
+        let text = format!("{head}[mesh.file]\npath = \"box.vtu\"\n[material.rock]{rest}");
+        std::fs::write(folder.path().join("case.toml"), text).unwrap();
+        let done = tremolite(folder.path(), &["check", "case.toml"]);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+        errors(&done)
+    };
+    assert!(!check(false).contains("tetrahedra"));
+    let words = check(true);
+    assert!(
+        words.contains("100 % of 'rock' is linear tetrahedra") && words.contains("hexahedra or wedges"),
+        "{words}"
+    );
+}

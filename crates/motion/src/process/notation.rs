@@ -16,7 +16,7 @@ const DEGREES: std::ops::RangeInclusive<usize> = 1..=10;
 impl Process {
     /// Reads a step as the case file writes it: `detrend linear`, `baseline`, `baseline polynomial 3`, `pre-event 5 s`,
     /// `taper 1 s`, `highpass 0.1 Hz`, `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `resample 0.005 s`, `scale 0.35`, `pga 0.3 g`.
-    /// Numbers without a unit are in s and Hz; a peak needs its unit, since m/s² and g are both meant by users.
+    /// Times and corners have their unit, which may stand once behind both corners.
     ///
     /// # Errors
     /// A sentence that names the fault and the forms that are read.
@@ -44,7 +44,12 @@ impl Process {
             if values.len() != count {
                 return Err(wrong(format!("{count} number(s) expected, {} found", values.len())));
             }
-            Ok(values)
+            match rest.last() {
+                Some(number) if !unit.is_empty() && !number.eq_ignore_ascii_case(unit) => {
+                    Err(wrong(format!("a number without a unit; write {} {unit}", shown(number))))
+                }
+                _ => Ok(values),
+            }
         };
         let positive = |values: Vec<f64>| match values.iter().find(|v| **v <= 0.0) {
             Some(v) => Err(wrong(format!("{v} is not above 0"))),
@@ -164,7 +169,7 @@ mod tests {
         for (text, step) in [
             (" bandpass  0.1 20hz", Process::Bandpass { low: 0.1, high: 20.0 }),
             ("taper 1.s", Process::Taper { seconds: 1.0 }),
-            ("pre-event 2", Process::PreEvent { seconds: 2.0 }),
+            ("pre-event 2s", Process::PreEvent { seconds: 2.0 }),
             ("pga 3e-1g", peak(0.3, Units::G)),
             (" pga  2.5m/s2 ", peak(2.5, Units::MetrePerSecond2)),
             ("pga 250 gal", peak(250.0, Units::CentimetrePerSecond2)),
@@ -216,6 +221,12 @@ mod tests {
         ] {
             let message = Process::parse(text).unwrap_err();
             assert!(message.contains("'bandpass 0.1 Hz 20 Hz'"), "{text}: {message}");
+        }
+        for (bare, said) in
+            [("taper 2", "write 2 s"), ("bandpass 0.1 20", "write 20 Hz"), ("highpass 0.1 Hz 3", "expected")]
+        {
+            let message = Process::parse(bare).unwrap_err();
+            assert!(message.contains(said), "{message}");
         }
         let bare = Process::parse("pga 0.3").unwrap_err();
         assert!(bare.contains("give its unit: pga 0.3 g or pga 0.3 m/s2"), "{bare}");

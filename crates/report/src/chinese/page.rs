@@ -108,6 +108,10 @@ pub const TEXTS: Texts = &[
         "To keep the page small {figures} figures with curves, far down, are drawings alone.",
         "为控制页面大小，靠后的 {figures} 幅曲线图仅为静态图。",
     ),
+    (
+        "The case says units = \"SI\": its numbers without a unit are in SI, angles excepted.",
+        "算例声明 units = \"SI\"：未写单位的数值均为国际单位制，角度除外。",
+    ),
     ("Each figure is also a file in figures/.", "每幅图在 figures/ 中另有单独的文件。"),
     ("Left out.", "从略。"),
     ("Principal stress of monitors, tension positive", "监测点主应力（拉为正）"),

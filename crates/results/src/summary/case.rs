@@ -10,6 +10,8 @@ use crate::Fact;
 pub struct CaseFacts {
     /// How the page is to be set.
     pub report: PageWish,
+    /// Whether numbers without a unit were in SI, as the case said of itself.
+    pub bare_si: bool,
     /// What was unusual about the case before the run, a sentence each with what to do.
     pub before: Vec<String>,
     /// What is true by construction, for people to know.

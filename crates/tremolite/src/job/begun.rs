@@ -181,6 +181,7 @@ impl Begun {
                 resumed: *resumed,
             },
             inputs: job.inputs.clone(),
+            bare_si: job.case.bare_si,
             before: job.said(),
             materials: job.materials.clone(),
             defaulted: job.defaulted(),

@@ -1,11 +1,13 @@
 //! What is unusual of a model though it can be run, at its place in the case.
 
+mod ground;
 mod monitors;
 mod near;
 mod pieces;
 mod waves;
 
+pub use ground::of_ground;
 pub use monitors::{of_bolts, of_pairs};
 pub use near::{mirrored, of_near};
 pub use pieces::{in_words, of_pieces, pressure};
-pub use waves::{of_step, of_waves};
+pub use waves::{of_rows, of_step, of_waves};

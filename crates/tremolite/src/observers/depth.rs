@@ -53,7 +53,8 @@ pub struct DepthPeaks {
     schedule: Schedule,
     folder: ResultFolder,
     model: Arc<Model>,
-    plan: Arc<Plan>,
+    /// Time between rows of the histories \[s\].
+    row: f64,
     depth: Depth,
 }
 
@@ -104,14 +105,14 @@ impl Depth {
         &self,
         folder: &ResultFolder,
         model: &Model,
-        plan: &Plan,
+        row: f64,
         time: f64,
         memory: &Memory,
     ) -> Result<(), RunError> {
         let kept = memory.get(MEMORY).map_or(&[][..], |kept| &kept[1..]);
         let peaks =
             |line: usize| kept.chunks_exact(EACH).skip(line * self.levels.len()).map(|kept| &kept[3..]);
-        let theory = self.theory(model, plan, time, memory);
+        let theory = self.theory(model, row, time, memory);
         let mut columns = vec![Column::new("z", "m"), Column::new("depth", "m")];
         for (name, unit) in QUANTITIES {
             columns.push(Column::new(format!("free_field.{name}"), unit));
@@ -144,7 +145,7 @@ impl Depth {
     }
 
     /// Peaks by theory of the time so far, level by level upwards.
-    fn theory(&self, model: &Model, plan: &Plan, time: f64, memory: &Memory) -> Option<Vec<Peaks>> {
+    fn theory(&self, model: &Model, row: f64, time: f64, memory: &Memory) -> Option<Vec<Peaks>> {
         let seen = FreeFieldSeen::of(model, memory)?;
         if seen.columns.get(self.column)?.damaged {
             return None;
@@ -157,7 +158,7 @@ impl Depth {
         for (axis, column) in columns.iter().enumerate() {
             let wave = |t| incident.factor * incident.motion.at(t).v[axis];
             let found = Predicted::of(column, &heights, wave, dt, time);
-            found.fill(&mut peaks, axis, &heights, plan.histories);
+            found.fill(&mut peaks, axis, &heights, row);
         }
         Some(peaks)
     }
@@ -217,10 +218,11 @@ impl Predicted {
 impl DepthPeaks {
     /// Nothing where nothing is to be followed.
     pub fn new(setting: &Setting) -> Option<Self> {
-        let Setting { model, plan, folder, .. } = *setting;
-        let (model, plan, folder) = (model.clone(), plan.clone(), folder.clone());
-        let depth = Depth::of(&model, &plan)?;
-        Some(DepthPeaks { schedule: setting.rows(), folder, model, plan, depth })
+        let Setting { model, plan, folder, steps, dt, .. } = *setting;
+        let (model, folder) = (model.clone(), folder.clone());
+        let depth = Depth::of(&model, plan)?;
+        let row = steps.histories as f64 * dt;
+        Some(DepthPeaks { schedule: setting.rows(), folder, model, row, depth })
     }
 }
 
@@ -237,7 +239,7 @@ impl Observer for DepthPeaks {
                 self.stepped(step, memory);
                 Ok(())
             }
-            Event::End { time } => self.depth.write(&self.folder, &self.model, &self.plan, *time, memory),
+            Event::End { time } => self.depth.write(&self.folder, &self.model, self.row, *time, memory),
             _ => Ok(()),
         }
     }

@@ -100,7 +100,7 @@ pub fn body(
     };
     match built {
         Ok(built) => {
-            problems.extend(oversized(mesh, &elements, material, &built));
+            problems.extend(oversized(case, mesh, &elements, material, &built));
             Some(Body {
                 name: name(mesh, region),
                 elements,
@@ -178,6 +178,7 @@ const LEAST_SIZE: f64 = 0.1;
 
 /// The refusal of elements that store more energy than a crack across them takes.
 fn oversized(
+    case: &Case,
     mesh: &Mesh,
     elements: &[u32],
     material: &Material,
@@ -208,9 +209,9 @@ fn oversized(
         if count > 1 { format!(", and {} others are too large as well", count - 1) } else { String::new() };
     let [x, y, z] = centroid(mesh, element);
     let remedy = if limit < LEAST_SIZE {
-        "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit"
+        "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit".to_owned()
     } else {
-        "make the elements finer there, or raise the fracture energy"
+        finer(case, limit)
     };
     Some(Diagnostic::new(
         material.span.clone(),
@@ -222,6 +223,24 @@ fn oversized(
         ),
         remedy,
     ))
+}
+
+/// How elements of concrete become small enough.
+fn finer(case: &Case, limit: f64) -> String {
+    // Rounded down to centimetres, so that it holds as it is written.
+    let below = (100.0 * limit - 1.0).floor() / 100.0;
+    let how = match &case.mesh {
+        tremolite_case::Mesh::Caverns(_) => {
+            format!(
+                "give `near` and `along` of [mesh.caverns] {below} m or less, or more layers of lining where it is thick"
+            )
+        }
+        tremolite_case::Mesh::Box(_) => format!("give more `elements` along the axes, for {below} m or less"),
+        tremolite_case::Mesh::File(_) => format!("mesh it with {below} m or less"),
+    };
+    format!(
+        "{how}; `ultimate_strain_ratio` in place of `fracture_energy` gives that energy up: what a crack takes then grows with the element"
+    )
 }
 
 fn report_unassigned(case: &Case, mesh: &Mesh, region_of: &[Option<usize>], problems: &mut Vec<Diagnostic>) {

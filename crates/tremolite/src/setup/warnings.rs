@@ -88,6 +88,37 @@ pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body])
         .collect()
 }
 
+/// Share of a body's volume in linear tetrahedra from which on they are told.
+const TETRAHEDRA: f64 = 0.01;
+
+/// Rock of linear tetrahedra that may yield: plastic flow keeps the volume, which such an element can hardly do and be sheared.
+pub fn of_tetrahedra(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Diagnostic> {
+    let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
+    let yields = |body: &Body| position(body.material.info().history, Role::PlasticShear).is_some();
+    let volume = |e: &u32| hex(mesh, *e as usize).map_or(0.0, |h| h.volume);
+    let is_one = |e: &&u32| mesh.elements[**e as usize].shape == tremolite_mesh::Shape::Tet4;
+    regions
+        .zip(bodies)
+        .filter(|(_, body)| yields(body))
+        .filter_map(|(region, body)| {
+            let all: f64 = body.elements.iter().map(volume).sum();
+            let found: f64 = body.elements.iter().filter(is_one).map(volume).sum();
+            (found > TETRAHEDRA * all).then(|| {
+                case::Diagnostic::new(
+                    region.span.clone(),
+                    format!(
+                        "{:.0} % of '{}' is linear tetrahedra, which are too stiff where rock yields: they keep their volume as \
+                         plastic flow does, and are hardly sheared",
+                        100.0 * found / all,
+                        body.name
+                    ),
+                    "mesh with hexahedra or wedges where it may yield, or halve the elements and see what changes",
+                )
+            })
+        })
+        .collect()
+}
+
 /// Linings of 2×2×2 points in one layer, of a law that cracks.
 pub fn of_single_layers(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Diagnostic> {
     let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));

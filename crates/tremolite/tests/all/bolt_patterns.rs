@@ -12,7 +12,7 @@ use tremolite_mesh::{Mesh, write};
 type Ends = [[f64; 3]; 2];
 
 const X: [f64; 2] = [-6.0, 6.0];
-const HEAD: &str = "title = \"bolts\"\n[material.rock]\nlaw = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25\n\
+const HEAD: &str = "title = \"bolts\"\nunits = \"SI\"\n[material.rock]\nlaw = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25\n\
     density = 2700\n[initial]\nlateral = 1\n";
 
 /// A block with a cavern of three benches of 4 m each, 12 m wide under a flat roof at z = 0, in elements of 2 m; along y it has

@@ -274,6 +274,7 @@ fn told(problem: Problem) -> Summary {
         energy: &Table::read(&results.energy()).unwrap(),
         materials: IndexMap::new(),
         inputs: Vec::new(),
+        bare_si: false,
         before: Vec::new(),
         run: RunFacts::default(),
         defaulted: Vec::new(),

@@ -53,7 +53,8 @@ fn elements_too_large_for_the_fracture_energy_are_refused_by_number_group_extent
     // 2 G_f E/f_t² = 4.51 m.
     let case = case(folder.path(), "130 N/m", "1.2 MPa", "damage");
     let refused = setup(&case, &Laws::default(), Isa::best()).err().unwrap().to_string();
-    for words in ["of 'rock'", "extends over 6.00 m", "2 others", "below 4.51 m", "raise the fracture energy"]
+    for words in
+        ["of 'rock'", "extends over 6.00 m", "2 others", "below 4.51 m", "`ultimate_strain_ratio` in place"]
     {
         assert!(refused.contains(words), "{words}: {refused}");
     }

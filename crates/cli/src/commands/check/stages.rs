@@ -1,5 +1,6 @@
 //! What is said of stages, for people.
 
+use super::Lines;
 use crate::terminal::print;
 use tremolite::Stage;
 use tremolite::job::Checked;
@@ -8,8 +9,10 @@ use tremolite::outlook::{Hold, Named, StageOutlook};
 
 /// Shear below this share of the largest stress goes without saying.
 const SHEAR: f64 = 1e-3;
+/// A modulus of the stages nearer than this to the one given is that one, as people read it.
+const SHARE: f64 = 5e-4;
 
-pub(super) fn print_stages(checked: &Checked) {
+pub(super) fn print_stages(checked: &Checked, lines: Lines) {
     let Some(outlook) = &checked.job.outlook else { return };
     if !checked.initial.is_empty() {
         print("\nInitial stress, compression positive");
@@ -31,9 +34,16 @@ pub(super) fn print_stages(checked: &Checked) {
                 pressure(yy)
             ));
         }
-        print("           where rock is beyond yield under it the run will show");
     }
-    for relaxed in &checked.relaxed {
+    if let Some(rest) = &outlook.at_rest {
+        print(&format!(
+            "           under it {:.1} % of the ground is in tension, {:.1} % beyond yield",
+            100.0 * rest.tension / rest.volume,
+            100.0 * rest.beyond / rest.volume
+        ));
+    }
+    let moved = |share: f64| lines == Lines::All || (share - 1.0).abs() > SHARE;
+    for relaxed in checked.relaxed.iter().filter(|relaxed| moved(relaxed.share)) {
         print(&format!(
             "           {}: in the stages E is {:.1} % of the one given, relaxed as under a load that lasts{}",
             relaxed.material,
@@ -49,10 +59,12 @@ pub(super) fn print_stages(checked: &Checked) {
     for (k, stage) in outlook.stages.iter().enumerate() {
         let what = changes(stage);
         print(&format!("           {k:>3}  {}{what}", stage.name));
-        print(&format!(
-            "                {} elements stand; {:.1} m2 of wall without lining",
-            stage.standing, stage.bare
-        ));
+        if lines == Lines::All {
+            print(&format!(
+                "                {} elements stand; {:.1} m2 of wall without lining",
+                stage.standing, stage.bare
+            ));
+        }
         for piece in &stage.pieces {
             let held = match &piece.held {
                 Hold::Nothing => "nothing holds".to_owned(),
@@ -62,6 +74,9 @@ pub(super) fn print_stages(checked: &Checked) {
             };
             print(&format!("                {held} {}", in_words(piece)));
         }
+    }
+    if lines == Lines::Deciding {
+        return;
     }
     if !outlook.lots.is_empty() {
         print("\nWhat comes and goes");

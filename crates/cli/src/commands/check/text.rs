@@ -1,5 +1,6 @@
 //! What is said of a case, for people.
 
+use super::Lines;
 use super::bolts::print_bolts;
 use super::stages::print_stages;
 use crate::terminal::{bytes, duration, print};
@@ -17,30 +18,44 @@ fn rounded(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }
 
-pub(super) fn print_all(checked: &Checked) {
+pub(super) fn print_lines(checked: &Checked, lines: Lines) {
     let survey = &checked.job.survey;
-    print(&checked.job.case.title.value);
+    let case = &checked.job.case;
+    let units = if case.bare_si { " (units = \"SI\": numbers without a unit are in SI)" } else { "" };
+    print(&format!("{}{units}", case.title.value));
     print(&format!(
         "\nMesh       {} elements ({} excavated), {} nodes",
         survey.active_elements, survey.void_elements, survey.nodes
     ));
-    for (name, elements) in &checked.job.groups {
-        print(&format!("           {name:28} {elements:>8}"));
+    match lines {
+        Lines::Deciding => print(&format!("           in {} groups", checked.job.groups.len())),
+        Lines::All => {
+            let groups = checked.job.groups.iter();
+            groups.for_each(|(name, elements)| print(&format!("           {name:28} {elements:>8}")));
+        }
     }
     print_rotation(checked);
-    print_materials(checked);
+    print_materials(checked, lines);
     print_interfaces(checked);
     print_pairs(checked);
     print_bolts(checked);
-    print_stages(checked);
+    print_stages(checked, lines);
     if let Some(motion) = &checked.job.motion {
         print_boundaries(checked);
         print_shaking(checked, motion);
     }
     print_estimate(checked);
-    if !checked.left_out.is_empty() {
-        print("\nLeft out, and taken as");
-        checked.left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
+    match (checked.left_out.len(), lines) {
+        (0, _) => {}
+        (_, Lines::All) => {
+            print("\nLeft out, and taken as");
+            checked.left_out.iter().for_each(|d| print(&format!("           {} = {}", d.key, d.value)));
+        }
+        (count, Lines::Deciding) => {
+            print(&format!(
+                "\n{count} keys are left out: `check --all` says what they are taken as, with groups, stages and constants"
+            ));
+        }
     }
 }
 
@@ -222,7 +237,7 @@ fn print_pairs(checked: &Checked) {
     }
 }
 
-fn print_materials(checked: &Checked) {
+fn print_materials(checked: &Checked, lines: Lines) {
     print("\nMaterials");
     for (name, facts) in &checked.job.materials {
         print(&format!("           {name}: {}, {}", facts.law, facts.summary));
@@ -230,19 +245,30 @@ fn print_materials(checked: &Checked) {
             let body = checked.job.survey.bodies.iter().find(|b| b.name == group.names);
             let shaken = body.filter(|_| checked.job.motion.is_some());
             let step = shaken.map_or(String::new(), |b| format!(", could run at {:.3e} s", b.element_step));
-            print(&format!("             {} {} in {}{step}", group.elements, group.element, group.names));
+            let names = if lines == Lines::All { group.names.clone() } else { brief(&group.names) };
+            print(&format!("             {} {} in {names}{step}", group.elements, group.element));
         }
         let MaterialFacts { density, wave_speed_p: p, wave_speed_s: s, damping, .. } = facts;
         let waves = format!(", c_p {p:.0} m/s, c_s {s:.0} m/s; damping: {damping}");
         let waves = if checked.job.motion.is_some() { waves } else { String::new() };
         print(&format!("             {density:.0} kg/m3{waves}"));
-        for (words, derived) in [("given", false), ("derived", true)] {
+        let constants = [("given", false), ("derived", true)];
+        for (words, derived) in constants.into_iter().take(if lines == Lines::All { 2 } else { 1 }) {
             let values = facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived);
             let values: Vec<String> = values.map(|v| format!("{} {}", v.name, text(v))).collect();
             if !values.is_empty() {
                 print(&format!("             {words}: {}", values.join(", ")));
             }
         }
+    }
+}
+
+/// The first of many names.
+fn brief(names: &str) -> String {
+    let all: Vec<&str> = names.split(", ").collect();
+    match all.len() {
+        0..=4 => names.to_owned(),
+        count => format!("{} and {} groups more", all[..3].join(", "), count - 3),
     }
 }
 

@@ -37,6 +37,24 @@ pub fn of_step(case: &Case, stable: &StableStep) -> Option<Diagnostic> {
     ))
 }
 
+/// Of rows of the histories that are asked for more often than steps are made.
+pub fn of_rows(case: &Case, dt: f64) -> Option<Diagnostic> {
+    case.motion.as_ref()?;
+    let rows = &case.output.histories;
+    (rows.value < dt).then(|| {
+        let time = |t: f64| units::format(t, Dimension::TIME);
+        Diagnostic::at(
+            rows,
+            format!(
+                "rows {} apart are closer than the finest step of {}: every step is a row",
+                time(rows.value),
+                time(dt)
+            ),
+            "give a longer interval, such as \"5 ms\": a row at every step makes large tables and leaves one step for all elements",
+        )
+    })
+}
+
 /// Elements a wavelength below which waves are not carried but distorted.
 const FEWEST: f64 = 5.0;
 

@@ -40,7 +40,7 @@ pub fn pulled_out(written: &case::Bolts, ends: &[[[f64; 3]; 2]]) -> Option<Diagn
     })
 }
 
-/// Numbers that look as if their unit had been forgotten: a bare number is in SI units.
+/// Numbers that look as if another unit had been meant.
 pub fn units(written: &case::Bolts) -> Vec<Diagnostic> {
     let mut warnings = Vec::new();
     let stresses = [
@@ -54,7 +54,7 @@ pub fn units(written: &case::Bolts) -> Vec<Diagnostic> {
             warnings.push(Diagnostic::at(
                 value,
                 format!("{what} of a bolt is {shown}, which is no steel and no other bar"),
-                format!("look at the unit: a bare number is in Pa; {} to {} is usual", usual[0], usual[1]),
+                format!("look at the unit: {} to {} is usual", usual[0], usual[1]),
             ));
         }
     }
@@ -62,7 +62,7 @@ pub fn units(written: &case::Bolts) -> Vec<Diagnostic> {
         warnings.push(Diagnostic::at(
             pretension,
             format!("the pretension is {}", units::format(pretension.value, Dimension::FORCE)),
-            "look at the unit: a bare number is in N",
+            "look at the unit: tens or hundreds of kN are usual",
         ));
     }
     warnings

@@ -44,7 +44,7 @@ pub fn too_much(steel: &Reinforcement, group: &str, stations: &[Station]) -> Opt
         Diagnostic::at(
             &steel.area,
             format!("'{group}' would be {:.0} % of steel where it is {thinnest:.2} m thick", 100.0 * share),
-            "look at the unit: a bare number is in m2/m; \"1570 mm2/m\" is 20 mm every 20 cm",
+            "look at the unit: \"1570 mm2/m\" is 20 mm every 20 cm",
         )
     })
 }

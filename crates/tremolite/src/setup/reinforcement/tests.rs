@@ -11,9 +11,9 @@ fn case(steel: &str) -> Case {
     let text = format!(
         r#"title = "bars"
 [mesh.box]
-x = {{ from = 0, to = 1, elements = 1 }}
-y = {{ from = 0, to = 1, elements = 1 }}
-z = {{ from = 0, to = 1, elements = 1 }}
+x = {{ from = 0, to = "1 m", elements = 1 }}
+y = {{ from = 0, to = "1 m", elements = 1 }}
+z = {{ from = 0, to = "1 m", elements = 1 }}
 group = "lining"
 [material.concrete]
 law = "elastic"
@@ -260,7 +260,7 @@ fn what_cannot_be_reinforced_is_refused_with_what_to_do() {
         format!("{}{}", steel("*.lining", "6 cm", "across", ""), steel("*.lining", "12 cm", "across", ""));
     assert!(built(&meant, &cavern, None).1.is_empty());
     let (_, _, warnings) =
-        built(&steel("*.lining", "6 cm", "across", "").replace("\"1570 mm2/m\"", "1570"), &cavern, None);
+        built(&steel("*.lining", "6 cm", "across", "").replace("1570 mm2/m", "1570 m2/m"), &cavern, None);
     assert!(warnings.iter().any(|w| w.message.contains("% of steel")), "{warnings:?}");
     let mut overlapping = cavern;
     let crown = overlapping.groups["hall.lining.crown"].clone();

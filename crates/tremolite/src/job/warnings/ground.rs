@@ -1,0 +1,49 @@
+//! Initial stress that the ground can hardly have.
+
+use super::pressure;
+use crate::outlook::{AtRest, Outlook};
+use tremolite_case::{Case, Diagnostic};
+
+/// Share of the volume that may be in tension, or beyond yield, before anything moves.
+const SHARE: f64 = 0.01;
+
+/// Of tension and yield under the initial stress, and of walls that it loads beyond their strength.
+pub fn of_ground(case: &Case, outlook: &Outlook) -> Vec<Diagnostic> {
+    let (Some(given), Some(found)) = (&case.initial.stress, &outlook.at_rest) else { return Vec::new() };
+    let AtRest { volume, tension, beyond, largest, wall } = found;
+    let place = |[x, y, z]: [f64; 3]| format!("({x:.1}, {y:.1}, {z:.1}) m");
+    let mut all = Vec::new();
+    if let Some((most, at)) = largest.filter(|_| *tension > SHARE * volume) {
+        all.push(Diagnostic::new(
+            given.span(),
+            format!(
+                "the initial stress pulls at {:.0} % of the ground, by up to {} at {}",
+                100.0 * tension / volume,
+                pressure(-most),
+                place(at)
+            ),
+            "stresses are positive in tension: compression is written with a minus, zz = \"-6 MPa\"",
+        ));
+    }
+    if *beyond > SHARE * volume {
+        all.push(Diagnostic::new(
+            given.span(),
+            format!("{:.0} % of the ground lies beyond yield under the initial stress alone", 100.0 * beyond / volume),
+            "look at the ratio of horizontal to vertical stress, and at cohesion and friction, which are the rock mass's",
+        ));
+    }
+    if let Some(wall) = wall.as_ref().filter(|wall| wall.load > wall.strength) {
+        all.push(Diagnostic::new(
+            given.span(),
+            format!(
+                "round the opening at {} rock would bear up to {} (3σ1 − σ3), {:.1} times its compressive strength of {}: it will yield",
+                place(wall.at),
+                pressure(-wall.load),
+                wall.load / wall.strength,
+                pressure(-wall.strength)
+            ),
+            "if that is not meant look at cohesion and friction; else have elements small enough there for a zone that yields",
+        ));
+    }
+    all
+}
