@@ -40,6 +40,7 @@ mod monitor;
 mod motion;
 mod output;
 mod page;
+mod reference;
 mod region;
 mod reinforcement;
 mod report;
@@ -59,7 +60,7 @@ pub use initial::{BaseHold, Initial, InitialStress, MeasuredStress, SideHold, St
 pub use interface::{Contact, Interface};
 pub use law_file::{LawFile, LawKind};
 pub use laws::Laws;
-pub use listing::{Listed, ListedValue, bolt_keys, interface_keys};
+pub use listing::{Listed, ListedValue, bolt_keys, interface_keys, mesh_tables};
 pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, Gallery, GroundSurface, Length, Lining, Mesh, MeshBox, MeshFile,
@@ -73,6 +74,7 @@ pub use motion::{
 };
 pub use output::Output;
 pub use page::{Language, Page};
+pub use reference::reference;
 pub use region::{Element, Fill, Region};
 pub use reinforcement::{BarDirection, BarFace, Reinforcement};
 pub use report::{Diagnostic, Report, Severity};

@@ -4,8 +4,9 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::bolts::{BOLTS, BOND};
 use crate::interface::INTERFACE;
-use crate::keys::{Key, Kind, Need};
-use crate::units;
+use crate::keys::{Key, Kind, Need, Table};
+use crate::mesh::MESH;
+use crate::{suggest, units};
 
 /// One key.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,12 +31,25 @@ pub fn interface_keys() -> Vec<Listed> {
     INTERFACE.keys.iter().filter(|key| !key.is_later()).map(listed).collect()
 }
 
+/// The tables of `[mesh]`, each with its path, what it is, and its keys.
+pub fn mesh_tables() -> Vec<(&'static str, &'static str, Vec<Listed>)> {
+    let mut tables: Vec<&'static Table> = vec![&MESH];
+    let mut next = 0;
+    while let Some(table) = tables.get(next) {
+        let below = table.keys.iter().flat_map(|key| suggest::tables(&key.kind));
+        let new: Vec<_> = below.filter(|t| tables.iter().all(|known| known.path != t.path)).collect();
+        tables.extend(new);
+        next += 1;
+    }
+    tables.iter().map(|t| (t.path, t.doc, t.keys.iter().map(listed).collect())).collect()
+}
+
 /// The keys that every `[[stage.bolts]]` has, and those of its `bond`.
 pub fn bolt_keys() -> [Vec<Listed>; 2] {
     [&BOLTS, &BOND].map(|table| table.keys.iter().map(listed).collect())
 }
 
-fn listed(key: &Key) -> Listed {
+pub(crate) fn listed(key: &Key) -> Listed {
     let need = match (key.need, key.kind) {
         (Need::Required, _) => "required".to_owned(),
         (Need::RequiredBeside(key, _), _) => format!("required beside `{key}`"),

@@ -7,7 +7,7 @@ use tremolite::quantities::{
     SHARE_OF_VOLUME,
 };
 use tremolite_case::{
-    BaseKind, BoltedFaces, Listed, ListedValue, Plate, Side, Top, bolt_keys, interface_keys,
+    BaseKind, BoltedFaces, Listed, ListedValue, Plate, Side, Top, bolt_keys, interface_keys, mesh_tables,
 };
 use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
@@ -16,12 +16,14 @@ use tremolite_results::BOLT_COLUMNS;
 
 #[derive(clap::Args)]
 pub struct Args {
-    #[arg(value_parser = ["materials", "interfaces", "bolts", "boundaries", "quantities", "formats"])]
+    #[arg(value_parser = ["keys", "mesh", "materials", "interfaces", "bolts", "boundaries", "quantities", "formats"])]
     what: String,
 }
 
 pub fn run(args: &Args) -> Outcome {
     match args.what.as_str() {
+        "keys" => print(tremolite_case::reference(MATERIALS).trim_end()),
+        "mesh" => mesh(),
         "materials" => materials(),
         "interfaces" => interfaces(),
         "bolts" => bolts(),
@@ -105,6 +107,14 @@ fn interfaces() {
     print("\nstates of a pair, in the column state of every law");
     for state in PairState::ALL {
         print(&format!("    {} {:8} {}", state.number(), state.word(), state.meaning()));
+    }
+}
+
+fn mesh() {
+    for (k, (path, doc, all)) in mesh_tables().into_iter().enumerate() {
+        let blank = if k > 0 { "\n" } else { "" };
+        print(&format!("{blank}[{path}] {doc}"));
+        keys(&all);
     }
 }
 

@@ -19,6 +19,7 @@ mod list;
 mod mesh;
 mod motion;
 mod motion_told;
+mod reference;
 mod references;
 mod rims;
 mod ringing;
