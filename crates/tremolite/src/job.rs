@@ -169,6 +169,7 @@ impl Job {
             warnings::of_rows(&case, dt).into_iter().collect(),
             warnings::of_waves(&case, &model, &survey),
             warnings::of_near(&case, &near),
+            warnings::of_stairs(&case, &model),
             warnings::of_pairs(&case, &model, &plan),
             warnings::of_bolts(&case, &model, &plan),
         ];

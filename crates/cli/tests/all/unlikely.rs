@@ -231,3 +231,43 @@ fn linear_tetrahedra_are_told_in_rock_that_may_yield_and_nowhere_else() {
         "{words}"
     );
 }
+
+/// A surface of dip 45° through a grid of bricks: for each square metre of the plane two are steps, over √2 of it.
+#[test]
+fn an_interface_that_is_a_stair_of_elements_is_told_with_its_area() {
+    use tremolite_mesh::boxes::BoxSpec;
+    let folder = tempfile::tempdir().unwrap();
+    let check = |above: &dyn Fn(f64, f64) -> bool| {
+        let mut mesh = BoxSpec::uniform([0.0, 0.0, -20.0], [20.0, 4.0, 0.0], [10, 2, 10]).mesh().unwrap();
+        let middle = |e: u32| {
+            let nodes = mesh.elements[e as usize].nodes();
+            [0, 2].map(|i| nodes.iter().map(|&n| mesh.nodes[n as usize][i]).sum::<f64>() / 8.0)
+        };
+        let (low, high): (Vec<u32>, Vec<u32>) = (0..mesh.elements.len() as u32).partition(|&e| {
+            let [x, z] = middle(e);
+            !above(x, z)
+        });
+        mesh.groups = [("low".to_owned(), low), ("high".to_owned(), high)].into();
+        tremolite_mesh::write(folder.path().join("box.vtu"), &mesh).unwrap();
+        let text = STUDY.replace("INITIAL", "lateral = 0.5").replace("[\"rock\"]", "[\"low\", \"high\"]");
+        let (head, rest) = text.split_once("[mesh.box]").unwrap();
+        let (_, rest) = rest.split_once("[material.rock]").unwrap();
+        let joint = "[[interface]]\nname = \"fault\"\nbetween = [\"low\", \"high\"]\nlaw = \"coulomb\"\n\
+                     normal_stiffness = \"20 GPa/m\"\nfriction = 0.6\n";
+        let text = format!("{head}[mesh.file]\npath = \"box.vtu\"\n[material.rock]{rest}{joint}");
+        std::fs::write(folder.path().join("case.toml"), text).unwrap();
+        let done = tremolite(folder.path(), &["check", "case.toml"]);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+        errors(&done)
+    };
+    // 9 treads and 9 risers, each 2 by 4 m; the plane is 18 √2 by 4 m.
+    let words = check(&|x, z| z > x - 19.0);
+    assert!(words.contains("'fault' is a stair of elements") && words.contains("of its 144 m2"), "{words}");
+    assert!(
+        words.contains("a plane would have 102 m2") && words.contains("faces of elements along the surface"),
+        "{words}"
+    );
+    // A level plane, and one with a single bend, are none.
+    assert!(!check(&|_, z| z > -10.0).contains("is a stair"));
+    assert!(!check(&|x, z| z > if x > 10.0 { -6.0 } else { -14.0 }).contains("is a stair"));
+}
