@@ -43,7 +43,7 @@ pub struct Key {
 /// What a value looks like.
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
-    /// A number with its unit in a string, or a bare number in SI.
+    /// A number with its unit in a string; a bare one where it is 0, has no dimension, or the file is in SI.
     Number(Dimension, Limit),
     /// A whole number from 1 to this one.
     Count(u32),

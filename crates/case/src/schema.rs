@@ -16,7 +16,8 @@ use crate::{suggest, units};
 /// The schema of a case that may name these laws (JSON Schema, draft 2020-12).
 ///
 /// It says all that the tables of keys say, but for units: a value with a unit is any text that starts with a
-/// number. What lies between keys (names that must be known, order of a window) only [`Case`](crate::Case) checks.
+/// number, and a bare number fits whether or not the file says `units = "SI"`. What lies between keys (names that must be known,
+/// order of a window) only [`Case`](crate::Case) checks.
 pub fn schema<'a>(laws: impl Into<Laws<'a>>) -> Value {
     let mut schema = table(&CASE, laws.into());
     schema.insert("$schema".into(), "https://json-schema.org/draft/2020-12/schema".into());
