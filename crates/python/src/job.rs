@@ -1,0 +1,230 @@
+//! A case with all that is made of it, to be checked and run.
+
+use crate::away::{Desk, away, pool};
+use crate::case::{Case, changed};
+use crate::errors::{CaseWarning, Problem, failed, no_job, unusable};
+use crate::mesh;
+use crate::motion;
+use crate::simulation::{Simulation, Wish};
+use crate::watch::Every;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::ffi::CString;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use tremolite::job::{self, Fault, Given, Inputs, Loaded, Remark};
+use tremolite_case as case;
+
+/// A case with its mesh, its records and its model, ready to be checked and run.
+///
+/// `case` is a `Case` or a path. What the case names comes from files, or from memory under the name that stands in the case:
+/// `meshes={"site.msh": mesh}`, `records={"quake": motion}`, `bolts={"heads.csv": array (n, 6) of head and end [m]}`. Where it names
+/// one mesh or one record alone, `mesh=` and `motion=` do without the name.
+///
+/// Everything that is wrong is said here, by `CaseError`; what is unusual is warned of by `CaseWarning`.
+#[pyclass(frozen, module = "tremolite")]
+pub struct Job {
+    job: Arc<job::Job>,
+    case: case::Case,
+    inputs: Inputs,
+}
+
+impl Job {
+    /// Builds a job with the interpreter released.
+    fn build(py: Python<'_>, case: case::Case, given: Given, threads: Option<usize>) -> PyResult<Self> {
+        let inputs = given.inputs.clone();
+        let pool = pool(threads)?;
+        let work = || Loaded::of(&case, &given).and_then(|loaded| job::Job::of_loaded(loaded));
+        let back = away(py, &pool, &Desk::default(), &AtomicBool::new(false), work)?;
+        if let Some(interrupt) = back.interrupt {
+            return Err(interrupt);
+        }
+        let job = back.result.map_err(|fault: Fault| no_job(py, &fault))?;
+        let warning = py.get_type::<CaseWarning>();
+        for said in job.said() {
+            let text = CString::new(said.replace('\0', " ")).unwrap_or_default();
+            PyErr::warn(py, &warning, &text, 1)?;
+        }
+        Ok(Job { case: job.case.clone(), job: Arc::new(job), inputs })
+    }
+}
+
+#[pymethods]
+impl Job {
+    #[new]
+    #[pyo3(signature = (case, *, mesh = None, motion = None, meshes = None, records = None, bolts = None, set = None, threads = None))]
+    fn new(
+        case: &Bound<'_, PyAny>,
+        mesh: Option<&Bound<'_, PyAny>>,
+        motion: Option<&Bound<'_, PyAny>>,
+        meshes: Option<&Bound<'_, PyDict>>,
+        records: Option<&Bound<'_, PyDict>>,
+        bolts: Option<&Bound<'_, PyDict>>,
+        set: Option<&Bound<'_, PyDict>>,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
+        let py = case.py();
+        let case = Case::given(case)?;
+        let mut given = changed(set)?;
+        let inputs = &mut given.inputs;
+        for (name, mesh) in meshes.into_iter().flatten() {
+            inputs.meshes.insert(name.extract()?, mesh::of_python(&mesh)?);
+        }
+        for (name, motion) in records.into_iter().flatten() {
+            inputs.records.insert(name.extract()?, motion::of_python(&motion)?);
+        }
+        for (name, ends) in bolts.into_iter().flatten() {
+            inputs.bolts.insert(name.extract()?, mesh::lines_of(&ends)?);
+        }
+        if let Some(mesh) = mesh {
+            let case::Mesh::File(file) = &case.mesh else {
+                return Err(unusable(
+                    "the case makes its own mesh; for mesh= write [mesh.file] with path = \"memory\"",
+                ));
+            };
+            inputs.meshes.insert(file.path.value.display().to_string(), mesh::of_python(mesh)?);
+        }
+        if let Some(motion) = motion {
+            inputs.records.insert(only_record(&case)?, motion::of_python(motion)?);
+        }
+        Job::build(py, case, given, threads)
+    }
+
+    /// What the results are called where no folder is given.
+    #[getter]
+    fn name(&self) -> String {
+        self.job.name()
+    }
+
+    /// The case that is run, with its changes.
+    #[getter]
+    fn case(&self) -> Case {
+        Case { case: self.case.clone() }
+    }
+
+    /// All that is unusual: a list of `Problem`.
+    #[getter]
+    fn warnings(&self) -> Vec<Problem> {
+        Problem::all(&self.case.report(self.job.warnings().cloned().collect()))
+    }
+
+    /// The text of what is unusual, as the command prints it.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.job.remarks().iter().map(|remark: &Remark| remark.render(false)).collect()
+    }
+
+    /// The mesh of the model, a `Mesh`: nodes, elements and groups to which the arrays of looks belong. Where bodies touch by an
+    /// interface, each side has nodes of its own.
+    #[getter]
+    fn mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        mesh::to_python(py, &self.job.model.mesh)
+    }
+
+    /// The step of the finest level [s].
+    #[getter]
+    fn dt(&self) -> f64 {
+        self.job.dt
+    }
+
+    /// Steps of the finest level in the whole earthquake.
+    #[getter]
+    fn steps(&self) -> u64 {
+        self.job.steps.total
+    }
+
+    /// What a run will take, as `tremolite check --json` gives it: a dict, numbers in SI. Times a step on `threads` threads.
+    #[pyo3(signature = (*, threads = None))]
+    fn check<'py>(&self, py: Python<'py>, threads: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
+        let pool = pool(threads)?;
+        let work = || serde_json::to_string(&self.job.check());
+        let back = away(py, &pool, &Desk::default(), &AtomicBool::new(false), work)?;
+        if let Some(interrupt) = back.interrupt {
+            return Err(interrupt);
+        }
+        let text = back.result.map_err(failed)?;
+        py.import("json")?.call_method1("loads", (text,))
+    }
+
+    /// Runs the case to its end in the folder `out` (`results/<name>`) and returns a `Result`.
+    ///
+    /// `resume` goes on from the folder's checkpoint, bit for bit; `overwrite` replaces results; `from_` begins with what another run
+    /// had come to before its earthquake; `set` changes keys first, as `Case.with_`. `callback(look)` is called with a `Look` at the
+    /// end of each stage and every `every` steps or `"0.05 s"` of the earthquake, by default with the rows of the histories; what it
+    /// returns as False stops the run in good order. `progress(now)` is called with a dict some five times a second. Both run on the
+    /// thread that called.
+    ///
+    /// Ctrl-C writes a checkpoint and raises `Stopped`. What a callback raises comes through once a checkpoint is written. Results do
+    /// not depend on `threads`, nor on a callback that looks.
+    #[pyo3(signature = (out = None, *, resume = false, overwrite = false, from_ = None, threads = None, set = None, callback = None,
+        every = None, progress = None))]
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        out: Option<PathBuf>,
+        resume: bool,
+        overwrite: bool,
+        from_: Option<PathBuf>,
+        threads: Option<usize>,
+        set: Option<&Bound<'py, PyDict>>,
+        callback: Option<Py<PyAny>>,
+        every: Option<Every>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let job = match set {
+            Some(_) => {
+                let given = Given { inputs: self.inputs.clone(), ..changed(set)? };
+                Job::build(py, self.case.clone(), given, threads)?.job
+            }
+            None => self.job.clone(),
+        };
+        let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every };
+        Simulation::begin(py, &job, wish)?.run(py, progress)
+    }
+
+    /// A run that a script drives: see `Simulation`. What is given is as of `run`.
+    #[pyo3(signature = (out = None, *, resume = false, overwrite = false, from_ = None, threads = None, callback = None, every = None))]
+    fn start(
+        &self,
+        py: Python<'_>,
+        out: Option<PathBuf>,
+        resume: bool,
+        overwrite: bool,
+        from_: Option<PathBuf>,
+        threads: Option<usize>,
+        callback: Option<Py<PyAny>>,
+        every: Option<Every>,
+    ) -> PyResult<Simulation> {
+        let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every };
+        Simulation::begin(py, &self.job, wish)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "Job({:?}, {} elements, {} steps)",
+            self.case.title.value,
+            self.job.model.mesh.elements.len(),
+            self.job.steps.total
+        )
+    }
+}
+
+/// The one name by which a case calls its records.
+fn only_record(case: &case::Case) -> PyResult<String> {
+    let Some(motion) = &case.motion else {
+        return Err(unusable(
+            "the case has no earthquake; for motion= write [motion] with kind and file = \"memory\"",
+        ));
+    };
+    let mut names: Vec<String> = motion.files().iter().map(|file| file.value.display().to_string()).collect();
+    names.sort_unstable();
+    names.dedup();
+    match names.as_slice() {
+        [name] => Ok(name.clone()),
+        names => Err(unusable(format!(
+            "the case names the records {}; give records={{name: motion}} in place of motion=",
+            names.join(", ")
+        ))),
+    }
+}
