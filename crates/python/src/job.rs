@@ -1,8 +1,10 @@
 //! A case with all that is made of it, to be checked and run.
 
+use crate::arrays::rows;
 use crate::away::{Desk, away, pool};
 use crate::case::{Case, changed};
 use crate::errors::{CaseWarning, Problem, failed, no_job, unusable};
+use crate::fields::{Fields, load_of, stress_of};
 use crate::mesh;
 use crate::motion;
 use crate::simulation::{Simulation, Wish};
@@ -28,25 +30,39 @@ pub struct Job {
     job: Arc<job::Job>,
     case: case::Case,
     inputs: Inputs,
+    fields: Fields,
 }
 
 impl Job {
     /// Builds a job with the interpreter released.
-    fn build(py: Python<'_>, case: case::Case, given: Given, threads: Option<usize>) -> PyResult<Self> {
+    fn build(
+        py: Python<'_>,
+        case: case::Case,
+        given: Given,
+        fields: Fields,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
         let inputs = given.inputs.clone();
         let pool = pool(threads)?;
-        let work = || Loaded::of(&case, &given).and_then(|loaded| job::Job::of_loaded(loaded));
+        let work = || -> Result<job::Job, Refusal> {
+            let mut loaded = Loaded::of(&case, &given)?;
+            fields.put(&mut loaded.setup).map_err(Refusal::Fields)?;
+            Ok(job::Job::of_loaded(loaded)?)
+        };
         let back = away(py, &pool, &Desk::default(), &AtomicBool::new(false), work)?;
         if let Some(interrupt) = back.interrupt {
             return Err(interrupt);
         }
-        let job = back.result.map_err(|fault: Fault| no_job(py, &fault))?;
+        let job = back.result.map_err(|refusal| match refusal {
+            Refusal::Case(fault) => no_job(py, &fault),
+            Refusal::Fields(words) => unusable(words),
+        })?;
         let warning = py.get_type::<CaseWarning>();
         for said in job.said() {
             let text = CString::new(said.replace('\0', " ")).unwrap_or_default();
             PyErr::warn(py, &warning, &text, 1)?;
         }
-        Ok(Job { case: job.case.clone(), job: Arc::new(job), inputs })
+        Ok(Job { case: job.case.clone(), job: Arc::new(job), inputs, fields })
     }
 }
 
@@ -88,7 +104,7 @@ impl Job {
         if let Some(motion) = motion {
             inputs.records.insert(only_record(&case)?, motion::of_python(motion)?);
         }
-        Job::build(py, case, given, threads)
+        Job::build(py, case, given, Fields::default(), threads)
     }
 
     /// What the results are called where no folder is given.
@@ -119,7 +135,42 @@ impl Job {
     /// interface, each side has nodes of its own.
     #[getter]
     fn mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        mesh::to_python(py, &self.job.model.mesh)
+        mesh::to_python(py, &mesh::of_user(&self.job.model))
+    }
+
+    /// Stress (elements, 6) [Pa] of each element before anything moves, read-only; zeros where the case has none.
+    #[getter]
+    fn initial_stress<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let model = &self.job.model;
+        let initial = &model.elements.initial;
+        let own = model.user.elements;
+        rows(py, if initial.is_empty() { vec![[0.0; 6]; own] } else { initial[..own].to_vec() })
+    }
+
+    /// The same job with other stress before anything moves, an array (elements, 6) [Pa] in the order of `mesh`, and with loads in the
+    /// earthquake: each (nodes (n,), force (3,) or (n, 3) [N], times (m,) [s], factors (m,)), the force times a factor that is linear
+    /// between its times. What is left out stays as it is. The summary names both by their bits among the inputs.
+    ///
+    /// The case must seek equilibrium ([initial] or stages) for a stress; what is not in balance moves the ground in the first stage, as
+    /// the checks of the run say.
+    #[pyo3(signature = (*, initial_stress = None, loads = None, threads = None))]
+    fn with_fields(
+        &self,
+        py: Python<'_>,
+        initial_stress: Option<&Bound<'_, PyAny>>,
+        loads: Option<Vec<Bound<'_, PyAny>>>,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
+        let mut fields = self.fields.clone();
+        if let Some(stress) = initial_stress {
+            fields.initial = Some(stress_of(stress)?);
+        }
+        if let Some(loads) = loads {
+            let nodes = self.job.model.user.nodes;
+            fields.loads = loads.iter().map(|load| load_of(load, nodes)).collect::<PyResult<_>>()?;
+        }
+        let given = Given { inputs: self.inputs.clone(), ..Given::default() };
+        Job::build(py, self.case.clone(), given, fields, threads)
     }
 
     /// The step of the finest level [s].
@@ -175,7 +226,7 @@ impl Job {
         let job = match set {
             Some(_) => {
                 let given = Given { inputs: self.inputs.clone(), ..changed(set)? };
-                Job::build(py, self.case.clone(), given, threads)?.job
+                Job::build(py, self.case.clone(), given, self.fields.clone(), threads)?.job
             }
             None => self.job.clone(),
         };
@@ -203,10 +254,20 @@ impl Job {
     fn __repr__(&self) -> String {
         format!(
             "Job({:?}, {} elements, {} steps)",
-            self.case.title.value,
-            self.job.model.mesh.elements.len(),
-            self.job.steps.total
+            self.case.title.value, self.job.model.user.elements, self.job.steps.total
         )
+    }
+}
+
+/// Why a case with its fields is no job.
+enum Refusal {
+    Case(Box<Fault>),
+    Fields(String),
+}
+
+impl From<Fault> for Refusal {
+    fn from(fault: Fault) -> Self {
+        Refusal::Case(Box::new(fault))
     }
 }
 

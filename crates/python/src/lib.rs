@@ -9,6 +9,7 @@ mod away;
 mod case;
 mod changes;
 mod errors;
+mod fields;
 mod fork;
 mod job;
 mod law;

@@ -45,16 +45,19 @@ impl Look {
         Look { scene, snapshot, history, stage, memory }
     }
 
-    /// An array (nodes, 3) in the order of the mesh, of one in that of the engine.
+    /// An array (nodes, 3) in the order of the user's mesh, of one in that of the engine; NaN at nodes of void elements alone.
     fn nodal<'py>(&self, py: Python<'py>, values: &[Row]) -> PyResult<Bound<'py, PyAny>> {
-        rows(py, self.scene.model.engine_node.iter().map(|&node| values[node as usize].xyz()).collect())
+        let model = &self.scene.model;
+        let of = |&node: &u32| values.get(node as usize).map_or([f64::NAN; 3], Row::xyz);
+        rows(py, model.engine_node[..model.user.nodes].iter().map(of).collect())
     }
 
     /// The elements of some groups that are there, each once, in the order of the mesh, with the places of their points.
     fn slots(&self, groups: &Groups) -> PyResult<Vec<(u32, ElementSlot)>> {
         let Scene { model, phase, .. } = &self.scene;
         let wanted = groups.elements(&model.mesh)?;
-        Ok(wanted.into_iter().filter_map(|e| Some((e, phase.element_slot[e as usize]?))).collect())
+        let own = wanted.into_iter().take_while(|&e| (e as usize) < model.user.elements);
+        Ok(own.filter_map(|e| Some((e, phase.element_slot[e as usize]?))).collect())
     }
 
     fn points(&self, slot: &ElementSlot) -> &[[f64; 6]] {

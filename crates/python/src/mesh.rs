@@ -6,6 +6,7 @@ use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::path::PathBuf;
+use tremolite::Model;
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Face, Mesh, Shape, quality, read_with_notes, sound, write};
 
@@ -50,14 +51,14 @@ pub fn of_python(mesh: &Bound<'_, PyAny>) -> PyResult<Mesh> {
         }
     };
     for (name, group) in field::<Bound<'_, PyDict>>(mesh, "groups")? {
-        let group: Indices = group.extract().map_err(PyErr::from)?;
+        let group: Indices = group.extract()?;
         let mut group = group.as_array().iter().map(|&e| element(e)).collect::<PyResult<Vec<u32>>>()?;
         group.sort_unstable();
         group.dedup();
         made.groups.insert(name.extract()?, group);
     }
     for (name, faces) in field::<Bound<'_, PyDict>>(mesh, "faces")? {
-        let faces: PyReadonlyArray2<i64> = faces.extract().map_err(PyErr::from)?;
+        let faces: PyReadonlyArray2<i64> = faces.extract()?;
         let mut list = Vec::new();
         for face in faces.as_array().rows() {
             let (element, side) = (element(face[0])?, face[1]);
@@ -92,6 +93,17 @@ pub fn lines_of(ends: &Bound<'_, PyAny>) -> PyResult<Vec<[[f64; 3]; 2]>> {
         return Err(unusable("bolts are an array (n, 6): head and other end of each, x y z in m"));
     }
     Ok(ends.as_array().rows().into_iter().map(|x| [[x[0], x[1], x[2]], [x[3], x[4], x[5]]]).collect())
+}
+
+/// What of a model's mesh is the user's, without the ground outside its sides.
+pub fn of_user(model: &Model) -> Mesh {
+    let mut mesh = model.mesh.clone();
+    let inside = |e: &u32| (*e as usize) < model.user.elements;
+    mesh.nodes.truncate(model.user.nodes);
+    mesh.elements.truncate(model.user.elements);
+    mesh.groups.values_mut().for_each(|group| group.retain(inside));
+    mesh.faces.values_mut().for_each(|faces| faces.retain(|face| inside(&face.element)));
+    mesh
 }
 
 /// A mesh as a Python `Mesh`. Elements stand in the same order; blocks are runs of one shape.

@@ -114,14 +114,14 @@ fn process_record<'py>(motion: &Bound<'py, PyAny>, steps: Vec<String>) -> PyResu
     to_python(motion.py(), &channels)
 }
 
-/// East, north and up of a record, turned from whatever its channels look to: `dt` [s], `start` [s], and an array (n,) [m/s²] or None
-/// for each.
+/// East, north and up of a record, turned from whatever its channels look to: `dt` [s], `start` [s], and an array (n,) [m/s²] for
+/// each.
 #[pyfunction]
-fn geographic<'py>(motion: &Bound<'py, PyAny>) -> PyResult<(f64, f64, [Option<Bound<'py, PyAny>>; 3])> {
+fn geographic<'py>(motion: &Bound<'py, PyAny>) -> PyResult<(f64, f64, [Bound<'py, PyAny>; 3])> {
     let py = motion.py();
     let Geographic { dt, start, east, north, up, .. } =
         Geographic::from_channels(&of_python(motion)?).map_err(told)?;
-    let [east, north, up] = [east, north, up].map(|part| column(py, part).map(Some));
+    let [east, north, up] = [east, north, up].map(|part| column(py, part));
     Ok((dt, start, [east?, north?, up?]))
 }
 
