@@ -147,13 +147,13 @@ impl Look {
 
     /// Elements (n,) of some groups that are there now, ascending: indices into the mesh. `groups` is a pattern such as
     /// `"*.lining"` or several; left out, all elements.
-    #[pyo3(signature = (groups = Groups::default()))]
+    #[pyo3(signature = (groups = Groups::default()), text_signature = "($self, groups='*')")]
     fn elements<'py>(&self, py: Python<'py>, groups: Groups) -> PyResult<Bound<'py, PyAny>> {
         column(py, self.slots(&groups)?.into_iter().map(|(e, _)| i64::from(e)).collect())
     }
 
     /// The element (points,) of each point at which `stress` and `history` give values.
-    #[pyo3(signature = (groups = Groups::default()))]
+    #[pyo3(signature = (groups = Groups::default()), text_signature = "($self, groups='*')")]
     fn points_of<'py>(&self, py: Python<'py>, groups: Groups) -> PyResult<Bound<'py, PyAny>> {
         let slots = self.slots(&groups)?;
         let of =
@@ -162,21 +162,21 @@ impl Look {
     }
 
     /// Stress (points, 6) [Pa] at the points of the elements of some groups, element after element.
-    #[pyo3(signature = (groups = Groups::default()))]
+    #[pyo3(signature = (groups = Groups::default()), text_signature = "($self, groups='*')")]
     fn stress<'py>(&self, py: Python<'py>, groups: Groups) -> PyResult<Bound<'py, PyAny>> {
         let slots = self.slots(&groups)?;
         rows(py, slots.iter().flat_map(|(_, slot)| self.points(slot)).copied().collect())
     }
 
     /// Mean stress (elements, 6) [Pa] over each element of some groups, in the order of `elements`.
-    #[pyo3(signature = (groups = Groups::default()))]
+    #[pyo3(signature = (groups = Groups::default()), text_signature = "($self, groups='*')")]
     fn mean_stress<'py>(&self, py: Python<'py>, groups: Groups) -> PyResult<Bound<'py, PyAny>> {
         let slots = self.slots(&groups)?;
         rows(py, slots.iter().map(|(_, slot)| mean(&slot.places, self.points(slot))).collect())
     }
 
     /// What the laws of some groups remember, by name, with the unit.
-    #[pyo3(signature = (groups = Groups::default()))]
+    #[pyo3(signature = (groups = Groups::default()), text_signature = "($self, groups='*')")]
     fn columns<'py>(&self, py: Python<'py>, groups: Groups) -> PyResult<Bound<'py, PyDict>> {
         let history = History { assembly: &self.scene.assembly, octets: &self.history };
         let columns = PyDict::new(py);

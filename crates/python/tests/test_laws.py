@@ -40,9 +40,7 @@ def test_the_command_gives_the_same_numbers(command, tmp_path):
     (tmp_path / "law.toml").write_text(law.text)
     rows = ["time,exx,syy,szz,sxy,syz,szx"] + [f"0,{float(e)!r},0,0,0,0,0" for e in strain]
     (tmp_path / "path.csv").write_text("\n".join(rows) + "\n")
-    subprocess.run(
-        [*command, "law", "law.toml", "--path", "path.csv", "--out", "out.csv"], cwd=tmp_path, check=True, capture_output=True
-    )
+    subprocess.run([*command, "law", "law.toml", "--path", "path.csv", "--out", "out.csv"], cwd=tmp_path, check=True, capture_output=True)
     table = tr.Table.read(tmp_path / "out.csv")
     path = law.drive({"xx": strain}, free=SIDES)
     assert (table["sxx"] == path.stress[:, 0]).all() and (table["d_tension"] == path.history["d_tension"]).all()

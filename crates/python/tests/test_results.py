@@ -1,6 +1,5 @@
 """Result folders, read."""
 
-import numpy as np
 import pytest
 
 import tremolite as tr
@@ -9,9 +8,9 @@ from conftest import pulse
 
 @pytest.fixture(scope="module")
 def result(tmp_path_factory):
-    from conftest import COLUMN
-
     import warnings
+
+    from conftest import COLUMN
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", tr.CaseWarning)

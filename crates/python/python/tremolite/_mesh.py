@@ -51,13 +51,16 @@ class Mesh:
     named_points: Mapping[str, Sequence[float]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        put = lambda name, made: object.__setattr__(self, name, made)  # noqa: E731
-        put("points", _array(self.points, "points", float, 3))
         blocks = self.cells.items() if isinstance(self.cells, Mapping) else self.cells
-        put("cells", [(str(kind), _array(block, f"the block {kind}", np.int64, None)) for kind, block in blocks])
-        put("groups", {str(name): _indices(group, f"the group {name}") for name, group in self.groups.items()})
-        put("faces", {str(name): _array(list_, f"the faces {name}", np.int64, 2) for name, list_ in self.faces.items()})
-        put("named_points", {str(name): tuple(map(float, point)) for name, point in self.named_points.items()})
+        made = {
+            "points": _array(self.points, "points", float, 3),
+            "cells": [(str(kind), _array(block, f"the block {kind}", np.int64, None)) for kind, block in blocks],
+            "groups": {str(name): _indices(group, f"the group {name}") for name, group in self.groups.items()},
+            "faces": {str(name): _array(sides, f"the faces {name}", np.int64, 2) for name, sides in self.faces.items()},
+            "named_points": {str(name): tuple(map(float, point)) for name, point in self.named_points.items()},
+        }
+        for name, value in made.items():
+            object.__setattr__(self, name, value)
 
     def __len__(self) -> int:
         return sum(len(block) for _, block in self.cells)

@@ -89,9 +89,7 @@ class Motion:
         return f"<Motion of {names}; {len(self.channels[0].acceleration)} samples of {self.channels[0].dt} s>"
 
     @classmethod
-    def from_components(
-        cls, dt: float, *, east: Any = None, north: Any = None, up: Any = None, name: str = "motion"
-    ) -> Motion:
+    def from_components(cls, dt: float, *, east: Any = None, north: Any = None, up: Any = None, name: str = "motion") -> Motion:
         """A record of arrays (n,) [m/s²], `dt` [s] apart, towards east, north and up; what is left out stands still."""
         given = [samples for samples in (east, north, up) if samples is not None]
         if not given:
@@ -225,7 +223,7 @@ def _factor(trace: Any, units: str | None) -> float:
     if trace.stats.get("_format") == "KNET" or "knet" in trace.stats:
         return float(trace.stats.calib)
     raise Error(
-        f"nothing says in which unit the samples of {trace.id} are; give units=\"m/s2\" (or \"cm/s2\", \"g\"), or remove the "
+        f'nothing says in which unit the samples of {trace.id} are; give units="m/s2" (or "cm/s2", "g"), or remove the '
         'response first: stream.remove_response(inventory, output="ACC")'
     )
 

@@ -8,8 +8,11 @@ from typing import Any
 
 def table(head: list[str], rows: list[list[Any]]) -> str:
     """An HTML table."""
-    line = lambda cells, tag: "<tr>" + "".join(f"<{tag}>{escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"  # noqa: E731
-    return "<table>" + line(head, "th") + "".join(line(row, "td") for row in rows) + "</table>"
+    return "<table>" + _row(head, "th") + "".join(_row(row, "td") for row in rows) + "</table>"
+
+
+def _row(cells: list[Any], tag: str) -> str:
+    return "<tr>" + "".join(f"<{tag}>{escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"
 
 
 def case(case: Any) -> str:
@@ -18,15 +21,9 @@ def case(case: Any) -> str:
     groups: dict[str, list[str]] = {}
     for region in keys.get("region", []):
         groups.setdefault(region.get("material", ""), []).extend(region.get("groups", []))
-    materials = [
-        [name, material.get("law", ""), ", ".join(groups.get(name, []))]
-        for name, material in keys.get("material", {}).items()
-    ]
+    materials = [[name, material.get("law", ""), ", ".join(groups.get(name, []))] for name, material in keys.get("material", {}).items()]
     html = f"<b>{escape(case.title)}</b>" + table(["material", "law", "groups"], materials)
-    stages = [
-        [stage.get("name", ""), _words(stage.get("excavate")), _words(stage.get("install"))]
-        for stage in keys.get("stage", [])
-    ]
+    stages = [[stage.get("name", ""), _words(stage.get("excavate")), _words(stage.get("install"))] for stage in keys.get("stage", [])]
     if stages:
         html += table(["stage", "excavates", "installs"], stages)
     motion = keys.get("motion")

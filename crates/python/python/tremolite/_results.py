@@ -82,10 +82,12 @@ class Trust(Sequence[Record]):
 
     def __repr__(self) -> str:
         apply = [line for line in self._lines if not line.get("not_applicable", False)]
-        return "\n".join(
-            f"{'ok  ' if line['pass_'] else 'FAIL'} {line['name']}: {line['value']:.3g} {line.get('unit', '')} (limit {line['limit']:g})"
-            for line in apply
-        ) + f"\n{len(self._lines) - len(apply)} more do not apply"
+        return "\n".join([*map(_in_words, apply), f"{len(self._lines) - len(apply)} more do not apply"])
+
+
+def _in_words(line: Record) -> str:
+    passed = "ok  " if line["pass_"] else "FAIL"
+    return f"{passed} {line['name']}: {line['value']:.3g} {line.get('unit', '')} (limit {line['limit']:g})"
 
 
 class Table(Mapping[str, np.ndarray]):
@@ -123,7 +125,7 @@ class Table(Mapping[str, np.ndarray]):
         return len(self._columns)
 
     def __getattr__(self, name: str) -> np.ndarray:
-        columns = self.__dict__.get("_columns", {})
+        columns: dict[str, np.ndarray] = self.__dict__.get("_columns", {})
         if name in columns:
             return columns[name]
         raise AttributeError(f"there is no column {name!r}; there are {', '.join(columns)}")
@@ -324,22 +326,22 @@ class Result:
     @property
     def title(self) -> str:
         """The case's title."""
-        return self.summary["title"]
+        return str(self.summary["title"])
 
     @property
     def status(self) -> str:
-        """"done", "failed" or "stopped"; "running" while there is no summary."""
-        return self.summary["status"] if (self.path / "summary.json").exists() else "running"
+        """How it ended, "done", "failed" or "stopped"; "running" while there is no summary."""
+        return str(self.summary["status"]) if (self.path / "summary.json").exists() else "running"
 
     @property
     def verdict(self) -> str:
         """What came of the run and of each structure, in a few sentences."""
-        return self.summary["verdict"]
+        return str(self.summary["verdict"])
 
     @property
     def findings(self) -> list[Record]:
         """What became of each structure: id, group, severity, headline, text and numbers."""
-        return self.summary["findings"]
+        return list(self.summary["findings"])
 
     @property
     def trust(self) -> Trust:

@@ -1,13 +1,14 @@
 """The compiled half of the package: what computes and what reads files."""
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Self
 
 from ._mesh import Mesh
 from ._motion import Motion
@@ -38,6 +39,7 @@ class Stopped(KeyboardInterrupt):
 class CaseWarning(UserWarning):
     """What is unusual of a case that can be run all the same."""
 
+@final
 class Problem:
     """One thing that is wrong or unusual, at its place in the case."""
 
@@ -47,6 +49,7 @@ class Problem:
     message: str
     remedy: str
 
+@final
 class Case:
     """A case file, checked. It is never changed: `with_` gives another."""
 
@@ -57,7 +60,7 @@ class Case:
     warnings: list[Problem]
     defaults: dict[str, str]
     files: list[Path]
-    def __init__(self, path: _Path) -> None: ...
+    def __new__(cls, path: _Path) -> Self: ...
     @staticmethod
     def from_text(text: str, directory: _Path = ...) -> Case: ...
     @staticmethod
@@ -67,6 +70,7 @@ class Case:
     @staticmethod
     def schema() -> dict[str, Any]: ...
 
+@final
 class Job:
     """A case with its mesh, its records and its model, ready to be checked and run."""
 
@@ -78,8 +82,8 @@ class Job:
     dt: float
     steps: int
     initial_stress: _Array
-    def __init__(
-        self,
+    def __new__(
+        cls,
         case: Case | _Path,
         *,
         mesh: Mesh | None = None,
@@ -89,7 +93,7 @@ class Job:
         bolts: Mapping[str, ArrayLike] | None = None,
         set: Mapping[str, Any] | None = None,
         threads: int | None = None,
-    ) -> None: ...
+    ) -> Self: ...
     def check(self, *, threads: int | None = None) -> dict[str, Any]: ...
     def with_fields(
         self,
@@ -123,6 +127,7 @@ class Job:
         every: int | str | None = None,
     ) -> Simulation: ...
 
+@final
 class StageEnd:
     """A stage that has come to rest."""
 
@@ -131,6 +136,14 @@ class StageEnd:
     cycles: int
     ratio: float
 
+@final
+class Stages:
+    """The stages that are left: each comes to rest as it is asked for."""
+
+    def __iter__(self) -> Stages: ...
+    def __next__(self) -> StageEnd: ...
+
+@final
 class Simulation:
     """A run that a script drives, in its folder, on threads of its own."""
 
@@ -139,17 +152,16 @@ class Simulation:
     taken: int
     stage: str | None
     dt: float
-    def stages(self) -> Iterator[StageEnd]: ...
+    def stages(self) -> Stages: ...
     def step(self, steps: int = 1) -> bool: ...
     def look(self) -> Look: ...
     def checkpoint(self) -> None: ...
     def restore(self) -> None: ...
     def finish(self) -> Result: ...
     def __enter__(self) -> Simulation: ...
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> bool: ...
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> bool: ...
 
+@final
 class Look:
     """What is seen of a run at one time: a copy, with read-only arrays."""
 
@@ -168,11 +180,12 @@ class Look:
     def columns(self, groups: str | Sequence[str] = "*") -> dict[str, str]: ...
     def history(self, groups: str | Sequence[str], name: str) -> _Array: ...
 
+@final
 class LawCore:
     interface: bool
     parameters: dict[str, Any]
     warnings: list[str]
-    def __init__(self, text: str) -> None: ...
+    def __new__(cls, text: str) -> Self: ...
     def follow(self, time: _Array, values: _Array, by_stress: Sequence[bool]) -> dict[str, Any]: ...
     def follow_interface(self, values: _Array, by_pressure: bool) -> dict[str, Any]: ...
 
