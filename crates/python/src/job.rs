@@ -3,19 +3,18 @@
 use crate::arrays::rows;
 use crate::away::{Desk, away, pool};
 use crate::case::{Case, changed};
-use crate::errors::{CaseWarning, Problem, failed, no_job, unusable};
+use crate::errors::{Problem, failed, unusable};
 use crate::fields::{Fields, load_of, stress_of};
+use crate::made::Made;
 use crate::mesh;
 use crate::motion;
 use crate::simulation::{Simulation, Wish};
 use crate::watch::Every;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::ffi::CString;
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use tremolite::job::{self, Fault, Given, Inputs, Loaded, Remark};
+use tremolite::job::{Given, Remark};
 use tremolite_case as case;
 
 /// A case with its mesh, its records and its model, ready to be checked and run.
@@ -27,43 +26,7 @@ use tremolite_case as case;
 /// Everything that is wrong is said here, by `CaseError`; what is unusual is warned of by `CaseWarning`.
 #[pyclass(frozen, module = "tremolite")]
 pub struct Job {
-    job: Arc<job::Job>,
-    case: case::Case,
-    inputs: Inputs,
-    fields: Fields,
-}
-
-impl Job {
-    /// Builds a job with the interpreter released.
-    fn build(
-        py: Python<'_>,
-        case: case::Case,
-        given: Given,
-        fields: Fields,
-        threads: Option<usize>,
-    ) -> PyResult<Self> {
-        let inputs = given.inputs.clone();
-        let pool = pool(threads)?;
-        let work = || -> Result<job::Job, Refusal> {
-            let mut loaded = Loaded::of(&case, &given)?;
-            fields.put(&mut loaded.setup).map_err(Refusal::Fields)?;
-            Ok(job::Job::of_loaded(loaded)?)
-        };
-        let back = away(py, &pool, &Desk::default(), &AtomicBool::new(false), work)?;
-        if let Some(interrupt) = back.interrupt {
-            return Err(interrupt);
-        }
-        let job = back.result.map_err(|refusal| match refusal {
-            Refusal::Case(fault) => no_job(py, &fault),
-            Refusal::Fields(words) => unusable(words),
-        })?;
-        let warning = py.get_type::<CaseWarning>();
-        for said in job.said() {
-            let text = CString::new(said.replace('\0', " ")).unwrap_or_default();
-            PyErr::warn(py, &warning, &text, 1)?;
-        }
-        Ok(Job { case: job.case.clone(), job: Arc::new(job), inputs, fields })
-    }
+    made: Made,
 }
 
 #[pymethods]
@@ -104,44 +67,44 @@ impl Job {
         if let Some(motion) = motion {
             inputs.records.insert(only_record(&case)?, motion::of_python(motion)?);
         }
-        Job::build(py, case, given, Fields::default(), threads)
+        Ok(Job { made: Made::build(py, &case, &given, Fields::default(), threads)? })
     }
 
     /// What the results are called where no folder is given.
     #[getter]
     fn name(&self) -> String {
-        self.job.name()
+        self.made.job.name()
     }
 
     /// The case that is run, with its changes.
     #[getter]
     fn case(&self) -> Case {
-        Case { case: self.case.clone() }
+        Case { case: self.made.case.clone() }
     }
 
     /// All that is unusual: a list of `Problem`.
     #[getter]
     fn warnings(&self) -> Vec<Problem> {
-        Problem::all(&self.case.report(self.job.warnings().cloned().collect()))
+        Problem::all(&self.made.case.report(self.made.job.warnings().cloned().collect()))
     }
 
     /// The text of what is unusual, as the command prints it.
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        self.job.remarks().iter().map(|remark: &Remark| remark.render(false)).collect()
+        self.made.job.remarks().iter().map(|remark: &Remark| remark.render(false)).collect()
     }
 
     /// The mesh of the model, a `Mesh`: nodes, elements and groups to which the arrays of looks belong. Where bodies touch by an
     /// interface, each side has nodes of its own.
     #[getter]
     fn mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        mesh::to_python(py, &mesh::of_user(&self.job.model))
+        mesh::to_python(py, &mesh::of_user(&self.made.job.model))
     }
 
     /// Stress (elements, 6) [Pa] of each element before anything moves, read-only; zeros where the case has none.
     #[getter]
     fn initial_stress<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let model = &self.job.model;
+        let model = &self.made.job.model;
         let initial = &model.elements.initial;
         let own = model.user.elements;
         rows(py, if initial.is_empty() { vec![[0.0; 6]; own] } else { initial[..own].to_vec() })
@@ -161,35 +124,34 @@ impl Job {
         loads: Option<Vec<Bound<'_, PyAny>>>,
         threads: Option<usize>,
     ) -> PyResult<Self> {
-        let mut fields = self.fields.clone();
+        let mut fields = self.made.fields.clone();
         if let Some(stress) = initial_stress {
             fields.initial = Some(stress_of(stress)?);
         }
         if let Some(loads) = loads {
-            let nodes = self.job.model.user.nodes;
+            let nodes = self.made.job.model.user.nodes;
             fields.loads = loads.iter().map(|load| load_of(load, nodes)).collect::<PyResult<_>>()?;
         }
-        let given = Given { inputs: self.inputs.clone(), ..Given::default() };
-        Job::build(py, self.case.clone(), given, fields, threads)
+        Ok(Job { made: Made::build(py, &self.made.case, &self.made.given(), fields, threads)? })
     }
 
     /// The step of the finest level [s].
     #[getter]
     fn dt(&self) -> f64 {
-        self.job.dt
+        self.made.job.dt
     }
 
     /// Steps of the finest level in the whole earthquake.
     #[getter]
     fn steps(&self) -> u64 {
-        self.job.steps.total
+        self.made.job.steps.total
     }
 
     /// What a run will take, as `tremolite check --json` gives it: a dict, numbers in SI. Times a step on `threads` threads.
     #[pyo3(signature = (*, threads = None))]
     fn check<'py>(&self, py: Python<'py>, threads: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
         let pool = pool(threads)?;
-        let work = || serde_json::to_string(&self.job.check());
+        let work = || serde_json::to_string(&self.made.job.check());
         let back = away(py, &pool, &Desk::default(), &AtomicBool::new(false), work)?;
         if let Some(interrupt) = back.interrupt {
             return Err(interrupt);
@@ -223,15 +185,16 @@ impl Job {
         every: Option<Every>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let job = match set {
+        let made = match set {
             Some(_) => {
-                let given = Given { inputs: self.inputs.clone(), ..changed(set)? };
-                Job::build(py, self.case.clone(), given, self.fields.clone(), threads)?.job
+                let Made { case, inputs, fields, .. } = &self.made;
+                let given = Given { inputs: inputs.clone(), ..changed(set)? };
+                Made::build(py, case, &given, fields.clone(), threads)?
             }
-            None => self.job.clone(),
+            None => self.made.clone(),
         };
         let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every };
-        Simulation::begin(py, &job, wish)?.run(py, progress)
+        Simulation::begin(py, &made, wish)?.run(py, progress)
     }
 
     /// A run that a script drives: see `Simulation`. What is given is as of `run`.
@@ -248,26 +211,14 @@ impl Job {
         every: Option<Every>,
     ) -> PyResult<Simulation> {
         let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every };
-        Simulation::begin(py, &self.job, wish)
+        Simulation::begin(py, &self.made, wish)
     }
 
     fn __repr__(&self) -> String {
         format!(
             "Job({:?}, {} elements, {} steps)",
-            self.case.title.value, self.job.model.user.elements, self.job.steps.total
+            self.made.case.title.value, self.made.job.model.user.elements, self.made.job.steps.total
         )
-    }
-}
-
-/// Why a case with its fields is no job.
-enum Refusal {
-    Case(Box<Fault>),
-    Fields(String),
-}
-
-impl From<Fault> for Refusal {
-    fn from(fault: Fault) -> Self {
-        Refusal::Case(Box::new(fault))
     }
 }
 

@@ -14,6 +14,7 @@ mod fork;
 mod job;
 mod law;
 mod look;
+mod made;
 mod mesh;
 mod motion;
 mod report;

@@ -193,9 +193,11 @@ impl Look {
     #[pyo3(signature = (groups, name))]
     fn history<'py>(&self, py: Python<'py>, groups: Groups, name: &str) -> PyResult<Bound<'py, PyAny>> {
         let history = History { assembly: &self.scene.assembly, octets: &self.history };
-        let mut found = false;
+        let slots = self.slots(&groups)?;
+        // Of what is not there yet nothing is remembered.
+        let mut found = slots.is_empty();
         let mut values = Vec::new();
-        for (_, slot) in self.slots(&groups)? {
+        for (_, slot) in slots {
             match history.named(&slot, name) {
                 Some(at) => {
                     found = true;

@@ -1,8 +1,9 @@
 //! A run that a script holds: stage by stage, step by step, with looks between them; and one that goes to its end.
 
 use crate::away::{Back, Desk, away, pool};
-use crate::errors::{failed, stopped, unusable};
+use crate::errors::{failed, refused as case_refused, stopped, unusable};
 use crate::look::{Look, Scene};
+use crate::made::Made;
 use crate::watch::{Every, Watch};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -16,9 +17,12 @@ use tremolite::job::{Begun, Caller, Job};
 use tremolite::phase::beats::span;
 use tremolite::run::{Control, Progress, run};
 use tremolite::simulation::{self, Ending, Go, Outcome, Start, Stepping};
+use tremolite_case::Case;
+use tremolite_laws::materials::MATERIALS;
 use tremolite_results::{ResultFolder, replace_file};
 
 /// How a run is asked for.
+#[derive(Default)]
 pub struct Wish {
     pub out: Option<PathBuf>,
     pub resume: bool,
@@ -35,12 +39,14 @@ pub struct Wish {
 /// `look()` shows where it stands. Results do not depend on how it is driven. One thread at a time may drive it.
 #[pyclass(frozen, module = "tremolite")]
 pub struct Simulation {
-    job: Arc<Job>,
+    made: Mutex<Made>,
     out: PathBuf,
     pool: ThreadPool,
     desk: Arc<Desk>,
     stop: Arc<AtomicBool>,
     watch: Option<Arc<Watch>>,
+    /// Whether it began with another run's stages, or with its own of another time.
+    follows: bool,
     held: Mutex<Option<Held>>,
 }
 
@@ -90,7 +96,8 @@ impl Stages {
 
 impl Simulation {
     /// Prepares the folder and the simulation.
-    pub fn begin(py: Python<'_>, job: &Arc<Job>, wish: Wish) -> PyResult<Self> {
+    pub fn begin(py: Python<'_>, made: &Made, wish: Wish) -> PyResult<Self> {
+        let job = &made.job;
         let Wish { out, resume, overwrite, from, threads, callback, every } = wish;
         if resume && (overwrite || from.is_some()) {
             return Err(unusable("resume goes on with what is there; leave overwrite and from_ out"));
@@ -139,7 +146,16 @@ impl Simulation {
         let simulation = back.result.map_err(|why| refused(&why))?;
         let held = Held { simulation, begun, caller, stage_seconds: 0.0, ending: None };
         let out = folder.root().to_owned();
-        Ok(Simulation { job: job.clone(), out, pool, desk, stop, watch, held: Mutex::new(Some(held)) })
+        Ok(Simulation {
+            made: Mutex::new(made.clone()),
+            out,
+            pool,
+            desk,
+            stop,
+            watch,
+            follows: from.is_some() || resume,
+            held: Mutex::new(Some(held)),
+        })
     }
 
     /// To its end, or to where it is stopped.
@@ -147,7 +163,8 @@ impl Simulation {
         let mut held = self.held()?;
         let Held { simulation, begun, caller, .. } = held.take().ok_or_else(over)?;
         drop(held);
-        let Simulation { job, pool, desk, stop, watch, .. } = &self;
+        let job = &self.job()?;
+        let Simulation { pool, desk, stop, watch, .. } = &self;
         let teller = progress.map(|tell| Teller::new(tell, job, desk, stop));
         let back = away(py, pool, desk, stop, || -> Result<Outcome, RunError> {
             let mut tell = |now: Progress| {
@@ -187,6 +204,15 @@ impl Simulation {
         }
         page.map_err(failed)?;
         result(py, &self.out)
+    }
+
+    fn made(&self) -> PyResult<MutexGuard<'_, Made>> {
+        // It is held for moments alone, and nothing panics then.
+        self.made.lock().map_err(failed)
+    }
+
+    fn job(&self) -> PyResult<Arc<Job>> {
+        Ok(self.made()?.job.clone())
     }
 
     fn held(&self) -> PyResult<MutexGuard<'_, Option<Held>>> {
@@ -266,6 +292,48 @@ impl Simulation {
         Stages(slf)
     }
 
+    /// Puts another stage behind those that the case has: a dict of what `[[stage]]` of a case knows, `{"name": "bench 3", "excavate":
+    /// ["hall.bench3"], "bolts": {...}}`, so that a script may decide between two stages what comes next.
+    ///
+    /// The case grows by it, and the run is that of the case as it then is, with the same bytes as if it had been written so: since lives
+    /// of elements go by all stages, those that are done are brought to rest again before this returns, which takes their time once more.
+    /// Raises `CaseError`, and leaves all as it is, where the stage is none; `Error` once the ground shakes, with a callback, which would see
+    /// stages twice, and behind another run's stages.
+    fn add_stage(&self, py: Python<'_>, stage: &Bound<'_, PyDict>) -> PyResult<()> {
+        let (done, taken) = {
+            let held = self.held()?;
+            let simulation = &held.as_ref().ok_or_else(over)?.simulation;
+            (simulation.stage().unwrap_or(simulation.plan().stages.len()), simulation.taken())
+        };
+        if self.watch.is_some() || self.follows {
+            return Err(unusable(
+                "stages are added to a run of its own without a callback; look between stages instead, and leave callback and from_ out",
+            ));
+        }
+        if taken > 0 {
+            return Err(unusable("the ground shakes already; add stages before the first step"));
+        }
+        let stages = PyDict::new(py);
+        stages.set_item("stage", vec![stage])?;
+        let added: String = py.import("tremolite._toml")?.call_method1("document", (stages,))?.extract()?;
+        let old = self.made()?.clone();
+        let text = format!("{}\n\n{added}", old.case.source.trim_end());
+        let case = Case::parse_in(&old.case.path, &old.case.directory, &text, &[], MATERIALS);
+        let case = case.map_err(|report| case_refused(py, &report))?;
+        let threads = Some(self.pool.current_num_threads());
+        let made = Made::build(py, &case, &old.given(), old.fields.clone(), threads)?;
+        // The folder is let go of first.
+        drop(self.held()?.take());
+        let wish = Wish { out: Some(self.out.clone()), overwrite: true, threads, ..Wish::default() };
+        let anew = Simulation::begin(py, &made, wish)?;
+        *self.held()? = anew.held()?.take();
+        *self.made()? = made;
+        for _ in 0..done {
+            self.relax(py)?;
+        }
+        Ok(())
+    }
+
     /// Makes `steps` steps of the coarsest level, or fewer where the earthquake ends before. True while it goes on.
     ///
     /// Ctrl-C writes a checkpoint and raises `Stopped`; the simulation can go on. Raises `RunError` where a stage is left.
@@ -304,7 +372,8 @@ impl Simulation {
             };
             Ok((phase, look, stage))
         })?;
-        let scene = Scene { model: self.job.model.clone(), assembly: self.job.assembly.clone(), phase };
+        let job = self.job()?;
+        let scene = Scene { model: job.model.clone(), assembly: job.assembly.clone(), phase };
         Ok(Look::new(scene, look.snapshot, look.history, stage, None))
     }
 
@@ -333,7 +402,8 @@ impl Simulation {
         let mut held = self.held()?;
         let Held { mut simulation, begun, caller, stage_seconds, ending } = held.take().ok_or_else(over)?;
         drop(held);
-        let Simulation { job, pool, desk, stop, watch, .. } = self;
+        let job = &self.job()?;
+        let Simulation { pool, desk, stop, watch, .. } = self;
         let back = away(py, pool, desk, stop, || -> Result<Outcome, RunError> {
             let ending = match ending {
                 Some(ending) => ending,
@@ -377,8 +447,9 @@ impl Simulation {
 
     /// A step of `step` [s], of the coarsest level.
     #[getter]
-    fn dt(&self) -> f64 {
-        self.job.dt * span(self.job.model.nodes.coarsest()) as f64
+    fn dt(&self) -> PyResult<f64> {
+        let job = self.job()?;
+        Ok(job.dt * span(job.model.nodes.coarsest()) as f64)
     }
 
     fn __enter__(slf: Py<Self>) -> Py<Self> {

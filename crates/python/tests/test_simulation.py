@@ -40,6 +40,30 @@ def test_stages_come_one_by_one_and_before_steps(cavern, tmp_path):
     assert same_files(whole.path, tmp_path / "a") == []
 
 
+def test_a_script_decides_between_stages_what_comes_next(cavern, tmp_path):
+    case = tr.Case(cavern).with_({"dynamic.duration": "0.02 s"})
+    keys = case.to_dict()
+    first = tr.Case.from_dict({**keys, "stage": keys["stage"][:1]}, case.directory)
+    job = tr.Job(first)
+    with job.start(tmp_path / "a") as simulation:
+        names = []
+        for stage in simulation.stages():
+            names.append(stage.name)
+            if stage.name == "excavation" and np.abs(simulation.look().displacement).max() > 1e-4:
+                with pytest.raises(tr.CaseError, match="did you mean `install`"):
+                    simulation.add_stage({"name": "lining", "instal": ["hall.lining"]})
+                simulation.add_stage(keys["stage"][1])
+        assert names == ["initial equilibrium", "excavation", "lining"]
+        simulation.step(10)
+        with pytest.raises(tr.Error, match="shakes already"):
+            simulation.add_stage({"name": "more"})
+        simulation.step(10**6)
+    whole = tr.Job(case).run(tmp_path / "whole")
+    assert same_files(whole.path, tmp_path / "a") == []
+    with job.start(tmp_path / "b", callback=print) as simulation, pytest.raises(tr.Error, match="callback"):
+        simulation.add_stage(keys["stage"][1])
+
+
 def test_it_can_be_left_gone_back_to_and_gone_on_with(job, tmp_path):
     whole = job.run(tmp_path / "whole")
     simulation = job.start(tmp_path / "a")
