@@ -2,12 +2,13 @@
 
 use crate::changes;
 use crate::errors::{CaseError, Problem, refused};
+use crate::mesh;
 use crate::toml_dict;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::path::{Path, PathBuf};
 use tremolite::job::Given;
-use tremolite::setup::original_folder;
+use tremolite::setup::{Inputs, mesh_of, original_folder};
 use tremolite_case as case;
 use tremolite_laws::materials::MATERIALS;
 
@@ -159,6 +160,16 @@ impl Case {
     #[staticmethod]
     fn _of(py: Python<'_>, text: &str, path: PathBuf, directory: PathBuf) -> PyResult<Self> {
         Case::parse(py, &path, &directory, text)
+    }
+
+    /// The mesh that the case makes or reads, a `Mesh` in m, before its stages and interfaces are put into it.
+    fn mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let Case { case } = self;
+        let made = py.detach(|| mesh_of(&case.mesh, &case.directory, &Inputs::default()));
+        match made {
+            Ok((mesh, _)) => mesh::to_python(py, &mesh),
+            Err(problems) => Err(refused(py, &case.report(problems))),
+        }
     }
 
     /// The JSON schema of case files, as a dict: for completion in editors.

@@ -12,6 +12,7 @@ SI inside; texts with units where a case file has them. z points up, stresses ar
 xy, yz, zx. The same case gives the same bits here and from the command line.
 """
 
+from ._by_element import by_element
 from ._law import InterfacePath, Law, MaterialPath, law
 from ._mesh import Mesh
 from ._motion import Channel, Motion
@@ -54,6 +55,7 @@ __all__ = [
     "Stopped",
     "Table",
     "__version__",
+    "by_element",
     "compare",
     "law",
 ]
