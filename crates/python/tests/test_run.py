@@ -185,6 +185,33 @@ def test_progress_is_told(job, tmp_path):
     assert told and set(told[0]) >= {"share", "time", "stage"} and all(0 <= now["share"] <= 1 for now in told)
 
 
+def test_a_run_can_begin_with_what_another_had_come_to(cavern, tmp_path):
+    job = tr.Job(tr.Case(cavern).with_({"dynamic.duration": "0.02 s"}))
+    first = job.run(tmp_path / "first")
+    other = tr.Job(cavern).run(
+        tmp_path / "other", from_=first.path, set={"dynamic.duration": "0.02 s"}, callback=lambda now: now.stage is None
+    )
+    assert same_files(first.path, other.path, ["monitors.csv", "energy.csv"]) == []
+    with pytest.raises(tr.Error, match="where the results would go"):
+        job.run(first.path, from_=first.path, overwrite=True)
+    with pytest.raises(tr.Error, match="leave overwrite and from_ out"):
+        job.run(tmp_path / "more", from_=first.path, resume=True)
+
+
+def test_ctrl_c_in_a_stage_is_gone_on_with_in_it(cavern, tmp_path):
+    job = tr.Job(tr.Case(cavern).with_({"dynamic.duration": "0.01 s"}))
+    whole = job.run(tmp_path / "whole")
+
+    def press(now):
+        if now["stage"] is not None:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(tr.Stopped):
+        job.run(tmp_path / "a", progress=press)
+    assert tr.Result(tmp_path / "a").status == "stopped"
+    assert same_files(whole.path, job.run(tmp_path / "a", resume=True).path) == []
+
+
 def test_a_folder_with_results_is_not_overwritten_unasked(job, tmp_path):
     job.run(tmp_path / "a")
     with pytest.raises(tr.Error, match="overwrite=True"):
