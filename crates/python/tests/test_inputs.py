@@ -148,6 +148,58 @@ def test_a_record_of_a_file_is_that_of_obspy(tmp_path):
         assert (a.acceleration == b.acceleration).all() and a.dt == b.dt and a.azimuth == b.azimuth
 
 
+KNET = """Origin Time       2018/01/24 19:51:00
+Lat.              41.0
+Long.             142.5
+Depth. (km)       30
+Mag.              6.2
+Station Code      AOM004
+Station Lat.      41.4087
+Station Long.     141.4486
+Station Height(m) 30
+Record Time       2018/01/24 19:51:37
+Sampling Freq(Hz) 10Hz
+Duration Time(s)  2
+Dir.              E-W
+Scale Factor      7845(gal)/8223790
+Max. Acc. (gal)   2.0
+Last Correction   2018/01/24 19:51:37
+Memo.             \n"""
+
+
+def test_a_file_of_k_net_is_the_same_record_by_obspy_and_by_the_programs_reader(tmp_path):
+    obspy = pytest.importorskip("obspy")
+    counts = [8000 + [0, 800, -400, 400][k % 4] for k in range(20)]
+    lines = ["".join(f"{count:9d}" for count in counts[k : k + 8]) for k in range(0, 20, 8)]
+    (tmp_path / "a.EW").write_text(KNET + "\n".join(lines) + "\n")
+    own = tr.Motion.read(tmp_path / "a.EW")[0]
+    there = tr.Motion.from_stream(obspy.read(str(tmp_path / "a.EW")))[0]
+    # The factor is one product here and another there: the last digits may differ.
+    assert np.allclose(own.acceleration, there.acceleration, rtol=1e-14, atol=0.0)
+    assert own.azimuth == there.azimuth == 90.0 and own.dt == there.dt == 0.1
+    assert there.origin.startswith("2018-01-24T10:51:22")
+
+
+class Inventory:
+    """Where one channel looks to."""
+
+    def __init__(self, azimuth, dip):
+        self.place = {"azimuth": azimuth, "dip": dip}
+
+    def get_orientation(self, name, time):
+        return self.place
+
+
+def test_directions_come_from_the_inventory_where_one_is_given():
+    one = stream(channels=("HN1",))
+    (channel,) = tr.Motion.from_stream(one, units="m/s2", inventory=Inventory(37.0, 0.0))
+    assert channel.azimuth == 37.0 and (channel.acceleration == one[0].data).all()
+    (down,) = tr.Motion.from_stream(one, units="m/s2", inventory=Inventory(0.0, 90.0))
+    assert down.up and (down.acceleration == -one[0].data).all()
+    with pytest.raises(tr.Error, match="dip 30"):
+        tr.Motion.from_stream(one, units="m/s2", inventory=Inventory(0.0, 30.0))
+
+
 def test_processing_and_spectra_are_the_programs_own():
     motion = pulse(200)
     channel = motion[0]
