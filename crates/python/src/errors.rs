@@ -32,6 +32,12 @@ create_exception!(
     PyUserWarning,
     "What is unusual of a case that can be run all the same."
 );
+create_exception!(
+    tremolite,
+    RunWarning,
+    PyUserWarning,
+    "A run that ended for a physical or numerical reason; its results until then are kept."
+);
 
 /// One thing that is wrong or unusual: `key` (the path that `Case.with_` takes, empty where it is about the whole case), `line` and
 /// `column` in the case's text (from 1; None where it comes from a change), `message`, `remedy`.
@@ -117,5 +123,6 @@ pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("CaseError", py.get_type::<CaseError>())?;
     module.add("RunError", py.get_type::<RunError>())?;
     module.add("Stopped", py.get_type::<Stopped>())?;
-    module.add("CaseWarning", py.get_type::<CaseWarning>())
+    module.add("CaseWarning", py.get_type::<CaseWarning>())?;
+    module.add("RunWarning", py.get_type::<RunWarning>())
 }

@@ -114,7 +114,7 @@ pub fn load_of(given: &Bound<'_, PyAny>, count: usize) -> PyResult<History> {
     let parts: Vec<Bound<'_, PyAny>> = given.extract().map_err(|_| unusable(form))?;
     let [nodes, force, times, factors] = parts.as_slice() else { return Err(unusable(form)) };
     let nodes = array(&numpy, nodes, "int64")?;
-    let shape = (nodes.call_method0("__len__")?.extract::<usize>().map_err(|_| unusable(form))?, 3);
+    let shape = (nodes.len().map_err(|_| unusable(form))?, 3);
     let force = numpy
         .call_method1("broadcast_to", (array(&numpy, force, "float64")?, shape))
         .map_err(|_| unusable(form))?;

@@ -166,7 +166,8 @@ impl Job {
     /// had come to before its earthquake; `set` changes keys first, as `Case.with_`. `callback(look)` is called with a `Look` at the
     /// end of each stage and every `every` steps or `"0.05 s"` of the earthquake, by default with the rows of the histories; what it
     /// returns as False stops the run in good order. `progress(now)` is called with a dict some five times a second. Both run on the
-    /// thread that called.
+    /// thread that called. A run that ends for a physical or numerical reason has results as well, of `status` "failed", and is warned of by
+    /// `RunWarning`.
     ///
     /// Ctrl-C writes a checkpoint and raises `Stopped`. What a callback raises comes through once a checkpoint is written. Results do
     /// not depend on `threads`, nor on a callback that looks.

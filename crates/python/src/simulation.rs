@@ -1,13 +1,14 @@
 //! A run that a script holds: stage by stage, step by step, with looks between them; and one that goes to its end.
 
 use crate::away::{Back, Desk, away, pool};
-use crate::errors::{failed, refused as case_refused, stopped, unusable};
+use crate::errors::{RunWarning, failed, refused as case_refused, stopped, unusable};
 use crate::look::{Look, Scene};
 use crate::made::Made;
 use crate::watch::{Every, Watch};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::ThreadPool;
+use std::ffi::CString;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -203,7 +204,13 @@ impl Simulation {
             };
         }
         page.map_err(failed)?;
-        result(py, &self.out)
+        let result = result(py, &self.out)?;
+        if !matches!(outcome.ending, Ending::Done | Ending::Stopped) {
+            let verdict: String = result.getattr("verdict")?.extract()?;
+            let text = CString::new(verdict.replace('\0', " ")).unwrap_or_default();
+            PyErr::warn(py, &py.get_type::<RunWarning>(), &text, 1)?;
+        }
+        Ok(result)
     }
 
     fn made(&self) -> PyResult<MutexGuard<'_, Made>> {

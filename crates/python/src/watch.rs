@@ -22,7 +22,7 @@ const OURS: &str = "python:";
 /// How often a callback looks: steps, or a time such as `"0.05 s"`.
 #[derive(FromPyObject)]
 pub enum Every {
-    Steps(u64),
+    Steps(i64),
     Time(String),
 }
 
@@ -31,8 +31,10 @@ impl Every {
     fn steps(&self, job: &Job) -> PyResult<u64> {
         let span = span(job.model.nodes.coarsest());
         match self {
-            Every::Steps(0) => Err(unusable("every = 0 is no number of steps; give 1 or more")),
-            Every::Steps(steps) => Ok(steps.saturating_mul(span)),
+            Every::Steps(steps) => match u64::try_from(*steps) {
+                Ok(steps) if steps > 0 => Ok(steps.saturating_mul(span)),
+                _ => Err(unusable(format!("every = {steps} is no number of steps; give 1 or more"))),
+            },
             Every::Time(text) => match units::parse(text, Dimension::TIME) {
                 Ok(time) if time > 0.0 => Ok((time / job.dt / span as f64).round().max(1.0) as u64 * span),
                 Ok(_) => Err(unusable(format!(

@@ -178,6 +178,14 @@ def test_other_threads_go_on_while_it_computes(job, tmp_path):
     assert len(ticks) > 0.1 * took / 0.0012
 
 
+def test_a_run_that_breaks_off_is_warned_of_and_has_its_results(job, tmp_path):
+    # A force beyond all sense leaves no numbers: the guard stops the run.
+    loaded = job.with_fields(loads=[([0], (0.0, 0.0, 1e300), [0.0], [1.0])])
+    with pytest.warns(tr.RunWarning, match="energy|number"):
+        result = loaded.run(tmp_path / "a")
+    assert result.status == "failed" and "reached its end" not in result.verdict
+
+
 def test_progress_is_told(job, tmp_path):
     told = []
     case = job.case.with_({"dynamic.duration": "30 s", "output.snapshots": "10 s"})
@@ -221,6 +229,8 @@ def test_a_folder_with_results_is_not_overwritten_unasked(job, tmp_path):
         job.run(tmp_path / "a", resume=True)
     with pytest.raises(tr.Error, match="every"):
         job.run(tmp_path / "b", callback=print, every="0.1 m")
+    with pytest.raises(tr.Error, match="every = -1"):
+        job.run(tmp_path / "b", callback=print, every=-1)
     with pytest.raises(tr.Error, match="threads"):
         job.run(tmp_path / "b", threads=0)
 

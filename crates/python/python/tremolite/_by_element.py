@@ -29,6 +29,8 @@ def by_element(case: Case, material: str, factors: Mapping[str, Any], *, mesh: M
 
     Raises `Error` where the material or a parameter is not there, a factor is not above 0, or the shape is not that of the mesh.
     """
+    if not factors:
+        raise Error('no parameter is given; write {"young": factors}')
     keys = case.to_dict()
     materials = keys["material"]
     if material not in materials:

@@ -34,6 +34,8 @@ def value(given: Any, key: str) -> str:
     if isinstance(given, os.PathLike):
         given = os.fspath(given)
     if isinstance(given, str):
+        if any("\ud800" <= character <= "\udfff" for character in given):
+            raise Error(f"{key} holds half a character (a surrogate); decode the text it comes from")
         # JSON's escapes are TOML's, but for those of half characters, which no case has.
         return json.dumps(given, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(given, Mapping):

@@ -39,6 +39,9 @@ class Stopped(KeyboardInterrupt):
 class CaseWarning(UserWarning):
     """What is unusual of a case that can be run all the same."""
 
+class RunWarning(UserWarning):
+    """A run that ended for a physical or numerical reason; its results until then are kept."""
+
 @final
 class Problem:
     """One thing that is wrong or unusual, at its place in the case."""
