@@ -20,6 +20,7 @@ mod motion;
 mod report;
 mod simulation;
 mod tables;
+mod teller;
 mod toml_dict;
 mod watch;
 

@@ -1,38 +1,29 @@
 //! A run that a script holds: stage by stage, step by step, with looks between them; and one that goes to its end.
 
-use crate::away::{Back, Desk, away, pool};
-use crate::errors::{RunWarning, failed, refused as case_refused, stopped, unusable};
+mod begin;
+mod end;
+mod stages;
+
+pub use begin::Wish;
+pub use stages::{StageEnd, Stages};
+
+use crate::away::{Back, Desk, away};
+use crate::errors::{failed, stopped, unusable};
 use crate::look::{Look, Scene};
 use crate::made::Made;
-use crate::watch::{Every, Watch};
+use crate::teller::Teller;
+use crate::watch::Watch;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::ThreadPool;
-use std::ffi::CString;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
-use std::time::Instant;
 use tremolite::RunError;
 use tremolite::job::{Begun, Caller, Job};
 use tremolite::phase::beats::span;
 use tremolite::run::{Control, Progress, run};
-use tremolite::simulation::{self, Ending, Go, Outcome, Start, Stepping};
-use tremolite_case::Case;
-use tremolite_laws::materials::MATERIALS;
-use tremolite_results::{ResultFolder, replace_file};
-
-/// How a run is asked for.
-#[derive(Default)]
-pub struct Wish {
-    pub out: Option<PathBuf>,
-    pub resume: bool,
-    pub overwrite: bool,
-    pub from: Option<PathBuf>,
-    pub threads: Option<usize>,
-    pub callback: Option<Py<PyAny>>,
-    pub every: Option<Every>,
-}
+use tremolite::simulation::{self, Ending, Outcome, Stepping};
 
 /// A run that a script drives, in its folder, on threads of its own. Made by `Job.start`; use it by `with`, which finishes it.
 ///
@@ -61,104 +52,7 @@ struct Held {
     ending: Option<Ending>,
 }
 
-/// A stage that has come to rest.
-#[pyclass(frozen, module = "tremolite", get_all)]
-pub struct StageEnd {
-    /// Its place among the stages, from 0.
-    number: usize,
-    name: String,
-    /// Cycles of relaxation.
-    cycles: u64,
-    /// What is out of balance over all contributions.
-    ratio: f64,
-}
-
-#[pymethods]
-impl StageEnd {
-    fn __repr__(&self) -> String {
-        format!("<stage {} {:?} at rest after {} cycles>", self.number, self.name, self.cycles)
-    }
-}
-
-/// The stages that are left: each comes to rest as it is asked for.
-#[pyclass(frozen, module = "tremolite")]
-pub struct Stages(Py<Simulation>);
-
-#[pymethods]
-impl Stages {
-    fn __iter__(slf: PyRef<'_, Self>) -> PyRef<'_, Self> {
-        slf
-    }
-
-    fn __next__(&self, py: Python<'_>) -> PyResult<Option<StageEnd>> {
-        self.0.get().relax(py)
-    }
-}
-
 impl Simulation {
-    /// Prepares the folder and the simulation.
-    pub fn begin(py: Python<'_>, made: &Made, wish: Wish) -> PyResult<Self> {
-        let job = &made.job;
-        let Wish { out, resume, overwrite, from, threads, callback, every } = wish;
-        if resume && (overwrite || from.is_some()) {
-            return Err(unusable("resume goes on with what is there; leave overwrite and from_ out"));
-        }
-        let (desk, stop) = (Arc::new(Desk::default()), Arc::new(AtomicBool::new(false)));
-        let watch =
-            callback.map(|callback| Watch::new(callback, every.as_ref(), job, &desk, &stop)).transpose()?;
-        let pool = pool(threads)?;
-        let caller = Caller {
-            started: now(py)?,
-            ..Caller::new(format!("tremolite {} (Python)", env!("CARGO_PKG_VERSION")))
-        };
-        let other = from.as_deref().map(ResultFolder::open_existing).transpose().map_err(unusable)?;
-        let start = match &other {
-            Some(other) => Start::From(other),
-            None if resume => Start::Resume,
-            None => Start::Rest,
-        };
-        job.check_start(start).map_err(unusable)?;
-        if let (Some(from), Some(out)) = (&from, &out)
-            && same(from, out)
-        {
-            return Err(unusable(format!(
-                "from_ {} is where the results would go; give another out",
-                from.display()
-            )));
-        }
-        let folder = match resume {
-            true => ResultFolder::resume(out.as_deref(), &job.name()),
-            false => ResultFolder::create(out.as_deref(), &job.name(), overwrite),
-        };
-        let folder = folder.map_err(|why| {
-            unusable(
-                why.to_string()
-                    .replace("--overwrite", "overwrite=True")
-                    .replace("--resume", "resume=True")
-                    .replace("--out", "out"),
-            )
-        })?;
-        let begun = job.begin(&folder, start).map_err(|why| refused(&why))?;
-        if !resume {
-            replace_file(&folder.log(), format!("{}\n", caller.program).as_bytes()).map_err(failed)?;
-        }
-        let own = watch.as_ref().map_or_else(Vec::new, Watch::observers);
-        let back = away(py, &pool, &desk, &stop, || begun.simulation(job, own))?;
-        let simulation = back.result.map_err(|why| refused(&why))?;
-        let held = Held { simulation, begun, caller, stage_seconds: 0.0, ending: None };
-        let out = folder.root().to_owned();
-        Ok(Simulation {
-            made: Mutex::new(made.clone()),
-            out,
-            pool,
-            desk,
-            stop,
-            watch,
-            follows: from.is_some() || resume,
-            held: Mutex::new(Some(held)),
-        })
-    }
-
     /// To its end, or to where it is stopped.
     pub fn run<'py>(self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyAny>> {
         let mut held = self.held()?;
@@ -179,38 +73,6 @@ impl Simulation {
         })?;
         let raised = teller.and_then(|teller| teller.raised());
         self.ended(py, back, raised, watch.as_deref())
-    }
-
-    /// The results of what has ended, or why it was broken off.
-    fn ended<'py>(
-        &self,
-        py: Python<'py>,
-        back: Back<Result<Outcome, RunError>>,
-        raised: Option<PyErr>,
-        watch: Option<&Watch>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let page = py.detach(|| tremolite_report::write(&self.out));
-        if let Some(raised) = watch.and_then(Watch::raised).or(raised) {
-            // Ctrl-C while a callback ran.
-            let in_order = back.result.is_ok_and(|outcome| outcome.ending == Ending::Stopped);
-            return Err(if in_order { stopped(py, raised, &self.out) } else { raised });
-        }
-        let outcome = back.result.map_err(|why| refused(&why))?;
-        if let Some(interrupt) = back.interrupt {
-            return match outcome.ending {
-                Ending::Stopped => Err(stopped(py, interrupt, &self.out)),
-                // It came as the run ended.
-                _ => Err(interrupt),
-            };
-        }
-        page.map_err(failed)?;
-        let result = result(py, &self.out)?;
-        if !matches!(outcome.ending, Ending::Done | Ending::Stopped) {
-            let verdict: String = result.getattr("verdict")?.extract()?;
-            let text = CString::new(verdict.replace('\0', " ")).unwrap_or_default();
-            PyErr::warn(py, &py.get_type::<RunWarning>(), &text, 1)?;
-        }
-        Ok(result)
     }
 
     fn made(&self) -> PyResult<MutexGuard<'_, Made>> {
@@ -249,44 +111,6 @@ impl Simulation {
         result.map_err(|why| refused(&why))?;
         Err(stopped(py, interrupt, &self.out))
     }
-
-    /// Brings the next stage to rest; none where none is left.
-    fn relax(&self, py: Python<'_>) -> PyResult<Option<StageEnd>> {
-        let end = self.drive(py, |held, stop| {
-            let Some(number) = held.simulation.stage() else { return Ok(None) };
-            let name = held.simulation.plan().stages[number].name.clone();
-            let begin = Instant::now();
-            let end =
-                held.simulation.relax(&mut |_| if stop.load(Ordering::Relaxed) { Go::Stop } else { Go::On });
-            held.stage_seconds += begin.elapsed().as_secs_f64();
-            let end = end?;
-            held.ending = match &end {
-                simulation::StageEnd::Restless { relaxed, place } => {
-                    Some(Ending::Restless { stage: name.clone(), relaxed: *relaxed, place: place.clone() })
-                }
-                simulation::StageEnd::SnappedBack { lost, held } => {
-                    Some(Ending::SnappedBack { stage: name.clone(), lost: *lost, held: *held })
-                }
-                _ => None,
-            };
-            Ok(Some((number, name, end)))
-        })?;
-        match end {
-            None => Ok(None),
-            Some((number, name, simulation::StageEnd::AtRest(rest))) => {
-                Ok(Some(StageEnd { number, name, cycles: rest.cycles, ratio: rest.ratio }))
-            }
-            Some((_, name, simulation::StageEnd::Stopped)) => Err(failed(format!(
-                "the stage {name:?} was stopped; ask for the next stage to go on with it"
-            ))),
-            Some((_, name, simulation::StageEnd::Restless { place, .. })) => Err(failed(format!(
-                "the stage {name:?} does not come to rest: most moves at {place}; finish() says more"
-            ))),
-            Some((_, name, simulation::StageEnd::SnappedBack { .. })) => {
-                Err(failed(format!("what the stage {name:?} moves snapped back; finish() says more")))
-            }
-        }
-    }
 }
 
 #[pymethods]
@@ -296,7 +120,7 @@ impl Simulation {
     ///
     /// Raises `RunError` where a stage does not come to rest.
     fn stages(slf: Py<Self>) -> Stages {
-        Stages(slf)
+        Stages::of(slf)
     }
 
     /// Puts another stage behind those that the case has: a dict of what `[[stage]]` of a case knows, `{"name": "bench 3", "excavate":
@@ -307,38 +131,7 @@ impl Simulation {
     /// Raises `CaseError`, and leaves all as it is, where the stage is none; `Error` once the ground shakes, with a callback, which would see
     /// stages twice, and behind another run's stages.
     fn add_stage(&self, py: Python<'_>, stage: &Bound<'_, PyDict>) -> PyResult<()> {
-        let (done, taken) = {
-            let held = self.held()?;
-            let simulation = &held.as_ref().ok_or_else(over)?.simulation;
-            (simulation.stage().unwrap_or(simulation.plan().stages.len()), simulation.taken())
-        };
-        if self.watch.is_some() || self.follows {
-            return Err(unusable(
-                "stages are added to a run of its own without a callback; look between stages instead, and leave callback and from_ out",
-            ));
-        }
-        if taken > 0 {
-            return Err(unusable("the ground shakes already; add stages before the first step"));
-        }
-        let stages = PyDict::new(py);
-        stages.set_item("stage", vec![stage])?;
-        let added: String = py.import("tremolite._toml")?.call_method1("document", (stages,))?.extract()?;
-        let old = self.made()?.clone();
-        let text = format!("{}\n\n{added}", old.case.source.trim_end());
-        let case = Case::parse_in(&old.case.path, &old.case.directory, &text, &[], MATERIALS);
-        let case = case.map_err(|report| case_refused(py, &report))?;
-        let threads = Some(self.pool.current_num_threads());
-        let made = Made::build(py, &case, &old.given(), old.fields.clone(), threads)?;
-        // The folder is let go of first.
-        drop(self.held()?.take());
-        let wish = Wish { out: Some(self.out.clone()), overwrite: true, threads, ..Wish::default() };
-        let anew = Simulation::begin(py, &made, wish)?;
-        *self.held()? = anew.held()?.take();
-        *self.made()? = made;
-        for _ in 0..done {
-            self.relax(py)?;
-        }
-        Ok(())
+        self.grow(py, stage)
     }
 
     /// Makes `steps` steps of the coarsest level, or fewer where the earthquake ends before. True while it goes on.
@@ -473,47 +266,6 @@ impl Simulation {
     }
 }
 
-/// Tells a script how far a run is.
-struct Teller {
-    tell: Arc<Py<PyAny>>,
-    job: Arc<Job>,
-    desk: Arc<Desk>,
-    stop: Arc<AtomicBool>,
-    raised: Arc<Mutex<Option<PyErr>>>,
-}
-
-impl Teller {
-    fn new(tell: Py<PyAny>, job: &Arc<Job>, desk: &Arc<Desk>, stop: &Arc<AtomicBool>) -> Self {
-        let (job, desk, stop) = (job.clone(), desk.clone(), stop.clone());
-        Teller { tell: Arc::new(tell), job, desk, stop, raised: Arc::default() }
-    }
-
-    fn tell(&self, now: Progress) {
-        let (tell, raised, stop) = (self.tell.clone(), self.raised.clone(), self.stop.clone());
-        let stage = now.stage.map(|stage| self.job.plan.stages[stage].name.clone());
-        self.desk.ask(move |py| {
-            let said = || -> PyResult<()> {
-                let words = PyDict::new(py);
-                words.set_item("stage", stage)?;
-                words.set_item("share", now.share)?;
-                words.set_item("cycle", now.cycle)?;
-                words.set_item("step", now.step)?;
-                words.set_item("steps", now.total)?;
-                words.set_item("time", now.time)?;
-                tell.call1(py, (words,)).map(drop)
-            };
-            if let (Err(error), Ok(mut held)) = (said(), raised.lock()) {
-                stop.store(true, Ordering::Relaxed);
-                *held = Some(error);
-            }
-        });
-    }
-
-    fn raised(&self) -> Option<PyErr> {
-        self.raised.lock().ok()?.take()
-    }
-}
-
 fn over() -> PyErr {
     unusable("this simulation is finished; start another, with resume=True to go on")
 }
@@ -527,25 +279,4 @@ fn refused(why: &RunError) -> PyErr {
         RunError::StageLeft(_) => failed(format!("{why}: go through stages() first")),
         why => failed(why),
     }
-}
-
-/// Whether two paths are one folder.
-fn same(a: &Path, b: &Path) -> bool {
-    let whole = |path: &Path| path.canonicalize().ok();
-    whole(a).is_some_and(|a| Some(a) == whole(b))
-}
-
-/// The results in a folder.
-fn result<'py>(py: Python<'py>, root: &Path) -> PyResult<Bound<'py, PyAny>> {
-    py.import("tremolite._results")?.getattr("Result")?.call1((root,))
-}
-
-/// The time of day, in words.
-fn now(py: Python<'_>) -> PyResult<String> {
-    let zone = py.import("datetime")?.getattr("timezone")?.getattr("utc")?;
-    py.import("datetime")?
-        .getattr("datetime")?
-        .call_method1("now", (zone,))?
-        .call_method0("isoformat")?
-        .extract()
 }

@@ -13,10 +13,12 @@ xy, yz, zx. The same case gives the same bits here and from the command line.
 """
 
 from ._by_element import by_element
+from ._fields import FieldFile, Grid
 from ._law import InterfacePath, Law, MaterialPath, law
 from ._mesh import Mesh
 from ._motion import Channel, Motion
-from ._results import FieldFile, Grid, Result, Table, compare
+from ._results import Result, compare
+from ._tables import Table
 from ._tremolite import (
     Case,
     CaseError,
