@@ -1,7 +1,6 @@
 //! How a command ends: 0 done, 1 failed for a physical or numerical reason, 2 bad input, 3 stopped by a signal.
 
 use std::fmt::Display;
-use std::process::ExitCode;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Code {
@@ -9,12 +8,6 @@ pub enum Code {
     Failed = 1,
     BadInput = 2,
     Stopped = 3,
-}
-
-impl From<Code> for ExitCode {
-    fn from(code: Code) -> ExitCode {
-        ExitCode::from(code as u8)
-    }
 }
 
 /// What went wrong, in words, and the status to end with.

@@ -161,7 +161,7 @@ impl Motion {
     }
 
     /// Files of the records, as they are written.
-    pub(crate) fn files(&self) -> Vec<&Spanned<PathBuf>> {
+    pub fn files(&self) -> Vec<&Spanned<PathBuf>> {
         match &self.records {
             Records::File(file) => vec![file],
             Records::Components(components) => {
