@@ -57,11 +57,16 @@ impl Case {
         Case::parse(py, &directory.join("case.toml"), &directory, text)
     }
 
-    /// A case from a dict with the keys of a case file. Numbers with a dimension are texts with their unit: `"10 GPa"`.
+    /// A case from a dict with the keys of a case file. Numbers with a dimension are texts with their unit, `"10 GPa"`; with
+    /// `units="SI"` bare ones are in SI, angles excepted.
     #[staticmethod]
-    #[pyo3(signature = (case, directory = PathBuf::new()))]
-    fn from_dict(case: &Bound<'_, PyDict>, directory: PathBuf) -> PyResult<Self> {
+    #[pyo3(signature = (case, directory = PathBuf::new(), *, units = None))]
+    fn from_dict(case: &Bound<'_, PyDict>, directory: PathBuf, units: Option<&str>) -> PyResult<Self> {
         let py = case.py();
+        let case = case.copy()?;
+        if let Some(units) = units {
+            case.set_item("units", units)?;
+        }
         let text: String = py.import("tremolite._toml")?.call_method1("document", (case,))?.extract()?;
         Case::from_text(py, &text, directory)
     }

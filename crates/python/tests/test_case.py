@@ -71,3 +71,14 @@ def test_a_case_shows_itself_and_goes_to_other_processes(column):
     assert "elastic" in case._repr_html_() and case.title in repr(case)
     assert pickle.loads(pickle.dumps(case)) == case
     assert case.defaults["dynamic.safety"] == "0.9"
+
+
+def test_bare_numbers_are_refused_but_for_a_dict_in_si(column):
+    bare = {**column, "material": {"rock": {**column["material"]["rock"], "young": 2e9}}}
+    with pytest.raises(tr.CaseError) as caught:
+        tr.Case.from_dict(bare)
+    assert caught.value.problems[0].key == "material.rock.young" and '"2 GPa"' in caught.value.problems[0].remedy
+    assert tr.Case.from_dict(bare, units="SI").to_dict() == {**bare, "units": "SI"}
+    assert "units" not in bare
+    with pytest.raises(tr.CaseError, match="units"):
+        tr.Case.from_dict(bare, units="US")

@@ -82,3 +82,10 @@ def test_what_cannot_be_driven_is_refused_in_words():
             law.drive(**given)
     with pytest.raises(tr.Error, match="material"):
         law.drive_interface(gap=[0.0])
+
+
+def test_parameters_in_si_are_those_with_units():
+    with_units = tr.law("elastic", young="25 GPa", poisson=0.2)
+    assert tr.law("elastic", units="SI", young=25e9, poisson=0.2).parameters == with_units.parameters
+    with pytest.raises(tr.CaseError, match="has no unit"):
+        tr.law("elastic", young=25e9, poisson=0.2)

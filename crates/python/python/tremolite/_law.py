@@ -124,15 +124,18 @@ class Law:
         return f"<Law {self.text.splitlines()[-1] if not self.text else self.text.splitlines()[1]}>"
 
 
-def law(name: str, *, size: str | None = None, interface: bool = False, **parameters: Any) -> Law:
+def law(name: str, *, size: Any = None, interface: bool = False, units: str | None = None, **parameters: Any) -> Law:
     """A law by its name (`tremolite list materials`), with its parameters as in a case: young="25 GPa".
 
     size: extent of the element, "0.5 m", for laws with a fracture energy. interface: whether it is the law of an interface.
+    units: "SI": bare numbers are in SI, angles excepted: young=25e9.
     Parameters are checked as in a case; raises `CaseError` with all that is wrong.
     """
     lines = [f"[{'interface' if interface else 'material'}]", f"law = {value(name, 'law')}"]
     if size is not None:
         lines.insert(0, f"size = {value(size, 'size')}")
+    if units is not None:
+        lines.insert(0, f"units = {value(units, 'units')}")
     lines += [f"{key} = {value(one, key)}" for key, one in parameters.items()]
     return Law("\n".join(lines) + "\n")
 
