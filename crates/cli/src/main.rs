@@ -21,6 +21,8 @@ enum Command {
     Check(commands::check::Args),
     /// Run a case
     Run(commands::run::Args),
+    /// Run a study: cases that differ in their keys, records and levels of shaking
+    Study(commands::study::Args),
     /// Write the report page again, from the result files alone
     Report(commands::report::Args),
     /// Run the verification problems and print each figure beside the exact one
@@ -45,6 +47,7 @@ fn main() -> std::process::ExitCode {
     let result = match Cli::parse().command {
         Command::Check(args) => commands::check::run(&args),
         Command::Run(args) => commands::run::run(&args),
+        Command::Study(args) => commands::study::run(&args),
         Command::Report(args) => commands::report::run(&args),
         Command::Verify(args) => commands::verify::run(&args),
         Command::Law(args) => commands::law::run(&args),

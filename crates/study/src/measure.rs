@@ -79,7 +79,7 @@ impl<'a> Results<'a> {
             Take::Min => low,
             Take::Range => high - low,
             Take::First => finite().next().unwrap_or(f64::NAN),
-            Take::Last => finite().last().unwrap_or(f64::NAN),
+            Take::Last => finite().next_back().unwrap_or(f64::NAN),
         };
         if found.is_finite() {
             Ok(found)

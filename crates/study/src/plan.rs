@@ -13,7 +13,7 @@ use crate::intensity::{FORMS, Measure};
 pub use samples::Sample;
 
 /// Runs at most: more is a slip of digits.
-const MOST_RUNS: usize = 100_000;
+const MOST_RUNS: usize = 20_000;
 
 /// A key of the case that differs from run to run.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use crate::keys::{Key, Kind, Limit, Table, When};
 use crate::motion::{COMPONENT, WINDOW_KIND};
 
 const NUMBER: Kind = Kind::Number(Dimension::NONE, Limit::Any);
-const COUNT: Kind = Kind::Count(1_000_000);
+const COUNT: Kind = Kind::Count(20_000);
 
 pub(super) static STUDY: Table = Table {
     path: "",

@@ -9,6 +9,7 @@ pub mod motion;
 pub mod new;
 pub mod report;
 pub mod run;
+pub mod study;
 pub mod verify;
 
 use crate::exit::Failure;

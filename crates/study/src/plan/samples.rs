@@ -9,7 +9,7 @@ use crate::matrix::Matrix;
 use crate::{distribution, sobol, table};
 
 /// Samples of a grid at most.
-const MOST_SAMPLES: usize = 100_000;
+const MOST_SAMPLES: usize = 20_000;
 
 /// One set of values.
 #[derive(Clone, Debug, PartialEq)]
