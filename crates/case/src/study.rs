@@ -27,7 +27,7 @@ words! {
         OneAtATime = "one-at-a-time",
         /// all values of all keys with one another.
         Grid = "grid",
-        /// random, one sample in each of `count` strata of every key (McKay, Beckman and Conover 1979).
+        /// random, one sample in each of `count` strata of every key (`mckay1979`).
         LatinHypercube = "latin-hypercube",
         /// a Sobol sequence with a random digital shift, for sums over many keys.
         Sobol = "sobol",

@@ -1,8 +1,7 @@
 //! Fragility curves by maximum likelihood: the probability that a limit is exceeded at an intensity x is Φ(ln(x/θ)/β).
 //!
-//! Stripes are binomial (Baker 2015, eq. 11), which is a probit regression on ln x; of rising levels that end where the limit is
-//! exceeded, or before it is, the likelihood is that of a sample cut off from above (ibid., truncated incremental dynamic analysis,
-//! eq. 9). Both are concave in the parameters that they are maximised in, so there is one maximum or none, and none is said.
+//! Stripes are binomial (`baker2015`), which is a probit regression on ln x; of rising levels that end where the limit is
+//! exceeded, or before it is, the likelihood is that of a sample cut off from above (ibid., truncated incremental dynamic analysis). Both are concave in the parameters that they are maximised in, so there is one maximum or none, and none is said.
 
 use crate::normal;
 
@@ -56,7 +55,7 @@ pub enum NoCurve {
     Always { lowest: f64 },
     /// It is exceeded in no run up to `below` and in every run from `above` on: θ lies between them, and β cannot be told from 0.
     Separated { below: f64, above: f64 },
-    /// It is exceeded less often at higher intensities.
+    /// It is not exceeded more often at higher intensities.
     Falling,
     /// Fewer than two different intensities at which it was exceeded.
     TooFew,
@@ -129,7 +128,7 @@ pub fn of_risen(risen: &[Risen]) -> Result<Curve, NoCurve> {
     if spread < 1e-18 {
         return Err(NoCurve::TooFew);
     }
-    // In 1/β and (ln θ − mean)/β (Olsen 1978).
+    // In 1/β and (ln θ − mean)/β (`olsen1978`).
     let likelihood = |[p, q]: [f64; 2]| {
         let mut sum = Local::default();
         for r in risen {

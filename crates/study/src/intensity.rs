@@ -31,7 +31,7 @@ pub enum Of {
     Largest,
     /// The root of the product of those along x and y.
     GeometricMean,
-    /// The median over all directions (Boore 2010), of half circles in steps of one degree.
+    /// The median over all directions (`boore2010`), of half circles in steps of one degree.
     RotD50,
     /// The largest over all directions.
     RotD100,

@@ -1,4 +1,4 @@
-//! Latin hypercubes (McKay, Beckman and Conover 1979), with ranks that go together as asked for (Iman and Conover 1982).
+//! Latin hypercubes (`mckay1979`), with ranks that go together as asked for (`iman1982`).
 
 use crate::matrix::{self, Matrix};
 use crate::normal;
@@ -34,7 +34,7 @@ pub struct NotPositive;
 
 /// Strata in another order, so that the ranks of keys go together as asked for.
 ///
-/// Iman and Conover (1982) give normal scores the correlations that ranks are to have. Ranks then miss them by some hundredths; what
+/// `iman1982` gives normal scores the correlations that ranks are to have. Ranks then miss them by some hundredths; what
 /// they miss is added to what scores are given, and all is done again.
 fn together(random: Vec<Vec<usize>>, ranks: &Matrix) -> Vec<Vec<usize>> {
     let (keys, count) = (random.len(), random.first().map_or(0, Vec::len));

@@ -31,7 +31,7 @@ pub fn log_cdf(x: f64) -> f64 {
     }
 }
 
-/// The value that a share p of all lies below, 0 < p < 1: algorithm PPND16 of Wichura (1988), to 1e-16.
+/// The value that a share p of all lies below, 0 < p < 1: algorithm PPND16 of `wichura1988`, to 1e-16.
 pub fn quantile(p: f64) -> f64 {
     let q = p - 0.5;
     if q.abs() <= 0.425 {

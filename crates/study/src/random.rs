@@ -1,7 +1,7 @@
 //! Random numbers as a function of their place: the same on every machine and in every version, in whatever order they are asked
 //! for.
 
-/// The finaliser of SplitMix64 (Steele, Lea and Flood 2014): a bijection of 64 bits that leaves no pattern.
+/// The finaliser of SplitMix64 (`steele2014`): a bijection of 64 bits that leaves no pattern.
 fn mixed(x: u64) -> u64 {
     let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -1,4 +1,4 @@
-//! Sobol sequences with the direction numbers of Joe and Kuo (2008), shifted by random digits.
+//! Sobol sequences with the direction numbers of `joe2008`, shifted by random digits.
 
 use crate::random::Stream;
 
@@ -64,7 +64,7 @@ fn point(directions: &[u32; BITS as usize], index: u32) -> u32 {
 }
 
 /// Shares for `count` samples of `keys` keys, at most [`MOST`], `shares[key][sample]` in (0, 1). The digits of each key are shifted by
-/// random ones of the seed, which keeps every balance of the sequence; its first point is kept (Owen 2020).
+/// random ones of the seed, which keeps every balance of the sequence; its first point is kept.
 pub fn sobol(count: usize, keys: usize, seed: u32) -> Vec<Vec<f64>> {
     let of_key = |key: usize| {
         let (v, shift) = (directions(key), (Stream::new(seed, key as u64).bits(0) >> 32) as u32);

@@ -124,7 +124,7 @@ static SCALE: Table = Table {
 
 static IDA: Table = Table {
     path: "scale.ida",
-    doc: "Incremental dynamic analysis: rising levels until a limit.",
+    doc: "Incremental dynamic analysis (`vamvatsikos2002`): rising levels until a limit.",
     keys: &[
         Key::required("first", Kind::Text, "the lowest level: \"0.1 g\""),
         Key::required("step", Kind::Text, "from level to level: \"0.1 g\""),

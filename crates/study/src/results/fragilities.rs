@@ -267,7 +267,7 @@ fn in_words(why: NoCurve, unit: &str) -> String {
             told(below),
             told(above)
         ),
-        NoCurve::Falling => "the limit is exceeded less often at higher intensities: this measure of intensity does not rule it".to_owned(),
+        NoCurve::Falling => "the limit is not exceeded more often at higher intensities: this measure of intensity does not rule it".to_owned(),
         NoCurve::TooFew => "fewer than two different intensities at which the limit is exceeded".to_owned(),
     }
 }
