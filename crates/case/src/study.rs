@@ -196,6 +196,8 @@ pub struct Ida {
 pub struct Measure {
     pub name: Spanned<String>,
     pub of: MeasureOf,
+    /// The SI unit of a number of summary.json, where the study says it.
+    pub unit: Option<String>,
     /// Taken where the files hold no such number.
     pub otherwise: Option<f64>,
 }
@@ -596,7 +598,8 @@ fn measure((name, node): &(Spanned<String>, Node)) -> Option<Measure> {
             take: f.word("take", Take::from_word)?.value,
         },
     };
-    Some(Measure { name: name.clone(), of, otherwise: f.number("otherwise").map(|n| n.value) })
+    let unit = f.text("unit").map(|t| t.value);
+    Some(Measure { name: name.clone(), of, unit, otherwise: f.number("otherwise").map(|n| n.value) })
 }
 
 fn fragility(f: &Fields) -> Option<Fragility> {

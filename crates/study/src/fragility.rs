@@ -5,6 +5,9 @@
 
 use crate::normal;
 
+/// A β from which on a curve does not rise: between one share of runs in six and five in six, e²⁰ times the intensity (assumption).
+const FLAT: f64 = 10.0;
+
 /// One run of a stripe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
@@ -57,7 +60,7 @@ pub enum NoCurve {
     Separated { below: f64, above: f64 },
     /// It is not exceeded more often at higher intensities.
     Falling,
-    /// Fewer than two different intensities at which it was exceeded.
+    /// Fewer than two different intensities at which it was exceeded, or so few that nothing follows.
     TooFew,
 }
 
@@ -100,7 +103,7 @@ pub fn of_stripes(seen: &[Seen]) -> Result<Curve, NoCurve> {
     let share = seen.iter().filter(|s| s.exceeded).count() as f64 / seen.len() as f64;
     let start = [normal::quantile(share), 1.0 / spread.sqrt().max(0.1)];
     let ([a, b], at) = newton(likelihood, start, |_| true).ok_or(NoCurve::TooFew)?;
-    if !(b > 0.0) {
+    if !(b > 1.0 / FLAT) {
         return Err(NoCurve::Falling);
     }
     // ln θ = mean − a/b, β = 1/b.
@@ -152,6 +155,9 @@ pub fn of_risen(risen: &[Risen]) -> Result<Curve, NoCurve> {
     };
     let ([p, q], at) =
         newton(likelihood, [1.0 / spread.sqrt(), 0.0], |[p, _]| p > 0.0).ok_or(NoCurve::TooFew)?;
+    if !(p > 1.0 / FLAT) {
+        return Err(NoCurve::TooFew);
+    }
     let jacobian = [[-q / (p * p), 1.0 / p], [-1.0 / (p * p), 0.0]];
     let theta = libm::exp(mean + q / p);
     Ok(Curve { theta, beta: 1.0 / p, covariance: at.covariance(jacobian), log_likelihood: at.value })

@@ -37,7 +37,7 @@ pub struct Missing {
 /// Puts together what lies below `out`. Runs whose results lack a measure are told as well.
 pub fn gather(study: &StudyFile, plan: &Plan, prepared: &[Prepared], out: &Path) -> (Study, Vec<Missing>) {
     let mut missing = Vec::new();
-    let mut units: Vec<Option<String>> = vec![None; study.measures.len()];
+    let mut units: Vec<Option<String>> = study.measures.iter().map(|m| m.unit.clone()).collect();
     let mut runs: Vec<StudyRun> = Vec::new();
     for (run, prepared) in plan.runs.iter().zip(prepared) {
         let folder = RunFolder::new(out, &run.name);

@@ -2,7 +2,8 @@
 
 use tremolite_case::study::Quantity;
 
-use crate::plan::{Sample, slug};
+/// The name of a row, which may be empty, and its values as TOML.
+pub type Row = (String, Vec<Option<String>>);
 
 /// A fault of a table: what is wrong, and the way out.
 pub type Fault = (String, String);
@@ -12,7 +13,7 @@ pub type Fault = (String, String);
 ///
 /// # Errors
 /// What is wrong, with the line of the table.
-pub fn samples(text: &str) -> Result<(Vec<String>, Vec<Sample>), Fault> {
+pub fn samples(text: &str) -> Result<(Vec<String>, Vec<Row>), Fault> {
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
     let unreadable = |e: csv::Error| {
         let line = e.position().map_or_else(String::new, |p| format!("line {}: ", p.line()));
@@ -44,12 +45,7 @@ pub fn samples(text: &str) -> Result<(Vec<String>, Vec<Sample>), Fault> {
     if rows.is_empty() {
         return Err(("the table has no rows".into(), "write a row a sample under the first line".into()));
     }
-    let width = rows.len().to_string().len();
-    let sample = |(k, (name, values)): (usize, (String, Vec<Option<String>>))| {
-        let title = if name.is_empty() { format!("s{:0width$}", k + 1) } else { name };
-        Sample { name: slug(&title), title, values, beside: None }
-    };
-    Ok((paths, rows.into_iter().enumerate().map(sample).collect()))
+    Ok((paths, rows))
 }
 
 /// A path and its unit. Paths have brackets of their own, so a unit stands behind a space.
@@ -98,9 +94,9 @@ mod tests {
             ["initial.lateral", "material.rock.young", "dynamic.sides", "stage[bench 1].release"]
         );
         let text = |s: &str| Some(s.to_owned());
-        assert_eq!(samples[0].values, [text("0.5"), text("\"25 GPa\""), text("roller"), text("1")]);
-        assert_eq!(samples[1].values, [None, text("\"2.5 GPa\""), None, text("0.4")]);
-        assert_eq!(samples[1].name, "soft");
+        assert_eq!(samples[0].1, [text("0.5"), text("\"25 GPa\""), text("roller"), text("1")]);
+        assert_eq!(samples[1].1, [None, text("\"2.5 GPa\""), None, text("0.4")]);
+        assert_eq!(samples[1].0, "soft");
     }
 
     #[test]

@@ -151,6 +151,13 @@ static MEASURE: Table = Table {
         ),
         Key::optional("over", Kind::Text, "", "Another number there that it is divided by")
             .when(When::Beside("summary")),
+        Key::optional(
+            "unit",
+            Kind::Text,
+            "",
+            "SI unit of a number of summary.json, for headers and axes: \"m\"",
+        )
+        .when(When::Beside("summary")),
         Key::optional("table", Kind::Text, "", "A table of the results: \"monitors.csv\""),
         Key::required("column", Kind::Text, "its column: \"A-B.u\"").when(When::Beside("table")),
         Key::required("take", Kind::Word(Take::WORDS), "which of its numbers").when(When::Beside("table")),

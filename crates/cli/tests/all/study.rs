@@ -108,7 +108,10 @@ fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
     assert!(page.contains("8 at their end") && page.contains("fragility-1-top.svg"), "{page}");
     let same = |out: &str| {
         for file in ["study.csv", "study.json", "plan.csv", "study.html"] {
-            assert!(bytes(folder, &format!("{out}/{file}")) == bytes(folder, &format!("one/{file}")), "{out}: {file}");
+            assert!(
+                bytes(folder, &format!("{out}/{file}")) == bytes(folder, &format!("one/{file}")),
+                "{out}: {file}"
+            );
         }
     };
 
@@ -168,14 +171,17 @@ fn wrong_keys_are_refused_before_the_first_run() {
         let folder = folder(&STUDY.replace(from, to));
         let refused = study(folder.path(), &["--out", "out"]);
         assert_eq!(refused.status.code(), Some(2), "{to}: {}", said(&refused));
-        assert!(said(&refused).contains(says) && said(&refused).contains("study.toml:"), "{to}: {}", said(&refused));
+        assert!(
+            said(&refused).contains(says) && said(&refused).contains("study.toml:"),
+            "{to}: {}",
+            said(&refused)
+        );
         assert!(!folder.path().join("out").exists(), "{to}");
     }
     let folder = folder(STUDY);
-    for (args, says) in [
-        (&["--shard", "3/2"][..], "write K/N"),
-        (&["--only", "nothing"], "--list names them"),
-    ] {
+    for (args, says) in
+        [(&["--shard", "3/2"][..], "write K/N"), (&["--only", "nothing"], "--list names them")]
+    {
         let refused = study(folder.path(), args);
         assert_eq!(refused.status.code(), Some(2));
         assert!(said(&refused).contains(says), "{}", said(&refused));
@@ -200,7 +206,14 @@ fn a_run_that_fails_stays_with_its_reason_until_it_is_asked_for_again() {
     let again = study(folder, &["--out", "out", "--retry", "restless"]);
     assert!(said(&again).contains("no-rest …") && !said(&again).contains("as-it-is …"), "{}", said(&again));
     // What the file calls otherwise now is another run; what was computed is set aside.
-    fs::write(folder.join("study.toml"), text.replace("\"initial.max_cycles\" = 1, \"initial.tolerance\" = 1e-12", "\"initial.lateral\" = 0.9")).unwrap();
+    fs::write(
+        folder.join("study.toml"),
+        text.replace(
+            "\"initial.max_cycles\" = 1, \"initial.tolerance\" = 1e-12",
+            "\"initial.lateral\" = 0.9",
+        ),
+    )
+    .unwrap();
     let done = study(folder, &["--out", "out"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     assert!(folder.join("out/runs/no-rest.old/results/summary.json").exists());
@@ -214,9 +227,15 @@ fn a_run_that_fails_stays_with_its_reason_until_it_is_asked_for_again() {
 #[test]
 fn rising_levels_stop_where_the_limit_is() {
     let text = STUDY
-        .replace("levels = [\"0.02 m/s\", \"0.04 m/s\"]", "ida = { first = \"0.02 m/s\", step = \"0.02 m/s\", most = 5, until = \"top\", above = 0.02 }")
+        .replace(
+            "levels = [\"0.02 m/s\", \"0.04 m/s\"]",
+            "ida = { first = \"0.02 m/s\", step = \"0.02 m/s\", most = 5, until = \"top\", above = 0.02 }",
+        )
         .replace("count = 2", "count = 1")
-        .replace("[[fragility]]\nmeasure = \"top\"\nabove = 0.001", "[[fragility]]\nmeasure = \"top\"\nabove = 0.02");
+        .replace(
+            "[[fragility]]\nmeasure = \"top\"\nabove = 0.001",
+            "[[fragility]]\nmeasure = \"top\"\nabove = 0.02",
+        );
     let folder = folder(&text);
     let folder = folder.path();
     let done = study(folder, &["--out", "out", "--at-once", "2"]);
@@ -234,10 +253,31 @@ fn array_tasks_of_slurm_take_the_commands_of_shares() {
     let done = study(folder.path(), &["--out", "out", "--slurm", "slurm", "--tasks", "3", "--at-once", "2"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     let script = String::from_utf8(bytes(folder.path(), "slurm/study.sbatch")).unwrap();
-    for line in ["#SBATCH --array=1-3", "#SBATCH --cpus-per-task=2", "--shard \"$SLURM_ARRAY_TASK_ID/3\" --at-once 2 --threads 1"] {
+    for line in [
+        "#SBATCH --array=1-3",
+        "#SBATCH --cpus-per-task=2",
+        "--shard \"$SLURM_ARRAY_TASK_ID/3\" --at-once 2 --threads 1",
+    ] {
         assert!(script.contains(line), "{script}");
     }
     assert!(said(&done).contains("--gather") && !folder.path().join("out").exists(), "{}", said(&done));
     let checked = Command::new("bash").args(["-n", "slurm/study.sbatch"]).current_dir(folder.path()).status();
     assert!(checked.is_ok_and(|status| status.success()));
+}
+
+#[test]
+fn the_shipped_study_has_five_motions_at_five_levels() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/first-shake");
+    let mut listing = Command::new(env!("CARGO_BIN_EXE_tremolite"));
+    let listed = listing.current_dir(cases).args(["study", "fragility.toml", "--list"]).output().unwrap();
+    assert_eq!(listed.status.code(), Some(0), "{}", said(&listed));
+    let table = String::from_utf8(listed.stdout).unwrap();
+    assert_eq!(table.lines().count(), 26, "{table}");
+    // The intensity of each run is its level, to the digits that its factor is told with.
+    for line in table.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let level: f64 = cells[3].trim_end_matches(" m/s").parse().unwrap();
+        let found: f64 = cells[5].parse().unwrap();
+        assert!((found / level - 1.0).abs() < 1e-8, "{line}");
+    }
 }

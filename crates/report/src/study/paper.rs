@@ -1,9 +1,12 @@
 //! Axes of a study's figures: one pair in a drawing, with what they show written beside them.
 
+use tremolite_results::study::StudyColumn;
+
 use crate::drawing::axes::Axes;
 use crate::drawing::plot::{self, LEFT, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
+use crate::quantities::scale::Scale;
 
 /// Height of the axes.
 const HEIGHT: f64 = 320.0;
@@ -36,6 +39,12 @@ pub fn draw(
     plot::draw(&mut svg, &axes, curves);
     svg.text((axes.right, axes.bottom + 36.0), Anchor::End, 12.0, Style::Muted, across);
     svg.finish(axes.bottom + BELOW, title, description)
+}
+
+/// The unit that suits a column whose numbers go up to a size.
+pub fn suiting(column: &StudyColumn, values: impl Iterator<Item = f64>) -> Scale {
+    let largest = values.filter(|x| x.is_finite()).fold(0.0_f64, |most, x| most.max(x.abs()));
+    Scale::suiting(column.unit.as_deref().unwrap_or_default(), largest)
 }
 
 /// An axis from zero to a little beyond the largest value.

@@ -3,7 +3,7 @@
 use tremolite_results::study::{RunStatus, Study, StudyRun};
 
 use super::Figure;
-use super::paper::{draw, file_part};
+use super::paper::{draw, file_part, suiting};
 use crate::drawing::plot::{Pen, PlotCurve, range};
 use crate::drawing::ticks::Ticks;
 
@@ -24,11 +24,7 @@ pub fn figures(study: &Study) -> Vec<Figure> {
     let samples = study.runs.iter().any(|run| run.sample > 0);
     let measure = |k: usize| {
         let name = &study.measures[k].name;
-        let unit = study.measures[k]
-            .unit
-            .clone()
-            .filter(|u| !u.is_empty())
-            .map_or_else(String::new, |u| format!(" ({u})"));
+        let scale = suiting(&study.measures[k], study.runs.iter().filter_map(|run| run.measures[k]));
         let curve = |(n, (sample, record)): (usize, &(usize, &Option<String>))| {
             let of_chain = |run: &&StudyRun| run.sample == *sample && run.record == **record;
             let points: Vec<(f64, f64)> = study
@@ -36,7 +32,10 @@ pub fn figures(study: &Study) -> Vec<Figure> {
                 .iter()
                 .filter(of_chain)
                 .filter_map(|run| {
-                    Some((run.intensities.first().copied().flatten()? / by.shown_factor, run.measures[k]?))
+                    Some((
+                        run.intensities.first().copied().flatten()? / by.shown_factor,
+                        run.measures[k]? * scale.factor,
+                    ))
                 })
                 .collect();
             let title = study.runs.iter().find(|run| of_chain(run)).map_or("", |run| run.title.as_str());
@@ -63,7 +62,7 @@ pub fn figures(study: &Study) -> Vec<Figure> {
         };
         let svg = draw(
             &format!("{name} over intensity"),
-            (&format!("{} ({})", by.name, by.shown), &format!("{name}{unit}")),
+            (&format!("{} ({})", by.name, by.shown), &scale.labelled(name)),
             (super::paper::from_zero(right), Ticks::around(low.min(0.0), high, 6)),
             &curves,
             &[],

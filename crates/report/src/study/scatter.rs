@@ -3,7 +3,7 @@
 use tremolite_results::study::{Study, StudyRun};
 
 use super::Figure;
-use super::paper::{draw, file_part, told};
+use super::paper::{draw, file_part, suiting, told};
 use crate::drawing::plot::{Pen, PlotCurve, range};
 use crate::drawing::ticks::Ticks;
 
@@ -17,10 +17,12 @@ pub fn figures(study: &Study) -> Vec<Figure> {
     let figure = |pair: &&tremolite_results::study::Influence| {
         let parameter = study.parameters.iter().position(|p| p.name == pair.parameter)?;
         let measure = study.measures.iter().position(|m| m.name == pair.measure)?;
+        let scale =
+            suiting(&study.measures[measure], study.runs.iter().filter_map(|run| run.measures[measure]));
         let points: Vec<(f64, f64)> = study
             .runs
             .iter()
-            .filter_map(|run| Some((number(run, parameter)?, run.measures[measure]?)))
+            .filter_map(|run| Some((number(run, parameter)?, run.measures[measure]? * scale.factor)))
             .collect();
         let ((left, right), (low, high)) =
             (range(points.iter().map(|p| p.0)), range(points.iter().map(|p| p.1)));
@@ -28,7 +30,7 @@ pub fn figures(study: &Study) -> Vec<Figure> {
             u.clone().filter(|u| !u.is_empty()).map_or_else(String::new, |u| format!(" ({u})"))
         };
         let across = format!("{}{}", pair.parameter, unit(&study.parameters[parameter].unit));
-        let up = format!("{}{}", pair.measure, unit(&study.measures[measure].unit));
+        let up = scale.labelled(&pair.measure);
         let svg = draw(
             &format!("{} over {}", pair.measure, pair.parameter),
             (&across, &up),

@@ -38,10 +38,17 @@ pub fn of(study: &StudyFile, text: Option<&str>) -> Result<(Vec<Parameter>, Vec<
         None => rows(study),
         Some(sample) if sample.kind.value == SampleKind::Table => {
             let Some(file) = &sample.file else { return Ok((Vec::new(), Vec::new())) };
-            table::samples(text.unwrap_or_default()).map_err(|(message, remedy)| {
+            let found = table::samples(text.unwrap_or_default()).map_err(|(message, remedy)| {
                 let name = file.value.display();
                 vec![Diagnostic::at(file, format!("{name}: {message}"), remedy)]
-            })?
+            });
+            let (paths, rows) = found?;
+            let width = rows.len().to_string().len();
+            let sample = |(k, (name, values)): (usize, table::Row)| {
+                let title = if name.is_empty() { format!("s{:0width$}", k + 1) } else { name };
+                Sample { name: slug(&title), title, values, beside: None }
+            };
+            (paths, rows.into_iter().enumerate().map(sample).collect())
         }
         Some(_) => sampled(study)?,
     };

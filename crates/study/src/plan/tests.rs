@@ -148,3 +148,13 @@ fn what_cannot_be_planned_is_told_at_its_place() {
         assert!(problems.iter().any(|p| p.message.contains(says)), "{text}: {problems:?}");
     }
 }
+
+#[test]
+fn a_table_gives_its_rows_by_their_names() {
+    let study = study("[sample]\nkind = \"table\"\nfile = \"rows.csv\"\n");
+    let plan = Plan::of(&study, Some("name,initial.lateral\nLow K0,0.5\n,1.2\n")).unwrap();
+    assert_eq!(names(&plan), ["low-k0", "s2"]);
+    assert_eq!(plan.samples[0].title, "Low K0");
+    let problems = Plan::of(&study, Some("")).unwrap_err();
+    assert!(problems[0].message.contains("rows.csv: line 1"), "{problems:?}");
+}

@@ -44,8 +44,8 @@ struct Inside {
     /// In the order of the plan.
     waiting: Vec<usize>,
     running: usize,
-    /// Whether a run of these is on its way through what comes before the earthquake.
-    led: Vec<bool>,
+    /// By runs that are equal before the earthquake: the one that is on its way through what comes before it.
+    led: Vec<Option<usize>>,
     /// Where the hand-over of runs that are equal before the earthquake lies.
     hand_over: BTreeMap<usize, PathBuf>,
     ended: usize,
@@ -106,7 +106,7 @@ impl<'a> Queue<'a> {
             of: chosen.len(),
             waiting: chosen,
             running: 0,
-            led: vec![false; groups],
+            led: vec![None; groups],
             hand_over: BTreeMap::new(),
             ended: 0,
             tables: (Instant::now(), Duration::ZERO),
@@ -192,7 +192,7 @@ impl<'a> Queue<'a> {
                         continue;
                     }
                     if let Some(group) = leads {
-                        inside.led[group] = true;
+                        inside.led[group] = Some(run);
                     }
                     inside.running += 1;
                     return Ok(Next::Run { run, held, from, leads });
@@ -212,27 +212,35 @@ impl<'a> Queue<'a> {
         {
             return Some((Some(known.clone()).filter(|known| *known != self.folder(run).results()), None));
         }
-        let others = (0..self.planned.len())
-            .filter(|other| *other != run && self.planned[*other].before == Some(group));
         let has = |other: &usize| {
             let folder = self.folder(*other);
             folder.is_of(&self.planned[*other].prepared.bare)
                 && folder.results().join("checkpoint").join(HAND_OVER).is_file()
         };
-        if let Some(found) = others.into_iter().find(has) {
-            let place = self.folder(found).results();
-            inside.hand_over.insert(group, place.clone());
-            return Some((Some(place), None));
+        let found = match inside.led[group] {
+            // Its stages may be done though it is not.
+            Some(leader) => Some(leader).filter(has),
+            None => {
+                let of_group = |other: &usize| *other != run && self.planned[*other].before == Some(group);
+                (0..self.planned.len()).filter(of_group).find(has)
+            }
+        };
+        match found {
+            Some(found) => {
+                let place = self.folder(found).results();
+                inside.hand_over.insert(group, place.clone());
+                Some((Some(place), None))
+            }
+            None if inside.led[group].is_some() => None,
+            None => Some((None, Some(group))),
         }
-        if inside.led[group] { None } else { Some((None, Some(group))) }
     }
 
-    /// Lower levels of a chain, in their order.
+    /// Lower levels of a chain of rising ones: they stand before it in the plan.
     fn lower(&self, run: usize) -> impl Iterator<Item = usize> {
-        let plan = self.plan;
-        let Run { chain, level, .. } = Run::of(plan, run);
-        (0..plan.runs.len())
-            .filter(move |r| plan.rises && plan.runs[*r].chain == chain && plan.runs[*r].level < level)
+        let runs = &self.plan.runs;
+        let of_chain = move |lower: &usize| runs[*lower].chain == runs[run].chain;
+        (0..run).rev().take_while(of_chain).filter(|_| self.plan.rises)
     }
 
     fn waits_for_lower(&self, run: usize) -> bool {
@@ -258,7 +266,7 @@ impl<'a> Queue<'a> {
         let mut inside = self.inside();
         inside.running -= 1;
         if let Some(group) = leads {
-            inside.led[group] = false;
+            inside.led[group] = None;
         }
         let name = &self.plan.runs[run].name;
         match end {
@@ -332,18 +340,6 @@ impl<'a> Queue<'a> {
                 fs::remove_file(path)
             })
         })
-    }
-}
-
-/// A chain and a level of a run, without a hold on the plan.
-struct Run {
-    chain: usize,
-    level: Option<usize>,
-}
-
-impl Run {
-    fn of(plan: &Plan, run: usize) -> Run {
-        Run { chain: plan.runs[run].chain, level: plan.runs[run].level }
     }
 }
 
