@@ -156,7 +156,7 @@ pub struct TornadoBar {
 pub struct Influence {
     pub parameter: String,
     pub measure: String,
-    /// Spearman's correlation of ranks.
+    /// Spearman's correlation of ranks, of the runs of one record and level; the mean over these.
     pub rank: f64,
     pub runs: usize,
 }

@@ -5,6 +5,9 @@
 
 use crate::normal;
 
+/// Intensities that differ by less, over their size, are one level: factors are told to ten digits.
+const SAME: f64 = 1e-6;
+
 /// A β from which on a curve does not rise: between one share of runs in six and five in six, e²⁰ times the intensity (assumption).
 const FLAT: f64 = 10.0;
 
@@ -80,10 +83,11 @@ pub fn of_stripes(seen: &[Seen]) -> Result<Curve, NoCurve> {
         (true, false) => return Err(NoCurve::Always { lowest }),
         (true, true) => {}
     }
-    if highest_left <= lowest {
+    // Levels that are equal may differ in the digits that factors are told with.
+    if highest_left <= lowest * (1.0 + SAME) {
         return Err(NoCurve::Separated { below: highest_left, above: lowest });
     }
-    if highest <= lowest_left {
+    if highest <= lowest_left * (1.0 + SAME) {
         return Err(NoCurve::Falling);
     }
     // About the mean, so that the two parameters are nearly independent.

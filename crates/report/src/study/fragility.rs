@@ -14,7 +14,7 @@ pub fn figures(study: &Study) -> Vec<Figure> {
 }
 
 fn figure(study: &Study, number: usize, f: &StudyFragility) -> Figure {
-    let title = format!("{} above {}", f.measure, told(f.above));
+    let title = limit(study, f);
     let shares: Vec<(f64, f64)> =
         f.shares.iter().map(|s| (s.intensity, s.exceeded as f64 / s.of.max(1) as f64)).collect();
     let mut curves = Vec::new();
@@ -45,6 +45,13 @@ fn figure(study: &Study, number: usize, f: &StudyFragility) -> Figure {
     );
     let file = format!("fragility-{}-{}.svg", number + 1, file_part(&f.measure));
     Figure { file, svg, caption: caption(f) }
+}
+
+/// The limit in words, with the unit of its measure.
+pub fn limit(study: &Study, f: &StudyFragility) -> String {
+    let unit =
+        study.measures.iter().find(|m| m.name == f.measure).and_then(|m| m.unit.clone()).unwrap_or_default();
+    format!("{} above {} {unit}", f.measure, told(f.above)).trim_end().to_owned()
 }
 
 /// The outline of the bounds: along the lower, back along the upper.

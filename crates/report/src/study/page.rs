@@ -6,7 +6,7 @@ use serde::Serialize;
 use tremolite_results::study::{RunStatus, Study, StudyRun};
 
 use super::Figure;
-use super::fragility::caption;
+use super::fragility::{caption, limit};
 use super::paper::told;
 use crate::language::Language;
 use crate::page::templates::{STYLE, environment, markup};
@@ -86,7 +86,7 @@ pub fn html(study: &Study, parts: &Parts) -> Result<String, minijinja::Error> {
             .filter(|(_, n)| *n > 0)
             .collect(),
         programs,
-        fits: study.fragilities.iter().map(fit).collect(),
+        fits: study.fragilities.iter().map(|f| fit(study, f)).collect(),
         chapters: chapters.into_iter().filter(|c| !c.figures.is_empty()).collect(),
         over_records: over_records(study),
         head: head(study),
@@ -104,8 +104,8 @@ pub fn html(study: &Study, parts: &Parts) -> Result<String, minijinja::Error> {
     environment.get_template("study.html")?.render(Serde(&page))
 }
 
-fn fit(f: &tremolite_results::study::StudyFragility) -> Vec<String> {
-    let of = format!("{} above {}", f.measure, told(f.above));
+fn fit(study: &Study, f: &tremolite_results::study::StudyFragility) -> Vec<String> {
+    let of = limit(study, f);
     let interval = |[low, high]: [f64; 2]| format!("{} to {}", told(low), told(high));
     let dash = || "–".to_owned();
     let [theta, beta, error, correlation] = match &f.fit {

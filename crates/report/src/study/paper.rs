@@ -3,13 +3,15 @@
 use tremolite_results::study::StudyColumn;
 
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, LEFT, PlotCurve, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::quantities::scale::Scale;
 
 /// Height of the axes.
 const HEIGHT: f64 = 320.0;
+/// Dots of a curve that are drawn as rings, at most.
+const RINGS: usize = 200;
 /// Room below them.
 const BELOW: f64 = 44.0;
 
@@ -37,6 +39,17 @@ pub fn draw(
         svg.veil(&veil.iter().map(|(x, y)| axes.point(*x, *y)).collect::<Vec<_>>());
     }
     plot::draw(&mut svg, &axes, curves);
+    // A few dots are seen better as rings.
+    for curve in curves.iter().filter(|curve| curve.pen == Pen::Dots) {
+        for (x, y) in curve
+            .pieces
+            .iter()
+            .flatten()
+            .filter(|_| curve.pieces.iter().map(Vec::len).sum::<usize>() <= RINGS)
+        {
+            svg.ring(axes.point(*x, *y), curve.colour);
+        }
+    }
     svg.text((axes.right, axes.bottom + 36.0), Anchor::End, 12.0, Style::Muted, across);
     svg.finish(axes.bottom + BELOW, title, description)
 }

@@ -19,13 +19,22 @@ pub fn figures(study: &Study) -> Vec<Figure> {
         let measure = study.measures.iter().position(|m| m.name == pair.measure)?;
         let scale =
             suiting(&study.measures[measure], study.runs.iter().filter_map(|run| run.measures[measure]));
-        let points: Vec<(f64, f64)> = study
-            .runs
-            .iter()
-            .filter_map(|run| Some((number(run, parameter)?, run.measures[measure]? * scale.factor)))
-            .collect();
-        let ((left, right), (low, high)) =
-            (range(points.iter().map(|p| p.0)), range(points.iter().map(|p| p.1)));
+        let mut levels: Vec<&Option<String>> = Vec::new();
+        for run in &study.runs {
+            if !levels.contains(&&run.level) {
+                levels.push(&run.level);
+            }
+        }
+        let of_level = |(colour, level): (usize, &&Option<String>)| {
+            let runs = study.runs.iter().filter(|run| run.level == **level);
+            let points = runs
+                .filter_map(|run| Some((number(run, parameter)?, run.measures[measure]? * scale.factor)))
+                .collect();
+            PlotCurve::new((*level).clone().unwrap_or_default(), colour, Pen::Dots, points)
+        };
+        let curves: Vec<PlotCurve> = levels.iter().enumerate().map(of_level).collect();
+        let points = || curves.iter().flat_map(|c| c.pieces.iter().flatten());
+        let ((left, right), (low, high)) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
         let unit = |u: &Option<String>| {
             u.clone().filter(|u| !u.is_empty()).map_or_else(String::new, |u| format!(" ({u})"))
         };
@@ -35,11 +44,15 @@ pub fn figures(study: &Study) -> Vec<Figure> {
             &format!("{} over {}", pair.measure, pair.parameter),
             (&across, &up),
             (Ticks::around(left, right, 8), Ticks::around(low, high, 6)),
-            &[PlotCurve::new("", 0, Pen::Dots, points)],
+            &curves,
             &[],
             "One point a run.",
         );
-        let caption = format!("Spearman's correlation of ranks {} over {} runs.", told(pair.rank), pair.runs);
+        let caption = format!(
+            "Spearman's correlation of ranks {}, over {} runs, within each record and level.",
+            told(pair.rank),
+            pair.runs
+        );
         let file = format!("scatter-{}-{}.svg", file_part(&pair.measure), file_part(&pair.parameter));
         Some(Figure { file, svg, caption })
     };

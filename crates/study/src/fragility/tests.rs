@@ -73,6 +73,11 @@ fn what_has_no_curve_says_why() {
     // At one level some of each: the likelihood rises without end as β falls to 0.
     let touching = stripes([0, 0, 0, 5, 12, 12, 12], 12);
     assert_eq!(of_stripes(&touching), Err(NoCurve::Separated { below: 0.4, above: 0.4 }));
+    let nearly: Vec<Seen> = touching
+        .iter()
+        .map(|s| Seen { intensity: s.intensity * (1.0 + 1e-10 * s.cluster as f64), ..*s })
+        .collect();
+    assert!(matches!(of_stripes(&nearly), Err(NoCurve::Separated { .. })), "{:?}", of_stripes(&nearly));
     assert_eq!(of_stripes(&stripes([0; 7], 12)), Err(NoCurve::Never { highest: 1.2 }));
     assert_eq!(of_stripes(&stripes([12; 7], 12)), Err(NoCurve::Always { lowest: 0.1 }));
     assert_eq!(of_stripes(&stripes([12, 12, 9, 6, 2, 0, 0], 12)), Err(NoCurve::Falling));

@@ -256,7 +256,7 @@ fn in_words(why: NoCurve, unit: &str) -> String {
         NoCurve::NoData => "there are no runs to count".to_owned(),
         NoCurve::Never { highest } => format!("no run is beyond the limit, up to {}: add higher levels", told(highest)),
         NoCurve::Always { lowest } => format!("every run is beyond the limit, from {} on: add lower levels", told(lowest)),
-        NoCurve::Separated { below, above } if below == above => format!(
+        NoCurve::Separated { below, above } if told(below) == told(above) => format!(
             "the data are separated: no run is beyond the limit below {0}, every one above it, and some are at {0} itself; the median lies \
              there, and beta cannot be told from 0: add levels around it, or records",
             told(below)

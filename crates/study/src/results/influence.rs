@@ -1,5 +1,7 @@
 //! What keys change of the results: tornados of studies that change one at a time, ranks of those that draw all at once.
 
+use std::collections::BTreeMap;
+
 use tremolite_case::study::{Quantity, SampleKind, StudyFile, rounded};
 use tremolite_results::study::{Influence, Study, StudyRun, Tornado, TornadoBar};
 
@@ -53,7 +55,7 @@ fn named(study: &Study, run: &StudyRun) -> (String, String) {
     }
 }
 
-/// Ranks of keys that are drawn at random against results.
+/// Ranks of keys that are drawn at random against results, within each record and level: the mean over these, by their numbers of runs.
 pub fn influences(file: &StudyFile, study: &Study) -> Vec<Influence> {
     let random = file.sample.as_ref().is_some_and(|sample| {
         matches!(sample.kind.value, SampleKind::LatinHypercube | SampleKind::Sobol | SampleKind::Table)
@@ -65,15 +67,25 @@ pub fn influences(file: &StudyFile, study: &Study) -> Vec<Influence> {
     for (p, parameter) in study.parameters.iter().enumerate() {
         for (m, measure) in study.measures.iter().enumerate() {
             let number = |value: &str| Some(Quantity::parse(value.trim_matches('"'))?.number);
-            let pairs: Vec<(f64, f64)> = study
-                .runs
-                .iter()
-                .filter_map(|run| Some((number(run.values[p].as_deref()?)?, run.measures[m]?)))
-                .collect();
-            let (values, results): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();
-            if let Some(rank) = matrix::spearman(&values, &results).filter(|_| pairs.len() > 2) {
+            let mut groups: BTreeMap<(&Option<String>, &Option<String>), Vec<(f64, f64)>> = BTreeMap::new();
+            for run in &study.runs {
+                if let (Some(value), Some(result)) =
+                    (run.values[p].as_deref().and_then(number), run.measures[m])
+                {
+                    groups.entry((&run.record, &run.level)).or_default().push((value, result));
+                }
+            }
+            let of_group = |pairs: &Vec<(f64, f64)>| {
+                let (values, results): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();
+                let rank = matrix::spearman(&values, &results).filter(|_| pairs.len() > 2)?;
+                Some((rank, pairs.len()))
+            };
+            let ranks: Vec<(f64, usize)> = groups.values().filter_map(of_group).collect();
+            let runs: usize = ranks.iter().map(|(_, n)| n).sum();
+            if runs > 0 {
+                let rank = ranks.iter().map(|(rank, n)| rank * *n as f64).sum::<f64>() / runs as f64;
                 let (parameter, measure) = (parameter.name.clone(), measure.name.clone());
-                found.push(Influence { parameter, measure, rank, runs: pairs.len() });
+                found.push(Influence { parameter, measure, rank, runs });
             }
         }
     }

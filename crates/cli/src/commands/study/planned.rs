@@ -170,7 +170,12 @@ impl Maker<'_> {
             return None;
         }
         let scaled = chain.intensities.iter().zip(&self.plan.intensities);
-        let intensities = scaled.map(|(x, m)| x.map(|x| factor.map_or(x, |f| m.scaled(x, f)))).collect();
+        let mut intensities: Vec<Option<f64>> =
+            scaled.map(|(x, m)| x.map(|x| factor.map_or(x, |f| m.scaled(x, f)))).collect();
+        // The level itself, which the factor meets to its ten digits.
+        if let (Some(level), Some(of_level)) = (run.level, intensities.first_mut()) {
+            *of_level = Some(self.plan.levels[level].value);
+        }
         let before = case.seeks_equilibrium().then(|| {
             let next = self.befores.len();
             *self.befores.entry(case.bare(&OF_SHAKING)).or_insert(next)
