@@ -51,7 +51,7 @@ pub fn figures(study: &Study) -> Vec<Figure> {
         let all = || curves.iter().flat_map(|c| c.pieces.iter().flatten());
         let (low, high) = range(all().map(|p| p.1));
         let (_, right) = range(all().map(|p| p.0));
-        if !(high >= low) {
+        if low > high {
             return None;
         }
         let stopped = study.runs.iter().filter(|r| r.status == RunStatus::Failed).count();

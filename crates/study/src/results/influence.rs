@@ -55,6 +55,9 @@ fn named(study: &Study, run: &StudyRun) -> (String, String) {
     }
 }
 
+/// The record and the level of some runs.
+type Group<'a> = (&'a Option<String>, &'a Option<String>);
+
 /// Ranks of keys that are drawn at random against results, within each record and level: the mean over these, by their numbers of runs.
 pub fn influences(file: &StudyFile, study: &Study) -> Vec<Influence> {
     let random = file.sample.as_ref().is_some_and(|sample| {
@@ -67,7 +70,7 @@ pub fn influences(file: &StudyFile, study: &Study) -> Vec<Influence> {
     for (p, parameter) in study.parameters.iter().enumerate() {
         for (m, measure) in study.measures.iter().enumerate() {
             let number = |value: &str| Some(Quantity::parse(value.trim_matches('"'))?.number);
-            let mut groups: BTreeMap<(&Option<String>, &Option<String>), Vec<(f64, f64)>> = BTreeMap::new();
+            let mut groups: BTreeMap<Group<'_>, Vec<(f64, f64)>> = BTreeMap::new();
             for run in &study.runs {
                 if let (Some(value), Some(result)) =
                     (run.values[p].as_deref().and_then(number), run.measures[m])
