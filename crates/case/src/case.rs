@@ -1,6 +1,7 @@
 //! The case as a whole.
 
 mod reading;
+mod rewritten;
 
 use std::path::{Path, PathBuf};
 

@@ -22,6 +22,8 @@ enum Command {
     Check(commands::check::Args),
     /// Run a case
     Run(commands::run::Args),
+    /// Run a study: cases that differ in their keys, records and levels of shaking
+    Study(commands::study::Args),
     /// Write the report page again, from the result files alone
     Report(commands::report::Args),
     /// Run the verification problems and print each figure beside the exact one
@@ -42,11 +44,13 @@ enum Command {
     New(commands::new::Args),
 }
 
-/// Runs the command; the first argument is the program's name.
+/// Runs the command; the first argument is the program's name. `again` is what starts this program once more, as a study does for each run:
+/// the program, and what stands before a command.
 ///
 /// Returns the status to end with: 0 done, 1 failed for a physical or numerical reason, 2 bad input, 3 stopped by a signal. `run`
 /// handles SIGINT and SIGTERM from then on.
-pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+pub fn run(arguments: impl IntoIterator<Item = OsString>, again: Vec<OsString>) -> u8 {
+    machine::starts_again_by(again);
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(told) => {
@@ -58,6 +62,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let result = match cli.command {
         Command::Check(args) => commands::check::run(&args),
         Command::Run(args) => commands::run::run(&args),
+        Command::Study(args) => commands::study::run(&args),
         Command::Report(args) => commands::report::run(&args),
         Command::Verify(args) => commands::verify::run(&args),
         Command::Law(args) => commands::law::run(&args),

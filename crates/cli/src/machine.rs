@@ -1,9 +1,25 @@
 //! Facts of the machine: threads, memory used, and what it can do at best.
 
+use std::ffi::OsString;
 use std::hint::black_box;
 use std::path::Path;
+use std::sync::OnceLock;
 use std::time::Instant;
 use tremolite_laws::Isa;
+
+/// What starts this program once more.
+static AGAIN: OnceLock<Vec<OsString>> = OnceLock::new();
+
+/// Keeps what starts this program once more: the program, and what stands before a command.
+pub fn starts_again_by(again: Vec<OsString>) {
+    // Of several calls in one process the first one's stays: it is the same program.
+    let _ = AGAIN.set(again);
+}
+
+/// What starts this program once more.
+pub fn again() -> &'static [OsString] {
+    AGAIN.get().map_or(&[], Vec::as_slice)
+}
 
 /// Threads to use if none are asked for.
 pub fn threads() -> usize {

@@ -3,5 +3,6 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    ExitCode::from(tremolite_cli::run(std::env::args_os()))
+    let again = std::env::current_exe().map_or_else(|_| "tremolite".into(), Into::into);
+    ExitCode::from(tremolite_cli::run(std::env::args_os(), vec![again]))
 }

@@ -27,10 +27,11 @@ mod watch;
 use pyo3::prelude::*;
 use std::ffi::OsString;
 
-/// Runs the command `tremolite`; the first argument is the program's name. Returns the status to end with.
+/// Runs the command `tremolite`; the first argument is the program's name, `again` what starts the command in another process. Returns the
+/// status to end with.
 #[pyfunction]
-fn command(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
-    py.detach(|| tremolite_cli::run(arguments))
+fn command(py: Python<'_>, arguments: Vec<OsString>, again: Vec<OsString>) -> u8 {
+    py.detach(|| tremolite_cli::run(arguments, again))
 }
 
 #[pymodule]

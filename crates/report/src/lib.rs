@@ -29,6 +29,7 @@ mod section_maps;
 mod source;
 mod spectra;
 mod stages;
+mod study;
 mod verdict;
 mod view;
 
@@ -46,6 +47,7 @@ pub use crate::language::Language;
 use crate::page::contents::Content;
 use crate::script::blocks::Blocks;
 use crate::source::Source;
+pub use crate::study::study;
 
 /// Why no report could be written.
 #[derive(Debug, thiserror::Error)]

@@ -21,6 +21,7 @@
 //! | `fields/*.vtu` | [`fields`], [`cut`], [`mod@slice`], [`skin`], [`field_file`] | cuts through them, the outside of linings, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
 //! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
 //! | `bolts/*.vtu` | [`bolt_lines`] | the segments of bolts with what they did |
+//! | `study.json` | [`study`] | of a study: its runs, and the curves fitted to them |
 //!
 //! Histories grow while the run goes on and can be read at any moment. Small files are replaced
 //! whole, so a reader sees the old one or the new one, never half of one.
@@ -52,6 +53,7 @@ pub mod skin;
 pub mod slice;
 pub mod stages;
 pub mod stress;
+pub mod study;
 pub mod summary;
 pub mod surface;
 pub mod table;

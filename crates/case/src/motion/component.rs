@@ -12,7 +12,7 @@ use crate::{Diagnostic, Spanned};
 /// The word in place of a unit for what a digitiser counts.
 const COUNTS: &str = "counts";
 
-pub(super) static COMPONENT: Table = Table {
+pub(crate) static COMPONENT: Table = Table {
     path: "motion.east",
     doc: "One component of the ground motion: a record, or another component times a factor.",
     keys: &[

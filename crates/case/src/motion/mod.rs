@@ -8,6 +8,7 @@ use std::path::PathBuf;
 
 use tremolite_laws::parameter::Dimension;
 
+pub(crate) use component::COMPONENT;
 pub use component::{Component, Direction, Record, RecordUnit, TextColumn};
 pub(crate) use site::unit_weights;
 pub use site::{Corner, Site, SiteLayer};
@@ -68,7 +69,7 @@ pub(crate) static MOTION: Table = Table {
 /// What the keys of that name say.
 const SENSITIVITY: &str = "What a count is, where the file holds counts: \"427336 counts/(m/s2)\", of the network's station metadata";
 
-const WINDOW_KIND: Kind = Kind::Either(&[Kind::List(&TIME, 2, 2), Kind::Table(&WINDOW)]);
+pub(crate) const WINDOW_KIND: Kind = Kind::Either(&[Kind::List(&TIME, 2, 2), Kind::Table(&WINDOW)]);
 
 static WINDOW: Table = Table {
     path: "motion.window",

@@ -10,6 +10,7 @@ pub mod new;
 pub mod report;
 mod room;
 pub mod run;
+pub mod study;
 pub mod verify;
 
 use crate::exit::Failure;

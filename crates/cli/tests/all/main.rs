@@ -31,6 +31,7 @@ mod specimens;
 mod stage_case;
 mod stage_refusals;
 mod stages;
+mod study;
 mod unlikely;
 mod unseen;
 mod verify;

@@ -11,8 +11,11 @@ fn cases() -> Vec<PathBuf> {
     let files = folders
         .filter(|folder| folder.is_dir() && !folder.ends_with("laws"))
         .flat_map(|folder| fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()));
+    // A study is made of a case and is none.
+    let is_study =
+        |file: &PathBuf| fs::read_to_string(file).unwrap().lines().any(|line| line.starts_with("case "));
     let mut cases: Vec<PathBuf> =
-        files.filter(|file| file.extension().is_some_and(|e| e == "toml")).collect();
+        files.filter(|file| file.extension().is_some_and(|e| e == "toml") && !is_study(file)).collect();
     cases.sort();
     cases
 }

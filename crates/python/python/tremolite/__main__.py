@@ -8,7 +8,7 @@ from ._tremolite import command
 def main() -> int:
     """Runs the command with the arguments of this process; the status to end with."""
     sys.stdout.flush()
-    return command(["tremolite", *sys.argv[1:]])
+    return command(["tremolite", *sys.argv[1:]], [sys.executable, "-m", "tremolite"])
 
 
 if __name__ == "__main__":

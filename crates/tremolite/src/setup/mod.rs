@@ -75,6 +75,17 @@ pub fn mesh_of(
     Ok((mesh, warnings))
 }
 
+/// The motion that a case gives to its model, processed and in the model's axes, and what is worth knowing of it, without a look at
+/// its mesh; nothing where there is no earthquake.
+///
+/// # Errors
+/// Why its records cannot be read or processed, at their places in the file.
+pub fn motion_of(case: &Case) -> Result<Option<(tremolite_motion::Motion, MotionFacts)>, Report> {
+    let mut problems = Vec::new();
+    let made = motion::build(case, &Inputs::default(), &mut problems);
+    if problems.is_empty() { Ok(made) } else { Err(case.report(problems)) }
+}
+
 /// What a case makes of a mesh, which need not be its own: a body for each region that is not void. Records may be `held` in
 /// memory.
 ///

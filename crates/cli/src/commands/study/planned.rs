@@ -1,0 +1,186 @@
+//! The cases of all runs, checked before the first of them is run.
+
+use crate::commands::infos;
+use crate::exit::Failure;
+use std::collections::{BTreeMap, BTreeSet};
+use tremolite::setup::motion_of;
+use tremolite_case::study::StudyFile;
+use tremolite_case::{Case, Diagnostic, Laws, Report};
+use tremolite_study::plan::Plan;
+use tremolite_study::prepare;
+use tremolite_study::results::Prepared;
+
+/// Tables of a case that change nothing before the earthquake.
+const OF_SHAKING: [&str; 3] = ["motion", "title", "report"];
+
+/// A run whose case is checked.
+pub struct Planned {
+    pub prepared: Prepared,
+    /// The text of its case, with files by absolute paths.
+    pub case: String,
+    /// Runs with one number are equal before the earthquake; nothing where nothing happens before it.
+    pub before: Option<usize>,
+}
+
+/// All runs of a plan.
+///
+/// # Errors
+/// Everything that one of their cases is refused for, at its place in the study.
+pub fn of(study: &StudyFile, plan: &Plan) -> Result<Vec<Planned>, Failure> {
+    let materials = infos();
+    let laws = Laws::from(&materials);
+    let base = prepare::base(study, laws).map_err(|report| Failure::case(&report))?;
+    let mut maker =
+        Maker { study, plan, laws, problems: Vec::new(), motions: BTreeMap::new(), befores: BTreeMap::new() };
+    let mut planned = Vec::new();
+    let mut sample: Option<(usize, Option<Case>)> = None;
+    let mut chain: Option<(usize, Option<Chain>)> = None;
+    for (number, run) in plan.runs.iter().enumerate() {
+        if sample.as_ref().is_none_or(|(of, _)| *of != run.sample) {
+            let case = prepare::sample(study, plan, &base, run.sample, laws);
+            sample = Some((run.sample, maker.kept(case)));
+        }
+        let Some((_, Some(of_sample))) = &sample else { continue };
+        if chain.as_ref().is_none_or(|(of, _)| *of != run.chain) {
+            chain = Some((run.chain, maker.chain(of_sample, run.record)));
+        }
+        let Some((_, Some(of_chain))) = &chain else { continue };
+        let highest = plan.runs.get(number + 1).is_none_or(|next| next.chain != run.chain);
+        planned.extend(maker.run(of_chain, of_sample, run, highest));
+    }
+    if maker.problems.is_empty() {
+        return Ok(planned);
+    }
+    let mut told = BTreeSet::new();
+    maker.problems.retain(|p| told.insert((p.span.start, p.message.clone())));
+    Err(Failure::case(&study.report(maker.problems)))
+}
+
+/// A case with its record at its own strength, and each measure of intensity of it.
+struct Chain {
+    case: Case,
+    intensities: Vec<Option<f64>>,
+}
+
+struct Maker<'a> {
+    study: &'a StudyFile,
+    plan: &'a Plan,
+    laws: Laws<'a>,
+    problems: Vec<Diagnostic>,
+    /// Measures of intensity by what the motion is made of.
+    motions: BTreeMap<String, Vec<Option<f64>>>,
+    befores: BTreeMap<String, usize>,
+}
+
+impl Maker<'_> {
+    /// What was made, or nothing and its problems.
+    fn kept<T>(&mut self, made: Result<T, Report>) -> Option<T> {
+        made.map_err(|report| self.problems.extend(report.problems)).ok()
+    }
+
+    fn chain(&mut self, of_sample: &Case, record: Option<usize>) -> Option<Chain> {
+        let case = prepare::with_motion(self.study, of_sample, record, None, self.laws);
+        let case = self.kept(case)?;
+        let key = format!("{:?} {:?}", case.directory(), case.entries("motion"));
+        let intensities = match self.motions.get(&key) {
+            Some(known) => known.clone(),
+            None => {
+                let found = self.intensities(&case, record)?;
+                self.motions.insert(key, found.clone());
+                found
+            }
+        };
+        Some(Chain { case, intensities })
+    }
+
+    /// The measures of the motion of a case; problems of it are told at its record.
+    fn intensities(&mut self, case: &Case, record: Option<usize>) -> Option<Vec<Option<f64>>> {
+        let motion = match motion_of(case) {
+            Ok(None) => return Some(vec![None; self.plan.intensities.len()]),
+            Ok(Some((motion, _))) => motion,
+            Err(report) => {
+                let at = self.place(record);
+                self.problems.extend(
+                    report.problems.into_iter().map(|p| Diagnostic::new(at.clone(), p.message, p.remedy)),
+                );
+                return None;
+            }
+        };
+        let mut found = Vec::new();
+        for measure in &self.plan.intensities {
+            match measure.of(&motion) {
+                Ok(x) => found.push(Some(x)),
+                Err(e) => {
+                    let (message, remedy) = e.message_and_remedy();
+                    self.problems.push(Diagnostic::new(self.place(record), message, remedy));
+                    return None;
+                }
+            }
+        }
+        Some(found)
+    }
+
+    /// Where a record stands in the study.
+    fn place(&self, record: Option<usize>) -> std::ops::Range<usize> {
+        match (record, &self.study.scale) {
+            (Some(record), _) => self.study.records[record].name.span.clone(),
+            (None, Some(scale)) => scale.measure.span.clone(),
+            (None, None) => self.study.case.span.clone(),
+        }
+    }
+
+    fn run(
+        &mut self,
+        chain: &Chain,
+        of_sample: &Case,
+        run: &tremolite_study::plan::Run,
+        highest: bool,
+    ) -> Option<Planned> {
+        let factor = match (run.level, self.plan.scaled_by) {
+            (Some(level), Some(measure)) => {
+                let now = chain.intensities.first().copied().flatten().filter(|now| *now > 0.0);
+                let Some(now) = now else {
+                    let message = format!("{measure} of this motion is 0, so no factor brings it to a level");
+                    let remedy =
+                        "scale by a measure of a component that shakes, such as \"z PGA\", or give [motion]";
+                    self.problems.push(Diagnostic::new(self.place(run.record), message, remedy));
+                    return None;
+                };
+                let factor = measure.factor(now, self.plan.levels[level].value);
+                prepare::told(factor).parse::<f64>().ok()
+            }
+            _ => None,
+        };
+        let case = match factor {
+            Some(_) => {
+                let case = prepare::with_motion(self.study, of_sample, run.record, factor, self.laws);
+                self.kept(case)?
+            }
+            None => chain.case.clone(),
+        };
+        // The highest level is the first that is more than any earthquake.
+        if factor.is_some()
+            && highest
+            && let Err(report) = motion_of(&case)
+        {
+            let at = self.study.scale.as_ref().map_or(0..0, |scale| scale.measure.span.clone());
+            let told =
+                |p: Diagnostic| Diagnostic::new(at.clone(), format!("{}: {}", run.name, p.message), p.remedy);
+            self.problems.extend(report.problems.into_iter().map(told));
+            return None;
+        }
+        let scaled = chain.intensities.iter().zip(&self.plan.intensities);
+        let mut intensities: Vec<Option<f64>> =
+            scaled.map(|(x, m)| x.map(|x| factor.map_or(x, |f| m.scaled(x, f)))).collect();
+        // The level itself, which the factor meets to its ten digits.
+        if let (Some(level), Some(of_level)) = (run.level, intensities.first_mut()) {
+            *of_level = Some(self.plan.levels[level].value);
+        }
+        let before = case.seeks_equilibrium().then(|| {
+            let next = self.befores.len();
+            *self.befores.entry(case.bare(&OF_SHAKING)).or_insert(next)
+        });
+        let prepared = Prepared { bare: case.bare(&[]), factor, intensities };
+        Some(Planned { prepared, case: case.placed(), before })
+    }
+}

@@ -1,0 +1,303 @@
+//! `tremolite study` as a user meets it: the same plan and table however it is run, stopped and shared.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::time::Duration;
+
+/// A column under its weight, with a stage, so that there is a hand-over.
+const CASE: &str = r#"title = "a column"
+[mesh.box]
+group = "rock"
+x = { from = 0, to = "4 m", elements = 2 }
+y = { from = 0, to = "4 m", elements = 2 }
+z = { from = "-40 m", to = 0, elements = 10 }
+[material.rock]
+law = "elastic"
+young = "2 GPa"
+poisson = 0.25
+density = "2500 kg/m3"
+[[region]]
+groups = ["rock"]
+material = "rock"
+element = "one-point"
+[initial]
+lateral = 0.6
+[motion]
+kind = "incident"
+east = { file = "pulse.txt" }
+[dynamic]
+base = "viscous"
+sides = "periodic"
+duration = "0.6 s"
+[[monitor]]
+name = "top"
+at = ["1 m", "1 m", "-1 m"]
+[output]
+histories = "0.01 s"
+snapshots = "1 s"
+"#;
+
+const STUDY: &str = r#"title = "what moves the column"
+case = "case.toml"
+[vary]
+"initial.lateral" = { uniform = [0.4, 1.0] }
+[sample]
+kind = "latin-hypercube"
+count = 2
+seed = 7
+[[record]]
+name = "east"
+east = { file = "pulse.txt" }
+[[record]]
+name = "north"
+north = { file = "pulse.txt" }
+[scale]
+measure = "RotD50 PGV"
+levels = ["0.02 m/s", "0.04 m/s"]
+[measure]
+top = { table = "monitors.csv", column = "top.ux", take = "max-abs" }
+[[fragility]]
+measure = "top"
+above = 0.001
+failed = "exceeds"
+"#;
+
+/// A folder with the case, its pulse and a study.
+fn folder(study: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let pulse = |k: u32| {
+        let t = 0.01 * f64::from(k) - 0.15;
+        format!("{:.2} {:.6}\n", 0.01 * f64::from(k), 100.0 * t * (-200.0 * t * t).exp())
+    };
+    let samples: String = (0..31).map(pulse).collect();
+    fs::write(folder.path().join("pulse.txt"), format!("# units = \"cm/s2\"\n{samples}")).unwrap();
+    fs::write(folder.path().join("case.toml"), CASE).unwrap();
+    fs::write(folder.path().join("study.toml"), study).unwrap();
+    folder
+}
+
+fn command(folder: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tremolite"));
+    command.current_dir(folder).args(["study", "study.toml", "--threads", "1"]).args(args);
+    command
+}
+
+fn study(folder: &Path, args: &[&str]) -> Output {
+    command(folder, args).output().unwrap()
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn bytes(folder: &Path, file: &str) -> Vec<u8> {
+    fs::read(folder.join(file)).unwrap_or_else(|e| panic!("{file}: {e}"))
+}
+
+#[test]
+fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
+    let folder = folder(STUDY);
+    let folder = folder.path();
+    let done = study(folder, &["--out", "one", "--at-once", "1"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    let table = String::from_utf8(bytes(folder, "one/study.csv")).unwrap();
+    assert_eq!(table.lines().filter(|line| line.contains(",done,")).count(), 8, "{table}");
+    assert!(table.starts_with("run,sample,record,level,factor,initial.lateral,RotD50 PGV [m/s]"), "{table}");
+    let page = String::from_utf8(bytes(folder, "one/study.html")).unwrap();
+    assert!(page.contains("8 at their end") && page.contains("fragility-1-top.svg"), "{page}");
+    let same = |out: &str| {
+        for file in ["study.csv", "study.json", "plan.csv", "study.html"] {
+            assert!(
+                bytes(folder, &format!("{out}/{file}")) == bytes(folder, &format!("one/{file}")),
+                "{out}: {file}"
+            );
+        }
+    };
+
+    // What is done is not run again.
+    let again = study(folder, &["--out", "one"]);
+    assert!(!said(&again).contains('…') && said(&again).contains("8 at their end"), "{}", said(&again));
+
+    // Several at once; two shares that know nothing of one another, put together.
+    let done = study(folder, &["--out", "three", "--at-once", "3"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    same("three");
+    for share in ["2/2", "1/2"] {
+        let done = study(folder, &["--out", "shards", "--shard", share]);
+        assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    }
+    same("shards");
+
+    // Without a shared hand-over every byte of the tables of a run is the same.
+    let shared = fs::read_to_string(folder.join("one/runs/s1_north_0.04-m-s/results/log.txt")).unwrap();
+    assert!(shared.contains("--from"), "{shared}");
+    fs::write(folder.join("study.toml"), format!("{STUDY}[run]\nshare = false\n")).unwrap();
+    let done = study(folder, &["--out", "unshared"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    for run in ["s1_north_0.04-m-s", "s2_east_0.02-m-s", "s2_north_0.04-m-s"] {
+        for file in ["monitors.csv", "stages.csv", "energy.csv", "spectra.csv", "free_field.csv"] {
+            let of = |out: &str| bytes(folder, &format!("{out}/runs/{run}/results/{file}"));
+            assert!(of("one") == of("unshared"), "{run}/{file}");
+        }
+    }
+    assert!(bytes(folder, "unshared/study.csv") == bytes(folder, "one/study.csv"));
+    fs::write(folder.join("study.toml"), STUDY).unwrap();
+
+    // Killed again and again, with its runs left alone in the middle of their work.
+    for moment in [30, 70, 150, 110, 260, 40, 190] {
+        let mut child = command(folder, &["--out", "killed", "--at-once", "2"]).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(moment));
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    let done = study(folder, &["--out", "killed", "--at-once", "2"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    same("killed");
+}
+
+#[test]
+fn wrong_keys_are_refused_before_the_first_run() {
+    for (from, to, says) in [
+        ("\"initial.lateral\"", "\"initial.latral\"", "did you mean `lateral`?"),
+        ("uniform = [0.4, 1.0]", "uniform = [-4.0, -1.0]", "`lateral`"),
+        ("north = { file = \"pulse.txt\" }", "north = { file = \"puls.txt\" }", "there is no file puls.txt"),
+        ("case = \"case.toml\"", "case = \"cas.toml\"", "there is no file cas.toml"),
+        ("0.04 m/s", "40 m/s", "more than any earthquake"),
+        ("measure = \"RotD50 PGV\"", "measure = \"z PGV\"", "no factor brings it to a level"),
+        ("[scale]", "[scales]", "did you mean `scale`?"),
+    ] {
+        assert!(STUDY.contains(from), "{from}");
+        let folder = folder(&STUDY.replace(from, to));
+        let refused = study(folder.path(), &["--out", "out"]);
+        assert_eq!(refused.status.code(), Some(2), "{to}: {}", said(&refused));
+        assert!(
+            said(&refused).contains(says) && said(&refused).contains("study.toml:"),
+            "{to}: {}",
+            said(&refused)
+        );
+        assert!(!folder.path().join("out").exists(), "{to}");
+    }
+    let folder = folder(STUDY);
+    for (args, says) in
+        [(&["--shard", "3/2"][..], "write K/N"), (&["--only", "nothing"], "--list names them")]
+    {
+        let refused = study(folder.path(), args);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(said(&refused).contains(says), "{}", said(&refused));
+    }
+}
+
+#[test]
+fn a_run_that_fails_stays_with_its_reason_until_it_is_asked_for_again() {
+    // Stress that does not bear the weight, and no time to come to rest.
+    let text = "title = \"t\"\ncase = \"case.toml\"\n[[row]]\nname = \"as it is\"\n\
+                [[row]]\nname = \"no rest\"\nbeside = \"as it is\"\nset = { \"initial\" = { stress = { zz = \"-1 MPa\" }, max_cycles = 2, release_cycles = 1 } }\n\
+                [measure]\ntop = { table = \"monitors.csv\", column = \"top.ux\", take = \"max-abs\" }\n";
+    let folder = folder(text);
+    let folder = folder.path();
+    let done = study(folder, &["--out", "out"]);
+    assert_eq!(done.status.code(), Some(1), "{}", said(&done));
+    assert!(said(&done).contains("1 at their end, 1 not at rest before it"), "{}", said(&done));
+    let table = String::from_utf8(bytes(folder, "out/study.csv")).unwrap();
+    assert!(table.contains("restless,") && table.contains("did not come to rest"), "{table}");
+    let again = study(folder, &["--out", "out"]);
+    assert!(!said(&again).contains('…'), "{}", said(&again));
+    let again = study(folder, &["--out", "out", "--retry", "restless"]);
+    assert!(said(&again).contains("no-rest …") && !said(&again).contains("as-it-is …"), "{}", said(&again));
+    // What the file calls otherwise now is another run; what was computed is set aside.
+    fs::write(
+        folder.join("study.toml"),
+        text.replace(
+            "\"initial\" = { stress = { zz = \"-1 MPa\" }, max_cycles = 2, release_cycles = 1 }",
+            "\"initial.lateral\" = 0.9",
+        ),
+    )
+    .unwrap();
+    let done = study(folder, &["--out", "out"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    assert!(folder.join("out/runs/no-rest.old/results/summary.json").exists());
+    // A measure that the results do not have is told at its line.
+    fs::write(folder.join("study.toml"), text.replace("top.ux", "top.vw")).unwrap();
+    let done = study(folder, &["--out", "wrong"]);
+    assert_eq!(done.status.code(), Some(2), "{}", said(&done));
+    assert!(said(&done).contains("study.toml:10") && said(&done).contains("top.vx"), "{}", said(&done));
+}
+
+#[test]
+fn rising_levels_stop_where_the_limit_is() {
+    let text = STUDY
+        .replace(
+            "levels = [\"0.02 m/s\", \"0.04 m/s\"]",
+            "ida = { first = \"0.02 m/s\", step = \"0.02 m/s\", most = 5, until = \"top\", above = 0.02 }",
+        )
+        .replace("count = 2", "count = 1")
+        .replace(
+            "[[fragility]]\nmeasure = \"top\"\nabove = 0.001",
+            "[[fragility]]\nmeasure = \"top\"\nabove = 0.02",
+        );
+    let folder = folder(&text);
+    let folder = folder.path();
+    let done = study(folder, &["--out", "out", "--at-once", "2"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    let table = String::from_utf8(bytes(folder, "out/study.csv")).unwrap();
+    let count = |word: &str| table.lines().filter(|line| line.contains(&format!(",{word},"))).count();
+    assert!(count("not-needed") > 0 && count("done") + count("not-needed") == 10, "{table}");
+    // Across the column the other record moves nothing along x, and goes up to the end.
+    assert_eq!(table.lines().filter(|l| l.contains("_north_") && l.contains(",done,")).count(), 5, "{table}");
+}
+
+#[test]
+fn array_tasks_of_slurm_take_the_commands_of_shares() {
+    let folder = folder(STUDY);
+    let done = study(folder.path(), &["--out", "out", "--slurm", "slurm", "--tasks", "3", "--at-once", "2"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    let script = String::from_utf8(bytes(folder.path(), "slurm/study.sbatch")).unwrap();
+    for line in [
+        "#SBATCH --array=1-3",
+        "#SBATCH --cpus-per-task=2",
+        "--shard \"$SLURM_ARRAY_TASK_ID/3\" --at-once 2 --threads 1",
+    ] {
+        assert!(script.contains(line), "{script}");
+    }
+    assert!(said(&done).contains("--gather") && !folder.path().join("out").exists(), "{}", said(&done));
+    let checked = Command::new("bash").args(["-n", "slurm/study.sbatch"]).current_dir(folder.path()).status();
+    assert!(checked.is_ok_and(|status| status.success()));
+}
+
+#[test]
+fn the_shipped_study_has_five_motions_at_five_levels() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/first-shake");
+    let mut listing = Command::new(env!("CARGO_BIN_EXE_tremolite"));
+    let listed = listing.current_dir(cases).args(["study", "fragility.toml", "--list"]).output().unwrap();
+    assert_eq!(listed.status.code(), Some(0), "{}", said(&listed));
+    let table = String::from_utf8(listed.stdout).unwrap();
+    assert_eq!(table.lines().count(), 26, "{table}");
+    // The intensity of each run is its level, to the digits that its factor is told with.
+    for line in table.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let level: f64 = cells[3].trim_end_matches(" m/s").parse().unwrap();
+        let found: f64 = cells[5].parse().unwrap();
+        assert!((found / level - 1.0).abs() < 1e-8, "{line}");
+    }
+}
+
+/// A grid of one key: bare numbers of a study are refused, unless it says that they are in SI.
+#[test]
+fn numbers_without_a_unit_are_those_of_a_study_in_si_alone() {
+    let grid = "title = \"grid\"\ncase = \"case.toml\"\n[sample]\nkind = \"grid\"\n[vary]\n\"material.rock.young\" = { values = [2e9, 4e9] }\n\
+                [measure]\ntop = { table = \"monitors.csv\", column = \"top.ux\", take = \"max-abs\" }\n";
+    let folder = folder(grid);
+    let refused = study(folder.path(), &["--out", "grid", "--list"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(
+        said(&refused).contains("write \"2 GPa\"") && said(&refused).contains("study.toml:6"),
+        "{}",
+        said(&refused)
+    );
+    fs::write(folder.path().join("study.toml"), format!("units = \"SI\"\n{grid}")).unwrap();
+    let done = study(folder.path(), &["--out", "grid", "--at-once", "2"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    let table = String::from_utf8(bytes(folder.path(), "grid/study.csv")).unwrap();
+    assert_eq!(table.lines().filter(|line| line.contains(",done,")).count(), 2, "{table}");
+}

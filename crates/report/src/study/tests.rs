@@ -1,0 +1,135 @@
+use super::*;
+use tremolite_results::study::{
+    Influence, RunStatus, Share, StudyBounds, StudyColumn, StudyFit, StudyFragility, StudyRun, Tornado,
+    TornadoBar,
+};
+
+fn sample() -> Study {
+    let column = |name: &str, unit: &str| StudyColumn {
+        name: name.into(),
+        unit: Some(unit.into()),
+        shown: String::new(),
+        shown_factor: 1.0,
+    };
+    let run = |k: usize| StudyRun {
+        name: format!("s{k}_<a>_0.{k}-g"),
+        title: format!("s{k}"),
+        sample: k,
+        record: Some("<a>".into()),
+        level: Some(format!("0.{k} g")),
+        factor: Some(0.5),
+        values: vec![Some(format!("\"{k} MPa\""))],
+        intensities: vec![Some(0.980665 * k as f64)],
+        measures: vec![if k == 3 { None } else { Some(0.1 * k as f64) }],
+        status: if k == 3 { RunStatus::Failed } else { RunStatus::Done },
+        why: if k == 3 { "It became <unstable>.".into() } else { String::new() },
+        ..StudyRun::default()
+    };
+    Study {
+        title: "What & where".into(),
+        parameters: vec![column("material.c.tensile_strength", "MPa")],
+        intensities: vec![StudyColumn { shown: "g".into(), shown_factor: 9.80665, ..column("PGA", "m/s2") }],
+        measures: vec![column("cracked", "")],
+        runs: (1..=4).map(run).collect(),
+        tornados: vec![Tornado {
+            measure: "cracked".into(),
+            base: 0.2,
+            bars: vec![TornadoBar {
+                name: "initial.lateral".into(),
+                low: ("0.5".into(), 0.1),
+                high: ("1.2".into(), 0.4),
+            }],
+        }],
+        influences: vec![Influence {
+            parameter: "material.c.tensile_strength".into(),
+            measure: "cracked".into(),
+            rank: 1.0,
+            runs: 3,
+        }],
+        fragilities: vec![
+            StudyFragility {
+                measure: "cracked".into(),
+                above: 0.25,
+                by: "PGA".into(),
+                unit: "g".into(),
+                fit: Some(StudyFit {
+                    theta: 0.25,
+                    beta: 0.3,
+                    covariance: [[0.01, 0.0], [0.0, 0.02]],
+                    log_likelihood: -3.0,
+                }),
+                curve: vec![[0.0, 0.0], [0.25, 0.5], [0.5, 0.98]],
+                bounds: Some(StudyBounds {
+                    band: vec![[0.0, 0.0], [0.3, 0.7], [0.9, 1.0]],
+                    samples: 90,
+                    without: 10,
+                    ..StudyBounds::default()
+                }),
+                shares: vec![
+                    Share { intensity: 0.1, exceeded: 0, of: 1 },
+                    Share { intensity: 0.4, exceeded: 1, of: 1 },
+                ],
+                counted: 4,
+                exceeded: 2,
+                stopped_counted: 1,
+                left_out: vec![("restless".into(), 2)],
+                ..StudyFragility::default()
+            },
+            StudyFragility {
+                measure: "cracked".into(),
+                above: 0.9,
+                no_curve: "the data are separated".into(),
+                ..StudyFragility::default()
+            },
+        ],
+        ..Study::default()
+    }
+}
+
+#[test]
+fn the_page_says_what_is_counted_and_what_is_not() {
+    let out = tempfile::tempdir().unwrap();
+    sample().write(&out.path().join("study.json")).unwrap();
+    let page = study(out.path()).unwrap();
+    let text = fs::read_to_string(&page).unwrap();
+    for says in [
+        "What &amp; where",
+        "It became &lt;unstable&gt;.",
+        "1 stopped by the guard in the earthquake and counted as beyond it",
+        "Left out: 2 restless",
+        "the data are separated",
+        "10 of 100 samples of the bootstrap have no curve",
+        "median 0.25 g",
+    ] {
+        assert!(text.contains(says), "{says}");
+    }
+    for figure in [
+        "fragility-1-cracked",
+        "levels-cracked",
+        "tornado-cracked",
+        "scatter-cracked-material-c-tensile-strength",
+    ] {
+        let svg = fs::read_to_string(out.path().join(format!("figures/{figure}.svg"))).unwrap();
+        roxmltree::Document::parse(&svg).unwrap_or_else(|e| panic!("{figure}: {e}"));
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{figure}");
+    }
+    let again = fs::read(&page).unwrap();
+    study(out.path()).unwrap();
+    assert_eq!(fs::read(&page).unwrap(), again);
+}
+
+#[test]
+fn a_study_of_which_nothing_ran_has_a_page() {
+    let out = tempfile::tempdir().unwrap();
+    assert!(study(out.path()).is_err());
+    let mut nothing = sample();
+    for run in &mut nothing.runs {
+        (run.status, run.measures, run.intensities) = (RunStatus::Pending, vec![None], vec![None]);
+    }
+    nothing.fragilities.clear();
+    nothing.tornados.clear();
+    nothing.influences.clear();
+    nothing.write(&out.path().join("study.json")).unwrap();
+    let text = fs::read_to_string(study(out.path()).unwrap()).unwrap();
+    assert!(text.contains("4 still to run"), "{text}");
+}

@@ -1,0 +1,69 @@
+//! Tornados: how far each key, changed alone, moves a result.
+
+use tremolite_results::study::{Study, Tornado};
+
+use super::Figure;
+use super::paper::{file_part, suiting};
+use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
+use crate::drawing::ticks::Ticks;
+
+const WIDTH: f64 = 940.0;
+const ROW: f64 = 30.0;
+const TOP: f64 = 40.0;
+/// Bars at most.
+const MOST: usize = 30;
+
+/// One figure a measure.
+pub fn figures(study: &Study) -> Vec<Figure> {
+    study.tornados.iter().map(|tornado| figure(study, tornado)).collect()
+}
+
+fn figure(study: &Study, tornado: &Tornado) -> Figure {
+    let bars = &tornado.bars[..tornado.bars.len().min(MOST)];
+    let column = study.measures.iter().find(|m| m.name == tornado.measure).cloned().unwrap_or_default();
+    let ends = bars.iter().flat_map(|b| [b.low.1, b.high.1]).chain([tornado.base]);
+    let scale = suiting(&column, ends);
+    let low = bars.iter().map(|b| b.low.1).fold(tornado.base, f64::min);
+    let high = bars.iter().map(|b| b.high.1).fold(tornado.base, f64::max);
+    let names = bars.iter().map(|b| text_width(&b.name, 12.0)).fold(80.0, f64::max);
+    let left = names.min(380.0) + 24.0;
+    let room = 0.25 * (high - low).max(1e-12 * high.abs().max(1e-300));
+    let axis = Ticks::within((low - room) * scale.factor, (high + room) * scale.factor, 8);
+    let place = |x: f64| left + axis.fraction(x * scale.factor) * (WIDTH - left - 16.0);
+    let bottom = TOP + ROW * bars.len() as f64;
+    let mut svg = Svg::new(WIDTH);
+    let title = format!("{}: what each key changes", tornado.measure);
+    svg.text((16.0, 18.0), Anchor::Start, 14.0, Style::Bold, &title);
+    for (value, label) in &axis.marks {
+        let x = left + axis.fraction(*value) * (WIDTH - left - 16.0);
+        svg.rule((x, TOP), (x, bottom), false);
+        svg.text((x, bottom + 17.0), Anchor::Middle, 12.0, Style::Muted, label);
+    }
+    for (k, bar) in bars.iter().enumerate() {
+        let y = TOP + ROW * k as f64;
+        let (from, to) = (place(bar.low.1), place(bar.high.1).max(place(bar.low.1) + 1.0));
+        svg.areas(LINES[0], &[vec![(from, y + 6.0), (to, y + 6.0), (to, y + 22.0), (from, y + 22.0)]]);
+        svg.text((left - 8.0, y + 18.0), Anchor::End, 12.0, Style::Plain, &bar.name);
+        svg.text((from - 5.0, y + 18.0), Anchor::End, 11.0, Style::Muted, &bar.low.0);
+        svg.text((to + 5.0, y + 18.0), Anchor::Start, 11.0, Style::Muted, &bar.high.0);
+    }
+    svg.rule((place(tornado.base), TOP), (place(tornado.base), bottom), true);
+    svg.text(
+        (WIDTH - 16.0, bottom + 36.0),
+        Anchor::End,
+        12.0,
+        Style::Muted,
+        &scale.labelled(&tornado.measure),
+    );
+    let svg =
+        svg.finish(bottom + 44.0, &title, "Bars of the results at the values of each key, the widest first.");
+    let more = tornado.bars.len().saturating_sub(MOST);
+    let more = if more > 0 { format!(" {more} more change it less.") } else { String::new() };
+    let caption = format!(
+        "{} as the case is: {} {}; at the ends of a bar the values of its key.{more}",
+        tornado.measure,
+        scale.number(tornado.base),
+        scale.unit
+    );
+    Figure { file: format!("tornado-{}.svg", file_part(&tornado.measure)), svg, caption }
+}

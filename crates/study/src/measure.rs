@@ -1,0 +1,220 @@
+//! Numbers out of the results of a run.
+
+use std::path::Path;
+
+use serde_json::Value;
+use tremolite_case::study::{Measure, MeasureOf, Take};
+use tremolite_results::Table;
+
+/// What a run left, to take numbers out of.
+pub struct Results<'a> {
+    folder: &'a Path,
+    summary: Value,
+}
+
+impl<'a> Results<'a> {
+    /// The results in a folder; nothing where there is no summary.
+    pub fn of(folder: &'a Path) -> Option<Results<'a>> {
+        let text = std::fs::read(folder.join("summary.json")).ok()?;
+        Some(Results { folder, summary: serde_json::from_slice(&text).ok()? })
+    }
+
+    /// A text at the top of the summary.
+    pub fn text(&self, key: &str) -> &str {
+        self.summary.get(key).and_then(Value::as_str).unwrap_or_default()
+    }
+
+    /// The program that ran it.
+    pub fn program(&self) -> &str {
+        self.summary.pointer("/run/program").and_then(Value::as_str).unwrap_or_default()
+    }
+
+    /// The number of a measure, SI.
+    ///
+    /// # Errors
+    /// Why there is none, in words.
+    pub fn number(&self, measure: &Measure) -> Result<f64, String> {
+        let found = match &measure.of {
+            MeasureOf::Summary { path, over } => {
+                let above = at(&self.summary, path)?;
+                match over {
+                    None => Ok(above),
+                    Some(over) => match at(&self.summary, over)? {
+                        below if below != 0.0 => Ok(above / below),
+                        _ => Err(format!("`{}` is 0, so nothing can be over it", over.value)),
+                    },
+                }
+            }
+            MeasureOf::Column { table, column, take } => self.column(table, column, *take),
+        };
+        match (found, measure.otherwise) {
+            (Err(_), Some(otherwise)) => Ok(otherwise),
+            (found, _) => {
+                found.and_then(|x| if x.is_finite() { Ok(x) } else { Err("it is no finite number".into()) })
+            }
+        }
+    }
+
+    /// The unit of a measure, where the files tell it.
+    pub fn unit(&self, measure: &Measure) -> Option<String> {
+        match &measure.of {
+            MeasureOf::Summary { .. } => None,
+            MeasureOf::Column { table, column, .. } => {
+                Table::read(&self.folder.join(&table.value)).ok()?.unit(column).map(str::to_owned)
+            }
+        }
+    }
+
+    fn column(&self, table: &str, column: &str, take: Take) -> Result<f64, String> {
+        let read = Table::read(&self.folder.join(table)).map_err(|e| e.to_string())?;
+        let Some(values) = read.column(column) else {
+            let names: Vec<&str> = read.columns.iter().map(|c| c.name.as_str()).collect();
+            return Err(format!("{table} has no column `{column}`; {}", suggestion(column, &names)));
+        };
+        let finite = || values.iter().copied().filter(|x| x.is_finite());
+        let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        let found = match take {
+            Take::MaxAbs => finite().fold(f64::NEG_INFINITY, |most, x| most.max(x.abs())),
+            Take::Max => high,
+            Take::Min => low,
+            Take::Range => high - low,
+            Take::First => finite().next().unwrap_or(f64::NAN),
+            Take::Last => finite().next_back().unwrap_or(f64::NAN),
+        };
+        if found.is_finite() {
+            Ok(found)
+        } else {
+            Err(format!("column `{column}` of {table} has no numbers"))
+        }
+    }
+}
+
+/// The number at a path: keys with dots between them, quoted or not where they have dots of their own, and entries of lists by their
+/// number or their `id` or `name` in brackets.
+fn at(summary: &Value, path: &str) -> Result<f64, String> {
+    match find(summary, path.trim()) {
+        Ok(Value::Number(n)) => n.as_f64().ok_or_else(|| format!("`{path}` is no number")),
+        Ok(Value::Bool(flag)) => Ok(f64::from(u8::from(*flag))),
+        Ok(Value::Null) => Err(format!("`{path}` has no value in summary.json")),
+        Ok(_) => Err(format!("`{path}` of summary.json is no number but has others below it")),
+        Err(why) => Err(why),
+    }
+}
+
+fn find<'a>(value: &'a Value, path: &str) -> Result<&'a Value, String> {
+    if path.is_empty() {
+        return Ok(value);
+    }
+    match value {
+        Value::Object(map) => {
+            // The longest first, since a key may be the beginning of another with a dot.
+            let mut keys: Vec<&String> = map.keys().collect();
+            keys.sort_by_key(|key| std::cmp::Reverse(key.len()));
+            let fitting = keys.iter().find_map(|key| Some((*key, after(path, key)?)));
+            match fitting {
+                Some((key, rest)) => find(&map[key.as_str()], rest),
+                None => {
+                    let names: Vec<&str> = map.keys().map(String::as_str).collect();
+                    Err(format!("summary.json has no `{path}` there; {}", suggestion(path, &names)))
+                }
+            }
+        }
+        Value::Array(list) => {
+            let inside = path.strip_prefix('[').and_then(|rest| rest.split_once(']'));
+            let Some((word, rest)) = inside else {
+                return Err(format!("`{path}` stands below a list: write [0], or [name]"));
+            };
+            let named = |entry: &&Value| {
+                ["id", "name"].iter().any(|k| entry.get(k).and_then(Value::as_str) == Some(word))
+            };
+            let entry =
+                word.parse::<usize>().ok().and_then(|k| list.get(k)).or_else(|| list.iter().find(named));
+            let entry = entry.ok_or_else(|| format!("a list of {} has no entry [{word}]", list.len()))?;
+            find(entry, rest.strip_prefix('.').unwrap_or(rest))
+        }
+        _ => Err(format!("nothing stands below, where `{path}` is looked for")),
+    }
+}
+
+/// What follows a key at the beginning of a path; nothing where it is another.
+fn after<'a>(path: &'a str, key: &str) -> Option<&'a str> {
+    let quoted = || {
+        let quote = path.chars().next().filter(|c| ['"', '\''].contains(c))?;
+        path[1..].strip_prefix(key)?.strip_prefix(quote)
+    };
+    let rest = path
+        .strip_prefix(key)
+        .filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+        .or_else(quoted)?;
+    Some(rest.strip_prefix('.').unwrap_or(rest))
+}
+
+/// What may have been meant.
+fn suggestion(wanted: &str, known: &[&str]) -> String {
+    match tremolite_case::nearest(wanted, known.iter().copied()) {
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None => {
+            let shown: Vec<&str> = known.iter().copied().take(30).collect();
+            format!("there are {}{}", shown.join(", "), if known.len() > shown.len() { ", …" } else { "" })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SUMMARY: &str = r#"{
+        "damage": {"a": {"volume": 1}, "a.lining": {"volume": 8.0, "measures": {"d": {"beyond": {"0.5": 2.0}}}}},
+        "gap": null, "trust": [{"id": "energy", "value": 0.01}], "text": "no"
+    }"#;
+
+    #[test]
+    fn numbers_are_found_by_their_path() {
+        let summary: Value = serde_json::from_str(SUMMARY).unwrap();
+        for (path, number) in [
+            ("damage.a.volume", 1.0),
+            ("damage.a.lining.volume", 8.0),
+            ("damage.\"a.lining\".volume", 8.0),
+            ("damage.'a.lining'.measures.d.beyond.\"0.5\"", 2.0),
+            ("damage.a.lining.measures.d.beyond.0.5", 2.0),
+            ("trust[0].value", 0.01),
+            ("trust[energy].value", 0.01),
+        ] {
+            assert_eq!(at(&summary, path), Ok(number), "{path}");
+        }
+        for (path, says) in [
+            ("damege.a.volume", "there are damage"),
+            ("damage.b", "no `b`"),
+            ("gap", "has no value"),
+            ("damage", "is no number"),
+            ("text", "is no number"),
+            ("text.more", "nothing stands below"),
+            ("trust.value", "write [0]"),
+            ("trust[none].value", "no entry [none]"),
+        ] {
+            let why = at(&summary, path).unwrap_err();
+            assert!(why.contains(says), "{path}: {why}");
+        }
+    }
+
+    #[test]
+    fn columns_are_taken_by_their_extremes() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("summary.json"), SUMMARY).unwrap();
+        std::fs::write(folder.path().join("m.csv"), "time [s],u [m]\n0,1\n1,-3\n2,NaN\n3,2\n").unwrap();
+        let results = Results::of(folder.path()).unwrap();
+        for (take, number) in [
+            (Take::MaxAbs, 3.0),
+            (Take::Max, 2.0),
+            (Take::Min, -3.0),
+            (Take::Range, 5.0),
+            (Take::First, 1.0),
+            (Take::Last, 2.0),
+        ] {
+            assert_eq!(results.column("m.csv", "u", take), Ok(number), "{take:?}");
+        }
+        assert!(results.column("m.csv", "U", Take::Max).unwrap_err().contains("did you mean `u`?"));
+        assert!(results.column("n.csv", "u", Take::Max).is_err());
+    }
+}

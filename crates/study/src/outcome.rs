@@ -1,0 +1,91 @@
+//! What became of a run, by what lies in its folder: nothing else is remembered of it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use tremolite_results::study::RunStatus;
+
+use crate::measure::Results;
+
+/// The folder of a run, `OUT/runs/NAME`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RunFolder(pub PathBuf);
+
+impl RunFolder {
+    pub fn new(out: &Path, name: &str) -> RunFolder {
+        RunFolder(out.join("runs").join(name))
+    }
+
+    /// The case that is run, with its files by absolute paths.
+    pub fn case(&self) -> PathBuf {
+        self.0.join("case.toml")
+    }
+
+    /// The case on one line, by which it is known again whatever folders lie where.
+    pub fn bare(&self) -> PathBuf {
+        self.0.join("case.line")
+    }
+
+    /// Its results.
+    pub fn results(&self) -> PathBuf {
+        self.0.join("results")
+    }
+
+    /// What the program said.
+    pub fn log(&self) -> PathBuf {
+        self.0.join("run.log")
+    }
+
+    /// Why the program ended without a result.
+    pub fn broken(&self) -> PathBuf {
+        self.0.join("broken.txt")
+    }
+
+    /// Locked while somebody computes it.
+    pub fn lock(&self) -> PathBuf {
+        self.0.join("lock")
+    }
+
+    /// Whether it holds this very case, and not one that has changed since.
+    pub fn is_of(&self, bare: &str) -> bool {
+        fs::read_to_string(self.bare()).is_ok_and(|kept| kept == bare)
+    }
+}
+
+/// What became of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    pub status: RunStatus,
+    /// Why it did not come to its end.
+    pub why: String,
+    pub program: String,
+}
+
+impl Outcome {
+    /// Of the run in a folder that is to be of this case.
+    pub fn of(folder: &RunFolder, bare: &str) -> Outcome {
+        let pending = Outcome { status: RunStatus::Pending, why: String::new(), program: String::new() };
+        if !folder.is_of(bare) {
+            return pending;
+        }
+        if let Ok(why) = fs::read_to_string(folder.broken()) {
+            return Outcome { status: RunStatus::Broken, why: why.trim().to_owned(), ..pending };
+        }
+        let results = folder.results();
+        let Some(found) = Results::of(&results) else { return pending };
+        let status = match found.text("status") {
+            "done" => RunStatus::Done,
+            // A run that has shaken has books of its energy.
+            "failed" if results.join("energy.csv").exists() => RunStatus::Failed,
+            "failed" => RunStatus::Restless,
+            _ => RunStatus::Pending,
+        };
+        let why = if status == RunStatus::Done { "" } else { found.text("outcome") };
+        Outcome { status, why: why.to_owned(), program: found.program().to_owned() }
+    }
+
+    /// Whether nothing is left to do of it.
+    pub fn has_ended(&self) -> bool {
+        self.status != RunStatus::Pending
+    }
+}

@@ -1,0 +1,199 @@
+//! The case of each run: the study's case with other values at some keys, another record, and a factor.
+
+use std::ops::Range;
+use std::path::{Component, Path, PathBuf};
+
+use tremolite_case::study::StudyFile;
+use tremolite_case::{Case, Change, Diagnostic, Laws, Report};
+
+use crate::Plan;
+
+/// Keys of `[motion]` that say where the record comes from.
+const SOURCE: [&str; 5] = ["file", "east", "north", "up", "sensitivity"];
+
+/// The study's case, with the keys that are set for all runs.
+///
+/// # Errors
+/// All problems of the case, in its file, or else of what the study sets, in the study's.
+pub fn base(study: &StudyFile, laws: Laws<'_>) -> Result<Case, Report> {
+    let path = study.directory().join(&study.case.value);
+    if !path.is_file() {
+        let message = format!("there is no file {}", study.case.value.display());
+        let remedy = format!("paths start from the folder of the study; looked for {}", path.display());
+        return Err(study.report(vec![Diagnostic::at(&study.case, message, remedy)]));
+    }
+    let written = Case::read(&path, laws)?;
+    let set: Vec<Placed> =
+        study.set.iter().map(|s| placed(&s.path.value, &s.value, s.path.span.clone())).collect();
+    changed(study, &written, &set, laws)
+}
+
+/// The case of a sample.
+///
+/// # Errors
+/// All problems of its values, at their places in the study.
+pub fn sample(
+    study: &StudyFile,
+    plan: &Plan,
+    base: &Case,
+    sample: usize,
+    laws: Laws<'_>,
+) -> Result<Case, Report> {
+    let row = study.rows.get(sample);
+    let place = |path: &str| -> Range<usize> {
+        let of_row =
+            row.and_then(|row| row.set.iter().find(|s| s.path.value == path)).map(|s| s.path.span.clone());
+        let varied = || study.vary.iter().find(|v| v.path.value == path).map(|v| v.path.span.clone());
+        let file = || study.sample.as_ref().and_then(|s| s.file.as_ref()).map(|f| f.span.clone());
+        of_row.or_else(varied).or_else(file).unwrap_or(0..0)
+    };
+    let values = &plan.samples[sample].values;
+    let changes: Vec<Placed> = plan
+        .parameters
+        .iter()
+        .zip(values)
+        .filter_map(|(parameter, value)| {
+            Some(placed(&parameter.path, value.as_ref()?, place(&parameter.path)))
+        })
+        .collect();
+    changed(study, base, &changes, laws)
+}
+
+/// A case with another record, and all of its motion times a factor.
+///
+/// # Errors
+/// All problems of the record, at its place in the study.
+pub fn with_motion(
+    study: &StudyFile,
+    case: &Case,
+    record: Option<usize>,
+    factor: Option<f64>,
+    laws: Laws<'_>,
+) -> Result<Case, Report> {
+    let record = record.map(|record| &study.records[record]);
+    let at = match (record, &study.scale) {
+        (Some(record), _) => record.name.span.clone(),
+        (None, Some(scale)) => scale.measure.span.clone(),
+        (None, None) => return Ok(case.clone()),
+    };
+    if record.is_none() && factor.is_none() {
+        return Ok(case.clone());
+    }
+    let mut motion = case.entries("motion");
+    if motion.is_empty() {
+        let message = "the case has no [motion], so there is nothing to shake it with";
+        let remedy = "add [motion] to the case: its kind, processing and window are those of all records";
+        return Err(study.report(vec![Diagnostic::new(at, message, remedy)]));
+    }
+    if let Some(record) = record {
+        motion.retain(|(key, _)| !SOURCE.contains(&key.as_str()));
+        let folder = between(case.directory(), study.directory());
+        let own =
+            record.motion(|file| if file.is_absolute() { file.to_owned() } else { joined(&folder, file) });
+        for (key, value) in own {
+            motion.retain(|(other, _)| *other != key);
+            motion.push((key, value));
+        }
+    }
+    if let Some(factor) = factor {
+        let scale = format!("\"scale {}\"", told(factor));
+        let before = motion.iter().position(|(key, _)| key == "process").map(|k| motion.remove(k).1);
+        let steps =
+            before.as_deref().and_then(|list| list.strip_prefix('[')?.strip_suffix(']')).unwrap_or_default();
+        let steps = if steps.trim().is_empty() { scale } else { format!("{steps}, {scale}") };
+        motion.push(("process".to_owned(), format!("[{steps}]")));
+    }
+    motion.sort();
+    let entries: Vec<String> = motion.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+    let change = placed("motion", &format!("{{ {} }}", entries.join(", ")), at);
+    let case = changed(study, case, &[change], laws)?;
+    let missing = case.missing_files(|_| false);
+    if let (Some(first), Some(record)) = (missing.first(), record) {
+        return Err(study.report(vec![Diagnostic::at(
+            &record.name,
+            first.message.clone(),
+            first.remedy.clone(),
+        )]));
+    }
+    Ok(case)
+}
+
+/// A factor to ten digits, as it stands in the case; what is measured goes by the same.
+pub fn told(factor: f64) -> String {
+    let rounded: f64 = format!("{factor:.9e}").parse().unwrap_or(factor);
+    rounded.to_string()
+}
+
+/// A change and where the study asks for it.
+struct Placed {
+    change: Change,
+    at: Range<usize>,
+}
+
+/// Characters of a value that a message shows.
+const SHOWN: usize = 60;
+
+fn placed(path: &str, value: &str, at: Range<usize>) -> Placed {
+    let value_shown: String = value.chars().take(SHOWN).collect();
+    let given = format!("{path} = {value_shown}").split_whitespace().collect::<Vec<_>>().join(" ");
+    Placed { change: Change { given, ..Change::new(path, value) }, at }
+}
+
+/// A case with changes; problems of these are shown in the study.
+fn changed(study: &StudyFile, case: &Case, changes: &[Placed], laws: Laws<'_>) -> Result<Case, Report> {
+    if changes.is_empty() {
+        return Ok(case.clone());
+    }
+    let only: Vec<Change> = changes.iter().map(|c| c.change.clone()).collect();
+    case.parse_with(&only, laws).map_err(|report| {
+        let place = |p: &Diagnostic| {
+            let set = p.set.as_deref()?;
+            changes.iter().find(|c| set.starts_with(&c.change.given)).map(|c| (set.to_owned(), c.at.clone()))
+        };
+        let problems = report.problems.iter().map(|p| match place(p) {
+            Some((set, at)) => Diagnostic::new(at, format!("{}, of `{set}`", p.message), p.remedy.clone()),
+            // What the file says can be wrong because of a change elsewhere.
+            None => {
+                let line = report.position(p).0;
+                let message = format!("{}, in line {line} of {}", p.message, report.file.display());
+                Diagnostic::new(changes[0].at.clone(), message, p.remedy.clone())
+            }
+        });
+        study.report(problems.collect())
+    })
+}
+
+/// A file below a folder, without going down where the file's way goes up again.
+fn joined(folder: &Path, file: &Path) -> PathBuf {
+    let mut way: Vec<Component<'_>> = folder.components().collect();
+    for part in file.components() {
+        match (part, way.last()) {
+            (Component::CurDir, _) => {}
+            (Component::ParentDir, Some(Component::Normal(_))) => {
+                way.pop();
+            }
+            _ => way.push(part),
+        }
+    }
+    way.into_iter().collect()
+}
+
+/// The way from one folder to another, as short as it is where both are there.
+fn between(from: &Path, to: &Path) -> PathBuf {
+    let whole = |path: &Path| {
+        let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
+        path.canonicalize().or_else(|_| std::path::absolute(path)).unwrap_or_else(|_| path.to_owned())
+    };
+    let (from, to) = (whole(from), whole(to));
+    let (from, to): (Vec<Component<'_>>, Vec<Component<'_>>) =
+        (from.components().collect(), to.components().collect());
+    let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    if shared == 0 {
+        return to.iter().collect();
+    }
+    let up = from[shared..].iter().map(|_| Component::ParentDir);
+    up.chain(to[shared..].iter().copied()).collect()
+}
+
+#[cfg(test)]
+mod tests;
