@@ -42,16 +42,34 @@ pub fn free_memory() -> Option<u64> {
     Some(group_memory().map_or(machine, |group| machine.min(group)))
 }
 
-/// What the control group of this process (version 2) leaves of its limit, if it has one \[bytes\]: files that it has read give way.
+/// What the control groups of this process (of either version), and those that they are in, leave of their limits at the least, if any has
+/// one \[bytes\]: files that they have read give way.
 fn group_memory() -> Option<u64> {
     let own = std::fs::read_to_string("/proc/self/cgroup").ok()?;
-    let path = own.lines().find_map(|line| line.strip_prefix("0::"))?;
-    let read = |file: &str| std::fs::read_to_string(format!("/sys/fs/cgroup{path}/{file}")).ok();
     let bytes = |text: &str| text.trim().parse::<u64>().ok();
-    let (most, taken) = (bytes(&read("memory.max")?)?, bytes(&read("memory.current")?)?);
-    let files = read("memory.stat")
-        .and_then(|all| bytes(all.lines().find_map(|l| l.strip_prefix("inactive_file "))?));
-    Some(most.saturating_sub(taken.saturating_sub(files.unwrap_or(0))))
+    let left = |folder: &Path, [most, taken]: [&str; 2]| {
+        let read = |file: &str| std::fs::read_to_string(folder.join(file)).ok();
+        let (most, taken) = (bytes(&read(most)?)?, bytes(&read(taken)?)?);
+        let files = read("memory.stat").and_then(|all| {
+            let line = |name: &str| all.lines().find_map(|l| bytes(l.strip_prefix(name)?));
+            line("total_inactive_file ").or_else(|| line("inactive_file "))
+        });
+        Some(most.saturating_sub(taken.saturating_sub(files.unwrap_or(0))))
+    };
+    let of_line = |line: &str| -> Option<u64> {
+        let (kind, path) = line.split_once(':')?.1.split_once(':')?;
+        let (root, files) = match kind {
+            "" => (Path::new("/sys/fs/cgroup"), ["memory.max", "memory.current"]),
+            "memory" => {
+                (Path::new("/sys/fs/cgroup/memory"), ["memory.limit_in_bytes", "memory.usage_in_bytes"])
+            }
+            _ => return None,
+        };
+        let own = Path::new(path.trim_start_matches('/'));
+        // Within a container the group's own path may not be there, but the container's is the root.
+        own.ancestors().filter_map(|group| left(&root.join(group), files)).min()
+    };
+    own.lines().filter_map(of_line).min()
 }
 
 /// Bytes that are free on the disk of a folder, or of the folder that it will be made in; where the system tells it.

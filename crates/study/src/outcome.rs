@@ -21,7 +21,7 @@ impl RunFolder {
         self.0.join("case.toml")
     }
 
-    /// The case on one line, by which it is known again whatever folders lie where.
+    /// The case on one line and hashes of what it reads, by which it is known again whatever folders lie where.
     pub fn bare(&self) -> PathBuf {
         self.0.join("case.line")
     }

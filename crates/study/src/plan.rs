@@ -242,8 +242,21 @@ pub fn slug(text: &str) -> String {
         }
         out += spelt;
     }
-    out.trim_matches(['-', '.']).to_owned()
+    let out = out.trim_matches(['-', '.']);
+    match out.char_indices().nth(LONGEST) {
+        None => out.to_owned(),
+        // Told apart by the whole text (FNV-1a).
+        Some((end, _)) => {
+            let hash = text
+                .bytes()
+                .fold(0x811c_9dc5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
+            format!("{}-{hash:08x}", &out[..end])
+        }
+    }
 }
+
+/// Characters of a folder's name at most: file systems allow 255 bytes, and letters may take four.
+const LONGEST: usize = 50;
 
 #[cfg(test)]
 mod tests;

@@ -132,7 +132,8 @@ pub fn ends_chain(study: &StudyFile, run: &StudyRun) -> bool {
     let Some(Levels::Ida(ida)) = study.scale.as_ref().map(|s| &s.levels) else { return false };
     let measure = study.measures.iter().position(|m| m.name.value == ida.until.value);
     let beyond = measure.and_then(|k| run.measures[k]).is_some_and(|x| x > ida.above);
-    beyond || matches!(run.status, RunStatus::Failed | RunStatus::Restless | RunStatus::Broken)
+    // A run that was refused or ended from outside says nothing of the level.
+    beyond || matches!(run.status, RunStatus::Failed | RunStatus::Restless)
 }
 
 /// Runs above the one that ends their chain are not needed, whatever lies there.

@@ -26,7 +26,7 @@ use defaulted::{Known, defaulted};
 use indexmap::IndexMap;
 use std::path::Path;
 use std::sync::Arc;
-use tremolite_case::{Case, Diagnostic};
+use tremolite_case::{Case, Diagnostic, Mesh};
 use tremolite_engine::{Assembly, Model, Phase, StableStep, Stage};
 use tremolite_results::{Defaulted, Input, MaterialFacts};
 
@@ -283,7 +283,9 @@ impl Built {
         let survey = survey(&model, &assembly, highest).map_err(Why::Model)?;
         let outlook = match plan.stages.is_empty() {
             true => None,
-            false => Some(outlook(&model, &assembly, plan).map_err(refused)?),
+            false => Some(
+                outlook(&model, &assembly, plan, matches!(case.mesh, Mesh::Caverns(_))).map_err(refused)?,
+            ),
         };
         Ok(Built { model, assembly, phase, stable, survey, outlook })
     }

@@ -82,7 +82,13 @@ pub struct Outlook {
 ///
 /// # Errors
 /// If a stage has no faces on a plane that should hold it.
-pub fn outlook(model: &Arc<Model>, assembly: &Arc<Assembly>, plan: &Plan) -> Result<Outlook, ModelError> {
+/// `along_y`: the openings are known to go along y.
+pub fn outlook(
+    model: &Arc<Model>,
+    assembly: &Arc<Assembly>,
+    plan: &Plan,
+    along_y: bool,
+) -> Result<Outlook, ModelError> {
     let walls = Walls::of(model);
     let mut stages = Vec::new();
     let mut known = BTreeSet::new();
@@ -92,7 +98,7 @@ pub fn outlook(model: &Arc<Model>, assembly: &Arc<Assembly>, plan: &Plan) -> Res
         let stage = Stage::Before(k as u16);
         let phase = Phase::of(model, assembly, stage)?;
         if k == 0 {
-            rest = at_rest(model, assembly, &phase);
+            rest = at_rest(model, assembly, &phase, along_y);
         }
         let standing = model.standing(stage);
         let now: BTreeSet<u32> = standing.iter().copied().collect();

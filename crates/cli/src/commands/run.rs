@@ -69,8 +69,8 @@ pub fn run(args: &Args) -> Outcome {
         }
         let job = modelled(loaded)?;
         tell(&job.remarks());
-        // Who goes on has found room before.
-        if !args.resume {
+        // Who goes on has found room before, and what is replaced gives its own back.
+        if !args.resume && !args.overwrite {
             room(&free.lacks_for(&job))?;
         }
         let warned = !job.said().is_empty();

@@ -136,7 +136,10 @@ pub fn run(args: &Args) -> Outcome {
         ));
         stopped = queue.work(at_once)?;
     }
-    let found = tables::write(&study, &plan, &planned, &out)?;
+    let (found, missing) = tables::write(&study, &plan, &planned, &out)?;
+    if let Some(first) = missing.first() {
+        return Err(lacks(&study, first));
+    }
     let page = tremolite_report::study(&out).map_err(Failure::failed)?;
     told(&found, &chosen);
     say(&format!(
@@ -151,9 +154,20 @@ pub fn run(args: &Args) -> Outcome {
     Ok(match chosen.iter().all(ended_well) {
         _ if stopped => Code::Stopped,
         true => Code::Done,
-        false if args.gather => Code::Done,
         false => Code::Failed,
     })
+}
+
+/// That results lack what the study asks for.
+fn lacks(study: &StudyFile, missing: &results::Missing) -> Failure {
+    let results::Missing { measure, run, why } = missing;
+    let at = study.measures.iter().find(|m| m.name.value == *measure).map_or(0..0, |m| m.name.span.clone());
+    let problem = tremolite_case::Diagnostic::new(
+        at,
+        format!("the results of {run} have no `{measure}`: {why}"),
+        "mend it, or say otherwise = 0 where that is meant, and start the study again: what is done stays",
+    );
+    Failure::case(&study.report(vec![problem]))
 }
 
 /// Where all goes.

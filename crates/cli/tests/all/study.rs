@@ -301,3 +301,42 @@ fn numbers_without_a_unit_are_those_of_a_study_in_si_alone() {
     let table = String::from_utf8(bytes(folder.path(), "grid/study.csv")).unwrap();
     assert_eq!(table.lines().filter(|line| line.contains(",done,")).count(), 2, "{table}");
 }
+
+#[test]
+fn a_record_that_has_changed_is_another_run_and_a_measure_that_is_lacking_stops_every_start() {
+    let grid = "title = \"grid\"\ncase = \"case.toml\"\n[sample]\nkind = \"grid\"\n[vary]\n\"initial.lateral\" = { values = [0.6] }\n\
+                [measure]\ntop = { table = \"monitors.csv\", column = \"top.ux\", take = \"max-abs\" }\n";
+    let folder = folder(grid);
+    let folder = folder.path();
+    let top = || {
+        let done = study(folder, &["--out", "grid"]);
+        assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+        let table = String::from_utf8(bytes(folder, "grid/study.csv")).unwrap();
+        let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+        let column =
+            names.iter().position(|name| name.starts_with("top")).unwrap_or_else(|| panic!("{table}"));
+        table.lines().nth(1).unwrap().split(',').nth(column).unwrap().parse::<f64>().unwrap()
+    };
+    let before = top();
+    let text = fs::read_to_string(folder.join("pulse.txt")).unwrap();
+    let (head, samples) = text.split_once('\n').unwrap();
+    let doubled = |line: &str| {
+        let (t, x) = line.split_once(' ').unwrap();
+        format!("{t} {}\n", 2.0 * x.parse::<f64>().unwrap())
+    };
+    let twice: String = samples.lines().map(doubled).collect();
+    fs::write(folder.join("pulse.txt"), format!("{head}\n{twice}")).unwrap();
+    assert!((top() / before - 2.0).abs() < 1e-6);
+
+    let lacks = grid.replace("top.ux", "roof.ux");
+    fs::write(folder.join("study.toml"), lacks).unwrap();
+    for _ in 0..2 {
+        let refused = study(folder, &["--out", "grid"]);
+        assert_eq!(refused.status.code(), Some(2), "{}", said(&refused));
+        assert!(
+            said(&refused).contains("have no `top`") && said(&refused).contains("study.toml:"),
+            "{}",
+            said(&refused)
+        );
+    }
+}

@@ -131,17 +131,18 @@ fn an_initial_stress_of_the_wrong_sign_is_told() {
 fn rock_that_will_yield_round_an_opening_is_told() {
     let folder = tempfile::tempdir().unwrap();
     tremolite(folder.path(), &["new", "study"]);
-    let check = |cohesion: &str| {
+    let check = |cohesion: &str, lateral: &str| {
         let rock = format!(
             "material.rock={{ law = \"mohr-coulomb\", young = \"10 GPa\", poisson = 0.25, unit_weight = \"27 kN/m3\", cohesion = \"{cohesion}\", \
              friction_angle = \"30 deg\" }}"
         );
-        let done = tremolite(folder.path(), &["check", "study/case.toml", "--set", &rock]);
+        let lateral = format!("initial.lateral={lateral}");
+        let done = tremolite(folder.path(), &["check", "study/case.toml", "--set", &rock, "--set", &lateral]);
         assert_eq!(code(&done), 0, "{}", errors(&done));
         errors(&done)
     };
     // f_c = 3.464 c.
-    let words = check("0.5 MPa");
+    let words = check("0.5 MPa", "0.6");
     assert!(words.contains("its compressive strength of 1.732 MPa: it will yield"), "{words}");
     let (before, _) = words.split_once(" (3σ1 − σ3)").unwrap();
     let load: f64 = before.trim_end_matches(" MPa").rsplit(' ').next().unwrap().parse().unwrap();
@@ -149,7 +150,11 @@ fn rock_that_will_yield_round_an_opening_is_told() {
     let (_, place) = before.split_once("round the opening at (").unwrap();
     let z: f64 = place.split([',', ')']).nth(2).unwrap().trim().parse().unwrap();
     assert!((depth + z).abs() < 0.1, "{depth} m of rock above {z} m: {words}");
-    assert!(!check("5 MPa").contains("it will yield"));
+    assert!(!check("5 MPa", "0.6").contains("it will yield"));
+    // What presses along the hall loads its ends, not its walls.
+    let along = check("0.5 MPa", "{ x = 0.6, y = 3 }");
+    let (told, _) = words[words.find("rock would bear").unwrap()..].split_once(" (3").unwrap();
+    assert!(along.contains(told), "{along}");
 }
 
 #[test]

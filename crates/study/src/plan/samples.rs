@@ -124,6 +124,15 @@ fn sampled(study: &StudyFile) -> Result<(Vec<String>, Vec<Sample>), Vec<Diagnost
             numbered(drawn(study, &sobol::sobol(sample.count as usize, paths.len(), sample.seed)))
         }
         _ => {
+            if let Some(asked) =
+                study.correlations.first().filter(|_| sample.count as usize <= study.vary.len())
+            {
+                let message = "as few samples as keys cannot be given correlations";
+                let remedy =
+                    format!("write count = {} or more, or leave [[correlation]] out", study.vary.len() + 1);
+                problems.push(Diagnostic::at(&asked.rank, message, remedy));
+                return Err(problems);
+            }
             let shares = latin_hypercube(sample.count as usize, sample.seed, &ranks(study)?);
             let shares = shares.map_err(|_| {
                 let at = study.correlations.first().map_or(sample.kind.span.clone(), |c| c.rank.span.clone());

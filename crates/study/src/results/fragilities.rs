@@ -91,6 +91,14 @@ fn one(
         out.method = "truncated".to_owned();
         let risen = risen(&asked, plan, found, &clusters);
         out.shares = cumulated(&risen);
+        let at_first = beyond_at_first(&asked, plan, found);
+        if at_first > 0 {
+            out.no_curve = format!(
+                "{at_first} of {} series of levels are beyond the limit at their first level, and nobody knows how far below: begin lower",
+                risen.len()
+            );
+            return out;
+        }
         finish(&mut out, &risen, |r| r.cluster, |r| r.intensity, clusters.count, bootstrap, of_risen);
     } else {
         out.method = "binomial".to_owned();
@@ -177,6 +185,15 @@ fn risen(asked: &Asked<'_>, plan: &Plan, found: &Study, clusters: &Clusters) -> 
         out.extend(end);
     }
     out
+}
+
+/// How many chains are beyond the limit at their first level.
+fn beyond_at_first(asked: &Asked<'_>, plan: &Plan, found: &Study) -> usize {
+    let first = |chain: usize| {
+        let mut runs = plan.runs.iter().zip(&found.runs).filter(move |(run, _)| run.chain == chain);
+        runs.find(|(_, row)| asked.intensity(row).is_some()).map(|(_, row)| asked.counted(row))
+    };
+    (0..plan.chains()).filter(|chain| first(*chain) == Some(Counted::Exceeded)).count()
 }
 
 /// Where a result goes through a limit, linear between two levels; halfway where one of the two has no result.

@@ -68,6 +68,14 @@ pub fn influences(file: &StudyFile, study: &Study) -> Vec<Influence> {
     }
     let mut found = Vec::new();
     for (p, parameter) in study.parameters.iter().enumerate() {
+        // Numbers in unlike units have no order of their own.
+        let quantity = |value: &String| Quantity::parse(value.trim_matches('"'));
+        let mut units =
+            study.runs.iter().filter_map(|run| run.values[p].as_ref().and_then(quantity)).map(|q| q.unit);
+        let first = units.next();
+        if units.any(|unit| Some(unit) != first) {
+            continue;
+        }
         for (m, measure) in study.measures.iter().enumerate() {
             let number = |value: &str| Some(Quantity::parse(value.trim_matches('"'))?.number);
             let mut groups: BTreeMap<Group<'_>, Vec<(f64, f64)>> = BTreeMap::new();

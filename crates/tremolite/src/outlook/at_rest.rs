@@ -29,14 +29,21 @@ pub struct AtRest {
 pub struct Wall {
     /// The centre of an element that is taken out there \[m\].
     pub at: [f64; 3],
-    /// 3σ₁ − σ₃ of the initial stress there, compression positive: the largest stress round a circular opening (`kirsch1898`) \[Pa\].
+    /// 3σ₁ − σ₃ of the initial stress in the section, compression positive: the largest stress round a circular opening (`kirsch1898`)
+    /// \[Pa\]. Of a mesh whose axis nobody knows the least of the two upright sections.
     pub load: f64,
     /// The material's uniaxial compressive strength \[Pa\].
     pub strength: f64,
 }
 
 /// What the initial stress is to what stands at first; nothing where there is none. Parts are evaluated once, without motion.
-pub fn at_rest(model: &Arc<Model>, assembly: &Arc<Assembly>, first: &Arc<Phase>) -> Option<AtRest> {
+/// `along_y`: the openings are known to go along y.
+pub fn at_rest(
+    model: &Arc<Model>,
+    assembly: &Arc<Assembly>,
+    first: &Arc<Phase>,
+    along_y: bool,
+) -> Option<AtRest> {
     if model.elements.initial.is_empty() {
         return None;
     }
@@ -48,7 +55,7 @@ pub fn at_rest(model: &Arc<Model>, assembly: &Arc<Assembly>, first: &Arc<Phase>)
         let Some(slot) = slot.filter(|_| e < model.user.elements) else { continue };
         let Ok(shape) = hex(&model.mesh, e) else { continue };
         let stress = &model.elements.initial[e];
-        let [high, _, low] = principal_values(stress);
+        let [high, ..] = principal_values(stress);
         found.volume += shape.volume;
         if high > TENSION {
             found.tension += shape.volume;
@@ -62,13 +69,21 @@ pub fn at_rest(model: &Arc<Model>, assembly: &Arc<Assembly>, first: &Arc<Phase>)
         }
         let strength = model.elements.body_of[e].and_then(|body| strengths[body]);
         if let (Some(strength), Some(_)) = (strength, model.elements.lives[e].gone) {
-            let load = high - 3.0 * low;
+            let [xx, yy, zz, _, yz, zx] = *stress;
+            let across = round(xx, zz, zx);
+            let load = if along_y { across } else { across.min(round(yy, zz, yz)) };
             if found.wall.as_ref().is_none_or(|wall| load / strength > wall.load / wall.strength) {
                 found.wall = Some(Wall { at: centroid(&model.mesh, e as u32), load, strength });
             }
         }
     }
     Some(found)
+}
+
+/// 3σ₁ − σ₃, compression positive, of a stress in a plane, tension positive \[Pa\].
+fn round(a: f64, b: f64, shear: f64) -> f64 {
+    let (middle, radius) = (0.5 * (a + b), (0.25 * (a - b).powi(2) + shear * shear).sqrt());
+    (middle + radius) - 3.0 * (middle - radius)
 }
 
 /// The uniaxial compressive strength of what yields.

@@ -39,7 +39,11 @@ fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn hash(path: &Path) -> std::io::Result<String> {
+/// SHA-256 of a file's bytes, in hexadecimal digits.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn hash(path: &Path) -> std::io::Result<String> {
     let mut file = std::fs::File::open(path)?;
     let (mut hasher, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
     loop {

@@ -23,7 +23,7 @@ mod unlikely;
 mod warnings;
 
 pub use facts::{MotionFacts, SiteFacts};
-pub use inputs::{changed, original_folder};
+pub use inputs::{changed, hash, original_folder};
 pub use memory::Inputs;
 
 use crate::plan::Plan;

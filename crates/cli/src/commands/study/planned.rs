@@ -3,7 +3,8 @@
 use crate::commands::infos;
 use crate::exit::Failure;
 use std::collections::{BTreeMap, BTreeSet};
-use tremolite::setup::motion_of;
+use std::path::PathBuf;
+use tremolite::setup::{hash, motion_of};
 use tremolite_case::study::StudyFile;
 use tremolite_case::{Case, Diagnostic, Laws, Report};
 use tremolite_study::plan::Plan;
@@ -30,8 +31,15 @@ pub fn of(study: &StudyFile, plan: &Plan) -> Result<Vec<Planned>, Failure> {
     let materials = infos();
     let laws = Laws::from(&materials);
     let base = prepare::base(study, laws).map_err(|report| Failure::case(&report))?;
-    let mut maker =
-        Maker { study, plan, laws, problems: Vec::new(), motions: BTreeMap::new(), befores: BTreeMap::new() };
+    let mut maker = Maker {
+        study,
+        plan,
+        laws,
+        problems: Vec::new(),
+        motions: BTreeMap::new(),
+        befores: BTreeMap::new(),
+        hashes: BTreeMap::new(),
+    };
     let mut planned = Vec::new();
     let mut sample: Option<(usize, Option<Case>)> = None;
     let mut chain: Option<(usize, Option<Chain>)> = None;
@@ -70,6 +78,8 @@ struct Maker<'a> {
     /// Measures of intensity by what the motion is made of.
     motions: BTreeMap<String, Vec<Option<f64>>>,
     befores: BTreeMap<String, usize>,
+    /// Hashes of files that cases read.
+    hashes: BTreeMap<PathBuf, String>,
 }
 
 impl Maker<'_> {
@@ -118,6 +128,18 @@ impl Maker<'_> {
             }
         }
         Some(found)
+    }
+
+    /// By what a run is known again: its case on one line, and the contents of the files that it reads.
+    fn known_by(&mut self, case: &Case) -> String {
+        let mut known = case.bare(&[]);
+        for file in case.files() {
+            let path = case.resolve(&file.value);
+            // One that cannot be read is refused where the run reads it.
+            let hash = self.hashes.entry(path).or_insert_with_key(|path| hash(path).unwrap_or_default());
+            known += &format!(" # {hash}");
+        }
+        known
     }
 
     /// Where a record stands in the study.
@@ -180,7 +202,7 @@ impl Maker<'_> {
             let next = self.befores.len();
             *self.befores.entry(case.bare(&OF_SHAKING)).or_insert(next)
         });
-        let prepared = Prepared { bare: case.bare(&[]), factor, intensities };
+        let prepared = Prepared { bare: self.known_by(&case), factor, intensities };
         Some(Planned { prepared, case: case.placed(), before })
     }
 }

@@ -70,7 +70,15 @@ impl Held {
             let status = wait(self.start(way, log, threads)?, stop)?;
             match status.code() {
                 Some(3) => return Ok(End::Stopped),
-                Some(2) if k + 1 < ways.len() => {}
+                Some(2) if k + 1 < ways.len() => {
+                    // A checkpoint that is refused, of another version, is kept beside what begins anew.
+                    if k == 0 && self.goes_on() {
+                        let results = self.folder.results();
+                        let aside = aside(&results);
+                        fs::rename(&results, &aside)
+                            .map_err(|e| Failure::failed(format!("{}: {e}", aside.display())))?;
+                    }
+                }
                 // Its summary says more.
                 Some(0 | 1) if self.has_summary() => return Ok(End::Ended),
                 _ if stop.load(Ordering::Relaxed) => return Ok(End::Stopped),
@@ -91,7 +99,8 @@ impl Held {
         };
         let mut command = Command::new(program);
         command.args(before).arg("run").arg(self.folder.case()).arg("--out").arg(self.folder.results());
-        command.args(way).arg("--threads").arg(threads.to_string());
+        // Whether there is room for so many runs at once is the study's own choice.
+        command.args(way).arg("--allow").arg("--threads").arg(threads.to_string());
         // The lock as its input, which it never reads: the folder stays locked until it ends, whatever becomes of this process.
         command.stdin(self.lock.try_clone().map_err(failed)?);
         command.stdout(log.try_clone().map_err(failed)?).stderr(Stdio::from(log));
@@ -160,7 +169,7 @@ fn how(status: ExitStatus) -> String {
     }
 }
 
-/// What a process said last that begins with an error; else its last line.
+/// What a process said from its error on; nothing where it told none: lines of progress are no reason, and hold times of the clock.
 fn said(log: &Path, start: u64) -> String {
     let mut text = String::new();
     let read = File::open(log).and_then(|mut file| {
@@ -170,6 +179,5 @@ fn said(log: &Path, start: u64) -> String {
     if read.is_err() {
         return String::new();
     }
-    let from = text.find("error").unwrap_or_else(|| text.trim_end().rfind('\n').map_or(0, |at| at + 1));
-    text[from..].trim().chars().take(2000).collect()
+    text.find("error").map_or_else(String::new, |from| text[from..].trim().chars().take(2000).collect())
 }

@@ -1,6 +1,7 @@
 //! Which run begins when: what is done by what lies in the folders alone, so that a study may be killed at any moment and several
 //! processes may work at it.
 
+use super::lacks;
 use super::planned::Planned;
 use super::process::{End, Held};
 use super::tables;
@@ -18,7 +19,7 @@ use tremolite_results::study::{RunStatus, StudyRun};
 use tremolite_study::measure::Results;
 use tremolite_study::outcome::{Outcome, RunFolder};
 use tremolite_study::plan::Plan;
-use tremolite_study::results::ends_chain;
+use tremolite_study::results::{Missing, ends_chain};
 
 /// How long one waits that finds nothing to begin.
 const PAUSE: Duration = Duration::from_millis(200);
@@ -72,14 +73,17 @@ pub fn retry(
 ) -> Result<(), Failure> {
     for &run in chosen {
         let folder = RunFolder::new(out, &plan.runs[run].name);
-        if !again(Outcome::of(&folder, &planned[run].prepared.bare).status) {
+        let status = Outcome::of(&folder, &planned[run].prepared.bare).status;
+        if !again(status) {
             continue;
         }
-        for file in [
-            folder.broken(),
-            folder.results().join("summary.json"),
-            folder.results().join("checkpoint/state.bin"),
-        ] {
+        let results = folder.results();
+        let files = match status {
+            // What was ended from outside goes on from its checkpoint.
+            RunStatus::Broken => vec![folder.broken()],
+            _ => vec![results.join("summary.json"), results.join("checkpoint/state.bin")],
+        };
+        for file in files {
             match fs::remove_file(&file) {
                 Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
                     return Err(Failure::failed(format!("{}: {e}", file.display())));
@@ -305,15 +309,8 @@ impl<'a> Queue<'a> {
         if let Some(results) = Results::of(&root) {
             for measure in &self.study.measures {
                 if let Err(why) = results.number(measure) {
-                    let problem = tremolite_case::Diagnostic::at(
-                        &measure.name,
-                        format!(
-                            "the results of {} have no `{}`: {why}",
-                            self.plan.runs[run].name, measure.name.value
-                        ),
-                        "mend it, or say otherwise = 0 where that is meant, and start the study again: what is done stays",
-                    );
-                    return Err(Failure::case(&self.study.report(vec![problem])));
+                    let (measure, run) = (measure.name.value.clone(), self.plan.runs[run].name.clone());
+                    return Err(lacks(self.study, &Missing { measure, run, why }));
                 }
             }
         }

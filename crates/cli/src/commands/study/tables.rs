@@ -8,14 +8,19 @@ use tremolite_case::study::StudyFile;
 use tremolite_results::replace_file;
 use tremolite_results::study::Study;
 use tremolite_study::plan::Plan;
-use tremolite_study::results::{self, Prepared};
+use tremolite_study::results::{self, Missing, Prepared};
 
-/// `study.csv` and `study.json`, of what is there.
-pub fn write(study: &StudyFile, plan: &Plan, planned: &[Planned], out: &Path) -> Result<Study, Failure> {
-    let (found, _) = gathered(study, plan, planned, out);
+/// `study.csv` and `study.json`, of what is there; and what results lack that the study asks for.
+pub fn write(
+    study: &StudyFile,
+    plan: &Plan,
+    planned: &[Planned],
+    out: &Path,
+) -> Result<(Study, Vec<Missing>), Failure> {
+    let (found, missing) = gathered(study, plan, planned, out);
     replace_file(&out.join("study.csv"), results::csv(&found).as_bytes()).map_err(Failure::failed)?;
     found.write(&out.join("study.json")).map_err(Failure::failed)?;
-    Ok(found)
+    Ok((found, missing))
 }
 
 /// The plan of some runs.

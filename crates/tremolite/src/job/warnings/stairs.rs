@@ -6,8 +6,8 @@ use tremolite_engine::Model;
 use tremolite_engine::interface::Seam;
 use tremolite_mesh::Mesh;
 
-/// Share of an interface's area in steps from which on it is a stair.
-const SHARE: f64 = 0.3;
+/// Share of an interface's area in steps from which on it is a stair: of a stair with treads of ten elements a riser each.
+const SHARE: f64 = 0.08;
 /// cos of the angle between neighbours from which on there is a corner between them.
 const CORNER: f64 = 0.5;
 
