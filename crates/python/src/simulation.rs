@@ -100,7 +100,15 @@ impl Simulation {
         let moving = held.as_mut().ok_or_else(over)?;
         let Simulation { pool, desk, stop, watch, .. } = self;
         stop.store(false, Ordering::Relaxed);
-        let Back { result, interrupt } = away(py, pool, desk, stop, || work(moving, stop))?;
+        let back = away(py, pool, desk, stop, || work(moving, stop));
+        let Back { result, interrupt } = match back {
+            Ok(back) => back,
+            // Work that broke off leaves nothing whole to go on with; the checkpoint in the folder stays.
+            Err(why) => {
+                *held = None;
+                return Err(why);
+            }
+        };
         if let Some(raised) = watch.as_ref().and_then(|watch| watch.raised()) {
             return Err(raised);
         }
@@ -134,7 +142,8 @@ impl Simulation {
         self.grow(py, stage)
     }
 
-    /// Makes `steps` steps of the coarsest level, or fewer where the earthquake ends before. True while it goes on.
+    /// Makes `steps` steps of the coarsest level, or fewer where the earthquake ends before. True while it goes on, and until a callback
+    /// returns False.
     ///
     /// Ctrl-C writes a checkpoint and raises `Stopped`; the simulation can go on. Raises `RunError` where a stage is left.
     #[pyo3(signature = (steps = 1))]
@@ -153,7 +162,7 @@ impl Simulation {
                     }
                 }
                 if stop.load(Ordering::Relaxed) {
-                    break;
+                    return Ok(false);
                 }
             }
             Ok(true)

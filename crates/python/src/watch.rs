@@ -98,7 +98,14 @@ impl Watch {
         let array = py.import("numpy")?.getattr("asarray")?;
         let kept = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
             let name: String = name.extract()?;
-            let numbers = array.call1((value, "float64"))?.call_method0("ravel")?;
+            let numbers = array.call1((value, "float64"))?;
+            if numbers.getattr("ndim")?.extract::<usize>()? > 1 {
+                let shape = numbers.getattr("shape")?;
+                return Err(unusable(format!(
+                    "memory[{name:?}] has the shape {shape}; a checkpoint keeps (n,), so keep array.ravel()"
+                )));
+            }
+            let numbers = numbers.call_method0("ravel")?;
             Ok((format!("{OURS}{name}"), numbers.extract()?))
         };
         memory.bind(py).iter().map(kept).collect()

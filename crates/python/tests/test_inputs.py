@@ -213,3 +213,13 @@ def test_processing_and_spectra_are_the_programs_own():
         channel.spectrum([1.0], damping=2.0)
     with pytest.raises(tr.Error, match="record"):
         tr.Job(tr.Case.from_dict(COLUMN), motion=[1.0, 2.0])
+
+
+def test_solids_that_no_run_knows_and_masks_of_another_length_are_refused():
+    meshio = pytest.importorskip("meshio")
+    points = np.zeros((64, 3))
+    blocks = [("hexahedron", np.arange(8)[None]), ("hexahedron64", np.arange(64)[None])]
+    with pytest.raises(tr.Error, match="1 cells of the kind hexahedron64"):
+        tr.Mesh.from_meshio(meshio.Mesh(points, blocks))
+    with pytest.raises(tr.Error, match="a truth for each of 64"):
+        tr.Mesh(points, {"hex8": np.arange(8)[None]}, groups={"rock": np.zeros(64, bool)})

@@ -1,5 +1,8 @@
 """Result folders, read."""
 
+import copy
+import pickle
+
 import pytest
 
 import tremolite as tr
@@ -93,3 +96,7 @@ def test_pages_and_comparisons(result, tmp_path):
         tr.Result(tmp_path / "nothing")
     with pytest.raises(tr.Error, match="language"):
         result.page("xx")
+
+
+def test_records_are_copied_and_sent_to_other_processes(result):
+    assert copy.copy(result.summary).verdict == pickle.loads(pickle.dumps(result.summary)).verdict == result.verdict

@@ -90,7 +90,7 @@ pub fn example(key: &str, dimension: Dimension) -> String {
     }
     // Strengths and pressures have the dimension of a modulus.
     if dimension == Dimension::PRESSURE && !key.is_empty() && !is_modulus(key) {
-        return "2 MPa".to_owned();
+        return if key == "yield" { "400 MPa" } else { "2 MPa" }.to_owned();
     }
     named(key, dimension).map_or_else(|| format!("1 {}", si(dimension)), |n| n.example.to_owned())
 }

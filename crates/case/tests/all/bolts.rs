@@ -163,7 +163,7 @@ const BAD: &[Bad] = &[
     bad("diameter = \"25 mm\"", "diameter = \"25 nm\"", "\"25 nm\"", "thick is none", "25 mm"),
     bad("diameter = \"40 mm\"", "diameter = \"40 MPa\"", "\"40 MPa\"", "is a stress or modulus (`MPa`), a length is expected", "25 mm"),
     bad("young = \"200 GPa\"", "young = 0", "0", "`young` must be above 0", "above 0"),
-    bad("yield = \"400 MPa\"", "yield = \"400 kN\"", "\"400 kN\"", "is a force (`kN`), a stress or modulus is expected", "GPa"),
+    bad("yield = \"400 MPa\"", "yield = \"400 kN\"", "\"400 kN\"", "is a force (`kN`), a stress or modulus is expected", "400 MPa"),
     bad("breaking_strain = 0.1", "breaking_strain = 10", "10", "must be above 0 and at most 1", "at most 1"),
     bad("breaking_strain = 0.1", "breaking_strain = 0.001", "0.001", "would break before it yields", "leave `yield` out"),
     bad("pretension = \"50 kN\"", "pretension = \"50 MPa\"", "\"50 MPa\"", "a force is expected", "150 kN"),

@@ -27,6 +27,8 @@ _OF_MESHIO = {
     "tetra": ("tet4", 4),
     "tetra10": ("tet4", 4),
 }
+#: Beginnings of meshio's names of blocks that are no solids.
+_FLAT = ("vertex", "line", "triangle", "quad", "polygon")
 _TO_MESHIO = {"hex8": "hexahedron", "wedge6": "wedge", "pyramid5": "pyramid", "tet4": "tetra"}
 
 
@@ -59,6 +61,11 @@ class Mesh:
             "faces": {str(name): _array(sides, f"the faces {name}", np.int64, 2) for name, sides in self.faces.items()},
             "named_points": {str(name): tuple(map(float, point)) for name, point in self.named_points.items()},
         }
+        count = sum(len(block) for _, block in made["cells"])
+        for name, group in self.groups.items():
+            given = np.asarray(group)
+            if given.dtype == bool and given.shape != (count,):
+                raise Error(f"the group {name} has a truth for each of {given.size}, where the mesh has {count} elements")
         for name, value in made.items():
             object.__setattr__(self, name, value)
 
@@ -91,13 +98,15 @@ class Mesh:
         """A mesh of meshio's: all blocks of solids, by their corners; groups by physical names, cell sets, or else by number.
 
         Quadrilaterals and triangles in a cell set or with a physical name become named faces of the solids beside them. Raises `Error`
-        where there are no solids, or a group has no elements.
+        where there are no solids, or solids of a kind that no run knows. Groups without elements, and surface cells that lie on no solid, are left out.
         """
         blocks: list[tuple[str, np.ndarray]] = []
         first: list[int | None] = []
         count = 0
         for block in mesh.cells:
             kind = _OF_MESHIO.get(block.type)
+            if kind is None and not block.type.startswith(_FLAT):
+                raise Error(f"the mesh has {len(block.data)} cells of the kind {block.type}, which no run knows; take them out or divide them")
             first.append(None if kind is None else count)
             if kind is not None:
                 blocks.append((kind[0], np.asarray(block.data)[:, : kind[1]]))
@@ -196,7 +205,9 @@ def _sets(mesh: Any) -> list[tuple[str, list[Any]]]:
     if sets:
         return sets
     physical = mesh.cell_data.get("gmsh:physical")
-    named = {(int(tag), int(dimension)): name for name, (tag, dimension) in mesh.field_data.items()}
+    named = {}
+    if physical is not None:
+        named = {(int(tag), int(dimension)): name for name, (tag, dimension) in mesh.field_data.items()}
     if physical is None:
         for key in ("MaterialIds", "medit:ref", "cell_tags"):
             physical = mesh.cell_data.get(key)

@@ -217,6 +217,8 @@ def _factor(trace: Any, units: str | None) -> float:
             raise Error(f"{units!r} is no unit of acceleration; write {', '.join(map(repr, _UNITS))}")
         return _UNITS[units]
     done = " ".join(trace.stats.get("processing", []))
+    if "integrate(" in done or "differentiate(" in done:
+        raise Error(f'{trace.id} was integrated or differentiated: say in which unit its accelerations are, units="m/s2", or give the record before that')
     if "remove_response" in done and ("output='ACC'" in done or 'output="ACC"' in done):
         return 1.0
     # ObsPy leaves counts of K-NET and KiK-net as they are, and puts the factor to m/s² beside them.

@@ -16,6 +16,9 @@ class Record(Mapping[str, Any]):
         return _object(self._fields[name])
 
     def __getattr__(self, name: str) -> Any:
+        # Copies and pickles ask for what is not set yet.
+        if name.startswith("_"):
+            raise AttributeError(name)
         try:
             return self[name]
         except KeyError:
