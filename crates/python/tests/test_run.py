@@ -188,8 +188,8 @@ def test_a_run_that_breaks_off_is_warned_of_and_has_its_results(job, tmp_path):
 
 def test_progress_is_told(job, tmp_path):
     told = []
-    # Longer than the 0.2 s between two words, on a fast machine too.
-    case = job.case.with_({"dynamic.safety": 0.004})
+    # Half a million steps: longer than the 0.2 s between two words, on a fast machine too.
+    case = job.case.with_({"dynamic.safety": 0.001})
     tr.Job(case, motion=pulse()).run(tmp_path / "a", progress=told.append)
     assert told and set(told[0]) >= {"share", "time", "stage"} and all(0 <= now["share"] <= 1 for now in told)
 
