@@ -11,7 +11,8 @@
 //!    how much of it is the incident wave.
 //!
 //! Beside this way lie [`Intensity`], [`pseudo_acceleration`], [`highest_frequency`],
-//! [`strongest_window`] and [`write_text`].
+//! [`strongest_window`] and [`write_text`]; and what makes motions that fit a [`TargetSpectrum`]: [`matched`],
+//! [`artificial`](crate::artificial()) and [`select`](crate::select()).
 //!
 //! Units are SI inside: s, Hz, m, m/s, m/s², rad. Azimuths are clockwise from north. The model's z axis is up.
 //!
@@ -29,6 +30,7 @@
 
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a negated comparison refuses NaN as well")]
 
+mod artificial;
 mod baseline;
 mod butterworth;
 mod channel;
@@ -39,21 +41,25 @@ mod integrate;
 mod intensity;
 mod interpolate;
 mod kind;
+mod matching;
 mod motion;
 mod orientation;
 mod polynomial;
 mod process;
 mod pulse;
 mod read;
+mod select;
 mod sensitivity;
 mod shown;
 mod spectrum;
 mod strongest;
+mod target;
 mod time_base;
 mod transfer;
 mod units;
 mod write;
 
+pub use artificial::{CORRELATION, Envelope, artificial, correlation};
 pub use baseline::{Trend, linear_trend};
 pub use butterworth::{Band, Filter, Section};
 pub use channel::{Channel, align};
@@ -63,15 +69,18 @@ pub use geographic::Geographic;
 pub use integrate::cumulative_trapezoid;
 pub use intensity::Intensity;
 pub use kind::Kind;
+pub use matching::{Matched, Misfit, drift, matched, misfit, scale_to};
 pub use motion::{Motion, Sample};
 pub use orientation::Orientation;
 pub use process::{Process, lowest_lowpass, process};
 pub use pulse::{Scalar, ricker_velocity};
 pub use read::{FORMATS, Format, ReadOptions, TextColumn, read, read_bytes};
 pub use realfft::num_complex::Complex64;
+pub use select::{Candidate, select};
 pub use sensitivity::Sensitivity;
 pub use spectrum::{default_periods, pseudo_acceleration};
 pub use strongest::{Strongest, strongest_window};
+pub use target::TargetSpectrum;
 pub use time_base::common_time_base;
 pub use transfer::transferred;
 pub use units::{STANDARD_GRAVITY, Units};

@@ -1,10 +1,14 @@
 //! `tremolite motion`: earthquake records.
 
+mod artificial;
 mod figure;
 mod files;
+mod fit;
 mod info;
+mod matching;
 mod measures;
 mod process;
+mod select;
 mod spectrum;
 
 use crate::exit::Outcome;
@@ -25,6 +29,12 @@ enum Action {
     /// Process records and write them as two columns of text, with a figure of before and after; files given together are
     /// components of one record
     Process(process::Args),
+    /// Match records to a target spectrum in time, and write them with a figure beside the target
+    Match(matching::Args),
+    /// Motions of random phases under an envelope, matched to a target spectrum
+    Artificial(artificial::Args),
+    /// The records of a folder whose spectra are nearest to a target in shape, and what to multiply them by
+    Select(select::Args),
 }
 
 pub fn run(args: &Args) -> Outcome {
@@ -32,5 +42,8 @@ pub fn run(args: &Args) -> Outcome {
         Action::Info(files) => info::run(files),
         Action::Spectrum(files) => spectrum::run(files),
         Action::Process(args) => process::run(args),
+        Action::Match(args) => matching::run(args),
+        Action::Artificial(args) => artificial::run(args),
+        Action::Select(args) => select::run(args),
     }
 }

@@ -18,6 +18,7 @@ mod layout;
 mod list;
 mod mesh;
 mod motion;
+mod motion_fit;
 mod motion_told;
 mod reference;
 mod references;

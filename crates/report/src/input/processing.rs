@@ -17,6 +17,8 @@ const HISTORY: f64 = 132.0;
 const SPECTRUM: f64 = 210.0;
 /// Colour of what came of the processing.
 const AFTER: usize = 0;
+/// Colour of a target.
+const TARGET: usize = 1;
 /// What was before is shown up to this many times the extent of what came after, beyond both its ends. A drift is so seen to leave
 /// the axes and does not flatten what is left without it.
 const BEYOND: f64 = 2.0;
@@ -45,6 +47,9 @@ pub struct BeforeAfter<'a> {
     pub histories: Vec<Pair<'a>>,
     /// Periods (s), ascending and above zero, and the pseudo-acceleration at them for 5 % damping, if there is one.
     pub spectrum: Option<(&'a [f64], Pair<'a>)>,
+    /// What the spectrum is to be, where there is such: its name, and the values at the same periods, not a number where it says
+    /// nothing.
+    pub target: Option<(&'a str, &'a [f64])>,
 }
 
 impl BeforeAfter<'_> {
@@ -63,6 +68,11 @@ impl BeforeAfter<'_> {
         let next = LEFT + 28.0 + text_width(self.before, 13.0) + 24.0;
         svg.lines(AFTER, 2.0, &[vec![(next, top - 4.5), (next + 22.0, top - 4.5)]]);
         svg.text((next + 28.0, top), Anchor::Start, 13.0, Style::Plain, "after");
+        if let Some((name, _)) = self.target {
+            let next = next + 28.0 + text_width("after", 13.0) + 24.0;
+            svg.lines(TARGET, 2.0, &[vec![(next, top - 4.5), (next + 22.0, top - 4.5)]]);
+            svg.text((next + 28.0, top), Anchor::Start, 13.0, Style::Plain, &format!("target: {name}"));
+        }
         let mut remarks = Vec::new();
 
         let (from, to) = range(self.time.iter().copied());
@@ -77,6 +87,7 @@ impl BeforeAfter<'_> {
                 at: &|time| format!("{}\u{a0}s", moment(time, duration)),
                 up: pair.ticks(4),
                 height: HISTORY,
+                target: None,
             };
             let (bottom, remark) = panel.draw(&mut svg, top);
             remarks.push(remark);
@@ -98,6 +109,7 @@ impl BeforeAfter<'_> {
                 },
                 up: Ticks::within(0.0, 1.06 * most * pair.scale().factor, 5),
                 height: SPECTRUM,
+                target: self.target.map(|(_, values)| values),
             };
             let (bottom, remark) = panel.draw(&mut svg, top);
             remarks.push(remark);
@@ -154,6 +166,7 @@ struct ProcessingPanel<'a> {
     at: &'a dyn Fn(f64) -> String,
     up: Ticks,
     height: f64,
+    target: Option<&'a [f64]>,
 }
 
 impl ProcessingPanel<'_> {
@@ -181,6 +194,9 @@ impl ProcessingPanel<'_> {
         };
         svg.before(&placed(self.pair.before));
         svg.lines(AFTER, 1.2, &placed(self.pair.after));
+        if let Some(target) = self.target {
+            svg.lines(TARGET, 1.6, &placed(target));
+        }
         let mut words = Vec::new();
         for (name, values) in [("before", self.pair.before), ("after", self.pair.after)] {
             let (index, value) = largest(values);
@@ -260,6 +276,7 @@ mod tests {
             time: &time,
             histories,
             spectrum: None,
+            target: None,
         }
         .draw()
     }

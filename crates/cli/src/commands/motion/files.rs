@@ -64,7 +64,7 @@ impl Files {
 }
 
 /// A time (s) with or without its unit.
-fn interval(text: &str) -> Result<f64, String> {
+pub fn interval(text: &str) -> Result<f64, String> {
     let word = text.trim();
     let (number, unit) = match (word.strip_suffix("ms"), word.strip_suffix('s')) {
         (Some(number), _) => (number, 1e-3),
