@@ -19,6 +19,7 @@ mod list;
 mod mesh;
 mod motion;
 mod motion_told;
+mod planes;
 mod reference;
 mod references;
 mod rims;

@@ -195,7 +195,7 @@ fn groups_by_place_are_made_of_own_meshes_and_name_what_they_take() {
         (option.replace("0.9 m", "-1 m"), "all elements of 'rock'"),
         (option.replace("thin", "rock"), "another name"),
         (option.replace("\"0.9 m\"", "0.9"), "has no unit"),
-        (option.replace("box", "boks"), "did you mean `box`"),
+        (option.replace("box", "boks"), "`boks` is no key"),
         (format!("{option}, of = [\"rok\"]"), "did you mean 'rock'"),
         (format!("{option}, between = {{ levels = [0, \"1 m\"] }}"), "between"),
     ] {

@@ -95,6 +95,11 @@ impl Line {
         };
         let at = [at[0] + way[0], at[1] + way[1]];
         let fixed = section.freedom[p as usize] == Freedom::Fixed;
+        // What is left of an edge that a point slides along: elements see it less than columns beyond the block's sides.
+        let crowded = match section.freedom[p as usize] {
+            Freedom::Along(_) => 0.5 / ((1.0 - share) * (1.0 - share)),
+            _ => 0.0,
+        };
         if share > if fixed { CORNER } else { FARTHEST } {
             return None;
         }
@@ -108,7 +113,7 @@ impl Line {
             quality(&shape(true), width(&shape(false)))
         });
         let left = left.fold(1.0, f64::min);
-        let cost = if fixed { BENT * share } else { 0.1 * share } + 0.5 / (left * left);
+        let cost = if fixed { BENT * share } else { 0.1 * share + crowded } + 0.5 / (left * left);
         (left > LEAST_LEFT).then(|| Target { at, place: self.place(at), cost })
     }
 }
