@@ -17,7 +17,7 @@ use crate::interface::{INTERFACE, Interface};
 use crate::keys::{Key, Kind, Table};
 use crate::laws::Laws;
 use crate::material::{MATERIAL, Material};
-use crate::mesh::{MESH, Mesh};
+use crate::mesh::{Ground, MESH, Mesh};
 use crate::monitor::{MONITOR, Monitor, RELATIVE, Relative};
 use crate::motion::{MOTION, Motion};
 use crate::output::{OUTPUT, Output};
@@ -101,6 +101,8 @@ pub struct Case {
     pub bare_si: bool,
     /// Where the mesh comes from.
     pub mesh: Mesh,
+    /// What is made of it before anything else goes by it.
+    pub ground: Ground,
     /// In the order of the file; names unique.
     pub materials: Vec<Material>,
     /// Which groups are made of what.
@@ -216,6 +218,7 @@ impl Case {
             title: case.text("title")?,
             bare_si: case.text(UNITS.name).is_some(),
             mesh: case.table("mesh").and_then(Mesh::read)?,
+            ground: case.table("mesh").and_then(Ground::read)?,
             materials: written
                 .iter()
                 .map(|m| Material::read(m, initial.gravity.value))

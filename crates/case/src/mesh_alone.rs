@@ -8,7 +8,7 @@ use crate::case::CASE;
 use crate::check::{Checker, UNITS};
 use crate::keys::{Key, Kind, Table};
 use crate::laws::Laws;
-use crate::mesh::{MESH, Mesh};
+use crate::mesh::{Ground, MESH, Mesh};
 use crate::{Diagnostic, Report, syntax};
 
 static MESH_ALONE: Table = Table {
@@ -30,6 +30,8 @@ pub struct MeshAlone {
     /// Its text, unchanged.
     pub source: String,
     pub mesh: Mesh,
+    /// What is made of it.
+    pub ground: Ground,
 }
 
 impl MeshAlone {
@@ -58,9 +60,9 @@ impl MeshAlone {
         if let Some(mesh) = mesh {
             Mesh::check(mesh, &mut problems);
         }
-        match mesh.and_then(Mesh::read) {
-            Some(mesh) if problems.is_empty() => {
-                Ok(Some(MeshAlone { path: path.to_owned(), source: source.to_owned(), mesh }))
+        match mesh.and_then(|mesh| Some((Mesh::read(mesh)?, Ground::read(mesh)?))) {
+            Some((mesh, ground)) if problems.is_empty() => {
+                Ok(Some(MeshAlone { path: path.to_owned(), source: source.to_owned(), mesh, ground }))
             }
             _ => Err(report(problems)),
         }

@@ -56,7 +56,7 @@ impl Placement {
 }
 
 /// Sine and cosine of an angle \[rad\], exact for whole right angles, which an angle in degrees misses by round-off.
-fn turn(angle: f64) -> (f64, f64) {
+pub(crate) fn turn(angle: f64) -> (f64, f64) {
     let quarters = (angle / FRAC_PI_2).round();
     if (angle - quarters * FRAC_PI_2).abs() > 4.0 * f64::EPSILON * angle.abs() {
         return angle.sin_cos();

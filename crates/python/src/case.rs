@@ -170,7 +170,7 @@ impl Case {
     /// The mesh that the case makes or reads, a `Mesh` in m, before its stages and interfaces are put into it.
     fn mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let Case { case } = self;
-        let made = py.detach(|| mesh_of(&case.mesh, &case.directory, &Inputs::default()));
+        let made = py.detach(|| mesh_of(&case.mesh, &case.ground, &case.directory, &Inputs::default()));
         match made {
             Ok((mesh, _)) => mesh::to_python(py, &mesh),
             Err(problems) => Err(refused(py, &case.report(problems))),

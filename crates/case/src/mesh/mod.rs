@@ -2,6 +2,9 @@
 
 mod bricks;
 mod caverns;
+mod ground;
+mod place;
+mod plane;
 
 use std::path::PathBuf;
 
@@ -11,6 +14,9 @@ pub use bricks::{Axis, MeshBox, MeshPart};
 pub use caverns::{
     Cavern, CavernShape, Caverns, Gallery, GroundSurface, Length, Lining, RockLayer, Shotcrete,
 };
+pub use ground::Ground;
+pub use place::{GroupPlace, PlacedGroup, PlaneAt};
+pub use plane::CutPlane;
 
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};
@@ -31,6 +37,8 @@ pub(crate) static MESH: Table = Table {
         ),
         Key::optional("box", Kind::Table(&bricks::BOX), "", "A box of bricks"),
         Key::optional("file", Kind::Table(&FILE), "", "A mesh made by another program"),
+        Key::optional("plane", Kind::Tables(&plane::PLANE), "", "Planes that cut generated ground"),
+        Key::optional("group", Kind::Tables(&place::GROUP), "", "Groups by place, one after the other"),
     ],
     choice: &[&["caverns"], &["box"], &["file"]],
 };
@@ -96,6 +104,7 @@ impl Mesh {
         if let Some(bricks) = mesh.table("box") {
             MeshBox::check(bricks, problems);
         }
+        Ground::check(mesh, problems);
     }
 }
 

@@ -9,7 +9,7 @@ use super::infos;
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::{print, say};
 use std::path::{Path, PathBuf};
-use tremolite::setup::{Inputs, mesh_of};
+use tremolite::setup::{Inputs, group_mesh, mesh_of};
 use tremolite_case::{Case, MeshAlone};
 use tremolite_mesh::cavern::CavernSpec;
 use tremolite_mesh::merge::merge_nodes;
@@ -34,6 +34,10 @@ enum Action {
         /// Last, merge nodes that lie within this distance, in m
         #[arg(long)]
         merge: Option<f64>,
+        /// At the very end, make a group by place, with the keys of [[mesh.group]]: 'name = "fault", box = [[…], […]]'; may be
+        /// given several times
+        #[arg(long, value_name = "KEYS")]
+        group: Vec<String>,
     },
     /// Make the mesh that [mesh.caverns] describes, or a preset, and write it
     Cavern {
@@ -48,7 +52,7 @@ enum Action {
 pub fn run(args: &Args) -> Outcome {
     match &args.action {
         Action::Info(args) => info::run(args),
-        Action::Convert { from, to, placing, merge } => convert(from, to, placing, *merge),
+        Action::Convert { from, to, placing, merge, group } => convert(from, to, placing, *merge, group),
         Action::Cavern { what, out } => cavern(what, out),
     }
 }
@@ -60,14 +64,13 @@ fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
         let (made, case) = match MeshAlone::read(file).map_err(|r| Failure::case(&r))? {
             Some(alone) => {
                 let directory = file.parent().unwrap_or(Path::new(""));
-                (mesh_of(&alone.mesh, directory, &Inputs::default()).map_err(|p| alone.report(p)), None)
+                let made = mesh_of(&alone.mesh, &alone.ground, directory, &Inputs::default());
+                (made.map_err(|p| alone.report(p)), None)
             }
             None => {
                 let case = Case::read(file, &infos()).map_err(|r| Failure::case(&r))?;
-                (
-                    mesh_of(&case.mesh, case.directory(), &Inputs::default()).map_err(|p| case.report(p)),
-                    Some(case),
-                )
+                let made = mesh_of(&case.mesh, &case.ground, case.directory(), &Inputs::default());
+                (made.map_err(|p| case.report(p)), Some(case))
             }
         };
         let (mesh, warnings) = made.map_err(|r| Failure::case(&r))?;
@@ -79,7 +82,13 @@ fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
     Ok((mesh, None))
 }
 
-fn convert(from: &Path, to: &Path, placing: &placing::Args, merge: Option<f64>) -> Outcome {
+fn convert(
+    from: &Path,
+    to: &Path,
+    placing: &placing::Args,
+    merge: Option<f64>,
+    groups: &[String],
+) -> Outcome {
     let placement = placing.placement()?;
     let (mut mesh, _) = load(from)?;
     if let Some(placement) = placement {
@@ -92,7 +101,21 @@ fn convert(from: &Path, to: &Path, placing: &placing::Args, merge: Option<f64>) 
         let merged = merge_nodes(&mut mesh, tolerance).map_err(Failure::input)?;
         say(&format!("{merged} nodes merged"));
     }
+    group(&mut mesh, groups)?;
     save_mesh(&mesh, to)
+}
+
+/// Makes groups by place of the keys that options give.
+fn group(mesh: &mut Mesh, options: &[String]) -> Result<(), Failure> {
+    if options.is_empty() {
+        return Ok(());
+    }
+    let entries: Vec<String> = options.iter().map(|keys| format!("  {{ {keys} }},\n")).collect();
+    // As in a file that reads a mesh, so that keys and messages are the same.
+    let text = format!("mesh.file.path = \"-\"\nmesh.group = [\n{}]\n", entries.concat());
+    let read = MeshAlone::parse(Path::new("--group"), &text).map_err(|r| Failure::case(&r))?;
+    let Some(read) = read else { return Ok(()) };
+    group_mesh(&read.mesh, &read.ground, mesh).map_err(|problems| Failure::case(&read.report(problems)))
 }
 
 fn cavern(what: &str, out: &Path) -> Outcome {

@@ -20,6 +20,7 @@ mod mesh;
 mod motion;
 mod motion_fit;
 mod motion_told;
+mod planes;
 mod reference;
 mod references;
 mod rims;

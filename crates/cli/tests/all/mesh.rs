@@ -166,3 +166,41 @@ fn convert_turns_scales_and_moves_in_that_order_and_says_where_the_mesh_lies() {
     }
     assert!(!folder.path().join("no.inp").exists());
 }
+
+/// Two cubes of rock with a box of them as a group of its own, in a file and in an option.
+#[test]
+fn groups_by_place_are_made_of_own_meshes_and_name_what_they_take() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = "box = [[\"0.9 m\", 0, 0], [\"2 m\", \"1 m\", \"1 m\"]]";
+    std::fs::write(folder.path().join("two.inp"), TWO.replace("ELSET=lining", "ELSET=rock")).unwrap();
+    let file = format!("[mesh.file]\npath = \"two.inp\"\n[[mesh.group]]\nname = \"thin\"\n{place}\n");
+    std::fs::write(folder.path().join("mesh.toml"), &file).unwrap();
+    let convert = |args: &[&str]| tremolite(folder.path(), &[["mesh", "convert"].as_slice(), args].concat());
+    let groups = |name: &str| -> Value {
+        let info = out(&tremolite(folder.path(), &["mesh", "info", name, "--json"]));
+        serde_json::from_str::<Value>(&info).unwrap()["groups"].clone()
+    };
+    out(&convert(&["mesh.toml", "from-file.vtu"]));
+    let option = format!("name = \"thin\", {place}");
+    out(&convert(&["two.inp", "from-option.vtu", "--group", &option]));
+    for name in ["mesh.toml", "from-file.vtu", "from-option.vtu"] {
+        assert_eq!(groups(name), serde_json::json!({"rock": 1, "thin": 1}), "{name}");
+    }
+    // Placed first, then grouped: in millimetres the same box is 1000 times as large.
+    let scaled = option.replace("0.9 m", "900 m").replace("2 m", "2 km").replace("1 m", "1 km");
+    out(&convert(&["two.inp", "scaled.vtu", "--scale", "1000", "--group", &scaled]));
+    assert_eq!(groups("scaled.vtu"), serde_json::json!({"rock": 1, "thin": 1}));
+    for (option, says) in [
+        (option.replace("0.9 m", "5 m").replace("2 m", "6 m"), "no element of rock"),
+        (option.replace("0.9 m", "-1 m"), "all elements of 'rock'"),
+        (option.replace("thin", "rock"), "another name"),
+        (option.replace("\"0.9 m\"", "0.9"), "has no unit"),
+        (option.replace("box", "boks"), "`boks` is no key"),
+        (format!("{option}, of = [\"rok\"]"), "did you mean 'rock'"),
+        (format!("{option}, between = {{ levels = [0, \"1 m\"] }}"), "between"),
+    ] {
+        let refused = convert(&["two.inp", "none.vtu", "--group", &option]);
+        let text = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert!(refused.status.code() == Some(2) && text.contains(says), "{option}\n{text}");
+    }
+}

@@ -1,6 +1,7 @@
 //! The mesh of a case: generated or read.
 
 use super::memory::{Inputs, in_memory};
+use super::{places, planes};
 use std::ops::Range;
 use std::path::Path;
 use tremolite_case::{self as case, Diagnostic};
@@ -10,6 +11,7 @@ use tremolite_mesh::cavern::{
 };
 use tremolite_mesh::note::Note;
 use tremolite_mesh::placement::Placement;
+use tremolite_mesh::places::Taken;
 use tremolite_mesh::{Mesh, read_with_notes, sound};
 
 /// A mesh in metres, and what its user should know of it.
@@ -18,16 +20,33 @@ pub struct Built {
     pub warnings: Vec<Diagnostic>,
     /// Of nodes at one place that are not joined, which may be meant.
     pub doubled: Option<Diagnostic>,
+    /// What groups by place took.
+    pub taken: Vec<Taken>,
 }
 
 /// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems. Paths
 /// of mesh files start from `directory`; what is `held` in memory is not looked for there.
 pub fn build(
     mesh: &case::Mesh,
+    ground: &case::Ground,
     directory: &Path,
     held: &Inputs,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<Built> {
+    let before = problems.len();
+    let mut built = made(mesh, directory, held, problems)?;
+    let cut = planes::cut_by(mesh, &ground.planes, &mut built.mesh, problems);
+    if problems.len() > before {
+        return None;
+    }
+    built.warnings.extend(cut);
+    let overlays: Vec<String> = ground.planes.iter().flat_map(planes::groups_of).collect();
+    built.taken = places::group(mesh, &ground.groups, &overlays, &mut built.mesh, problems);
+    (problems.len() == before).then_some(built)
+}
+
+/// The mesh as it is generated or read.
+fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Option<Built> {
     let (made, span, remedy) = match mesh {
         case::Mesh::Caverns(caverns) => {
             let made = spec(caverns).mesh_with_notes();
@@ -59,7 +78,7 @@ pub fn build(
             let (doubled, notes): (Vec<Note>, Vec<Note>) =
                 notes.into_iter().partition(|note| matches!(note, Note::Coincident { .. }));
             let doubled = doubled.first().map(warning);
-            Some(Built { mesh, warnings: notes.iter().map(warning).collect(), doubled })
+            Some(Built { mesh, warnings: notes.iter().map(warning).collect(), doubled, taken: Vec::new() })
         }
         Err((span, message)) => {
             // Errors of the mesh crate end with the way out.
@@ -255,7 +274,9 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
             let alone = MeshAlone::parse(Path::new("mesh.toml"), &source);
             let alone = alone.unwrap_or_else(|e| panic!("{e}")).expect("it has no other table");
             let mut problems = Vec::new();
-            assert!(build(&alone.mesh, Path::new(""), &Inputs::default(), &mut problems).is_none());
+            assert!(
+                build(&alone.mesh, &alone.ground, Path::new(""), &Inputs::default(), &mut problems).is_none()
+            );
             let [problem] = &problems[..] else { panic!("{problems:?}") };
             assert!(source[problem.span.clone()].starts_with(marked), "{}", &source[problem.span.clone()]);
             assert!(problem.remedy.contains(remedy), "{problem:?}");

@@ -13,6 +13,8 @@ mod memory;
 mod mesh;
 mod monitors;
 mod motion;
+mod places;
+mod planes;
 mod records;
 mod regions;
 mod reinforcement;
@@ -56,23 +58,38 @@ pub struct Setup {
     pub warnings: Vec<case::Diagnostic>,
 }
 
-/// The mesh of a case, or of a mesh's own description, in this folder or `held` in memory: in metres, and what is worth knowing of
-/// it, at its place in the file.
+/// The mesh of a case, or of a mesh's own description, with what is made of it, in this folder or `held` in memory: in metres, and
+/// what is worth knowing of it, at its place in the file.
 ///
 /// # Errors
 /// Why it cannot be generated or read, at its place in the file.
 pub fn mesh_of(
     mesh: &case::Mesh,
+    ground: &case::Ground,
     directory: &Path,
     held: &Inputs,
 ) -> Result<(tremolite_mesh::Mesh, Vec<case::Diagnostic>), Vec<case::Diagnostic>> {
     let mut problems = Vec::new();
-    let Some(mesh::Built { mesh, mut warnings, doubled }) = mesh::build(mesh, directory, held, &mut problems)
-    else {
+    let built = mesh::build(mesh, ground, directory, held, &mut problems);
+    let Some(mesh::Built { mesh, mut warnings, doubled, .. }) = built else {
         return Err(problems);
     };
     warnings.extend(doubled);
     Ok((mesh, warnings))
+}
+
+/// Makes groups by place in a mesh that is there, as a description of where it comes from has them.
+///
+/// # Errors
+/// Why one cannot be made, at its place in the description; those before it are made then.
+pub fn group_mesh(
+    source: &case::Mesh,
+    ground: &case::Ground,
+    mesh: &mut tremolite_mesh::Mesh,
+) -> Result<(), Vec<case::Diagnostic>> {
+    let mut problems = Vec::new();
+    places::group(source, &ground.groups, &[], mesh, &mut problems);
+    if problems.is_empty() { Ok(()) } else { Err(problems) }
 }
 
 /// The motion that a case gives to its model, processed and in the model's axes, and what is worth knowing of it, without a look at
@@ -134,10 +151,10 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
 pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problems = Vec::new();
     let motion = motion::build(case, held, &mut problems);
-    let mesh = mesh::build(&case.mesh, case.directory(), held, &mut problems);
+    let mesh = mesh::build(&case.mesh, &case.ground, case.directory(), held, &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
-    let Some(mesh::Built { mut mesh, mut warnings, doubled }) = mesh else {
+    let Some(mesh::Built { mut mesh, mut warnings, doubled, taken }) = mesh else {
         return Err(case.report(problems));
     };
     sides::check_planes(case, &mesh, &mut problems);
@@ -196,6 +213,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(warnings::of_tetrahedra(case, &mesh, &lasting));
     warnings.extend(warnings::of_plateaus(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
+    warnings.extend(places::warnings(case, &taken));
     warnings.extend(of_bolts);
     warnings.extend(bare);
     warnings.extend(facts.iter().flat_map(|facts| facts.warnings.clone()));

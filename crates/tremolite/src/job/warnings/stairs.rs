@@ -31,7 +31,8 @@ pub fn of_stairs(case: &Case, model: &Model) -> Vec<Diagnostic> {
                     steps.area,
                     steps.plane
                 ),
-                "mesh it with faces of elements along the surface, as Gmsh does of a surface embedded in the volume",
+                "cut generated ground with a [[mesh.plane]], or mesh it with faces of elements along the surface, as Gmsh does of a surface \
+                 embedded in the volume",
             )
         })
         .collect()

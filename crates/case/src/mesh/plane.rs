@@ -1,0 +1,49 @@
+//! `[[mesh.plane]]`: planes that cut generated ground.
+
+use std::ops::Range;
+
+use super::LENGTH;
+use super::place::{DIPS, PlaneAt, THROUGH, TOWARDS};
+use crate::Spanned;
+use crate::fields::Fields;
+use crate::keys::{Key, Kind, Table};
+
+pub(super) static PLANE: Table = Table {
+    path: "mesh.plane",
+    doc: "A plane that cuts generated ground, a fault or the border of a layer: nodes move onto it and elements part along it. Its \
+          strike is that of the caverns, along y. Its sides are the groups `NAME.above` and `NAME.below`, beside those that are there: \
+          all elements but linings and shotcrete, which stay whole; of a plane with an `extent` those that touch it. An [[interface]] \
+          between the two lets it slide and open.",
+    keys: &[
+        Key::required("name", Kind::Name, "first part of the names of its groups"),
+        THROUGH,
+        DIPS,
+        TOWARDS,
+        Key::optional(
+            "extent",
+            LENGTH,
+            "",
+            "How far it reaches from the point, up and down the dip; left out: through all the ground",
+        ),
+    ],
+    choice: &[],
+};
+
+/// A plane that cuts generated ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutPlane {
+    /// Unique; first part of the names of its groups.
+    pub name: Spanned<String>,
+    pub plane: PlaneAt,
+    /// From the point up and down the dip, m; nothing: through all the ground.
+    pub extent: Option<Spanned<f64>>,
+    /// Its table in the case: the header, or the braces.
+    pub span: Range<usize>,
+}
+
+impl CutPlane {
+    pub(super) fn read(f: &Fields) -> Option<Self> {
+        let extent = f.number("extent");
+        Some(CutPlane { name: f.text("name")?, plane: PlaneAt::read(f)?, extent, span: f.span.clone() })
+    }
+}

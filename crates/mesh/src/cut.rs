@@ -1,0 +1,147 @@
+//! Planes that cut a mesh which is the same all along y: their nodes move onto the plane, and elements part along it.
+//!
+//! What is extruded along y is cut in its section. The plane is a line there, and a way of edges and diagonals of the elements near it
+//! is looked for ([`path`]): its nodes go onto the line, and a quadrilateral that it crosses becomes two triangles. No node is added and no
+//! edge parted, so an element that the line passes by keeps its shape, and neighbours match by themselves. What must stay whole,
+//! linings, is passed: the way ends at its outer face and goes on from its inner one, whose nodes slide along their outline.
+
+mod apply;
+mod curve;
+mod error;
+mod path;
+mod relax;
+mod section;
+mod sides;
+#[cfg(test)]
+mod tests;
+
+use crate::Mesh;
+use crate::places::middle;
+use crate::plane::Plane;
+use crate::quality;
+
+pub use error::CutError;
+
+use section::Section;
+
+/// Smallest scaled Jacobian that a cut may leave.
+pub const LEAST_JACOBIAN: f64 = 0.15;
+/// How many rings of elements beside a plane may move with it.
+const MOST_RINGS: usize = 3;
+
+/// A plane that cuts a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// First part of the names of its groups.
+    pub name: String,
+    /// Its strike is along y.
+    pub plane: Plane,
+    /// How far it reaches from its point up and down the dip \[m\]; nothing: through all the mesh.
+    pub extent: Option<f64>,
+}
+
+/// Groups that planes go by.
+#[derive(Clone, Debug, Default)]
+pub struct Bounds<'a> {
+    /// Elements that no plane parts.
+    pub whole: &'a [u32],
+    /// Groups whose borders may move where a plane needs it, such as layers and benches.
+    pub soft: &'a [String],
+}
+
+/// What cutting has done.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Done {
+    /// Elements whose nodes moved, or that were parted, ascending.
+    pub changed: Vec<u32>,
+    /// Greatest way of a node \[m\].
+    pub moved: f64,
+    /// Smallest scaled Jacobian of what changed.
+    pub jacobian: f64,
+}
+
+/// Cuts a mesh by planes, one after the other, and adds the groups `NAME.above` and `NAME.below` of each: the elements that are not
+/// whole, by the side on which they lie; of a plane with an extent those that have a face on it.
+///
+/// # Errors
+/// See [`CutError`]. Then the mesh is as it was.
+pub fn cut(mesh: &mut Mesh, cuts: &[Cut], bounds: &Bounds<'_>) -> Result<Done, CutError> {
+    if cuts.is_empty() {
+        return Ok(Done { jacobian: f64::INFINITY, ..Done::default() });
+    }
+    let mut work = mesh.clone();
+    let mut done = Done { jacobian: f64::INFINITY, ..Done::default() };
+    let mut ways: Vec<Vec<[u32; 2]>> = Vec::new();
+    let mut whole = vec![false; mesh.elements.len()];
+    bounds.whole.iter().for_each(|&e| whole[e as usize] = true);
+    for cut in cuts {
+        if cut.plane.normal[1].abs() > 1e-9 {
+            return Err(CutError::Strike { name: cut.name.clone() });
+        }
+        for side in ["above", "below"] {
+            let group = format!("{}.{side}", cut.name);
+            if mesh.groups.contains_key(&group) {
+                return Err(CutError::Known { name: cut.name.clone(), group });
+            }
+        }
+        // Soft borders stay where that leaves a way.
+        let (trial, applied, way) = match one(&work, cut, &whole, bounds.soft, &ways, false) {
+            Err(CutError::NoWay { .. } | CutError::Poor { .. }) => {
+                one(&work, cut, &whole, bounds.soft, &ways, true)?
+            }
+            made => made?,
+        };
+        whole.resize(trial.elements.len(), false);
+        done.moved = done.moved.max(applied.moved);
+        done.changed.extend(applied.changed);
+        ways.push(way);
+        work = trial;
+    }
+    done.changed.sort_unstable();
+    done.changed.dedup();
+    done.jacobian = quality::summary_of(&work, done.changed.iter().copied()).min_scaled_jacobian;
+    let section = Section::of(&work, &whole, bounds.soft, &ways, false);
+    let section = section.map_err(|()| CutError::Section { name: cuts[0].name.clone() })?;
+    for (cut, way) in cuts.iter().zip(&ways) {
+        for (side, list) in ["above", "below"].into_iter().zip(sides::of(&section, &work, cut, way)) {
+            if list.is_empty() {
+                return Err(CutError::Misses { name: cut.name.clone() });
+            }
+            work.groups.insert(format!("{}.{side}", cut.name), list);
+        }
+    }
+    *mesh = work;
+    Ok(done)
+}
+
+/// A mesh cut by one plane, with the plane's way by nodes at the first y; `loose` lets soft borders move.
+fn one(
+    work: &Mesh,
+    cut: &Cut,
+    whole: &[bool],
+    soft: &[String],
+    ways: &[Vec<[u32; 2]>],
+    loose: bool,
+) -> Result<(Mesh, apply::Applied, Vec<[u32; 2]>), CutError> {
+    let section = Section::of(work, whole, soft, ways, loose);
+    let section = section.map_err(|()| CutError::Section { name: cut.name.clone() })?;
+    let way = path::find(&section, cut)?;
+    let mut best: Option<(f64, Mesh, apply::Applied)> = None;
+    // Elements beside the plane take some of the motion where that serves them.
+    for rings in 0..=MOST_RINGS {
+        let moves = relax::spread(&section, &way, rings);
+        let mut trial = work.clone();
+        let applied = apply::apply(&mut trial, &section, &way, &moves);
+        let score = apply::score(work, &trial, &applied);
+        if best.as_ref().is_none_or(|b| score > 1.02 * b.0) {
+            best = Some((score, trial, applied));
+        }
+    }
+    let Some((_, trial, applied)) = best else { return Err(CutError::Misses { name: cut.name.clone() }) };
+    let worst = quality::summary_of(&trial, applied.changed.iter().copied());
+    if worst.min_scaled_jacobian.is_nan() || worst.min_scaled_jacobian < LEAST_JACOBIAN {
+        let at = worst.worst.map_or(cut.plane.through, |e| middle(&trial, e));
+        return Err(CutError::Poor { name: cut.name.clone(), jacobian: worst.min_scaled_jacobian, at });
+    }
+    Ok((trial, applied, way.nodes(&section)))
+}

@@ -1,0 +1,75 @@
+//! Why a plane does not cut a mesh.
+
+use std::fmt;
+
+use super::LEAST_JACOBIAN;
+
+/// The way that is always open.
+const GMSH: &str = "mesh the ground with the plane in Gmsh and read it as [mesh.file] (docs/meshes.md)";
+
+/// Why a plane does not cut a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CutError {
+    /// The mesh has such a group.
+    Known { name: String, group: String },
+    /// The strike is not along y.
+    Strike { name: String },
+    /// The section is not the same all along y.
+    Section { name: String },
+    /// No two sides of it have elements.
+    Misses { name: String },
+    /// No way of nodes leads along it; at x and z.
+    NoWay { name: String, at: [f64; 2] },
+    /// Elements come out too poor.
+    Poor { name: String, jacobian: f64, at: [f64; 3] },
+}
+
+impl CutError {
+    /// The plane that is meant.
+    pub fn plane(&self) -> &str {
+        match self {
+            Self::Known { name, .. }
+            | Self::Strike { name }
+            | Self::Section { name }
+            | Self::Misses { name }
+            | Self::NoWay { name, .. }
+            | Self::Poor { name, .. } => name,
+        }
+    }
+}
+
+impl fmt::Display for CutError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Known { name, group } => {
+                write!(f, "the mesh has a group '{group}' already; give the plane '{name}' another name")
+            }
+            Self::Strike { name } => write!(
+                f,
+                "plane '{name}' does not strike along y, as the caverns do, and so it does not cut generated ground; give it a \
+                 `dip_direction` of 90 deg or 270 deg, or {GMSH}"
+            ),
+            Self::Section { name } => write!(
+                f,
+                "plane '{name}' meets ground whose section is not the same all along y; let the ground's surface not vary along y, or \
+                 {GMSH}"
+            ),
+            Self::Misses { name } => write!(
+                f,
+                "plane '{name}' parts nothing: all elements lie on one side of it; move `through` or raise `extent`"
+            ),
+            Self::NoWay { name, at: [x, z] } => write!(
+                f,
+                "no nodes near plane '{name}' can be moved onto it about x = {x:.1} m, z = {z:.1} m without leaving elements too poor; move \
+                 `through` by half an element, lower `near`, or {GMSH}"
+            ),
+            Self::Poor { name, jacobian, at: [x, _, z] } => write!(
+                f,
+                "plane '{name}' leaves an element with a scaled Jacobian of {jacobian:.3} about x = {x:.1} m, z = {z:.1} m, below \
+                 {LEAST_JACOBIAN}; move `through` by half an element, lower `near`, or {GMSH}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for CutError {}

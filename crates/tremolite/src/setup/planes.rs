@@ -1,0 +1,119 @@
+//! Planes of a case cut its generated mesh.
+
+use super::places::plane;
+use rayon::prelude::*;
+use tremolite_case::{self as case, Diagnostic};
+use tremolite_engine::hexahedra::hex;
+use tremolite_kernels::Quadrature;
+use tremolite_laws::Moduli;
+use tremolite_laws::shapes::hex8::element_frequencies;
+use tremolite_mesh::Mesh;
+use tremolite_mesh::cut::{Bounds, Cut, cut};
+
+/// Smallest share that a cut may leave of the step of single elements of the mesh without planes. It bounds that of the mesh, which
+/// keeps more: half a brick alone has 0.45 of the brick's step, and in a mesh of bricks 0.95 of the mesh's.
+const LEAST_STEP: f64 = 0.25;
+
+/// The groups that a plane makes.
+pub fn groups_of(plane: &case::CutPlane) -> [String; 2] {
+    ["above", "below"].map(|side| format!("{}.{side}", plane.name.value))
+}
+
+/// Cuts a mesh by the planes of a case; what is not possible is among the problems.
+pub fn cut_by(
+    source: &case::Mesh,
+    planes: &[case::CutPlane],
+    mesh: &mut Mesh,
+    problems: &mut Vec<Diagnostic>,
+) -> Option<Diagnostic> {
+    let first = planes.first()?;
+    let cuts: Vec<Cut> = planes
+        .iter()
+        .map(|p| Cut {
+            name: p.name.value.clone(),
+            plane: plane(&p.plane),
+            extent: p.extent.as_ref().map(|extent| extent.value),
+        })
+        .collect();
+    let (whole, soft) = bounds(source, mesh);
+    let before = smallest(mesh, 0..mesh.elements.len() as u32);
+    match cut(mesh, &cuts, &Bounds { whole: &whole, soft: &soft }) {
+        Ok(done) => {
+            let (after, at) = smallest(mesh, done.changed.iter().copied());
+            let share = after / before.0;
+            if share < LEAST_STEP {
+                let [x, _, z] = tremolite_mesh::places::middle(mesh, at);
+                problems.push(Diagnostic::new(
+                    first.span.clone(),
+                    format!(
+                        "the planes would leave an element at x = {x:.1} m, z = {z:.1} m whose own stable step is {share:.2} of the smallest \
+                         without them"
+                    ),
+                    "move `through` by half an element, lower `near`, or mesh the ground with the planes in Gmsh and read it as \
+                     [mesh.file] (docs/meshes.md)",
+                ));
+                return None;
+            }
+            let said = format!(
+                "planes moved nodes by up to {:.2} m: {} elements changed, of scaled Jacobians of {:.2} or more and stable steps, each alone, of \
+                 {:.2} or more of the smallest without planes",
+                done.moved,
+                done.changed.len(),
+                done.jacobian,
+                share.min(1.0)
+            );
+            Some(Diagnostic::new(
+                first.span.clone(),
+                said,
+                "move a plane by half an element if that is too poor",
+            ))
+        }
+        Err(e) => {
+            let at = planes.iter().find(|p| p.name.value == e.plane()).unwrap_or(first);
+            let text = e.to_string();
+            let (what, remedy) = text.split_once("; ").unwrap_or((&text, "change the plane"));
+            problems.push(Diagnostic::new(at.span.clone(), what, remedy));
+            None
+        }
+    }
+}
+
+/// Elements that stay whole, linings and shotcrete of generated caverns, and groups whose borders may move: layers of rock, which are stairs
+/// anyhow where they dip, and floors of benches inside a cavern.
+fn bounds(source: &case::Mesh, mesh: &Mesh) -> (Vec<u32>, Vec<String>) {
+    let case::Mesh::Caverns(made) = source else { return (Vec::new(), Vec::new()) };
+    let mut whole: Vec<u32> = Vec::new();
+    for (name, elements) in &mesh.groups {
+        let Some((cavern, part)) = name.split_once('.') else { continue };
+        let lined = made.caverns.iter().any(|c| c.name.value == cavern)
+            && (part.starts_with("lining") || part.starts_with("shotcrete"));
+        let opened = made.galleries.iter().any(|g| g.name.value == cavern) && part == "opening";
+        if lined || opened {
+            whole.extend(elements);
+        }
+    }
+    whole.sort_unstable();
+    whole.dedup();
+    let bench = |name: &str| {
+        let parts = name.split_once('.');
+        parts.is_some_and(|(c, part)| {
+            part.starts_with("bench") && made.caverns.iter().any(|cavern| cavern.name.value == c)
+        })
+    };
+    let soft = mesh.groups.keys().filter(|name| name.starts_with("rock.") || bench(name));
+    (whole, soft.cloned().collect())
+}
+
+/// The smallest stable step of single elements, all of one rock \[s\], and the element.
+fn smallest(mesh: &Mesh, elements: impl Iterator<Item = u32>) -> (f64, u32) {
+    let elements: Vec<u32> = elements.collect();
+    let rock = Moduli::from_young_poisson(10e9, 0.25);
+    let steps = elements.par_chunks(64).map(|chunk| {
+        let usable = chunk.iter().filter_map(|&e| Some((e, hex(mesh, e as usize).ok()?)));
+        let (elements, shapes): (Vec<u32>, Vec<_>) = usable.unzip();
+        let omegas = element_frequencies(&shapes, rock, 2700.0, Quadrature::OnePoint);
+        let steps = omegas.into_iter().zip(elements).map(|(omega, e)| (2.0 / omega, e));
+        steps.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, u32::MAX))
+    });
+    steps.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).unwrap_or((f64::INFINITY, u32::MAX))
+}
