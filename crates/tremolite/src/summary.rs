@@ -3,7 +3,7 @@
 use crate::damage;
 use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
-use crate::observers::{BoltForces, Extremes};
+use crate::observers::{BoltForces, Extremes, strengths};
 use crate::outcome::run_in_words;
 use crate::simulation::Ending;
 use crate::stress::stresses;
@@ -107,6 +107,7 @@ pub fn summary(evidence: Evidence) -> Summary {
                     least_at: site.least.1,
                 }),
             }),
+            boundaries: plan.boundaries.clone(),
             run: evidence.run,
             stages: outcome.stages.clone(),
         },
@@ -123,6 +124,7 @@ pub fn summary(evidence: Evidence) -> Summary {
             interfaces,
             pairs: interfaces::monitors(model, plan),
             bolts,
+            sections: strengths(model, plan, memory),
             bolt_monitors: support::monitors(&model.bolts, plan),
         },
         soundness: Soundness {

@@ -21,6 +21,9 @@ pub struct Computed {
     pub materials: IndexMap<String, MaterialFacts>,
     /// The motion that went in.
     pub motion: MotionFacts,
+    /// `base`, `x`, `y`, `top` → the boundary there while the ground shakes, by its word in a case; empty without an earthquake.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub boundaries: IndexMap<String, String>,
     /// Program and machine.
     pub run: RunFacts,
     /// Stages before the earthquake, in their order; the first is the initial equilibrium.

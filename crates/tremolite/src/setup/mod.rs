@@ -13,9 +13,11 @@ mod memory;
 mod mesh;
 mod monitors;
 mod motion;
+mod page;
 mod records;
 mod regions;
 mod reinforcement;
+mod sections;
 mod sides;
 mod site;
 mod stages;
@@ -36,7 +38,7 @@ use tremolite_engine::{Base, Body, Interface, Life, Problem, Rayleigh, TimeStep,
 use tremolite_kernels::{InterfaceLaw, Law, interface_laws, laws};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
-use tremolite_results::{Input, MaterialFacts, PageWish};
+use tremolite_results::{Input, MaterialFacts};
 
 /// All a run needs, and what of the input is worth reporting.
 pub struct Setup {
@@ -159,6 +161,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let at_bolts = bolts::monitors(case, &mesh, &mut problems);
     let solid = staged.solid();
     let (bars, bare) = reinforcement::build(case, &mesh, &staged.places, &solid, &mut problems);
+    let judged = sections::build(case, &mesh, &staged.places, &solid, &mut problems);
     let (base, base_without_springs) =
         springs_or_none(case, &mesh, &lasting, &interfaces, staged.lives(), base, &mut problems);
     if !problems.is_empty() {
@@ -240,7 +243,8 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let output = &case.output;
     let plan = Plan {
         title: case.title.value.clone(),
-        page: PageWish { language: case.page.language.word().into(), view: case.page.view },
+        page: page::wish(&case.page),
+        boundaries: boundaries(case),
         stages: Staged::plan(case),
         duration,
         recorded: recorded.flatten(),
@@ -251,11 +255,21 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         monitors,
         pairs,
         bolts: at_bolts,
+        sections: judged,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
     let inputs = inputs::inputs(case, held);
     let warnings = case.keyed(warnings);
     Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, base_without_springs, warnings })
+}
+
+/// The boundaries while the ground shakes, by their words.
+fn boundaries(case: &Case) -> IndexMap<String, String> {
+    let dynamic = &case.dynamic;
+    let [x, y] = dynamic.sides.each_ref().map(|side| side.value.word());
+    let all = [("base", dynamic.base.value.word()), ("x", x), ("y", y), ("top", dynamic.top.value.word())];
+    let all = all.into_iter().filter(|_| case.motion.is_some());
+    all.map(|(place, word)| (place.to_owned(), word.to_owned())).collect()
 }
 
 /// The place of one of the case's monitors among those in elements.
