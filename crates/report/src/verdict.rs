@@ -1,7 +1,8 @@
 //! The verdict: whether the lining stands, in five lines at most, from what the summary found.
 
-mod short_names;
-mod surroundings;
+pub mod short_names;
+mod strength;
+pub mod surroundings;
 
 use serde::Serialize;
 use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary};
@@ -61,6 +62,7 @@ pub fn verdict(source: &Source) -> Verdict {
         );
         lines.push(VerdictLine { text, ..next });
     }
+    lines.extend(strength::lines(source, &facts));
     let room = LINES.saturating_sub(lines.len());
     lines.extend(within(room, around(language, &facts), language));
     lines.extend(relative(source, &facts));
@@ -124,9 +126,10 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
         (Status::Done, None, Some(yielded)) => {
             ("warn", say!(language, "Not judged by cracks. {yielded}", yielded = yielded))
         }
-        (Status::Done, None, None) => {
-            ("warn", say!(language, "Not judged: no structure of this run can crack."))
-        }
+        (Status::Done, None, None) => match strength::answer(source, summary) {
+            Some(answer) => answer,
+            None => ("warn", say!(language, "Not judged: no structure of this run can crack.")),
+        },
         (Status::Done, Some(Severity::Through), _) if linings.iter().any(|lining| is_loose(lining)) => (
             "bad",
             say!(

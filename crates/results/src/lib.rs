@@ -89,7 +89,7 @@ pub use stages::{StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{
     CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, Input, ModelFacts, MonitorFacts, MotionFacts,
-    PageWish, PartFacts, RunFacts, Soundness, Status, Summary, Synchrony,
+    PageWish, PartFacts, RunFacts, Soundness, Status, Summary, Synchrony, TargetSpectrum,
 };
 pub use surface::{ElementGroups, PairSurface};
 pub use table::Table;

@@ -102,6 +102,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         title: _,
         page: _,
         boundaries: _,
+        target: _,
         fields: _,
         checkpoint: _,
     } = plan;

@@ -7,7 +7,7 @@ use crate::strength::JudgedBy;
 use indexmap::IndexMap;
 use tremolite_mesh::locate::Location;
 use tremolite_motion::Motion;
-use tremolite_results::PageWish;
+use tremolite_results::{PageWish, TargetSpectrum};
 
 /// A point whose histories are kept.
 #[derive(Clone, Debug)]
@@ -60,6 +60,8 @@ pub struct Plan {
     pub page: PageWish,
     /// Where → the boundary there while the ground shakes, in words for the summary.
     pub boundaries: IndexMap<String, String>,
+    /// The spectrum that the design calls for, for the page.
+    pub target: Option<TargetSpectrum>,
     /// Before the earthquake: the equilibrium of what is there at the start, then what is changed; none for a run from rest
     /// without stress.
     pub stages: Vec<PlannedStage>,

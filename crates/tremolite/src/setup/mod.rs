@@ -27,6 +27,7 @@ mod warnings;
 pub use facts::{MotionFacts, SiteFacts};
 pub use inputs::{changed, hash, original_folder};
 pub use memory::Inputs;
+pub use page::limits;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
@@ -245,6 +246,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         title: case.title.value.clone(),
         page: page::wish(&case.page),
         boundaries: boundaries(case),
+        target: case.motion.as_ref().and_then(|motion| motion.target.as_ref()).map(page::target),
         stages: Staged::plan(case),
         duration,
         recorded: recorded.flatten(),

@@ -54,6 +54,7 @@ pub(crate) fn plan(stages: &[&str]) -> Plan {
     Plan {
         page: PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: String::new(),
         stages: stages.iter().map(|name| PlannedStage::new(*name)).collect(),
         duration: 1.0,

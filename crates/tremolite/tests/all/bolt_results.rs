@@ -50,6 +50,7 @@ pub fn plan() -> Plan {
     Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: "bolts".into(),
         stages: ["start", "bench 1"].map(PlannedStage::new).into(),
         duration: 0.12,

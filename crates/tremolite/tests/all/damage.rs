@@ -97,6 +97,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
         let plan = Plan {
             page: tremolite_results::PageWish::default(),
             boundaries: Default::default(),
+            target: None,
             title: "hall".into(),
             stages: Vec::new(),
             duration: 0.3,

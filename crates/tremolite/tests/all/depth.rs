@@ -69,6 +69,7 @@ pub fn plan(problem: &Problem, heights: &[f64], seconds: f64) -> Plan {
     Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: "ground".into(),
         stages: Vec::new(),
         duration: seconds,

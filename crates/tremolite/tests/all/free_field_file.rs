@@ -49,6 +49,7 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: "ground".into(),
         stages: Vec::new(),
         duration: 0.7,

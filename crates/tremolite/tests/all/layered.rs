@@ -296,6 +296,7 @@ fn most_used(quadrature: Quadrature) -> f64 {
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: "cantilever".into(),
         stages: Vec::new(),
         duration: 0.2,

@@ -34,6 +34,7 @@ fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Pl
     Plan {
         page: PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: "observed".into(),
         stages: stages.iter().map(|&name| PlannedStage::new(name)).collect(),
         duration: 0.03,

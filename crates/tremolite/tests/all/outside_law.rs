@@ -229,6 +229,7 @@ fn told(problem: Problem) -> Summary {
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: "metal".into(),
         stages: Vec::new(),
         duration: 0.3,

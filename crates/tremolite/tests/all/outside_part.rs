@@ -168,6 +168,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: "springs".into(),
         stages: Vec::new(),
         duration: 0.1,

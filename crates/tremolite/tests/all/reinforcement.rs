@@ -115,6 +115,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: String::new(),
         stages,
         duration: 0.0,

@@ -27,6 +27,7 @@ fn plan(problem: &Problem) -> Plan {
     Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
+        target: None,
         title: "block".into(),
         stages: Vec::new(),
         duration: 0.12,
