@@ -139,6 +139,6 @@ pub const TEXTS: Texts = &[
     ("{lining}: shear", "{lining}：剪力"),
     ("what the design calls for of the motion given", "给定地震动的设计反应谱"),
     ("Material {name}", "材料 {name}"),
-    ("damping", "阻尼"),
+    ("{values}; damping:", "{values}；阻尼："),
     ("; a cross-check, since this lining can crack", "；该衬砌可开裂，仅作复核"),
 ];

@@ -32,8 +32,8 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         parts.extend(told.map(|row| format!("{} {}", symbol(&row.name), row.value)));
         parts.push(material.density.clone());
         let label = say!(language, "Material {name}", name = material.name);
-        facts.push(card(label, parts.join(", "), ""));
-        facts.push(card(say!(language, "damping"), String::new(), material.damping.clone()));
+        let text = say!(language, "{values}; damping:", values = parts.join(&say!(language, ", ")));
+        facts.push(card(label, text, material.damping.clone()));
     }
     let boundaries = &summary.computed.boundaries;
     if !boundaries.is_empty() {
