@@ -116,6 +116,14 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
     let Ok(summary) = &source.summary else {
         return ("warn", say!(language, "Cannot be said: there is no summary of the run."));
     };
+    // Beside linings that can crack and have not, one that cannot may be asked for more than it bears.
+    let first = linings.first().map(|finding| finding.severity);
+    if let (Status::Done, Some(Severity::Undamaged), Some(answer)) =
+        (summary.conclusion.status, first, strength::answer(source, summary))
+        && answer.0 == "bad"
+    {
+        return answer;
+    }
     let yielded = yielding.map(|finding| yielded(language, summary, finding));
     match (summary.conclusion.status, linings.first().map(|finding| finding.severity), yielded) {
         (Status::Failed, ..) => ("bad", say!(language, "Cannot be said: the run failed.")),
