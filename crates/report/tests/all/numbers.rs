@@ -117,7 +117,12 @@ fn numbers_of_the_two_sheets_stand_in_the_files() {
     let temp = tempfile::tempdir().unwrap();
     sheets::results(temp.path());
     for language in [Language::English, Language::Chinese] {
-        let derived = [("over: length of the displacement of B", " | ")];
+        let derived = [
+            // Of all monitors, and over what the balance's rows hold together, as on the cards of other pages.
+            ("over: length of the displacement of B", " | "),
+            ("over: largest of monitors", " | "),
+            ("over: error over the largest energy held", " | "),
+        ];
         assert_sound(temp.path(), language, &derived);
     }
 }
